@@ -1,0 +1,131 @@
+#include "gl/context.h"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <array>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace vantage::gl {
+namespace {
+
+EGLContext context_on(EGLDisplay display) {
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return EGL_NO_CONTEXT;
+    if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                 4,
+                                 EGL_CONTEXT_MINOR_VERSION,
+                                 5,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                 EGL_NONE};
+    return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+}
+
+bool has_extension(const char* list, const char* name) { return list && std::strstr(list, name); }
+
+/// EGL devices, hardware before software, so that a GPU is found without a display server.
+std::vector<EGLDeviceEXT> devices() {
+    const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    if (!has_extension(client, "EGL_EXT_platform_device") ||
+        !has_extension(client, "EGL_EXT_device_enumeration"))
+        return {};
+    std::array<EGLDeviceEXT, 16> found{};
+    EGLint n = 0;
+    if (!eglQueryDevicesEXT(EGLint(found.size()), found.data(), &n)) return {};
+    std::vector<EGLDeviceEXT> hardware, software;
+    for (EGLint i = 0; i < n; ++i) {
+        const char* extensions = eglQueryDeviceStringEXT(found[std::size_t(i)], EGL_EXTENSIONS);
+        (has_extension(extensions, "EGL_MESA_device_software") ? software : hardware)
+            .push_back(found[std::size_t(i)]);
+    }
+    hardware.insert(hardware.end(), software.begin(), software.end());
+    return hardware;
+}
+
+}  // namespace
+
+struct HeadlessContext::State {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+
+    bool adopt(EGLDisplay candidate) {
+        const EGLContext made = context_on(candidate);
+        if (made == EGL_NO_CONTEXT) return false;
+        if (!eglMakeCurrent(candidate, EGL_NO_SURFACE, EGL_NO_SURFACE, made)) {
+            eglDestroyContext(candidate, made);
+            return false;
+        }
+        display = candidate;
+        context = made;
+        return true;
+    }
+};
+
+HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
+    for (EGLDeviceEXT device : devices())
+        if (state_->adopt(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr))) {
+            watch_errors();
+            return;
+        }
+    if (has_extension(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_MESA_platform_surfaceless") &&
+        state_->adopt(
+            eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr))) {
+        watch_errors();
+        return;
+    }
+    throw std::runtime_error("no OpenGL 4.5 core context through EGL (tried every device, then surfaceless)");
+}
+
+HeadlessContext::HeadlessContext(HeadlessContext&&) noexcept = default;
+
+HeadlessContext::~HeadlessContext() {
+    if (!state_ || state_->context == EGL_NO_CONTEXT) return;
+    // The display is left initialised: terminating unloads the driver, which then counts as leaked.
+    eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(state_->display, state_->context);
+}
+
+Device current_device() {
+    const auto text = [](GLenum name) {
+        const GLubyte* s = glGetString(name);
+        return std::string(s ? reinterpret_cast<const char*>(s) : "");
+    };
+    Device d{text(GL_RENDERER), text(GL_VERSION)};
+    for (const char* soft : {"llvmpipe", "softpipe", "swrast", "Software"})
+        d.software |= d.renderer.find(soft) != std::string::npos;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &d.max_texture_size);
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &d.max_array_layers);
+    return d;
+}
+
+namespace {
+/// The first serious message since the last check; exceptions must not cross the driver's frames.
+thread_local std::string pending;
+void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* text,
+                           const void*) {
+    if ((severity == GL_DEBUG_SEVERITY_HIGH || type == GL_DEBUG_TYPE_ERROR) && pending.empty())
+        pending = text;
+}
+}  // namespace
+
+void watch_errors() {
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(on_message, nullptr);
+}
+
+void check(const char* where) {
+    const GLenum error = glGetError();
+    if (error == GL_NO_ERROR && pending.empty()) return;
+    const std::string text = std::exchange(pending, {});
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    throw std::runtime_error(std::string("OpenGL failed in ") + where + ": " +
+                             (text.empty() ? "error " + std::to_string(error) : text));
+}
+
+}  // namespace vantage::gl

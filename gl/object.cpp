@@ -1,0 +1,78 @@
+#include "gl/object.h"
+
+#include <stdexcept>
+
+namespace vantage::gl {
+
+Buffer make_buffer(const char* label, std::size_t bytes, const void* data, GLbitfield flags) {
+    GLuint id = 0;
+    glCreateBuffers(1, &id);
+    glNamedBufferStorage(id, GLsizeiptr(bytes > 0 ? bytes : 4), data, flags);
+    glObjectLabel(GL_BUFFER, id, -1, label);
+    return Buffer(id);
+}
+
+namespace {
+void set_sampling(GLuint id, GLenum filter) {
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GLint(filter));
+    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GLint(filter));
+    glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+}  // namespace
+
+Texture make_texture_2d(const char* label, GLenum format, int width, int height, GLenum filter) {
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &id);
+    glTextureStorage2D(id, 1, format, width, height);
+    set_sampling(id, filter);
+    glObjectLabel(GL_TEXTURE, id, -1, label);
+    return Texture(id);
+}
+
+Texture make_texture_array(const char* label, GLenum format, int width, int height, int layers,
+                           GLenum filter) {
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &id);
+    glTextureStorage3D(id, 1, format, width, height, layers);
+    set_sampling(id, filter);
+    glObjectLabel(GL_TEXTURE, id, -1, label);
+    return Texture(id);
+}
+
+Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, GLuint depth) {
+    GLuint id = 0;
+    glCreateFramebuffers(1, &id);
+    Framebuffer framebuffer(id);
+    GLenum buffers[8];
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        buffers[i] = GLenum(GL_COLOR_ATTACHMENT0 + i);
+        glNamedFramebufferTexture(id, buffers[i], colors[i], 0);
+    }
+    if (colors.empty())
+        glNamedFramebufferDrawBuffer(id, GL_NONE);
+    else
+        glNamedFramebufferDrawBuffers(id, GLsizei(colors.size()), buffers);
+    if (depth) glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth, 0);
+    glObjectLabel(GL_FRAMEBUFFER, id, -1, label);
+    if (glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw std::runtime_error(std::string("framebuffer '") + label + "' is incomplete");
+    return framebuffer;
+}
+
+VertexArray make_vertex_array(const char* label) {
+    GLuint id = 0;
+    glCreateVertexArrays(1, &id);
+    glObjectLabel(GL_VERTEX_ARRAY, id, -1, label);
+    return VertexArray(id);
+}
+
+void attach_floats(const VertexArray& vao, GLuint attribute, const Buffer& buffer, int components,
+                   int stride) {
+    glVertexArrayVertexBuffer(vao.id(), attribute, buffer.id(), 0, stride);
+    glVertexArrayAttribFormat(vao.id(), attribute, components, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(vao.id(), attribute, attribute);
+    glEnableVertexArrayAttrib(vao.id(), attribute);
+}
+
+}  // namespace vantage::gl

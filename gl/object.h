@@ -1,0 +1,71 @@
+#pragma once
+#include <epoxy/gl.h>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+
+/// OpenGL objects that release themselves. Move-only; made by direct state access on the context's thread,
+/// labelled for debuggers; the context must outlive them.
+namespace vantage::gl {
+
+template <auto Release>
+class Handle {
+  public:
+    Handle() = default;
+    explicit Handle(GLuint id) : id_(id) {}
+    ~Handle() { reset(); }
+    Handle(Handle&& o) noexcept : id_(std::exchange(o.id_, 0)) {}
+    Handle& operator=(Handle&& o) noexcept {
+        if (this != &o) {
+            reset();
+            id_ = std::exchange(o.id_, 0);
+        }
+        return *this;
+    }
+    GLuint id() const { return id_; }
+    explicit operator bool() const { return id_ != 0; }
+
+  private:
+    void reset() {
+        if (id_) Release(id_);
+        id_ = 0;
+    }
+    GLuint id_ = 0;
+};
+
+inline void release_buffer(GLuint id) { glDeleteBuffers(1, &id); }
+inline void release_texture(GLuint id) { glDeleteTextures(1, &id); }
+inline void release_framebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
+inline void release_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
+inline void release_sampler(GLuint id) { glDeleteSamplers(1, &id); }
+inline void release_query(GLuint id) { glDeleteQueries(1, &id); }
+inline void release_program(GLuint id) { glDeleteProgram(id); }
+
+using Buffer = Handle<&release_buffer>;
+using Texture = Handle<&release_texture>;
+using Framebuffer = Handle<&release_framebuffer>;
+using VertexArray = Handle<&release_vertex_array>;
+using Sampler = Handle<&release_sampler>;
+using Query = Handle<&release_query>;
+using Program = Handle<&release_program>;
+
+/// Immutable storage of `bytes`, from `data` or undefined. Flags as glNamedBufferStorage.
+Buffer make_buffer(const char* label, std::size_t bytes, const void* data = nullptr, GLbitfield flags = 0);
+
+/// One-level 2D texture with immutable storage, clamped at its edges.
+Texture make_texture_2d(const char* label, GLenum format, int width, int height, GLenum filter = GL_NEAREST);
+/// Array texture, one level, clamped at its edges.
+Texture make_texture_array(const char* label, GLenum format, int width, int height, int layers,
+                           GLenum filter = GL_LINEAR);
+/// Framebuffer of the given colour textures (in order of attachment) and depth texture (0 for none).
+/// Throws std::runtime_error when incomplete.
+Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, GLuint depth);
+VertexArray make_vertex_array(const char* label);
+
+/// A two-float or three-float attribute read from `buffer` with `stride` bytes.
+void attach_floats(const VertexArray& vao, GLuint attribute, const Buffer& buffer, int components,
+                   int stride);
+
+}  // namespace vantage::gl

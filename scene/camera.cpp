@@ -1,0 +1,53 @@
+#include "scene/camera.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <string>
+
+#include "scene/error.h"
+
+namespace vantage {
+
+Intrinsics Intrinsics::scaled(int new_width, int new_height) const {
+    const double sx = double(new_width) / width, sy = double(new_height) / height;
+    return {new_width, new_height, fx * sx, fy * sy, cx * sx, cy * sy};
+}
+
+std::optional<Projection> project(const Intrinsics& k, const Pose& pose, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d p = pose.R * point + pose.t;
+    if (!(p.z() > 0)) return std::nullopt;
+    const Eigen::Vector2d pixel(k.fx * p.x() / p.z() + k.cx, k.fy * p.y() / p.z() + k.cy);
+    if (!pixel.allFinite()) return std::nullopt;
+    return Projection{pixel, p.z()};
+}
+
+Eigen::Matrix4d clip_from_cam(const Intrinsics& k, double near, double far) {
+    // x_ndc = 2 u / w - 1 with u = fx x/z + cx; v = 0 is the first row in memory, so y needs no flip.
+    Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
+    m(0, 0) = 2 * k.fx / k.width;
+    m(0, 2) = 2 * k.cx / k.width - 1;
+    m(1, 1) = 2 * k.fy / k.height;
+    m(1, 2) = 2 * k.cy / k.height - 1;
+    m(2, 2) = (far + near) / (far - near);
+    m(2, 3) = -2 * far * near / (far - near);
+    m(3, 2) = 1;
+    return m;
+}
+
+void validate(Camera& camera, const std::string& who) {
+    const auto fail = [&](const std::string& what) { throw Error(Exit::input, who + ": " + what); };
+    const Intrinsics& k = camera.intrinsics;
+    if (k.width <= 0 || k.height <= 0) fail("the photo size is not positive");
+    if (!(k.fx > 0 && k.fy > 0 && std::isfinite(k.fx) && std::isfinite(k.fy)))
+        fail("focal length must be positive and finite");
+    if (!std::isfinite(k.cx) || !std::isfinite(k.cy)) fail("principal point is not finite");
+    Pose& pose = camera.cam_from_world;
+    if (!pose.R.allFinite() || !pose.t.allFinite()) fail("pose is not finite");
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(pose.R, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::Matrix3d nearest = svd.matrixU() * svd.matrixV().transpose();
+    if ((nearest - pose.R).norm() > 1e-3 || nearest.determinant() < 0)
+        fail("rotation is not a right-handed orthonormal matrix");
+    pose.R = nearest;
+}
+
+}  // namespace vantage

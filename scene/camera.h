@@ -1,0 +1,53 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+
+#include "scene/lens.h"
+
+namespace vantage {
+
+/// Pinhole intrinsics in pixels. Pixel (0,0) covers [0,1)x[0,1), v grows downwards.
+struct Intrinsics {
+    int width = 0, height = 0;
+    double fx = 0, fy = 0, cx = 0, cy = 0;
+
+    /// The same camera with pixels `s` times as many along each side.
+    Intrinsics scaled(int new_width, int new_height) const;
+};
+
+/// Rigid transform `x_cam = R * x_world + t`; the camera looks along +z, x right, y down.
+struct Pose {
+    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d t = Eigen::Vector3d::Zero();
+
+    Eigen::Vector3d center() const { return -R.transpose() * t; }
+    Eigen::Vector3d direction() const { return R.row(2).transpose(); }
+    /// The same pose for world coordinates measured from `origin`.
+    Pose relative_to(const Eigen::Vector3d& origin) const { return {R, t + R * origin}; }
+};
+
+struct Camera {
+    Intrinsics intrinsics;
+    Lens lens;  ///< how the photo as taken deviates from the pinhole
+    Pose cam_from_world;
+};
+
+/// A projected point: pixel coordinates and linear depth z along the optical axis.
+struct Projection {
+    Eigen::Vector2d pixel;
+    double z;
+};
+
+/// Pinhole projection, lens ignored. Empty for points on or behind the camera plane or not finite.
+std::optional<Projection> project(const Intrinsics& intrinsics, const Pose& cam_from_world,
+                                  const Eigen::Vector3d& point);
+
+/// OpenGL clip-from-camera matrix whose pixels are exactly those of `intrinsics` (principal point
+/// included), row 0 of the framebuffer being the photo's top row. Depth range [near, far], both > 0.
+Eigen::Matrix4d clip_from_cam(const Intrinsics& intrinsics, double near, double far);
+
+/// Throws Error(input) naming `who` unless sizes are positive, focal lengths positive, all finite and
+/// R orthonormal with determinant +1 (to 1e-3; smaller errors are removed).
+void validate(Camera& camera, const std::string& who);
+
+}  // namespace vantage

@@ -1,0 +1,9 @@
+#include "scene/checksum.h"
+
+#include <xxhash.h>
+
+namespace vantage {
+
+std::uint64_t checksum(std::span<const std::byte> bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
+
+}  // namespace vantage

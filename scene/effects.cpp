@@ -1,0 +1,46 @@
+#include "scene/effects.h"
+
+#include <array>
+#include <cmath>
+
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::array table{
+    EffectRow{Effect::undistortion, "undistortion", "largest displacement by the lens in any photo", "px",
+              0.05, "", "resample photos to a pinhole camera"},
+    EffectRow{Effect::per_fragment, "per-fragment", "95th percentile of triangle size in the photos", "px",
+              24.0, "PER_FRAGMENT", "project and depth-test every fragment instead of every vertex"},
+    EffectRow{Effect::fov_normalisation, "fov-normalisation",
+              "spread of the photos' focal lengths, max/min - 1", "", 0.05, "FOV_NORMALISATION",
+              "compare distances as if all photos had one field of view"},
+    EffectRow{Effect::vertex_colors, "vertex-colors", "share of vertices with a colour that no photo sees",
+              "", 0.001, "VERTEX_COLORS", "show the mesh's own colours where no photo sees"},
+};
+static_assert(table.size() == std::size_t(Effect::count));
+
+}  // namespace
+
+std::span<const EffectRow> effect_table() { return table; }
+
+EffectDecision decide(Effect effect, EffectChoice choice, double measured, std::string evidence) {
+    EffectDecision d{effect, false, choice != EffectChoice::automatic, measured, std::move(evidence)};
+    d.on = d.forced ? choice == EffectChoice::on
+                    : std::isfinite(measured) && measured > effect_row(effect).threshold;
+    return d;
+}
+
+const EffectRow& effect_row(Effect effect) { return table[std::size_t(effect)]; }
+
+const EffectRow& effect_row(const std::string& name) {
+    std::string known;
+    for (const EffectRow& row : table) {
+        if (name == row.name) return row;
+        known += (known.empty() ? "" : ", ") + std::string(row.name);
+    }
+    throw Error(Exit::usage, "unknown effect '" + name + "', expected one of " + known);
+}
+
+}  // namespace vantage

@@ -1,0 +1,84 @@
+#include "scene/lens.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vantage {
+namespace {
+
+Eigen::Vector2d opencv(const std::array<double, 8>& p, const Eigen::Vector2d& q) {
+    const double x = q.x(), y = q.y(), r2 = x * x + y * y;
+    const double radial =
+        (1 + r2 * (p[0] + r2 * (p[1] + r2 * p[4]))) / (1 + r2 * (p[5] + r2 * (p[6] + r2 * p[7])));
+    return {x * radial + 2 * p[2] * x * y + p[3] * (r2 + 2 * x * x),
+            y * radial + p[2] * (r2 + 2 * y * y) + 2 * p[3] * x * y};
+}
+
+/// Maps radius tan(theta) to theta along the same direction; the limit at the centre is 1.
+Eigen::Vector2d equidistant(const Eigen::Vector2d& q) {
+    const double r = q.norm();
+    return r > 1e-9 ? Eigen::Vector2d(q * (std::atan(r) / r)) : q;
+}
+
+Eigen::Vector2d fisheye(const std::array<double, 8>& p, const Eigen::Vector2d& q) {
+    const Eigen::Vector2d e = equidistant(q);
+    const double t2 = e.squaredNorm();
+    return e * (1 + t2 * (p[0] + t2 * (p[1] + t2 * (p[2] + t2 * p[3]))));
+}
+
+Eigen::Vector2d fov(double omega, const Eigen::Vector2d& q) {
+    const double r = q.norm(), half = 2 * std::tan(omega / 2);
+    if (std::abs(omega) < 1e-6) return q;
+    const double factor = r > 1e-9 ? std::atan(r * half) / (r * omega) : half / omega;
+    return q * factor;
+}
+
+Eigen::Vector2d thin_prism(const std::array<double, 8>& p, const Eigen::Vector2d& q) {
+    const Eigen::Vector2d e = equidistant(q);
+    const double x = e.x(), y = e.y(), r2 = e.squaredNorm();
+    const double radial = 1 + r2 * (p[0] + r2 * (p[1] + r2 * (p[4] + r2 * p[5])));
+    return {x * radial + 2 * p[2] * x * y + p[3] * (r2 + 2 * x * x) + p[6] * r2,
+            y * radial + 2 * p[3] * x * y + p[2] * (r2 + 2 * y * y) + p[7] * r2};
+}
+
+}  // namespace
+
+bool Lens::distorts() const {
+    if (model == LensModel::none) return false;
+    if (model != LensModel::opencv) return true;
+    return std::any_of(p.begin(), p.end(), [](double v) { return v != 0; });
+}
+
+std::string_view name(LensModel model) {
+    switch (model) {
+        case LensModel::none:
+            return "pinhole";
+        case LensModel::opencv:
+            return "radial and tangential";
+        case LensModel::fisheye:
+            return "fisheye";
+        case LensModel::fov:
+            return "field of view";
+        case LensModel::thin_prism:
+            return "thin prism";
+    }
+    return "unknown";
+}
+
+Eigen::Vector2d distort(const Lens& lens, const Eigen::Vector2d& xy) {
+    switch (lens.model) {
+        case LensModel::none:
+            return xy;
+        case LensModel::opencv:
+            return opencv(lens.p, xy);
+        case LensModel::fisheye:
+            return fisheye(lens.p, xy);
+        case LensModel::fov:
+            return fov(lens.p[0], xy);
+        case LensModel::thin_prism:
+            return thin_prism(lens.p, xy);
+    }
+    return xy;
+}
+
+}  // namespace vantage

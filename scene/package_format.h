@@ -1,0 +1,112 @@
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+/// The bytes of a `.vantage` file, little-endian; FORMAT.md describes them in words.
+namespace vantage::package {
+
+inline constexpr char magic[8] = {'V', 'A', 'N', 'T', 'A', 'G', 'E', '\n'};
+inline constexpr std::uint32_t version = 1;
+inline constexpr std::uint64_t alignment = 4096;  ///< of every chunk and every block
+inline constexpr std::uint32_t scene_wide = 0xffffffffu;
+
+constexpr std::uint32_t fourcc(const char (&s)[5]) {
+    return std::uint32_t(std::uint8_t(s[0])) | std::uint32_t(std::uint8_t(s[1])) << 8 |
+           std::uint32_t(std::uint8_t(s[2])) << 16 | std::uint32_t(std::uint8_t(s[3])) << 24;
+}
+
+enum class Type : std::uint32_t {
+    meta = fourcc("META"),         ///< JSON: tool, configuration, effects with evidence, inputs, names
+    scene = fourcc("SCEN"),        ///< one SceneRecord
+    photos = fourcc("PHOT"),       ///< PhotoRecord[photos]
+    positions = fourcc("VPOS"),    ///< float[3][vertices], relative to the origin
+    normals = fourcc("VNRM"),      ///< float[3][vertices], unit length
+    colors = fourcc("VCOL"),       ///< u8[4][vertices], sRGB and alpha; optional
+    scalars = fourcc("VSCL"),      ///< float[vertices] a layer, names in META; optional
+    indices = fourcc("INDX"),      ///< u32[3][triangles], ordered by cluster
+    clusters = fourcc("CLUS"),     ///< ClusterRecord[clusters]
+    thumbnail = fourcc("THMB"),    ///< RGBA8, 512 px on the long side at most
+    coverage = fourcc("COVR"),     ///< CoverageRecord[clusters], a photo
+    coordinates = fourcc("TEXC"),  ///< float[2][vertices], a photo; (-1,-1) where not visible
+    tiles = fourcc("TILE"),        ///< blocks of RGBA8 tiles, a photo and level
+    masks = fourcc("MASK"),        ///< blocks of RGBA8 tiles: angle, depth, border, validity
+    depth = fourcc("DPTH"),        ///< blocks of R32F tiles: linear z, +inf where nothing is seen
+};
+
+struct Header {
+    char magic[8];
+    std::uint32_t version;
+    std::uint32_t directory_count;
+    std::uint64_t directory_offset;
+    std::uint64_t file_size;
+    std::uint64_t directory_checksum;  ///< XXH3-64 of the directory
+    std::uint64_t reserved[2];
+    std::uint64_t header_checksum;  ///< XXH3-64 of the bytes before it
+};
+
+/// Where a chunk is. A chunk is a head and then blocks of equal length. `checksum` covers the head; for a
+/// chunk with blocks the head is the u64 checksum of each block, padded with zeros to the alignment.
+struct DirectoryEntry {
+    std::uint32_t type;
+    std::uint32_t version;
+    std::uint32_t photo;  ///< scene_wide where the chunk belongs to no photo
+    std::uint32_t level;
+    std::uint64_t offset;
+    std::uint64_t length;  ///< head and blocks
+    std::uint64_t head_length;
+    std::uint64_t block_length;  ///< 0 where the chunk has no blocks
+    std::uint64_t checksum;      ///< XXH3-64 of the head
+    std::uint64_t reserved;
+};
+
+struct SceneRecord {
+    double origin[3];
+    double bounds_min[3], bounds_max[3];  ///< of the input, in its units
+    std::uint64_t vertices, triangles, clusters, photos;
+    double reference_density;  ///< pixels per unit at which the depth mask is 255
+    double border_width;       ///< pixels of a full-size photo at which the border mask is 255
+    std::uint64_t effects;     ///< bit i: Effect i is on
+    std::uint64_t scalar_layers;
+};
+
+enum PhotoFlags : std::uint32_t { photo_held_out = 1, photo_undistorted = 2, photo_has_alpha = 4 };
+
+struct PhotoRecord {
+    char name[192];  ///< UTF-8, zero-terminated: the file name without folders
+    std::uint32_t width, height;
+    std::uint32_t flags;
+    std::uint32_t levels;  ///< of the tile pyramid; 0 for a held-out photo
+    std::uint32_t thumbnail_width, thumbnail_height;
+    std::uint32_t mask_width, mask_height;  ///< at pyramid level `mask_level`
+    double fx, fy, cx, cy;
+    double R[9];                    ///< row by row, cam_from_world
+    double t[3];                    ///< for positions relative to the origin
+    double corrected_direction[3];  ///< unit, world; [P] 2.3.3
+    double hull_area;               ///< of the projected vertices' convex hull, over the photo's area, [0,1]
+    double seen_distance;           ///< median linear depth of what the photo sees; 0 where it sees nothing
+    double z_min, z_max;            ///< range of the depth map; 0, 0 where it sees nothing
+    double visible_vertices;        ///< share of vertices this photo sees, [0,1]
+    double gain[3];                 ///< colour gain, linear light; 1 where not estimated
+    std::uint64_t source_bytes, source_checksum;  ///< length and XXH3-64 of the photo's file
+    std::uint64_t reserved[2];
+};
+
+struct ClusterRecord {
+    float center[3], radius;          ///< bounding sphere, relative to the origin
+    float cone_axis[3], cone_cutoff;  ///< meshoptimizer's normal cone; cutoff 1 = no culling
+    std::uint32_t first_triangle, triangles;
+};
+
+/// What one photo sees of one cluster. Rectangle in texture coordinates, unorm16; density in log2.
+struct CoverageRecord {
+    std::uint16_t seen;  ///< share of the cluster's triangles with all vertices visible, unorm16
+    std::uint16_t u0, v0, u1, v1;
+    std::int16_t log2_density;  ///< log2(pixels per unit at the centre) * 256
+};
+
+static_assert(sizeof(Header) == 64 && sizeof(DirectoryEntry) == 64 && sizeof(ClusterRecord) == 40);
+static_assert(sizeof(CoverageRecord) == 12 && sizeof(SceneRecord) == 136 && sizeof(PhotoRecord) % 8 == 0);
+static_assert(std::is_trivially_copyable_v<PhotoRecord> && std::numeric_limits<float>::is_iec559);
+
+}  // namespace vantage::package

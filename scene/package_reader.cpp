@@ -1,0 +1,234 @@
+#include "scene/package_reader.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <tuple>
+
+#include "scene/checksum.h"
+#include "scene/error.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+
+using package::DirectoryEntry;
+using package::Type;
+
+struct PackageReader::Mapping {
+    std::filesystem::path path;
+    const std::byte* data = nullptr;
+    std::uint64_t size = 0;
+    std::span<const DirectoryEntry> directory;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, const DirectoryEntry*> index;
+
+    ~Mapping() {
+        if (data) ::munmap(const_cast<std::byte*>(data), size);
+    }
+
+    [[noreturn]] void damaged(const std::string& what) const {
+        throw Error(Exit::damaged, path.string() + ": " + what);
+    }
+
+    void map() {
+        const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+        struct stat st {};
+        if (fd < 0 || ::fstat(fd, &st) != 0 || !S_ISREG(st.st_mode)) {
+            const std::string why = fd < 0 ? std::strerror(errno) : "not a regular file";
+            if (fd >= 0) ::close(fd);
+            throw Error(Exit::input, path.string() + ": cannot open: " + why);
+        }
+        size = std::uint64_t(st.st_size);
+        if (size < sizeof(package::Header)) {
+            ::close(fd);
+            damaged("not a Vantage package: " + std::to_string(size) + " bytes, a header has 64");
+        }
+        void* p = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, fd, 0);
+        ::close(fd);
+        if (p == MAP_FAILED)
+            throw Error(Exit::input, path.string() + ": cannot map: " + std::strerror(errno));
+        data = static_cast<const std::byte*>(p);
+    }
+
+    const package::Header& checked_header() const {
+        const auto& h = *reinterpret_cast<const package::Header*>(data);
+        if (std::memcmp(h.magic, package::magic, sizeof h.magic) != 0)
+            damaged(std::all_of(data, data + sizeof h, [](std::byte b) { return b == std::byte{0}; })
+                        ? "header: preparation of this package was not finished"
+                        : "header: not a Vantage package");
+        if (h.header_checksum != checksum({data, offsetof(package::Header, header_checksum)}))
+            damaged("header: checksum does not match");
+        if (h.version != package::version)
+            damaged("header: format version " + std::to_string(h.version) + ", this program reads " +
+                    std::to_string(package::version));
+        if (h.file_size != size)
+            damaged("header: the file has " + std::to_string(size) + " bytes, expected " +
+                    std::to_string(h.file_size));
+        return h;
+    }
+
+    void read_directory(const package::Header& h) {
+        if (h.directory_offset % 8 || h.directory_offset > size ||
+            h.directory_count > (size - h.directory_offset) / sizeof(DirectoryEntry))
+            damaged("directory: lies outside the file");
+        directory = {reinterpret_cast<const DirectoryEntry*>(data + h.directory_offset), h.directory_count};
+        if (checksum(std::as_bytes(directory)) != h.directory_checksum)
+            damaged("directory: checksum does not match");
+        for (const DirectoryEntry& e : directory) {
+            if (e.offset % package::alignment || e.offset > size || e.length > size - e.offset ||
+                e.head_length > e.length ||
+                (e.block_length == 0 ? e.head_length != e.length : !blocks_fit(e)))
+                damaged("directory: entry " + std::to_string(&e - directory.data()) +
+                        " lies outside the file");
+            index[{e.type, e.photo, e.level}] = &e;
+        }
+    }
+
+    static bool blocks_fit(const DirectoryEntry& e) {
+        const std::uint64_t body = e.length - e.head_length;
+        return body % e.block_length == 0 && e.head_length % package::alignment == 0 &&
+               body / e.block_length <= e.head_length / sizeof(std::uint64_t);
+    }
+};
+
+PackageReader::PackageReader(const std::filesystem::path& file) : map_(std::make_unique<Mapping>()) {
+    map_->path = file;
+    map_->map();
+    map_->read_directory(map_->checked_header());
+}
+PackageReader::~PackageReader() = default;
+PackageReader::PackageReader(PackageReader&&) noexcept = default;
+PackageReader& PackageReader::operator=(PackageReader&&) noexcept = default;
+
+const std::filesystem::path& PackageReader::path() const { return map_->path; }
+std::uint64_t PackageReader::size() const { return map_->size; }
+std::span<const DirectoryEntry> PackageReader::directory() const { return map_->directory; }
+
+const DirectoryEntry* PackageReader::find(Type type, std::uint32_t photo, std::uint32_t level) const {
+    const auto it = map_->index.find({std::uint32_t(type), photo, level});
+    return it == map_->index.end() ? nullptr : it->second;
+}
+
+std::span<const std::byte> PackageReader::bytes(const DirectoryEntry* e) const {
+    return e ? std::span(map_->data + e->offset, e->head_length) : std::span<const std::byte>{};
+}
+
+std::size_t PackageReader::blocks(const DirectoryEntry& e) const {
+    return e.block_length ? (e.length - e.head_length) / e.block_length : 0;
+}
+
+std::span<const std::byte> PackageReader::block(const DirectoryEntry& e, std::size_t i) const {
+    if (i >= blocks(e))
+        map_->damaged(describe(e, *this) + ": block " + std::to_string(i) + " does not exist");
+    return {map_->data + e.offset + e.head_length + i * e.block_length, e.block_length};
+}
+
+bool PackageReader::block_sound(const DirectoryEntry& e, std::size_t i) const {
+    std::uint64_t expected;
+    std::memcpy(&expected, map_->data + e.offset + i * sizeof expected, sizeof expected);
+    return checksum(block(e, i)) == expected;
+}
+
+bool PackageReader::head_sound(const DirectoryEntry& e) const {
+    return checksum({map_->data + e.offset, e.head_length}) == e.checksum;
+}
+
+std::span<const std::byte> PackageReader::checked(Type type, std::uint32_t photo, std::size_t record,
+                                                  bool required) const {
+    const DirectoryEntry* e = find(type, photo);
+    if (!e) {
+        const auto t = std::uint32_t(type);
+        if (required)
+            map_->damaged("chunk " + std::string(reinterpret_cast<const char*>(&t), 4) + " is missing");
+        return {};
+    }
+    if (!head_sound(*e)) map_->damaged(describe(*e, *this) + ": checksum does not match");
+    if (e->head_length % record) map_->damaged(describe(*e, *this) + ": length is no multiple of its record");
+    return bytes(e);
+}
+
+const package::SceneRecord& PackageReader::scene() const {
+    const auto records = this->records<package::SceneRecord>(Type::scene);
+    if (records.size() != 1) map_->damaged("SCEN: expected one record");
+    const package::SceneRecord& s = records[0];
+    for (int i = 0; i < 3; ++i)
+        if (!std::isfinite(s.origin[i]) || !(s.bounds_min[i] <= s.bounds_max[i]))
+            map_->damaged("SCEN: origin or bounds are not finite");
+    const auto counted = [&](Type type, std::uint64_t count, std::uint64_t record, const char* what) {
+        const DirectoryEntry* e = find(type);
+        if (!e || count > e->length / record || e->length != count * record)
+            map_->damaged(std::string(what) + ": length does not fit the scene's counts");
+    };
+    counted(Type::photos, s.photos, sizeof(package::PhotoRecord), "PHOT");
+    counted(Type::positions, s.vertices, 12, "VPOS");
+    counted(Type::normals, s.vertices, 12, "VNRM");
+    counted(Type::indices, s.triangles, 12, "INDX");
+    counted(Type::clusters, s.clusters, sizeof(package::ClusterRecord), "CLUS");
+    return s;
+}
+
+std::span<const package::PhotoRecord> PackageReader::photos() const {
+    const auto photos = records<package::PhotoRecord>(Type::photos);
+    for (const package::PhotoRecord& p : photos) {
+        const std::string who = "PHOT " + std::to_string(&p - photos.data());
+        if (std::memchr(p.name, 0, sizeof p.name) == nullptr) map_->damaged(who + ": name is not terminated");
+        if (p.width == 0 || p.height == 0 || p.width > 1u << 20 || p.height > 1u << 20 || p.levels > 24)
+            map_->damaged(who + ": size is out of range");
+        if (!(p.fx > 0) || !(p.fy > 0) || !std::isfinite(p.fx + p.fy + p.cx + p.cy))
+            map_->damaged(who + ": intrinsics are out of range");
+    }
+    return photos;
+}
+
+std::string_view PackageReader::meta() const {
+    const auto text = records<char>(Type::meta);
+    return {text.data(), text.size()};
+}
+
+std::optional<std::uint32_t> PackageReader::photo_index(std::string_view wanted) const {
+    const auto all = photos();
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+        const std::string_view full = all[i].name;
+        if (full == wanted || full.substr(0, full.rfind('.')) == wanted) return i;
+    }
+    return std::nullopt;
+}
+
+Intrinsics intrinsics(const package::PhotoRecord& p) {
+    return {int(p.width), int(p.height), p.fx, p.fy, p.cx, p.cy};
+}
+
+Pose cam_from_origin(const package::PhotoRecord& p) {
+    Pose pose;
+    pose.R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(p.R);
+    pose.t = Eigen::Map<const Eigen::Vector3d>(p.t);
+    return pose;
+}
+
+bool effect_on(const package::SceneRecord& scene, Effect effect) { return scene.effects >> int(effect) & 1; }
+
+std::string describe(const DirectoryEntry& e, const PackageReader& reader) {
+    std::string text;
+    for (int i = 0; i < 4; ++i) {
+        const char c = char(e.type >> (8 * i) & 0xff);
+        text += c >= 32 && c < 127 ? c : '?';
+    }
+    if (e.photo == package::scene_wide) return text;
+    text += " of photo " + std::to_string(e.photo);
+    const DirectoryEntry* photos = reader.find(Type::photos);
+    const auto raw = reader.bytes(photos);
+    if (e.photo < raw.size() / sizeof(package::PhotoRecord)) {
+        const char* n = reinterpret_cast<const char*>(raw.data()) + e.photo * sizeof(package::PhotoRecord);
+        text += " (" + std::string(n, ::strnlen(n, 192)) + ")";
+    }
+    if (e.block_length) text += ", level " + std::to_string(e.level);
+    return text;
+}
+
+}  // namespace vantage

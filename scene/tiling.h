@@ -1,0 +1,39 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace vantage {
+
+/// Tiles are stored with their border, ready to be one layer of an array texture.
+inline constexpr int tile_size = 256;                             ///< texels along a stored tile
+inline constexpr int tile_border = 4;                             ///< texels repeated from the neighbours
+inline constexpr int tile_content = tile_size - 2 * tile_border;  ///< texels that are the tile's own
+
+/// Bytes of a stored tile of 4-byte texels (RGBA8 colour, RGBA8 masks, R32F depth alike).
+inline constexpr std::size_t tile_bytes = std::size_t(tile_size) * tile_size * 4;
+
+/// One level of a pyramid. Level l has ceil(width / 2^l) texels, so that a full-size pixel coordinate
+/// divided by 2^l is exact on every level, odd sizes included.
+struct Level {
+    int width = 0, height = 0;
+    int columns() const { return (width + tile_content - 1) / tile_content; }
+    int rows() const { return (height + tile_content - 1) / tile_content; }
+    int tiles() const { return columns() * rows(); }
+};
+
+inline Level level_size(int width, int height, int level) {
+    return {int((std::int64_t(width) + (1LL << level) - 1) >> level),
+            int((std::int64_t(height) + (1LL << level) - 1) >> level)};
+}
+
+/// Levels down to the first that fits one tile.
+inline int level_count(int width, int height) {
+    int n = 1;
+    while (level_size(width, height, n - 1).tiles() > 1) ++n;
+    return n;
+}
+
+/// Masks and depth are stored once, at this pyramid level (half size).
+inline constexpr int mask_level = 1;
+
+}  // namespace vantage

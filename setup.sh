@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# Installs what is missing (Debian 12, Ubuntu 24.04) and builds into build/. Called by demo.sh and test.sh.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+packages=(g++ cmake ninja-build pkg-config ca-certificates
+  libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-calib3d-dev
+  libopenimageio-dev openimageio-tools libopenmesh-dev libmeshoptimizer-dev libembree-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libpugixml-dev libturbojpeg0-dev libpng-dev
+  libxxhash-dev libeigen3-dev libepoxy-dev libegl-dev libgl-dev libglfw3-dev libimgui-dev
+  libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libgtest-dev)
+missing=()
+for p in "${packages[@]}"; do
+  dpkg-query -W -f='${Status}' "$p" 2>/dev/null | grep -q 'ok installed' || missing+=("$p")
+done
+if ((${#missing[@]})); then
+  sudo=$([ "$(id -u)" = 0 ] || echo sudo)
+  echo "installing ${missing[*]}"
+  $sudo apt-get update -qq
+  DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+fi
+cmake -S . -B build -G Ninja >/dev/null
+cmake --build build

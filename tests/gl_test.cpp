@@ -1,0 +1,41 @@
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "gl/context.h"
+#include "gl/object.h"
+#include "gl/program.h"
+
+using namespace vantage;
+
+TEST(Gl, HeadlessContextDrawsWhatItClears) {
+    const gl::HeadlessContext context;
+    const gl::Texture color = gl::make_texture_2d("color", GL_RGBA8, 4, 4);
+    const std::array ids{color.id()};
+    const gl::Framebuffer target = gl::make_framebuffer("target", ids, 0);
+    const std::array value{1.0f, 0.0f, 0.5f, 1.0f};
+    glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, value.data());
+    std::array<std::uint8_t, 64> pixels{};
+    glGetTextureImage(color.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, 64, pixels.data());
+    EXPECT_EQ(pixels[0], 255);
+    EXPECT_EQ(pixels[1], 0);
+    EXPECT_NEAR(pixels[2], 128, 1);
+    EXPECT_NO_THROW(gl::check("test"));
+}
+
+TEST(Gl, MistakesAreReported) {
+    const gl::HeadlessContext context;
+    glBindFramebuffer(GL_FRAMEBUFFER, 12345);
+    EXPECT_THROW(gl::check("test"), std::runtime_error);
+    EXPECT_NO_THROW(gl::check("after"));
+}
+
+TEST(Gl, UnknownShaderIsNamed) {
+    const gl::HeadlessContext context;
+    try {
+        gl::make_program("none", {{GL_VERTEX_SHADER, "no_such.vert"}});
+        FAIL();
+    } catch (const std::runtime_error& e) {
+        EXPECT_NE(std::string(e.what()).find("no_such.vert"), std::string::npos);
+    }
+}

@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "scene/error.h"
+#include "scene/package_reader.h"
+#include "scene/package_writer.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+using package::Type;
+
+namespace {
+
+class Package : public ::testing::Test {
+  protected:
+    fs::path dir = fs::temp_directory_path() / ("vantage-package-" + std::to_string(::getpid()));
+    fs::path file = dir / "a.vantage";
+    const std::string text = "{\"tool\":\"test\"}";
+    std::vector<std::byte> blocks{std::size_t(3 * 4096), std::byte{7}};
+
+    void SetUp() override { fs::create_directories(dir); }
+    void TearDown() override { fs::remove_all(dir); }
+
+    void write(const fs::path& to) {
+        const std::vector<ChunkPlan> plan{{Type::meta, package::scene_wide, 0, text.size()},
+                                          {Type::tiles, 0, 2, 0, 3, 4096}};
+        PackageWriter writer(to, plan);
+        writer.write_blocks(Type::tiles, 0, 2, blocks);  // any order
+        writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(text)));
+        EXPECT_FALSE(fs::exists(to)) << "the final name must not exist before finish()";
+        writer.finish();
+    }
+    static std::string slurp(const fs::path& f) {
+        std::ifstream in(f, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    void dump(const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+};
+
+}  // namespace
+
+TEST_F(Package, GivesBackWhatWasWritten) {
+    write(file);
+    const PackageReader reader(file);
+    EXPECT_EQ(reader.meta(), text);
+    const auto* e = reader.find(Type::tiles, 0, 2);
+    ASSERT_NE(e, nullptr);
+    ASSERT_EQ(reader.blocks(*e), 3u);
+    for (std::size_t b = 0; b < 3; ++b) {
+        EXPECT_TRUE(reader.block_sound(*e, b));
+        EXPECT_EQ(std::memcmp(reader.block(*e, b).data(), blocks.data() + 4096 * b, 4096), 0);
+        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(reader.block(*e, b).data()) % package::alignment, 0u);
+    }
+    EXPECT_EQ(reader.find(Type::tiles, 1, 2), nullptr);
+}
+
+TEST_F(Package, IsTheSameBytesTwice) {
+    write(file);
+    write(dir / "b.vantage");
+    EXPECT_EQ(slurp(file), slurp(dir / "b.vantage"));
+}
+
+TEST_F(Package, AbandonedLeavesNothingBehind) {
+    {
+        const std::vector<ChunkPlan> plan{{Type::meta, package::scene_wide, 0, 4}};
+        PackageWriter writer(file, plan);
+        EXPECT_THROW(writer.finish(), std::logic_error);
+    }
+    EXPECT_TRUE(fs::is_empty(dir));
+}
+
+TEST_F(Package, CutAnywhereIsDamaged) {
+    write(file);
+    const std::string whole = slurp(file);
+    for (std::size_t n = 0; n < whole.size(); n = n < 300 ? n + 1 : n + 777) {
+        dump(whole.substr(0, n));
+        try {
+            const PackageReader reader(file);
+            FAIL() << "accepted " << n << " of " << whole.size() << " bytes";
+        } catch (const Error& e) {
+            EXPECT_EQ(e.code(), Exit::damaged) << n;
+        }
+    }
+}
+
+TEST_F(Package, EveryFlippedByteOfHeaderAndDirectoryIsNoticed) {
+    write(file);
+    const std::string whole = slurp(file);
+    for (std::size_t n = 0; n < sizeof(package::Header) + 2 * sizeof(package::DirectoryEntry); ++n) {
+        std::string bad = whole;
+        bad[n] = char(bad[n] ^ 0x40);
+        dump(bad);
+        EXPECT_THROW(PackageReader{file}, Error) << "byte " << n;
+    }
+}
+
+TEST_F(Package, AFlippedByteIsFoundInItsBlock) {
+    write(file);
+    std::string bad = slurp(file);
+    std::uint64_t at;
+    {
+        const PackageReader reader(file);
+        const auto* e = reader.find(Type::tiles, 0, 2);
+        at = e->offset + e->head_length + 4096 + 5;
+    }
+    bad[at] = char(bad[at] ^ 1);
+    dump(bad);
+    const PackageReader reader(file);
+    const auto* e = reader.find(Type::tiles, 0, 2);
+    EXPECT_TRUE(reader.head_sound(*e));
+    EXPECT_TRUE(reader.block_sound(*e, 0));
+    EXPECT_FALSE(reader.block_sound(*e, 1));
+    EXPECT_TRUE(reader.block_sound(*e, 2));
+}
