@@ -5,8 +5,8 @@ cd "$(dirname "$0")"
 
 packages=(g++ cmake ninja-build pkg-config ca-certificates
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-calib3d-dev
-  libopenimageio-dev openimageio-tools libopenmesh-dev libmeshoptimizer-dev libembree-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libpugixml-dev libturbojpeg0-dev libpng-dev
+  libopenimageio-dev openimageio-tools libopenmesh-dev libmeshoptimizer-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev libturbojpeg0-dev libpng-dev
   libxxhash-dev libeigen3-dev libepoxy-dev libegl-dev libgl-dev libglfw3-dev libimgui-dev
   libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libgtest-dev)
 missing=()

@@ -1,0 +1,160 @@
+#include "pipeline/check.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/file_identity.h"
+#include "pipeline/import/discover.h"
+#include "scene/package_reader.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+namespace {
+
+using package::Type;
+using Issues = std::vector<Issue>;
+
+void damaged(Issues& out, std::string text) { out.push_back({Exit::damaged, std::move(text)}); }
+
+void check_checksums(const PackageReader& reader, bool deep, Issues& out) {
+    for (const package::DirectoryEntry& e : reader.directory()) {
+        if (!reader.head_sound(e)) {
+            damaged(out, describe(e, reader) + ": checksum does not match");
+            continue;
+        }
+        if (!deep) continue;
+        for (std::size_t b = 0; b < reader.blocks(e); ++b)
+            if (!reader.block_sound(e, b))
+                damaged(out, fmt::format("{}: tile {} of {}: checksum does not match", describe(e, reader), b,
+                                         reader.blocks(e)));
+    }
+}
+
+void check_model(const PackageReader& reader, Issues& out) {
+    const package::SceneRecord& scene = reader.scene();
+    for (const auto& p : reader.records<std::array<float, 3>>(Type::positions))
+        if (!std::isfinite(p[0] + p[1] + p[2])) {
+            damaged(out, "VPOS: a position is not finite");
+            break;
+        }
+    for (const auto& n : reader.records<std::array<float, 3>>(Type::normals))
+        if (!(std::abs(std::hypot(n[0], n[1], n[2]) - 1) < 1e-3f)) {
+            damaged(out, "VNRM: a normal is not of unit length");
+            break;
+        }
+    for (const std::uint32_t i : reader.records<std::uint32_t>(Type::indices))
+        if (i >= scene.vertices) {
+            damaged(out, fmt::format("INDX: index {} with {} vertices", i, scene.vertices));
+            break;
+        }
+    std::uint64_t next = 0;
+    for (const auto& c : reader.records<package::ClusterRecord>(Type::clusters)) {
+        if (c.first_triangle != next) damaged(out, "CLUS: clusters do not cover the triangles");
+        next = std::uint64_t(c.first_triangle) + c.triangles;
+    }
+    if (next != scene.triangles) damaged(out, "CLUS: clusters do not cover the triangles");
+}
+
+void check_blocks(const PackageReader& reader, Type type, std::uint32_t i, std::uint32_t level,
+                  const Level& size, Issues& out) {
+    const package::DirectoryEntry* e = reader.find(type, i, level);
+    if (!e) {
+        damaged(out, fmt::format("photo {}: level {} is missing", i, level));
+    } else if (reader.blocks(*e) != std::size_t(size.tiles()) || e->block_length != tile_bytes) {
+        damaged(out, describe(*e, reader) + ": has " + std::to_string(reader.blocks(*e)) +
+                         " tiles, expected " + std::to_string(size.tiles()));
+    }
+}
+
+void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std::uint32_t i, Issues& out) {
+    if (p.flags & package::photo_held_out) return;
+    for (std::uint32_t l = 0; l < p.levels; ++l)
+        check_blocks(reader, Type::tiles, i, l, level_size(int(p.width), int(p.height), int(l)), out);
+    const Level half = level_size(int(p.width), int(p.height), mask_level);
+    check_blocks(reader, Type::masks, i, mask_level, half, out);
+    check_blocks(reader, Type::depth, i, mask_level, half, out);
+    const auto uvs = reader.records<std::array<float, 2>>(Type::coordinates, i);
+    if (uvs.size() != reader.scene().vertices)
+        damaged(out, fmt::format("{}: TEXC has not one entry a vertex", p.name));
+    for (const auto& uv : uvs) {
+        const bool marked = uv[0] == -1 && uv[1] == -1;
+        if (!marked && !(uv[0] >= 0 && uv[0] <= 1 && uv[1] >= 0 && uv[1] <= 1)) {
+            damaged(out, fmt::format("{}: a texture coordinate is outside the photo and not marked", p.name));
+            break;
+        }
+    }
+    if (reader.records<package::CoverageRecord>(Type::coverage, i).size() != reader.scene().clusters)
+        damaged(out, fmt::format("{}: COVR has not one entry a cluster", p.name));
+}
+
+/// Depth is positive or +inf, and a mask says "valid" exactly where depth is finite.
+void check_mask_meaning(const PackageReader& reader, std::uint32_t i, Issues& out) {
+    const auto* masks = reader.find(Type::masks, i, mask_level);
+    const auto* depth = reader.find(Type::depth, i, mask_level);
+    if (!masks || !depth) return;
+    for (std::size_t b = 0; b < std::min(reader.blocks(*masks), reader.blocks(*depth)); ++b) {
+        const auto m = reader.block(*masks, b), d = reader.block(*depth, b);
+        for (std::size_t t = 0; t < tile_bytes; t += 4) {
+            float z;
+            std::memcpy(&z, d.data() + t, 4);
+            if (!(z > 0) || (std::isfinite(z) != (std::to_integer<int>(m[t + 3]) == 255))) {
+                damaged(out, describe(*masks, reader) + fmt::format(": tile {} disagrees with the depth", b));
+                return;
+            }
+        }
+    }
+}
+
+void compare(const std::filesystem::path& file, std::uint64_t bytes, std::uint64_t sum, Issues& out) {
+    if (!std::filesystem::exists(file)) {
+        out.push_back({Exit::stale, file.string() + ": is gone"});
+    } else if (const FileIdentity id = identify(file); id.bytes != bytes || id.checksum != sum) {
+        out.push_back({Exit::stale, file.string() + ": has changed since the package was prepared"});
+    }
+}
+
+void check_against(const PackageReader& reader, const std::filesystem::path& folder, Issues& out) {
+    const InputFiles files = discover(folder);
+    const auto meta = nlohmann::json::parse(reader.meta());
+    const auto& mesh = meta.at("inputs").at("mesh");
+    compare(files.mesh, mesh.at("bytes"), mesh.at("xxh3"), out);
+    const auto now = camera_files(files.cameras);
+    for (const auto& c : meta.at("inputs").at("cameras"))
+        for (const auto& file : now)
+            if (file.filename() == c.at("name").get<std::string>())
+                compare(file, c.at("bytes"), c.at("xxh3"), out);
+    for (const package::PhotoRecord& p : reader.photos())
+        if (!(p.flags & package::photo_held_out))
+            compare(files.photos / p.name, p.source_bytes, p.source_checksum, out);
+}
+
+}  // namespace
+
+Issues check_package(const std::filesystem::path& file, bool deep, const std::filesystem::path& against) {
+    Issues out;
+    try {
+        const PackageReader reader(file);
+        check_checksums(reader, deep, out);
+        if (!out.empty()) return out;
+        check_model(reader, out);
+        const auto photos = reader.photos();
+        for (std::uint32_t i = 0; i < photos.size(); ++i) {
+            check_photo(reader, photos[i], i, out);
+            if (deep) check_mask_meaning(reader, i, out);
+        }
+        if (out.empty() && !against.empty()) check_against(reader, against, out);
+    } catch (const Error& e) {
+        if (e.code() != Exit::damaged) throw;
+        damaged(out, e.what());
+    } catch (const nlohmann::json::exception& e) {
+        damaged(out, std::string("META: not readable: ") + e.what());
+    }
+    return out;
+}
+
+}  // namespace vantage

@@ -1,0 +1,14 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+
+/// One file a verb: each adds its subcommand to the command line and says what to run when it is chosen.
+namespace vantage {
+
+using Run = std::function<int()>;
+void add_prepare(CLI::App& app, Run& run);
+void add_info(CLI::App& app, Run& run);
+void add_check(CLI::App& app, Run& run);
+void add_extract(CLI::App& app, Run& run);
+
+}  // namespace vantage

@@ -1,0 +1,31 @@
+#include "pipeline/extract.h"
+
+#include "pipeline/commands/commands.h"
+
+namespace vantage {
+namespace {
+
+struct Options {
+    std::string file, out;
+    std::vector<std::string> photos;
+};
+
+}  // namespace
+
+void add_extract(CLI::App& app, Run& run) {
+    auto o = std::make_shared<Options>();
+    CLI::App* c =
+        app.add_subcommand("extract", "Write a package's photos, masks, depth and mesh as ordinary files");
+    c->footer("Example:\n  vantage extract chapel.vantage -o chapel-files --photo 0003");
+    c->add_option("FILE", o->file, "the package")->required();
+    c->add_option("-o,--output", o->out, "folder to write into")->required();
+    c->add_option("--photo", o->photos, "only these photos")->delimiter(',');
+    c->callback([o, &run] {
+        run = [o] {
+            extract(o->file, o->out, o->photos);
+            return 0;
+        };
+    });
+}
+
+}  // namespace vantage

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/commands/commands.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+namespace {
+
+struct Options {
+    std::string file;
+    bool json = false;
+};
+
+nlohmann::json describe_package(const PackageReader& reader) {
+    nlohmann::json out = nlohmann::json::parse(reader.meta());
+    const package::SceneRecord& s = reader.scene();
+    out["bytes"] = reader.size();
+    out["vertices"] = s.vertices;
+    out["triangles"] = s.triangles;
+    out["clusters"] = s.clusters;
+    out["origin"] = s.origin;
+    for (const package::PhotoRecord& p : reader.photos())
+        out["photos"].push_back({{"name", p.name},
+                                 {"width", p.width},
+                                 {"height", p.height},
+                                 {"held_out", bool(p.flags & package::photo_held_out)},
+                                 {"undistorted", bool(p.flags & package::photo_undistorted)},
+                                 {"focal", {p.fx, p.fy}},
+                                 {"visible_vertices", p.visible_vertices},
+                                 {"hull_area", p.hull_area},
+                                 {"depth", {p.z_min, p.z_max}}});
+    return out;
+}
+
+void print(const nlohmann::json& j) {
+    fmt::print("{}\n{} vertices, {} triangles in {} clusters, {} photos, {:.1f} MB\n\neffects\n",
+               j["tool"].get<std::string>(), j["vertices"].get<std::uint64_t>(),
+               j["triangles"].get<std::uint64_t>(), j["clusters"].get<std::uint64_t>(), j["photos"].size(),
+               double(j["bytes"].get<std::uint64_t>()) / 1e6);
+    for (const auto& e : j["effects"])
+        fmt::print("  {:<18} {:<4}{} {}\n", e["name"].get<std::string>(), e["on"].get<bool>() ? "on" : "off",
+                   e["forced"].get<bool>() ? "(forced)" : "", e["evidence"].get<std::string>());
+    fmt::print("\nphotos\n");
+    for (const auto& p : j["photos"])
+        fmt::print("  {:<24} {}x{}  sees {:.1f} % of the vertices{}\n", p["name"].get<std::string>(),
+                   p["width"].get<int>(), p["height"].get<int>(), 100 * p["visible_vertices"].get<double>(),
+                   p["held_out"].get<bool>() ? ", held out" : "");
+    for (const auto& w : j["warnings"]) fmt::print("warning  {}\n", w.get<std::string>());
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Run& run) {
+    auto o = std::make_shared<Options>();
+    CLI::App* c = app.add_subcommand("info", "Say what a package holds, which effects it calls for and why");
+    c->footer("Example:\n  vantage info --json chapel.vantage");
+    c->add_option("FILE", o->file, "the package")->required();
+    c->add_flag("--json", o->json, "machine-readable output");
+    c->callback([o, &run] {
+        run = [o] {
+            const nlohmann::json j = describe_package(PackageReader(o->file));
+            if (o->json)
+                fmt::print("{}\n", j.dump(1));
+            else
+                print(j);
+            return 0;
+        };
+    });
+}
+
+}  // namespace vantage

@@ -1,0 +1,131 @@
+#include "pipeline/prepare.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "pipeline/commands/commands.h"
+#include "pipeline/import/discover.h"
+#include "pipeline/import/read_scene.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+struct Options {
+    std::string input, mesh, cameras, photos, out, distance = "auto", config;
+    std::vector<std::string> effects;
+    PrepareSettings settings;
+};
+
+/// "NAME=on|off|auto" into the table of forced effects.
+void force_effect(const std::string& text, std::map<Effect, EffectChoice>& choices) {
+    const std::size_t eq = text.find('=');
+    const EffectRow& row = effect_row(text.substr(0, eq));
+    const std::string choice = eq == std::string::npos ? "" : text.substr(eq + 1);
+    if (choice == "on")
+        choices[row.effect] = EffectChoice::on;
+    else if (choice == "off")
+        choices[row.effect] = EffectChoice::off;
+    else if (choice == "auto")
+        choices.erase(row.effect);
+    else
+        throw Error(Exit::usage, "--effect " + text + ": expected " + row.name + "=on, off or auto");
+}
+
+InputFiles input_files(const Options& o) {
+    InputFiles files;
+    if (!o.input.empty()) files = discover(o.input);
+    if (!o.mesh.empty()) files.mesh = o.mesh;
+    if (!o.cameras.empty()) files.cameras = o.cameras;
+    if (!o.photos.empty()) files.photos = o.photos;
+    if (files.mesh.empty() || files.cameras.empty() || files.photos.empty())
+        throw Error(Exit::usage, "expected an INPUT folder, or --mesh, --cameras and --photos together");
+    return files;
+}
+
+/// A line that rewrites itself on a terminal, plain lines elsewhere.
+class ProgressLine {
+  public:
+    void operator()(const Progress& p) {
+        const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        std::string line = fmt::format("{:>8}  {}/{}", p.stage, p.done, p.total);
+        if (!p.photo.empty()) line += "  " + p.photo;
+        if (p.done > 0 && p.done < p.total)
+            line += fmt::format("  {:.1f} photos/s, {:.0f} s left", double(p.done) / s,
+                                s / double(p.done) * double(p.total - p.done));
+        if (terminal_)
+            std::fprintf(stderr, "\r\033[K%s", line.c_str());
+        else
+            std::fprintf(stderr, "%s\n", line.c_str());
+    }
+    ~ProgressLine() {
+        if (terminal_) std::fputc('\n', stderr);
+    }
+
+  private:
+    bool terminal_ = ::isatty(2) == 1;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+int run_prepare(Options o) {
+    o.settings.distance = distance_method(o.distance);
+    for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
+    const auto start = std::chrono::steady_clock::now();
+    const InputFiles files = input_files(o);
+    const SceneInput scene = read_scene(files);
+    fmt::print("mesh     {} ({} vertices, {} triangles)\ncameras  {} ({})\nphotos   {} ({})\n",
+               files.mesh.string(), scene.mesh.positions.size(), scene.mesh.triangles.size(),
+               files.cameras.string(), scene.camera_format, files.photos.string(), scene.photos.size());
+    for (const std::string& w : scene.warnings) fmt::print("warning  {}\n", w);
+    std::fflush(stdout);
+    {
+        ProgressLine line;
+        prepare(scene, o.settings, o.out, [&](const Progress& p) { line(p); });
+    }
+    const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    fmt::print("package  {} ({:.1f} MB, {:.1f} s)\n", o.out, double(std::filesystem::file_size(o.out)) / 1e6,
+               s);
+    return 0;
+}
+
+}  // namespace
+
+void add_prepare(CLI::App& app, Run& run) {
+    auto o = std::make_shared<Options>();
+    CLI::App* c = app.add_subcommand("prepare", "Prepare a mesh and its photos into one package");
+    c->footer(
+        "Examples:\n  vantage prepare scans/chapel -o chapel.vantage\n"
+        "  vantage prepare --mesh m.ply --cameras bundle.out --photos images -o m.vantage\n"
+        "  vantage prepare chapel -o c.vantage --effect per-fragment=on --hold-out 0003,0007");
+    c->add_option("INPUT", o->input, "folder that holds mesh, cameras and photos");
+    c->add_option("--mesh", o->mesh, "mesh file: PLY, OBJ, STL, OFF");
+    c->add_option("--cameras", o->cameras, "COLMAP folder, Bundler .out, MeshLab .mlp");
+    c->add_option("--photos", o->photos, "folder of photos");
+    c->add_option("-o,--output", o->out, "the package to write")->required();
+    c->set_config("--config", "", "settings from a file, see configs/");
+    c->add_option("--distance", o->distance, "border distance: auto, exact, jfa, jfa+1, 1+jfa, jfa^2")
+        ->capture_default_str();
+    c->add_option("--border-width", o->settings.border_width,
+                  "px at 3072 px width where the border mask reaches 1")
+        ->check(CLI::Range(1.0, 4096.0))
+        ->capture_default_str();
+    c->add_option("--border-threshold", o->settings.border_threshold, "relative depth step of a border")
+        ->check(CLI::Range(1e-6, 10.0))
+        ->capture_default_str();
+    c->add_option("--thumbnail", o->settings.thumbnail, "px on the thumbnail's long side")
+        ->check(CLI::Range(16, 4096))
+        ->capture_default_str();
+    c->add_option("--cluster-triangles", o->settings.cluster_triangles, "triangles a cluster")
+        ->check(CLI::Range(1, 512))
+        ->capture_default_str();
+    c->add_option("--threads", o->settings.threads, "photos in flight; 0 = all cores")->capture_default_str();
+    c->add_option("--hold-out", o->settings.hold_out, "photos whose camera is kept and whose pixels are not")
+        ->delimiter(',');
+    c->add_option("--effect", o->effects, "NAME=on|off|auto, see 'vantage info'");
+    c->callback([o, &run] { run = [o] { return run_prepare(*o); }; });
+}
+
+}  // namespace vantage

@@ -1,0 +1,30 @@
+#include "pipeline/file_identity.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "scene/checksum.h"
+#include "scene/error.h"
+
+namespace vantage {
+
+FileIdentity identify(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary | std::ios::ate);
+    if (!in) throw Error(Exit::input, file.string() + ": cannot open");
+    std::vector<char> bytes(std::size_t(in.tellg()));
+    in.seekg(0);
+    if (!in.read(bytes.data(), std::streamsize(bytes.size())))
+        throw Error(Exit::input, file.string() + ": cannot read");
+    return {bytes.size(), checksum(std::as_bytes(std::span(bytes)))};
+}
+
+std::vector<std::filesystem::path> camera_files(const std::filesystem::path& cameras) {
+    if (!std::filesystem::is_directory(cameras)) return {cameras};
+    std::vector<std::filesystem::path> files;
+    for (const char* name : {"cameras.bin", "images.bin", "cameras.txt", "images.txt"})
+        if (std::filesystem::exists(cameras / name)) files.push_back(cameras / name);
+    return files;
+}
+
+}  // namespace vantage

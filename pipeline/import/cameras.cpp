@@ -1,0 +1,21 @@
+#include "pipeline/import/cameras.h"
+
+#include "scene/error.h"
+
+namespace vantage {
+
+CameraSet read_cameras(const std::filesystem::path& path) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::is_directory(path) ? path : path.parent_path();
+    const std::string stem = path.stem().string(), extension = path.extension().string();
+    const bool colmap = fs::is_directory(path) || stem == "cameras" || stem == "images";
+    if (colmap && extension != ".txt" && fs::exists(folder / "cameras.bin"))
+        return read_colmap_binary(folder);
+    if (colmap && fs::exists(folder / "cameras.txt")) return read_colmap_text(folder);
+    if (extension == ".out") return read_bundler(path);
+    throw Error(Exit::input, path.string() +
+                                 ": expected cameras as a COLMAP folder (cameras and images, .bin or .txt) "
+                                 "or a Bundler .out file");
+}
+
+}  // namespace vantage

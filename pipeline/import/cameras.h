@@ -1,0 +1,30 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/camera.h"
+
+namespace vantage {
+
+/// Cameras as a file gives them.
+struct CameraSet {
+    struct Entry {
+        std::string photo;  ///< as the file names it, folders included
+        Camera camera;      ///< where `size_known` is false, focal lengths and lens only
+        bool size_known;    ///< false for Bundler: the principal point is the photo's centre
+    };
+    std::string format;
+    std::vector<Entry> entries;
+    std::vector<std::string> warnings;
+};
+
+/// A COLMAP folder (text or binary) or a Bundler .out file. Throws Error(input) naming file and item.
+CameraSet read_cameras(const std::filesystem::path& path);
+
+CameraSet read_colmap_text(const std::filesystem::path& folder);
+CameraSet read_colmap_binary(const std::filesystem::path& folder);
+/// The photos' names come from list.txt, or NAME.list.txt, beside the file.
+CameraSet read_bundler(const std::filesystem::path& file);
+
+}  // namespace vantage

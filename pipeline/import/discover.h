@@ -1,0 +1,15 @@
+#pragma once
+#include <filesystem>
+
+#include "pipeline/scene_input.h"
+
+namespace vantage {
+
+/// Looks through a folder, three levels deep, for a mesh (mesh.* first, else the largest), cameras (COLMAP
+/// first, then Bundler) and the folder with the most photos. Throws Error(input) saying what is missing.
+InputFiles discover(const std::filesystem::path& folder);
+
+/// Is this a photo's file name?
+bool is_photo(const std::filesystem::path& file);
+
+}  // namespace vantage

@@ -1,0 +1,177 @@
+#include "pipeline/import/mesh.h"
+
+#include <Eigen/Geometry>
+#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/IO/importer/BaseImporter.hh>
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+using namespace OpenMesh;
+
+std::uint8_t to_byte(float v) { return std::uint8_t(std::clamp(v, 0.0f, 1.0f) * 255 + 0.5f); }
+
+/// Collects what OpenMesh's readers find, as it is in the file.
+class Collector : public IO::BaseImporter {
+  public:
+    Mesh mesh;
+    std::size_t dropped = 0;
+
+    VertexHandle add_vertex(const Vec3f& p) override {
+        mesh.positions.emplace_back(double(p[0]), double(p[1]), double(p[2]));
+        return VertexHandle(int(mesh.positions.size()) - 1);
+    }
+    VertexHandle add_vertex(const Vec3d& p) override {
+        mesh.positions.emplace_back(p[0], p[1], p[2]);
+        return VertexHandle(int(mesh.positions.size()) - 1);
+    }
+    VertexHandle add_vertex() override { return add_vertex(Vec3f(0, 0, 0)); }
+    FaceHandle add_face(const VHandles& corners) override {
+        for (std::size_t i = 2; i < corners.size(); ++i) add_triangle(corners[0], corners[i - 1], corners[i]);
+        return FaceHandle(int(faces_++));
+    }
+    void set_point(VertexHandle v, const Vec3f& p) override {
+        if (known(v)) mesh.positions[std::size_t(v.idx())] = {double(p[0]), double(p[1]), double(p[2])};
+    }
+    void set_normal(VertexHandle v, const Vec3f& n) override {
+        if (!known(v)) return;
+        mesh.normals.resize(mesh.positions.size(), Eigen::Vector3f::Zero());
+        mesh.normals[std::size_t(v.idx())] = {n[0], n[1], n[2]};
+    }
+    void set_normal(VertexHandle v, const Vec3d& n) override { set_normal(v, Vec3f(n)); }
+    void set_color(VertexHandle v, const Vec4uc& c) override {
+        if (!known(v)) return;
+        mesh.colors.resize(mesh.positions.size(), {255, 255, 255, 255});
+        mesh.colors[std::size_t(v.idx())] = {c[0], c[1], c[2], c[3]};
+    }
+    void set_color(VertexHandle v, const Vec3uc& c) override { set_color(v, Vec4uc(c[0], c[1], c[2], 255)); }
+    void set_color(VertexHandle v, const Vec4f& c) override {
+        set_color(v, Vec4uc(to_byte(c[0]), to_byte(c[1]), to_byte(c[2]), to_byte(c[3])));
+    }
+    void set_color(VertexHandle v, const Vec3f& c) override { set_color(v, Vec4f(c[0], c[1], c[2], 1)); }
+    std::size_t n_vertices() const override { return mesh.positions.size(); }
+    std::size_t n_faces() const override { return faces_; }
+    std::size_t n_edges() const override { return 0; }
+
+    // Not part of a mesh as we use it.
+    HalfedgeHandle add_edge(VertexHandle, VertexHandle) override { return HalfedgeHandle(); }
+    FaceHandle add_face(HalfedgeHandle) override { return FaceHandle(); }
+    void add_face_texcoords(FaceHandle, VertexHandle, const std::vector<Vec2f>&) override {}
+    void add_face_texcoords(FaceHandle, VertexHandle, const std::vector<Vec3f>&) override {}
+    void set_face_texindex(FaceHandle, int) override {}
+    void set_halfedge(VertexHandle, HalfedgeHandle) override {}
+    void set_texcoord(VertexHandle, const Vec2f&) override {}
+    void set_texcoord(VertexHandle, const Vec3f&) override {}
+    void set_texcoord(HalfedgeHandle, const Vec2f&) override {}
+    void set_texcoord(HalfedgeHandle, const Vec3f&) override {}
+    void set_status(VertexHandle, const Attributes::StatusInfo&) override {}
+    void set_status(HalfedgeHandle, const Attributes::StatusInfo&) override {}
+    void set_status(EdgeHandle, const Attributes::StatusInfo&) override {}
+    void set_status(FaceHandle, const Attributes::StatusInfo&) override {}
+    void set_next(HalfedgeHandle, HalfedgeHandle) override {}
+    void set_face(HalfedgeHandle, FaceHandle) override {}
+    void request_face_texcoords2D() override {}
+    void set_color(EdgeHandle, const Vec3uc&) override {}
+    void set_color(EdgeHandle, const Vec4uc&) override {}
+    void set_color(EdgeHandle, const Vec3f&) override {}
+    void set_color(EdgeHandle, const Vec4f&) override {}
+    void set_normal(FaceHandle, const Vec3f&) override {}
+    void set_normal(FaceHandle, const Vec3d&) override {}
+    void set_color(FaceHandle, const Vec3uc&) override {}
+    void set_color(FaceHandle, const Vec4uc&) override {}
+    void set_color(FaceHandle, const Vec3f&) override {}
+    void set_color(FaceHandle, const Vec4f&) override {}
+    void add_texture_information(int, std::string) override {}
+
+  private:
+    bool known(VertexHandle v) const { return v.idx() >= 0 && std::size_t(v.idx()) < mesh.positions.size(); }
+    void add_triangle(VertexHandle a, VertexHandle b, VertexHandle c) {
+        if (!known(a) || !known(b) || !known(c) || a == b || b == c || c == a)
+            ++dropped;
+        else
+            mesh.triangles.push_back(
+                {std::uint32_t(a.idx()), std::uint32_t(b.idx()), std::uint32_t(c.idx())});
+    }
+    std::size_t faces_ = 0;
+};
+
+/// STL repeats every corner: equal positions become one vertex.
+void weld(Mesh& mesh) {
+    std::map<std::array<double, 3>, std::uint32_t> first;
+    std::vector<std::uint32_t> to(mesh.positions.size());
+    Mesh welded;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+        const Eigen::Vector3d& p = mesh.positions[i];
+        const auto [it, fresh] =
+            first.try_emplace({p.x(), p.y(), p.z()}, std::uint32_t(welded.positions.size()));
+        if (fresh) welded.positions.push_back(p);
+        to[i] = it->second;
+    }
+    for (const auto& t : mesh.triangles)
+        if (const std::array<std::uint32_t, 3> w{to[t[0]], to[t[1]], to[t[2]]};
+            w[0] != w[1] && w[1] != w[2] && w[2] != w[0])
+            welded.triangles.push_back(w);
+    mesh = std::move(welded);
+}
+
+/// Drops triangles with a vertex that is not finite; such vertices move to the first finite one, unused.
+std::size_t drop_infinite(Mesh& mesh) {
+    const auto bad = [&](std::uint32_t v) { return !mesh.positions[v].allFinite(); };
+    const std::size_t before = mesh.triangles.size();
+    std::erase_if(mesh.triangles, [&](const auto& t) { return bad(t[0]) || bad(t[1]) || bad(t[2]); });
+    const auto finite = std::find_if(mesh.positions.begin(), mesh.positions.end(),
+                                     [](const auto& p) { return p.allFinite(); });
+    const Eigen::Vector3d stand_in =
+        finite == mesh.positions.end() ? Eigen::Vector3d::Zero().eval() : *finite;
+    for (Eigen::Vector3d& p : mesh.positions)
+        if (!p.allFinite()) p = stand_in;
+    return before - mesh.triangles.size();
+}
+
+void complete_normals(Mesh& mesh) {
+    mesh.normals.resize(mesh.positions.size(), Eigen::Vector3f::Zero());
+    const auto usable = [](const Eigen::Vector3f& n) { return n.allFinite() && n.squaredNorm() > 1e-12f; };
+    if (!std::all_of(mesh.normals.begin(), mesh.normals.end(), usable)) {
+        std::vector<Eigen::Vector3d> sum(mesh.positions.size(), Eigen::Vector3d::Zero());
+        for (const auto& t : mesh.triangles) {
+            const Eigen::Vector3d n = (mesh.positions[t[1]] - mesh.positions[t[0]])
+                                          .cross(mesh.positions[t[2]] - mesh.positions[t[0]]);
+            for (const std::uint32_t v : t) sum[v] += n;
+        }
+        for (std::size_t v = 0; v < sum.size(); ++v) {
+            if (usable(mesh.normals[v])) continue;
+            const double length = sum[v].norm();  // zero for a vertex of no triangle: any unit vector will do
+            mesh.normals[v] =
+                length > 0 ? (sum[v] / length).cast<float>().eval() : Eigen::Vector3f::UnitZ().eval();
+        }
+    }
+    for (Eigen::Vector3f& n : mesh.normals) n.normalize();
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+    if (!std::filesystem::exists(file)) throw Error(Exit::input, file.string() + ": does not exist");
+    Collector in;
+    IO::Options options = IO::Options::VertexNormal | IO::Options::VertexColor;
+    if (!IO::IOManager().read(file.string(), in, options) || in.mesh.positions.empty())
+        throw Error(Exit::input, file.string() + ": not a readable mesh, expected PLY, OBJ, STL or OFF");
+    Mesh mesh = std::move(in.mesh);
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    if (extension == ".stl") weld(mesh);
+    if (const std::size_t n = in.dropped + drop_infinite(mesh))
+        warnings.push_back(file.filename().string() + ": " + std::to_string(n) +
+                           " broken triangles left out");
+    if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), {255, 255, 255, 255});
+    complete_normals(mesh);
+    return mesh;
+}
+
+}  // namespace vantage

@@ -1,0 +1,26 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace vantage {
+
+struct PhotoSize {
+    int width = 0, height = 0;
+};
+/// A photo's stored size, from its header. Throws Error(input).
+PhotoSize read_photo_size(const std::filesystem::path& file);
+
+/// RGBA8, sRGB, straight alpha, rows from the top.
+struct RgbaPhoto {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+/// Decodes a photo: JPEG by libjpeg-turbo, all else by OpenImageIO (grey, 16-bit, float, alpha, CMYK). Pixels
+/// stay as stored, because cameras are calibrated on stored pixels; where the stored size is the expected one
+/// turned, the photo's EXIF orientation is applied. Throws Error(input) for a cut, broken or differently
+/// sized photo.
+RgbaPhoto read_photo(const std::filesystem::path& file, int width, int height);
+
+}  // namespace vantage

@@ -1,0 +1,94 @@
+#include "pipeline/import/read_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "pipeline/import/cameras.h"
+#include "pipeline/import/discover.h"
+#include "pipeline/import/mesh.h"
+#include "pipeline/import/photos.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path find_photo(const fs::path& folder, const std::string& name) {
+    const fs::path wanted(name);
+    for (const fs::path& candidate :
+         {folder / wanted, folder / wanted.filename(), folder.parent_path() / wanted})
+        if (fs::is_regular_file(candidate)) return candidate;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().stem() == wanted.stem() && is_photo(entry.path())) return entry.path();
+    return {};
+}
+
+/// Gives the camera the photo's size: fills it in, or scales a calibration made at another resolution.
+void fit_to_photo(Camera& camera, bool size_known, const PhotoInput& photo, SceneInput& scene) {
+    const PhotoSize size = read_photo_size(photo.file);
+    Intrinsics& k = camera.intrinsics;
+    if (!size_known) {
+        k = {size.width, size.height, k.fx, k.fy, size.width / 2.0, size.height / 2.0};
+        return;
+    }
+    const bool same = k.width == size.width && k.height == size.height;
+    const bool turned = k.width == size.height && k.height == size.width;
+    if (same || turned) return;
+    const double x = double(size.width) / k.width, y = double(size.height) / k.height;
+    const std::string sizes = std::to_string(size.width) + "x" + std::to_string(size.height) +
+                              ", its camera is for " + std::to_string(k.width) + "x" +
+                              std::to_string(k.height);
+    if (!(std::abs(x / y - 1) < 0.005)) throw Error(Exit::input, photo.file.string() + ": is " + sizes);
+    scene.warnings.push_back(photo.name + ": is " + sizes + "; the camera was scaled");
+    k = k.scaled(size.width, size.height);
+}
+
+void add_photos(SceneInput& scene, const CameraSet& set) {
+    std::set<fs::path> used;
+    for (const CameraSet::Entry& entry : set.entries) {
+        PhotoInput photo{"", find_photo(scene.files.photos, entry.photo), entry.camera};
+        if (photo.file.empty()) {
+            scene.warnings.push_back(entry.photo + ": has a camera and no photo, left out");
+            continue;
+        }
+        photo.name = photo.file.filename().string();
+        if (!used.insert(photo.file).second)
+            throw Error(Exit::input, photo.file.string() + ": has two cameras");
+        fit_to_photo(photo.camera, entry.size_known, photo, scene);
+        validate(photo.camera, photo.name);
+        scene.photos.push_back(std::move(photo));
+    }
+    for (const auto& entry : fs::directory_iterator(scene.files.photos))
+        if (is_photo(entry.path()) && !used.contains(entry.path()))
+            scene.warnings.push_back(entry.path().filename().string() + ": has no camera, left out");
+    std::sort(scene.photos.begin(), scene.photos.end(),
+              [](const auto& a, const auto& b) { return a.name < b.name; });
+    std::sort(scene.warnings.begin(), scene.warnings.end());
+    const auto twin = std::adjacent_find(scene.photos.begin(), scene.photos.end(),
+                                         [](const auto& a, const auto& b) { return a.name == b.name; });
+    if (twin != scene.photos.end())
+        throw Error(Exit::input, twin->file.string() + ": another photo has the same name");
+}
+
+}  // namespace
+
+SceneInput read_scene(const InputFiles& files) {
+    SceneInput scene;
+    scene.files = files;
+    const CameraSet set = read_cameras(files.cameras);
+    scene.camera_format = set.format;
+    scene.warnings = set.warnings;
+    scene.mesh = read_mesh(files.mesh, scene.warnings);
+    if (!fs::is_directory(files.photos))
+        throw Error(Exit::input, files.photos.string() + ": is not a folder");
+    add_photos(scene, set);
+    if (scene.photos.empty())
+        throw Error(Exit::input,
+                    files.photos.string() + ": no photo has a camera in " + files.cameras.string());
+    return scene;
+}
+
+}  // namespace vantage

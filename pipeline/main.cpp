@@ -1,0 +1,33 @@
+#include <cstdio>
+#include <new>
+
+#include "pipeline/commands/commands.h"
+#include "scene/error.h"
+
+int main(int argc, char** argv) {
+    using namespace vantage;
+    CLI::App app{
+        "vantage prepares a scanned mesh and its calibrated photos into one package for vantage-player."};
+    app.set_version_flag("--version", "vantage " VANTAGE_VERSION);
+    app.require_subcommand(1);
+    app.footer(
+        "Examples:\n  vantage prepare scans/chapel -o chapel.vantage\n  vantage check --deep chapel.vantage\n"
+        "Exit codes: 0 well, 2 usage, 3 input, 4 damaged package, 5 stale package, 6 storage, 7 graphics.");
+    Run run;
+    for (const auto add : {add_prepare, add_info, add_check, add_extract}) add(app, run);
+    try {
+        app.parse(argc, argv);
+        return run();
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? 0 : int(Exit::usage);
+    } catch (const Error& e) {
+        std::fprintf(stderr, "vantage: %s\n", e.what());
+        return int(e.code());
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "vantage: out of memory\n");
+        return int(Exit::storage);
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "vantage: %s\n", e.what());
+        return int(Exit::graphics);
+    }
+}

@@ -1,0 +1,142 @@
+#include "pipeline/stages/border.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+#include "gl/context.h"
+#include "gl/object.h"
+#include "gl/program.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+struct Named {
+    DistanceMethod method;
+    const char* name;
+};
+constexpr Named methods[] = {{DistanceMethod::automatic, "auto"},
+                             {DistanceMethod::exact, "exact"},
+                             {DistanceMethod::jfa, "jfa"},
+                             {DistanceMethod::jfa_plus_1, "jfa+1"},
+                             {DistanceMethod::one_plus_jfa, "1+jfa"},
+                             {DistanceMethod::jfa_squared, "jfa^2"}};
+
+/// Is the 3x3 neighbourhood of an inner pixel a depth discontinuity?
+bool discontinuous(const float* above, const float* here, const float* below, int x, float threshold) {
+    const float z = here[x];
+    const float nine[] = {above[x - 1], above[x],     above[x + 1], here[x - 1],
+                          here[x + 1],  below[x - 1], below[x],     below[x + 1]};
+    const bool seen = std::isfinite(z);
+    for (const float other : nine)
+        if (std::isfinite(other) != seen) return true;
+    if (!seen) return false;
+    const float gx =
+        (above[x + 1] + 2 * here[x + 1] + below[x + 1]) - (above[x - 1] + 2 * here[x - 1] + below[x - 1]);
+    const float gy =
+        (below[x - 1] + 2 * below[x] + below[x + 1]) - (above[x - 1] + 2 * above[x] + above[x + 1]);
+    if (std::hypot(gx, gy) <= threshold * 8 * z) return false;
+    // A plane is linear in 1/z however steep; a step is not.
+    const auto bend = [&](float a, float b) { return std::abs(1 / a + 1 / b - 2 / z) * std::max({a, b, z}); };
+    return std::max(bend(here[x - 1], here[x + 1]), bend(above[x], below[x])) > threshold / 4;
+}
+
+std::vector<int> strides(int longest, DistanceMethod variant) {
+    std::vector<int> s;
+    if (variant == DistanceMethod::one_plus_jfa) s.push_back(1);
+    const int top = int(std::bit_ceil(unsigned(std::max(2, longest)))) / 2;
+    const int rounds = variant == DistanceMethod::jfa_squared ? 2 : 1;
+    for (int r = 0; r < rounds; ++r)
+        for (int k = top; k >= 1; k /= 2) s.push_back(k);
+    if (variant == DistanceMethod::jfa_plus_1) s.push_back(1);
+    return s;
+}
+
+}  // namespace
+
+DistanceMethod distance_method(const std::string& wanted) {
+    std::string known;
+    for (const Named& m : methods) {
+        if (wanted == m.name) return m.method;
+        known += (known.empty() ? "" : ", ") + std::string(m.name);
+    }
+    throw Error(Exit::usage, "unknown distance method '" + wanted + "', expected one of " + known);
+}
+
+const char* name(DistanceMethod method) { return methods[int(method)].name; }
+
+std::vector<std::uint8_t> find_borders(const DepthMap& d, float threshold) {
+    std::vector<std::uint8_t> borders(d.z.size(), 0);
+    for (int y = 1; y + 1 < d.height; ++y) {
+        const float* here = d.z.data() + std::size_t(y) * std::size_t(d.width);
+        std::uint8_t* out = borders.data() + std::size_t(y) * std::size_t(d.width);
+        for (int x = 1; x + 1 < d.width; ++x)
+            out[x] = discontinuous(here - d.width, here, here + d.width, x, threshold);
+    }
+    for (std::size_t i = 0; i < d.valid.size(); ++i)
+        if (d.valid[i] == 0) borders[i] = 1;
+    return borders;
+}
+
+std::vector<float> exact_distance(const std::vector<std::uint8_t>& borders, int width, int height) {
+    std::vector<float> distance(borders.size(), std::numeric_limits<float>::infinity());
+    if (std::find(borders.begin(), borders.end(), 1) == borders.end()) return distance;
+    cv::Mat away(height, width, CV_8UC1);
+    for (std::size_t i = 0; i < borders.size(); ++i) away.data[i] = borders[i] ? 0 : 255;
+    cv::Mat out(height, width, CV_32FC1, distance.data());
+    cv::distanceTransform(away, out, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
+    return distance;
+}
+
+std::vector<float> flood_distance(const std::vector<std::uint8_t>& borders, int width, int height,
+                                  DistanceMethod variant) {
+    std::vector<std::int16_t> seeds(borders.size() * 2, -1);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            if (const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x); borders[i]) {
+                seeds[2 * i] = std::int16_t(x);
+                seeds[2 * i + 1] = std::int16_t(y);
+            }
+    const gl::Program program = gl::make_program("jump flood", {{GL_COMPUTE_SHADER, "jump_flood.comp"}});
+    gl::Texture known = gl::make_texture_2d("jump flood", GL_RG16I, width, height);
+    gl::Texture improved = gl::make_texture_2d("jump flood, next", GL_RG16I, width, height);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTextureSubImage2D(known.id(), 0, 0, 0, width, height, GL_RG_INTEGER, GL_SHORT, seeds.data());
+    glUseProgram(program.id());
+    for (const int stride : strides(std::max(width, height), variant)) {
+        glBindImageTexture(0, known.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RG16I);
+        glBindImageTexture(1, improved.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG16I);
+        glUniform1i(0, stride);
+        glDispatchCompute(GLuint(width + 15) / 16, GLuint(height + 15) / 16, 1);
+        glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+        std::swap(known, improved);
+    }
+    glGetTextureImage(known.id(), 0, GL_RG_INTEGER, GL_SHORT, GLsizei(seeds.size() * 2), seeds.data());
+    gl::check("jump flooding");
+    std::vector<float> distance(borders.size(), std::numeric_limits<float>::infinity());
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x);
+            if (seeds[2 * i] >= 0)
+                distance[i] = std::hypot(float(seeds[2 * i] - x), float(seeds[2 * i + 1] - y));
+        }
+    return distance;
+}
+
+std::vector<std::uint8_t> border_mask(const std::vector<float>& distance, int width, int height,
+                                      float full_width) {
+    std::vector<std::uint8_t> mask(distance.size());
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x);
+            const float outline = float(std::min({x, y, width - 1 - x, height - 1 - y})) + 0.5f;
+            const float d = std::min(distance[i], outline) / std::max(full_width, 1e-3f);
+            mask[i] = std::uint8_t(std::lround(255 * std::min(d, 1.0f)));
+        }
+    return mask;
+}
+
+}  // namespace vantage

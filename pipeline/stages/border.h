@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vantage {
+
+/// How the distance to the nearest border is found.
+enum class DistanceMethod { automatic, exact, jfa, jfa_plus_1, one_plus_jfa, jfa_squared };
+DistanceMethod distance_method(const std::string& name);
+const char* name(DistanceMethod method);
+
+/// Linear depth, +inf where nothing is seen, and validity (0 = no photo there; empty = all valid), row by
+/// row.
+struct DepthMap {
+    int width = 0, height = 0;
+    std::vector<float> z;
+    std::vector<std::uint8_t> valid;
+};
+
+/// 1 where the Sobel 3x3 response of depth, relative to depth, exceeds `threshold` and the depth is no plane
+/// seen at a slant (second difference of 1/z relative to 1/z exceeds a quarter of it), where seen meets
+/// unseen, and where a pixel is invalid. The outline of the photo is handled by border_distance.
+std::vector<std::uint8_t> find_borders(const DepthMap& depth, float threshold);
+
+/// Exact Euclidean distance in pixels to the nearest border pixel's centre (OpenCV, Felzenszwalb), +inf with
+/// no border.
+std::vector<float> exact_distance(const std::vector<std::uint8_t>& borders, int width, int height);
+
+/// Jump flooding in compute, on the current OpenGL context. Same result as exact_distance up to the variant's
+/// error.
+std::vector<float> flood_distance(const std::vector<std::uint8_t>& borders, int width, int height,
+                                  DistanceMethod variant);
+
+/// Border mask [0,255]: min(distance to border, distance to the photo's outline) / `full_width`, clamped.
+std::vector<std::uint8_t> border_mask(const std::vector<float>& distance, int width, int height,
+                                      float full_width);
+
+}  // namespace vantage

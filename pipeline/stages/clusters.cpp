@@ -1,0 +1,105 @@
+#include "pipeline/stages/clusters.h"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace vantage {
+namespace {
+
+package::ClusterRecord bounds(const std::vector<Eigen::Vector3f>& positions, const std::uint32_t* indices,
+                              std::uint32_t first, std::uint32_t count) {
+    Eigen::Vector3f low = positions[indices[0]], high = low;
+    for (std::uint32_t i = 0; i < 3 * count; ++i) {
+        low = low.cwiseMin(positions[indices[i]]);
+        high = high.cwiseMax(positions[indices[i]]);
+    }
+    const Eigen::Vector3f center = (low + high) / 2;
+    float radius = 0;
+    for (std::uint32_t i = 0; i < 3 * count; ++i)
+        radius = std::max(radius, (positions[indices[i]] - center).norm());
+    const meshopt_Bounds b = meshopt_computeClusterBounds(indices, 3 * count, positions[0].data(),
+                                                          positions.size(), sizeof(Eigen::Vector3f));
+    const bool cone = b.radius > 0;  // zero where every triangle is degenerate
+    return {{center.x(), center.y(), center.z()},
+            radius * 1.0001f,
+            {b.cone_axis[0], b.cone_axis[1], b.cone_axis[2]},
+            cone ? b.cone_cutoff : 1.0f,
+            first,
+            count};
+}
+
+std::uint16_t unorm16(double v) { return std::uint16_t(std::lround(65535 * std::clamp(v, 0.0, 1.0))); }
+
+}  // namespace
+
+std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vector3f>& positions,
+                                                  std::vector<std::uint32_t>& indices,
+                                                  std::uint32_t cluster_triangles) {
+    std::vector<package::ClusterRecord> clusters;
+    if (indices.empty()) return clusters;
+    std::vector<std::uint32_t> ordered(indices.size());
+    meshopt_spatialSortTriangles(ordered.data(), indices.data(), indices.size(), positions[0].data(),
+                                 positions.size(), sizeof(Eigen::Vector3f));
+    indices = std::move(ordered);
+    const auto triangles = std::uint32_t(indices.size() / 3);
+    for (std::uint32_t first = 0; first < triangles; first += cluster_triangles)
+        clusters.push_back(bounds(positions, indices.data() + 3 * std::size_t(first), first,
+                                  std::min(cluster_triangles, triangles - first)));
+    return clusters;
+}
+
+std::vector<package::CoverageRecord> measure_coverage(const std::vector<package::ClusterRecord>& clusters,
+                                                      const std::vector<std::uint32_t>& indices,
+                                                      const std::vector<Eigen::Vector2f>& coordinates,
+                                                      const Intrinsics& k, const Pose& pose) {
+    std::vector<package::CoverageRecord> out;
+    out.reserve(clusters.size());
+    for (const package::ClusterRecord& c : clusters) {
+        Eigen::Vector2f low(1, 1), high(0, 0);
+        std::uint32_t seen = 0;
+        for (std::uint32_t t = c.first_triangle; t < c.first_triangle + c.triangles; ++t) {
+            bool all = true;
+            for (int v = 0; v < 3; ++v) {
+                const Eigen::Vector2f& uv = coordinates[indices[3 * std::size_t(t) + std::size_t(v)]];
+                all &= uv.x() >= 0;
+                if (uv.x() < 0) continue;
+                low = low.cwiseMin(uv);
+                high = high.cwiseMax(uv);
+            }
+            seen += all;
+        }
+        const Eigen::Vector3d center(c.center[0], c.center[1], c.center[2]);
+        const double z = (pose.R * center + pose.t).z();
+        const double density = z > 0 ? std::log2(std::sqrt(k.fx * k.fy) / z) : 0;
+        const bool any = low.x() <= high.x();
+        out.push_back(
+            {seen ? std::max<std::uint16_t>(1, unorm16(double(seen) / c.triangles)) : std::uint16_t(0),
+             any ? unorm16(low.x()) : std::uint16_t(0), any ? unorm16(low.y()) : std::uint16_t(0),
+             any ? unorm16(high.x()) : std::uint16_t(0), any ? unorm16(high.y()) : std::uint16_t(0),
+             std::int16_t(std::lround(256 * std::clamp(density, -120.0, 120.0)))});
+    }
+    return out;
+}
+
+SeenHull seen_hull(const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& k, const Pose& pose) {
+    std::vector<cv::Point2f> points, hull;
+    for (const Eigen::Vector2f& uv : coordinates)
+        if (uv.x() >= 0) points.emplace_back(uv.x(), uv.y());
+    if (points.empty()) return {pose.direction(), 0};
+    cv::convexHull(points, hull);
+    const double area = hull.size() >= 3 ? cv::contourArea(hull) : 0;
+    Eigen::Vector2d center = Eigen::Vector2d::Zero();
+    const cv::Moments m = area > 1e-9 ? cv::moments(hull) : cv::Moments();
+    if (m.m00 > 1e-9) {
+        center = {m.m10 / m.m00, m.m01 / m.m00};
+    } else {
+        for (const cv::Point2f& p : hull) center += Eigen::Vector2d(p.x, p.y) / double(hull.size());
+    }
+    const Eigen::Vector3d ray((center.x() * k.width - k.cx) / k.fx, (center.y() * k.height - k.cy) / k.fy, 1);
+    return {(pose.R.transpose() * ray).normalized(), std::clamp(area, 0.0, 1.0)};
+}
+
+}  // namespace vantage

@@ -1,0 +1,34 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/package_format.h"
+
+namespace vantage {
+
+/// Orders the triangles along a space-filling curve and cuts them into runs of at most `cluster_triangles`,
+/// each with a bounding sphere and a normal cone (meshoptimizer). `indices` is reordered in place.
+std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vector3f>& positions,
+                                                  std::vector<std::uint32_t>& indices,
+                                                  std::uint32_t cluster_triangles);
+
+/// Which clusters a photo sees, where in the photo, and how finely sampled.
+std::vector<package::CoverageRecord> measure_coverage(const std::vector<package::ClusterRecord>& clusters,
+                                                      const std::vector<std::uint32_t>& indices,
+                                                      const std::vector<Eigen::Vector2f>& coordinates,
+                                                      const Intrinsics& intrinsics,
+                                                      const Pose& cam_from_origin);
+
+/// The direction through the centroid of the convex hull of what a photo sees, and the hull's share of the
+/// photo
+/// ([P] 2.3.3). No visible point: the optical axis and 0; collinear points: through their mean, and 0.
+struct SeenHull {
+    Eigen::Vector3d direction;
+    double area = 0;
+};
+SeenHull seen_hull(const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& intrinsics,
+                   const Pose& cam_from_origin);
+
+}  // namespace vantage

@@ -1,0 +1,130 @@
+#include "pipeline/stages/inspect.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/stages/undistort.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::size_t samples = 20000;  ///< vertices or triangles looked at a photo
+
+bool inside(const Intrinsics& k, const Eigen::Vector2d& p) {
+    return p.x() >= 0 && p.y() >= 0 && p.x() < k.width && p.y() < k.height;
+}
+
+struct Measured {
+    double value;
+    std::string evidence;
+};
+
+Measured lens(const SceneInput& scene) {
+    double largest = 0;
+    std::string where = "no camera has lens distortion";
+    for (const PhotoInput& p : scene.photos)
+        if (const double d = largest_displacement(p.camera); d > largest) {
+            largest = d;
+            where = fmt::format("{} moves pixels by up to {:.2f} px ({} lens)", p.name, d,
+                                name(p.camera.lens.model));
+        }
+    return {largest, where};
+}
+
+Measured triangle_size(const SceneInput& scene) {
+    std::vector<double> sizes;
+    const std::size_t step = std::max<std::size_t>(1, scene.mesh.triangles.size() / samples);
+    for (const PhotoInput& photo : scene.photos)
+        for (std::size_t t = 0; t < scene.mesh.triangles.size(); t += step) {
+            std::optional<Projection> p[3];
+            bool all = true;
+            for (std::size_t v = 0; v < 3 && all; ++v) {
+                p[v] = project(photo.camera.intrinsics, photo.camera.cam_from_world,
+                               scene.mesh.positions[scene.mesh.triangles[t][v]]);
+                all = p[v] && inside(photo.camera.intrinsics, p[v]->pixel);
+            }
+            if (all)
+                sizes.push_back(
+                    std::max({(p[0]->pixel - p[1]->pixel).norm(), (p[1]->pixel - p[2]->pixel).norm(),
+                              (p[2]->pixel - p[0]->pixel).norm()}));
+        }
+    if (sizes.empty())
+        return {std::numeric_limits<double>::infinity(), "no triangle lies wholly inside a photo"};
+    auto at = sizes.begin() + std::ptrdiff_t(double(sizes.size() - 1) * 0.95);
+    std::nth_element(sizes.begin(), at, sizes.end());
+    return {*at, fmt::format("95 % of the triangles' longest edges are below {:.1f} px in the photos", *at)};
+}
+
+Measured focal_spread(const SceneInput& scene) {
+    double low = std::numeric_limits<double>::infinity(), high = 0;
+    for (const PhotoInput& p : scene.photos) {
+        const double f = p.camera.intrinsics.fx / p.camera.intrinsics.width;
+        low = std::min(low, f);
+        high = std::max(high, f);
+    }
+    return {high / low - 1, fmt::format("focal lengths from {:.3f} to {:.3f} photo widths", low, high)};
+}
+
+Measured unseen_colors(const SceneInput& scene) {
+    if (scene.mesh.colors.empty()) return {0, "the mesh has no vertex colours"};
+    const std::size_t step = std::max<std::size_t>(1, scene.mesh.positions.size() / samples);
+    std::size_t looked = 0, unseen = 0;
+    for (std::size_t v = 0; v < scene.mesh.positions.size(); v += step, ++looked)
+        unseen += std::none_of(scene.photos.begin(), scene.photos.end(), [&](const PhotoInput& photo) {
+            const auto p =
+                project(photo.camera.intrinsics, photo.camera.cam_from_world, scene.mesh.positions[v]);
+            return p && inside(photo.camera.intrinsics, p->pixel) &&
+                   scene.mesh.normals[v].cast<double>().dot(photo.camera.cam_from_world.center() -
+                                                            scene.mesh.positions[v]) > 0;
+        });
+    const double share = looked ? double(unseen) / double(looked) : 0;
+    return {share,
+            fmt::format("{:.2f} % of the coloured vertices face no photo that could hold them", 100 * share)};
+}
+
+Measured measure(Effect effect, const SceneInput& scene) {
+    switch (effect) {
+        case Effect::undistortion:
+            return lens(scene);
+        case Effect::per_fragment:
+            return triangle_size(scene);
+        case Effect::fov_normalisation:
+            return focal_spread(scene);
+        case Effect::vertex_colors:
+            return unseen_colors(scene);
+        case Effect::count:
+            break;
+    }
+    return {0, "not measured"};
+}
+
+}  // namespace
+
+std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effect, EffectChoice>& choices) {
+    std::vector<EffectDecision> decisions;
+    for (const EffectRow& row : effect_table()) {
+        const Measured m = measure(row.effect, scene);
+        const auto forced = choices.find(row.effect);
+        decisions.push_back(decide(row.effect,
+                                   forced == choices.end() ? EffectChoice::automatic : forced->second,
+                                   std::isfinite(m.value) ? m.value : 1e9, m.evidence));
+    }
+    return decisions;
+}
+
+double finest_density(const SceneInput& scene) {
+    double finest = 0;
+    const std::size_t step = std::max<std::size_t>(1, scene.mesh.positions.size() / samples);
+    for (const PhotoInput& photo : scene.photos) {
+        const Intrinsics& k = photo.camera.intrinsics;
+        for (std::size_t v = 0; v < scene.mesh.positions.size(); v += step)
+            if (const auto p = project(k, photo.camera.cam_from_world, scene.mesh.positions[v]);
+                p && inside(k, p->pixel))
+                finest = std::max(finest, std::sqrt(k.fx * k.fy) / p->z);
+    }
+    return finest > 0 && std::isfinite(finest) ? finest : 1;
+}
+
+}  // namespace vantage

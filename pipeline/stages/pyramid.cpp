@@ -1,0 +1,108 @@
+#include "pipeline/stages/pyramid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <opencv2/imgproc.hpp>
+
+namespace vantage {
+namespace {
+
+constexpr int linear_bits = 14;
+
+/// sRGB byte -> linear light in 14 bits, and back.
+struct SrgbTables {
+    std::array<std::uint16_t, 256> linear;
+    std::vector<std::uint8_t> srgb;
+    SrgbTables() : srgb((1 << linear_bits) + 1) {
+        const double top = 1 << linear_bits;
+        for (int i = 0; i < 256; ++i) {
+            const double s = i / 255.0;
+            linear[std::size_t(i)] = std::uint16_t(
+                std::lround(top * (s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4))));
+        }
+        for (std::size_t i = 0; i < srgb.size(); ++i) {
+            const double l = double(i) / top;
+            srgb[i] = std::uint8_t(
+                std::lround(255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055)));
+        }
+    }
+};
+const SrgbTables& tables() {
+    static const SrgbTables t;
+    return t;
+}
+
+void average(const std::uint8_t* const (&q)[4], std::uint8_t* out) {
+    const SrgbTables& t = tables();
+    const unsigned alpha = unsigned(q[0][3]) + q[1][3] + q[2][3] + q[3][3];
+    out[3] = std::uint8_t((alpha + 2) / 4);
+    for (int c = 0; c < 3; ++c) {
+        std::uint32_t sum = 0;
+        if (alpha == 4 * 255) {
+            sum = (std::uint32_t(t.linear[q[0][c]]) + t.linear[q[1][c]] + t.linear[q[2][c]] +
+                   t.linear[q[3][c]] + 2) /
+                  4;
+        } else if (alpha > 0) {
+            for (const std::uint8_t* p : q) sum += std::uint32_t(t.linear[p[c]]) * p[3];
+            sum = (sum + alpha / 2) / alpha;
+        }
+        out[c] = t.srgb[sum];
+    }
+}
+
+}  // namespace
+
+RgbaImage halve(const RgbaImage& image) {
+    const Level half = level_size(image.width, image.height, 1);
+    RgbaImage out{half.width, half.height, {}};
+    out.rgba.resize(std::size_t(half.width) * std::size_t(half.height) * 4);
+    for (int y = 0; y < half.height; ++y) {
+        const std::size_t stride = std::size_t(image.width) * 4;
+        const std::uint8_t* a = image.rgba.data() + std::size_t(2 * y) * stride;
+        const std::uint8_t* b = 2 * y + 1 < image.height ? a + stride : a;
+        std::uint8_t* to = out.rgba.data() + std::size_t(y) * std::size_t(half.width) * 4;
+        for (int x = 0; x < half.width; ++x) {
+            const int l = 8 * x, r = 2 * x + 1 < image.width ? l + 4 : l;
+            average({a + l, a + r, b + l, b + r}, to + 4 * x);
+        }
+    }
+    return out;
+}
+
+std::vector<std::byte> cut_tiles(std::span<const std::byte> texels, const Level& level) {
+    std::vector<std::byte> out(std::size_t(level.tiles()) * tile_bytes);
+    std::byte* to = out.data();
+    for (int row = 0; row < level.rows(); ++row)
+        for (int column = 0; column < level.columns(); ++column)
+            for (int y = 0; y < tile_size; ++y, to += tile_size * 4) {
+                const int sy = std::clamp(row * tile_content + y - tile_border, 0, level.height - 1);
+                const std::byte* from = texels.data() + std::size_t(sy) * std::size_t(level.width) * 4;
+                const int x0 = column * tile_content - tile_border;
+                const int first = std::max(0, -x0), last = std::min(tile_size, level.width - x0);
+                for (int x = 0; x < first; ++x) std::memcpy(to + 4 * x, from, 4);
+                std::memcpy(to + 4 * first, from + 4 * std::size_t(x0 + first),
+                            4 * std::size_t(last - first));
+                for (int x = last; x < tile_size; ++x)
+                    std::memcpy(to + 4 * x, from + 4 * std::size_t(level.width - 1), 4);
+            }
+    return out;
+}
+
+Level thumbnail_size(int width, int height, int longest) {
+    const double s = std::min(1.0, double(longest) / std::max(width, height));
+    return {std::max(1, int(std::lround(width * s))), std::max(1, int(std::lround(height * s)))};
+}
+
+RgbaImage thumbnail(const RgbaImage& image, int longest) {
+    const Level size = thumbnail_size(image.width, image.height, longest);
+    RgbaImage out{size.width, size.height, {}};
+    out.rgba.resize(std::size_t(size.width) * std::size_t(size.height) * 4);
+    const cv::Mat from(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.rgba.data()));
+    cv::Mat to(size.height, size.width, CV_8UC4, out.rgba.data());
+    cv::resize(from, to, to.size(), 0, 0, cv::INTER_AREA);
+    return out;
+}
+
+}  // namespace vantage

@@ -1,0 +1,30 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/tiling.h"
+
+namespace vantage {
+
+/// RGBA8, sRGB, straight alpha; row 0 on top.
+struct RgbaImage {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+/// The next coarser level: 2x2 box in linear light, weighted by alpha; odd edges repeat their last texel, so
+/// a pixel coordinate halves exactly.
+RgbaImage halve(const RgbaImage& image);
+
+/// Cuts 4-byte texels into stored tiles, row by row, each with its border (edges of the level repeat their
+/// last texel). `texels` has level.width * level.height * 4 bytes.
+std::vector<std::byte> cut_tiles(std::span<const std::byte> texels, const Level& level);
+
+/// Area average to at most `longest` pixels on the long side; never enlarges.
+RgbaImage thumbnail(const RgbaImage& image, int longest);
+/// The size thumbnail() gives.
+Level thumbnail_size(int width, int height, int longest);
+
+}  // namespace vantage

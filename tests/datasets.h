@@ -1,0 +1,13 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+/// Folder of a real dataset, or skips the test saying which is missing. VANTAGE_DATASETS says where they are.
+#define VANTAGE_DATASET(variable, name)                                                           \
+    const char* variable##_root = std::getenv("VANTAGE_DATASETS");                                \
+    const std::filesystem::path variable =                                                        \
+        std::filesystem::path(variable##_root ? variable##_root : "../shared/datasets") / (name); \
+    if (!std::filesystem::is_directory(variable)) GTEST_SKIP() << "no dataset at " << variable;   \
+    static_assert(true)

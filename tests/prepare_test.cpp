@@ -1,0 +1,92 @@
+#include "pipeline/prepare.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "datasets.h"
+#include "pipeline/check.h"
+#include "pipeline/import/discover.h"
+#include "pipeline/import/read_scene.h"
+#include "scene/package_reader.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+class Prepare : public ::testing::Test {
+  protected:
+    fs::path dir = fs::temp_directory_path() / ("vantage-prepare-" + std::to_string(::getpid()));
+    void SetUp() override { fs::create_directories(dir); }
+    void TearDown() override { fs::remove_all(dir); }
+    static std::string slurp(const fs::path& f) {
+        std::ifstream in(f, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+};
+
+void quiet(const Progress&) {}
+
+}  // namespace
+
+TEST_F(Prepare, SceauxSmallIsSoundCurrentAndTheSameTwice) {
+    VANTAGE_DATASET(input, "sceaux-small");
+    PrepareSettings settings;
+    prepare(read_scene(discover(input)), settings, dir / "a.vantage", quiet);
+    settings.threads = 1;
+    prepare(read_scene(discover(input)), settings, dir / "b.vantage", quiet);
+    EXPECT_TRUE(slurp(dir / "a.vantage") == slurp(dir / "b.vantage")) << "with 1 thread and with all";
+    for (const Issue& i : check_package(dir / "a.vantage", true, input)) ADD_FAILURE() << i.text;
+}
+
+TEST_F(Prepare, AHeldOutPhotoKeepsItsCameraOnly) {
+    VANTAGE_DATASET(input, "sceaux-small");
+    PrepareSettings settings;
+    settings.hold_out = {"00003"};
+    prepare(read_scene(discover(input)), settings, dir / "a.vantage", quiet);
+    const PackageReader reader(dir / "a.vantage");
+    const auto i = reader.photo_index("00003");
+    ASSERT_TRUE(i);
+    EXPECT_EQ(reader.photos()[*i].levels, 0u);
+    for (const auto& e : reader.directory()) EXPECT_NE(e.photo, *i);
+    EXPECT_TRUE(check_package(dir / "a.vantage", true, {}).empty());
+    settings.hold_out = {"nobody"};
+    EXPECT_THROW(prepare(read_scene(discover(input)), settings, dir / "b.vantage", quiet), Error);
+}
+
+TEST_F(Prepare, DamageIsNamedInEveryChunkAndAtEveryCut) {
+    VANTAGE_DATASET(input, "sceaux-small");
+    prepare(read_scene(discover(input)), {}, dir / "a.vantage", quiet);
+    const fs::path file = dir / "a.vantage";
+    std::vector<package::DirectoryEntry> entries;
+    {
+        const PackageReader reader(file);
+        entries.assign(reader.directory().begin(), reader.directory().end());
+    }
+    for (const auto& e : entries) {
+        if (e.length == 0) continue;
+        std::fstream f(file, std::ios::in | std::ios::out | std::ios::binary);
+        const auto at = std::streamoff(e.offset + e.length / 2);
+        f.seekg(at);
+        const char good = char(f.get());
+        f.seekp(at);
+        f.put(char(good ^ 0x10));
+        f.close();
+        const auto issues = check_package(file, true, {});
+        const std::string type(reinterpret_cast<const char*>(&e.type), 4);
+        EXPECT_TRUE(!issues.empty() && issues[0].text.find(type) != std::string::npos)
+            << type << " " << e.photo;
+        std::fstream back(file, std::ios::in | std::ios::out | std::ios::binary);
+        back.seekp(at);
+        back.put(good);
+    }
+    EXPECT_TRUE(check_package(file, true, {}).empty());
+    for (auto e = entries.rbegin(); e != entries.rend(); ++e) {
+        fs::resize_file(file, e->offset);
+        const auto issues = check_package(file, false, {});
+        ASSERT_EQ(issues.size(), 1u);
+        EXPECT_EQ(issues[0].kind, Exit::damaged);
+    }
+}
