@@ -1,0 +1,10 @@
+# Fails when PROGRAM needs, itself or through another library, one that belongs to the pipeline.
+execute_process(COMMAND ldd ${PROGRAM} OUTPUT_VARIABLE libraries RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "ldd ${PROGRAM} failed")
+endif()
+string(REGEX MATCHALL "lib(opencv_|ceres|OpenMesh|OpenImageIO)[^ \n]*" heavy "${libraries}")
+if(heavy)
+  file(REMOVE ${PROGRAM})
+  message(FATAL_ERROR "the player links ${heavy}; only the pipeline may")
+endif()

@@ -1,0 +1,29 @@
+#include "player/frame_targets.h"
+
+#include <array>
+#include <string>
+
+#include "scene/error.h"
+
+namespace vantage {
+
+FrameTargets make_frame_targets(int width, int height) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (width < 1 || height < 1 || width > most || height > most)
+        throw Error(Exit::usage, "a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                                     " samples, expected 1 to " + std::to_string(most) + " along each side");
+    FrameTargets t;
+    t.width = width;
+    t.height = height;
+    t.depth = gl::make_texture_2d("frame depth", GL_DEPTH_COMPONENT32F, width, height);
+    t.surface = gl::make_texture_2d("frame surface", GL_RGBA16F, width, height);
+    t.surface_target = gl::make_framebuffer("frame surface", std::array{t.surface.id()}, t.depth.id());
+    for (int i = 0; i < 2; ++i) {
+        t.sums[i] = gl::make_texture_2d("frame sums", GL_RGBA32F, width, height);
+        t.sums_target[i] = gl::make_framebuffer("frame sums", std::array{t.sums[i].id()}, t.depth.id());
+    }
+    return t;
+}
+
+}  // namespace vantage

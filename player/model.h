@@ -1,0 +1,19 @@
+#pragma once
+#include "gl/object.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+
+/// The package's mesh on the graphics card: attribute 0 position, 1 normal, 2 colour (where the effect is
+/// on).
+struct Model {
+    gl::Buffer positions, normals, colors, indices;
+    gl::VertexArray vertices;
+    std::uint32_t vertex_count = 0, index_count = 0;
+};
+
+/// Throws Error(damaged) when a checksum is wrong or a triangle names a vertex that does not exist.
+Model load_model(const PackageReader& package);
+void draw(const Model& model);
+
+}  // namespace vantage

@@ -1,0 +1,96 @@
+#include "player/options.h"
+
+namespace vantage {
+namespace {
+
+void add_blending(CLI::App& app, RenderSettings& r) {
+    const std::string group = "Blending";
+    app.add_option("--blend", r.blend,
+                   "average: weighted average of all photos; best: each point from one photo")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, Blend>{{"average", Blend::average}, {"best", Blend::best}}))
+        ->default_str("average")
+        ->group(group);
+    app.add_option("--coordinates", r.coordinates,
+                   "texture coordinates: auto (as the package says), vertex, fragment")
+        ->transform(
+            CLI::CheckedTransformer(std::map<std::string, Coordinates>{{"auto", Coordinates::automatic},
+                                                                       {"vertex", Coordinates::vertex},
+                                                                       {"fragment", Coordinates::fragment}}))
+        ->default_str("auto")
+        ->group(group);
+    app.add_option("--photos-per-pass", r.photos_per_pass, "photos blended at once")
+        ->check(CLI::Range(1, most_photos_per_pass))
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--exponent", r.weights.exponent, "how strongly near photos are preferred")
+        ->check(CLI::Range(0.0, 64.0))
+        ->capture_default_str()
+        ->group(group);
+    app.add_flag("--angle-per-photo", r.weights.angle_per_photo,
+                 "weigh by the angle between viewing directions, not between rays at the surface")
+        ->group(group);
+    const auto off = [&](const char* name, bool& weight, const char* help) {
+        app.add_flag_callback(
+               name, [&weight] { weight = false; }, help)
+            ->group(group);
+    };
+    off("--no-distance", r.weights.distance, "switch the distance weight off");
+    off("--no-angle", r.weights.angle, "switch the angle weight off");
+    off("--no-angle-mask", r.weights.angle_mask, "switch the angle mask off");
+    off("--no-depth-mask", r.weights.depth_mask, "switch the depth mask off");
+    off("--no-border-mask", r.weights.border_mask, "switch the border mask off");
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, Options& o) {
+    app.add_option("FILE", o.package, "the package to show")->required();
+    app.add_flag("--list", o.list, "name the photos and leave");
+    app.add_option("--exclude", o.exclude, "photos that are not blended")->delimiter(',');
+    app.add_option("--size", o.size,
+                   "WIDTHxHEIGHT of window or pictures (default 1280x720, or the photo's size)");
+    app.add_option("--samples", o.samples,
+                   "samples along a pixel's side (default 1 in the window and from a photo's own camera at "
+                   "full size, else 2)")
+        ->check(CLI::Range(1, 8));
+    app.add_option("--holes", o.holes, "what no photo shows: transparent (default offscreen) or shade")
+        ->check(CLI::IsMember({"transparent", "shade"}));
+    app.add_option("--fov-normalisation", o.fov_normalisation,
+                   "compare distances as if all fields of view were one: auto, on, off")
+        ->check(CLI::IsMember({"auto", "on", "off"}))
+        ->capture_default_str();
+    const std::string pictures = "Pictures without a display";
+    app.add_flag("--offscreen", o.offscreen, "render to PNG instead of opening a window")->group(pictures);
+    app.add_option("--photo", o.photos, "from this photo's own camera; several, or 'all'")
+        ->delimiter(',')
+        ->group(pictures);
+    app.add_option("--view", o.view, "from EX,EY,EZ towards TX,TY,TZ, perhaps with a vertical field of view")
+        ->group(pictures);
+    app.add_option("--path", o.path, "a file of views, one a line as for --view")->group(pictures);
+    app.add_option("--scale", o.scale, "picture size as a share of the photo's")
+        ->check(CLI::Range(0.001, 8.0))
+        ->capture_default_str()
+        ->group(pictures);
+    app.add_option("-o,--output", o.out, "PNG file, or folder for several pictures")->group(pictures);
+    app.add_flag("-q,--quiet", o.quiet, "no word unless something is wrong")->group(pictures);
+    const std::string window = "Window";
+    app.add_option("--nearest", o.nearest, "blend this many photos, those nearest to the view")
+        ->check(CLI::Range(1, 4096))
+        ->capture_default_str()
+        ->group(window);
+    app.add_option("--frames", o.frames, "close after this many frames")
+        ->check(CLI::Range(0, 1 << 30))
+        ->group(window);
+    app.add_option("--screenshot", o.screenshot, "save the last frame before closing")->group(window);
+    add_blending(app, o.render);
+    app.footer(
+        "Examples:\n"
+        "  vantage-player chapel.vantage\n"
+        "  vantage-player chapel.vantage --offscreen --photo 0003 -o 0003.png\n"
+        "  vantage-player chapel.vantage --offscreen --photo all --scale 0.5 --blend best -o pictures\n"
+        "  vantage-player chapel.vantage --offscreen --view 4,-9,2,0,0,1,40 --size 1920x1080 -o view.png\n"
+        "Exit codes: 0 well, 2 usage, 3 input, 4 damaged package, 6 storage, 7 graphics.");
+}
+
+}  // namespace vantage

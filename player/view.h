@@ -1,0 +1,27 @@
+#pragma once
+#include <Eigen/Core>
+#include <span>
+
+#include "scene/camera.h"
+#include "scene/package_format.h"
+
+namespace vantage {
+
+/// A camera to render from; positions are relative to the package's origin.
+struct View {
+    Intrinsics intrinsics;
+    Pose cam_from_origin;
+};
+
+/// The photo's own camera, its frame resized to `scale` times the photo (rounded, at least one pixel).
+View view_of_photo(const package::PhotoRecord& photo, double scale);
+
+/// From `eye` towards `target`, with `up` on top; vertical field of view in degrees. Looking along `up` picks
+/// another up. Eye and target relative to the origin; throws Error(usage) where they coincide.
+View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up,
+                  double fov, int width, int height);
+
+/// Mean of the photos' up directions; +y where they cancel out.
+Eigen::Vector3d mean_up(std::span<const package::PhotoRecord> photos);
+
+}  // namespace vantage

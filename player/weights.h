@@ -1,0 +1,26 @@
+#pragma once
+#include <vector>
+
+#include "player/view.h"
+#include "scene/package_format.h"
+
+namespace vantage {
+
+/// Which weights take part, and how sharply.
+struct WeightSettings {
+    bool distance = true;  ///< [M]: viewpoint to camera centre, over the photos
+    bool angle = true;     ///< between rays at the surface, or with `angle_per_photo` between view directions
+    bool angle_per_photo = false;
+    bool angle_mask = true, depth_mask = true, border_mask = true;
+    bool fov_normalisation = false;  ///< [M] 4.1 to 4.3
+    double exponent = 8;             ///< of distance and per-photo angle
+};
+
+/// 1 for the least value, falling linearly to `floor` for the greatest; all equal: all 1. Values finite.
+std::vector<double> nearest_is_one(const std::vector<double>& values, double floor = 1e-3);
+
+/// Dynamic weight of each photo for a view, in (0, 1].
+std::vector<double> dynamic_weights(const View& view, std::span<const package::PhotoRecord> photos,
+                                    const WeightSettings& settings);
+
+}  // namespace vantage
