@@ -1,12 +1,10 @@
 #include "pipeline/extract.h"
 
-#include <OpenImageIO/imageio.h>
-#include <fmt/format.h>
-
 #include <array>
 #include <cstring>
-#include <fstream>
 
+#include "pipeline/export/image.h"
+#include "pipeline/export/ply.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
@@ -36,38 +34,12 @@ std::vector<std::byte> join_tiles(const PackageReader& reader, const package::Di
     return out;
 }
 
-void write_image(const fs::path& file, const Level& size, int channels, OIIO::TypeDesc type,
-                 const std::byte* texels) {
-    const auto out = OIIO::ImageOutput::create(file.string());
-    OIIO::ImageSpec spec(size.width, size.height, channels, type);
-    if (channels == 4) {
-        spec.alpha_channel = 3;
-        spec.attribute("oiio:UnassociatedAlpha", 1);
-    }
-    if (!out || !out->open(file.string(), spec) || !out->write_image(type, texels) || !out->close())
-        throw Error(Exit::storage, file.string() + ": cannot write" + (out ? ": " + out->geterror() : ""));
-}
-
 void write_mesh(const PackageReader& reader, const fs::path& file) {
     const package::SceneRecord& s = reader.scene();
-    std::ofstream out(file, std::ios::binary);
-    out << fmt::format(
-        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
-        "property double z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face {}\n"
-        "property list uchar int vertex_indices\nend_header\n",
-        s.vertices, s.triangles);
-    const auto put = [&](const auto& v) { out.write(reinterpret_cast<const char*>(&v), sizeof v); };
-    const auto normals = reader.records<std::array<float, 3>>(Type::normals);
-    std::size_t i = 0;
-    for (const auto& p : reader.records<std::array<float, 3>>(Type::positions)) {
-        for (std::size_t c = 0; c < 3; ++c) put(s.origin[c] + double(p[c]));
-        put(normals[i++]);
-    }
-    for (const auto& t : reader.records<std::array<std::uint32_t, 3>>(Type::indices)) {
-        put(std::uint8_t(3));
-        put(t);
-    }
-    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot write");
+    write_ply(file, Eigen::Map<const Eigen::Vector3d>(s.origin),
+              reader.records<Eigen::Vector3f>(Type::positions),
+              reader.records<Eigen::Vector3f>(Type::normals),
+              reader.records<std::array<std::uint32_t, 3>>(Type::indices));
 }
 
 void write_photo(const PackageReader& reader, std::uint32_t i, const package::PhotoRecord& p,
@@ -78,7 +50,7 @@ void write_photo(const PackageReader& reader, std::uint32_t i, const package::Ph
         const Level size = level_size(int(p.width), int(p.height), int(l));
         const auto* e = reader.find(type, i, l);
         if (!e) throw Error(Exit::damaged, name + ": a level is missing");
-        write_image(file, size, channels, format, join_tiles(reader, *e, size).data());
+        write_image(file, size.width, size.height, channels, format, join_tiles(reader, *e, size));
     };
     image(Type::tiles, 0, folder / "photos" / (stem + ".png"), 4, OIIO::TypeDesc::UINT8);
     image(Type::masks, mask_level, folder / "masks" / (stem + ".png"), 4, OIIO::TypeDesc::UINT8);

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
         "Examples:\n  vantage prepare scans/chapel -o chapel.vantage\n  vantage check --deep chapel.vantage\n"
         "Exit codes: 0 well, 2 usage, 3 input, 4 damaged package, 5 stale package, 6 storage, 7 graphics.");
     Run run;
-    for (const auto add : {add_prepare, add_info, add_check, add_extract}) add(app, run);
+    for (const auto add : {add_prepare, add_info, add_check, add_extract, add_synth}) add(app, run);
     try {
         app.parse(argc, argv);
         return run();

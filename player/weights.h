@@ -13,7 +13,7 @@ struct WeightSettings {
     bool angle_per_photo = false;
     bool angle_mask = true, depth_mask = true, border_mask = true;
     bool fov_normalisation = false;  ///< [M] 4.1 to 4.3
-    double exponent = 8;             ///< of distance and per-photo angle
+    double exponent = 2;             ///< of distance and per-photo angle
 };
 
 /// 1 for the least value, falling linearly to `floor` for the greatest; all equal: all 1. Values finite.

@@ -11,8 +11,8 @@ namespace {
 constexpr std::array table{
     EffectRow{Effect::undistortion, "undistortion", "largest displacement by the lens in any photo", "px",
               0.05, "", "resample photos to a pinhole camera"},
-    EffectRow{Effect::per_fragment, "per-fragment", "95th percentile of triangle size in the photos", "px",
-              2.0, "PER_FRAGMENT", "project and depth-test every fragment instead of every vertex"},
+    EffectRow{Effect::per_fragment, "per-fragment", "triangle size in the photos, 95th percentile by area",
+              "px", 2.0, "PER_FRAGMENT", "project and depth-test every fragment instead of every vertex"},
     EffectRow{Effect::fov_normalisation, "fov-normalisation",
               "spread of the photos' focal lengths, max/min - 1", "", 0.05, "FOV_NORMALISATION",
               "compare distances as if all photos had one field of view"},

@@ -10,5 +10,6 @@ void add_prepare(CLI::App& app, Run& run);
 void add_info(CLI::App& app, Run& run);
 void add_check(CLI::App& app, Run& run);
 void add_extract(CLI::App& app, Run& run);
+void add_synth(CLI::App& app, Run& run);
 
 }  // namespace vantage

@@ -33,28 +33,51 @@ Measured lens(const SceneInput& scene) {
     return {largest, where};
 }
 
+/// A triangle in a photo: its longest edge and its area, in pixels; no area where it lies beside the photo.
+struct Footprint {
+    double edge = 0, area = 0;
+};
+
+Footprint footprint(const PhotoInput& photo, const Mesh& mesh, std::size_t triangle) {
+    const Intrinsics& k = photo.camera.intrinsics;
+    const double whole = double(k.width) * k.height;
+    Eigen::Vector2d pixel[3], low(1e300, 1e300), high(-1e300, -1e300);
+    int before = 0, within = 0;
+    for (std::size_t v = 0; v < 3; ++v) {
+        const auto p = project(k, photo.camera.cam_from_world, mesh.positions[mesh.triangles[triangle][v]]);
+        if (!p) continue;
+        pixel[before++] = p->pixel;
+        within += inside(k, p->pixel);
+        low = low.cwiseMin(p->pixel);
+        high = high.cwiseMax(p->pixel);
+    }
+    // One that reaches behind the camera fills the photo and has no size.
+    if (before < 3) return {std::numeric_limits<double>::infinity(), within ? whole : 0.0};
+    if (high.x() < 0 || high.y() < 0 || low.x() > k.width || low.y() > k.height) return {};
+    const Eigen::Vector2d a = pixel[1] - pixel[0], b = pixel[2] - pixel[0];
+    return {std::max({a.norm(), b.norm(), (b - a).norm()}),
+            std::min(whole, std::abs(a.x() * b.y() - a.y() * b.x()) / 2)};
+}
+
+/// The edge length below which 95 % of the photographed surface lies: by area, so that a few large triangles
+/// behind a dense object count for what they show.
 Measured triangle_size(const SceneInput& scene) {
-    std::vector<double> sizes;
+    std::vector<Footprint> all;
     const std::size_t step = std::max<std::size_t>(1, scene.mesh.triangles.size() / samples);
     for (const PhotoInput& photo : scene.photos)
-        for (std::size_t t = 0; t < scene.mesh.triangles.size(); t += step) {
-            std::optional<Projection> p[3];
-            bool all = true;
-            for (std::size_t v = 0; v < 3 && all; ++v) {
-                p[v] = project(photo.camera.intrinsics, photo.camera.cam_from_world,
-                               scene.mesh.positions[scene.mesh.triangles[t][v]]);
-                all = p[v] && inside(photo.camera.intrinsics, p[v]->pixel);
-            }
-            if (all)
-                sizes.push_back(
-                    std::max({(p[0]->pixel - p[1]->pixel).norm(), (p[1]->pixel - p[2]->pixel).norm(),
-                              (p[2]->pixel - p[0]->pixel).norm()}));
-        }
-    if (sizes.empty())
-        return {std::numeric_limits<double>::infinity(), "no triangle lies wholly inside a photo"};
-    auto at = sizes.begin() + std::ptrdiff_t(double(sizes.size() - 1) * 0.95);
-    std::nth_element(sizes.begin(), at, sizes.end());
-    return {*at, fmt::format("95 % of the triangles' longest edges are below {:.1f} px in the photos", *at)};
+        for (std::size_t t = 0; t < scene.mesh.triangles.size(); t += step)
+            if (const Footprint f = footprint(photo, scene.mesh, t); f.area > 0) all.push_back(f);
+    if (all.empty()) return {std::numeric_limits<double>::infinity(), "no triangle lies inside a photo"};
+    std::sort(all.begin(), all.end(), [](const Footprint& a, const Footprint& b) { return a.edge < b.edge; });
+    double total = 0, below = 0;
+    for (const Footprint& f : all) total += f.area;
+    const auto at = std::find_if(all.begin(), all.end(), [&](const Footprint& f) {
+        below += f.area;
+        return below >= 0.95 * total;
+    });
+    const double edge = at == all.end() ? all.back().edge : at->edge;
+    return {edge,
+            fmt::format("95 % of the photographed surface is of triangles with edges below {:.1f} px", edge)};
 }
 
 Measured focal_spread(const SceneInput& scene) {

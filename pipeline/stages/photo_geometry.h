@@ -11,9 +11,9 @@ namespace vantage {
 
 /// The model on the graphics card, positions relative to the origin. Belongs to the OpenGL thread.
 struct ModelBuffers {
-    gl::Buffer positions, normals, indices;
+    gl::Buffer positions, normals, indices, incident_ranges, incident;
     gl::VertexArray vertices;
-    gl::Program depth_only, geometry, coordinates;
+    gl::Program triangle_id, geometry, coordinates, settle;
     std::size_t vertex_count = 0, index_count = 0;
 };
 ModelBuffers upload_model(std::span<const Eigen::Vector3f> positions,

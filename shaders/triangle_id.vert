@@ -1,4 +1,4 @@
-// Depth of the model from a photo's camera; nothing else is written.
+// Which triangle each pixel of a photo sees.
 layout(location = 0) in vec3 position;
 layout(location = 0) uniform mat4 clip_from_origin;
 

@@ -1,0 +1,32 @@
+#include <fmt/format.h>
+
+#include <mutex>
+
+#include "pipeline/commands/commands.h"
+#include "pipeline/synth/synthesise.h"
+
+namespace vantage {
+
+void add_synth(CLI::App& app, Run& run) {
+    struct Options {
+        std::string spec, out;
+    };
+    auto o = std::make_shared<Options>();
+    CLI::App* c = app.add_subcommand("synth", "Make a synthetic scene with known truth from a specification");
+    c->footer("Example:\n  vantage synth data/demo.toml -o demo-scene");
+    c->add_option("SPEC", o->spec, "TOML specification, see data/")->required();
+    c->add_option("-o,--output", o->out, "folder to write into")->required();
+    c->callback([o, &run] {
+        run = [o] {
+            std::mutex mutex;
+            synthesise(read_spec(o->spec), o->out, [&](std::size_t done, std::size_t total) {
+                const std::scoped_lock lock(mutex);
+                fmt::print(stderr, "  photos  {}/{}\n", done, total);
+            });
+            fmt::print("scene    {}\n", o->out);
+            return 0;
+        };
+    });
+}
+
+}  // namespace vantage

@@ -1,0 +1,14 @@
+#pragma once
+#include <filesystem>
+#include <span>
+
+#include "pipeline/scene_input.h"
+
+namespace vantage {
+
+/// Writes cameras.txt and images.txt (COLMAP text: PINHOLE, or OPENCV for a lens of that model with four
+/// terms), a camera a photo, to full double precision. Throws Error(storage), and Error(input) for a lens
+/// that has no such model.
+void write_colmap_text(const std::filesystem::path& folder, std::span<const PhotoInput> photos);
+
+}  // namespace vantage

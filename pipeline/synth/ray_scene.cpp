@@ -1,0 +1,98 @@
+#include "pipeline/synth/ray_scene.h"
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+namespace vantage {
+namespace {
+
+RTCRay ray_of(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double nearest,
+              double farthest) {
+    RTCRay ray{};
+    ray.org_x = float(origin.x()), ray.org_y = float(origin.y()), ray.org_z = float(origin.z());
+    ray.dir_x = float(direction.x()), ray.dir_y = float(direction.y()), ray.dir_z = float(direction.z());
+    ray.tnear = float(nearest);
+    ray.tfar = float(farthest);
+    ray.mask = ~0u;
+    return ray;
+}
+
+// Embree 4 drops the context that Embree 3 asks for.
+#if RTC_VERSION_MAJOR >= 4
+void intersect(RTCScene scene, RTCRayHit& hit) { rtcIntersect1(scene, &hit); }
+void occlude(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &ray); }
+#else
+void intersect(RTCScene scene, RTCRayHit& hit) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &hit);
+}
+void occlude(RTCScene scene, RTCRay& ray) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &ray);
+}
+#endif
+
+}  // namespace
+
+struct RayScene::State {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    ~State() {
+        if (scene) rtcReleaseScene(scene);
+        if (device) rtcReleaseDevice(device);
+    }
+};
+
+RayScene::RayScene(const Mesh& mesh) : state_(std::make_unique<State>()) {
+    state_->device = rtcNewDevice(nullptr);
+    if (!state_->device) throw std::runtime_error("Embree gives no device");
+    state_->scene = rtcNewScene(state_->device);
+    rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
+    const RTCGeometry geometry = rtcNewGeometry(state_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size()));
+    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
+    if (!positions || !indices) {
+        rtcReleaseGeometry(geometry);
+        throw std::runtime_error("Embree has not the memory for the mesh");
+    }
+    for (const Eigen::Vector3d& p : mesh.positions)
+        for (int i = 0; i < 3; ++i) *positions++ = float(p[i]);
+    std::memcpy(indices, mesh.triangles.data(), mesh.triangles.size() * 12);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(state_->scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(state_->scene);
+}
+
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+
+std::optional<RayHit> RayScene::first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                                          double nearest) const {
+    RTCRayHit hit{};
+    hit.ray = ray_of(origin, direction, nearest, std::numeric_limits<float>::infinity());
+    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    intersect(state_->scene, hit);
+    if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    return RayHit{hit.hit.primID, double(hit.ray.tfar), {double(hit.hit.u), double(hit.hit.v)}};
+}
+
+bool RayScene::occluded(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double nearest,
+                        double farthest) const {
+    RTCRay ray = ray_of(origin, direction, nearest, farthest);
+    occlude(state_->scene, ray);
+    return ray.tfar < 0;
+}
+
+}  // namespace vantage

@@ -1,0 +1,242 @@
+#include "pipeline/synth/synthesise.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <fstream>
+#include <limits>
+#include <mutex>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <thread>
+
+#include "pipeline/export/colmap.h"
+#include "pipeline/export/image.h"
+#include "pipeline/export/ply.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+constexpr double radians = std::numbers::pi / 180;
+
+/// [-1, 1), the same on every platform.
+double signed_unit(std::mt19937& engine) { return double(engine()) * 0x1p-31 - 1; }
+
+Pose look_at(const Vector3d& eye, const Vector3d& target) {
+    Pose pose;
+    const Vector3d z = (target - eye).normalized(), x = z.cross(Vector3d::UnitZ()).normalized();
+    pose.R << x.transpose(), z.cross(x).transpose(), z.transpose();
+    pose.t = -pose.R * eye;
+    return pose;
+}
+
+/// The pinhole coordinates that the lens draws at `drawn`, by Newton's method. Empty beyond the lens' fold.
+std::optional<Vector2d> undrawn(const Lens& lens, const Vector2d& drawn) {
+    Vector2d x = drawn;
+    for (int i = 0; i < 30; ++i) {
+        const Vector2d error = distort(lens, x) - drawn;
+        if (error.norm() < 1e-12) return x;
+        const double h = 1e-6;
+        Eigen::Matrix2d J;
+        J.col(0) = (distort(lens, x + Vector2d(h, 0)) - distort(lens, x - Vector2d(h, 0))) / (2 * h);
+        J.col(1) = (distort(lens, x + Vector2d(0, h)) - distort(lens, x - Vector2d(0, h))) / (2 * h);
+        if (!(J.determinant() > 1e-3)) return std::nullopt;
+        x -= J.inverse() * error;
+    }
+    return (distort(lens, x) - drawn).norm() < 1e-9 ? std::optional(x) : std::nullopt;
+}
+
+struct Lit {
+    const SynthModel& model;
+    const RayScene& rays;
+
+    Vector3d normal(const RayHit& hit) const {
+        const auto& t = model.mesh.triangles[hit.triangle];
+        const auto n = [&](std::size_t i) { return model.mesh.normals[t[i]].cast<double>(); };
+        return (n(0) * (1 - hit.uv.sum()) + n(1) * hit.uv.x() + n(2) * hit.uv.y()).normalized();
+    }
+    /// Linear light that leaves the first surface along the ray, or the sky.
+    Vector3f color(const Vector3d& eye, const Vector3d& direction) const {
+        const auto hit = rays.first_hit(eye, direction);
+        if (!hit) {
+            const double up = std::clamp(direction.normalized().z() * 2, 0.0, 1.0);
+            return Vector3f(0.60f, 0.72f, 0.86f) * float(1 - up) + Vector3f(0.16f, 0.34f, 0.70f) * float(up);
+        }
+        const Vector3d p = eye + hit->distance * direction, n = normal(*hit);
+        const Vector3d sun = Vector3d(-0.55, -0.75, 0.62).normalized();
+        const double facing = n.dot(sun);
+        const bool lit = facing > 0 && !rays.occluded(p + n * 2e-3, sun, 0, 1e6);
+        const double sky = 0.34 * (0.65 + 0.35 * n.z());
+        return albedo(model.materials[hit->triangle], p, n) * float(sky + (lit ? 0.85 * facing : 0.0));
+    }
+};
+
+std::uint8_t encode(float linear) {
+    const float l = std::clamp(linear, 0.0f, 1.0f);
+    const float s = l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1 / 2.4f) - 0.055f;
+    return std::uint8_t(std::lround(255 * s));
+}
+
+std::vector<std::uint8_t> render_photo(const Lit& scene, const Camera& camera, int samples, double gain) {
+    const Intrinsics& k = camera.intrinsics;
+    const Vector3d eye = camera.cam_from_world.center();
+    const Eigen::Matrix3d world_from_cam = camera.cam_from_world.R.transpose();
+    std::vector<std::uint8_t> rgb(std::size_t(k.width) * std::size_t(k.height) * 3);
+    for (int y = 0; y < k.height; ++y)
+        for (int x = 0; x < k.width; ++x) {
+            Vector3f sum = Vector3f::Zero();
+            for (int s = 0; s < samples * samples; ++s) {
+                const double u = x + (s % samples + 0.5) / samples, v = y + (s / samples + 0.5) / samples;
+                const Vector2d drawn((u - k.cx) / k.fx, (v - k.cy) / k.fy);
+                const auto ray = camera.lens.distorts() ? undrawn(camera.lens, drawn) : std::optional(drawn);
+                if (ray) sum += scene.color(eye, world_from_cam * Vector3d(ray->x(), ray->y(), 1));
+            }
+            const Vector3f mean = sum * float(gain / (samples * samples));
+            for (int c = 0; c < 3; ++c)
+                rgb[(std::size_t(y) * std::size_t(k.width) + std::size_t(x)) * 3 + std::size_t(c)] =
+                    encode(mean[c]);
+        }
+    return rgb;
+}
+
+std::vector<float> cast_depth(const RayScene& rays, const Camera& camera) {
+    const Intrinsics& k = camera.intrinsics;
+    const Eigen::Matrix3d world_from_cam = camera.cam_from_world.R.transpose();
+    std::vector<float> z;
+    z.reserve(std::size_t(k.width) * std::size_t(k.height));
+    for (int y = 0; y < k.height; ++y)
+        for (int x = 0; x < k.width; ++x) {
+            const Vector3d ray((x + 0.5 - k.cx) / k.fx, (y + 0.5 - k.cy) / k.fy, 1);
+            const auto hit = rays.first_hit(camera.cam_from_world.center(), world_from_cam * ray);
+            z.push_back(hit ? float(hit->distance) : std::numeric_limits<float>::infinity());
+        }
+    return z;
+}
+
+/// A camera turned and moved at random, by `pixels` at distance `distance` together.
+Camera disturbed(Camera camera, double pixels, double distance, std::mt19937& engine) {
+    const auto direction = [&] {
+        Vector3d v(signed_unit(engine), signed_unit(engine), signed_unit(engine));
+        return Vector3d(v / std::max(v.norm(), 1e-3));
+    };
+    const double angle = pixels / camera.intrinsics.fx / std::numbers::sqrt2;
+    const Vector3d axis = direction(), shift = direction() * angle * distance;
+    Pose& pose = camera.cam_from_world;
+    const Vector3d center = pose.center() + shift;
+    pose.R = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix() * pose.R;
+    pose.t = -pose.R * center;
+    return camera;
+}
+
+std::vector<double> exposures(const SynthSpec& spec) {
+    std::mt19937 engine(spec.seed + 2);
+    std::vector<double> gains;
+    for (int i = 0; i < spec.photos.count; ++i)
+        gains.push_back(std::exp2(spec.exposure.stops * signed_unit(engine)));
+    return gains;
+}
+
+void write_gains(const std::filesystem::path& file, std::span<const PhotoInput> photos,
+                 std::span<const double> gains) {
+    std::ofstream out(file);
+    out << "photo,gain\n";
+    for (std::size_t i = 0; i < photos.size(); ++i) out << fmt::format("{},{}\n", photos[i].name, gains[i]);
+    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot write");
+}
+
+void write_model(const SynthModel& model, const std::filesystem::path& file) {
+    std::vector<Vector3f> positions;
+    for (const Vector3d& p : model.mesh.positions) positions.push_back(p.cast<float>());
+    write_ply(file, Vector3d::Zero(), positions, model.mesh.normals, model.mesh.triangles);
+}
+
+/// Calls `work(i)` for every i below `count` on all cores; the first exception is thrown here.
+void for_each_photo(std::size_t count, const std::function<void(std::size_t)>& work) {
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr failure;
+    std::mutex mutex;
+    {
+        std::vector<std::jthread> pool;
+        for (unsigned t = 0; t < std::max(1u, std::thread::hardware_concurrency()); ++t)
+            pool.emplace_back([&] {
+                for (std::size_t i; (i = next++) < count;) try {
+                        work(i);
+                    } catch (...) {
+                        const std::scoped_lock lock(mutex);
+                        if (!failure) failure = std::current_exception();
+                        next = count;
+                    }
+            });
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+std::vector<PhotoInput> place_cameras(const SynthSpec& spec) {
+    const SynthSpec::Photos& s = spec.photos;
+    std::mt19937 engine(spec.seed);
+    std::vector<PhotoInput> photos;
+    for (int i = 0; i < s.count; ++i) {
+        const double share = s.count > 1 ? double(i) / (s.count - 1) - 0.5 : 0.0;
+        const double angle = share * s.arc * radians;
+        const Vector3d eye(s.radius * std::sin(angle), -s.radius * std::cos(angle), i % 2 ? s.high : s.low);
+        const Vector3d target(signed_unit(engine) * 0.6, -spec.object.distance / 2,
+                              0.42 * spec.building.height + signed_unit(engine) * 0.3);
+        const double f = s.width / (2 * std::tan(s.fov / 2 * radians));
+        Camera camera;
+        // The principal point is off the centre, as it is in life.
+        camera.intrinsics = {
+            s.width, s.height, f, f, s.width / 2.0 + 0.006 * s.width, s.height / 2.0 - 0.004 * s.width};
+        if (spec.lens.k1 != 0 || spec.lens.k2 != 0)
+            camera.lens = {LensModel::opencv, {spec.lens.k1, spec.lens.k2}};
+        camera.cam_from_world = look_at(eye, target);
+        photos.push_back({fmt::format("{:04}.jpg", i), {}, camera});
+    }
+    return photos;
+}
+
+void synthesise(const SynthSpec& spec, const std::filesystem::path& folder,
+                const std::function<void(std::size_t, std::size_t)>& progress) {
+    const SynthModel model = build_model(spec);
+    const RayScene rays(model.mesh);
+    const std::vector<PhotoInput> photos = place_cameras(spec);
+    const std::vector<double> gains = exposures(spec);
+    std::vector<PhotoInput> written = photos;
+    std::mt19937 engine(spec.seed + 1);
+    for (PhotoInput& photo : written)
+        if (spec.error.pixels > 0)
+            photo.camera = disturbed(photo.camera, spec.error.pixels, spec.photos.radius, engine);
+    std::filesystem::create_directories(folder / "images");
+    std::filesystem::create_directories(folder / "truth" / "depth");
+    write_colmap_text(folder / "sparse", written);
+    write_colmap_text(folder / "truth" / "sparse", photos);
+    write_gains(folder / "truth" / "exposure.csv", photos, gains);
+    write_model(model, folder / "mesh.ply");
+    const Lit lit{model, rays};
+    std::atomic<std::size_t> done{0};
+    for_each_photo(photos.size(), [&](std::size_t i) {
+        const Camera& camera = photos[i].camera;
+        const Intrinsics& k = camera.intrinsics;
+        const auto rgb = render_photo(lit, camera, spec.photos.samples, gains[i]);
+        write_image(folder / "images" / photos[i].name, k.width, k.height, 3, OIIO::TypeDesc::UINT8,
+                    std::as_bytes(std::span(rgb)));
+        const auto z = cast_depth(rays, camera);
+        const std::string stem = photos[i].name.substr(0, photos[i].name.rfind('.'));
+        write_image(folder / "truth" / "depth" / (stem + ".exr"), k.width, k.height, 1, OIIO::TypeDesc::FLOAT,
+                    std::as_bytes(std::span(z)));
+        if (progress) progress(++done, photos.size());
+    });
+}
+
+}  // namespace vantage

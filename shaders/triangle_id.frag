@@ -1,0 +1,3 @@
+layout(location = 0) out uint triangle;
+
+void main() { triangle = uint(gl_PrimitiveID); }

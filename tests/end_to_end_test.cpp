@@ -1,0 +1,271 @@
+// From photos to pictures, against ray casting by Embree and against the photos themselves.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <numeric>
+
+#include "datasets.h"
+#include "gl/context.h"
+#include "pipeline/export/image.h"
+#include "pipeline/import/discover.h"
+#include "pipeline/import/photos.h"
+#include "pipeline/import/read_scene.h"
+#include "pipeline/prepare.h"
+#include "pipeline/synth/synthesise.h"
+#include "player/picture.h"
+#include "player/shots.h"
+#include "scene/package_reader.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A scene, its package and what renders it.
+struct Prepared {
+    SceneInput scene;
+    fs::path file;
+    std::unique_ptr<PackageReader> package;
+    std::unique_ptr<gl::HeadlessContext> context;
+    std::unique_ptr<Renderer> renderer;
+    std::vector<std::uint32_t> photos;
+
+    Prepared(const fs::path& folder, const fs::path& to, const PrepareSettings& settings = {})
+        : scene(read_scene(discover(folder))), file(to) {
+        prepare(scene, settings, file, [](const Progress&) {});
+        package = std::make_unique<PackageReader>(file);
+        context = std::make_unique<gl::HeadlessContext>();
+        renderer = std::make_unique<Renderer>(*package);
+        photos.resize(package->photos().size());
+        std::iota(photos.begin(), photos.end(), 0u);
+    }
+    Picture picture(const View& view, const RenderSettings& settings) {
+        return take_picture(*renderer, view, settings, photos);
+    }
+    Picture own_view(std::uint32_t photo, Blend blend, int per_pass = 4) {
+        RenderSettings s;
+        s.blend = blend;
+        s.photos_per_pass = per_pass;
+        return picture(view_of_photo(package->photos()[photo], 1), s);
+    }
+};
+
+class EndToEnd : public ::testing::Test {
+  protected:
+    fs::path dir = fs::temp_directory_path() / ("vantage-end-" + std::to_string(::getpid()));
+    void SetUp() override { fs::create_directories(dir); }
+    void TearDown() override { fs::remove_all(dir); }
+    static SynthSpec tiny() { return read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"); }
+    fs::path make(const SynthSpec& spec) {
+        synthesise(spec, dir / "scene", {});
+        return dir / "scene";
+    }
+    Prepared prepared(const fs::path& folder) { return Prepared(folder, dir / "scene.vantage"); }
+};
+
+/// PSNR over the coloured pixels, on 8-bit sRGB; 200 where they are the same.
+double psnr(const Picture& picture, const std::vector<std::uint8_t>& rgba) {
+    double sum = 0;
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        if (picture.rgba[i + 3] < 128) continue;
+        for (std::size_t c = 0; c < 3; ++c, ++n) {
+            const double d = double(picture.rgba[i + c]) - double(rgba[i + c]);
+            sum += d * d;
+        }
+    }
+    if (n == 0) return 0;
+    return sum > 0 ? 10 * std::log10(255.0 * 255.0 * double(n) / sum) : 200;
+}
+
+/// Unoccluded, in front of the camera and inside the photo, by ray casting.
+bool sees(const RayScene& rays, const Camera& camera, const Eigen::Vector3d& point) {
+    const auto p = project(camera.intrinsics, camera.cam_from_world, point);
+    if (!p || p->pixel.x() < 0 || p->pixel.y() < 0 || p->pixel.x() >= camera.intrinsics.width ||
+        p->pixel.y() >= camera.intrinsics.height)
+        return false;
+    const Eigen::Vector3d center = camera.cam_from_world.center();
+    return !rays.occluded(center, point - center, 0, 1 - 1e-4);
+}
+
+Mesh about_origin(const Mesh& mesh, const Eigen::Vector3d& origin) {
+    Mesh moved = mesh;
+    for (Eigen::Vector3d& p : moved.positions) p -= origin;
+    return moved;
+}
+
+std::vector<Camera> cameras_about(const SceneInput& scene, const Eigen::Vector3d& origin) {
+    std::vector<Camera> cameras;
+    for (const PhotoInput& photo : scene.photos) {
+        cameras.push_back(photo.camera);
+        cameras.back().cam_from_world = photo.camera.cam_from_world.relative_to(origin);
+    }
+    return cameras;
+}
+
+struct Coloured {
+    std::size_t seen = 0, coloured = 0;
+};
+
+/// Of every `step`-th pixel along each side whose surface some photo sees: how many are coloured.
+Coloured count_coloured(const Picture& picture, const Camera& from, const RayScene& rays,
+                        const std::vector<Camera>& cameras, int step) {
+    Coloured count;
+    const Intrinsics& k = from.intrinsics;
+    const Eigen::Vector3d eye = from.cam_from_world.center();
+    for (int y = 0; y < picture.height; y += step)
+        for (int x = 0; x < picture.width; x += step) {
+            const Eigen::Vector3d ray = from.cam_from_world.R.transpose() *
+                                        Eigen::Vector3d((x + 0.5 - k.cx) / k.fx, (y + 0.5 - k.cy) / k.fy, 1);
+            const auto hit = rays.first_hit(eye, ray);
+            if (!hit) continue;
+            const Eigen::Vector3d point = eye + hit->distance * ray;
+            const auto sees_point = [&](const Camera& c) { return sees(rays, c, point); };
+            if (std::none_of(cameras.begin(), cameras.end(), sees_point)) continue;
+            ++count.seen;
+            count.coloured +=
+                picture.rgba[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 4 + 3] == 255;
+        }
+    return count;
+}
+
+/// From each photo's own camera at full size: best photo is the photo, and what some photo sees is coloured.
+void expect_own_views_are_the_photos(Prepared& p, int step) {
+    const Eigen::Map<const Eigen::Vector3d> origin(p.package->scene().origin);
+    const RayScene rays(about_origin(p.scene.mesh, origin));
+    const std::vector<Camera> cameras = cameras_about(p.scene, origin);
+    double worst = 1e9, average = 0;
+    Coloured all;
+    for (const std::uint32_t i : p.photos) {
+        const Intrinsics& k = p.scene.photos[i].camera.intrinsics;
+        const auto photo = read_photo(p.scene.photos[i].file, k.width, k.height).rgba;
+        worst = std::min(worst, psnr(p.own_view(i, Blend::best), photo));
+        const Picture blended = p.own_view(i, Blend::average);
+        average += psnr(blended, photo) / double(p.photos.size());
+        const Coloured count = count_coloured(blended, cameras[i], rays, cameras, step);
+        all.seen += count.seen;
+        all.coloured += count.coloured;
+    }
+    std::printf("own views: best photo at worst %.1f dB, weighted average %.1f dB, coloured %.3f %% of %zu\n",
+                worst, average, 100 * double(all.coloured) / double(all.seen), all.seen);
+    EXPECT_GE(worst, 40);
+    EXPECT_GE(average, 20);
+    EXPECT_GE(double(all.coloured), 0.995 * double(all.seen));
+}
+
+/// The projections of the edges where the surface turns away from the camera or ends: there depth jumps.
+class DepthBorders {
+  public:
+    DepthBorders(const Mesh& mesh, const Camera& camera) {
+        const Eigen::Vector3d eye = camera.cam_from_world.center();
+        std::map<std::array<std::uint32_t, 2>, std::array<int, 2>>
+            edges;  // triangles that look away, and towards
+        for (const auto& t : mesh.triangles) {
+            const Eigen::Vector3d a = mesh.positions[t[0]];
+            const double away = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).dot(a - eye);
+            for (std::size_t i = 0; i < 3; ++i)
+                ++edges[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}][away < 0];
+        }
+        for (const auto& [edge, looks] : edges) {
+            if (looks[0] + looks[1] == 2 && looks[0] != 1) continue;
+            const auto a = project(camera.intrinsics, camera.cam_from_world, mesh.positions[edge[0]]);
+            const auto b = project(camera.intrinsics, camera.cam_from_world, mesh.positions[edge[1]]);
+            if (a && b) segments.push_back({a->pixel, b->pixel});
+        }
+    }
+    bool within(double pixels, const Eigen::Vector2d& p) const {
+        return std::any_of(segments.begin(), segments.end(), [&](const auto& s) {
+            const Eigen::Vector2d along = s[1] - s[0];
+            const double length2 = along.squaredNorm();
+            const double share = length2 > 0 ? std::clamp((p - s[0]).dot(along) / length2, 0.0, 1.0) : 0;
+            return (s[0] + share * along - p).norm() <= pixels;
+        });
+    }
+
+  private:
+    std::vector<std::array<Eigen::Vector2d, 2>> segments;
+};
+
+/// Within two pixels the depth along rays bends too sharply for one smooth surface.
+bool depth_jumps_around(const RayScene& rays, const Camera& camera, const Eigen::Vector2d& pixel) {
+    constexpr int reach = 3;
+    double inverse[2 * reach + 1][2 * reach + 1], largest = 0;
+    const Intrinsics& k = camera.intrinsics;
+    for (int j = -reach; j <= reach; ++j)
+        for (int i = -reach; i <= reach; ++i) {
+            const Eigen::Vector3d ray((pixel.x() + i - k.cx) / k.fx, (pixel.y() + j - k.cy) / k.fy, 1);
+            const auto hit =
+                rays.first_hit(camera.cam_from_world.center(), camera.cam_from_world.R.transpose() * ray);
+            inverse[j + reach][i + reach] = hit ? 1 / hit->distance : 0;
+            largest = std::max(largest, inverse[j + reach][i + reach]);
+        }
+    const auto bends = [&](double a, double b, double c) {
+        return std::abs(a - 2 * b + c) > 0.002 * largest;
+    };
+    for (int j = 0; j <= 2 * reach; ++j)
+        for (int i = 1; i < 2 * reach; ++i)
+            if (bends(inverse[j][i - 1], inverse[j][i], inverse[j][i + 1]) ||
+                bends(inverse[i - 1][j], inverse[i][j], inverse[i + 1][j]))
+                return true;
+    return false;
+}
+
+/// The package's per-vertex visibility against ray casting, every vertex in every photo.
+void expect_visibility_is_that_of_rays(Prepared& p) {
+    const Eigen::Map<const Eigen::Vector3d> origin(p.package->scene().origin);
+    const Mesh mesh = about_origin(p.scene.mesh, origin);
+    const RayScene rays(mesh);
+    const std::vector<Camera> cameras = cameras_about(p.scene, origin);
+    std::size_t pairs = 0, differ = 0, away_from_borders = 0;
+    for (const std::uint32_t i : p.photos) {
+        const auto uv = p.package->records<Eigen::Vector2f>(package::Type::coordinates, i);
+        std::vector<Eigen::Vector3d> wrong;
+        for (std::size_t v = 0; v < uv.size(); ++v, ++pairs)
+            if ((uv[v].x() >= 0) != sees(rays, cameras[i], mesh.positions[v]))
+                wrong.push_back(mesh.positions[v]);
+        if (wrong.empty()) continue;
+        const DepthBorders borders(mesh, cameras[i]);
+        differ += wrong.size();
+        for (const Eigen::Vector3d& at : wrong) {
+            const auto p = project(cameras[i].intrinsics, cameras[i].cam_from_world, at);
+            away_from_borders +=
+                !p || !(borders.within(2, p->pixel) || depth_jumps_around(rays, cameras[i], p->pixel));
+        }
+    }
+    std::printf("visibility: %zu of %zu pairs differ (%.4f %% agree), %zu away from depth borders\n", differ,
+                pairs, 100 * (1 - double(differ) / double(pairs)), away_from_borders);
+    EXPECT_LE(double(differ), 0.001 * double(pairs));
+    EXPECT_EQ(away_from_borders, 0u);
+}
+
+}  // namespace
+
+TEST_F(EndToEnd, OwnViewsAreThePhotosOnASyntheticScene) {
+    Prepared p = prepared(make(tiny()));
+    expect_own_views_are_the_photos(p, 1);
+    expect_visibility_is_that_of_rays(p);
+}
+
+TEST_F(EndToEnd, VisibilityIsThatOfRaysOnTheDemoScene) {
+    Prepared p = prepared(make(read_spec(VANTAGE_SOURCE_DIR "/data/demo.toml")));
+    expect_visibility_is_that_of_rays(p);
+}
+
+TEST_F(EndToEnd, OwnViewsAreThePhotosOnSceaux) {
+    VANTAGE_DATASET(set, "sceaux");
+    Prepared p = prepared(set);
+    expect_own_views_are_the_photos(p, 6);
+    expect_visibility_is_that_of_rays(p);
+}
+
+TEST_F(EndToEnd, OwnViewsAreThePhotosOnFountain) {
+    VANTAGE_DATASET(set, "fountain-P11");
+    Prepared p = prepared(set);
+    expect_own_views_are_the_photos(p, 6);
+    expect_visibility_is_that_of_rays(p);
+}
