@@ -2,22 +2,24 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 
 #include "scene/checksum.h"
 #include "scene/error.h"
 
 namespace vantage {
 
-FileIdentity identify(const std::filesystem::path& file) {
+std::vector<std::byte> read_file(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary | std::ios::ate);
     if (!in) throw Error(Exit::input, file.string() + ": cannot open");
-    std::vector<char> bytes(std::size_t(in.tellg()));
+    std::vector<std::byte> bytes(std::size_t(in.tellg()));
     in.seekg(0);
-    if (!in.read(bytes.data(), std::streamsize(bytes.size())))
+    if (!in.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size())))
         throw Error(Exit::input, file.string() + ": cannot read");
-    return {bytes.size(), checksum(std::as_bytes(std::span(bytes)))};
+    return bytes;
 }
+
+FileIdentity identify(std::span<const std::byte> bytes) { return {bytes.size(), checksum(bytes)}; }
+FileIdentity identify(const std::filesystem::path& file) { return identify(read_file(file)); }
 
 std::vector<std::filesystem::path> camera_files(const std::filesystem::path& cameras) {
     if (!std::filesystem::is_directory(cameras)) return {cameras};

@@ -1,6 +1,8 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 namespace vantage {
@@ -10,7 +12,11 @@ struct FileIdentity {
     std::uint64_t bytes = 0, checksum = 0;
     bool operator==(const FileIdentity&) const = default;
 };
+FileIdentity identify(std::span<const std::byte> bytes);
 FileIdentity identify(const std::filesystem::path& file);
+
+/// All bytes of a file. Throws Error(input).
+std::vector<std::byte> read_file(const std::filesystem::path& file);
 
 /// The camera files behind `cameras`: itself, or for a folder the COLMAP files in it, by name.
 std::vector<std::filesystem::path> camera_files(const std::filesystem::path& cameras);

@@ -95,6 +95,7 @@ nlohmann::json provenance(const SceneInput& scene, const PrepareSettings& s,
                       {"border_threshold", s.border_threshold},
                       {"thumbnail", s.thumbnail},
                       {"cluster_triangles", s.cluster_triangles},
+                      {"photo_size", s.photo_size},
                       {"hold_out", s.hold_out}};
     const auto input = [](const std::filesystem::path& file) {
         const FileIdentity id = identify(file);
@@ -195,11 +196,14 @@ struct Stages {
 };
 
 RgbaImage read_pixels(const Stages& s, const PhotoInput& photo, package::PhotoRecord& r) {
-    const FileIdentity id = identify(photo.file);
+    const std::vector<std::byte> bytes = read_file(photo.file);
+    const FileIdentity id = identify(bytes);
     r.source_bytes = id.bytes;
     r.source_checksum = id.checksum;
-    RgbaPhoto read = read_photo(photo.file, int(r.width), int(r.height));
+    RgbaPhoto read = decode_photo(photo.file, bytes, photo.decoded);
     RgbaImage image{read.width, read.height, std::move(read.rgba)};
+    const int longest = int(std::max(r.width, r.height));
+    if (std::max(image.width, image.height) > longest) image = thumbnail(image, longest);
     if (!(s.model.record.effects >> int(Effect::undistortion) & 1) || !photo.camera.lens.distorts())
         return image;
     r.flags |= package::photo_undistorted;
@@ -343,10 +347,20 @@ std::vector<package::PhotoRecord> photo_records(const SceneInput& scene, const P
     return records;
 }
 
+/// Cameras for photos of at most `longest` pixels on the long side.
+void reduce_photos(SceneInput& scene, int longest) {
+    for (PhotoInput& photo : scene.photos) {
+        Intrinsics& k = photo.camera.intrinsics;
+        const Level size = thumbnail_size(k.width, k.height, longest);
+        k = k.scaled(size.width, size.height);
+    }
+}
+
 }  // namespace
 
-void prepare(const SceneInput& scene, const PrepareSettings& settings, const std::filesystem::path& out,
+void prepare(SceneInput scene, const PrepareSettings& settings, const std::filesystem::path& out,
              const std::function<void(const Progress&)>& progress) {
+    if (settings.photo_size > 0) reduce_photos(scene, settings.photo_size);
     if (scene.mesh.points_only())
         throw Error(Exit::input,
                     scene.files.mesh.string() + ": has points only, expected a mesh with triangles");

@@ -8,11 +8,17 @@
 
 namespace vantage {
 
+/// Width and height in pixels.
+struct PhotoSize {
+    int width = 0, height = 0;
+};
+
 /// A photo's file, its name (without folders) and its camera.
 struct PhotoInput {
     std::string name;
     std::filesystem::path file;
     Camera camera;
+    PhotoSize decoded{};  ///< of the file as the camera sees it; larger than the camera's where reduced
 };
 
 /// The files an input was found to consist of.

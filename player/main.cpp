@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         const PackageReader package(options.package);
+        package.meta();  // not needed to show it, but damage is said
         if (options.list) return list_photos(package), 0;
         return options.offscreen ? run_offscreen(package, options) : run_window(package, options);
     } catch (const CLI::ParseError& e) {

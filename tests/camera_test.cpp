@@ -35,7 +35,7 @@ TEST(Camera, DoesNotProjectWhatIsBehindOrOnTheCamera) {
 TEST(Camera, ClipMatrixAgreesWithProjectionOnEveryPixel) {
     const Pose pose = looking(-0.7);
     const Eigen::Matrix4d clip = clip_from_cam(photo, 0.5, 50);
-    for (const Eigen::Vector3d x :
+    for (const Eigen::Vector3d& x :
          {Eigen::Vector3d(0.1, 0.2, 0.3), Eigen::Vector3d(-1, 0.5, 1), Eigen::Vector3d(0, 0, 0)}) {
         const Eigen::Vector4d c = clip * (pose.R * x + pose.t).homogeneous();
         const auto p = project(photo, pose, x);

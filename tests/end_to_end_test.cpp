@@ -16,6 +16,8 @@
 #include "pipeline/import/photos.h"
 #include "pipeline/import/read_scene.h"
 #include "pipeline/prepare.h"
+#include "pipeline/stages/pyramid.h"
+#include "pipeline/stages/undistort.h"
 #include "pipeline/synth/synthesise.h"
 #include "player/picture.h"
 #include "player/shots.h"
@@ -143,7 +145,7 @@ void expect_own_views_are_the_photos(Prepared& p, int step) {
     Coloured all;
     for (const std::uint32_t i : p.photos) {
         const Intrinsics& k = p.scene.photos[i].camera.intrinsics;
-        const auto photo = read_photo(p.scene.photos[i].file, k.width, k.height).rgba;
+        const auto photo = read_photo(p.scene.photos[i].file, {k.width, k.height}).rgba;
         worst = std::min(worst, psnr(p.own_view(i, Blend::best), photo));
         const Picture blended = p.own_view(i, Blend::average);
         average += psnr(blended, photo) / double(p.photos.size());
@@ -249,6 +251,68 @@ TEST_F(EndToEnd, OwnViewsAreThePhotosOnASyntheticScene) {
     Prepared p = prepared(make(tiny()));
     expect_own_views_are_the_photos(p, 1);
     expect_visibility_is_that_of_rays(p);
+}
+
+TEST_F(EndToEnd, ABlendDoesNotDependOnThePhotosAPass) {
+    Prepared p = prepared(make(tiny()));
+    const Picture one = p.own_view(2, Blend::average, 1), best = p.own_view(2, Blend::best, 1);
+    for (const int per_pass : {3, 16}) {
+        const Picture many = p.own_view(2, Blend::average, per_pass);
+        for (std::size_t i = 0; i < one.rgba.size(); ++i)
+            ASSERT_NEAR(int(one.rgba[i]), int(many.rgba[i]), 1) << per_pass;
+        EXPECT_EQ(best.rgba, p.own_view(2, Blend::best, per_pass).rgba) << per_pass;
+    }
+}
+
+TEST_F(EndToEnd, BlackIsAColour) {
+    const fs::path scene = make(tiny());
+    const Picture before = prepared(scene).own_view(2, Blend::average);
+    for (const auto& photo : fs::directory_iterator(scene / "images"))
+        write_image(photo.path(), 331, 250, 3, OIIO::TypeDesc::UINT8, std::vector<std::byte>(331 * 250 * 3));
+    const Picture black = prepared(scene).own_view(2, Blend::average);
+    for (std::size_t i = 0; i < black.rgba.size(); i += 4) {
+        ASSERT_EQ(int(black.rgba[i]), 0);
+        ASSERT_EQ(int(black.rgba[i + 3]), int(before.rgba[i + 3]));
+    }
+}
+
+TEST_F(EndToEnd, AnExcludedPhotoDoesNotContribute) {
+    const fs::path scene = make(tiny());
+    PrepareSettings without;
+    without.hold_out = {"0002"};
+    const Picture held = Prepared(scene, dir / "held.vantage", without).own_view(2, Blend::average);
+    Prepared all = prepared(scene);
+    std::erase(all.photos, 2u);
+    const Picture excluded = all.own_view(2, Blend::average);
+    EXPECT_EQ(excluded.rgba, held.rgba);
+    const auto photo = read_photo(all.scene.photos[2].file, {331, 250}).rgba;
+    EXPECT_GE(psnr(excluded, photo), 22);
+    EXPECT_LE(psnr(excluded, photo), 40);
+}
+
+TEST_F(EndToEnd, PhotosAreReducedAsAsked) {
+    const fs::path scene = make(tiny());
+    PrepareSettings settings;
+    settings.photo_size = 166;
+    Prepared p(scene, dir / "small.vantage", settings);
+    const Picture small = p.own_view(1, Blend::best);
+    ASSERT_EQ(small.width, 166);
+    const RgbaPhoto photo = read_photo(p.scene.photos[1].file, {331, 250});
+    EXPECT_GE(psnr(small, thumbnail({331, 250, photo.rgba}, 166).rgba), 40);
+}
+
+TEST_F(EndToEnd, ALensIsTakenOutOnce) {
+    const fs::path scene = make(read_spec(VANTAGE_SOURCE_DIR "/data/hard.toml"));
+    Prepared p = prepared(scene);
+    EXPECT_TRUE(p.package->photos()[0].flags & package::photo_undistorted);
+    for (const std::uint32_t i : {0u, 5u}) {
+        const PhotoInput& photo = p.scene.photos[i];
+        const RgbaPhoto read = read_photo(photo.file, photo.decoded);
+        const RgbaImage straight = undistort({read.width, read.height, read.rgba}, photo.camera);
+        const Picture best = p.own_view(i, Blend::best);
+        EXPECT_GE(psnr(best, straight.rgba), 40);
+        EXPECT_LT(psnr(best, read.rgba), 30);
+    }
 }
 
 TEST_F(EndToEnd, VisibilityIsThatOfRaysOnTheDemoScene) {

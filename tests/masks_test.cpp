@@ -70,6 +70,17 @@ TEST(BorderDistance, NoBorderAndOnlyBorderAreDefined) {
     EXPECT_EQ(mask[3 * 8 + 3], 255);
 }
 
+TEST(BorderDistance, TheMaskIsZeroOnABorderAndBesideIt) {
+    std::vector<std::uint8_t> borders(64 * 64, 0);
+    for (std::size_t y = 0; y < 64; ++y) borders[y * 64 + 20] = 1;
+    const auto mask = border_mask(exact_distance(borders, 64, 64), 64, 64, 8);
+    const auto at = [&](std::size_t x) { return int(mask[32 * 64 + x]); };
+    EXPECT_EQ(at(20), 0);
+    EXPECT_EQ(at(21), 0);
+    EXPECT_EQ(at(22), 32);
+    EXPECT_EQ(at(29), 255);
+}
+
 TEST(Borders, ASlantedPlaneHasNoneAndAStepHasOne) {
     DepthMap plane{40, 30, std::vector<float>(1200), {}}, step = plane;
     for (int y = 0; y < 30; ++y)

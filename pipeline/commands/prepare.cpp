@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "pipeline/commands/commands.h"
+#include "pipeline/config_file.h"
 #include "pipeline/import/discover.h"
 #include "pipeline/import/read_scene.h"
 #include "scene/error.h"
@@ -99,13 +100,15 @@ void add_prepare(CLI::App& app, Run& run) {
     c->footer(
         "Examples:\n  vantage prepare scans/chapel -o chapel.vantage\n"
         "  vantage prepare --mesh m.ply --cameras bundle.out --photos images -o m.vantage\n"
+        "  vantage prepare chapel -o look.vantage --config preview\n"
         "  vantage prepare chapel -o c.vantage --effect per-fragment=on --hold-out 0003,0007");
     c->add_option("INPUT", o->input, "folder that holds mesh, cameras and photos");
     c->add_option("--mesh", o->mesh, "mesh file: PLY, OBJ, STL, OFF");
     c->add_option("--cameras", o->cameras, "COLMAP folder, Bundler .out, MeshLab .mlp");
     c->add_option("--photos", o->photos, "folder of photos");
     c->add_option("-o,--output", o->out, "the package to write")->required();
-    c->set_config("--config", "", "settings from a file, see configs/");
+    c->add_option("--config", o->config,
+                  "settings: a TOML file, or a preset of configs/ by name; the command line overrules it");
     c->add_option("--distance", o->distance, "border distance: auto, exact, jfa, jfa+1, 1+jfa, jfa^2")
         ->capture_default_str();
     c->add_option("--border-width", o->settings.border_width,
@@ -118,6 +121,10 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--thumbnail", o->settings.thumbnail, "px on the thumbnail's long side")
         ->check(CLI::Range(16, 4096))
         ->capture_default_str();
+    c->add_option("--photo-size", o->settings.photo_size,
+                  "px on the long side that photos are reduced to; 0 = as they are")
+        ->check(CLI::Range(0, 1 << 16))
+        ->capture_default_str();
     c->add_option("--cluster-triangles", o->settings.cluster_triangles, "triangles a cluster")
         ->check(CLI::Range(1, 512))
         ->capture_default_str();
@@ -125,7 +132,10 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--hold-out", o->settings.hold_out, "photos whose camera is kept and whose pixels are not")
         ->delimiter(',');
     c->add_option("--effect", o->effects, "NAME=on|off|auto, see 'vantage info'");
-    c->callback([o, &run] { run = [o] { return run_prepare(*o); }; });
+    c->callback([o, c, &run] {
+        if (!o->config.empty()) apply_config(*c, o->config);
+        run = [o] { return run_prepare(*o); };
+    });
 }
 
 }  // namespace vantage

@@ -5,10 +5,9 @@
 #include <OpenImageIO/imageio.h>
 #include <turbojpeg.h>
 
-#include <fstream>
-#include <iterator>
 #include <memory>
 
+#include "pipeline/file_identity.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -18,13 +17,13 @@ namespace {
     throw Error(Exit::input, file.string() + ": " + why);
 }
 
-std::vector<unsigned char> slurp(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) refuse(file, "cannot open");
-    return {std::istreambuf_iterator<char>(in), {}};
+const unsigned char* data(std::span<const std::byte> b) {
+    return reinterpret_cast<const unsigned char*>(b.data());
 }
 
-bool is_jpeg(const std::vector<unsigned char>& b) { return b.size() > 3 && b[0] == 0xff && b[1] == 0xd8; }
+bool is_jpeg(std::span<const std::byte> b) {
+    return b.size() > 3 && b[0] == std::byte(0xff) && b[1] == std::byte(0xd8);
+}
 
 using Decoder = std::unique_ptr<void, int (*)(tjhandle)>;
 
@@ -39,14 +38,14 @@ RgbaPhoto from_cmyk(const RgbaPhoto& cmyk) {
     return out;
 }
 
-RgbaPhoto decode_jpeg(const std::filesystem::path& file, const std::vector<unsigned char>& bytes) {
+RgbaPhoto decode_jpeg(const std::filesystem::path& file, std::span<const std::byte> bytes) {
     const Decoder decoder(tjInitDecompress(), tjDestroy);
     int width = 0, height = 0, subsampling = 0, space = 0;
-    if (tjDecompressHeader3(decoder.get(), bytes.data(), bytes.size(), &width, &height, &subsampling, &space))
+    if (tjDecompressHeader3(decoder.get(), data(bytes), bytes.size(), &width, &height, &subsampling, &space))
         refuse(file, std::string("not a readable JPEG: ") + tjGetErrorStr2(decoder.get()));
     RgbaPhoto photo{width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4)};
     const bool cmyk = space == TJCS_CMYK || space == TJCS_YCCK;
-    if (tjDecompress2(decoder.get(), bytes.data(), bytes.size(), photo.rgba.data(), width, 0, height,
+    if (tjDecompress2(decoder.get(), data(bytes), bytes.size(), photo.rgba.data(), width, 0, height,
                       cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_ACCURATEDCT))
         refuse(file, std::string("JPEG is damaged or cut short: ") + tjGetErrorStr2(decoder.get()));
     return cmyk ? from_cmyk(photo) : photo;
@@ -96,14 +95,19 @@ PhotoSize read_photo_size(const std::filesystem::path& file) {
     return {in->spec().width, in->spec().height};
 }
 
-RgbaPhoto read_photo(const std::filesystem::path& file, int width, int height) {
-    const std::vector<unsigned char> bytes = slurp(file);
+RgbaPhoto read_photo(const std::filesystem::path& file, PhotoSize expected) {
+    return decode_photo(file, read_file(file), expected);
+}
+
+RgbaPhoto decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
+                       PhotoSize expected) {
     RgbaPhoto photo = is_jpeg(bytes) ? decode_jpeg(file, bytes) : decode_other(file);
-    if (photo.width == height && photo.height == width && width != height)
+    if (photo.width == expected.height && photo.height == expected.width && photo.width != photo.height)
         if (const int o = orientation(file); o >= 5 && o <= 8) photo = turned(photo, o);
-    if (photo.width != width || photo.height != height)
+    if (photo.width != expected.width || photo.height != expected.height)
         refuse(file, "is " + std::to_string(photo.width) + "x" + std::to_string(photo.height) +
-                         ", its camera expects " + std::to_string(width) + "x" + std::to_string(height));
+                         ", its camera expects " + std::to_string(expected.width) + "x" +
+                         std::to_string(expected.height));
     return photo;
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
+
+#include "pipeline/scene_input.h"
 
 namespace vantage {
 
-struct PhotoSize {
-    int width = 0, height = 0;
-};
 /// A photo's stored size, from its header. Throws Error(input).
 PhotoSize read_photo_size(const std::filesystem::path& file);
 
@@ -21,6 +21,9 @@ struct RgbaPhoto {
 /// stay as stored, because cameras are calibrated on stored pixels; where the stored size is the expected one
 /// turned, the photo's EXIF orientation is applied. Throws Error(input) for a cut, broken or differently
 /// sized photo.
-RgbaPhoto read_photo(const std::filesystem::path& file, int width, int height);
+RgbaPhoto read_photo(const std::filesystem::path& file, PhotoSize expected);
+/// The same from the file's bytes, where they are in memory already.
+RgbaPhoto decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
+                       PhotoSize expected);
 
 }  // namespace vantage

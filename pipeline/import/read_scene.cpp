@@ -27,9 +27,9 @@ fs::path find_photo(const fs::path& folder, const std::string& name) {
 }
 
 /// Gives the camera the photo's size: fills it in, or scales a calibration made at another resolution.
-void fit_to_photo(Camera& camera, bool size_known, const PhotoInput& photo, SceneInput& scene) {
+void fit_to_photo(PhotoInput& photo, bool size_known, SceneInput& scene) {
     const PhotoSize size = read_photo_size(photo.file);
-    Intrinsics& k = camera.intrinsics;
+    Intrinsics& k = photo.camera.intrinsics;
     if (!size_known) {
         k = {size.width, size.height, k.fx, k.fy, size.width / 2.0, size.height / 2.0};
         return;
@@ -57,7 +57,8 @@ void add_photos(SceneInput& scene, const CameraSet& set) {
         photo.name = photo.file.filename().string();
         if (!used.insert(photo.file).second)
             throw Error(Exit::input, photo.file.string() + ": has two cameras");
-        fit_to_photo(photo.camera, entry.size_known, photo, scene);
+        fit_to_photo(photo, entry.size_known, scene);
+        photo.decoded = {photo.camera.intrinsics.width, photo.camera.intrinsics.height};
         validate(photo.camera, photo.name);
         scene.photos.push_back(std::move(photo));
     }

@@ -128,13 +128,14 @@ std::vector<float> flood_distance(const std::vector<std::uint8_t>& borders, int 
 
 std::vector<std::uint8_t> border_mask(const std::vector<float>& distance, int width, int height,
                                       float full_width) {
+    constexpr float mixed = 1;  // pixels next to a border hold the colours of both sides
     std::vector<std::uint8_t> mask(distance.size());
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x);
             const float outline = float(std::min({x, y, width - 1 - x, height - 1 - y})) + 0.5f;
-            const float d = std::min(distance[i], outline) / std::max(full_width, 1e-3f);
-            mask[i] = std::uint8_t(std::lround(255 * std::min(d, 1.0f)));
+            const float d = std::min(distance[i] - mixed, outline) / std::max(full_width, 1e-3f);
+            mask[i] = std::uint8_t(std::lround(255 * std::clamp(d, 0.0f, 1.0f)));
         }
     return mask;
 }

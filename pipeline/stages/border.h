@@ -32,7 +32,8 @@ std::vector<float> exact_distance(const std::vector<std::uint8_t>& borders, int 
 std::vector<float> flood_distance(const std::vector<std::uint8_t>& borders, int width, int height,
                                   DistanceMethod variant);
 
-/// Border mask [0,255]: min(distance to border, distance to the photo's outline) / `full_width`, clamped.
+/// Border mask [0,255]: min(distance to border - 1, distance to the photo's outline) / `full_width`, clamped.
+/// The pixels beside a border weigh nothing, too: they hold the colours of both its sides.
 std::vector<std::uint8_t> border_mask(const std::vector<float>& distance, int width, int height,
                                       float full_width);
 

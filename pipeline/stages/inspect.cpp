@@ -76,6 +76,8 @@ Measured triangle_size(const SceneInput& scene) {
         return below >= 0.95 * total;
     });
     const double edge = at == all.end() ? all.back().edge : at->edge;
+    if (!std::isfinite(edge))
+        return {edge, "a large part of the photographed surface reaches behind cameras"};
     return {edge,
             fmt::format("95 % of the photographed surface is of triangles with edges below {:.1f} px", edge)};
 }

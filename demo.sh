@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Sets up, makes the demo scene, prepares and checks its package, and shows it: in a window where there is a display,
+# as rendered pictures where not.
+set -euo pipefail
+cd "$(dirname "$0")"
+./setup.sh
+vantage=build/pipeline/vantage player=build/player/vantage-player
+[ -f demo-scene/mesh.ply ] && [ ! data/demo.toml -nt demo-scene/mesh.ply ] || "$vantage" synth data/demo.toml -o demo-scene
+"$vantage" prepare demo-scene -o demo.vantage
+"$vantage" check --deep --against demo-scene demo.vantage
+if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
+  exec "$player" demo.vantage "$@"
+fi
+"$player" demo.vantage --offscreen --photo 0004,0011 --blend best -o demo-out/photos
+"$player" demo.vantage --offscreen --path data/demo.path --size 1280x720 --holes shade -o demo-out/between
+echo "no display: the pictures are in demo-out/"

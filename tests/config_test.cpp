@@ -1,0 +1,67 @@
+// Presets and configuration files give settings; the command line overrules them.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "pipeline/commands/commands.h"
+#include "pipeline/config_file.h"
+#include "scene/error.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Command {
+    CLI::App app;
+    int size = 1;
+    std::vector<std::string> names;
+    Command() {
+        app.add_option("--size", size)->check(CLI::Range(1, 10));
+        app.add_option("--names", names);
+    }
+};
+
+class Config : public ::testing::Test {
+  protected:
+    fs::path file = fs::temp_directory_path() / ("vantage-config-" + std::to_string(::getpid()) + ".toml");
+    void TearDown() override { fs::remove(file); }
+    std::string holding(const char* text) {
+        std::ofstream(file) << text;
+        return file.string();
+    }
+};
+
+}  // namespace
+
+TEST_F(Config, GivesSettingsThatTheCommandLineOverrules) {
+    Command c;
+    c.app.parse("--size 7");
+    apply_config(c.app, holding("size = 3\nnames = ['a', 'b']\n"));
+    EXPECT_EQ(c.size, 7);
+    EXPECT_EQ(c.names, (std::vector<std::string>{"a", "b"}));
+    Command plain;
+    apply_config(plain.app, file.string());
+    EXPECT_EQ(plain.size, 3);
+}
+
+TEST_F(Config, RefusesWhatIsNoSettingOrOutOfRange) {
+    for (const char* text : {"colour = 3\n", "size = 99\n", "size = {}\n", "size = \n"}) {
+        Command c;
+        EXPECT_THROW(apply_config(c.app, holding(text)), Error) << text;
+    }
+    Command c;
+    EXPECT_THROW(apply_config(c.app, "no-such-preset"), Error);
+}
+
+TEST_F(Config, EveryPresetFitsPrepare) {
+    for (const auto& preset : fs::directory_iterator(VANTAGE_SOURCE_DIR "/configs")) {
+        CLI::App app;
+        vantage::Run run;
+        add_prepare(app, run);
+        EXPECT_NO_THROW(app.parse("prepare scene -o out --config " + preset.path().string()))
+            << preset.path();
+    }
+}

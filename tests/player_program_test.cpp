@@ -1,0 +1,111 @@
+// vantage-player as a user starts it: its pictures, its one line and its exit code where the package is
+// damaged.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "pipeline/import/discover.h"
+#include "pipeline/import/read_scene.h"
+#include "pipeline/prepare.h"
+#include "pipeline/synth/synthesise.h"
+#include "scene/error.h"
+#include "scene/package_reader.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string slurp(const fs::path& f) {
+    std::ifstream in(f, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Outcome {
+    int code;
+    std::string says, picture;
+};
+
+class PlayerProgram : public ::testing::Test {
+  protected:
+    fs::path dir = fs::temp_directory_path() / ("vantage-program-" + std::to_string(::getpid()));
+    fs::path file = dir / "scene.vantage";
+    void SetUp() override {
+        fs::create_directories(dir);
+        synthesise(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
+        prepare(read_scene(discover(dir / "scene")), {}, file, [](const Progress&) {});
+    }
+    void TearDown() override { fs::remove_all(dir); }
+
+    Outcome play(const std::string& options) const {
+        const fs::path picture = dir / "picture.png", says = dir / "says";
+        fs::remove(picture);
+        const std::string command = std::string(VANTAGE_PLAYER " ") + file.string() + " --offscreen -q -o " +
+                                    picture.string() + " " + options + " 2>" + says.string();
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(says), slurp(picture)};
+    }
+    std::vector<package::DirectoryEntry> chunks() const {
+        const PackageReader reader(file);
+        return {reader.directory().begin(), reader.directory().end()};
+    }
+    void flip(std::uint64_t at) const {
+        std::fstream f(file, std::ios::in | std::ios::out | std::ios::binary);
+        f.seekg(std::streamoff(at));
+        const char was = char(f.get());
+        f.seekp(std::streamoff(at));
+        f.put(char(was ^ 0x10));
+    }
+};
+
+bool one_line(const std::string& text) {
+    return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n';
+}
+
+}  // namespace
+
+TEST_F(PlayerProgram, SaysInOneLineWhatIsDamagedOrShowsTheSamePicture) {
+    const Outcome good = play("--photo 0002");
+    ASSERT_EQ(good.code, 0) << good.says;
+    for (const package::DirectoryEntry& e : chunks()) {
+        if (e.length == 0) continue;
+        const std::string type(reinterpret_cast<const char*>(&e.type), 4);
+        flip(e.offset + e.length / 2);
+        const Outcome outcome = play("--photo 0002");
+        flip(e.offset + e.length / 2);
+        if (outcome.code == 0)
+            EXPECT_TRUE(outcome.picture == good.picture && outcome.says.empty()) << type << " " << e.photo;
+        else
+            EXPECT_TRUE(outcome.code == int(Exit::damaged) && one_line(outcome.says))
+                << type << " " << e.photo << ": " << outcome.code << " " << outcome.says;
+        EXPECT_TRUE(e.photo != package::scene_wide || outcome.code != 0) << type;
+    }
+    EXPECT_EQ(play("--photo 0002").picture, good.picture);
+}
+
+TEST_F(PlayerProgram, SaysInOneLineThatAPackageIsCut) {
+    const auto all = chunks();
+    for (auto e = all.rbegin(); e != all.rend(); ++e) {
+        fs::resize_file(file, e->offset);
+        const Outcome outcome = play("--photo 0002");
+        EXPECT_EQ(outcome.code, int(Exit::damaged));
+        EXPECT_TRUE(one_line(outcome.says)) << outcome.says;
+        EXPECT_TRUE(outcome.picture.empty());
+    }
+}
+
+TEST_F(PlayerProgram, RefusesWhatItCannotDo) {
+    EXPECT_EQ(play("--photo nobody").code, int(Exit::usage));
+    EXPECT_EQ(play("--photo 0002 --size 0x10").code, int(Exit::usage));
+    EXPECT_EQ(play("--path " + (dir / "none").string()).code, int(Exit::input));
+    EXPECT_EQ(play("").code, int(Exit::usage));
+    fs::remove(file);
+    const Outcome gone = play("--photo 0002");
+    EXPECT_EQ(gone.code, int(Exit::input));
+    EXPECT_TRUE(one_line(gone.says)) << gone.says;
+}
