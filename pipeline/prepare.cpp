@@ -383,7 +383,7 @@ void prepare(SceneInput scene, const PrepareSettings& settings, const std::files
         gl.submit([&] { return upload_model(model.positions, scene.mesh.normals, model.indices); }).get();
     const DistanceMethod chosen = settings.distance != DistanceMethod::automatic ? settings.distance
                                   : gl.device().software                         ? DistanceMethod::exact
-                                                                                 : DistanceMethod::jfa_plus_1;
+                                                         : DistanceMethod::jfa_squared;
     const Stages stages{scene, settings, model, buffers, gl, writer, chosen};
     const unsigned threads =
         settings.threads ? settings.threads : std::max(1u, std::thread::hardware_concurrency());

@@ -1,0 +1,96 @@
+// Jump flooding against the exact transform on the depth borders of real photos; prints a row for each
+// variant.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "datasets.h"
+#include "gl/context.h"
+#include "pipeline/import/discover.h"
+#include "pipeline/import/read_scene.h"
+#include "pipeline/prepare.h"
+#include "pipeline/stages/photo_geometry.h"
+
+using namespace vantage;
+
+namespace {
+
+struct Borders {
+    int width, height;
+    float full_width;  ///< of the border mask, in its pixels
+    std::vector<std::uint8_t> pixels;
+};
+
+/// The borders that prepare finds in each photo.
+std::vector<Borders> borders_of(const std::filesystem::path& input) {
+    const SceneInput scene = read_scene(discover(input));
+    const PrepareSettings settings;
+    std::vector<Eigen::Vector3f> positions;
+    for (const Eigen::Vector3d& p : scene.mesh.positions) positions.push_back(p.cast<float>());
+    std::vector<std::uint32_t> indices;
+    for (const auto& t : scene.mesh.triangles) indices.insert(indices.end(), t.begin(), t.end());
+    const ModelBuffers model = upload_model(positions, scene.mesh.normals, indices);
+    std::vector<Borders> all;
+    for (const PhotoInput& photo : scene.photos) {
+        const Intrinsics& k = photo.camera.intrinsics;
+        const Pose& pose = photo.camera.cam_from_world;
+        PhotoGeometry g = render_geometry(model, k, pose, depth_range(positions, pose));
+        const DepthMap depth{g.width, g.height, std::move(g.z), {}};
+        all.push_back({g.width, g.height, float(settings.border_width * k.width / 3072 / 2),
+                       find_borders(depth, float(settings.border_threshold))});
+    }
+    return all;
+}
+
+struct Accuracy {
+    std::size_t wrong = 0, pixels = 0;
+    double worst = 0, seconds = 0;
+    int worst_in_mask = 0;
+};
+
+Accuracy measure(const std::vector<Borders>& all, DistanceMethod method) {
+    Accuracy a;
+    for (const Borders& b : all) {
+        const auto truth = exact_distance(b.pixels, b.width, b.height);
+        const auto start = std::chrono::steady_clock::now();
+        const auto found = method == DistanceMethod::exact
+                               ? exact_distance(b.pixels, b.width, b.height)
+                               : flood_distance(b.pixels, b.width, b.height, method);
+        a.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const auto mask_truth = border_mask(truth, b.width, b.height, b.full_width),
+                   mask = border_mask(found, b.width, b.height, b.full_width);
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            const double error = std::abs(double(found[i]) - double(truth[i]));
+            a.wrong += error > 1e-3;
+            a.worst = std::max(a.worst, error);
+            a.worst_in_mask = std::max(a.worst_in_mask, std::abs(int(mask[i]) - int(mask_truth[i])));
+        }
+        a.pixels += truth.size();
+    }
+    return a;
+}
+
+void compare_on(const char* set) {
+    VANTAGE_DATASET(input, set);
+    const gl::HeadlessContext context;
+    const std::vector<Borders> all = borders_of(input);
+    for (const auto m : {DistanceMethod::exact, DistanceMethod::jfa, DistanceMethod::jfa_plus_1,
+                         DistanceMethod::one_plus_jfa, DistanceMethod::jfa_squared}) {
+        const Accuracy a = measure(all, m);
+        std::printf(
+            "%-12s %-6s wrong %.5f %%, worst %.3f px, worst in the border mask %d/255, %.0f ms a photo\n",
+            set, name(m), 100 * double(a.wrong) / double(a.pixels), a.worst, a.worst_in_mask,
+            1000 * a.seconds / double(all.size()));
+        EXPECT_LT(double(a.wrong), 0.01 * double(a.pixels)) << name(m);
+        // The one that `auto` takes on a graphics card.
+        EXPECT_TRUE(m != DistanceMethod::jfa_squared || a.worst_in_mask <= 2) << a.worst_in_mask;
+    }
+}
+
+}  // namespace
+
+TEST(BorderAccuracy, OfJumpFloodingOnSceaux) { compare_on("sceaux"); }
+TEST(BorderAccuracy, OfJumpFloodingOnFountain) { compare_on("fountain-P11"); }
