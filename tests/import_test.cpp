@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <Eigen/LU>
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <iomanip>
+#include <sstream>
 
 #include "datasets.h"
 #include "pipeline/import/cameras.h"
@@ -132,6 +134,164 @@ TEST_F(Import, MissingPartsAreNamed) {
         EXPECT_EQ(e.code(), Exit::input);
         EXPECT_NE(std::string(e.what()).find("mesh"), std::string::npos);
     }
+}
+
+namespace {
+
+std::string numbers(std::initializer_list<double> values) {
+    std::ostringstream out;
+    out << std::setprecision(17);
+    for (const double v : values) out << v << ' ';
+    return out.str();
+}
+
+void expect_same(const CameraSet& a, const CameraSet& b) {
+    ASSERT_EQ(a.entries.size(), 1u);
+    ASSERT_EQ(b.entries.size(), 1u);
+    EXPECT_EQ(fs::path(a.entries[0].photo).filename(), fs::path(b.entries[0].photo).filename());
+    const Camera &x = a.entries[0].camera, &y = b.entries[0].camera;
+    EXPECT_LT((x.cam_from_world.R - y.cam_from_world.R).norm(), 1e-6);
+    EXPECT_LT((x.cam_from_world.t - y.cam_from_world.t).norm(), 1e-6);
+    EXPECT_NEAR(x.intrinsics.fx, y.intrinsics.fx, 1e-6);
+    EXPECT_NEAR(x.intrinsics.fy, y.intrinsics.fy, 1e-6);
+}
+
+}  // namespace
+
+TEST_F(Import, OneSceneInEveryFormatGivesTheSameCamera) {
+    // A camera at (3, -2, 5) that looks at the origin with the world's z up, built here from first
+    // principles.
+    const Eigen::Vector3d center(3, -2, 5),
+        z = -center.normalized(), x = z.cross(Eigen::Vector3d::UnitZ()).normalized(), y = z.cross(x);
+    Eigen::Matrix3d R;
+    R << x.transpose(), y.transpose(), z.transpose();
+    const Eigen::Vector3d t = -R * center;
+    const Eigen::Quaterniond q(R);
+    put("cameras.txt", "1 PINHOLE 640 480 500 500 320 240\n");
+    put("images.txt", "1 " + numbers({q.w(), q.x(), q.y(), q.z(), t.x(), t.y(), t.z()}) + "1 a.jpg\n\n");
+    const CameraSet colmap = read_cameras(dir);
+    EXPECT_NEAR(colmap.entries.at(0).camera.intrinsics.cx, 320, 1e-12);
+
+    put("list.txt", "a.jpg\n");
+    put("b.out",
+        "# Bundle file v0.3\n1 0\n500 0 0\n" + numbers({R(0, 0), R(0, 1), R(0, 2)}) +
+            numbers({-R(1, 0), -R(1, 1), -R(1, 2), -R(2, 0), -R(2, 1), -R(2, 2), t.x(), -t.y(), -t.z()}));
+    expect_same(colmap, read_cameras(dir / "b.out"));
+
+    put("m.mlp",
+        "<!DOCTYPE MeshLabDocument>\n<MeshLabProject><MeshGroup/><RasterGroup><MLRaster label=\"a\">"
+        "<VCGCamera CameraType=\"0\" LensDistortion=\"0 0\" ViewportPx=\"640 480\" PixelSizeMm=\"0.01 0.01\" "
+        "FocalMm=\"5\" CenterPx=\"320 240\" TranslationVector=\"" +
+            numbers({-center.x(), -center.y(), -center.z(), 1}) + "\" RotationMatrix=\"" +
+            numbers({R(0, 0), R(0, 1), R(0, 2), 0, -R(1, 0), -R(1, 1), -R(1, 2), 0, -R(2, 0), -R(2, 1),
+                     -R(2, 2), 0, 0, 0, 0, 1}) +
+            "\"/><Plane fileName=\"images/a.jpg\"/></MLRaster></RasterGroup></MeshLabProject>\n");
+    expect_same(colmap, read_cameras(dir / "m.mlp"));
+    EXPECT_EQ(read_cameras(dir / "m.mlp").entries[0].camera.intrinsics.cy, 240);
+}
+
+TEST_F(Import, AnIncompleteMeshLabProjectIsRefused) {
+    for (const char* text :
+         {"", "<MeshLabProject>", "<MeshLabProject/>",
+          "<MeshLabProject><RasterGroup><MLRaster label='a'><VCGCamera FocalMm='5'/></MLRaster>"
+          "</RasterGroup></MeshLabProject>"}) {
+        put("m.mlp", text);
+        EXPECT_THROW(read_cameras(dir / "m.mlp"), Error) << text;
+    }
+}
+
+namespace {
+
+const char* const survey_ply =
+    "ply\nformat ascii 1.0\ncomment far from the origin\nelement vertex 3\nproperty double x\nproperty "
+    "double y\n"
+    "property double z\nproperty float intensity\nproperty uchar red\nproperty uchar green\nproperty uchar "
+    "blue\n"
+    "property uchar alpha\nproperty short label\nelement face 1\nproperty list uchar int "
+    "vertex_indices\nend_header\n"
+    "500000.125 5000000.0625 100 0.5 255 0 0 128 7\n500001.125 5000000.0625 100 0.25 0 255 0 255 8\n"
+    "500000.125 5000001.0625 100 0.125 0 0 255 255 -9\n3 0 1 2\n";
+
+/// The same in binary; on a big-endian reading every value's bytes are turned.
+std::string survey_binary(bool big) {
+    std::string s = survey_ply;
+    s.replace(s.find("ascii"), 5, big ? "binary_big_endian" : "binary_little_endian");
+    s.resize(s.find("end_header\n") + 11);
+    const auto add = [&](auto v) {
+        char bytes[sizeof v];
+        std::memcpy(bytes, &v, sizeof v);
+        if (big) std::reverse(bytes, bytes + sizeof v);
+        s.append(bytes, sizeof v);
+    };
+    const double xyz[3][3] = {
+        {500000.125, 5000000.0625, 100}, {500001.125, 5000000.0625, 100}, {500000.125, 5000001.0625, 100}};
+    const std::uint8_t colors[3][4] = {{255, 0, 0, 128}, {0, 255, 0, 255}, {0, 0, 255, 255}};
+    const std::int16_t labels[3] = {7, 8, -9};
+    for (int v = 0; v < 3; ++v) {
+        for (const double c : xyz[v]) add(c);
+        add(0.5f / float(1 << v));
+        for (const std::uint8_t c : colors[v]) add(c);
+        add(labels[v]);
+    }
+    add(std::uint8_t(3));
+    for (const std::int32_t i : {0, 1, 2}) add(i);
+    return s;
+}
+
+}  // namespace
+
+TEST_F(Import, PlyKeepsDoublesColoursAlphaAndScalars) {
+    put("text.ply", survey_ply);
+    put("little.ply", survey_binary(false));
+    put("big.ply", survey_binary(true));
+    for (const char* name : {"text.ply", "little.ply", "big.ply"}) {
+        std::vector<std::string> warnings;
+        const Mesh m = read_mesh(dir / name, warnings);
+        ASSERT_EQ(m.positions.size(), 3u) << name;
+        EXPECT_EQ(m.positions[2], Eigen::Vector3d(500000.125, 5000001.0625, 100)) << name;
+        EXPECT_EQ(m.colors[0], (std::array<std::uint8_t, 4>{255, 0, 0, 128})) << name;
+        ASSERT_EQ(m.scalars.size(), 2u) << name;
+        EXPECT_EQ(m.scalars[0].name, "intensity");
+        EXPECT_EQ(m.scalars[1].values, (std::vector<float>{7, 8, -9}));
+        EXPECT_EQ(m.triangles.size(), 1u);
+        EXPECT_NEAR(double(m.normals[0].z()), 1, 1e-6);
+        EXPECT_FALSE(m.points_only());
+    }
+}
+
+TEST_F(Import, PlyCutAnywhereOrWithImpossibleCountsIsRefused) {
+    const std::string whole = survey_binary(false);
+    std::vector<std::string> warnings;
+    for (std::size_t n = 0; n < whole.size(); ++n) {
+        put("cut.ply", whole.substr(0, n));
+        EXPECT_THROW(read_mesh(dir / "cut.ply", warnings), Error) << n;
+    }
+    std::string many = whole;
+    many.replace(many.find("vertex 3"), 8, "vertex 999999999999999");
+    put("many.ply", many);
+    EXPECT_THROW(read_mesh(dir / "many.ply", warnings), Error);
+}
+
+TEST_F(Import, PointsStripsAndBrokenFacesOfPly) {
+    std::vector<std::string> warnings;
+    const std::string vertices = "property float x\nproperty float y\nproperty float z\n";
+    put("points.ply",
+        "ply\nformat ascii 1.0\nelement vertex 2\n" + vertices + "end_header\n0 0 0\n1 1 nan\n");
+    const Mesh points = read_mesh(dir / "points.ply", warnings);
+    EXPECT_TRUE(points.points_only());
+    EXPECT_TRUE(points.positions[1].allFinite());
+    put("strip.ply", "ply\nformat ascii 1.0\nelement vertex 5\n" + vertices +
+                         "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                         "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n9 0 1 2 3 4 -1 0 1 7\n");
+    const Mesh strip = read_mesh(dir / "strip.ply", warnings);
+    ASSERT_EQ(strip.triangles.size(), 3u);
+    for (const auto& t : strip.triangles) {
+        const Eigen::Vector3d &a = strip.positions[t[0]], &b = strip.positions[t[1]],
+                              &c = strip.positions[t[2]];
+        EXPECT_GT((b - a).cross(c - a).z(), 0) << "all wound alike";
+    }
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("1 broken"), std::string::npos);
 }
 
 TEST(ImportReal, BundlerAndColmapAgreeOnSceaux) {

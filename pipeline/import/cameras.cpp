@@ -13,9 +13,10 @@ CameraSet read_cameras(const std::filesystem::path& path) {
         return read_colmap_binary(folder);
     if (colmap && fs::exists(folder / "cameras.txt")) return read_colmap_text(folder);
     if (extension == ".out") return read_bundler(path);
+    if (extension == ".mlp") return read_meshlab(path);
     throw Error(Exit::input, path.string() +
                                  ": expected cameras as a COLMAP folder (cameras and images, .bin or .txt) "
-                                 "or a Bundler .out file");
+                                 "a Bundler .out or a MeshLab .mlp file");
 }
 
 }  // namespace vantage

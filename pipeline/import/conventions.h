@@ -13,6 +13,11 @@ inline Pose from_bundler(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) {
     return {turn.asDiagonal() * R, turn.asDiagonal() * t};
 }
 
+/// MeshLab (VCG) looks along -z with y up, too; its translation is the camera's centre, negated.
+inline Pose from_meshlab(const Eigen::Matrix3d& R, const Eigen::Vector3d& minus_center) {
+    return from_bundler(R, R * minus_center);
+}
+
 /// COLMAP's cam_from_world is ours; the quaternion is (w, x, y, z).
 inline Pose from_colmap(double w, double x, double y, double z, const Eigen::Vector3d& t) {
     const double n = std::sqrt(w * w + x * x + y * y + z * z);

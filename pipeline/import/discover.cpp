@@ -52,8 +52,9 @@ fs::path find_cameras(const std::vector<fs::path>& files) {
             if (f.filename() == name &&
                 fs::exists(f.parent_path() / (std::string("images") + f.extension().string())))
                 return f.parent_path();
-    for (const fs::path& f : files)
-        if (extension(f) == ".out") return f;
+    for (const char* program : {".out", ".mlp"})
+        for (const fs::path& f : files)
+            if (extension(f) == program) return f;
     return {};
 }
 
@@ -81,7 +82,7 @@ InputFiles discover(const fs::path& folder) {
     const InputFiles found{find_mesh(files), find_cameras(files), find_photos(files)};
     if (found.mesh.empty()) throw Error(Exit::input, folder.string() + ": has no mesh (PLY, OBJ, STL, OFF)");
     if (found.cameras.empty())
-        throw Error(Exit::input, folder.string() + ": has no cameras (COLMAP, Bundler .out)");
+        throw Error(Exit::input, folder.string() + ": has no cameras (COLMAP, Bundler .out, MeshLab .mlp)");
     if (found.photos.empty()) throw Error(Exit::input, folder.string() + ": has no photos");
     return found;
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 
+#include "pipeline/import/ply.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -20,7 +21,6 @@ std::uint8_t to_byte(float v) { return std::uint8_t(std::clamp(v, 0.0f, 1.0f) * 
 class Collector : public IO::BaseImporter {
   public:
     Mesh mesh;
-    std::size_t dropped = 0;
 
     VertexHandle add_vertex(const Vec3f& p) override {
         mesh.positions.emplace_back(double(p[0]), double(p[1]), double(p[2]));
@@ -32,7 +32,10 @@ class Collector : public IO::BaseImporter {
     }
     VertexHandle add_vertex() override { return add_vertex(Vec3f(0, 0, 0)); }
     FaceHandle add_face(const VHandles& corners) override {
-        for (std::size_t i = 2; i < corners.size(); ++i) add_triangle(corners[0], corners[i - 1], corners[i]);
+        const auto at = [&](std::size_t i) {
+            return known(corners[i]) ? std::uint32_t(corners[i].idx()) : no_vertex;
+        };
+        for (std::size_t i = 2; i < corners.size(); ++i) mesh.triangles.push_back({at(0), at(i - 1), at(i)});
         return FaceHandle(int(faces_++));
     }
     void set_point(VertexHandle v, const Vec3f& p) override {
@@ -90,13 +93,6 @@ class Collector : public IO::BaseImporter {
 
   private:
     bool known(VertexHandle v) const { return v.idx() >= 0 && std::size_t(v.idx()) < mesh.positions.size(); }
-    void add_triangle(VertexHandle a, VertexHandle b, VertexHandle c) {
-        if (!known(a) || !known(b) || !known(c) || a == b || b == c || c == a)
-            ++dropped;
-        else
-            mesh.triangles.push_back(
-                {std::uint32_t(a.idx()), std::uint32_t(b.idx()), std::uint32_t(c.idx())});
-    }
     std::size_t faces_ = 0;
 };
 
@@ -119,18 +115,20 @@ void weld(Mesh& mesh) {
     mesh = std::move(welded);
 }
 
-/// Drops triangles with a vertex that is not finite; such vertices move to the first finite one, unused.
-std::size_t drop_infinite(Mesh& mesh) {
-    const auto bad = [&](std::uint32_t v) { return !mesh.positions[v].allFinite(); };
-    const std::size_t before = mesh.triangles.size();
-    std::erase_if(mesh.triangles, [&](const auto& t) { return bad(t[0]) || bad(t[1]) || bad(t[2]); });
+/// Drops triangles with a missing or repeated vertex or one that is not finite; such vertices move to the
+/// first finite one, unused. Returns how many triangles went.
+std::size_t drop_broken(Mesh& mesh) {
+    const auto bad = [&](std::uint32_t v) { return v == no_vertex || !mesh.positions[v].allFinite(); };
+    const std::size_t dropped = std::erase_if(mesh.triangles, [&](const auto& t) {
+        return bad(t[0]) || bad(t[1]) || bad(t[2]) || t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    });
     const auto finite = std::find_if(mesh.positions.begin(), mesh.positions.end(),
                                      [](const auto& p) { return p.allFinite(); });
     const Eigen::Vector3d stand_in =
         finite == mesh.positions.end() ? Eigen::Vector3d::Zero().eval() : *finite;
     for (Eigen::Vector3d& p : mesh.positions)
         if (!p.allFinite()) p = stand_in;
-    return before - mesh.triangles.size();
+    return dropped;
 }
 
 void complete_normals(Mesh& mesh) {
@@ -153,23 +151,28 @@ void complete_normals(Mesh& mesh) {
     for (Eigen::Vector3f& n : mesh.normals) n.normalize();
 }
 
+Mesh read_by_openmesh(const std::filesystem::path& file) {
+    Collector in;
+    IO::Options options = IO::Options::VertexNormal | IO::Options::VertexColor;
+    if (!IO::IOManager().read(file.string(), in, options))
+        throw Error(Exit::input, file.string() + ": not a readable mesh, expected PLY, OBJ, STL or OFF");
+    if (!in.mesh.colors.empty()) in.mesh.colors.resize(in.mesh.positions.size(), {255, 255, 255, 255});
+    return std::move(in.mesh);
+}
+
 }  // namespace
 
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings) {
     if (!std::filesystem::exists(file)) throw Error(Exit::input, file.string() + ": does not exist");
-    Collector in;
-    IO::Options options = IO::Options::VertexNormal | IO::Options::VertexColor;
-    if (!IO::IOManager().read(file.string(), in, options) || in.mesh.positions.empty())
-        throw Error(Exit::input, file.string() + ": not a readable mesh, expected PLY, OBJ, STL or OFF");
-    Mesh mesh = std::move(in.mesh);
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
+    Mesh mesh = extension == ".ply" ? read_ply(file) : read_by_openmesh(file);
+    if (mesh.positions.empty()) throw Error(Exit::input, file.string() + ": has no vertices");
     if (extension == ".stl") weld(mesh);
-    if (const std::size_t n = in.dropped + drop_infinite(mesh))
+    if (const std::size_t n = drop_broken(mesh))
         warnings.push_back(file.filename().string() + ": " + std::to_string(n) +
                            " broken triangles left out");
-    if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), {255, 255, 255, 255});
     complete_normals(mesh);
     return mesh;
 }

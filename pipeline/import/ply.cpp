@@ -1,0 +1,311 @@
+#include "pipeline/import/ply.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <sstream>
+
+#include "pipeline/file_identity.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+enum class Type { i8, u8, i16, u16, i32, u32, f32, f64 };
+
+std::size_t size_of(Type type) {
+    constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+    return sizes[int(type)];
+}
+
+struct Property {
+    std::string name;
+    Type type;
+    bool list = false;
+    Type count_type = Type::u8;
+};
+
+struct Element {
+    std::string name;
+    std::size_t count = 0;
+    std::vector<Property> properties;
+};
+
+enum class Format { text, little, big };
+
+struct Ply {
+    std::filesystem::path file;
+    Format format = Format::text;
+    std::vector<Element> elements;
+    std::span<const char> body;
+    [[noreturn]] void fail(const std::string& expected) const {
+        throw Error(Exit::input, file.string() + ": expected " + expected);
+    }
+};
+
+Type type_named(const Ply& ply, const std::string& name) {
+    static const std::map<std::string, Type> types{
+        {"char", Type::i8},   {"int8", Type::i8},     {"uchar", Type::u8},   {"uint8", Type::u8},
+        {"short", Type::i16}, {"int16", Type::i16},   {"ushort", Type::u16}, {"uint16", Type::u16},
+        {"int", Type::i32},   {"int32", Type::i32},   {"uint", Type::u32},   {"uint32", Type::u32},
+        {"float", Type::f32}, {"float32", Type::f32}, {"double", Type::f64}, {"float64", Type::f64}};
+    const auto found = types.find(name);
+    if (found == types.end()) ply.fail("a PLY property type, found '" + name + "'");
+    return found->second;
+}
+
+void read_property(Ply& ply, std::istringstream& words) {
+    if (ply.elements.empty()) ply.fail("an element before the first property");
+    Property p;
+    std::string type;
+    words >> type;
+    if (type == "list") {
+        std::string count;
+        words >> count >> type;
+        p.list = true;
+        p.count_type = type_named(ply, count);
+    }
+    p.type = type_named(ply, type);
+    if (!(words >> p.name)) ply.fail("a property's name");
+    ply.elements.back().properties.push_back(p);
+}
+
+void read_format(Ply& ply, const std::string& name) {
+    if (name == "ascii")
+        ply.format = Format::text;
+    else if (name == "binary_little_endian")
+        ply.format = Format::little;
+    else if (name == "binary_big_endian")
+        ply.format = Format::big;
+    else
+        ply.fail("PLY format ascii, binary_little_endian or binary_big_endian, found '" + name + "'");
+}
+
+Ply read_header(const std::filesystem::path& file, std::span<const char> bytes) {
+    Ply ply{file, Format::text, {}, {}};
+    std::size_t at = 0;
+    for (bool first = true;; first = false) {
+        const auto end = std::find(bytes.begin() + std::ptrdiff_t(at), bytes.end(), '\n');
+        if (end == bytes.end() || (first && end - bytes.begin() > 5)) ply.fail("a PLY header");
+        std::istringstream words(std::string(bytes.begin() + std::ptrdiff_t(at), end));
+        at = std::size_t(end - bytes.begin()) + 1;
+        std::string key, name;
+        words >> key;
+        if (first && key != "ply") ply.fail("a PLY header");
+        if (key == "end_header") break;
+        if (key == "format") {
+            words >> name;
+            read_format(ply, name);
+        } else if (key == "element") {
+            Element e;
+            if (!(words >> e.name >> e.count)) ply.fail("an element's name and count");
+            ply.elements.push_back(e);
+        } else if (key == "property") {
+            read_property(ply, words);
+        }
+    }
+    ply.body = bytes.subspan(at);
+    return ply;
+}
+
+/// The values after the header, one by one.
+class Values {
+  public:
+    explicit Values(const Ply& ply) : ply_(ply), rest_(ply.body) {}
+
+    double next(Type type) { return ply_.format == Format::text ? from_text() : from_binary(type); }
+    /// No element of `count` can hold fewer bytes: a count that the file cannot have is refused before it is
+    /// used.
+    void expect(std::size_t count, std::size_t bytes_each) const {
+        if (count > rest_.size() / std::max<std::size_t>(1, ply_.format == Format::text ? 1 : bytes_each))
+            cut();
+    }
+
+  private:
+    [[noreturn]] void cut() const { ply_.fail("more values than the file holds: it is cut short"); }
+
+    double from_text() {
+        const auto blank = [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; };
+        const auto begin = std::find_if_not(rest_.begin(), rest_.end(), blank);
+        const auto end = std::find_if(begin, rest_.end(), blank);
+        if (begin == end) cut();
+        double value = 0;
+        const char *from = &*begin, *to = from + (end - begin);
+        const auto [stop, error] = std::from_chars(from, to, value);
+        if (error != std::errc{} || stop != to) ply_.fail("a number, found '" + std::string(from, to) + "'");
+        rest_ = rest_.subspan(std::size_t(end - rest_.begin()));
+        return value;
+    }
+    double from_binary(Type type) {
+        const std::size_t n = size_of(type);
+        if (rest_.size() < n) cut();
+        char bytes[8];
+        std::memcpy(bytes, rest_.data(), n);
+        rest_ = rest_.subspan(n);
+        if ((ply_.format == Format::little) != (std::endian::native == std::endian::little))
+            std::reverse(bytes, bytes + n);
+        switch (type) {
+            case Type::i8:
+                return as<std::int8_t>(bytes);
+            case Type::u8:
+                return as<std::uint8_t>(bytes);
+            case Type::i16:
+                return as<std::int16_t>(bytes);
+            case Type::u16:
+                return as<std::uint16_t>(bytes);
+            case Type::i32:
+                return as<std::int32_t>(bytes);
+            case Type::u32:
+                return as<std::uint32_t>(bytes);
+            case Type::f32:
+                return double(as<float>(bytes));
+            case Type::f64:
+                return as<double>(bytes);
+        }
+        return 0;
+    }
+    template <class T>
+    static T as(const char* bytes) {
+        T value;
+        std::memcpy(&value, bytes, sizeof value);
+        return value;
+    }
+
+    const Ply& ply_;
+    std::span<const char> rest_;
+};
+
+std::vector<double> read_list(Values& values, const Property& p) {
+    const double n = values.next(p.count_type);
+    if (!(n >= 0)) return {};
+    values.expect(std::size_t(n), size_of(p.type));
+    std::vector<double> list(static_cast<std::size_t>(n));
+    for (double& v : list) v = values.next(p.type);
+    return list;
+}
+
+std::size_t least_bytes(const Element& e) {
+    std::size_t bytes = 0;
+    for (const Property& p : e.properties) bytes += size_of(p.list ? p.count_type : p.type);
+    return bytes;
+}
+
+/// A column a property of one value, row by row.
+using Columns = std::map<std::string, std::vector<double>>;
+
+Columns read_columns(Values& values, const Element& e) {
+    values.expect(e.count, least_bytes(e));
+    Columns columns;
+    std::vector<std::vector<double>*> to;
+    for (const Property& p : e.properties) {
+        to.push_back(p.list ? nullptr : &columns[p.name]);
+        if (to.back()) to.back()->reserve(e.count);
+    }
+    for (std::size_t row = 0; row < e.count; ++row)
+        for (std::size_t i = 0; i < to.size(); ++i)
+            if (to[i])
+                to[i]->push_back(values.next(e.properties[i].type));
+            else
+                read_list(values, e.properties[i]);
+    return columns;
+}
+
+std::uint32_t corner(double index, std::size_t vertices) {
+    return index >= 0 && index < double(vertices) ? std::uint32_t(index) : no_vertex;
+}
+
+void add_fan(const std::vector<double>& face, Mesh& mesh) {
+    const auto at = [&](std::size_t i) { return corner(face[i], mesh.positions.size()); };
+    for (std::size_t i = 2; i < face.size(); ++i) mesh.triangles.push_back({at(0), at(i - 1), at(i)});
+}
+
+/// Strips, each ended by -1; every second triangle is turned.
+void add_strips(const std::vector<double>& strip, Mesh& mesh) {
+    const auto at = [&](std::size_t i) { return corner(strip[i], mesh.positions.size()); };
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < strip.size(); ++i) {
+        if (strip[i] < 0) {
+            first = i + 1;
+        } else if (i >= first + 2) {
+            const std::size_t odd = (i - first) % 2;
+            mesh.triangles.push_back({at(i - 2 + odd), at(i - 1 - odd), at(i)});
+        }
+    }
+}
+
+void read_faces(Values& values, const Element& e, Mesh& mesh) {
+    values.expect(e.count, least_bytes(e));
+    for (std::size_t row = 0; row < e.count; ++row)
+        for (const Property& p : e.properties) {
+            if (!p.list) {
+                values.next(p.type);
+                continue;
+            }
+            const std::vector<double> list = read_list(values, p);
+            if (p.name == "vertex_indices" || p.name == "vertex_index")
+                e.name == "tristrips" ? add_strips(list, mesh) : add_fan(list, mesh);
+        }
+}
+
+std::uint8_t to_byte(double v, bool is_share) {
+    v = is_share ? v * 255 : v;
+    return std::uint8_t(std::lround(std::clamp(std::isfinite(v) ? v : 0.0, 0.0, 255.0)));
+}
+
+void take_colors(const Element& e, Columns& columns, Mesh& mesh) {
+    const char* const names[] = {"red", "green", "blue", "alpha"};
+    if (!columns.contains("red") || !columns.contains("green") || !columns.contains("blue")) return;
+    mesh.colors.assign(e.count, {255, 255, 255, 255});
+    for (std::size_t c = 0; c < 4; ++c) {
+        const auto column = columns.extract(names[c]);
+        if (!column) continue;
+        const Type type = std::find_if(e.properties.begin(), e.properties.end(), [&](const auto& p) {
+                              return p.name == names[c];
+                          })->type;
+        for (std::size_t v = 0; v < e.count; ++v)
+            mesh.colors[v][c] = to_byte(column.mapped()[v], type == Type::f32 || type == Type::f64);
+    }
+}
+
+void take_vertices(const Ply& ply, const Element& e, Columns columns, Mesh& mesh) {
+    mesh.positions.resize(e.count);
+    const char* const axes[] = {"x", "y", "z"};
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const auto column = columns.extract(axes[i]);
+        if (!column) ply.fail("vertices with x, y and z");
+        for (std::size_t v = 0; v < e.count; ++v) mesh.positions[v][i] = column.mapped()[v];
+    }
+    const char* const normals[] = {"nx", "ny", "nz"};
+    if (columns.contains("nx") && columns.contains("ny") && columns.contains("nz")) {
+        mesh.normals.resize(e.count);
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            const auto column = columns.extract(normals[i]);
+            for (std::size_t v = 0; v < e.count; ++v) mesh.normals[v][i] = float(column.mapped()[v]);
+        }
+    }
+    take_colors(e, columns, mesh);
+    for (const auto& [name, values] : columns)
+        mesh.scalars.push_back({name, std::vector<float>(values.begin(), values.end())});
+}
+
+}  // namespace
+
+Mesh read_ply(const std::filesystem::path& file) {
+    const std::vector<std::byte> bytes = read_file(file);
+    const Ply ply = read_header(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    Values values(ply);
+    Mesh mesh;
+    for (const Element& e : ply.elements)
+        if (e.name == "vertex")
+            take_vertices(ply, e, read_columns(values, e), mesh);
+        else if (e.name == "face" || e.name == "tristrips")
+            read_faces(values, e, mesh);
+        else
+            read_columns(values, e);
+    return mesh;
+}
+
+}  // namespace vantage
