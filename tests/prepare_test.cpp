@@ -41,6 +41,29 @@ TEST_F(Prepare, SceauxSmallIsSoundCurrentAndTheSameTwice) {
     for (const Issue& i : check_package(dir / "a.vantage", true, input)) ADD_FAILURE() << i.text;
 }
 
+TEST_F(Prepare, EveryDatasetIsSoundAndCurrent) {
+    for (const char* name : {"sceaux", "sceaux-bundler", "fountain-P11"}) {
+        VANTAGE_DATASET(input, name);
+        prepare(read_scene(discover(input)), {}, dir / "a.vantage", quiet);
+        for (const Issue& i : check_package(dir / "a.vantage", true, input))
+            ADD_FAILURE() << name << ": " << i.text;
+    }
+}
+
+TEST_F(Prepare, AMeshOfPointsIsRecognised) {
+    VANTAGE_DATASET(input, "sceaux-small");
+    SceneInput scene = read_scene(discover(input));
+    scene.mesh.triangles.clear();
+    try {
+        prepare(scene, {}, dir / "a.vantage", quiet);
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.code(), Exit::input);
+        EXPECT_NE(std::string(e.what()).find("points only"), std::string::npos);
+    }
+    EXPECT_FALSE(fs::exists(dir / "a.vantage"));
+}
+
 TEST_F(Prepare, AHeldOutPhotoKeepsItsCameraOnly) {
     VANTAGE_DATASET(input, "sceaux-small");
     PrepareSettings settings;

@@ -89,10 +89,15 @@ RgbaPhoto turned(const RgbaPhoto& p, int orientation) {
 
 }  // namespace
 
-PhotoSize read_photo_size(const std::filesystem::path& file) {
+PhotoHeader read_photo_header(const std::filesystem::path& file) {
     const auto in = OIIO::ImageInput::open(file.string());
     if (!in) refuse(file, "not a readable photo: " + OIIO::geterror());
-    return {in->spec().width, in->spec().height};
+    const OIIO::ImageSpec& spec = in->spec();
+    PhotoHeader header{{spec.width, spec.height}, {}};
+    if (!spec.find_attribute("ICCProfile")) return header;
+    header.profile = spec.get_string_attribute("ICCProfile:profile_description", "without a name");
+    if (header.profile.find("sRGB") != std::string::npos) header.profile.clear();
+    return header;
 }
 
 RgbaPhoto read_photo(const std::filesystem::path& file, PhotoSize expected) {

@@ -2,14 +2,20 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "pipeline/scene_input.h"
 
 namespace vantage {
 
-/// A photo's stored size, from its header. Throws Error(input).
-PhotoSize read_photo_size(const std::filesystem::path& file);
+/// What a photo's header says.
+struct PhotoHeader {
+    PhotoSize size;       ///< as stored
+    std::string profile;  ///< description of its ICC profile, empty where it has none or it is sRGB
+};
+/// Throws Error(input).
+PhotoHeader read_photo_header(const std::filesystem::path& file);
 
 /// RGBA8, sRGB, straight alpha, rows from the top.
 struct RgbaPhoto {

@@ -28,7 +28,9 @@ fs::path find_photo(const fs::path& folder, const std::string& name) {
 
 /// Gives the camera the photo's size: fills it in, or scales a calibration made at another resolution.
 void fit_to_photo(PhotoInput& photo, bool size_known, SceneInput& scene) {
-    const PhotoSize size = read_photo_size(photo.file);
+    const auto [size, profile] = read_photo_header(photo.file);
+    if (!profile.empty())
+        scene.warnings.push_back(photo.name + ": has the colour profile '" + profile + "', taken as sRGB");
     Intrinsics& k = photo.camera.intrinsics;
     if (!size_known) {
         k = {size.width, size.height, k.fx, k.fy, size.width / 2.0, size.height / 2.0};

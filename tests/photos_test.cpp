@@ -1,0 +1,141 @@
+// Photos of every kind that a user may bring come out as RGBA, as they look.
+#include "pipeline/import/photos.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+#include <turbojpeg.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "pipeline/file_identity.h"
+#include "scene/error.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+class Photos : public ::testing::Test {
+  protected:
+    fs::path dir = fs::temp_directory_path() / ("vantage-photos-" + std::to_string(::getpid()));
+    void SetUp() override { fs::create_directories(dir); }
+    void TearDown() override { fs::remove_all(dir); }
+
+    /// `width` x `height` pixels of `channels` values each, the same everywhere but in the first pixel, which
+    /// is zero.
+    template <class T>
+    fs::path write(const char* name, int width, int height, std::initializer_list<T> pixel,
+                   int orientation = 1) {
+        OIIO::ImageSpec spec(width, height, int(pixel.size()), OIIO::BaseTypeFromC<T>::value);
+        spec.attribute("Orientation", orientation);
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+        std::vector<T> pixels;
+        for (int i = 0; i < width * height; ++i) pixels.insert(pixels.end(), pixel.begin(), pixel.end());
+        std::fill_n(pixels.begin(), pixel.size(), T(0));
+        const fs::path file = dir / name;
+        const auto out = OIIO::ImageOutput::create(file.string());
+        EXPECT_TRUE(out && out->open(file.string(), spec) &&
+                    out->write_image(OIIO::BaseTypeFromC<T>::value, pixels.data()) && out->close());
+        return file;
+    }
+};
+
+using Pixel = std::array<int, 4>;
+
+Pixel pixel(const RgbaPhoto& p, int x, int y) {
+    const std::uint8_t* at = p.rgba.data() + (std::size_t(y) * std::size_t(p.width) + std::size_t(x)) * 4;
+    return {at[0], at[1], at[2], at[3]};
+}
+
+}  // namespace
+
+TEST_F(Photos, GreySixteenBitsAndAlpha) {
+    using u8 = std::uint8_t;
+    using u16 = std::uint16_t;
+    const PhotoSize size{3, 2};
+    EXPECT_EQ(pixel(read_photo(write<u8>("g.png", 3, 2, {100}), size), 2, 1), (Pixel{100, 100, 100, 255}));
+    EXPECT_EQ(pixel(read_photo(write<u16>("s.png", 3, 2, {51400, 25700, 257}), size), 2, 1),
+              (Pixel{200, 100, 1, 255}));
+    EXPECT_EQ(pixel(read_photo(write<u8>("a.png", 3, 2, {200, 100, 50, 128}), size), 2, 1),
+              (Pixel{200, 100, 50, 128}));
+    EXPECT_EQ(pixel(read_photo(write<u8>("ga.png", 3, 2, {90, 60}), size), 2, 1), (Pixel{90, 90, 90, 60}));
+    EXPECT_EQ(pixel(read_photo(write<u8>("t.tif", 3, 2, {9, 8, 7}), size), 2, 1), (Pixel{9, 8, 7, 255}));
+}
+
+TEST_F(Photos, AdobeCmykIsInkLeftOut) {
+    // Adobe stores it inverted: 255 is no ink.
+    const std::vector<unsigned char> cmyk{255, 128, 0, 255, 255, 128, 0, 255};
+    unsigned char* bytes = nullptr;
+    unsigned long size = 0;
+    const tjhandle encoder = tjInitCompress();
+    ASSERT_EQ(tjCompress2(encoder, cmyk.data(), 2, 0, 1, TJPF_CMYK, &bytes, &size, TJSAMP_444, 100, 0), 0);
+    std::ofstream(dir / "c.jpg", std::ios::binary)
+        .write(reinterpret_cast<char*>(bytes), std::streamsize(size));
+    tjFree(bytes);
+    tjDestroy(encoder);
+    const Pixel p = pixel(read_photo(dir / "c.jpg", {2, 1}), 1, 0);
+    EXPECT_NEAR(p[0], 255, 2);
+    EXPECT_NEAR(p[1], 128, 2);
+    EXPECT_NEAR(p[2], 0, 2);
+    EXPECT_EQ(p[3], 255);
+}
+
+TEST_F(Photos, AreTurnedWhereTheirCameraExpectsThemTurned) {
+    // EXIF 6: the first row is the right side; 8: the left side, from below.
+    const std::pair<int, std::array<int, 2>> where[] = {{5, {0, 0}}, {6, {1, 0}}, {7, {1, 2}}, {8, {0, 2}}};
+    for (const auto& [orientation, at] : where) {
+        const fs::path file = write<std::uint8_t>("o.tif", 3, 2, {200, 200, 200}, orientation);
+        EXPECT_EQ(pixel(read_photo(file, {3, 2}), 0, 0)[0], 0) << "as stored";
+        const RgbaPhoto turned = read_photo(file, {2, 3});
+        for (int y = 0; y < 3; ++y)
+            for (int x = 0; x < 2; ++x)
+                EXPECT_EQ(pixel(turned, x, y)[0], x == at[0] && y == at[1] ? 0 : 200)
+                    << orientation << " " << x << y;
+    }
+}
+
+TEST_F(Photos, AProfileThatIsNotSrgbIsNamed) {
+    // The least an ICC profile can be: a header and one tag, its description.
+    const auto profile = [](const std::string& description) {
+        std::string p(128, '\0');
+        const auto add = [&](std::uint32_t v) {
+            for (int shift = 24; shift >= 0; shift -= 8) p += char(v >> shift & 255);
+        };
+        p.replace(36, 4, "acsp");
+        p.replace(8, 4, std::string("\2\0\0\0", 4));
+        const auto length = std::uint32_t(description.size() + 1);
+        add(1), p += "desc", add(144), add(12 + length);
+        p += "desc", add(0), add(length), p += description + '\0';
+        const auto whole = std::uint32_t(p.size());
+        for (int i = 0; i < 4; ++i) p[std::size_t(i)] = char(whole >> (24 - 8 * i) & 255);
+        return p;
+    };
+    for (const std::string name : {"Display P3", "sRGB IEC61966-2.1"}) {
+        OIIO::ImageSpec spec(2, 2, 3, OIIO::TypeDesc::UINT8);
+        const std::string bytes = profile(name);
+        spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, int(bytes.size())), bytes.data());
+        const fs::path file = dir / "icc.tif";
+        const auto out = OIIO::ImageOutput::create(file.string());
+        const std::vector<std::uint8_t> pixels(12, 7);
+        ASSERT_TRUE(out->open(file.string(), spec) &&
+                    out->write_image(OIIO::TypeDesc::UINT8, pixels.data()) && out->close());
+        EXPECT_EQ(read_photo_header(file).profile, name == "Display P3" ? name : "");
+    }
+    EXPECT_EQ(read_photo_header(write<std::uint8_t>("n.png", 2, 2, {1, 2, 3})).profile, "");
+}
+
+TEST_F(Photos, OfAnotherSizeCutOrBrokenAreRefused) {
+    const fs::path png = write<std::uint8_t>("p.png", 40, 30, {1, 2, 3});
+    EXPECT_THROW(read_photo(png, {41, 30}), Error);
+    const fs::path jpeg = write<std::uint8_t>("j.jpg", 40, 30, {100, 150, 200});
+    EXPECT_NO_THROW(read_photo(jpeg, {40, 30}));
+    for (const fs::path& file : {png, jpeg}) {
+        fs::resize_file(file, fs::file_size(file) / 2);
+        EXPECT_THROW(read_photo(file, {40, 30}), Error) << file;
+    }
+    std::ofstream(dir / "x.jpg") << "no photo";
+    EXPECT_THROW(read_photo(dir / "x.jpg", {1, 1}), Error);
+    EXPECT_THROW(read_photo_header(dir / "x.jpg"), Error);
+    EXPECT_THROW(read_photo(dir / "none.jpg", {1, 1}), Error);
+}
