@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -19,6 +20,7 @@
 #include "pipeline/stages/photo_geometry.h"
 #include "pipeline/stages/pyramid.h"
 #include "pipeline/stages/undistort.h"
+#include "pipeline/stages/visibility.h"
 #include "scene/checksum.h"
 #include "scene/error.h"
 #include "scene/package_writer.h"
@@ -193,6 +195,7 @@ struct Stages {
     GlThread& gl;
     PackageWriter& writer;
     DistanceMethod distance;
+    std::shared_future<RayScene> rays;
 };
 
 RgbaImage read_pixels(const Stages& s, const PhotoInput& photo, package::PhotoRecord& r) {
@@ -220,8 +223,9 @@ std::vector<std::uint8_t> validity(const RgbaImage& level) {
 /// Thumbnail and tile pyramid. Returns the photo's validity at `mask_level`, empty where it is opaque.
 std::vector<std::uint8_t> write_pixels(const Stages& s, std::uint32_t i, RgbaImage level,
                                        package::PhotoRecord& r) {
-    bool opaque = true;
-    for (std::size_t p = 3; p < level.rgba.size(); p += 4) opaque &= level.rgba[p] == 255;
+    std::uint8_t all_alpha = 255;
+    for (std::size_t p = 3; p < level.rgba.size(); p += 4) all_alpha &= level.rgba[p];
+    const bool opaque = all_alpha == 255;
     if (!opaque) r.flags |= package::photo_has_alpha;
     std::vector<std::uint8_t> valid;
     bool thumbnail_due = true;
@@ -278,6 +282,7 @@ void record_findings(const PhotoGeometry& g, const Intrinsics& k, const Pose& po
         std::count_if(g.coordinates.begin(), g.coordinates.end(), [](const auto& uv) { return uv.x() >= 0; });
     r.visible_vertices = g.coordinates.empty() ? 0 : double(seen) / double(g.coordinates.size());
     std::vector<float> z;
+    z.reserve(g.z.size());
     std::copy_if(g.z.begin(), g.z.end(), std::back_inserter(z), [](float v) { return std::isfinite(v); });
     if (z.empty()) return;
     const auto [low, high] = std::minmax_element(z.begin(), z.end());
@@ -293,7 +298,9 @@ void run_photo(const Stages& s, std::uint32_t i, package::PhotoRecord& r) {
     const Intrinsics k = photo.camera.intrinsics;
     const Pose pose = photo.camera.cam_from_world.relative_to(s.model.origin);
     const Eigen::Vector2d range = depth_range(s.model.positions, pose);
-    auto pending = s.gl.submit([&] { return render_geometry(s.buffers, k, pose, range); });
+    const std::vector<std::uint32_t> triangles =
+        triangles_in_frame(s.model.clusters, s.model.indices, k, pose);
+    auto pending = s.gl.submit([&] { return render_geometry(s.buffers, triangles, k, pose, range); });
     std::vector<std::uint8_t> valid;
     try {
         if (r.levels) valid = write_pixels(s, i, read_pixels(s, photo, r), r);
@@ -301,7 +308,8 @@ void run_photo(const Stages& s, std::uint32_t i, package::PhotoRecord& r) {
         pending.wait();  // it refers to this frame
         throw;
     }
-    const PhotoGeometry geometry = pending.get();
+    PhotoGeometry geometry = pending.get();
+    settle_visibility(s.rays.get(), s.model.positions, k, pose, geometry.coordinates);
     record_findings(geometry, k, pose, r);
     if (!r.levels) return;
     write_masks(s, i, geometry, std::move(valid), k);
@@ -379,12 +387,12 @@ void prepare(SceneInput scene, const PrepareSettings& settings, const std::files
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(meta)));
     write_model(writer, model, scene.mesh);
 
-    ModelBuffers buffers =
-        gl.submit([&] { return upload_model(model.positions, scene.mesh.normals, model.indices); }).get();
+    ModelBuffers buffers = gl.submit([&] { return upload_model(model.positions, scene.mesh.normals); }).get();
     const DistanceMethod chosen = settings.distance != DistanceMethod::automatic ? settings.distance
                                   : gl.device().software                         ? DistanceMethod::exact
                                                          : DistanceMethod::jfa_squared;
-    const Stages stages{scene, settings, model, buffers, gl, writer, chosen};
+    auto rays = std::async(std::launch::async, [&] { return RayScene(model.positions, model.indices); });
+    const Stages stages{scene, settings, model, buffers, gl, writer, chosen, rays.share()};
     const unsigned threads =
         settings.threads ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
     std::exception_ptr failure;

@@ -32,12 +32,12 @@ std::vector<Borders> borders_of(const std::filesystem::path& input) {
     for (const Eigen::Vector3d& p : scene.mesh.positions) positions.push_back(p.cast<float>());
     std::vector<std::uint32_t> indices;
     for (const auto& t : scene.mesh.triangles) indices.insert(indices.end(), t.begin(), t.end());
-    const ModelBuffers model = upload_model(positions, scene.mesh.normals, indices);
+    const ModelBuffers model = upload_model(positions, scene.mesh.normals);
     std::vector<Borders> all;
     for (const PhotoInput& photo : scene.photos) {
         const Intrinsics& k = photo.camera.intrinsics;
         const Pose& pose = photo.camera.cam_from_world;
-        PhotoGeometry g = render_geometry(model, k, pose, depth_range(positions, pose));
+        PhotoGeometry g = render_geometry(model, indices, k, pose, depth_range(positions, pose));
         const DepthMap depth{g.width, g.height, std::move(g.z), {}};
         all.push_back({g.width, g.height, float(settings.border_width * k.width / 3072 / 2),
                        find_borders(depth, float(settings.border_threshold))});

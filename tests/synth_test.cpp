@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "pipeline/synth/building.h"
-#include "pipeline/synth/ray_scene.h"
+#include "pipeline/ray_scene.h"
 #include "pipeline/synth/synthesise.h"
 #include "scene/error.h"
 

@@ -38,7 +38,8 @@ bool discontinuous(const float* above, const float* here, const float* below, in
         (above[x + 1] + 2 * here[x + 1] + below[x + 1]) - (above[x - 1] + 2 * here[x - 1] + below[x - 1]);
     const float gy =
         (below[x - 1] + 2 * below[x] + below[x + 1]) - (above[x - 1] + 2 * above[x] + above[x + 1]);
-    if (std::hypot(gx, gy) <= threshold * 8 * z) return false;
+    const float least = threshold * 8 * z;
+    if (gx * gx + gy * gy <= least * least) return false;
     // A plane is linear in 1/z however steep; a step is not.
     const auto bend = [&](float a, float b) { return std::abs(1 / a + 1 / b - 2 / z) * std::max({a, b, z}); };
     return std::max(bend(here[x - 1], here[x + 1]), bend(above[x], below[x])) > threshold / 4;
@@ -130,13 +131,16 @@ std::vector<std::uint8_t> border_mask(const std::vector<float>& distance, int wi
                                       float full_width) {
     constexpr float mixed = 1;  // pixels next to a border hold the colours of both sides
     std::vector<std::uint8_t> mask(distance.size());
-    for (int y = 0; y < height; ++y)
+    const float scale = 255 / std::max(full_width, 1e-3f);
+    for (int y = 0; y < height; ++y) {
+        const std::size_t row = std::size_t(y) * std::size_t(width);
+        const int edge = std::min(y, height - 1 - y);
         for (int x = 0; x < width; ++x) {
-            const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x);
-            const float outline = float(std::min({x, y, width - 1 - x, height - 1 - y})) + 0.5f;
-            const float d = std::min(distance[i] - mixed, outline) / std::max(full_width, 1e-3f);
-            mask[i] = std::uint8_t(std::lround(255 * std::clamp(d, 0.0f, 1.0f)));
+            const float outline = float(std::min(edge, std::min(x, width - 1 - x))) + 0.5f;
+            const float code = std::min(distance[row + std::size_t(x)] - mixed, outline) * scale;
+            mask[row + std::size_t(x)] = std::uint8_t(std::min(std::max(code, 0.0f), 255.0f) + 0.5f);
         }
+    }
     return mask;
 }
 

@@ -51,6 +51,28 @@ std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vecto
     return clusters;
 }
 
+std::vector<std::uint32_t> triangles_in_frame(const std::vector<package::ClusterRecord>& clusters,
+                                              const std::vector<std::uint32_t>& indices, const Intrinsics& k,
+                                              const Pose& pose) {
+    // Inward normals of the planes through the camera's centre and the frame's four sides.
+    const Eigen::Vector3d sides[] = {
+        Eigen::Vector3d(k.fx, 0, k.cx).normalized(), Eigen::Vector3d(-k.fx, 0, k.width - k.cx).normalized(),
+        Eigen::Vector3d(0, k.fy, k.cy).normalized(), Eigen::Vector3d(0, -k.fy, k.height - k.cy).normalized()};
+    std::vector<std::uint32_t> out;
+    out.reserve(indices.size());
+    for (const package::ClusterRecord& c : clusters) {
+        const Eigen::Vector3d center =
+            pose.R * Eigen::Map<const Eigen::Vector3f>(c.center).cast<double>() + pose.t;
+        const double reach = -double(c.radius) * 1.001;
+        if (center.z() < reach || std::any_of(std::begin(sides), std::end(sides),
+                                              [&](const auto& n) { return n.dot(center) < reach; }))
+            continue;
+        const auto first = indices.begin() + std::ptrdiff_t(c.first_triangle) * 3;
+        out.insert(out.end(), first, first + std::ptrdiff_t(c.triangles) * 3);
+    }
+    return out;
+}
+
 std::vector<package::CoverageRecord> measure_coverage(const std::vector<package::ClusterRecord>& clusters,
                                                       const std::vector<std::uint32_t>& indices,
                                                       const std::vector<Eigen::Vector2f>& coordinates,

@@ -14,6 +14,12 @@ std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vecto
                                                   std::vector<std::uint32_t>& indices,
                                                   std::uint32_t cluster_triangles);
 
+/// The triangles of all clusters that may reach into a camera's frame, in order: three indices each. Never
+/// drops one that does.
+std::vector<std::uint32_t> triangles_in_frame(const std::vector<package::ClusterRecord>& clusters,
+                                              const std::vector<std::uint32_t>& indices,
+                                              const Intrinsics& intrinsics, const Pose& cam_from_origin);
+
 /// Which clusters a photo sees, where in the photo, and how finely sampled.
 std::vector<package::CoverageRecord> measure_coverage(const std::vector<package::ClusterRecord>& clusters,
                                                       const std::vector<std::uint32_t>& indices,

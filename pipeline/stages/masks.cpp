@@ -13,7 +13,7 @@ std::vector<std::uint8_t> combine_masks(const PhotoGeometry& g, const std::vecto
         if (!std::isfinite(g.z[i]) || !(g.z[i] > 0)) continue;
         const float code = 255 + 12 * (top - std::log2(g.z[i]));
         out[4 * i] = g.angle[i];
-        out[4 * i + 1] = std::uint8_t(std::lround(std::clamp(code, 1.0f, 255.0f)));
+        out[4 * i + 1] = std::uint8_t(std::clamp(code, 1.0f, 255.0f) + 0.5f);
         out[4 * i + 2] = border[i];
         out[4 * i + 3] = 255;
     }

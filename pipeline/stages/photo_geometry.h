@@ -9,22 +9,22 @@
 
 namespace vantage {
 
-/// The model on the graphics card, positions relative to the origin. Belongs to the OpenGL thread.
+/// The model's vertices on the graphics card, positions relative to the origin. Belongs to the OpenGL thread.
 struct ModelBuffers {
-    gl::Buffer positions, normals, indices, incident_ranges, incident;
+    gl::Buffer positions, normals;
     gl::VertexArray vertices;
-    gl::Program triangle_id, geometry, coordinates, settle;
-    std::size_t vertex_count = 0, index_count = 0;
+    gl::Program geometry, coordinates;
+    std::size_t vertex_count = 0;
 };
 ModelBuffers upload_model(std::span<const Eigen::Vector3f> positions,
-                          std::span<const Eigen::Vector3f> normals, std::span<const std::uint32_t> indices);
+                          std::span<const Eigen::Vector3f> normals);
 
 /// What a photo's camera sees of the model.
 struct PhotoGeometry {
     int width = 0, height = 0;                 ///< of z and angle: the photo's at `mask_level`
     std::vector<float> z;                      ///< linear depth, +inf where nothing is seen
     std::vector<std::uint8_t> angle;           ///< max(0, n.v), unorm8
-    std::vector<Eigen::Vector2f> coordinates;  ///< a vertex; (-1,-1) where not visible
+    std::vector<Eigen::Vector2f> coordinates;  ///< a vertex; (-1,-1) where not visible, see settle_visibility
 };
 
 /// Near and far plane that hold the model: the range of positive vertex depths, widened, with a ratio that a
@@ -32,8 +32,10 @@ struct PhotoGeometry {
 Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& cam_from_origin);
 
 /// Renders depth and angle and captures texture coordinates (METHOD: texture coordinates). On the OpenGL
-/// thread. The depth test runs at the photo's full size. Throws std::runtime_error when OpenGL fails.
-PhotoGeometry render_geometry(const ModelBuffers& model, const Intrinsics& intrinsics,
-                              const Pose& cam_from_origin, Eigen::Vector2d near_far);
+/// thread. `indices` are the triangles that may reach into the photo, see triangles_in_frame. Throws
+/// std::runtime_error when OpenGL fails.
+PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::uint32_t> indices,
+                              const Intrinsics& intrinsics, const Pose& cam_from_origin,
+                              Eigen::Vector2d near_far);
 
 }  // namespace vantage

@@ -1,4 +1,4 @@
-#include "pipeline/synth/ray_scene.h"
+#include "pipeline/ray_scene.h"
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -52,23 +52,39 @@ struct RayScene::State {
     }
 };
 
-RayScene::RayScene(const Mesh& mesh) : state_(std::make_unique<State>()) {
+namespace {
+
+std::vector<Eigen::Vector3f> rounded(std::span<const Eigen::Vector3d> positions) {
+    std::vector<Eigen::Vector3f> out;
+    for (const Eigen::Vector3d& p : positions) out.push_back(p.cast<float>());
+    return out;
+}
+
+std::span<const std::uint32_t> flat(std::span<const std::array<std::uint32_t, 3>> triangles) {
+    return {triangles.empty() ? nullptr : triangles.front().data(), triangles.size() * 3};
+}
+
+}  // namespace
+
+RayScene::RayScene(const Mesh& mesh) : RayScene(rounded(mesh.positions), flat(mesh.triangles)) {}
+
+RayScene::RayScene(std::span<const Eigen::Vector3f> from, std::span<const std::uint32_t> corners)
+    : state_(std::make_unique<State>()) {
     state_->device = rtcNewDevice(nullptr);
     if (!state_->device) throw std::runtime_error("Embree gives no device");
     state_->scene = rtcNewScene(state_->device);
     rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
     const RTCGeometry geometry = rtcNewGeometry(state_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size()));
+    auto* positions = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, from.size()));
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, corners.size() / 3));
     if (!positions || !indices) {
         rtcReleaseGeometry(geometry);
         throw std::runtime_error("Embree has not the memory for the mesh");
     }
-    for (const Eigen::Vector3d& p : mesh.positions)
-        for (int i = 0; i < 3; ++i) *positions++ = float(p[i]);
-    std::memcpy(indices, mesh.triangles.data(), mesh.triangles.size() * 12);
+    std::memcpy(positions, from.data(), from.size_bytes());
+    std::memcpy(indices, corners.data(), corners.size_bytes());
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(state_->scene, geometry);
     rtcReleaseGeometry(geometry);

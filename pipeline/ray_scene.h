@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "scene/mesh.h"
 
@@ -19,8 +21,9 @@ struct RayHit {
 /// precision about the mesh's first vertex's neighbourhood: meant for scenes near the origin.
 class RayScene {
   public:
-    /// `mesh` is copied. Throws std::runtime_error when Embree fails.
+    /// Both copy. Throw std::runtime_error when Embree fails.
     explicit RayScene(const Mesh& mesh);
+    RayScene(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices);
     ~RayScene();
     RayScene(RayScene&&) noexcept;
 

@@ -1,3 +1,0 @@
-layout(location = 0) out uint triangle;
-
-void main() { triangle = uint(gl_PrimitiveID); }
