@@ -11,7 +11,7 @@
 namespace vantage {
 
 /// The one thread that owns a headless OpenGL context. Work is run in the order it was submitted; exceptions
-/// come back through the futures. The constructor throws Error(graphics) when there is no OpenGL.
+/// come back through the futures. Starting takes a while and does not hold up the constructor.
 class GlThread {
   public:
     GlThread();
@@ -24,7 +24,8 @@ class GlThread {
         push([task] { (*task)(); });
         return result;
     }
-    const gl::Device& device() const { return device_; }
+    /// Waits for the start. Throws Error(graphics) when there is no OpenGL: then all work is refused.
+    gl::Device device() const;
 
   private:
     void push(std::function<void()> work);
@@ -34,7 +35,7 @@ class GlThread {
     std::condition_variable wake_;
     std::deque<std::function<void()>> queue_;
     bool closed_ = false;
-    gl::Device device_;
+    std::shared_future<gl::Device> device_;
     std::jthread thread_;
 };
 

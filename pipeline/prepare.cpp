@@ -194,7 +194,6 @@ struct Stages {
     const ModelBuffers& buffers;
     GlThread& gl;
     PackageWriter& writer;
-    DistanceMethod distance;
     std::shared_future<RayScene> rays;
 };
 
@@ -220,6 +219,13 @@ std::vector<std::uint8_t> validity(const RgbaImage& level) {
     return valid;
 }
 
+void write_tiles(PackageWriter& writer, Type type, std::uint32_t photo, std::uint32_t level,
+                 std::span<const std::byte> texels, const Level& size) {
+    writer.write_blocks(type, photo, level, [&](std::size_t number, std::span<std::byte> tile) {
+        cut_tile(texels, size, number, tile);
+    });
+}
+
 /// Thumbnail and tile pyramid. Returns the photo's validity at `mask_level`, empty where it is opaque.
 std::vector<std::uint8_t> write_pixels(const Stages& s, std::uint32_t i, RgbaImage level,
                                        package::PhotoRecord& r) {
@@ -233,9 +239,7 @@ std::vector<std::uint8_t> write_pixels(const Stages& s, std::uint32_t i, RgbaIma
     for (std::uint32_t l = 0; l < last; ++l) {
         if (l == std::uint32_t(mask_level) && !opaque) valid = validity(level);
         if (l < r.levels)
-            s.writer.write_blocks(
-                Type::tiles, i, l,
-                cut_tiles(std::as_bytes(std::span(level.rgba)), {level.width, level.height}));
+            write_tiles(s.writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height});
         RgbaImage next = halve(level);
         // The coarsest level that still has the thumbnail's detail is the cheapest to reduce.
         const int wanted = int(std::max(r.thumbnail_width, r.thumbnail_height));
@@ -250,8 +254,11 @@ std::vector<std::uint8_t> write_pixels(const Stages& s, std::uint32_t i, RgbaIma
 }
 
 std::vector<float> distances(const Stages& s, std::vector<std::uint8_t> borders, const PhotoGeometry& g) {
-    if (s.distance == DistanceMethod::exact) return exact_distance(borders, g.width, g.height);
-    return s.gl.submit([&] { return flood_distance(borders, g.width, g.height, s.distance); }).get();
+    DistanceMethod method = s.settings.distance;
+    if (method == DistanceMethod::automatic)
+        method = s.gl.device().software ? DistanceMethod::exact : DistanceMethod::jfa_squared;
+    if (method == DistanceMethod::exact) return exact_distance(borders, g.width, g.height);
+    return s.gl.submit([&] { return flood_distance(borders, g.width, g.height, method); }).get();
 }
 
 void write_masks(const Stages& s, std::uint32_t i, const PhotoGeometry& g, std::vector<std::uint8_t> valid,
@@ -263,8 +270,8 @@ void write_masks(const Stages& s, std::uint32_t i, const PhotoGeometry& g, std::
     const auto border = border_mask(distances(s, find_borders(depth, float(s.settings.border_threshold)), g),
                                     g.width, g.height, float(full));
     const auto masks = combine_masks(g, border, std::sqrt(k.fx * k.fy), s.model.record.reference_density);
-    s.writer.write_blocks(Type::masks, i, mask_level, cut_tiles(bytes_of(masks), level));
-    s.writer.write_blocks(Type::depth, i, mask_level, cut_tiles(bytes_of(g.z), level));
+    write_tiles(s.writer, Type::masks, i, mask_level, bytes_of(masks), level);
+    write_tiles(s.writer, Type::depth, i, mask_level, bytes_of(g.z), level);
 }
 
 void write_coverage(const Stages& s, std::uint32_t i, const PhotoGeometry& g, const Intrinsics& k,
@@ -387,17 +394,17 @@ void prepare(SceneInput scene, const PrepareSettings& settings, const std::files
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(meta)));
     write_model(writer, model, scene.mesh);
 
-    ModelBuffers buffers = gl.submit([&] { return upload_model(model.positions, scene.mesh.normals); }).get();
-    const DistanceMethod chosen = settings.distance != DistanceMethod::automatic ? settings.distance
-                                  : gl.device().software                         ? DistanceMethod::exact
-                                                         : DistanceMethod::jfa_squared;
+    gl.device();
+    ModelBuffers buffers;
+    auto uploaded = gl.submit([&] { buffers = upload_model(model.positions, scene.mesh.normals); });
     auto rays = std::async(std::launch::async, [&] { return RayScene(model.positions, model.indices); });
-    const Stages stages{scene, settings, model, buffers, gl, writer, chosen, rays.share()};
+    const Stages stages{scene, settings, model, buffers, gl, writer, rays.share()};
     const unsigned threads =
         settings.threads ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
     std::exception_ptr failure;
     try {
         run_photos(stages, records, threads, progress);
+        uploaded.get();
     } catch (...) {
         failure = std::current_exception();
     }

@@ -53,7 +53,6 @@ struct PackageWriter::State {
     }
 
     void put(std::uint64_t offset, std::span<const std::byte> bytes) const {
-        const std::uint64_t begin = offset, length = bytes.size();
         while (!bytes.empty()) {
             const ssize_t n = ::pwrite(fd, bytes.data(), bytes.size(), off_t(offset));
             if (n < 0 && errno == EINTR) continue;
@@ -61,9 +60,12 @@ struct PackageWriter::State {
             bytes = bytes.subspan(std::size_t(n));
             offset += std::uint64_t(n);
         }
+    }
+
+    /// The disk works while the next photo is prepared, instead of all at the end.
+    void start_flush([[maybe_unused]] std::uint64_t offset, [[maybe_unused]] std::uint64_t length) const {
 #ifdef SYNC_FILE_RANGE_WRITE
-        // The disk works while the next photo is prepared, instead of all at the end.
-        ::sync_file_range(fd, off64_t(begin), off64_t(length), SYNC_FILE_RANGE_WRITE);
+        ::sync_file_range(fd, off64_t(offset), off64_t(length), SYNC_FILE_RANGE_WRITE);
 #endif
     }
 
@@ -125,18 +127,21 @@ void PackageWriter::write(package::Type type, std::uint32_t photo, std::span<con
 }
 
 void PackageWriter::write_blocks(package::Type type, std::uint32_t photo, std::uint32_t level,
-                                 std::span<const std::byte> blocks) {
+                                 const std::function<void(std::size_t b, std::span<std::byte> block)>& fill) {
     State& s = *state_;
     const std::size_t i = s.find(type, photo, level);
     const DirectoryEntry e = s.directory[i];
-    if (blocks.size() != e.length - e.head_length)
-        throw std::logic_error("blocks are not as long as planned");
     std::vector<std::uint64_t> head(e.head_length / sizeof(std::uint64_t), 0);
-    for (std::size_t b = 0; b * e.block_length < blocks.size(); ++b)
-        head[b] = checksum(blocks.subspan(b * e.block_length, e.block_length));
+    std::vector<std::byte> block(e.block_length);
+    std::uint64_t at = e.offset + e.head_length;
+    for (std::size_t b = 0; at < e.offset + e.length; ++b, at += e.block_length) {
+        fill(b, block);
+        head[b] = checksum(block);
+        s.put(at, block);
+    }
     s.put(e.offset, bytes_of(head));
-    s.put(e.offset + e.head_length, blocks);
     s.seal(i, bytes_of(head));
+    s.start_flush(e.offset, e.length);
 }
 
 std::uint64_t PackageWriter::size() const { return state_->size; }

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -32,9 +33,10 @@ class PackageWriter {
 
     /// Chunks without blocks: exactly the planned bytes. Thread-safe. Throws Error(storage).
     void write(package::Type type, std::uint32_t photo, std::span<const std::byte> bytes);
-    /// All blocks of a chunk, one after the other. Thread-safe. Throws Error(storage).
+    /// All blocks of a chunk: `fill` writes block `b` into its bytes, one after the other, so that no more
+    /// than one is in memory. Thread-safe. Throws Error(storage).
     void write_blocks(package::Type type, std::uint32_t photo, std::uint32_t level,
-                      std::span<const std::byte> blocks);
+                      const std::function<void(std::size_t b, std::span<std::byte> block)>& fill);
 
     std::uint64_t size() const;
     /// Throws std::logic_error when a planned chunk was never written.

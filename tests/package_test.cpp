@@ -29,7 +29,9 @@ class Package : public ::testing::Test {
         const std::vector<ChunkPlan> plan{{Type::meta, package::scene_wide, 0, text.size()},
                                           {Type::tiles, 0, 2, 0, 3, 4096}};
         PackageWriter writer(to, plan);
-        writer.write_blocks(Type::tiles, 0, 2, blocks);  // any order
+        writer.write_blocks(Type::tiles, 0, 2, [&](std::size_t b, std::span<std::byte> block) {
+            std::memcpy(block.data(), blocks.data() + 4096 * b, 4096);
+        });  // any order
         writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(text)));
         EXPECT_FALSE(fs::exists(to)) << "the final name must not exist before finish()";
         writer.finish();

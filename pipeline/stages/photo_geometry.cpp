@@ -44,8 +44,8 @@ struct Maps {
     gl::Texture z, angle, triangles;
 };
 
-Maps render_maps(const ModelBuffers& model, const Triangles& triangles, const Matrices& m,
-                 PhotoGeometry& out) {
+Maps render_maps(const ModelBuffers& model, const Triangles& triangles, const Intrinsics& k, const Pose& pose,
+                 Eigen::Vector2d near_far, PhotoGeometry& out) {
     Maps maps{gl::make_texture_2d("linear depth", GL_R32F, out.width, out.height),
               gl::make_texture_2d("angle mask", GL_R8, out.width, out.height),
               gl::make_texture_2d("triangles", GL_R32UI, out.width, out.height)};
@@ -61,8 +61,11 @@ Maps render_maps(const ModelBuffers& model, const Triangles& triangles, const Ma
     glClearNamedFramebufferfv(target.id(), GL_COLOR, 1, zero.data());
     glClearNamedFramebufferuiv(target.id(), GL_COLOR, 2, no_triangle.data());
     glUseProgram(model.geometry.id());
+    const Matrices m = matrices(k, pose, near_far);
     glUniformMatrix4fv(0, 1, GL_FALSE, m.clip_from_origin.data());
-    glUniformMatrix4fv(1, 1, GL_FALSE, m.cam_from_origin.data());
+    const Eigen::Matrix3f R = pose.R.cast<float>();
+    glUniformMatrix3fv(1, 1, GL_FALSE, R.data());
+    glUniform4f(2, float(k.fx), float(k.fy), float(k.cx), float(k.cy));
     draw(model, triangles, target, out.width, out.height);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(maps.z.id(), 0, GL_RED, GL_FLOAT, GLsizei(out.z.size() * sizeof(float)), out.z.data());
@@ -153,7 +156,7 @@ PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::ui
     // A level's pixel is 2^level pixels wide even where the size is odd, so the frame grows by the rounding.
     const double s = 1.0 / (1 << mask_level);
     const Intrinsics coarse{half.width, half.height, k.fx * s, k.fy * s, k.cx * s, k.cy * s};
-    const Maps maps = render_maps(model, triangles, matrices(coarse, pose, near_far), out);
+    const Maps maps = render_maps(model, triangles, coarse, pose, near_far, out);
     out.coordinates = capture_coordinates(model, k, pose, full, triangles, maps.triangles);
     gl::check("rendering a photo's geometry");
     return out;

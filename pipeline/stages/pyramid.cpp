@@ -71,23 +71,20 @@ RgbaImage halve(const RgbaImage& image) {
     return out;
 }
 
-std::vector<std::byte> cut_tiles(std::span<const std::byte> texels, const Level& level) {
-    std::vector<std::byte> out(std::size_t(level.tiles()) * tile_bytes);
-    std::byte* to = out.data();
-    for (int row = 0; row < level.rows(); ++row)
-        for (int column = 0; column < level.columns(); ++column)
-            for (int y = 0; y < tile_size; ++y, to += tile_size * 4) {
-                const int sy = std::clamp(row * tile_content + y - tile_border, 0, level.height - 1);
-                const std::byte* from = texels.data() + std::size_t(sy) * std::size_t(level.width) * 4;
-                const int x0 = column * tile_content - tile_border;
-                const int first = std::max(0, -x0), last = std::min(tile_size, level.width - x0);
-                for (int x = 0; x < first; ++x) std::memcpy(to + 4 * x, from, 4);
-                std::memcpy(to + 4 * first, from + 4 * std::size_t(x0 + first),
-                            4 * std::size_t(last - first));
-                for (int x = last; x < tile_size; ++x)
-                    std::memcpy(to + 4 * x, from + 4 * std::size_t(level.width - 1), 4);
-            }
-    return out;
+void cut_tile(std::span<const std::byte> texels, const Level& level, std::size_t number,
+              std::span<std::byte> tile) {
+    const int row = int(number) / level.columns(), column = int(number) % level.columns();
+    const int x0 = column * tile_content - tile_border;
+    const int first = std::max(0, -x0), last = std::min(tile_size, level.width - x0);
+    std::byte* to = tile.data();
+    for (int y = 0; y < tile_size; ++y, to += tile_size * 4) {
+        const int sy = std::clamp(row * tile_content + y - tile_border, 0, level.height - 1);
+        const std::byte* from = texels.data() + std::size_t(sy) * std::size_t(level.width) * 4;
+        for (int x = 0; x < first; ++x) std::memcpy(to + 4 * x, from, 4);
+        std::memcpy(to + 4 * first, from + 4 * std::size_t(x0 + first), 4 * std::size_t(last - first));
+        for (int x = last; x < tile_size; ++x)
+            std::memcpy(to + 4 * x, from + 4 * std::size_t(level.width - 1), 4);
+    }
 }
 
 Level thumbnail_size(int width, int height, int longest) {

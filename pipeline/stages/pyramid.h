@@ -18,9 +18,11 @@ struct RgbaImage {
 /// a pixel coordinate halves exactly.
 RgbaImage halve(const RgbaImage& image);
 
-/// Cuts 4-byte texels into stored tiles, row by row, each with its border (edges of the level repeat their
-/// last texel). `texels` has level.width * level.height * 4 bytes.
-std::vector<std::byte> cut_tiles(std::span<const std::byte> texels, const Level& level);
+/// Cuts one stored tile (row by row from the upper left) with its border out of a level of 4-byte texels;
+/// edges of the level repeat their last texel. `texels` has level.width * level.height * 4 bytes, `tile`
+/// tile_bytes.
+void cut_tile(std::span<const std::byte> texels, const Level& level, std::size_t number,
+              std::span<std::byte> tile);
 
 /// Area average to at most `longest` pixels on the long side; never enlarges.
 RgbaImage thumbnail(const RgbaImage& image, int longest);
