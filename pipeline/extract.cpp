@@ -3,8 +3,8 @@
 #include <array>
 #include <cstring>
 
-#include "pipeline/export/image.h"
 #include "pipeline/export/ply.h"
+#include "pipeline/images/image_files.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
@@ -45,16 +45,15 @@ void write_mesh(const PackageReader& reader, const fs::path& file) {
 void write_photo(const PackageReader& reader, std::uint32_t i, const package::PhotoRecord& p,
                  const fs::path& folder) {
     const std::string name = p.name, stem = name.substr(0, name.rfind('.'));
-    const auto image = [&](Type type, std::uint32_t l, const fs::path& file, int channels,
-                           OIIO::TypeDesc format) {
+    const auto image = [&](Type type, std::uint32_t l, const fs::path& file, int channels, Sample format) {
         const Level size = level_size(int(p.width), int(p.height), int(l));
         const auto* e = reader.find(type, i, l);
         if (!e) throw Error(Exit::damaged, name + ": a level is missing");
-        write_image(file, size.width, size.height, channels, format, join_tiles(reader, *e, size));
+        image_files().write(file, size.width, size.height, channels, format, join_tiles(reader, *e, size));
     };
-    image(Type::tiles, 0, folder / "photos" / (stem + ".png"), 4, OIIO::TypeDesc::UINT8);
-    image(Type::masks, mask_level, folder / "masks" / (stem + ".png"), 4, OIIO::TypeDesc::UINT8);
-    image(Type::depth, mask_level, folder / "depth" / (stem + ".exr"), 1, OIIO::TypeDesc::FLOAT);
+    image(Type::tiles, 0, folder / "photos" / (stem + ".png"), 4, Sample::u8);
+    image(Type::masks, mask_level, folder / "masks" / (stem + ".png"), 4, Sample::u8);
+    image(Type::depth, mask_level, folder / "depth" / (stem + ".exr"), 1, Sample::f32);
 }
 
 }  // namespace

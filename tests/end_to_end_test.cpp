@@ -11,7 +11,7 @@
 
 #include "datasets.h"
 #include "gl/context.h"
-#include "pipeline/export/image.h"
+#include "pipeline/images/image_files.h"
 #include "pipeline/import/discover.h"
 #include "pipeline/import/photos.h"
 #include "pipeline/import/read_scene.h"
@@ -268,7 +268,7 @@ TEST_F(EndToEnd, BlackIsAColour) {
     const fs::path scene = make(tiny());
     const Picture before = prepared(scene).own_view(2, Blend::average);
     for (const auto& photo : fs::directory_iterator(scene / "images"))
-        write_image(photo.path(), 331, 250, 3, OIIO::TypeDesc::UINT8, std::vector<std::byte>(331 * 250 * 3));
+        image_files().write(photo.path(), 331, 250, 3, Sample::u8, std::vector<std::byte>(331 * 250 * 3));
     const Picture black = prepared(scene).own_view(2, Blend::average);
     for (std::size_t i = 0; i < black.rgba.size(); i += 4) {
         ASSERT_EQ(int(black.rgba[i]), 0);

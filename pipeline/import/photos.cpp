@@ -1,11 +1,10 @@
 #include "pipeline/import/photos.h"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
-#include <OpenImageIO/imageio.h>
 #include <turbojpeg.h>
 
+#include <algorithm>
 #include <memory>
+#include <string_view>
 
 #include "pipeline/file_identity.h"
 #include "scene/error.h"
@@ -38,39 +37,29 @@ RgbaPhoto from_cmyk(const RgbaPhoto& cmyk) {
     return out;
 }
 
+struct JpegHeader {
+    Decoder decoder;
+    int width = 0, height = 0, space = 0;
+};
+
+JpegHeader jpeg_header(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+    JpegHeader h{Decoder(tjInitDecompress(), tjDestroy)};
+    int subsampling = 0;
+    if (tjDecompressHeader3(h.decoder.get(), data(bytes), bytes.size(), &h.width, &h.height, &subsampling,
+                            &h.space))
+        refuse(file, std::string("not a readable JPEG: ") + tjGetErrorStr2(h.decoder.get()));
+    return h;
+}
+
 RgbaPhoto decode_jpeg(const std::filesystem::path& file, std::span<const std::byte> bytes) {
-    const Decoder decoder(tjInitDecompress(), tjDestroy);
-    int width = 0, height = 0, subsampling = 0, space = 0;
-    if (tjDecompressHeader3(decoder.get(), data(bytes), bytes.size(), &width, &height, &subsampling, &space))
-        refuse(file, std::string("not a readable JPEG: ") + tjGetErrorStr2(decoder.get()));
-    RgbaPhoto photo{width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4)};
-    const bool cmyk = space == TJCS_CMYK || space == TJCS_YCCK;
-    if (tjDecompress2(decoder.get(), data(bytes), bytes.size(), photo.rgba.data(), width, 0, height,
+    const JpegHeader h = jpeg_header(file, bytes);
+    RgbaPhoto photo{h.width, h.height,
+                    std::vector<std::uint8_t>(std::size_t(h.width) * std::size_t(h.height) * 4)};
+    const bool cmyk = h.space == TJCS_CMYK || h.space == TJCS_YCCK;
+    if (tjDecompress2(h.decoder.get(), data(bytes), bytes.size(), photo.rgba.data(), h.width, 0, h.height,
                       cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_ACCURATEDCT))
-        refuse(file, std::string("JPEG is damaged or cut short: ") + tjGetErrorStr2(decoder.get()));
+        refuse(file, std::string("JPEG is damaged or cut short: ") + tjGetErrorStr2(h.decoder.get()));
     return cmyk ? from_cmyk(photo) : photo;
-}
-
-RgbaPhoto decode_other(const std::filesystem::path& file) {
-    OIIO::ImageSpec config;
-    config.attribute("oiio:UnassociatedAlpha", 1);
-    OIIO::ImageBuf image(file.string(), 0, 0, nullptr, &config);
-    if (!image.read(0, 0, true, OIIO::TypeDesc::UINT8)) refuse(file, "cannot read: " + image.geterror());
-    const OIIO::ImageSpec& spec = image.spec();
-    const int n = spec.nchannels;
-    const int order[] = {0, n >= 3 ? 1 : 0, n >= 3 ? 2 : 0, n == 2 ? 1 : n >= 4 ? 3 : -1};
-    const float fill[] = {0, 0, 0, 1};
-    const OIIO::ImageBuf rgba = OIIO::ImageBufAlgo::channels(image, 4, order, fill);
-    RgbaPhoto photo{spec.width, spec.height,
-                    std::vector<std::uint8_t>(std::size_t(spec.width) * std::size_t(spec.height) * 4)};
-    if (!rgba.get_pixels(rgba.roi(), OIIO::TypeDesc::UINT8, photo.rgba.data()))
-        refuse(file, "cannot read: " + rgba.geterror());
-    return photo;
-}
-
-int orientation(const std::filesystem::path& file) {
-    const auto in = OIIO::ImageInput::open(file.string());
-    return in ? in->spec().get_int_attribute("Orientation", 1) : 1;
 }
 
 /// Turns by EXIF orientation 5 to 8, those that swap width and height.
@@ -90,14 +79,13 @@ RgbaPhoto turned(const RgbaPhoto& p, int orientation) {
 }  // namespace
 
 PhotoHeader read_photo_header(const std::filesystem::path& file) {
-    const auto in = OIIO::ImageInput::open(file.string());
-    if (!in) refuse(file, "not a readable photo: " + OIIO::geterror());
-    const OIIO::ImageSpec& spec = in->spec();
-    PhotoHeader header{{spec.width, spec.height}, {}};
-    if (!spec.find_attribute("ICCProfile")) return header;
-    header.profile = spec.get_string_attribute("ICCProfile:profile_description", "without a name");
-    if (header.profile.find("sRGB") != std::string::npos) header.profile.clear();
-    return header;
+    const std::vector<std::byte> bytes = read_file(file);
+    // Where profiles are: before the picture.
+    const std::string_view head(reinterpret_cast<const char*>(bytes.data()),
+                                std::min(bytes.size(), std::size_t(1) << 18));
+    if (!is_jpeg(bytes) || head.find("ICC_PROFILE") != head.npos) return image_files().header(file);
+    const JpegHeader jpeg = jpeg_header(file, bytes);
+    return {{jpeg.width, jpeg.height}, {}, 1};
 }
 
 RgbaPhoto read_photo(const std::filesystem::path& file, PhotoSize expected) {
@@ -106,9 +94,9 @@ RgbaPhoto read_photo(const std::filesystem::path& file, PhotoSize expected) {
 
 RgbaPhoto decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
                        PhotoSize expected) {
-    RgbaPhoto photo = is_jpeg(bytes) ? decode_jpeg(file, bytes) : decode_other(file);
+    RgbaPhoto photo = is_jpeg(bytes) ? decode_jpeg(file, bytes) : image_files().read(file);
     if (photo.width == expected.height && photo.height == expected.width && photo.width != photo.height)
-        if (const int o = orientation(file); o >= 5 && o <= 8) photo = turned(photo, o);
+        if (const int o = image_files().header(file).orientation; o >= 5 && o <= 8) photo = turned(photo, o);
     if (photo.width != expected.width || photo.height != expected.height)
         refuse(file, "is " + std::to_string(photo.width) + "x" + std::to_string(photo.height) +
                          ", its camera expects " + std::to_string(expected.width) + "x" +

@@ -28,9 +28,11 @@ fs::path find_photo(const fs::path& folder, const std::string& name) {
 
 /// Gives the camera the photo's size: fills it in, or scales a calibration made at another resolution.
 void fit_to_photo(PhotoInput& photo, bool size_known, SceneInput& scene) {
-    const auto [size, profile] = read_photo_header(photo.file);
-    if (!profile.empty())
-        scene.warnings.push_back(photo.name + ": has the colour profile '" + profile + "', taken as sRGB");
+    const PhotoHeader header = read_photo_header(photo.file);
+    const PhotoSize size = header.size;
+    if (!header.profile.empty())
+        scene.warnings.push_back(photo.name + ": has the colour profile '" + header.profile +
+                                 "', taken as sRGB");
     Intrinsics& k = photo.camera.intrinsics;
     if (!size_known) {
         k = {size.width, size.height, k.fx, k.fy, size.width / 2.0, size.height / 2.0};

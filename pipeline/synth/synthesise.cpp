@@ -16,8 +16,8 @@
 #include <thread>
 
 #include "pipeline/export/colmap.h"
-#include "pipeline/export/image.h"
 #include "pipeline/export/ply.h"
+#include "pipeline/images/image_files.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -229,12 +229,12 @@ void synthesise(const SynthSpec& spec, const std::filesystem::path& folder,
         const Camera& camera = photos[i].camera;
         const Intrinsics& k = camera.intrinsics;
         const auto rgb = render_photo(lit, camera, spec.photos.samples, gains[i]);
-        write_image(folder / "images" / photos[i].name, k.width, k.height, 3, OIIO::TypeDesc::UINT8,
-                    std::as_bytes(std::span(rgb)));
+        image_files().write(folder / "images" / photos[i].name, k.width, k.height, 3, Sample::u8,
+                            std::as_bytes(std::span(rgb)));
         const auto z = cast_depth(rays, camera);
         const std::string stem = photos[i].name.substr(0, photos[i].name.rfind('.'));
-        write_image(folder / "truth" / "depth" / (stem + ".exr"), k.width, k.height, 1, OIIO::TypeDesc::FLOAT,
-                    std::as_bytes(std::span(z)));
+        image_files().write(folder / "truth" / "depth" / (stem + ".exr"), k.width, k.height, 1, Sample::f32,
+                            std::as_bytes(std::span(z)));
         if (progress) progress(++done, photos.size());
     });
 }
