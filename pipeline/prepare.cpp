@@ -6,6 +6,7 @@
 #include <cstring>
 #include <exception>
 #include <future>
+#include <limits>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -288,15 +289,21 @@ void record_findings(const PhotoGeometry& g, const Intrinsics& k, const Pose& po
     const auto seen =
         std::count_if(g.coordinates.begin(), g.coordinates.end(), [](const auto& uv) { return uv.x() >= 0; });
     r.visible_vertices = g.coordinates.empty() ? 0 : double(seen) / double(g.coordinates.size());
-    std::vector<float> z;
-    z.reserve(g.z.size());
-    std::copy_if(g.z.begin(), g.z.end(), std::back_inserter(z), [](float v) { return std::isfinite(v); });
-    if (z.empty()) return;
-    const auto [low, high] = std::minmax_element(z.begin(), z.end());
-    r.z_min = *low;
-    r.z_max = *high;
-    std::nth_element(z.begin(), z.begin() + std::ptrdiff_t(z.size() / 2), z.end());
-    r.seen_distance = z[z.size() / 2];
+    float nearest = std::numeric_limits<float>::infinity(), farthest = 0;
+    for (const float z : g.z) {
+        nearest = std::min(nearest, z);
+        farthest = std::isinf(z) ? farthest : std::max(farthest, z);
+    }
+    if (std::isinf(nearest)) return;
+    r.z_min = double(nearest);
+    r.z_max = double(farthest);
+    std::vector<float> some;  // a median needs no more
+    for (std::size_t i = 0; i < g.z.size(); i += g.z.size() < 65536 ? 1 : 7)
+        if (std::isfinite(g.z[i])) some.push_back(g.z[i]);
+    if (some.empty()) some.push_back(nearest);
+    const auto middle = some.begin() + std::ptrdiff_t(some.size() / 2);
+    std::nth_element(some.begin(), middle, some.end());
+    r.seen_distance = double(*middle);
 }
 
 /// One photo through all stages. The OpenGL work runs while the photo is decoded and cut.
