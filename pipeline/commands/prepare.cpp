@@ -1,12 +1,12 @@
 #include "pipeline/prepare.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
 
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/progress_line.h"
 #include "pipeline/config_file.h"
 #include "pipeline/import/discover.h"
 #include "pipeline/import/read_scene.h"
@@ -47,30 +47,6 @@ InputFiles input_files(const Options& o) {
     return files;
 }
 
-/// A line that rewrites itself on a terminal, plain lines elsewhere.
-class ProgressLine {
-  public:
-    void operator()(const Progress& p) {
-        const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        std::string line = fmt::format("{:>8}  {}/{}", p.stage, p.done, p.total);
-        if (!p.photo.empty()) line += "  " + p.photo;
-        if (p.done > 0 && p.done < p.total)
-            line += fmt::format("  {:.1f} photos/s, {:.0f} s left", double(p.done) / s,
-                                s / double(p.done) * double(p.total - p.done));
-        if (terminal_)
-            std::fprintf(stderr, "\r\033[K%s", line.c_str());
-        else
-            std::fprintf(stderr, "%s\n", line.c_str());
-    }
-    ~ProgressLine() {
-        if (terminal_) std::fputc('\n', stderr);
-    }
-
-  private:
-    bool terminal_ = ::isatty(2) == 1;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 int run_prepare(Options o) {
     o.settings.distance = distance_method(o.distance);
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
@@ -84,7 +60,8 @@ int run_prepare(Options o) {
     std::fflush(stdout);
     {
         ProgressLine line;
-        prepare(scene, o.settings, o.out, [&](const Progress& p) { line(p); });
+        prepare(scene, o.settings, o.out,
+                [&](const Progress& p) { line.show(p.stage, p.photo, p.done, p.total); });
     }
     const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("package  {} ({:.1f} MB, {:.1f} s)\n", o.out, double(std::filesystem::file_size(o.out)) / 1e6,

@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/progress_line.h"
 #include "pipeline/synth/synthesise.h"
 
 namespace vantage {
@@ -18,11 +19,14 @@ void add_synth(CLI::App& app, Run& run) {
     c->add_option("-o,--output", o->out, "folder to write into")->required();
     c->callback([o, &run] {
         run = [o] {
-            std::mutex mutex;
-            synthesise(read_spec(o->spec), o->out, [&](std::size_t done, std::size_t total) {
-                const std::scoped_lock lock(mutex);
-                fmt::print(stderr, "  photos  {}/{}\n", done, total);
-            });
+            {
+                std::mutex mutex;
+                const ProgressLine line;
+                synthesise(read_spec(o->spec), o->out, [&](std::size_t done, std::size_t total) {
+                    const std::scoped_lock lock(mutex);
+                    line.show("photos", "", done, total);
+                });
+            }
             fmt::print("scene    {}\n", o->out);
             return 0;
         };

@@ -6,17 +6,15 @@
 #include <Eigen/LU>
 #include <atomic>
 #include <cmath>
-#include <exception>
 #include <fstream>
 #include <limits>
-#include <mutex>
 #include <numbers>
 #include <optional>
 #include <random>
-#include <thread>
 
 #include "pipeline/export/colmap.h"
 #include "pipeline/export/ply.h"
+#include "pipeline/for_each_photo.h"
 #include "pipeline/images/image_files.h"
 #include "scene/error.h"
 
@@ -160,27 +158,6 @@ void write_model(const SynthModel& model, const std::filesystem::path& file) {
     write_ply(file, Vector3d::Zero(), positions, model.mesh.normals, model.mesh.triangles);
 }
 
-/// Calls `work(i)` for every i below `count` on all cores; the first exception is thrown here.
-void for_each_photo(std::size_t count, const std::function<void(std::size_t)>& work) {
-    std::atomic<std::size_t> next{0};
-    std::exception_ptr failure;
-    std::mutex mutex;
-    {
-        std::vector<std::jthread> pool;
-        for (unsigned t = 0; t < std::max(1u, std::thread::hardware_concurrency()); ++t)
-            pool.emplace_back([&] {
-                for (std::size_t i; (i = next++) < count;) try {
-                        work(i);
-                    } catch (...) {
-                        const std::scoped_lock lock(mutex);
-                        if (!failure) failure = std::current_exception();
-                        next = count;
-                    }
-            });
-    }
-    if (failure) std::rethrow_exception(failure);
-}
-
 }  // namespace
 
 std::vector<PhotoInput> place_cameras(const SynthSpec& spec) {
@@ -225,7 +202,7 @@ void synthesise(const SynthSpec& spec, const std::filesystem::path& folder,
     write_model(model, folder / "mesh.ply");
     const Lit lit{model, rays};
     std::atomic<std::size_t> done{0};
-    for_each_photo(photos.size(), [&](std::size_t i) {
+    for_each_photo(photos.size(), 0, [&](std::size_t i) {
         const Camera& camera = photos[i].camera;
         const Intrinsics& k = camera.intrinsics;
         const auto rgb = render_photo(lit, camera, spec.photos.samples, gains[i]);

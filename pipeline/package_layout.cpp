@@ -1,0 +1,181 @@
+#include "pipeline/package_layout.h"
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "pipeline/file_identity.h"
+#include "pipeline/stages/clusters.h"
+#include "pipeline/stages/pyramid.h"
+#include "scene/checksum.h"
+#include "scene/error.h"
+
+namespace vantage {
+
+using package::Type;
+
+PackedModel pack_model(const Mesh& mesh, unsigned cluster_triangles) {
+    PackedModel m;
+    Eigen::Vector3d low = mesh.positions.front(), high = low;
+    for (const Eigen::Vector3d& p : mesh.positions) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    m.origin = low + (high - low) / 2;
+    m.positions.reserve(mesh.positions.size());
+    for (const Eigen::Vector3d& p : mesh.positions) m.positions.push_back((p - m.origin).cast<float>());
+    for (const auto& t : mesh.triangles) m.indices.insert(m.indices.end(), t.begin(), t.end());
+    m.clusters = make_clusters(m.positions, m.indices, cluster_triangles);
+    Eigen::Map<Eigen::Vector3d>(m.record.origin) = m.origin;
+    Eigen::Map<Eigen::Vector3d>(m.record.bounds_min) = low;
+    Eigen::Map<Eigen::Vector3d>(m.record.bounds_max) = high;
+    m.record.vertices = m.positions.size();
+    m.record.triangles = m.indices.size() / 3;
+    m.record.clusters = m.clusters.size();
+    return m;
+}
+
+namespace {
+
+package::PhotoRecord photo_record(const PhotoInput& photo, const Eigen::Vector3d& origin, int thumbnail,
+                                  bool held_out) {
+    package::PhotoRecord r{};
+    if (photo.name.size() >= sizeof r.name)
+        throw Error(Exit::input,
+                    photo.name + ": name is longer than " + std::to_string(sizeof r.name - 1) + " bytes");
+    std::memcpy(r.name, photo.name.data(), photo.name.size());
+    const Intrinsics& k = photo.camera.intrinsics;
+    r.width = std::uint32_t(k.width);
+    r.height = std::uint32_t(k.height);
+    r.flags = held_out ? std::uint32_t(package::photo_held_out) : 0;
+    r.levels = held_out ? 0 : std::uint32_t(level_count(k.width, k.height));
+    const Level small = thumbnail_size(k.width, k.height, thumbnail),
+                half = level_size(k.width, k.height, mask_level);
+    r.thumbnail_width = std::uint32_t(small.width);
+    r.thumbnail_height = std::uint32_t(small.height);
+    r.mask_width = std::uint32_t(half.width);
+    r.mask_height = std::uint32_t(half.height);
+    r.fx = k.fx, r.fy = k.fy, r.cx = k.cx, r.cy = k.cy;
+    const Pose pose = photo.camera.cam_from_world.relative_to(origin);
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R(r.R);
+    R = pose.R;
+    Eigen::Map<Eigen::Vector3d> t(r.t);
+    t = pose.t;
+    for (double& g : r.gain) g = 1;
+    return r;
+}
+
+}  // namespace
+
+std::vector<package::PhotoRecord> photo_records(const SceneInput& scene, const PrepareSettings& settings,
+                                                const Eigen::Vector3d& origin) {
+    std::set<std::string> held(settings.hold_out.begin(), settings.hold_out.end());
+    std::vector<package::PhotoRecord> records;
+    for (const PhotoInput& photo : scene.photos) {
+        const std::string stem = photo.name.substr(0, photo.name.rfind('.'));
+        const bool out = held.erase(photo.name) + held.erase(stem) > 0;
+        records.push_back(photo_record(photo, origin, settings.thumbnail, out));
+    }
+    if (!held.empty())
+        throw Error(Exit::usage, "--hold-out " + *held.begin() + ": the scene has no such photo");
+    return records;
+}
+
+std::string provenance(const SceneInput& scene, const PrepareSettings& s,
+                       const std::vector<EffectDecision>& effects) {
+    nlohmann::json meta;
+    meta["tool"] = "vantage " VANTAGE_VERSION;
+    meta["config"] = {{"distance", name(s.distance)},
+                      {"border_width", s.border_width},
+                      {"border_threshold", s.border_threshold},
+                      {"thumbnail", s.thumbnail},
+                      {"cluster_triangles", s.cluster_triangles},
+                      {"photo_size", s.photo_size},
+                      {"hold_out", s.hold_out}};
+    const auto input = [](const std::filesystem::path& file) {
+        const FileIdentity id = identify(file);
+        return nlohmann::json{{"name", file.filename().string()}, {"bytes", id.bytes}, {"xxh3", id.checksum}};
+    };
+    meta["inputs"]["mesh"] = input(scene.files.mesh);
+    meta["inputs"]["camera_format"] = scene.camera_format;
+    for (const auto& file : camera_files(scene.files.cameras))
+        meta["inputs"]["cameras"].push_back(input(file));
+    for (const EffectDecision& d : effects) {
+        const EffectRow& row = effect_row(d.effect);
+        meta["effects"].push_back({{"name", row.name},
+                                   {"on", d.on},
+                                   {"forced", d.forced},
+                                   {"measures", row.measures},
+                                   {"measured", d.measured},
+                                   {"threshold", row.threshold},
+                                   {"unit", row.unit},
+                                   {"evidence", d.evidence}});
+    }
+    meta["scalars"] = nlohmann::json::array();
+    for (const ScalarLayer& layer : scene.mesh.scalars) meta["scalars"].push_back(layer.name);
+    meta["warnings"] = scene.warnings;
+    return meta.dump(1);
+}
+
+std::vector<ChunkPlan> plan_chunks(const PackedModel& m, const Mesh& mesh, std::size_t meta_bytes,
+                                   const std::vector<package::PhotoRecord>& photos) {
+    const std::uint64_t v = m.record.vertices;
+    const auto whole = [](Type type, std::uint64_t bytes) {
+        return ChunkPlan{type, package::scene_wide, 0, bytes};
+    };
+    std::vector<ChunkPlan> plan{whole(Type::meta, meta_bytes),
+                                whole(Type::scene, sizeof(package::SceneRecord)),
+                                whole(Type::photos, photos.size() * sizeof(package::PhotoRecord)),
+                                whole(Type::positions, v * 12),
+                                whole(Type::normals, v * 12),
+                                whole(Type::indices, m.record.triangles * 12),
+                                whole(Type::clusters, m.clusters.size() * sizeof(package::ClusterRecord))};
+    if (!mesh.colors.empty()) plan.push_back(whole(Type::colors, v * 4));
+    if (!mesh.scalars.empty()) plan.push_back(whole(Type::scalars, v * 4 * mesh.scalars.size()));
+    std::uint32_t top = 0;
+    const auto each = [&](const auto& add) {
+        for (std::uint32_t i = 0; i < photos.size(); ++i)
+            if (photos[i].levels) add(i, photos[i]);
+    };
+    each([&](std::uint32_t i, const package::PhotoRecord& p) {
+        plan.push_back({Type::thumbnail, i, 0, std::uint64_t(p.thumbnail_width) * p.thumbnail_height * 4});
+        top = std::max(top, p.levels);
+    });
+    each([&](std::uint32_t i, const auto&) {
+        plan.push_back({Type::coverage, i, 0, m.clusters.size() * sizeof(package::CoverageRecord)});
+    });
+    each([&](std::uint32_t i, const auto&) { plan.push_back({Type::coordinates, i, 0, v * 8}); });
+    const auto tiles = [&](Type type, std::uint32_t i, const package::PhotoRecord& p, std::uint32_t level) {
+        const auto n = std::uint64_t(level_size(int(p.width), int(p.height), int(level)).tiles());
+        plan.push_back({type, i, level, 0, n, tile_bytes});
+    };
+    for (std::uint32_t level = top; level-- > 0;) {
+        each([&](std::uint32_t i, const auto& p) {
+            if (level < p.levels) tiles(Type::tiles, i, p, level);
+        });
+        if (level == std::uint32_t(mask_level) || (level == 0 && top <= std::uint32_t(mask_level))) {
+            each([&](std::uint32_t i, const auto& p) { tiles(Type::masks, i, p, mask_level); });
+            each([&](std::uint32_t i, const auto& p) { tiles(Type::depth, i, p, mask_level); });
+        }
+    }
+    return plan;
+}
+
+void write_model(PackageWriter& writer, const PackedModel& m, const Mesh& mesh) {
+    const auto put = [&](Type type, std::span<const std::byte> bytes) {
+        writer.write(type, package::scene_wide, bytes);
+    };
+    put(Type::scene, std::as_bytes(std::span(&m.record, 1)));
+    put(Type::positions, bytes_of(m.positions));
+    put(Type::normals, bytes_of(mesh.normals));
+    put(Type::indices, bytes_of(m.indices));
+    put(Type::clusters, bytes_of(m.clusters));
+    if (!mesh.colors.empty()) put(Type::colors, bytes_of(mesh.colors));
+    if (mesh.scalars.empty()) return;
+    std::vector<float> all;
+    for (const ScalarLayer& layer : mesh.scalars)
+        all.insert(all.end(), layer.values.begin(), layer.values.end());
+    put(Type::scalars, bytes_of(all));
+}
+
+}  // namespace vantage

@@ -1,0 +1,38 @@
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "pipeline/prepare.h"
+#include "scene/package_format.h"
+#include "scene/package_writer.h"
+
+namespace vantage {
+
+/// The scene as the package holds it: centred, single precision, ordered by cluster.
+struct PackedModel {
+    package::SceneRecord record{};
+    Eigen::Vector3d origin;
+    std::vector<Eigen::Vector3f> positions;
+    std::vector<std::uint32_t> indices;
+    std::vector<package::ClusterRecord> clusters;
+};
+PackedModel pack_model(const Mesh& mesh, unsigned cluster_triangles);
+
+/// A record a photo, in the scene's order; what the photos' stages find out is left empty. Throws
+/// Error(usage) for a photo to hold out that the scene has not.
+std::vector<package::PhotoRecord> photo_records(const SceneInput& scene, const PrepareSettings& settings,
+                                                const Eigen::Vector3d& origin);
+
+/// META: where the package comes from, as JSON.
+std::string provenance(const SceneInput& scene, const PrepareSettings& settings,
+                       const std::vector<EffectDecision>& effects);
+
+/// Every chunk in file order: coarse before fine.
+std::vector<ChunkPlan> plan_chunks(const PackedModel& model, const Mesh& mesh, std::size_t meta_bytes,
+                                   const std::vector<package::PhotoRecord>& photos);
+
+/// The chunks that belong to the scene and not to a photo, but for META and PHOT.
+void write_model(PackageWriter& writer, const PackedModel& model, const Mesh& mesh);
+
+}  // namespace vantage
