@@ -1,6 +1,5 @@
 // Presets and configuration files give settings; the command line overrules them.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -8,6 +7,7 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/config_file.h"
 #include "scene/error.h"
+#include "temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
@@ -24,10 +24,9 @@ struct Command {
     }
 };
 
-class Config : public ::testing::Test {
+class Config : public TemporaryFolder {
   protected:
-    fs::path file = fs::temp_directory_path() / ("vantage-config-" + std::to_string(::getpid()) + ".toml");
-    void TearDown() override { fs::remove(file); }
+    const fs::path file = dir / "a.toml";
     std::string holding(const char* text) {
         std::ofstream(file) << text;
         return file.string();

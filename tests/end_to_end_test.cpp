@@ -1,6 +1,5 @@
 // From photos to pictures, against ray casting by Embree and against the photos themselves.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -22,6 +21,7 @@
 #include "player/picture.h"
 #include "player/shots.h"
 #include "scene/package_reader.h"
+#include "temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
@@ -57,11 +57,8 @@ struct Prepared {
     }
 };
 
-class EndToEnd : public ::testing::Test {
+class EndToEnd : public TemporaryFolder {
   protected:
-    fs::path dir = fs::temp_directory_path() / ("vantage-end-" + std::to_string(::getpid()));
-    void SetUp() override { fs::create_directories(dir); }
-    void TearDown() override { fs::remove_all(dir); }
     static SynthSpec tiny() { return read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"); }
     fs::path make(const SynthSpec& spec) {
         synthesise(spec, dir / "scene", {});

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -14,17 +13,15 @@
 #include "pipeline/import/mesh.h"
 #include "pipeline/import/read_scene.h"
 #include "scene/error.h"
+#include "temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
 
 namespace {
 
-class Import : public ::testing::Test {
+class Import : public TemporaryFolder {
   protected:
-    fs::path dir = fs::temp_directory_path() / ("vantage-import-" + std::to_string(::getpid()));
-    void SetUp() override { fs::create_directories(dir); }
-    void TearDown() override { fs::remove_all(dir); }
     void put(const char* name, const std::string& text) {
         std::ofstream(dir / name, std::ios::binary) << text;
     }

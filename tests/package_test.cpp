@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -8,6 +7,7 @@
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "scene/package_writer.h"
+#include "temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
@@ -15,15 +15,11 @@ using package::Type;
 
 namespace {
 
-class Package : public ::testing::Test {
+class Package : public TemporaryFolder {
   protected:
-    fs::path dir = fs::temp_directory_path() / ("vantage-package-" + std::to_string(::getpid()));
     fs::path file = dir / "a.vantage";
     const std::string text = "{\"tool\":\"test\"}";
     std::vector<std::byte> blocks{std::size_t(3 * 4096), std::byte{7}};
-
-    void SetUp() override { fs::create_directories(dir); }
-    void TearDown() override { fs::remove_all(dir); }
 
     void write(const fs::path& to) {
         const std::vector<ChunkPlan> plan{{Type::meta, package::scene_wide, 0, text.size()},
@@ -35,10 +31,6 @@ class Package : public ::testing::Test {
         writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(text)));
         EXPECT_FALSE(fs::exists(to)) << "the final name must not exist before finish()";
         writer.finish();
-    }
-    static std::string slurp(const fs::path& f) {
-        std::ifstream in(f, std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
     }
     void dump(const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
 };

@@ -4,24 +4,20 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "pipeline/file_identity.h"
 #include "scene/error.h"
+#include "temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
 
 namespace {
 
-class Photos : public ::testing::Test {
+class Photos : public TemporaryFolder {
   protected:
-    fs::path dir = fs::temp_directory_path() / ("vantage-photos-" + std::to_string(::getpid()));
-    void SetUp() override { fs::create_directories(dir); }
-    void TearDown() override { fs::remove_all(dir); }
-
     /// `width` x `height` pixels of `channels` values each, the same everywhere but in the first pixel, which
     /// is zero.
     template <class T>

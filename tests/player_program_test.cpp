@@ -2,7 +2,6 @@
 // damaged.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -15,32 +14,26 @@
 #include "pipeline/synth/synthesise.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
 
 namespace {
 
-std::string slurp(const fs::path& f) {
-    std::ifstream in(f, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 struct Outcome {
     int code;
     std::string says, picture;
 };
 
-class PlayerProgram : public ::testing::Test {
+class PlayerProgram : public TemporaryFolder {
   protected:
-    fs::path dir = fs::temp_directory_path() / ("vantage-program-" + std::to_string(::getpid()));
     fs::path file = dir / "scene.vantage";
     void SetUp() override {
-        fs::create_directories(dir);
+        TemporaryFolder::SetUp();
         synthesise(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
         prepare(read_scene(discover(dir / "scene")), {}, file, [](const Progress&) {});
     }
-    void TearDown() override { fs::remove_all(dir); }
 
     Outcome play(const std::string& options) const {
         const fs::path picture = dir / "picture.png", says = dir / "says";

@@ -1,7 +1,6 @@
 #include "pipeline/prepare.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
@@ -10,21 +9,15 @@
 #include "pipeline/import/discover.h"
 #include "pipeline/import/read_scene.h"
 #include "scene/package_reader.h"
+#include "temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
 
 namespace {
 
-class Prepare : public ::testing::Test {
+class Prepare : public TemporaryFolder {
   protected:
-    fs::path dir = fs::temp_directory_path() / ("vantage-prepare-" + std::to_string(::getpid()));
-    void SetUp() override { fs::create_directories(dir); }
-    void TearDown() override { fs::remove_all(dir); }
-    static std::string slurp(const fs::path& f) {
-        std::ifstream in(f, std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
 };
 
 void quiet(const Progress&) {}

@@ -1,0 +1,27 @@
+#pragma once
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace vantage {
+
+/// A test with a folder of its own, gone afterwards.
+class TemporaryFolder : public ::testing::Test {
+  protected:
+    const std::filesystem::path dir =
+        std::filesystem::temp_directory_path() / ("vantage-test-" + std::to_string(::getpid()));
+
+    void SetUp() override { std::filesystem::create_directories(dir); }
+    void TearDown() override { std::filesystem::remove_all(dir); }
+
+    static std::string slurp(const std::filesystem::path& file) {
+        std::ifstream in(file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+};
+
+}  // namespace vantage
