@@ -42,11 +42,11 @@ bool crosses(Triangle t, vec3 ray) {
     return share > 0.0 && share < 1.0 - 0.3 / max(focal_center.x, focal_center.y);
 }
 
-// The triangle's plane meets the ray within two pixels' footprints of the vertex: one surface with it.
+// The triangle's plane meets the ray within a third of a pixel's footprint of the vertex: one surface with it.
 bool continues(Triangle t, vec3 ray) {
     vec3 n = cross(t.b - t.a, t.c - t.a);
     float along = dot(n, ray), off = dot(n, t.a) - along;
-    return abs(off) * max(focal_center.x, focal_center.y) < 2.0 * abs(along);
+    return abs(off) * max(focal_center.x, focal_center.y) < 0.3 * abs(along);
 }
 
 // Wholly before the vertex, by more than a texel's footprint along the vertex's slope.
