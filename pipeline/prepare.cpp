@@ -1,6 +1,5 @@
 #include "pipeline/prepare.h"
 
-#include <exception>
 #include <mutex>
 
 #include "pipeline/for_each_photo.h"
@@ -35,6 +34,28 @@ void reduce_photos(SceneInput& scene, int longest) {
     }
 }
 
+/// The model's buffers, made on the OpenGL thread while others work, and released there.
+class UploadedModel {
+  public:
+    UploadedModel(GlThread& gl, const PackedModel& model, const std::vector<Eigen::Vector3f>& normals)
+        : gl_(gl), done_(gl.submit([&] { buffers_ = upload_model(model.positions, normals); })) {}
+    ~UploadedModel() {
+        gl_.submit([this] { buffers_ = {}; }).wait();
+    }
+    UploadedModel(const UploadedModel&) = delete;
+    UploadedModel& operator=(const UploadedModel&) = delete;
+
+    const ModelBuffers& get() {
+        done_.get();
+        return buffers_;
+    }
+
+  private:
+    GlThread& gl_;
+    ModelBuffers buffers_;
+    std::future<void> done_;
+};
+
 }  // namespace
 
 void prepare(SceneInput scene, const PrepareSettings& settings, const std::filesystem::path& out,
@@ -45,8 +66,11 @@ void prepare(SceneInput scene, const PrepareSettings& settings, const std::files
                     scene.files.mesh.string() + ": has points only, expected a mesh with triangles");
     GlThread gl;
     progress({"inspect", "", 0, scene.photos.size()});
-    const std::vector<EffectDecision> effects = inspect(scene, settings.effects);
     PackedModel model = pack_model(scene.mesh, settings.cluster_triangles);
+    gl.device();
+    UploadedModel uploaded(gl, model, scene.mesh.normals);
+    auto rays = std::async(std::launch::async, [&] { return RayScene(model.positions, model.indices); });
+    const std::vector<EffectDecision> effects = inspect(scene, settings.effects);
     std::vector<package::PhotoRecord> records = photo_records(scene, settings, model.origin);
     model.record.photos = records.size();
     model.record.reference_density = finest_density(scene);
@@ -58,20 +82,8 @@ void prepare(SceneInput scene, const PrepareSettings& settings, const std::files
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(meta)));
     write_model(writer, model, scene.mesh);
 
-    gl.device();
-    ModelBuffers buffers;
-    auto uploaded = gl.submit([&] { buffers = upload_model(model.positions, scene.mesh.normals); });
-    auto rays = std::async(std::launch::async, [&] { return RayScene(model.positions, model.indices); });
-    const PhotoStages stages{scene, settings, model, buffers, gl, writer, rays.share()};
-    std::exception_ptr failure;
-    try {
-        run_photos(stages, records, settings.threads, progress);
-        uploaded.get();
-    } catch (...) {
-        failure = std::current_exception();
-    }
-    gl.submit([&] { buffers = {}; }).get();  // released on the thread that made them
-    if (failure) std::rethrow_exception(failure);
+    run_photos({scene, settings, model, uploaded.get(), gl, writer, rays.share()}, records, settings.threads,
+               progress);
     writer.write(Type::photos, package::scene_wide, bytes_of(records));
     progress({"pack", "", records.size(), records.size()});
     writer.finish();

@@ -187,6 +187,16 @@ TEST_F(Import, OneSceneInEveryFormatGivesTheSameCamera) {
     EXPECT_EQ(read_cameras(dir / "m.mlp").entries[0].camera.intrinsics.cy, 240);
 }
 
+TEST_F(Import, RealvizCamerasAreRefusedSayingWhatIsMissing) {
+    put("a.rz3", "CREATOR REALVIZ\n");
+    try {
+        read_cameras(dir / "a.rz3");
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find("order of rotations"), std::string::npos);
+    }
+}
+
 TEST_F(Import, AnIncompleteMeshLabProjectIsRefused) {
     for (const char* text :
          {"", "<MeshLabProject>", "<MeshLabProject/>",

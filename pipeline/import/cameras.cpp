@@ -14,6 +14,12 @@ CameraSet read_cameras(const std::filesystem::path& path) {
     if (colmap && fs::exists(folder / "cameras.txt")) return read_colmap_text(folder);
     if (extension == ".out") return read_bundler(path);
     if (extension == ".mlp") return read_meshlab(path);
+    if (extension == ".rz3")
+        throw Error(Exit::input,
+                    path.string() +
+                        ": REALVIZ cameras are not read, because no public text says how the "
+                        "file gives axes, order of rotations and unit of the focal length; expected "
+                        "COLMAP, Bundler or MeshLab cameras");
     throw Error(Exit::input, path.string() +
                                  ": expected cameras as a COLMAP folder (cameras and images, .bin or .txt) "
                                  "a Bundler .out or a MeshLab .mlp file");
