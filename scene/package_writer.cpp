@@ -160,9 +160,8 @@ void PackageWriter::finish() {
     h.header_checksum =
         checksum(std::as_bytes(std::span(&h, 1)).first(offsetof(package::Header, header_checksum)));
     s.put(sizeof h, bytes_of(s.directory));
-    // The header makes the file a package, so it goes in only when all else is on the disk.
-    if (::fsync(s.fd) != 0) s.fail("flush");
     s.put(0, std::as_bytes(std::span(&h, 1)));
+    // It gets its name only when all of it is on the disk.
     if (::fsync(s.fd) != 0) s.fail("flush");
     ::close(s.fd);
     s.fd = -1;
