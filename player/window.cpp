@@ -121,7 +121,7 @@ void blending_panel(Session& s) {
     s.settings.coordinates = Coordinates(coordinates);
     auto exponent = float(w.exponent);
     if (ImGui::SliderFloat("exponent", &exponent, 0, 32)) w.exponent = double(exponent);
-    ImGui::SliderInt("photos a pass", &s.settings.photos_per_pass, 1, most_photos_per_pass);
+    ImGui::SliderInt("per pass", &s.settings.photos_per_pass, 1, most_photos_per_pass);
     ImGui::Checkbox("distance", &w.distance);
     ImGui::SameLine();
     ImGui::Checkbox("angle", &w.angle);
