@@ -51,9 +51,7 @@ void write_tiles(PackageWriter& writer, Type type, std::uint32_t photo, std::uin
 /// Thumbnail and tile pyramid. Returns the photo's validity at `mask_level`, empty where it is opaque.
 std::vector<std::uint8_t> write_pixels(const PhotoStages& s, std::uint32_t i, RgbaImage level,
                                        package::PhotoRecord& r) {
-    std::uint8_t all_alpha = 255;
-    for (std::size_t p = 3; p < level.rgba.size(); p += 4) all_alpha &= level.rgba[p];
-    const bool opaque = all_alpha == 255;
+    const bool opaque = is_opaque(level);
     if (!opaque) r.flags |= package::photo_has_alpha;
     std::vector<std::uint8_t> valid;
     bool thumbnail_due = true;

@@ -106,11 +106,34 @@ std::vector<package::CoverageRecord> measure_coverage(const std::vector<package:
     return out;
 }
 
+namespace {
+
+/// Leaves out the points inside the quadrilateral of the extreme ones, which no hull touches (Akl and
+/// Toussaint 1978).
+void drop_inner(std::vector<cv::Point2f>& points) {
+    cv::Point2f extreme[4] = {points[0], points[0], points[0],
+                              points[0]};  // least x, least y, most x, most y
+    for (const cv::Point2f& p : points) {
+        if (p.x < extreme[0].x) extreme[0] = p;
+        if (p.y < extreme[1].y) extreme[1] = p;
+        if (p.x > extreme[2].x) extreme[2] = p;
+        if (p.y > extreme[3].y) extreme[3] = p;
+    }
+    std::erase_if(points, [&](const cv::Point2f& p) {
+        for (int i = 0; i < 4; ++i)
+            if (!((extreme[(i + 1) % 4] - extreme[i]).cross(p - extreme[i]) > 0)) return false;
+        return true;
+    });
+}
+
+}  // namespace
+
 SeenHull seen_hull(const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& k, const Pose& pose) {
     std::vector<cv::Point2f> points, hull;
     for (const Eigen::Vector2f& uv : coordinates)
         if (uv.x() >= 0) points.emplace_back(uv.x(), uv.y());
     if (points.empty()) return {pose.direction(), 0};
+    drop_inner(points);
     cv::convexHull(points, hull);
     const double area = hull.size() >= 3 ? cv::contourArea(hull) : 0;
     Eigen::Vector2d center = Eigen::Vector2d::Zero();

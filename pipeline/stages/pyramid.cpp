@@ -54,6 +54,18 @@ void average(const std::uint8_t* const (&q)[4], std::uint8_t* out) {
 
 }  // namespace
 
+bool is_opaque(const RgbaImage& image) {
+    std::uint32_t all = ~0u;
+    for (std::size_t i = 0; i + 4 <= image.rgba.size(); i += 4) {
+        std::uint32_t texel;
+        std::memcpy(&texel, image.rgba.data() + i, 4);
+        all &= texel;
+    }
+    std::uint8_t bytes[4];
+    std::memcpy(bytes, &all, 4);
+    return bytes[3] == 255;
+}
+
 RgbaImage halve(const RgbaImage& image) {
     const Level half = level_size(image.width, image.height, 1);
     RgbaImage out{half.width, half.height, {}};

@@ -14,6 +14,9 @@ struct RgbaImage {
     std::vector<std::uint8_t> rgba;
 };
 
+/// Alpha is 255 everywhere.
+bool is_opaque(const RgbaImage& image);
+
 /// The next coarser level: 2x2 box in linear light, weighted by alpha; odd edges repeat their last texel, so
 /// a pixel coordinate halves exactly.
 RgbaImage halve(const RgbaImage& image);
