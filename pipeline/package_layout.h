@@ -17,7 +17,9 @@ struct PackedModel {
     std::vector<std::uint32_t> indices;
     std::vector<package::ClusterRecord> clusters;
 };
-PackedModel pack_model(const Mesh& mesh, unsigned cluster_triangles);
+/// Orders triangles and vertices of `mesh`, too: triangles by cluster, vertices as the triangles first use
+/// them (so that neighbours lie together in memory), unused ones last.
+PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles);
 
 /// A record a photo, in the scene's order; what the photos' stages find out is left empty. Throws
 /// Error(usage) for a photo to hold out that the scene has not.

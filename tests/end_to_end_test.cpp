@@ -219,13 +219,15 @@ void expect_visibility_is_that_of_rays(Prepared& p) {
     const Mesh mesh = about_origin(p.scene.mesh, origin);
     const RayScene rays(mesh);
     const std::vector<Camera> cameras = cameras_about(p.scene, origin);
+    const auto vertices = p.package->records<Eigen::Vector3f>(package::Type::positions);
     std::size_t pairs = 0, differ = 0, away_from_borders = 0;
     for (const std::uint32_t i : p.photos) {
         const auto uv = p.package->records<Eigen::Vector2f>(package::Type::coordinates, i);
         std::vector<Eigen::Vector3d> wrong;
         for (std::size_t v = 0; v < uv.size(); ++v, ++pairs)
-            if ((uv[v].x() >= 0) != sees(rays, cameras[i], mesh.positions[v]))
-                wrong.push_back(mesh.positions[v]);
+            if (const Eigen::Vector3d at = vertices[v].cast<double>();
+                (uv[v].x() >= 0) != sees(rays, cameras[i], at))
+                wrong.push_back(at);
         if (wrong.empty()) continue;
         const DepthBorders borders(mesh, cameras[i]);
         differ += wrong.size();

@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
 #include <fstream>
 
 #include "datasets.h"
 #include "pipeline/check.h"
 #include "pipeline/import/discover.h"
 #include "pipeline/import/read_scene.h"
+#include "pipeline/synth/synthesise.h"
 #include "scene/package_reader.h"
 #include "temporary_folder.h"
 
@@ -41,6 +45,45 @@ TEST_F(Prepare, EveryDatasetIsSoundAndCurrent) {
         for (const Issue& i : check_package(dir / "a.vantage", true, input))
             ADD_FAILURE() << name << ": " << i.text;
     }
+}
+
+TEST_F(Prepare, VerticesKeepWhatIsTheirsInWhateverOrder) {
+    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    spec.photos.count = 1;
+    synthesise(spec, dir / "scene", {});
+    SceneInput scene = read_scene(discover(dir / "scene"));
+    const auto code = [](const Eigen::Vector3f& p) {
+        return std::uint8_t(std::abs(p.x() * 31 + p.y() * 17 + p.z() * 7));
+    };
+    ScalarLayer height{"height", {}};
+    for (const Eigen::Vector3d& p : scene.mesh.positions) {
+        scene.mesh.colors.push_back({code(p.cast<float>()), 1, 2, 3});
+        height.values.push_back(float(p.z()));
+    }
+    scene.mesh.scalars.push_back(height);
+    prepare(scene, {}, dir / "a.vantage", quiet);
+    const PackageReader reader(dir / "a.vantage");
+    const auto positions = reader.records<Eigen::Vector3f>(package::Type::positions);
+    const auto colors = reader.records<std::array<std::uint8_t, 4>>(package::Type::colors);
+    const auto heights = reader.records<float>(package::Type::scalars);
+    const Eigen::Map<const Eigen::Vector3d> origin(reader.scene().origin);
+    ASSERT_EQ(positions.size(), scene.mesh.positions.size());
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        const Eigen::Vector3d p = positions[v].cast<double>() + origin;
+        ASSERT_NEAR(heights[v], p.z(), 1e-5);
+        ASSERT_NEAR(int(colors[v][0]), int(code(p.cast<float>())), 1);
+    }
+    double area = 0, before = 0;
+    const auto indices = reader.records<std::uint32_t>(package::Type::indices);
+    for (std::size_t t = 0; t < indices.size(); t += 3) {
+        const auto at = [&](std::size_t i) { return positions[indices[t + i]].cast<double>().eval(); };
+        area += (at(1) - at(0)).cross(at(2) - at(0)).norm();
+    }
+    for (const auto& t : scene.mesh.triangles) {
+        const Eigen::Vector3d a = scene.mesh.positions[t[0]];
+        before += (scene.mesh.positions[t[1]] - a).cross(scene.mesh.positions[t[2]] - a).norm();
+    }
+    EXPECT_NEAR(area, before, 1e-4 * before);
 }
 
 TEST_F(Prepare, AMeshOfPointsIsRecognised) {
