@@ -6,9 +6,11 @@ namespace {
 void add_blending(CLI::App& app, RenderSettings& r) {
     const std::string group = "Blending";
     app.add_option("--blend", r.blend,
-                   "average: weighted average of all photos; best: each point from one photo")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, Blend>{{"average", Blend::average}, {"best", Blend::best}}))
+                   "average: weighted average of all photos; lumigraph: by the rays' angles alone, fading at "
+                   "borders; best: "
+                   "each point from one photo")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Blend>{
+            {"average", Blend::average}, {"lumigraph", Blend::lumigraph}, {"best", Blend::best}}))
         ->default_str("average")
         ->group(group);
     app.add_option("--coordinates", r.coordinates,

@@ -6,7 +6,8 @@
 
 namespace vantage {
 
-enum class Blend { average, best };                      ///< weighted average [M] or best photo [P]
+/// Weighted average [M], unstructured lumigraph (after Buehler et al. 2001) or best photo [P].
+enum class Blend { average, lumigraph, best };
 enum class Coordinates { automatic, vertex, fragment };  ///< automatic: as the package's effects say
 
 inline constexpr int most_photos_per_pass = 16;

@@ -188,12 +188,13 @@ std::size_t Renderer::load_tiles(Pass pass, std::size_t budget, FrameReport& rep
 }
 
 const gl::Program& Renderer::blend_program(const RenderSettings& settings) {
-    const bool fragment = per_fragment(settings), best = settings.blend == Blend::best;
-    gl::Program& program = blend_programs_[{settings.photos_per_pass, fragment, best}];
+    const bool fragment = per_fragment(settings);
+    gl::Program& program = blend_programs_[{settings.photos_per_pass, fragment, settings.blend}];
     if (program) return program;
     std::vector<std::string> defines{"PASS_PHOTOS " + std::to_string(settings.photos_per_pass)};
     if (fragment) defines.emplace_back(effect_row(Effect::per_fragment).shader_symbol);
-    if (best) defines.emplace_back("BLEND_BEST");
+    if (settings.blend == Blend::best) defines.emplace_back("BLEND_BEST");
+    if (settings.blend == Blend::lumigraph) defines.emplace_back("BLEND_LUMIGRAPH");
     program = gl::make_program(
         "blend", {{GL_VERTEX_SHADER, "blend.vert"}, {GL_FRAGMENT_SHADER, "blend.frag"}}, defines);
     return program;
@@ -206,7 +207,7 @@ void Renderer::draw_pass(Pass pass, const View& view, const RenderSettings& sett
     bind_target(targets_.sums_target[into], targets_.width, targets_.height);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_EQUAL);
-    if (settings.blend == Blend::average) {
+    if (settings.blend != Blend::best) {
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE);
     } else {
@@ -232,6 +233,7 @@ void Renderer::draw_pass(Pass pass, const View& view, const RenderSettings& sett
         uniform(36, overall_direction(view, package_->scene()));
     else
         glUniform1ui(37, switches(settings.weights));
+    if (settings.blend == Blend::lumigraph) glUniform1f(38, float(package_->scene().border_width));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, photo_buffer_.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, colors_.page_table().id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, masks_.page_table().id());

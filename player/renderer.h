@@ -61,7 +61,7 @@ class Renderer {
     FrameTargets targets_;
     gl::Program surface_program_, resolve_program_;
     gl::VertexArray no_vertices_;
-    std::map<std::tuple<int, bool, bool>, gl::Program> blend_programs_;
+    std::map<std::tuple<int, bool, Blend>, gl::Program> blend_programs_;
 };
 
 }  // namespace vantage

@@ -113,6 +113,8 @@ void blending_panel(Session& s) {
     int blend = int(s.settings.blend);
     ImGui::RadioButton("average", &blend, int(Blend::average));
     ImGui::SameLine();
+    ImGui::RadioButton("lumigraph", &blend, int(Blend::lumigraph));
+    ImGui::SameLine();
     ImGui::RadioButton("best photo", &blend, int(Blend::best));
     s.settings.blend = Blend(blend);
     const char* const modes[] = {"as the scene asks", "per vertex", "per fragment"};

@@ -1,4 +1,5 @@
-// One blending pass: weighted average (de Melo 2017, eq. 3.1) or best photo (Princ 2014, eq. 2.8).
+// One blending pass: weighted average (de Melo 2017, eq. 3.1), unstructured lumigraph (after Buehler et al. 2001) or
+// best photo (Princ 2014, eq. 2.8).
 #include "photos.glsl"
 
 in vec3 surface_position;
@@ -13,6 +14,9 @@ layout(location = 34) uniform uint pass_count;
 layout(location = 35) uniform vec3 eye;             // relative to the origin
 layout(location = 36) uniform vec3 view_direction;  // [P]: to the model from outside, the camera's own from inside
 layout(location = 37) uniform uint switches;        // bit 0 angle mask, 1 depth mask, 2 border mask, 3 angle weight
+#ifdef BLEND_LUMIGRAPH
+layout(location = 38) uniform float border_width;  // pixels of a photo 3072 wide at which the border mask is 1
+#endif
 #ifdef BLEND_BEST
 layout(binding = 3) uniform sampler2D best_so_far;
 #endif
@@ -46,6 +50,9 @@ float static_weight(vec4 masks) {
     return w;
 }
 
+// Bounded below far above float's underflow: a lone photo still gives a colour.
+float angle_weight(float theta) { return (switches & 8u) != 0u ? max(exp(-theta / sharpness), 1e-12) : 1.0; }
+
 float weight_of(uint photo, vec2 pixel) {
     float theta = ray_angle(photo);
 #ifdef BLEND_BEST
@@ -55,10 +62,14 @@ float weight_of(uint photo, vec2 pixel) {
     float frontal = max(1.0 - (1.0 + dot(normalize(surface_normal), photos[photo].direction.xyz)) / (1.0 - limit), 0.0) + 0.05;
     float p = max(dot(view_direction, photos[photo].direction.xyz), 0.01) * frontal * max(photos[photo].center_hull.w, 0.01);
     return p / ((theta + 1e-4) * (theta + 1e-4));
+#elif defined(BLEND_LUMIGRAPH)
+    if ((switches & 4u) == 0u) return angle_weight(theta);
+    // Distances to the frame and to the nearest border, in pixels of a photo 3072 wide.
+    vec2 size = photos[photo].size_weight.xy, inside = min(pixel, size - pixel);
+    float frame = min(inside.x, inside.y) * 3072.0 / size.x, edge = masks_at(photo, pixel).b * border_width;
+    return angle_weight(theta) * clamp(frame / 64.0, least, 1.0) * clamp(edge / 24.0, least, 1.0);
 #else
-    float w = static_weight(masks_at(photo, pixel)) * photos[photo].size_weight.w;
-    // Bounded below far above float's underflow: a lone photo still gives a colour.
-    return (switches & 8u) != 0u ? w * max(exp(-theta / sharpness), 1e-12) : w;
+    return static_weight(masks_at(photo, pixel)) * photos[photo].size_weight.w * angle_weight(theta);
 #endif
 }
 
