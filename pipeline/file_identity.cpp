@@ -8,10 +8,10 @@
 
 namespace vantage {
 
-std::vector<std::byte> read_file(const std::filesystem::path& file) {
+std::vector<std::byte> read_file(const std::filesystem::path& file, std::size_t most) {
     std::ifstream in(file, std::ios::binary | std::ios::ate);
     if (!in) throw Error(Exit::input, file.string() + ": cannot open");
-    std::vector<std::byte> bytes(std::size_t(in.tellg()));
+    std::vector<std::byte> bytes(std::min(std::size_t(in.tellg()), most));
     in.seekg(0);
     if (!in.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size())))
         throw Error(Exit::input, file.string() + ": cannot read");

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,8 +16,9 @@ struct FileIdentity {
 FileIdentity identify(std::span<const std::byte> bytes);
 FileIdentity identify(const std::filesystem::path& file);
 
-/// All bytes of a file. Throws Error(input).
-std::vector<std::byte> read_file(const std::filesystem::path& file);
+/// The bytes of a file, or its first `most`. Throws Error(input).
+std::vector<std::byte> read_file(const std::filesystem::path& file,
+                                 std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// The camera files behind `cameras`: itself, or for a folder the COLMAP files in it, by name.
 std::vector<std::filesystem::path> camera_files(const std::filesystem::path& cameras);

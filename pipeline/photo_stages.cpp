@@ -24,8 +24,7 @@ RgbaImage read_pixels(const PhotoStages& s, const PhotoInput& photo, package::Ph
     const FileIdentity id = identify(bytes);
     r.source_bytes = id.bytes;
     r.source_checksum = id.checksum;
-    RgbaPhoto read = decode_photo(photo.file, bytes, photo.decoded);
-    RgbaImage image{read.width, read.height, std::move(read.rgba)};
+    RgbaImage image = decode_photo(photo.file, bytes, photo.decoded);
     const int longest = int(std::max(r.width, r.height));
     if (std::max(image.width, image.height) > longest) image = thumbnail(image, longest);
     if (!(s.model.record.effects >> int(Effect::undistortion) & 1) || !photo.camera.lens.distorts())
@@ -75,11 +74,11 @@ std::vector<std::uint8_t> write_pixels(const PhotoStages& s, std::uint32_t i, Rg
 
 std::vector<float> distances(const PhotoStages& s, std::vector<std::uint8_t> borders,
                              const PhotoGeometry& g) {
-    DistanceMethod method = s.settings.distance;
-    if (method == DistanceMethod::automatic)
-        method = s.gl.device().software ? DistanceMethod::exact : DistanceMethod::jfa_squared;
-    if (method == DistanceMethod::exact) return exact_distance(borders, g.width, g.height);
-    return s.gl.submit([&] { return flood_distance(borders, g.width, g.height, method); }).get();
+    if (s.distance == DistanceMethod::exact) return exact_distance(borders, g.width, g.height);
+    const auto flood = [&] {
+        return flood_distance(s.buffers.jump_flood, borders, g.width, g.height, s.distance);
+    };
+    return s.gl.submit(flood).get();
 }
 
 void write_masks(const PhotoStages& s, std::uint32_t i, const PhotoGeometry& g,

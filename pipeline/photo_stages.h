@@ -16,6 +16,7 @@ struct PhotoStages {
     const ModelBuffers& buffers;
     GlThread& gl;
     PackageWriter& writer;
+    DistanceMethod distance;  ///< settled, not automatic
     std::shared_future<RayScene> rays;
 };
 

@@ -34,11 +34,20 @@ void reduce_photos(SceneInput& scene, int longest) {
     }
 }
 
+DistanceMethod settled(DistanceMethod method, const gl::Device& device) {
+    if (method != DistanceMethod::automatic) return method;
+    return device.software ? DistanceMethod::exact : DistanceMethod::jfa_squared;
+}
+
 /// The model's buffers, made on the OpenGL thread while others work, and released there.
 class UploadedModel {
   public:
-    UploadedModel(GlThread& gl, const PackedModel& model, const std::vector<Eigen::Vector3f>& normals)
-        : gl_(gl), done_(gl.submit([&] { buffers_ = upload_model(model.positions, normals); })) {}
+    UploadedModel(GlThread& gl, const PackedModel& model, const std::vector<Eigen::Vector3f>& normals,
+                  DistanceMethod distance)
+        : gl_(gl), done_(gl.submit([&, distance] {
+              buffers_ = upload_model(model.positions, normals);
+              if (distance != DistanceMethod::exact) buffers_.jump_flood = jump_flood_program();
+          })) {}
     ~UploadedModel() {
         gl_.submit([this] { buffers_ = {}; }).wait();
     }
@@ -67,8 +76,8 @@ void prepare(SceneInput scene, const PrepareSettings& settings, const std::files
     GlThread gl;
     progress({"inspect", "", 0, scene.photos.size()});
     PackedModel model = pack_model(scene.mesh, settings.cluster_triangles);
-    gl.device();
-    UploadedModel uploaded(gl, model, scene.mesh.normals);
+    const DistanceMethod distance = settled(settings.distance, gl.device());
+    UploadedModel uploaded(gl, model, scene.mesh.normals, distance);
     auto rays = std::async(std::launch::async, [&] { return RayScene(model.positions, model.indices); });
     const std::vector<EffectDecision> effects = inspect(scene, settings.effects);
     std::vector<package::PhotoRecord> records = photo_records(scene, settings, model.origin);
@@ -82,8 +91,8 @@ void prepare(SceneInput scene, const PrepareSettings& settings, const std::files
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(meta)));
     write_model(writer, model, scene.mesh);
 
-    run_photos({scene, settings, model, uploaded.get(), gl, writer, rays.share()}, records, settings.threads,
-               progress);
+    run_photos({scene, settings, model, uploaded.get(), gl, writer, distance, rays.share()}, records,
+               settings.threads, progress);
     writer.write(Type::photos, package::scene_wide, bytes_of(records));
     progress({"pack", "", records.size(), records.size()});
     writer.finish();

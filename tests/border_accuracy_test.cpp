@@ -53,12 +53,13 @@ struct Accuracy {
 
 Accuracy measure(const std::vector<Borders>& all, DistanceMethod method) {
     Accuracy a;
+    const gl::Program jump_flood = jump_flood_program();
     for (const Borders& b : all) {
         const auto truth = exact_distance(b.pixels, b.width, b.height);
         const auto start = std::chrono::steady_clock::now();
         const auto found = method == DistanceMethod::exact
                                ? exact_distance(b.pixels, b.width, b.height)
-                               : flood_distance(b.pixels, b.width, b.height, method);
+                               : flood_distance(jump_flood, b.pixels, b.width, b.height, method);
         a.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const auto mask_truth = border_mask(truth, b.width, b.height, b.full_width),
                    mask = border_mask(found, b.width, b.height, b.full_width);

@@ -299,8 +299,8 @@ TEST_F(EndToEnd, PhotosAreReducedAsAsked) {
     Prepared p(scene, dir / "small.vantage", settings);
     const Picture small = p.own_view(1, Blend::best);
     ASSERT_EQ(small.width, 166);
-    const RgbaPhoto photo = read_photo(p.scene.photos[1].file, {331, 250});
-    EXPECT_GE(psnr(small, thumbnail({331, 250, photo.rgba}, 166).rgba), 40);
+    const RgbaImage photo = read_photo(p.scene.photos[1].file, {331, 250});
+    EXPECT_GE(psnr(small, thumbnail(photo, 166).rgba), 40);
 }
 
 TEST_F(EndToEnd, ALensIsTakenOut) {

@@ -39,7 +39,7 @@ class Photos : public TemporaryFolder {
 
 using Pixel = std::array<int, 4>;
 
-Pixel pixel(const RgbaPhoto& p, int x, int y) {
+Pixel pixel(const RgbaImage& p, int x, int y) {
     const std::uint8_t* at = p.rgba.data() + (std::size_t(y) * std::size_t(p.width) + std::size_t(x)) * 4;
     return {at[0], at[1], at[2], at[3]};
 }
@@ -83,7 +83,7 @@ TEST_F(Photos, AreTurnedWhereTheirCameraExpectsThemTurned) {
     for (const auto& [orientation, at] : where) {
         const fs::path file = write<std::uint8_t>("o.tif", 3, 2, {200, 200, 200}, orientation);
         EXPECT_EQ(pixel(read_photo(file, {3, 2}), 0, 0)[0], 0) << "as stored";
-        const RgbaPhoto turned = read_photo(file, {2, 3});
+        const RgbaImage turned = read_photo(file, {2, 3});
         for (int y = 0; y < 3; ++y)
             for (int x = 0; x < 2; ++x)
                 EXPECT_EQ(pixel(turned, x, y)[0], x == at[0] && y == at[1] ? 0 : 200)

@@ -4,15 +4,10 @@
 #include <span>
 #include <string>
 
+#include "pipeline/rgba_image.h"
 #include "pipeline/scene_input.h"
 
 namespace vantage {
-
-/// RGBA8, sRGB, straight alpha, rows from the top.
-struct RgbaPhoto {
-    int width = 0, height = 0;
-    std::vector<std::uint8_t> rgba;
-};
 
 /// What an image file's header says.
 struct PhotoHeader {
@@ -28,7 +23,7 @@ enum class Sample { u8, f32 };
 /// Functions throw Error(input) or Error(storage) naming the file.
 struct ImageFiles {
     PhotoHeader (*header)(const std::filesystem::path& file);
-    RgbaPhoto (*read)(const std::filesystem::path& file);
+    RgbaImage (*read)(const std::filesystem::path& file);
     /// Interleaved pixels, rows from the top, in the format that the extension names (PNG, EXR, JPEG at
     /// quality 97 with full colour resolution). Four channels are straight RGBA.
     void (*write)(const std::filesystem::path& file, int width, int height, int channels, Sample sample,

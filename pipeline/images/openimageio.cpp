@@ -24,7 +24,7 @@ PhotoHeader read_header(const std::filesystem::path& file) {
     return header;
 }
 
-RgbaPhoto read(const std::filesystem::path& file) {
+RgbaImage read(const std::filesystem::path& file) {
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::ImageBuf image(file.string(), 0, 0, nullptr, &config);
@@ -34,7 +34,7 @@ RgbaPhoto read(const std::filesystem::path& file) {
     const int order[] = {0, n >= 3 ? 1 : 0, n >= 3 ? 2 : 0, n == 2 ? 1 : n >= 4 ? 3 : -1};
     const float fill[] = {0, 0, 0, 1};
     const OIIO::ImageBuf rgba = OIIO::ImageBufAlgo::channels(image, 4, order, fill);
-    RgbaPhoto photo{spec.width, spec.height,
+    RgbaImage photo{spec.width, spec.height,
                     std::vector<std::uint8_t>(std::size_t(spec.width) * std::size_t(spec.height) * 4)};
     if (!rgba.get_pixels(rgba.roi(), OIIO::TypeDesc::UINT8, photo.rgba.data()))
         refuse(file, "cannot read: " + rgba.geterror());

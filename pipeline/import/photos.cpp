@@ -27,8 +27,8 @@ bool is_jpeg(std::span<const std::byte> b) {
 using Decoder = std::unique_ptr<void, int (*)(tjhandle)>;
 
 /// Adobe's CMYK is stored inverted: a channel is ink left out, so colour is the product with K.
-RgbaPhoto from_cmyk(const RgbaPhoto& cmyk) {
-    RgbaPhoto out = cmyk;
+RgbaImage from_cmyk(const RgbaImage& cmyk) {
+    RgbaImage out = cmyk;
     for (std::size_t i = 0; i < out.rgba.size(); i += 4) {
         for (std::size_t c = 0; c < 3; ++c)
             out.rgba[i + c] = std::uint8_t((unsigned(cmyk.rgba[i + c]) * cmyk.rgba[i + 3] + 127) / 255);
@@ -39,21 +39,22 @@ RgbaPhoto from_cmyk(const RgbaPhoto& cmyk) {
 
 struct JpegHeader {
     Decoder decoder;
+    bool readable = false;
     int width = 0, height = 0, space = 0;
 };
 
-JpegHeader jpeg_header(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+JpegHeader jpeg_header(std::span<const std::byte> bytes) {
     JpegHeader h{Decoder(tjInitDecompress(), tjDestroy)};
     int subsampling = 0;
-    if (tjDecompressHeader3(h.decoder.get(), data(bytes), bytes.size(), &h.width, &h.height, &subsampling,
-                            &h.space))
-        refuse(file, std::string("not a readable JPEG: ") + tjGetErrorStr2(h.decoder.get()));
+    h.readable = tjDecompressHeader3(h.decoder.get(), data(bytes), bytes.size(), &h.width, &h.height,
+                                     &subsampling, &h.space) == 0;
     return h;
 }
 
-RgbaPhoto decode_jpeg(const std::filesystem::path& file, std::span<const std::byte> bytes) {
-    const JpegHeader h = jpeg_header(file, bytes);
-    RgbaPhoto photo{h.width, h.height,
+RgbaImage decode_jpeg(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+    const JpegHeader h = jpeg_header(bytes);
+    if (!h.readable) refuse(file, std::string("not a readable JPEG: ") + tjGetErrorStr2(h.decoder.get()));
+    RgbaImage photo{h.width, h.height,
                     std::vector<std::uint8_t>(std::size_t(h.width) * std::size_t(h.height) * 4)};
     const bool cmyk = h.space == TJCS_CMYK || h.space == TJCS_YCCK;
     if (tjDecompress2(h.decoder.get(), data(bytes), bytes.size(), photo.rgba.data(), h.width, 0, h.height,
@@ -63,8 +64,8 @@ RgbaPhoto decode_jpeg(const std::filesystem::path& file, std::span<const std::by
 }
 
 /// Turns by EXIF orientation 5 to 8, those that swap width and height.
-RgbaPhoto turned(const RgbaPhoto& p, int orientation) {
-    RgbaPhoto out{p.height, p.width, std::vector<std::uint8_t>(p.rgba.size())};
+RgbaImage turned(const RgbaImage& p, int orientation) {
+    RgbaImage out{p.height, p.width, std::vector<std::uint8_t>(p.rgba.size())};
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x) {
             const int sx = orientation == 5 || orientation == 6 ? y : p.width - 1 - y;
@@ -79,22 +80,22 @@ RgbaPhoto turned(const RgbaPhoto& p, int orientation) {
 }  // namespace
 
 PhotoHeader read_photo_header(const std::filesystem::path& file) {
-    const std::vector<std::byte> bytes = read_file(file);
-    // Where profiles are: before the picture.
-    const std::string_view head(reinterpret_cast<const char*>(bytes.data()),
-                                std::min(bytes.size(), std::size_t(1) << 18));
-    if (!is_jpeg(bytes) || head.find("ICC_PROFILE") != head.npos) return image_files().header(file);
-    const JpegHeader jpeg = jpeg_header(file, bytes);
-    return {{jpeg.width, jpeg.height}, {}, 1};
+    // Size and profile of a JPEG stand before the picture.
+    const std::vector<std::byte> head = read_file(file, std::size_t(1) << 18);
+    const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
+    if (is_jpeg(head) && text.find("ICC_PROFILE") == text.npos)
+        if (const JpegHeader jpeg = jpeg_header(head); jpeg.readable)
+            return {{jpeg.width, jpeg.height}, {}, 1};
+    return image_files().header(file);
 }
 
-RgbaPhoto read_photo(const std::filesystem::path& file, PhotoSize expected) {
+RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected) {
     return decode_photo(file, read_file(file), expected);
 }
 
-RgbaPhoto decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
+RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
                        PhotoSize expected) {
-    RgbaPhoto photo = is_jpeg(bytes) ? decode_jpeg(file, bytes) : image_files().read(file);
+    RgbaImage photo = is_jpeg(bytes) ? decode_jpeg(file, bytes) : image_files().read(file);
     if (photo.width == expected.height && photo.height == expected.width && photo.width != photo.height)
         if (const int o = image_files().header(file).orientation; o >= 5 && o <= 8) photo = turned(photo, o);
     if (photo.width != expected.width || photo.height != expected.height)

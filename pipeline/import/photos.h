@@ -13,9 +13,9 @@ PhotoHeader read_photo_header(const std::filesystem::path& file);
 /// stay as stored, because cameras are calibrated on stored pixels; where the stored size is the expected one
 /// turned, the photo's EXIF orientation is applied. Throws Error(input) for a cut, broken or differently
 /// sized photo.
-RgbaPhoto read_photo(const std::filesystem::path& file, PhotoSize expected);
+RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected);
 /// The same from the file's bytes, where they are in memory already.
-RgbaPhoto decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
+RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
                        PhotoSize expected);
 
 }  // namespace vantage

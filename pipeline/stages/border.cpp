@@ -92,8 +92,12 @@ std::vector<float> exact_distance(const std::vector<std::uint8_t>& borders, int 
     return distance;
 }
 
-std::vector<float> flood_distance(const std::vector<std::uint8_t>& borders, int width, int height,
-                                  DistanceMethod variant) {
+gl::Program jump_flood_program() {
+    return gl::make_program("jump flood", {{GL_COMPUTE_SHADER, "jump_flood.comp"}});
+}
+
+std::vector<float> flood_distance(const gl::Program& jump_flood, const std::vector<std::uint8_t>& borders,
+                                  int width, int height, DistanceMethod variant) {
     std::vector<std::int16_t> seeds(borders.size() * 2, -1);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
@@ -101,12 +105,11 @@ std::vector<float> flood_distance(const std::vector<std::uint8_t>& borders, int 
                 seeds[2 * i] = std::int16_t(x);
                 seeds[2 * i + 1] = std::int16_t(y);
             }
-    const gl::Program program = gl::make_program("jump flood", {{GL_COMPUTE_SHADER, "jump_flood.comp"}});
     gl::Texture known = gl::make_texture_2d("jump flood", GL_RG16I, width, height);
     gl::Texture improved = gl::make_texture_2d("jump flood, next", GL_RG16I, width, height);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTextureSubImage2D(known.id(), 0, 0, 0, width, height, GL_RG_INTEGER, GL_SHORT, seeds.data());
-    glUseProgram(program.id());
+    glUseProgram(jump_flood.id());
     for (const int stride : strides(std::max(width, height), variant)) {
         glBindImageTexture(0, known.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RG16I);
         glBindImageTexture(1, improved.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG16I);

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "gl/program.h"
+
 namespace vantage {
 
 /// How the distance to the nearest border is found.
@@ -27,10 +29,13 @@ std::vector<std::uint8_t> find_borders(const DepthMap& depth, float threshold);
 /// no border.
 std::vector<float> exact_distance(const std::vector<std::uint8_t>& borders, int width, int height);
 
+/// The program that flood_distance runs.
+gl::Program jump_flood_program();
+
 /// Jump flooding in compute, on the current OpenGL context. Same result as exact_distance up to the variant's
 /// error.
-std::vector<float> flood_distance(const std::vector<std::uint8_t>& borders, int width, int height,
-                                  DistanceMethod variant);
+std::vector<float> flood_distance(const gl::Program& jump_flood, const std::vector<std::uint8_t>& borders,
+                                  int width, int height, DistanceMethod variant);
 
 /// Border mask [0,255]: min(distance to border - 1, distance to the photo's outline) / `full_width`, clamped.
 /// The pixels beside a border weigh nothing, too: they hold the colours of both its sides.

@@ -11,16 +11,11 @@
 namespace vantage {
 namespace {
 
-struct Matrices {
-    Eigen::Matrix4f cam_from_origin, clip_from_origin;
-};
-
-Matrices matrices(const Intrinsics& k, const Pose& pose, Eigen::Vector2d near_far) {
+Eigen::Matrix4d cam_from_origin(const Pose& pose) {
     Eigen::Matrix4d cam = Eigen::Matrix4d::Identity();
     cam.topLeftCorner<3, 3>() = pose.R;
     cam.topRightCorner<3, 1>() = pose.t;
-    const Eigen::Matrix4d clip = clip_from_cam(k, near_far.x(), near_far.y()) * cam;
-    return {cam.cast<float>(), clip.cast<float>()};
+    return cam;
 }
 
 struct Triangles {
@@ -61,8 +56,9 @@ Maps render_maps(const ModelBuffers& model, const Triangles& triangles, const In
     glClearNamedFramebufferfv(target.id(), GL_COLOR, 1, zero.data());
     glClearNamedFramebufferuiv(target.id(), GL_COLOR, 2, no_triangle.data());
     glUseProgram(model.geometry.id());
-    const Matrices m = matrices(k, pose, near_far);
-    glUniformMatrix4fv(0, 1, GL_FALSE, m.clip_from_origin.data());
+    const Eigen::Matrix4f clip =
+        (clip_from_cam(k, near_far.x(), near_far.y()) * cam_from_origin(pose)).cast<float>();
+    glUniformMatrix4fv(0, 1, GL_FALSE, clip.data());
     const Eigen::Matrix3f R = pose.R.cast<float>();
     glUniformMatrix3fv(1, 1, GL_FALSE, R.data());
     glUniform4f(2, float(k.fx), float(k.fy), float(k.cx), float(k.cy));
@@ -75,8 +71,7 @@ Maps render_maps(const ModelBuffers& model, const Triangles& triangles, const In
 }
 
 std::vector<Eigen::Vector2f> capture_coordinates(const ModelBuffers& model, const Intrinsics& k,
-                                                 const Pose& pose, const Matrices& m,
-                                                 const Triangles& triangles,
+                                                 const Pose& pose, const Triangles& triangles,
                                                  const gl::Texture& triangle_map) {
     // Without a surface every draw needs a framebuffer, even one that rasterises nothing.
     GLuint id = 0;
@@ -86,7 +81,8 @@ std::vector<Eigen::Vector2f> capture_coordinates(const ModelBuffers& model, cons
     glNamedFramebufferParameteri(id, GL_FRAMEBUFFER_DEFAULT_HEIGHT, 1);
     glBindFramebuffer(GL_FRAMEBUFFER, id);
     glUseProgram(model.coordinates.id());
-    glUniformMatrix4fv(0, 1, GL_FALSE, m.cam_from_origin.data());
+    const Eigen::Matrix4f cam = cam_from_origin(pose).cast<float>();
+    glUniformMatrix4fv(0, 1, GL_FALSE, cam.data());
     glUniform4f(1, float(k.fx), float(k.fy), float(k.cx), float(k.cy));
     glUniform2f(2, float(k.width), float(k.height));
     const Eigen::Vector3f eye = pose.center().cast<float>();
@@ -152,12 +148,11 @@ PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::ui
     if (!(near_far.y() > 0) || indices.empty()) return out;
     const Triangles triangles{gl::make_buffer("triangles in frame", indices.size_bytes(), indices.data()),
                               indices.size()};
-    const Matrices full = matrices(k, pose, near_far);
     // A level's pixel is 2^level pixels wide even where the size is odd, so the frame grows by the rounding.
     const double s = 1.0 / (1 << mask_level);
     const Intrinsics coarse{half.width, half.height, k.fx * s, k.fy * s, k.cx * s, k.cy * s};
     const Maps maps = render_maps(model, triangles, coarse, pose, near_far, out);
-    out.coordinates = capture_coordinates(model, k, pose, full, triangles, maps.triangles);
+    out.coordinates = capture_coordinates(model, k, pose, triangles, maps.triangles);
     gl::check("rendering a photo's geometry");
     return out;
 }

@@ -14,6 +14,7 @@ struct ModelBuffers {
     gl::Buffer positions, normals;
     gl::VertexArray vertices;
     gl::Program geometry, coordinates;
+    gl::Program jump_flood;  ///< empty where border distances are exact
     std::size_t vertex_count = 0;
 };
 ModelBuffers upload_model(std::span<const Eigen::Vector3f> positions,

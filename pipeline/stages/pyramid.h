@@ -4,15 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/rgba_image.h"
 #include "scene/tiling.h"
 
 namespace vantage {
-
-/// RGBA8, sRGB, straight alpha; row 0 on top.
-struct RgbaImage {
-    int width = 0, height = 0;
-    std::vector<std::uint8_t> rgba;
-};
 
 /// Alpha is 255 everywhere.
 bool is_opaque(const RgbaImage& image);

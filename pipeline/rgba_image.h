@@ -1,0 +1,13 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+namespace vantage {
+
+/// RGBA8, sRGB, straight alpha; row 0 on top.
+struct RgbaImage {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+}  // namespace vantage
