@@ -75,9 +75,9 @@ void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std
     if (p.flags & package::photo_held_out) return;
     for (std::uint32_t l = 0; l < p.levels; ++l)
         check_blocks(reader, Type::tiles, i, l, level_size(int(p.width), int(p.height), int(l)), out);
-    const Level half = level_size(int(p.width), int(p.height), mask_level);
-    check_blocks(reader, Type::masks, i, mask_level, half, out);
-    check_blocks(reader, Type::depth, i, mask_level, half, out);
+    for (int l = mask_level; l < mask_levels_end(int(p.levels)); ++l)
+        for (const Type type : {Type::masks, Type::depth})
+            check_blocks(reader, type, i, std::uint32_t(l), level_size(int(p.width), int(p.height), l), out);
     const auto uvs = reader.records<std::array<float, 2>>(Type::coordinates, i);
     if (uvs.size() != reader.scene().vertices)
         damaged(out, fmt::format("{}: TEXC has not one entry a vertex", p.name));
@@ -90,12 +90,15 @@ void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std
     }
     if (reader.records<package::CoverageRecord>(Type::coverage, i).size() != reader.scene().clusters)
         damaged(out, fmt::format("{}: COVR has not one entry a cluster", p.name));
+    if (reader.records<std::uint64_t>(Type::visible, i).size() !=
+        2 * package::visible_words(reader.scene().triangles))
+        damaged(out, fmt::format("{}: VISB has not two bits a triangle", p.name));
 }
 
 /// Depth is positive or +inf, and a mask says "valid" exactly where depth is finite.
-void check_mask_meaning(const PackageReader& reader, std::uint32_t i, Issues& out) {
-    const auto* masks = reader.find(Type::masks, i, mask_level);
-    const auto* depth = reader.find(Type::depth, i, mask_level);
+void check_mask_meaning(const PackageReader& reader, std::uint32_t i, std::uint32_t level, Issues& out) {
+    const auto* masks = reader.find(Type::masks, i, level);
+    const auto* depth = reader.find(Type::depth, i, level);
     if (!masks || !depth) return;
     for (std::size_t b = 0; b < std::min(reader.blocks(*masks), reader.blocks(*depth)); ++b) {
         const auto m = reader.block(*masks, b), d = reader.block(*depth, b);
@@ -145,7 +148,8 @@ Issues check_package(const std::filesystem::path& file, bool deep, const std::fi
         const auto photos = reader.photos();
         for (std::uint32_t i = 0; i < photos.size(); ++i) {
             check_photo(reader, photos[i], i, out);
-            if (deep) check_mask_meaning(reader, i, out);
+            for (int l = mask_level; deep && l < mask_levels_end(int(photos[i].levels)); ++l)
+                check_mask_meaning(reader, i, std::uint32_t(l), out);
         }
         if (out.empty() && !against.empty()) check_against(reader, against, out);
     } catch (const Error& e) {

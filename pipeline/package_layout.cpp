@@ -182,19 +182,22 @@ std::vector<ChunkPlan> plan_chunks(const PackedModel& m, const Mesh& mesh, std::
     each([&](std::uint32_t i, const auto&) {
         plan.push_back({Type::coverage, i, 0, m.clusters.size() * sizeof(package::CoverageRecord)});
     });
+    each([&](std::uint32_t i, const auto&) {
+        plan.push_back({Type::visible, i, 0, 16 * package::visible_words(m.record.triangles)});
+    });
     each([&](std::uint32_t i, const auto&) { plan.push_back({Type::coordinates, i, 0, v * 8}); });
     const auto tiles = [&](Type type, std::uint32_t i, const package::PhotoRecord& p, std::uint32_t level) {
         const auto n = std::uint64_t(level_size(int(p.width), int(p.height), int(level)).tiles());
         plan.push_back({type, i, level, 0, n, tile_bytes});
     };
-    for (std::uint32_t level = top; level-- > 0;) {
-        each([&](std::uint32_t i, const auto& p) {
-            if (level < p.levels) tiles(Type::tiles, i, p, level);
-        });
-        if (level == std::uint32_t(mask_level) || (level == 0 && top <= std::uint32_t(mask_level))) {
-            each([&](std::uint32_t i, const auto& p) { tiles(Type::masks, i, p, mask_level); });
-            each([&](std::uint32_t i, const auto& p) { tiles(Type::depth, i, p, mask_level); });
-        }
+    for (auto level = std::uint32_t(mask_levels_end(int(top))); level-- > 0;) {
+        for (const Type type : {Type::tiles, Type::masks, Type::depth})
+            each([&](std::uint32_t i, const auto& p) {
+                const bool has = type == Type::tiles ? level < p.levels
+                                                     : int(level) >= mask_level &&
+                                                           int(level) < mask_levels_end(int(p.levels));
+                if (has) tiles(type, i, p, level);
+            });
     }
     return plan;
 }

@@ -8,6 +8,7 @@
 #include "pipeline/import/photos.h"
 #include "pipeline/stages/border.h"
 #include "pipeline/stages/clusters.h"
+#include "pipeline/stages/coverage.h"
 #include "pipeline/stages/masks.h"
 #include "pipeline/stages/pyramid.h"
 #include "pipeline/stages/undistort.h"
@@ -82,23 +83,30 @@ std::vector<float> distances(const PhotoStages& s, std::vector<std::uint8_t> bor
 }
 
 void write_masks(const PhotoStages& s, std::uint32_t i, const PhotoGeometry& g,
-                 std::vector<std::uint8_t> valid, const Intrinsics& k) {
-    const Level level{g.width, g.height};
+                 std::vector<std::uint8_t> valid, const Intrinsics& k, int levels) {
     const DepthMap depth{g.width, g.height, g.z, std::move(valid)};
     const double scale = 1.0 / (1 << mask_level);
     const double full = s.settings.border_width * k.width / 3072 * scale;
     const auto border = border_mask(distances(s, find_borders(depth, float(s.settings.border_threshold)), g),
                                     g.width, g.height, float(full));
-    const auto masks = combine_masks(g, border, std::sqrt(k.fx * k.fy), s.model.record.reference_density);
-    write_tiles(s.writer, Type::masks, i, mask_level, bytes_of(masks), level);
-    write_tiles(s.writer, Type::depth, i, mask_level, bytes_of(g.z), level);
+    MaskLevel masks{g.width, g.height,
+                    combine_masks(g, border, std::sqrt(k.fx * k.fy), s.model.record.reference_density), g.z};
+    for (int l = mask_level;; ++l) {
+        const Level size{masks.width, masks.height};
+        write_tiles(s.writer, Type::masks, i, std::uint32_t(l), bytes_of(masks.masks), size);
+        write_tiles(s.writer, Type::depth, i, std::uint32_t(l), bytes_of(masks.z), size);
+        if (l + 1 == mask_levels_end(levels)) return;
+        masks = halve(masks);
+    }
 }
 
-void write_coverage(const PhotoStages& s, std::uint32_t i, const PhotoGeometry& g, const Intrinsics& k,
-                    const Pose& pose) {
+void write_coverage(const PhotoStages& s, std::uint32_t i, const FrameTriangles& triangles,
+                    const PhotoGeometry& g, const Intrinsics& k, const Pose& pose) {
+    const Coverage coverage =
+        measure_coverage(s.model.clusters, s.model.indices, triangles.places, g, k, pose);
     s.writer.write(Type::coordinates, i, bytes_of(g.coordinates));
-    s.writer.write(Type::coverage, i,
-                   bytes_of(measure_coverage(s.model.clusters, s.model.indices, g.coordinates, k, pose)));
+    s.writer.write(Type::coverage, i, bytes_of(coverage.clusters));
+    s.writer.write(Type::visible, i, bytes_of(coverage.visible));
 }
 
 void record_findings(const PhotoGeometry& g, const Intrinsics& k, const Pose& pose, package::PhotoRecord& r) {
@@ -132,9 +140,8 @@ void run_photo(const PhotoStages& s, std::uint32_t i, package::PhotoRecord& r) {
     const Intrinsics k = photo.camera.intrinsics;
     const Pose pose = photo.camera.cam_from_world.relative_to(s.model.origin);
     const Eigen::Vector2d range = depth_range(s.model.positions, pose);
-    const std::vector<std::uint32_t> triangles =
-        triangles_in_frame(s.model.clusters, s.model.indices, k, pose);
-    auto pending = s.gl.submit([&] { return render_geometry(s.buffers, triangles, k, pose, range); });
+    const FrameTriangles triangles = triangles_in_frame(s.model.clusters, s.model.indices, k, pose);
+    auto pending = s.gl.submit([&] { return render_geometry(s.buffers, triangles.indices, k, pose, range); });
     std::vector<std::uint8_t> valid;
     try {
         if (r.levels) valid = write_pixels(s, i, read_pixels(s, photo, r), r);
@@ -146,8 +153,8 @@ void run_photo(const PhotoStages& s, std::uint32_t i, package::PhotoRecord& r) {
     settle_visibility(s.rays.get(), s.model.positions, k, pose, geometry.coordinates);
     record_findings(geometry, k, pose, r);
     if (!r.levels) return;
-    write_masks(s, i, geometry, std::move(valid), k);
-    write_coverage(s, i, geometry, k, pose);
+    write_masks(s, i, geometry, std::move(valid), k, int(r.levels));
+    write_coverage(s, i, triangles, geometry, k, pose);
 }
 
 }  // namespace vantage

@@ -28,6 +28,7 @@ enum class Type : std::uint32_t {
     clusters = fourcc("CLUS"),     ///< ClusterRecord[clusters]
     thumbnail = fourcc("THMB"),    ///< RGBA8, 512 px on the long side at most
     coverage = fourcc("COVR"),     ///< CoverageRecord[clusters], a photo
+    visible = fourcc("VISB"),      ///< u64 words, a photo: a bit a triangle seen whole, then seen in part
     coordinates = fourcc("TEXC"),  ///< float[2][vertices], a photo; (-1,-1) where not visible
     tiles = fourcc("TILE"),        ///< blocks of RGBA8 tiles, a photo and level
     masks = fourcc("MASK"),        ///< blocks of RGBA8 tiles: angle, depth, border, validity
@@ -100,10 +101,13 @@ struct ClusterRecord {
 
 /// What one photo sees of one cluster. Rectangle in texture coordinates, unorm16; density in log2.
 struct CoverageRecord {
-    std::uint16_t seen;  ///< share of the cluster's triangles with all vertices visible, unorm16
-    std::uint16_t u0, v0, u1, v1;
-    std::int16_t log2_density;  ///< log2(pixels per unit at the centre) * 256
+    std::uint16_t seen;            ///< share of the cluster's triangles seen at least in part, unorm16
+    std::uint16_t u0, v0, u1, v1;  ///< where its pixels lie, and all that a filter may mix with them
+    std::int16_t log2_density;     ///< log2(pixels per unit at the centre) * 256
 };
+
+/// Words of one of VISB's two bit sets.
+inline constexpr std::uint64_t visible_words(std::uint64_t triangles) { return (triangles + 63) / 64; }
 
 static_assert(sizeof(Header) == 64 && sizeof(DirectoryEntry) == 64 && sizeof(ClusterRecord) == 40);
 static_assert(sizeof(CoverageRecord) == 12 && sizeof(SceneRecord) == 136 && sizeof(PhotoRecord) % 8 == 0);

@@ -33,7 +33,10 @@ inline int level_count(int width, int height) {
     return n;
 }
 
-/// Masks and depth are stored once, at this pyramid level (half size).
+/// Masks and depth are stored from this pyramid level (half size) up to the coarsest.
 inline constexpr int mask_level = 1;
+
+/// One past the coarsest level of masks and depth, for a photo with `levels` levels.
+inline int mask_levels_end(int levels) { return levels > mask_level ? levels : mask_level + 1; }
 
 }  // namespace vantage

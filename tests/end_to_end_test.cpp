@@ -243,12 +243,42 @@ void expect_visibility_is_that_of_rays(Prepared& p) {
     EXPECT_EQ(away_from_borders, 0u);
 }
 
+/// VISB against the vertices that TEXC holds, and COVR's rectangles against their pixels.
+void expect_coverage_is_that_of_the_vertices(const PackageReader& package, std::uint32_t photo) {
+    const auto uv = package.records<Eigen::Vector2f>(package::Type::coordinates, photo);
+    const auto indices = package.records<std::uint32_t>(package::Type::indices);
+    const auto bits = package.records<std::uint64_t>(package::Type::visible, photo);
+    const auto coverage = package.records<package::CoverageRecord>(package::Type::coverage, photo);
+    const auto clusters = package.records<package::ClusterRecord>(package::Type::clusters);
+    const std::size_t part = package::visible_words(indices.size() / 3);
+    const auto bit = [&](std::size_t first, std::size_t t) { return bits[first + t / 64] >> (t % 64) & 1; };
+    std::size_t more = 0;
+    for (std::size_t c = 0; c < clusters.size(); ++c) {
+        const package::CoverageRecord& r = coverage[c];
+        for (std::size_t t = clusters[c].first_triangle;
+             t < clusters[c].first_triangle + std::size_t(clusters[c].triangles); ++t) {
+            int seen = 0;
+            for (std::size_t v = 0; v < 3; ++v) {
+                const Eigen::Vector2f at = uv[indices[3 * t + v]] * 65535;
+                if (at.x() < 0) continue;
+                ++seen;
+                EXPECT_TRUE(at.x() >= r.u0 && at.x() <= r.u1 && at.y() >= r.v0 && at.y() <= r.v1);
+            }
+            EXPECT_EQ(bit(0, t), seen == 3) << t;
+            EXPECT_TRUE(seen == 0 || bit(part, t)) << t;
+            more += seen == 0 && bit(part, t);
+        }
+    }
+    EXPECT_GT(more, 0u) << "triangles whose corners are all hidden";
+}
+
 }  // namespace
 
 TEST_F(EndToEnd, OwnViewsAreThePhotosOnASyntheticScene) {
     Prepared p = prepared(make(tiny()));
     expect_own_views_are_the_photos(p, 1);
     expect_visibility_is_that_of_rays(p);
+    for (const std::uint32_t i : p.photos) expect_coverage_is_that_of_the_vertices(*p.package, i);
 }
 
 TEST_F(EndToEnd, ABlendDoesNotDependOnThePhotosAPass) {

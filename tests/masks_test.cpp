@@ -1,3 +1,6 @@
+#include "pipeline/stages/clusters.h"
+#include "pipeline/stages/masks.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,7 +9,6 @@
 
 #include "gl/context.h"
 #include "pipeline/stages/border.h"
-#include "pipeline/stages/clusters.h"
 #include "pipeline/stages/pyramid.h"
 
 using namespace vantage;
@@ -127,7 +129,7 @@ TEST(Pyramid, HalvingAveragesLightAndRepeatsOddEdges) {
 }
 
 TEST(Pyramid, TransparentTexelsLendNoColour) {
-    const RgbaImage half = halve({2, 1, {200, 100, 50, 255, 0, 0, 0, 0}});
+    const RgbaImage half = halve(RgbaImage{2, 1, {200, 100, 50, 255, 0, 0, 0, 0}});
     EXPECT_NEAR(half.rgba[0], 200, 1);
     EXPECT_NEAR(half.rgba[1], 100, 1);
     EXPECT_EQ(half.rgba[3], 128);
@@ -145,4 +147,23 @@ TEST(SeenHull, DegenerateSetsHaveADirection) {
     const auto square = seen_hull({{0, 0}, {1, 0}, {1, 0.5f}, {0, 0.5f}, {0.5f, 0.25f}}, k, pose);
     EXPECT_NEAR(square.area, 0.5, 1e-6);
     EXPECT_NEAR(square.direction.y() / square.direction.z(), (0.25 * 80 - 40) / 90, 1e-5);
+}
+
+TEST(MaskPyramid, KeepsWhatIsSeenAndNothingElse) {
+    const float inf = std::numeric_limits<float>::infinity();
+    // 3x2: one valid block with a hole in it, and an odd column where nothing is seen.
+    MaskLevel fine{3, 2, std::vector<std::uint8_t>(24, 0), {1, 5, inf, 3, inf, inf}};
+    const std::uint8_t angle[] = {10, 20, 0, 33, 0, 0};
+    for (std::size_t i = 0; i < 6; ++i) {
+        fine.masks[4 * i] = angle[i];
+        fine.masks[4 * i + 3] = std::isfinite(fine.z[i]) ? 255 : 0;
+    }
+    const MaskLevel coarse = halve(fine);
+    ASSERT_EQ(coarse.width, 2);
+    ASSERT_EQ(coarse.height, 1);
+    EXPECT_EQ(coarse.z[0], 5) << "what the farthest texel sees stays seen";
+    EXPECT_EQ(int(coarse.masks[0]), 21) << "mean of the three valid ones";
+    EXPECT_EQ(int(coarse.masks[3]), 255);
+    EXPECT_EQ(coarse.z[1], inf);
+    EXPECT_EQ(int(coarse.masks[7]), 0);
 }

@@ -31,8 +31,6 @@ package::ClusterRecord bounds(const std::vector<Eigen::Vector3f>& positions, con
             count};
 }
 
-std::uint16_t unorm16(double v) { return std::uint16_t(std::lround(65535 * std::clamp(v, 0.0, 1.0))); }
-
 }  // namespace
 
 std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vector3f>& positions,
@@ -51,16 +49,17 @@ std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vecto
     return clusters;
 }
 
-std::vector<std::uint32_t> triangles_in_frame(const std::vector<package::ClusterRecord>& clusters,
-                                              const std::vector<std::uint32_t>& indices, const Intrinsics& k,
-                                              const Pose& pose) {
+FrameTriangles triangles_in_frame(const std::vector<package::ClusterRecord>& clusters,
+                                  const std::vector<std::uint32_t>& indices, const Intrinsics& k,
+                                  const Pose& pose) {
     // Inward normals of the planes through the camera's centre and the frame's four sides.
     const Eigen::Vector3d sides[] = {
         Eigen::Vector3d(k.fx, 0, k.cx).normalized(), Eigen::Vector3d(-k.fx, 0, k.width - k.cx).normalized(),
         Eigen::Vector3d(0, k.fy, k.cy).normalized(), Eigen::Vector3d(0, -k.fy, k.height - k.cy).normalized()};
-    std::vector<std::uint32_t> out;
-    out.reserve(indices.size());
-    for (const package::ClusterRecord& c : clusters) {
+    FrameTriangles out;
+    out.indices.reserve(indices.size());
+    for (std::uint32_t number = 0; number < clusters.size(); ++number) {
+        const package::ClusterRecord& c = clusters[number];
         const Eigen::Vector3d center =
             pose.R * Eigen::Map<const Eigen::Vector3f>(c.center).cast<double>() + pose.t;
         const double reach = -double(c.radius) * 1.001;
@@ -68,40 +67,8 @@ std::vector<std::uint32_t> triangles_in_frame(const std::vector<package::Cluster
                                               [&](const auto& n) { return n.dot(center) < reach; }))
             continue;
         const auto first = indices.begin() + std::ptrdiff_t(c.first_triangle) * 3;
-        out.insert(out.end(), first, first + std::ptrdiff_t(c.triangles) * 3);
-    }
-    return out;
-}
-
-std::vector<package::CoverageRecord> measure_coverage(const std::vector<package::ClusterRecord>& clusters,
-                                                      const std::vector<std::uint32_t>& indices,
-                                                      const std::vector<Eigen::Vector2f>& coordinates,
-                                                      const Intrinsics& k, const Pose& pose) {
-    std::vector<package::CoverageRecord> out;
-    out.reserve(clusters.size());
-    for (const package::ClusterRecord& c : clusters) {
-        Eigen::Vector2f low(1, 1), high(0, 0);
-        std::uint32_t seen = 0;
-        for (std::uint32_t t = c.first_triangle; t < c.first_triangle + c.triangles; ++t) {
-            bool all = true;
-            for (int v = 0; v < 3; ++v) {
-                const Eigen::Vector2f& uv = coordinates[indices[3 * std::size_t(t) + std::size_t(v)]];
-                all &= uv.x() >= 0;
-                if (uv.x() < 0) continue;
-                low = low.cwiseMin(uv);
-                high = high.cwiseMax(uv);
-            }
-            seen += all;
-        }
-        const Eigen::Vector3d center(c.center[0], c.center[1], c.center[2]);
-        const double z = (pose.R * center + pose.t).z();
-        const double density = z > 0 ? std::log2(std::sqrt(k.fx * k.fy) / z) : 0;
-        const bool any = low.x() <= high.x();
-        out.push_back(
-            {seen ? std::max<std::uint16_t>(1, unorm16(double(seen) / c.triangles)) : std::uint16_t(0),
-             any ? unorm16(low.x()) : std::uint16_t(0), any ? unorm16(low.y()) : std::uint16_t(0),
-             any ? unorm16(high.x()) : std::uint16_t(0), any ? unorm16(high.y()) : std::uint16_t(0),
-             std::int16_t(std::lround(256 * std::clamp(density, -120.0, 120.0)))});
+        out.indices.insert(out.indices.end(), first, first + std::ptrdiff_t(c.triangles) * 3);
+        for (std::uint32_t t = 0; t < c.triangles; ++t) out.places.push_back({c.first_triangle + t, number});
     }
     return out;
 }

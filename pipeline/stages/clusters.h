@@ -14,18 +14,19 @@ std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vecto
                                                   std::vector<std::uint32_t>& indices,
                                                   std::uint32_t cluster_triangles);
 
-/// The triangles of all clusters that may reach into a camera's frame, in order: three indices each. Never
-/// drops one that does.
-std::vector<std::uint32_t> triangles_in_frame(const std::vector<package::ClusterRecord>& clusters,
-                                              const std::vector<std::uint32_t>& indices,
-                                              const Intrinsics& intrinsics, const Pose& cam_from_origin);
+/// Some of the model's triangles, in order.
+struct FrameTriangles {
+    struct Place {
+        std::uint32_t triangle, cluster;  ///< in the model
+    };
+    std::vector<std::uint32_t> indices;  ///< three a triangle
+    std::vector<Place> places;           ///< one a triangle
+};
 
-/// Which clusters a photo sees, where in the photo, and how finely sampled.
-std::vector<package::CoverageRecord> measure_coverage(const std::vector<package::ClusterRecord>& clusters,
-                                                      const std::vector<std::uint32_t>& indices,
-                                                      const std::vector<Eigen::Vector2f>& coordinates,
-                                                      const Intrinsics& intrinsics,
-                                                      const Pose& cam_from_origin);
+/// The triangles of all clusters that may reach into a camera's frame. Never drops one that does.
+FrameTriangles triangles_in_frame(const std::vector<package::ClusterRecord>& clusters,
+                                  const std::vector<std::uint32_t>& indices, const Intrinsics& intrinsics,
+                                  const Pose& cam_from_origin);
 
 /// The direction through the centroid of the convex hull of what a photo sees, and the hull's share of the
 /// photo

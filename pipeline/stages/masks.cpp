@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "scene/tiling.h"
 
 namespace vantage {
 
@@ -17,6 +20,33 @@ std::vector<std::uint8_t> combine_masks(const PhotoGeometry& g, const std::vecto
         out[4 * i + 2] = border[i];
         out[4 * i + 3] = 255;
     }
+    return out;
+}
+
+MaskLevel halve(const MaskLevel& level) {
+    const Level half = level_size(level.width, level.height, 1);
+    const std::size_t texels = std::size_t(half.width) * std::size_t(half.height);
+    MaskLevel out{half.width, half.height, std::vector<std::uint8_t>(texels * 4, 0),
+                  std::vector<float>(texels, std::numeric_limits<float>::infinity())};
+    std::size_t to = 0;
+    for (int y = 0; y < half.height; ++y)
+        for (int x = 0; x < half.width; ++x, ++to) {
+            unsigned sum[3]{}, valid = 0;
+            float farthest = 0;
+            for (int j = 2 * y; j <= std::min(2 * y + 1, level.height - 1); ++j)
+                for (int i = 2 * x; i <= std::min(2 * x + 1, level.width - 1); ++i) {
+                    const std::size_t from = std::size_t(j) * std::size_t(level.width) + std::size_t(i);
+                    if (!level.masks[4 * from + 3]) continue;
+                    ++valid;
+                    for (std::size_t c = 0; c < 3; ++c) sum[c] += level.masks[4 * from + c];
+                    farthest = std::max(farthest, level.z[from]);
+                }
+            if (!valid) continue;
+            for (std::size_t c = 0; c < 3; ++c)
+                out.masks[4 * to + c] = std::uint8_t((sum[c] + valid / 2) / valid);
+            out.masks[4 * to + 3] = 255;
+            out.z[to] = farthest;
+        }
     return out;
 }
 

@@ -15,4 +15,15 @@ std::vector<std::uint8_t> combine_masks(const PhotoGeometry& geometry,
                                         const std::vector<std::uint8_t>& border, double focal,
                                         double reference_density);
 
+/// Masks and depth at one level.
+struct MaskLevel {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> masks;  ///< RGBA8
+    std::vector<float> z;
+};
+
+/// The next coarser level: masks are the mean of the valid ones among 2x2, depth is the farthest finite one
+/// (so that what any of them sees stays seen); odd edges repeat their last texel.
+MaskLevel halve(const MaskLevel& level);
+
 }  // namespace vantage

@@ -67,6 +67,8 @@ Maps render_maps(const ModelBuffers& model, const Triangles& triangles, const In
     glGetTextureImage(maps.z.id(), 0, GL_RED, GL_FLOAT, GLsizei(out.z.size() * sizeof(float)), out.z.data());
     glGetTextureImage(maps.angle.id(), 0, GL_RED, GL_UNSIGNED_BYTE, GLsizei(out.angle.size()),
                       out.angle.data());
+    glGetTextureImage(maps.triangles.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                      GLsizei(out.triangles.size() * sizeof(GLuint)), out.triangles.data());
     return maps;
 }
 
@@ -141,9 +143,11 @@ PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::ui
                               const Intrinsics& k, const Pose& pose, Eigen::Vector2d near_far) {
     const Level half = level_size(k.width, k.height, mask_level);
     const std::size_t pixels = std::size_t(half.width) * std::size_t(half.height);
-    PhotoGeometry out{half.width, half.height,
+    PhotoGeometry out{half.width,
+                      half.height,
                       std::vector<float>(pixels, std::numeric_limits<float>::infinity()),
                       std::vector<std::uint8_t>(pixels, 0),
+                      std::vector<std::uint32_t>(pixels, ~0u),
                       std::vector<Eigen::Vector2f>(model.vertex_count, Eigen::Vector2f(-1, -1))};
     if (!(near_far.y() > 0) || indices.empty()) return out;
     const Triangles triangles{gl::make_buffer("triangles in frame", indices.size_bytes(), indices.data()),

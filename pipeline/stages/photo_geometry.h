@@ -22,9 +22,10 @@ ModelBuffers upload_model(std::span<const Eigen::Vector3f> positions,
 
 /// What a photo's camera sees of the model.
 struct PhotoGeometry {
-    int width = 0, height = 0;                 ///< of z and angle: the photo's at `mask_level`
+    int width = 0, height = 0;                 ///< of the maps: the photo's at `mask_level`
     std::vector<float> z;                      ///< linear depth, +inf where nothing is seen
     std::vector<std::uint8_t> angle;           ///< max(0, n.v), unorm8
+    std::vector<std::uint32_t> triangles;      ///< which of the triangles given; none: 2^32 - 1
     std::vector<Eigen::Vector2f> coordinates;  ///< a vertex; (-1,-1) where not visible, see settle_visibility
 };
 
