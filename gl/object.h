@@ -2,6 +2,7 @@
 #include <epoxy/gl.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
@@ -35,8 +36,8 @@ class Handle {
     GLuint id_ = 0;
 };
 
-inline void release_buffer(GLuint id) { glDeleteBuffers(1, &id); }
-inline void release_texture(GLuint id) { glDeleteTextures(1, &id); }
+void release_buffer(GLuint id);
+void release_texture(GLuint id);
 inline void release_framebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
 inline void release_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
 inline void release_sampler(GLuint id) { glDeleteSamplers(1, &id); }
@@ -50,6 +51,9 @@ using VertexArray = Handle<&release_vertex_array>;
 using Sampler = Handle<&release_sampler>;
 using Query = Handle<&release_query>;
 using Program = Handle<&release_program>;
+
+/// Bytes of all textures and buffers that the functions below have made and that still live.
+std::uint64_t memory_held();
 
 /// Immutable storage of `bytes`, from `data` or undefined. Flags as glNamedBufferStorage.
 Buffer make_buffer(const char* label, std::size_t bytes, const void* data = nullptr, GLbitfield flags = 0);

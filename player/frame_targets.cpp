@@ -12,7 +12,7 @@ FrameTargets make_frame_targets(int width, int height) {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     if (width < 1 || height < 1 || width > most || height > most)
         throw Error(Exit::usage, "a picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                                     " samples, expected 1 to " + std::to_string(most) + " along each side");
+                                     ", expected 1 to " + std::to_string(most) + " along each side");
     FrameTargets t;
     t.width = width;
     t.height = height;
@@ -23,7 +23,13 @@ FrameTargets make_frame_targets(int width, int height) {
         t.sums[i] = gl::make_texture_2d("frame sums", GL_RGBA32F, width, height);
         t.sums_target[i] = gl::make_framebuffer("frame sums", std::array{t.sums[i].id()}, t.depth.id());
     }
+    t.accumulated = gl::make_texture_2d("frame samples", GL_RGBA32F, width, height);
+    t.accumulated_target = gl::make_framebuffer("frame samples", std::array{t.accumulated.id()}, 0);
     return t;
+}
+
+std::uint64_t FrameTargets::bytes(int width, int height) {
+    return std::uint64_t(width) * std::uint64_t(height) * (4 + 8 + 3 * 16);
 }
 
 }  // namespace vantage

@@ -1,14 +1,18 @@
 #pragma once
+#include <cstdint>
+
 #include "gl/object.h"
 
 namespace vantage {
 
-/// What a frame is drawn into, at the size of its samples: the bare surface with its depth, and two float
-/// targets of sums (best photo reads one while it writes the other).
+/// What a frame is drawn into: the bare surface with its depth, two float targets of sums (best photo and
+/// consensus read one while they write the other), and the samples added up.
 struct FrameTargets {
     int width = 0, height = 0;
-    gl::Texture depth, surface, sums[2];
-    gl::Framebuffer surface_target, sums_target[2];
+    gl::Texture depth, surface, sums[2], accumulated;
+    gl::Framebuffer surface_target, sums_target[2], accumulated_target;
+
+    static std::uint64_t bytes(int width, int height);
 };
 
 /// Throws Error(usage) when the size is beyond what the graphics card draws.

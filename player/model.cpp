@@ -20,7 +20,6 @@ Model load_model(const PackageReader& package) {
         throw Error(Exit::damaged, package.path().string() + ": INDX has more triangles than can be drawn");
     Model m;
     m.vertex_count = std::uint32_t(scene.vertices);
-    m.index_count = std::uint32_t(indices.size());
     m.positions = gl::make_buffer("positions", positions.size_bytes(), positions.data());
     m.normals = gl::make_buffer("normals", normals.size_bytes(), normals.data());
     m.indices = gl::make_buffer("indices", indices.size_bytes(), indices.data());
@@ -28,6 +27,8 @@ Model load_model(const PackageReader& package) {
     gl::attach_floats(m.vertices, 0, m.positions, 3, 12);
     gl::attach_floats(m.vertices, 1, m.normals, 3, 12);
     glVertexArrayElementBuffer(m.vertices.id(), m.indices.id());
+    for (const auto chunk : {std::as_bytes(positions), std::as_bytes(normals), std::as_bytes(indices)})
+        package.forget(chunk);
     if (!effect_on(scene, Effect::vertex_colors)) return m;
     const auto colors = package.records<std::uint32_t>(Type::colors);
     if (colors.size() != scene.vertices)
@@ -39,11 +40,6 @@ Model load_model(const PackageReader& package) {
     glVertexArrayAttribBinding(m.vertices.id(), 2, 2);
     glEnableVertexArrayAttrib(m.vertices.id(), 2);
     return m;
-}
-
-void draw(const Model& model) {
-    glBindVertexArray(model.vertices.id());
-    glDrawElements(GL_TRIANGLES, GLsizei(model.index_count), GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace vantage

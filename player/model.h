@@ -1,4 +1,6 @@
 #pragma once
+#include <Eigen/Core>
+
 #include "gl/object.h"
 #include "scene/package_reader.h"
 
@@ -9,11 +11,15 @@ namespace vantage {
 struct Model {
     gl::Buffer positions, normals, colors, indices;
     gl::VertexArray vertices;
-    std::uint32_t vertex_count = 0, index_count = 0;
+    std::uint32_t vertex_count = 0;
 };
 
 /// Throws Error(damaged) when a checksum is wrong or a triangle names a vertex that does not exist.
 Model load_model(const PackageReader& package);
-void draw(const Model& model);
+
+/// A draw of glMultiDrawElementsIndirect.
+struct DrawCommand {
+    std::uint32_t count, instances, first_index, base_vertex, base_instance;
+};
 
 }  // namespace vantage

@@ -62,10 +62,14 @@ RenderSettings render_settings(const PackageReader& package, const Options& o) {
     r.weights.fov_normalisation = o.fov_normalisation == "auto"
                                       ? effect_on(package.scene(), Effect::fov_normalisation)
                                       : o.fov_normalisation == "on";
+    r.photos = o.photos_blended >= 0 ? o.photos_blended : (o.offscreen ? 0 : 8);
     r.fill_holes = o.holes == "shade" || (o.holes.empty() && !o.offscreen);
-    const bool own_pixels = o.scale == 1 && o.size.empty() && o.view.empty() && o.path.empty();
-    r.samples = o.samples ? o.samples : (!o.offscreen || own_pixels ? 1 : 2);
     return r;
+}
+
+MemoryBudget memory_budget(const Options& o) {
+    constexpr std::uint64_t MiB = std::uint64_t(1) << 20;
+    return {std::uint64_t(o.graphics_mib) * MiB, std::uint64_t(o.ring_mib) * MiB};
 }
 
 int run_offscreen(const PackageReader& package, const Options& o) {
@@ -73,11 +77,13 @@ int run_offscreen(const PackageReader& package, const Options& o) {
     const std::vector<std::uint32_t> photos = photos_in_use(package, o);
     const RenderSettings settings = render_settings(package, o);
     const gl::HeadlessContext context;
-    Renderer renderer(package);
+    Renderer renderer(package, memory_budget(o));
+    const bool own_pixels = o.scale == 1 && o.size.empty() && o.view.empty() && o.path.empty();
+    const int side = o.samples ? o.samples : own_pixels ? 1 : 2;
     std::size_t damaged = 0;
     for (const Shot& shot : wanted) {
         const auto start = std::chrono::steady_clock::now();
-        const Picture picture = take_picture(renderer, shot.view, settings, photos);
+        const Picture picture = take_picture(renderer, shot.view, settings, photos, side);
         const auto file = picture_file(o, shot.name, wanted.size());
         write_png(file, picture);
         const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

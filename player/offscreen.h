@@ -14,4 +14,6 @@ std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const Opt
 /// The options' settings with what depends on the package filled in.
 RenderSettings render_settings(const PackageReader& package, const Options& options);
 
+MemoryBudget memory_budget(const Options& options);
+
 }  // namespace vantage

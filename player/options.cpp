@@ -6,12 +6,11 @@ namespace {
 void add_blending(CLI::App& app, RenderSettings& r) {
     const std::string group = "Blending";
     app.add_option("--blend", r.blend,
-                   "average: weighted average of all photos; lumigraph: by the rays' angles alone, fading at "
-                   "borders; best: "
-                   "each point from one photo")
+                   "lumigraph: by the angle between the rays to viewer and photo, fading at borders; "
+                   "average: by distance, angle and all masks; best: each point from one photo")
         ->transform(CLI::CheckedTransformer(std::map<std::string, Blend>{
             {"average", Blend::average}, {"lumigraph", Blend::lumigraph}, {"best", Blend::best}}))
-        ->default_str("average")
+        ->default_str("lumigraph")
         ->group(group);
     app.add_option("--coordinates", r.coordinates,
                    "texture coordinates: auto (as the package says), vertex, fragment")
@@ -28,6 +27,25 @@ void add_blending(CLI::App& app, RenderSettings& r) {
     app.add_option("--exponent", r.weights.exponent, "how strongly near photos are preferred")
         ->check(CLI::Range(0.0, 64.0))
         ->capture_default_str()
+        ->group(group);
+    app.add_option("--sharpness", r.weights.sharpness,
+                   "radians between rays at which a photo counts 1/e; smaller is sharper")
+        ->check(CLI::Range(0.005, 3.0))
+        ->capture_default_str()
+        ->group(group);
+    app.add_flag("--consensus", r.consensus, "what disagrees with the mean of all counts less")->group(group);
+    app.add_option("--choose", r.choice,
+                   "photos to blend: cover (every surface gets one that sees it, the best first), nearest, "
+                   "direction")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Choice>{
+            {"cover", Choice::cover}, {"nearest", Choice::nearest}, {"direction", Choice::direction}}))
+        ->default_str("cover")
+        ->group(group);
+    app.add_option("--show", r.show,
+                   "colors, or as false colours: sources (which photo), coverage (how many)")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Show>{
+            {"colors", Show::colors}, {"sources", Show::sources}, {"coverage", Show::coverage}}))
+        ->default_str("colors")
         ->group(group);
     app.add_flag("--angle-per-photo", r.weights.angle_per_photo,
                  "weigh by the angle between viewing directions, not between rays at the surface")
@@ -76,9 +94,19 @@ void add_options(CLI::App& app, Options& o) {
         ->group(pictures);
     app.add_option("-o,--output", o.out, "PNG file, or folder for several pictures")->group(pictures);
     app.add_flag("-q,--quiet", o.quiet, "no word unless something is wrong")->group(pictures);
+    app.add_option("--blended", o.photos_blended,
+                   "photos to blend, more where the view needs more to be covered; 0: all (default 8 in the "
+                   "window, all for pictures)")
+        ->check(CLI::Range(0, 1 << 20));
+    app.add_option("--graphics-memory", o.graphics_mib, "MiB of graphics memory to keep to")
+        ->check(CLI::Range(16u, 1u << 20))
+        ->capture_default_str();
+    app.add_option("--memory", o.ring_mib, "MiB of memory that tiles pass through on their way")
+        ->check(CLI::Range(1u, 4096u))
+        ->capture_default_str();
     const std::string window = "Window";
-    app.add_option("--nearest", o.nearest, "blend this many photos, those nearest to the view")
-        ->check(CLI::Range(1, 4096))
+    app.add_option("--upload", o.upload_kib, "KiB that a frame uploads at most")
+        ->check(CLI::Range(256u, 1u << 22))
         ->capture_default_str()
         ->group(window);
     app.add_option("--frames", o.frames, "close after this many frames")

@@ -1,14 +1,10 @@
 #pragma once
 #include <cstdint>
-#include <span>
-#include <vector>
 
+#include "player/tile_needs.h"
 #include "scene/package_format.h"
-#include "scene/tiling.h"
 
 namespace vantage {
-
-inline constexpr std::uint32_t most_levels = 12;
 
 /// A photo as shaders/photos.glsl reads it (std430).
 struct PhotoBlock {
@@ -16,19 +12,20 @@ struct PhotoBlock {
     float focal_center[4];
     float size_weight[4];
     float center_hull[4];
-    float direction[4];
-    std::uint32_t level_base[most_levels];
-    std::uint32_t mask_base;
-    std::uint32_t unused[3];
+    float direction_presence[4];
+    float thumbnail[4];
+    float false_color[4];
+    std::uint32_t color_base[most_levels], mask_base[most_levels];
 };
-static_assert(sizeof(PhotoBlock) == 192);
+static_assert(sizeof(PhotoBlock) == 256);
 
-/// Photos with their pages laid out one after the other.
-struct PhotoBlocks {
-    std::vector<PhotoBlock> blocks;
-    std::uint32_t color_pages = 0, mask_pages = 0;
+/// What of a photo does not change from frame to frame; no thumbnail, nothing resident, presence 1.
+PhotoBlock make_photo_block(const package::PhotoRecord& photo, std::uint32_t index);
+
+/// A colour by which people tell photo `index` from others, sRGB in [0, 1].
+struct FalseColor {
+    float r, g, b;
 };
-/// Throws Error(damaged) for a photo with more levels than shaders hold.
-PhotoBlocks lay_out_photos(std::span<const package::PhotoRecord> photos);
+FalseColor false_color(std::uint32_t index);
 
 }  // namespace vantage

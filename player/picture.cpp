@@ -12,11 +12,12 @@
 namespace vantage {
 
 Picture take_picture(Renderer& renderer, const View& view, const RenderSettings& settings,
-                     std::span<const std::uint32_t> photos) {
+                     std::span<const std::uint32_t> photos, int side) {
     Picture p{view.intrinsics.width, view.intrinsics.height, {}, {}};
     const gl::Texture color = gl::make_texture_2d("picture", GL_RGBA8, p.width, p.height);
     const gl::Framebuffer target = gl::make_framebuffer("picture", std::array{color.id()}, 0);
-    p.report = renderer.render(view, settings, photos, target.id(), false);
+    for (int i = 0; i < side * side; ++i) p.report = renderer.draw(view, settings, photos, {i, side}, 0);
+    renderer.show(view, settings, target.id(), false);
     p.rgba.resize(std::size_t(p.width) * std::size_t(p.height) * 4);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(color.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(p.rgba.size()), p.rgba.data());

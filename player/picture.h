@@ -14,8 +14,9 @@ struct Picture {
     FrameReport report;
 };
 
+/// Renders with `side` * `side` samples a pixel.
 Picture take_picture(Renderer& renderer, const View& view, const RenderSettings& settings,
-                     std::span<const std::uint32_t> photos);
+                     std::span<const std::uint32_t> photos, int side);
 
 /// Writes a PNG beside the file and renames it. Throws Error(storage).
 void write_png(const std::filesystem::path& file, const Picture& picture);

@@ -1,67 +1,110 @@
 #pragma once
 #include <map>
-#include <memory>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
 
 #include "gl/program.h"
-#include "player/coordinate_slots.h"
+#include "player/frame_ring.h"
 #include "player/frame_targets.h"
 #include "player/model.h"
 #include "player/photo_block.h"
+#include "player/photo_store.h"
+#include "player/plan.h"
 #include "player/render_settings.h"
-#include "player/tile_cache.h"
-#include "player/tile_needs.h"
 #include "player/view.h"
 
 namespace vantage {
 
-/// Renders a package. Belongs to the OpenGL thread; the package must outlive it.
+/// Which of a pixel's side * side samples a frame takes.
+struct PixelSample {
+    int index = 0, side = 1;
+};
+
+/// Renders a package: plans, streams, draws passes. Belongs to the OpenGL thread; the package must outlive
+/// it.
 class Renderer {
   public:
-    explicit Renderer(const PackageReader& package);
+    Renderer(const PackageReader& package, const MemoryBudget& budget);
 
-    /// Draws `view` into the framebuffer `target` (its whole size is the view's), from `photos` (indices;
-    /// held-out ones are left out). `flip` where the target's first row is the lowest, as a window's is.
-    FrameReport render(const View& view, const RenderSettings& settings,
-                       std::span<const std::uint32_t> photos, GLuint target, bool flip);
+    /// Draws one sample of each pixel of `view` from `photos` (indices; held-out ones are left out), and adds
+    /// it to the samples since the last one of index 0. `now` in seconds, for what fades; `next` is where the
+    /// view is about to be, to fetch ahead.
+    FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
+                     PixelSample sample, double now, const View* next = nullptr);
+    /// Shows what was drawn in the framebuffer `target`, whose whole size is the view's. `flip` where the
+    /// target's first row is the lowest, as a window's is.
+    void show(const View& view, const RenderSettings& settings, GLuint target, bool flip);
 
     const PackageReader& package() const { return *package_; }
+    const PlanScene& scene() const { return scene_; }
+    const Plan& plan() const { return plan_; }
     bool per_fragment(const RenderSettings& settings) const;
-    const TileCache& colors() const { return colors_; }
+    const PhotoStore& store() const { return store_; }
+    const MemoryBudget& budget() const { return budget_; }
+    /// Panels show this photo's thumbnail: it is fetched with the next frame.
+    void want_thumbnail(std::uint32_t photo) { wanted_thumbnails_.push_back(photo); }
 
   private:
-    /// A photo of this frame with what it needs.
-    struct Candidate {
-        std::uint32_t photo;
-        TileNeeds needs;
+    using Photos = std::vector<const PlannedPhoto*>;
+    using Pass = std::span<const PlannedPhoto* const>;
+    /// What is drawn in one frame, the same in all its passes.
+    struct Frame {
+        const View& view;
+        const RenderSettings& settings;
+        PixelSample sample;
+        Eigen::Matrix4f clip_from_origin;
+        std::vector<double> weights;  ///< dynamic, a photo
+        FrameReport report;
     };
-    using Pass = std::span<const Candidate>;
 
-    std::vector<Candidate> candidates(const View& view, const RenderSettings& settings,
-                                      std::span<const std::uint32_t> photos, FrameReport& report);
+    void fit(int width, int height, const RenderSettings& settings);
+    void make_plan_for(const View& view, const RenderSettings& settings,
+                       std::span<const std::uint32_t> photos, int side);
+    void update_presence(const RenderSettings& settings, double now);
+    Photos present_photos(const RenderSettings& settings) const;
+    void stream(Frame& frame, const View* next);
+    TileNeeds comparison_needs(const View& view, const RenderSettings& settings) const;
+    void load(Pass pass, Frame& frame);
     std::size_t pass_length(Pass rest, const RenderSettings& settings) const;
-    void upload_weights(const View& view, const RenderSettings& settings);
-    void draw_surface(const View& view, const Eigen::Matrix4f& clip_from_origin);
-    std::size_t load_tiles(Pass pass, std::size_t budget, FrameReport& report);
-    void draw_pass(Pass pass, const View& view, const RenderSettings& settings,
-                   const Eigen::Matrix4f& clip_from_origin, int into);
-    void resolve(int sums, const RenderSettings& settings, const View& view, GLuint target, bool flip);
-    const gl::Program& blend_program(const RenderSettings& settings);
+
+    void draw_surface(const Frame& frame);
+    void draw_passes(Pass photos, Frame& frame, bool consensus, int& into);
+    void draw_pass(Pass pass, Frame& frame, bool consensus, int into);
+    void set_uniforms(Pass pass, const Frame& frame, bool consensus);
+    /// Writes the photos and their pages into the ring and binds them.
+    void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights);
+    /// Writes the draws of these clusters, ascending, into the ring; returns how many there are.
+    std::size_t write_draws(std::span<const std::uint32_t> clusters, GLintptr& offset);
+    void resolve(int sums, const Frame& frame);
+    const gl::Program& blend_program(const RenderSettings& settings, bool consensus);
 
     const PackageReader* package_;
+    MemoryBudget budget_;
+    PlanScene scene_;
     Model model_;
-    std::span<const package::PhotoRecord> photos_;
-    std::span<const package::ClusterRecord> clusters_;
-    PhotoBlocks layout_;
-    gl::Buffer photo_buffer_;
-    TileCache colors_, masks_, depths_;
-    std::unique_ptr<CoordinateSlots> coordinates_;  ///< made when the first view is rendered with them
+    std::vector<PhotoBlock> blocks_;
+    PhotoStore store_;
+    FrameRing ring_;
     FrameTargets targets_;
-    gl::Program surface_program_, resolve_program_;
+    gl::Program surface_program_, resolve_program_, show_program_;
     gl::VertexArray no_vertices_;
-    std::map<std::tuple<int, bool, Blend>, gl::Program> blend_programs_;
+    std::map<std::tuple<int, bool, Blend, bool>, gl::Program> blend_programs_;
+
+    /// What plan_ was made for.
+    struct PlanKey {
+        View view;
+        PlanSettings settings;
+        std::vector<std::uint32_t> photos;
+    };
+    std::optional<PlanKey> planned_for_;
+    Plan plan_;
+    std::vector<PlannedPhoto> leaving_;  ///< not planned any more, fading out
+    std::vector<float> presence_;        ///< a photo, 0 to 1
+    double last_ = 0;
+    double samples_ = 0;  ///< added up in targets_.accumulated
+    std::vector<std::uint32_t> wanted_thumbnails_;
 };
 
 }  // namespace vantage

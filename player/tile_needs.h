@@ -4,41 +4,26 @@
 #include <span>
 #include <vector>
 
-#include "player/photo_block.h"
-#include "player/tile_cache.h"
 #include "player/view.h"
 #include "scene/package_format.h"
 
 namespace vantage {
 
-/// Clusters whose bounding sphere reaches into the view: never one too few.
-std::vector<std::uint32_t> clusters_in_view(std::span<const package::ClusterRecord> clusters,
-                                            const View& view);
+inline constexpr std::uint32_t most_levels = 12;
 
-/// Nearest and farthest linear depth of the clusters' spheres, kept to a ratio that a float depth buffer
-/// resolves. {0, 0} when all are behind the viewer.
-Eigen::Vector2d depth_range(std::span<const package::ClusterRecord> clusters, const View& view);
-
-/// Tiles of one photo, by level; each list ascending, without doubles.
+/// Tiles of one photo, by level; each list ascending, without doubles. Depth has the tiles of the masks.
 struct TileNeeds {
-    std::array<std::vector<std::uint32_t>, most_levels> color;
-    std::vector<std::uint32_t> masks;
-    std::size_t tiles() const;
+    std::array<std::vector<std::uint32_t>, most_levels> color, masks;
+    std::size_t tiles() const;  ///< colour, and masks with their depth as one
 };
 
-/// The tiles that colour the clusters `in_view`: from the level whose texels are as fine as the view's
-/// samples up to the coarsest, which stands in for what is not loaded. Where `coverage` is given, a cluster
-/// needs what its record says the photo sees of it (per-vertex coordinates); without, all that its sphere
-/// could touch (per fragment).
+/// The tiles that a view samples in one photo for these clusters: from each cluster's recorded extent in the
+/// photo, on the levels that its fragments sample.
 TileNeeds tile_needs(const package::PhotoRecord& photo, std::span<const package::ClusterRecord> clusters,
-                     std::span<const package::CoverageRecord> coverage,
-                     std::span<const std::uint32_t> in_view, const View& view, int samples);
+                     std::span<const package::CoverageRecord> coverage, std::span<const std::uint32_t> drawn,
+                     const View& view, double samples);
 
-/// The needs as requests to the caches, coarse before fine.
-struct TileRequests {
-    std::vector<TileRequest> color, masks, depth;
-};
-void append_requests(const PackageReader& package, std::uint32_t photo, const PhotoBlock& pages,
-                     const TileNeeds& needs, TileRequests& out);
+/// The colour tiles that show the whole photo with `density` samples a photo pixel's side.
+TileNeeds whole_photo_needs(const package::PhotoRecord& photo, double density);
 
 }  // namespace vantage

@@ -37,4 +37,13 @@ Eigen::Vector3d mean_up(std::span<const package::PhotoRecord> photos) {
     return sum.norm() > 1e-6 ? sum.normalized() : Eigen::Vector3d::UnitY();
 }
 
+Eigen::Matrix3d pixels_from_pixels(const Intrinsics& to, const Eigen::Matrix3d& to_R, const View& from) {
+    const auto matrix = [](const Intrinsics& k) {
+        Eigen::Matrix3d m;
+        m << k.fx, 0, k.cx, 0, k.fy, k.cy, 0, 0, 1;
+        return m;
+    };
+    return matrix(to) * to_R * from.cam_from_origin.R.transpose() * matrix(from.intrinsics).inverse();
+}
+
 }  // namespace vantage

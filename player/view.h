@@ -21,6 +21,9 @@ View view_of_photo(const package::PhotoRecord& photo, double scale);
 View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up,
                   double fov, int width, int height);
 
+/// Maps pixels of one view to those of another from the same place, both homogeneous.
+Eigen::Matrix3d pixels_from_pixels(const Intrinsics& to, const Eigen::Matrix3d& to_R, const View& from);
+
 /// Mean of the photos' up directions; +y where they cancel out.
 Eigen::Vector3d mean_up(std::span<const package::PhotoRecord> photos);
 

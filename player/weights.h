@@ -14,6 +14,7 @@ struct WeightSettings {
     bool angle_mask = true, depth_mask = true, border_mask = true;
     bool fov_normalisation = false;  ///< [M] 4.1 to 4.3
     double exponent = 2;             ///< of distance and per-photo angle
+    double sharpness = 0.055;        ///< radians: the angle between rays at which a photo counts 1/e
 };
 
 /// 1 for the least value, falling linearly to `floor` for the greatest; all equal: all 1. Values finite.

@@ -189,14 +189,16 @@ void save_frame(const std::string& file, int width, int height) {
 void draw_frame(Session& s, Renderer& renderer, int width, int height) {
     const View view = view_of(s.camera, width, height);
     const auto photos = nearest_photos(s, view, renderer.package().photos());
-    s.report = renderer.render(view, s.settings, photos, 0, true);
+    s.report = renderer.draw(view, s.settings, photos, {}, glfwGetTime());
+    renderer.show(view, s.settings, 0, true);
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
 Session start(const PackageReader& package, const Options& o) {
-    Session s{render_settings(package, o), {}, photos_in_use(package, o), o.nearest, 0, {}};
-    s.settings.uploads = 64;
+    Session s{render_settings(package, o), {}, photos_in_use(package, o), 8, 0, {}};
+    s.settings.upload_bytes = std::size_t(o.upload_kib) << 10;
+    s.settings.complete = false;
     if (!o.photos.empty()) s.standing_at = int(named_photos(package, o.photos).front());
     if (package.photos().empty()) throw Error(Exit::damaged, package.path().string() + ": holds no photo");
     s.camera = stand_at(package.photos()[std::size_t(s.standing_at)], mean_up(package.photos()));
@@ -209,7 +211,7 @@ int run_window(const PackageReader& package, const Options& o) {
     Session session = start(package, o);
     const Window window(o.size.empty() ? FrameSize{1280, 720} : parse_size(o.size),
                         package.path().filename().string() + " - Vantage");
-    Renderer renderer(package);
+    Renderer renderer(package, memory_budget(o));
     auto last = std::chrono::steady_clock::now();
     for (int frame = 1; !glfwWindowShouldClose(window.get()); ++frame) {
         glfwPollEvents();

@@ -135,6 +135,13 @@ bool PackageReader::block_sound(const DirectoryEntry& e, std::size_t i) const {
     return checksum(block(e, i)) == expected;
 }
 
+void PackageReader::forget(std::span<const std::byte> bytes) const {
+    const auto page = std::uintptr_t(::sysconf(_SC_PAGESIZE));
+    const auto first = (reinterpret_cast<std::uintptr_t>(bytes.data()) + page - 1) / page * page,
+               last = (reinterpret_cast<std::uintptr_t>(bytes.data()) + bytes.size()) / page * page;
+    if (first < last) ::madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
+}
+
 bool PackageReader::head_sound(const DirectoryEntry& e) const {
     return checksum({map_->data + e.offset, e.head_length}) == e.checksum;
 }

@@ -36,6 +36,8 @@ class PackageReader {
     std::size_t blocks(const package::DirectoryEntry& entry) const;
     std::span<const std::byte> block(const package::DirectoryEntry& entry, std::size_t index) const;
     bool block_sound(const package::DirectoryEntry& entry, std::size_t index) const;
+    /// Gives the memory of these bytes back to the system until they are read again.
+    void forget(std::span<const std::byte> bytes) const;
     /// XXH3-64 of the head agrees with the directory.
     bool head_sound(const package::DirectoryEntry& entry) const;
 

@@ -9,20 +9,23 @@ in vec2 coordinate[PASS_PHOTOS];
 #endif
 layout(location = 0) out vec4 accumulated;
 
-layout(location = 2) uniform uint pass_photos[PASS_PHOTOS];
-layout(location = 34) uniform uint pass_count;
-layout(location = 35) uniform vec3 eye;             // relative to the origin
-layout(location = 36) uniform vec3 view_direction;  // [P]: to the model from outside, the camera's own from inside
-layout(location = 37) uniform uint switches;        // bit 0 angle mask, 1 depth mask, 2 border mask, 3 angle weight
-#ifdef BLEND_LUMIGRAPH
-layout(location = 38) uniform float border_width;  // pixels of a photo 3072 wide at which the border mask is 1
-#endif
+layout(location = 2) uniform uint pass_count;
+layout(location = 3) uniform vec3 eye;             // relative to the origin
+layout(location = 4) uniform vec3 view_direction;  // [P]: to the model from outside, the camera's own from inside
+layout(location = 5) uniform uint switches;        // bit 0 angle mask, 1 depth mask, 2 border mask, 3 angle weight
+layout(location = 6) uniform float border_width;   // pixels of a photo 3072 wide at which the border mask is 1
+layout(location = 7) uniform float sharpness;      // radians
+layout(location = 8) uniform float lod_bias;
+layout(location = 9) uniform uint show;            // 0 colours, 1 false colour of the photo, 2 how many see it
 #ifdef BLEND_BEST
-layout(binding = 3) uniform sampler2D best_so_far;
+layout(binding = 4) uniform sampler2D best_so_far;
+#endif
+#ifdef CONSENSUS
+layout(binding = 5) uniform sampler2D first_sums;
 #endif
 
-const float sharpness = 0.08;  // radians; METHOD: flat between 0.05 and 0.12
-const float least = 0.001;     // no visible photo is ever worth nothing
+const float least = 0.001;  // no visible photo is ever worth nothing
+const float beside = 0.03;  // what a photo is worth where its pixel may show something nearer
 
 // Angle between the rays from the surface to the viewer and to the photo; exact for small angles.
 float ray_angle(uint photo) {
@@ -34,18 +37,25 @@ bool inside(uint photo, vec2 pixel) {
     return all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, photos[photo].size_weight.xy));
 }
 
-// The depth map is half the photo's size, so a fragment may lie one of its pixels beyond the depths around it.
-bool unoccluded(uint photo, vec3 p, vec2 pixel) {
+// Whether a photo sees a fragment, by the depths around it: 1, or `beside` where something nearer is among them, which
+// the photo's pixel may show instead. A fragment may lie one texel of the map beyond them.
+float seen(uint photo, vec3 p, MaskPlace at) {
     vec3 n = mat3(photos[photo].cam_from_origin) * surface_normal;
     float cosine = max(abs(dot(normalize(n), normalize(p))), 0.1);
-    float footprint = 2.0 * p.z / min(photos[photo].focal_center.x, photos[photo].focal_center.y) / cosine;
-    return p.z <= depth_at(photo, pixel) + max(0.004 * p.z, footprint);
+    float texel = float(1 << at.level) * p.z / min(photos[photo].focal_center.x, photos[photo].focal_center.y);
+    float slack = max(0.004 * p.z, texel / cosine);
+    vec2 z = depths_at(at);
+    return p.z > z.y + slack ? 0.0 : (p.z > z.x + slack ? beside : 1.0);
+}
+
+// Sampling rate by area, relative to the finest of all photos.
+float density(vec4 masks) {
+    return (switches & 2u) != 0u ? max(exp2((masks.g * 255.0 - 255.0) / 6.0), 1e-6) : 1.0;
 }
 
 float static_weight(vec4 masks) {
-    float w = 1.0;
+    float w = density(masks);
     if ((switches & 1u) != 0u) w *= max(masks.r, least);
-    if ((switches & 2u) != 0u) w *= max(exp2((masks.g * 255.0 - 255.0) / 6.0), 1e-6);
     if ((switches & 4u) != 0u) w *= max(masks.b, least);
     return w;
 }
@@ -53,7 +63,7 @@ float static_weight(vec4 masks) {
 // Bounded below far above float's underflow: a lone photo still gives a colour.
 float angle_weight(float theta) { return (switches & 8u) != 0u ? max(exp(-theta / sharpness), 1e-12) : 1.0; }
 
-float weight_of(uint photo, vec2 pixel) {
+float weight_of(uint photo, vec2 pixel, vec4 masks) {
     float theta = ray_angle(photo);
 #ifdef BLEND_BEST
     // [P] 2.8 with the sign under which a frontal photo wins. Divided by the squared angle, so that from a photo's
@@ -63,13 +73,14 @@ float weight_of(uint photo, vec2 pixel) {
     float p = max(dot(view_direction, photos[photo].direction.xyz), 0.01) * frontal * max(photos[photo].center_hull.w, 0.01);
     return p / ((theta + 1e-4) * (theta + 1e-4));
 #elif defined(BLEND_LUMIGRAPH)
-    if ((switches & 4u) == 0u) return angle_weight(theta);
+    float w = angle_weight(theta) * density(masks);
+    if ((switches & 4u) == 0u) return w;
     // Distances to the frame and to the nearest border, in pixels of a photo 3072 wide.
     vec2 size = photos[photo].size_weight.xy, inside = min(pixel, size - pixel);
-    float frame = min(inside.x, inside.y) * 3072.0 / size.x, edge = masks_at(photo, pixel).b * border_width;
-    return angle_weight(theta) * clamp(frame / 64.0, least, 1.0) * clamp(edge / 24.0, least, 1.0);
+    float frame = min(inside.x, inside.y) * 3072.0 / size.x, edge = masks.b * border_width;
+    return w * clamp(frame / 64.0, least, 1.0) * clamp(edge / 24.0, 0.2, 1.0);
 #else
-    return static_weight(masks_at(photo, pixel)) * photos[photo].size_weight.w * angle_weight(theta);
+    return static_weight(masks) * photos[photo].size_weight.w * angle_weight(theta);
 #endif
 }
 
@@ -81,12 +92,23 @@ float footprint_lod(uint photo, vec3 p, vec3 along_x, vec3 along_y) {
     vec2 f = photos[photo].focal_center.xy / p.z, slope = p.xy / p.z;
     float a = length(f * (x.xy - slope * x.z)), b = length(f * (y.xy - slope * y.z));
     float major = max(a, b), minor = min(a, b);
-    return max(0.0, log2(max(max(minor, major / 4.0), 1e-6)) - 0.02);
+    return max(0.0, log2(max(max(minor, major / 4.0), 1e-6)) + lod_bias - 0.02);
+}
+
+vec4 shown_color(uint photo, vec2 pixel, float lod) {
+    vec4 c = color_at(photo, pixel, lod);
+    return show == 0u ? c : vec4(show == 1u ? photos[photo].false_color.rgb : vec3(1.0), c.a);
 }
 
 void main() {
     accumulated = vec4(0.0);
     vec3 along_x = dFdx(surface_position), along_y = dFdy(surface_position);
+    vec3 facing = cross(along_x, along_y);  // the triangle's normal, on the viewer's side
+    if (dot(facing, eye - surface_position) < 0.0) facing = -facing;
+#ifdef CONSENSUS
+    vec4 first = texelFetch(first_sums, ivec2(gl_FragCoord.xy), 0);
+    vec3 mean = first.rgb / max(first.a, 1e-30);
+#endif
 #ifdef BLEND_BEST
     vec4 before = texelFetch(best_so_far, ivec2(gl_FragCoord.xy), 0);
     accumulated = before;
@@ -94,20 +116,26 @@ void main() {
     vec2 chosen_pixel = vec2(0.0);
     float chosen_lod = 0.0;
 #endif
-    for (uint i = 0u; i < pass_count; ++i) {
-        uint photo = pass_photos[i];
+    for (uint photo = 0u; photo < pass_count; ++photo) {
+        // A photo taken from behind shows the surface's other side.
+        if (dot(facing, photos[photo].center_hull.xyz - surface_position) < 0.0) continue;
         vec3 p = (photos[photo].cam_from_origin * vec4(surface_position, 1.0)).xyz;
 #ifdef PER_FRAGMENT
         vec2 pixel = photos[photo].focal_center.xy * p.xy / max(p.z, 1e-30) + photos[photo].focal_center.zw;
 #else
-        vec2 pixel = coordinate[i] * photos[photo].size_weight.xy;
+        vec2 pixel = coordinate[photo] * photos[photo].size_weight.xy;
 #endif
         if (!(p.z > 0.0) || !inside(photo, pixel)) continue;
-#ifdef PER_FRAGMENT
-        if (!unoccluded(photo, p, pixel)) continue;
-#endif
         float lod = footprint_lod(photo, p, along_x, along_y);
-        float w = weight_of(photo, pixel);
+        MaskPlace at = mask_place(photo, pixel, lod);
+        if (at.level < 0) continue;
+        float w = photos[photo].direction.w;
+#ifdef PER_FRAGMENT
+        w *= seen(photo, p, at);
+#endif
+        if (!(w > 0.0)) continue;
+        w *= weight_of(photo, pixel, masks_at(at));
+        if (!(w > 0.0)) continue;
 #ifdef BLEND_BEST
         if (w > accumulated.a) {
             accumulated.a = w;
@@ -116,13 +144,18 @@ void main() {
             chosen_lod = lod;
         }
 #else
-        vec4 c = color_at(photo, pixel, lod);
-        accumulated += vec4(c.rgb, 1.0) * w * c.a;
+        vec4 c = shown_color(photo, pixel, lod);
+#ifdef CONSENSUS
+        vec3 off = (sqrt(c.rgb) - sqrt(mean)) / 0.08;
+        w /= 1.0 + dot(off, off);
+#endif
+        // Counting, every photo that can be shown is worth the same.
+        accumulated += show == 2u ? vec4(c.a) : vec4(c.rgb, 1.0) * w * c.a;
 #endif
     }
 #ifdef BLEND_BEST
     if (chosen >= 0) {
-        vec4 c = color_at(uint(chosen), chosen_pixel, chosen_lod);
+        vec4 c = shown_color(uint(chosen), chosen_pixel, chosen_lod);
         accumulated = c.a > 0.5 ? vec4(c.rgb, accumulated.a) : before;
     }
 #endif

@@ -11,7 +11,7 @@ invariant gl_Position;
 // Texture coordinates, a slot of vertices a photo.
 layout(std430, binding = 4) readonly buffer Coordinates { vec2 coordinates[]; };
 layout(location = 1) uniform uint vertex_count;
-layout(location = 18) uniform uint pass_slots[PASS_PHOTOS];
+layout(location = 16) uniform uint pass_slots[PASS_PHOTOS];
 out vec2 coordinate[PASS_PHOTOS];
 #endif
 

@@ -1,21 +1,22 @@
-// The photos as every blending shader sees them; layout as in player/photo_block.h.
+// The photos of a pass as every shader sees them; layout as in player/photo_block.h.
 struct Photo {
     mat4 cam_from_origin;
     vec4 focal_center;     // fx fy cx cy, pixels
     vec4 size_weight;      // width, height, levels, dynamic weight of this view
     vec4 center_hull;      // camera centre relative to the origin; share of the photo that the model fills
-    vec4 direction;        // corrected viewing direction [P]
-    uint level_base[12];   // first page of each level
-    uint mask_base;        // first page of masks and depth
-    uint unused[3];
+    vec4 direction;        // corrected viewing direction [P]; presence, 0 to 1
+    vec4 thumbnail;        // layer (-1: none), share of the layer's width and height, pixels wide
+    vec4 false_color;
+    uint color_base[12];   // in `pages`, of each level
+    uint mask_base[12];
 };
 layout(std430, binding = 0) readonly buffer Photos { Photo photos[]; };
-layout(std430, binding = 1) readonly buffer ColorPages { uint color_pages[]; };
-layout(std430, binding = 2) readonly buffer MaskPages { uint mask_pages[]; };
-layout(std430, binding = 3) readonly buffer DepthPages { uint depth_pages[]; };
+// Layer in the low 16 bits, above it how far the tile has faded in, of 255.
+layout(std430, binding = 1) readonly buffer Pages { uint pages[]; };
 layout(binding = 0) uniform sampler2DArray color_tiles;
 layout(binding = 1) uniform sampler2DArray mask_tiles;
 layout(binding = 2) uniform sampler2DArray depth_tiles;
+layout(binding = 3) uniform sampler2DArray thumbnails;
 
 const uint not_resident = 0xffffffffu;
 const float tile_size = 256.0, tile_border = 4.0, tile_content = 248.0;
@@ -36,15 +37,36 @@ TilePlace tile_place(vec2 size, int level, vec2 texel, uint base) {
     return TilePlace(base + uint(tile.y * tiles.x + tile.x), (local + tile_border) / tile_size);
 }
 
-// Linear colour at a photo pixel on one level, or on the next coarser level that is resident.
+bool has_thumbnail(uint photo) { return photos[photo].thumbnail.x >= 0.0; }
+
+vec4 thumbnail_at(uint photo, vec2 pixel) {
+    vec4 t = photos[photo].thumbnail;
+    vec2 half_texel = 0.5 / vec2(textureSize(thumbnails, 0).xy);
+    vec2 at = clamp(pixel / photos[photo].size_weight.xy * t.yz, half_texel, t.yz - half_texel);
+    return textureLod(thumbnails, vec3(at, t.x), 0.0);
+}
+
+// Linear colour at a photo pixel on one level. A tile that is fading in lets the next coarser one that is resident
+// shine through; the thumbnail stands for every level that is no finer.
 vec4 color_at_level(uint photo, int level, vec2 pixel) {
+    vec2 size = photos[photo].size_weight.xy;
     int levels = int(photos[photo].size_weight.z);
+    vec4 c = vec4(0.0);
+    float open = 1.0;
     for (int l = level; l < levels; ++l) {
-        TilePlace p = tile_place(photos[photo].size_weight.xy, l, pixel / float(1 << l), photos[photo].level_base[l]);
-        uint layer = color_pages[p.page];
-        if (layer != not_resident) return textureLod(color_tiles, vec3(p.coordinate, float(layer)), 0.0);
+        TilePlace p = tile_place(size, l, pixel / float(1 << l), photos[photo].color_base[l]);
+        uint entry = pages[p.page];
+        if (entry != not_resident) {
+            float shown = float(entry >> 16) / 255.0;
+            c += open * shown * textureLod(color_tiles, vec3(p.coordinate, float(entry & 0xffffu)), 0.0);
+            open *= 1.0 - shown;
+            if (open <= 0.0) return c;
+        } else if (has_thumbnail(photo) && float(level_size(size, l).x) <= photos[photo].thumbnail.w * 1.01) {
+            break;
+        }
     }
-    return vec4(0.0);
+    if (has_thumbnail(photo)) return c + open * thumbnail_at(photo, pixel);
+    return open < 1.0 ? c / (1.0 - open) : vec4(0.0);
 }
 
 // Trilinear between the two levels around `lod`.
@@ -56,18 +78,26 @@ vec4 color_at(uint photo, vec2 pixel, float lod) {
     return mix_in > 0.0 ? mix(c, color_at_level(photo, fine + 1, pixel), mix_in) : c;
 }
 
-// Angle, depth and border mask, validity; zero where they are not resident.
-vec4 masks_at(uint photo, vec2 pixel) {
-    TilePlace p = tile_place(photos[photo].size_weight.xy, mask_level, pixel / float(1 << mask_level), photos[photo].mask_base);
-    uint layer = mask_pages[p.page];
-    return layer == not_resident ? vec4(0.0) : textureLod(mask_tiles, vec3(p.coordinate, float(layer)), 0.0);
+// The tile of masks and depth at a photo pixel: the level that `lod` asks for, or the next coarser that is resident.
+struct MaskPlace {
+    vec3 coordinate;
+    int level;  // -1: none is resident
+};
+MaskPlace mask_place(uint photo, vec2 pixel, float lod) {
+    int end = max(int(photos[photo].size_weight.z), mask_level + 1);
+    for (int l = clamp(int(lod), mask_level, end - 1); l < end; ++l) {
+        TilePlace p = tile_place(photos[photo].size_weight.xy, l, pixel / float(1 << l), photos[photo].mask_base[l]);
+        uint entry = pages[p.page];
+        if (entry != not_resident) return MaskPlace(vec3(p.coordinate, float(entry & 0xffffu)), l);
+    }
+    return MaskPlace(vec3(0.0), -1);
 }
 
-// The largest of the four depths around a photo pixel; +inf beside the model.
-float depth_at(uint photo, vec2 pixel) {
-    TilePlace p = tile_place(photos[photo].size_weight.xy, mask_level, pixel / float(1 << mask_level), photos[photo].mask_base);
-    uint layer = depth_pages[p.page];
-    if (layer == not_resident) return 0.0;
-    vec4 z = textureGather(depth_tiles, vec3(p.coordinate, float(layer)));
-    return max(max(z.x, z.y), max(z.z, z.w));
+// Angle, depth and border mask, validity.
+vec4 masks_at(MaskPlace at) { return textureLod(mask_tiles, at.coordinate, 0.0); }
+
+// The smallest and the largest of the four depths around a photo pixel; +inf beside the model.
+vec2 depths_at(MaskPlace at) {
+    vec4 z = textureGather(depth_tiles, at.coordinate);
+    return vec2(min(min(z.x, z.y), min(z.z, z.w)), max(max(z.x, z.y), max(z.z, z.w)));
 }

@@ -41,12 +41,12 @@ struct Prepared {
         prepare(scene, settings, file, [](const Progress&) {});
         package = std::make_unique<PackageReader>(file);
         context = std::make_unique<gl::HeadlessContext>();
-        renderer = std::make_unique<Renderer>(*package);
+        renderer = std::make_unique<Renderer>(*package, MemoryBudget{});
         photos.resize(package->photos().size());
         std::iota(photos.begin(), photos.end(), 0u);
     }
     Picture picture(const View& view, const RenderSettings& settings) {
-        return take_picture(*renderer, view, settings, photos);
+        return take_picture(*renderer, view, settings, photos, 1);
     }
     Picture own_view(std::uint32_t photo, Blend blend, int per_pass = 4) {
         RenderSettings s;

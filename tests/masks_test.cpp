@@ -1,4 +1,3 @@
-#include "pipeline/stages/clusters.h"
 #include "pipeline/stages/masks.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 
 #include "gl/context.h"
 #include "pipeline/stages/border.h"
+#include "pipeline/stages/clusters.h"
 #include "pipeline/stages/pyramid.h"
 
 using namespace vantage;

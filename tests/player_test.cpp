@@ -4,12 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
+#include "player/cluster_tree.h"
+#include "player/layer_pool.h"
 #include "player/navigation.h"
+#include "player/photo_cover.h"
+#include "player/sampling.h"
 #include "player/shots.h"
 #include "player/tile_needs.h"
 #include "player/weights.h"
 #include "scene/package_reader.h"
+#include "scene/tiling.h"
 
 using namespace vantage;
 
@@ -79,60 +85,151 @@ double sampled_lod(const package::PhotoRecord& photo, const View& view, const Ei
 
 }  // namespace
 
-TEST(TileNeeds, HoldEveryTileThatAFragmentSamples) {
+TEST(SampledLevels, HoldWhatEveryFragmentOfAClusterSamples) {
     Random random;
     int looked = 0;
-    for (int trial = 0; trial < 60; ++trial) {
+    for (int trial = 0; trial < 300; ++trial) {
         const View view = random_view(random), from = random_view(random);
         const package::PhotoRecord photo = photo_at(from.cam_from_origin.center(), from.cam_from_origin.R);
-        const Eigen::Vector3d center = random.vector(1);
-        const double radius = random(0.01, 0.5);
-        const std::vector clusters{cluster_at(center, radius * 1.001)};
-        const auto in_view = clusters_in_view(clusters, view);
-        const TileNeeds needs = tile_needs(photo, clusters, {}, in_view, view, 1);
-        for (int i = 0; i < 200; ++i) {
+        const Eigen::Vector3d center = random.vector(1), axis = random.vector(1).normalized();
+        const double radius = random(0.01, 0.1), half_angle = random(0.01, 0.4);
+        package::ClusterRecord cluster = cluster_at(center, radius * 1.001);
+        for (int i = 0; i < 3; ++i) cluster.cone_axis[i] = float(axis[i]);
+        cluster.cone_cutoff = float(std::sin(half_angle));
+        const LevelRange range = sampled_levels(cluster, intrinsics(photo), cam_from_origin(photo), view, 1);
+        for (int i = 0; i < 50; ++i) {
             const Eigen::Vector3d point = center + random.vector(1).normalized() * random(0, radius);
-            const auto seen = project(view.intrinsics, view.cam_from_origin, point);
-            const auto taken = project(intrinsics(photo), cam_from_origin(photo), point);
-            const auto within = [](const auto& p, double w, double h) {
-                return p && p->pixel.x() >= 0 && p->pixel.y() >= 0 && p->pixel.x() < w && p->pixel.y() < h;
-            };
-            if (!within(seen, 640, 480)) continue;
-            EXPECT_EQ(in_view.size(), 1u) << "a cluster in view was dropped";
-            if (!within(taken, photo.width, photo.height)) continue;
-            // A surface that photo and view both see, at up to 60 degrees from the photo's ray.
-            const Eigen::Vector3d to_photo = (cam_from_origin(photo).center() - point).normalized();
-            const Eigen::Vector3d normal = (to_photo + random.vector(0.5)).normalized();
-            if (normal.dot(to_photo) < 0.5 || normal.dot(view.cam_from_origin.center() - point) <= 0)
-                continue;
-            const int level = std::min(int(sampled_lod(photo, view, point, normal)), int(photo.levels) - 1);
-            const Level size = level_size(int(photo.width), int(photo.height), level);
-            const Eigen::Vector2d texel = taken->pixel / double(1 << level);
-            const auto tile =
-                std::uint32_t(int(texel.y() / tile_content) * size.columns() + int(texel.x() / tile_content));
-            EXPECT_TRUE(std::ranges::binary_search(needs.color[std::size_t(level)], tile))
-                << "trial " << trial << " level " << level;
+            const Eigen::Vector3d tilt = axis.cross(random.vector(1)).normalized();
+            const Eigen::Vector3d normal = Eigen::AngleAxisd(random(0, half_angle), tilt) * axis;
+            const Eigen::Vector3d eye = view.cam_from_origin.center(),
+                                  camera = cam_from_origin(photo).center();
+            const double to_view = normal.dot((eye - point).normalized()),
+                         to_photo = normal.dot((camera - point).normalized());
+            if (to_view < 0.2 || to_photo < 0.2) continue;  // edge-on the levels run away
+            if (!project(view.intrinsics, view.cam_from_origin, point)) continue;
+            const double lod = sampled_lod(photo, view, point, normal);
+            if (lod == 99) continue;
+            EXPECT_GE(lod, range.finest - 0.35) << trial;
+            EXPECT_LE(lod, std::max(0.0, range.coarsest) + 0.35) << trial;
             ++looked;
         }
     }
-    EXPECT_GT(looked, 500);
+    EXPECT_GT(looked, 2000);
 }
 
-TEST(TileNeeds, AreFewFromFarAway) {
-    const Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-    const package::PhotoRecord photo = photo_at({0, 0, -10}, R);
-    const std::vector clusters{cluster_at({0, 0, 0}, 1)};
-    const View far = view_towards({0, 0, -1000}, {0, 0, 0}, {0, -1, 0}, 45, 640, 480);
-    const auto needs = tile_needs(photo, clusters, {}, clusters_in_view(clusters, far), far, 1);
+TEST(TileNeeds, AreTheTilesOfTheRecordedExtent) {
+    const package::PhotoRecord photo = photo_at({0, 0, -10}, Eigen::Matrix3d::Identity());
+    package::ClusterRecord cluster = cluster_at({0, 0, 0}, 0.1);
+    cluster.cone_axis[2] = -1;
+    cluster.cone_cutoff = 0;
+    const auto unorm = [](double pixel, double size) { return std::uint16_t(65535 * pixel / size); };
+    package::CoverageRecord seen{65535, unorm(300, 1700), unorm(10, 1300), unorm(740, 1700), unorm(20, 1300),
+                                 0};
+    const View same = view_of_photo(photo, 1);
+    const std::vector<std::uint32_t> drawn{0};
+    TileNeeds needs = tile_needs(photo, std::vector{cluster}, std::vector{seen}, drawn, same, 1);
+    EXPECT_EQ(needs.color[0], (std::vector<std::uint32_t>{1, 2})) << "columns of 248 px";
+    EXPECT_EQ(needs.masks[1], (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_TRUE(needs.masks[0].empty());
+    const View far = view_towards({0, 0, -160}, {0, 0, 0}, {0, -1, 0}, 45, 640, 480);
+    needs = tile_needs(photo, std::vector{cluster}, std::vector{seen}, drawn, far, 1);
     EXPECT_TRUE(needs.color[0].empty());
-    EXPECT_EQ(needs.color[photo.levels - 1].size(), 1u) << "the coarsest level always stands in";
+    EXPECT_EQ(needs.color[photo.levels - 1].size(), 1u);
+    seen.seen = 0;
+    EXPECT_EQ(tile_needs(photo, std::vector{cluster}, std::vector{seen}, drawn, same, 1).tiles(), 0u);
 }
 
-TEST(TileNeeds, NothingBehindTheViewer) {
+TEST(ClusterTree, FindsWhatTheFrustumOfAnyViewHolds) {
+    Random random;
+    std::vector<package::ClusterRecord> clusters;
+    for (int i = 0; i < 700; ++i) clusters.push_back(cluster_at(random.vector(4), random(0.001, 0.3)));
+    const ClusterTree tree = make_cluster_tree(clusters);
+    std::size_t found = 0;
+    for (int trial = 0; trial < 100; ++trial) {
+        const View view = random_view(random);
+        const auto in_view = clusters_in_view(tree, clusters, view);
+        EXPECT_TRUE(std::ranges::is_sorted(in_view));
+        found += in_view.size();
+        for (int i = 0; i < 2000; ++i) {
+            const auto c = std::uint32_t(random(0, 699.99));
+            const Eigen::Vector3d center(clusters[c].center[0], clusters[c].center[1], clusters[c].center[2]);
+            const auto p = project(view.intrinsics, view.cam_from_origin,
+                                   center + random.vector(1).normalized() * clusters[c].radius);
+            if (p && p->pixel.x() >= 0 && p->pixel.y() >= 0 && p->pixel.x() < 640 && p->pixel.y() < 480) {
+                EXPECT_TRUE(std::ranges::binary_search(in_view, c)) << "a visible cluster was dropped";
+            }
+        }
+    }
+    EXPECT_LT(found, 100u * 500) << "what is far out of view is left out";
+    EXPECT_TRUE(clusters_in_view(make_cluster_tree({}), {}, random_view(random)).empty());
+}
+
+TEST(ClusterTree, NothingBehindTheViewer) {
     const std::vector clusters{cluster_at({0, 0, 5}, 1)};
     const View away = view_towards({0, 0, 0}, {0, 0, -1}, {0, -1, 0}, 45, 640, 480);
-    EXPECT_TRUE(clusters_in_view(clusters, away).empty());
-    EXPECT_EQ(depth_range(clusters, away), Eigen::Vector2d(0, 0));
+    EXPECT_TRUE(clusters_in_view(make_cluster_tree(clusters), clusters, away).empty());
+    EXPECT_EQ(depth_range(clusters, {}, away), Eigen::Vector2d(0, 0));
+}
+
+TEST(LayerPool, HoldsTheMostRecentlyUsedAndNeverDropsWhatTheFrameUses) {
+    Random random;
+    LayerPool pool(7, 40);
+    std::vector<std::uint32_t> order;  // naive: most recent last
+    std::vector<std::uint64_t> used(40, 0);
+    for (std::uint64_t frame = 1; frame < 400; ++frame)
+        for (int i = 0; i < 5; ++i) {
+            const auto page = std::uint32_t(random(0, 39.99));
+            const bool held = std::ranges::count(order, page) > 0;
+            ASSERT_EQ(pool.layer_of(page).has_value(), held);
+            if (held) {
+                ASSERT_TRUE(pool.use(page, frame));
+                std::erase(order, page);
+            } else if (order.size() == 7) {
+                if (used[order.front()] == frame) {
+                    ASSERT_FALSE(pool.place(page, frame));
+                    continue;
+                }
+                order.erase(order.begin());
+                ASSERT_TRUE(pool.place(page, frame));
+            } else {
+                ASSERT_TRUE(pool.place(page, frame));
+            }
+            order.push_back(page);
+            used[page] = frame;
+            std::set<std::uint32_t> layers;
+            for (const std::uint32_t p : order) layers.insert(*pool.layer_of(p));
+            ASSERT_EQ(layers.size(), order.size()) << "two pages in one layer";
+            ASSERT_EQ(pool.room(frame),
+                      7 - std::ranges::count_if(order, [&](auto p) { return used[p] == frame; }));
+        }
+}
+
+TEST(PhotoCover, LeavesNothingThatSomePhotoSees) {
+    Random random;
+    for (int trial = 0; trial < 50; ++trial) {
+        const int triangles = 300, sets = 12;
+        std::vector<std::vector<std::uint64_t>> whole(sets, std::vector<std::uint64_t>(5, 0)), part = whole;
+        for (int s = 0; s < sets; ++s) {
+            const int first = int(random(0, 250)), last = first + int(random(1, 80));
+            for (int t = first; t < std::min(last, triangles); ++t) {
+                part[std::size_t(s)][std::size_t(t / 64)] |= std::uint64_t(1) << (t % 64);
+                if (t > first) whole[std::size_t(s)][std::size_t(t / 64)] |= std::uint64_t(1) << (t % 64);
+            }
+        }
+        CoverProblem problem;
+        for (std::uint32_t f = 0; f < 300; f += 60) problem.runs.push_back({f, 60, random(0.5, 2)});
+        for (std::size_t s = 0; s < sets; ++s) problem.sets.push_back({whole[s], part[s], random(0.1, 1)});
+        const auto chosen = cover(problem);
+        EXPECT_EQ(uncovered_share(problem, chosen), 0);
+        EXPECT_EQ(std::set(chosen.begin(), chosen.end()).size(), chosen.size());
+        for (std::size_t drop = 0; drop < chosen.size(); ++drop) {  // whole where some photo sees it whole
+            auto fewer = chosen;
+            fewer.erase(fewer.begin() + std::ptrdiff_t(drop));
+            EXPECT_GE(uncovered_share(problem, fewer), 0);
+        }
+    }
+    EXPECT_TRUE(cover({}).empty());
+    EXPECT_EQ(uncovered_share({}, {}), 0);
 }
 
 TEST(Weights, NearestIsOneAndNobodyIsZero) {

@@ -1,0 +1,36 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "player/view.h"
+#include "scene/package_format.h"
+
+namespace vantage {
+
+/// Boxes over runs of consecutive clusters, halved down to a few; a parent stands before its children.
+struct ClusterTree {
+    struct Node {
+        Eigen::Vector3d low, high;
+        std::uint32_t first, count;  ///< clusters
+        std::uint32_t next;          ///< the node after all of this one's descendants
+    };
+    std::vector<Node> nodes;
+};
+ClusterTree make_cluster_tree(std::span<const package::ClusterRecord> clusters);
+
+/// Clusters whose bounding sphere reaches into the view, ascending: never one too few.
+std::vector<std::uint32_t> clusters_in_view(const ClusterTree& tree,
+                                            std::span<const package::ClusterRecord> clusters,
+                                            const View& view);
+
+/// All triangles of the cluster look away from `eye`, by its normal cone.
+bool looks_away(const package::ClusterRecord& cluster, const Eigen::Vector3d& eye);
+
+/// Nearest and farthest linear depth of the clusters' spheres, kept to a ratio that a float depth buffer
+/// resolves. {0, 0} when all are behind the viewer.
+Eigen::Vector2d depth_range(std::span<const package::ClusterRecord> clusters,
+                            std::span<const std::uint32_t> in_view, const View& view);
+
+}  // namespace vantage

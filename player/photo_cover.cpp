@@ -1,0 +1,114 @@
+#include "player/photo_cover.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace vantage {
+namespace {
+
+/// Calls `visit(word, mask)` for the words that hold the run's bits.
+template <class Visit>
+void for_words(std::uint32_t first, std::uint32_t count, const Visit& visit) {
+    const std::uint32_t end = first + count;
+    for (std::uint32_t at = first; at < end;) {
+        const std::uint32_t low = at % 64, bits = std::min(64 - low, end - at);
+        visit(at / 64, (bits == 64 ? ~std::uint64_t(0) : (std::uint64_t(1) << bits) - 1) << low);
+        at += bits;
+    }
+}
+
+/// What is still to be covered: triangles that some set sees whole, and others that some set sees in part.
+struct Open {
+    std::vector<std::uint64_t> whole, part;
+};
+
+Open all_open(const CoverProblem& problem) {
+    Open open;
+    if (problem.sets.empty()) return open;
+    const std::size_t words = problem.sets.front().whole.size();
+    open.whole.assign(words, 0);
+    open.part.assign(words, 0);
+    for (const CoverProblem::Set& s : problem.sets)
+        for (std::size_t w = 0; w < words; ++w) {
+            open.whole[w] |= s.whole[w];
+            open.part[w] |= s.part[w];
+        }
+    for (std::size_t w = 0; w < words; ++w) open.part[w] &= ~open.whole[w];
+    return open;
+}
+
+double open_area(const CoverProblem& problem, const Open& open) {
+    double area = 0;
+    for (const CoverProblem::Run& run : problem.runs)
+        for_words(run.first, run.count, [&](std::uint32_t w, std::uint64_t mask) {
+            area += run.area * (std::popcount(open.whole[w] & mask) + std::popcount(open.part[w] & mask));
+        });
+    return area;
+}
+
+double gain(const CoverProblem& problem, const Open& open, const CoverProblem::Set& s) {
+    double area = 0;
+    for (const CoverProblem::Run& run : problem.runs)
+        for_words(run.first, run.count, [&](std::uint32_t w, std::uint64_t mask) {
+            area += run.area * (std::popcount(s.whole[w] & open.whole[w] & mask) +
+                                std::popcount(s.part[w] & open.part[w] & mask));
+        });
+    return area;
+}
+
+void close(Open& open, const CoverProblem::Set& s) {
+    for (std::size_t w = 0; w < open.whole.size(); ++w) {
+        open.whole[w] &= ~s.whole[w];
+        open.part[w] &= ~s.part[w];
+    }
+}
+
+}  // namespace
+
+std::vector<std::size_t> cover(const CoverProblem& problem) {
+    Open open = all_open(problem);
+    std::vector<std::size_t> chosen;
+    if (problem.sets.empty()) return chosen;
+    const double all = open_area(problem, open);
+    // What a set adds only shrinks, so its last gain bounds it: most sets are not counted again.
+    std::vector<double> bound;
+    for (const CoverProblem::Set& s : problem.sets) bound.push_back(gain(problem, open, s));
+    const auto value = [&](std::size_t i) {
+        return bound[i] * std::pow(std::max(problem.sets[i].preference, 1e-12), 0.5);
+    };
+    for (double left = all; left > 2e-4 * all;) {
+        std::size_t best = problem.sets.size();
+        std::vector<std::size_t> order(problem.sets.size());
+        for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+        std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return value(a) > value(b); });
+        for (const std::size_t i : order) {
+            if (best < order.size() && value(i) <= value(best)) break;
+            bound[i] = gain(problem, open, problem.sets[i]);
+            if (bound[i] > 0 && (best == order.size() || value(i) > value(best))) best = i;
+        }
+        if (best == order.size()) break;
+        chosen.push_back(best);
+        left -= bound[best];
+        close(open, problem.sets[best]);
+    }
+    return chosen;
+}
+
+double uncovered_share(const CoverProblem& problem, std::span<const std::size_t> chosen) {
+    Open open = all_open(problem);
+    if (problem.sets.empty()) return 0;
+    const double all = open_area(problem, open);
+    for (const std::size_t i : chosen) close(open, problem.sets[i]);
+    return all > 0 ? open_area(problem, open) / all : 0;
+}
+
+std::uint32_t count_bits(std::span<const std::uint64_t> bits, std::uint32_t first, std::uint32_t count) {
+    std::uint32_t n = 0;
+    for_words(first, count, [&](std::uint32_t w, std::uint64_t mask) {
+        n += std::uint32_t(std::popcount(bits[w] & mask));
+    });
+    return n;
+}
+
+}  // namespace vantage

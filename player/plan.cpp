@@ -1,0 +1,214 @@
+#include "player/plan.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "player/photo_cover.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+Eigen::Vector3d center(const package::ClusterRecord& c) { return {c.center[0], c.center[1], c.center[2]}; }
+
+/// Angle between the rays from a point to the viewer and to a photo.
+double ray_angle(const Eigen::Vector3d& point, const Eigen::Vector3d& eye, const Eigen::Vector3d& photo) {
+    const Eigen::Vector3d a = eye - point, b = photo - point;
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// Pixels that a cluster's sphere fills, at most the frame.
+double area_in_view(const package::ClusterRecord& c, const View& view) {
+    const Intrinsics& k = view.intrinsics;
+    const double z = (view.cam_from_origin.R * center(c) + view.cam_from_origin.t).z();
+    const double reach = std::max(z, double(c.radius)), r = c.radius / reach;
+    return std::min(std::numbers::pi * r * r * k.fx * k.fy, double(k.width) * k.height);
+}
+
+/// The view with what does not depend on the photos.
+struct Sight {
+    const PlanScene& scene;
+    const View& view;
+    Eigen::Vector3d eye;
+    std::vector<std::uint32_t> clusters;
+    std::vector<double> areas;  ///< of clusters, pixels
+};
+
+Sight look(const PlanScene& scene, const View& view) {
+    Sight s{
+        scene, view, view.cam_from_origin.center(), clusters_in_view(scene.tree, scene.clusters, view), {}};
+    for (const std::uint32_t c : s.clusters) s.areas.push_back(area_in_view(scene.clusters[c], view));
+    return s;
+}
+
+/// Whether a photo can show this side of a cluster: one that looks away from the viewer is shown by photos
+/// that it looks away from, too.
+bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d& photo) {
+    return !away || looks_away(c, photo);
+}
+
+constexpr double agreement_angle = 0.35;  ///< radians; wider than the blend's, to rank the far ones, too
+
+/// Over at most 512 clusters, evenly drawn from all in view: a rank needs no more.
+double agreement(const Sight& s, std::uint32_t photo) {
+    const auto& coverage = s.scene.coverage[photo];
+    if (coverage.empty()) return 0;
+    const Eigen::Vector3d from = s.scene.poses[photo].center();
+    const std::size_t step = std::max<std::size_t>(1, s.clusters.size() / 512);
+    double agrees = 0, all = 0;
+    for (std::size_t i = 0; i < s.clusters.size(); i += step) {
+        const std::uint32_t c = s.clusters[i];
+        all += s.areas[i];
+        if (coverage[c].seen == 0) continue;
+        agrees += s.areas[i] * coverage[c].seen / 65535.0 *
+                  std::exp(-ray_angle(center(s.scene.clusters[c]), s.eye, from) / agreement_angle);
+    }
+    return all > 0 ? agrees / all : 0;
+}
+
+bool contains(std::span<const std::uint32_t> list, std::uint32_t value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+struct Candidate {
+    std::uint32_t photo;
+    double agreement, rank;
+};
+
+std::vector<Candidate> candidates(const Sight& s, std::span<const std::uint32_t> allowed, Choice choice,
+                                  std::span<const std::uint32_t> previous) {
+    constexpr double loyalty = 1.15;  // a newcomer must be better by this much
+    std::vector<Candidate> out;
+    for (const std::uint32_t p : allowed) {
+        const double a = agreement(s, p);
+        if (!(a > 0)) continue;
+        double rank = a;
+        if (choice == Choice::nearest)
+            rank = 1 / (1e-12 + (s.scene.poses[p].center() - s.eye).norm());
+        else if (choice == Choice::direction)
+            rank = std::max(1e-3, s.view.cam_from_origin.direction().dot(Eigen::Map<const Eigen::Vector3d>(
+                                      s.scene.photos[p].corrected_direction))) *
+                   std::max(0.01, s.scene.photos[p].hull_area);
+        out.push_back({p, a, rank * (contains(previous, p) ? loyalty : 1)});
+    }
+    std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.rank > b.rank; });
+    return out;
+}
+
+/// For the set cover: what each candidate adds, weighed by how well it agrees.
+CoverProblem cover_problem(const Sight& s, const std::vector<Candidate>& candidates) {
+    CoverProblem problem;
+    for (std::size_t i = 0; i < s.clusters.size(); ++i) {
+        const package::ClusterRecord& c = s.scene.clusters[s.clusters[i]];
+        problem.runs.push_back({c.first_triangle, c.triangles, s.areas[i] / c.triangles});
+    }
+    const std::size_t words = package::visible_words(s.scene.triangles);
+    for (const Candidate& c : candidates) {
+        const auto bits = s.scene.visible[c.photo];
+        problem.sets.push_back({bits.first(words), bits.subspan(words, words), c.rank});
+    }
+    return problem;
+}
+
+std::vector<Candidate> choose(const Sight& s, const PlanSettings& settings, std::vector<Candidate> all,
+                              double& uncovered) {
+    const auto wanted = settings.photos > 0 ? std::size_t(settings.photos) : all.size();
+    const CoverProblem problem = cover_problem(s, all);
+    std::vector<std::size_t> chosen;
+    if (settings.choice == Choice::cover && wanted < all.size()) chosen = cover(problem);
+    const auto within = [&](const Candidate& c) {
+        const double cosine = s.view.cam_from_origin.direction().dot(s.scene.poses[c.photo].direction());
+        return settings.angle_limit <= 0 || std::acos(std::clamp(cosine, -1.0, 1.0)) <= settings.angle_limit;
+    };
+    for (std::size_t i = 0; i < all.size() && chosen.size() < wanted; ++i)
+        if (within(all[i]) && std::find(chosen.begin(), chosen.end(), i) == chosen.end()) chosen.push_back(i);
+    uncovered = uncovered_share(problem, chosen);
+    std::vector<Candidate> out;
+    for (const std::size_t i : chosen) out.push_back(all[i]);
+    std::stable_sort(out.begin(), out.end(),
+                     [](const auto& a, const auto& b) { return a.agreement > b.agreement; });
+    return out;
+}
+
+/// Which of the chosen photos draw which clusters: all that see them, but for those whose weight next to a
+/// photo that sees the whole cluster could not change a colour code.
+void assign_clusters(const Sight& s, const PlanSettings& settings, std::vector<PlannedPhoto>& photos) {
+    constexpr double least = 1.0 / 1024;
+    const std::size_t words = package::visible_words(s.scene.triangles);
+    std::vector<Eigen::Vector3d> centers;
+    for (const PlannedPhoto& p : photos) centers.push_back(s.scene.poses[p.photo].center());
+    std::vector<double> weights(photos.size());
+    for (const std::uint32_t index : s.clusters) {
+        const package::ClusterRecord& c = s.scene.clusters[index];
+        const bool away = looks_away(c, s.eye);
+        double best = 0;
+        for (std::size_t i = 0; i < photos.size(); ++i) {
+            weights[i] = -1;
+            const std::uint32_t p = photos[i].photo;
+            if (s.scene.coverage[p][index].seen == 0 || !same_side(c, away, centers[i])) continue;
+            const double theta = ray_angle(center(c), s.eye, centers[i]),
+                         density = std::exp2(s.scene.coverage[p][index].log2_density / 128.0);
+            weights[i] = settings.sharpness > 0 ? std::exp(-theta / settings.sharpness) * density : 1;
+            if (count_bits(s.scene.visible[p].first(words), c.first_triangle, c.triangles) == c.triangles)
+                best = std::max(best, weights[i]);
+        }
+        for (std::size_t i = 0; i < photos.size(); ++i)
+            if (weights[i] >= 0 && weights[i] >= least * best) photos[i].clusters.push_back(index);
+    }
+}
+
+}  // namespace
+
+PlanScene make_plan_scene(const PackageReader& package) {
+    using package::Type;
+    const package::SceneRecord& record = package.scene();
+    PlanScene s;
+    s.photos = package.photos();
+    s.clusters = package.records<package::ClusterRecord>(Type::clusters);
+    s.tree = make_cluster_tree(s.clusters);
+    s.triangles = record.triangles;
+    for (std::uint32_t i = 0; i < s.photos.size(); ++i) {
+        s.intrinsics.push_back(intrinsics(s.photos[i]));
+        s.poses.push_back(cam_from_origin(s.photos[i]));
+        s.coverage.emplace_back();
+        s.visible.emplace_back();
+        if (!s.photos[i].levels) continue;
+        s.coverage.back() = package.records<package::CoverageRecord>(Type::coverage, i);
+        s.visible.back() = package.records<std::uint64_t>(Type::visible, i);
+        if (s.coverage.back().size() != s.clusters.size() ||
+            s.visible.back().size() != 2 * package::visible_words(s.triangles))
+            throw Error(Exit::damaged, package.path().string() + ": COVR or VISB of " +
+                                           std::string(s.photos[i].name) +
+                                           ": length does not fit the scene's counts");
+    }
+    return s;
+}
+
+Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
+               std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous) {
+    Sight sight = look(scene, view);
+    Plan plan;
+    for (const Candidate& c :
+         choose(sight, settings, candidates(sight, allowed, settings.choice, previous), plan.uncovered))
+        plan.photos.push_back({c.photo, c.agreement, {}, {}});
+    assign_clusters(sight, settings, plan.photos);
+    for (PlannedPhoto& p : plan.photos)
+        p.needs = tile_needs(scene.photos[p.photo], scene.clusters, scene.coverage[p.photo], p.clusters, view,
+                             settings.samples);
+    std::erase_if(plan.photos, [](const PlannedPhoto& p) { return p.clusters.empty(); });
+    plan.clusters = std::move(sight.clusters);
+    return plan;
+}
+
+std::vector<double> agreements(const PlanScene& scene, const View& view) {
+    const Sight sight = look(scene, view);
+    std::vector<double> out;
+    for (std::uint32_t p = 0; p < scene.photos.size(); ++p) out.push_back(agreement(sight, p));
+    return out;
+}
+
+}  // namespace vantage
