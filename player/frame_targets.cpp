@@ -18,7 +18,9 @@ FrameTargets make_frame_targets(int width, int height) {
     t.height = height;
     t.depth = gl::make_texture_2d("frame depth", GL_DEPTH_COMPONENT32F, width, height);
     t.surface = gl::make_texture_2d("frame surface", GL_RGBA16F, width, height);
-    t.surface_target = gl::make_framebuffer("frame surface", std::array{t.surface.id()}, t.depth.id());
+    t.triangles = gl::make_texture_2d("frame triangles", GL_R32UI, width, height);
+    t.surface_target =
+        gl::make_framebuffer("frame surface", std::array{t.surface.id(), t.triangles.id()}, t.depth.id());
     for (int i = 0; i < 2; ++i) {
         t.sums[i] = gl::make_texture_2d("frame sums", GL_RGBA32F, width, height);
         t.sums_target[i] = gl::make_framebuffer("frame sums", std::array{t.sums[i].id()}, t.depth.id());
@@ -29,7 +31,7 @@ FrameTargets make_frame_targets(int width, int height) {
 }
 
 std::uint64_t FrameTargets::bytes(int width, int height) {
-    return std::uint64_t(width) * std::uint64_t(height) * (4 + 8 + 3 * 16);
+    return std::uint64_t(width) * std::uint64_t(height) * (4 + 8 + 4 + 3 * 16);
 }
 
 }  // namespace vantage

@@ -5,11 +5,11 @@
 
 namespace vantage {
 
-/// What a frame is drawn into: the bare surface with its depth, two float targets of sums (best photo and
-/// consensus read one while they write the other), and the samples added up.
+/// What a frame is drawn into: the bare surface with its depth and its triangles' numbers (from 1), two float
+/// targets of sums (best photo and consensus read one while they write the other), and the samples added up.
 struct FrameTargets {
     int width = 0, height = 0;
-    gl::Texture depth, surface, sums[2], accumulated;
+    gl::Texture depth, surface, triangles, sums[2], accumulated;
     gl::Framebuffer surface_target, sums_target[2], accumulated_target;
 
     static std::uint64_t bytes(int width, int height);

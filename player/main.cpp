@@ -1,5 +1,8 @@
 #include <cstdio>
+#include <optional>
+#include <string_view>
 
+#include "player/bench.h"
 #include "player/offscreen.h"
 #include "player/options.h"
 #include "player/window.h"
@@ -13,23 +16,46 @@ void list_photos(const vantage::PackageReader& package) {
                     100 * p.visible_vertices, p.flags & vantage::package::photo_held_out ? "  held out" : "");
 }
 
-}  // namespace
+/// Empty where the program is to go on.
+std::optional<int> parse(CLI::App& app, int argc, char** argv) {
+    try {
+        app.parse(argc, argv);
+        return std::nullopt;
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? 0 : int(vantage::Exit::usage);
+    }
+}
 
-int main(int argc, char** argv) {
+int bench(int argc, char** argv) {
+    using namespace vantage;
+    CLI::App app{"vantage-player bench flies scripted paths and measures every frame."};
+    BenchOptions options;
+    add_bench_options(app, options);
+    if (const auto code = parse(app, argc, argv)) return *code;
+    return run_bench(PackageReader(options.player.package), options);
+}
+
+int play(int argc, char** argv) {
     using namespace vantage;
     CLI::App app{"vantage-player shows a prepared package: a scanned object through its own photos."};
     app.set_version_flag("--version", "vantage-player " VANTAGE_VERSION);
     Options options;
     add_options(app, options);
+    if (const auto code = parse(app, argc, argv)) return *code;
+    const PackageReader package(options.package);
+    package.meta();  // not needed to show it, but damage is said
+    if (options.list) return list_photos(package), 0;
+    return options.offscreen ? run_offscreen(package, options) : run_window(package, options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using vantage::Exit;
+    const bool benching = argc > 1 && std::string_view(argv[1]) == "bench";
     try {
-        app.parse(argc, argv);
-        const PackageReader package(options.package);
-        package.meta();  // not needed to show it, but damage is said
-        if (options.list) return list_photos(package), 0;
-        return options.offscreen ? run_offscreen(package, options) : run_window(package, options);
-    } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? 0 : int(Exit::usage);
-    } catch (const Error& e) {
+        return benching ? bench(argc - 1, argv + 1) : play(argc, argv);
+    } catch (const vantage::Error& e) {
         std::fprintf(stderr, "vantage-player: %s\n", e.what());
         return int(e.code());
     } catch (const std::exception& e) {

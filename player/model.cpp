@@ -29,6 +29,10 @@ Model load_model(const PackageReader& package) {
     glVertexArrayElementBuffer(m.vertices.id(), m.indices.id());
     for (const auto chunk : {std::as_bytes(positions), std::as_bytes(normals), std::as_bytes(indices)})
         package.forget(chunk);
+    glVertexArrayAttribIFormat(m.vertices.id(), 3, 2, GL_UNSIGNED_INT, 0);
+    glVertexArrayAttribBinding(m.vertices.id(), 3, 3);
+    glVertexArrayBindingDivisor(m.vertices.id(), 3, 1);
+    glEnableVertexArrayAttrib(m.vertices.id(), 3);
     if (!effect_on(scene, Effect::vertex_colors)) return m;
     const auto colors = package.records<std::uint32_t>(Type::colors);
     if (colors.size() != scene.vertices)

@@ -35,14 +35,73 @@ struct Sight {
     const View& view;
     Eigen::Vector3d eye;
     std::vector<std::uint32_t> clusters;
-    std::vector<double> areas;  ///< of clusters, pixels
+    std::vector<double> areas{};                      ///< of clusters; any unit, 0: not seen
+    std::vector<std::uint32_t> samples{};             ///< triangles seen, with repetitions; none: unknown
+    std::vector<std::vector<SurfacePoint>> points{};  ///< some of what is seen of each cluster
 };
 
-Sight look(const PlanScene& scene, const View& view) {
-    Sight s{
-        scene, view, view.cam_from_origin.center(), clusters_in_view(scene.tree, scene.clusters, view), {}};
-    for (const std::uint32_t c : s.clusters) s.areas.push_back(area_in_view(scene.clusters[c], view));
+/// The cluster of each sample, and where it is none of the model's triangles, 2^32 - 1.
+std::vector<std::uint32_t> clusters_of(const PlanScene& scene, std::span<const std::uint32_t> seen) {
+    const auto holds = [&](std::size_t c, std::uint32_t t) {
+        return t - scene.clusters[c].first_triangle < scene.clusters[c].triangles;
+    };
+    std::vector<std::uint32_t> out(seen.size(), ~0u);
+    std::size_t cluster = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const std::uint32_t t = seen[i] - 1;
+        if (seen[i] == 0 || t >= scene.triangles) continue;
+        if (!holds(cluster, t))  // neighbours are mostly of one cluster
+            cluster = std::size_t(
+                std::ranges::upper_bound(scene.clusters, t, {}, &package::ClusterRecord::first_triangle) -
+                scene.clusters.begin() - 1);
+        out[i] = std::uint32_t(cluster);
+    }
+    return out;
+}
+
+SurfacePoint middle_of(const PlanScene& scene, std::uint32_t triangle) {
+    Eigen::Vector3d corner[3];
+    for (std::size_t v = 0; v < 3; ++v)
+        corner[v] = scene.positions[scene.indices[3 * std::size_t(triangle) + v]].cast<double>();
+    return {(corner[0] + corner[1] + corner[2]) / 3,
+            (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized()};
+}
+
+Sight look(const PlanScene& scene, const View& view, std::span<const std::uint32_t> seen) {
+    constexpr std::uint32_t points = 6;  // looked at in each cluster
+    Sight s{scene, view, view.cam_from_origin.center(), clusters_in_view(scene.tree, scene.clusters, view)};
+    const std::vector<std::uint32_t> cluster = clusters_of(scene, seen);
+    std::vector<std::uint32_t> count(scene.clusters.size(), 0), number(scene.clusters.size(), 0);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        if (cluster[i] == ~0u) continue;
+        ++count[cluster[i]];
+        s.samples.push_back(seen[i] - 1);
+    }
+    s.points.resize(scene.clusters.size());
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const std::uint32_t c = cluster[i];
+        if (c != ~0u && number[c]++ % (count[c] / points + 1) == 0)
+            s.points[c].push_back(middle_of(scene, seen[i] - 1));
+    }
+    for (const std::uint32_t c : s.clusters)
+        s.areas.push_back(s.samples.empty() ? area_in_view(scene.clusters[c], view) : count[c]);
     return s;
+}
+
+/// The tiles of one photo for those of its clusters that are, or are not, seen.
+TileNeeds needs_of(const Sight& s, const PlannedPhoto& p, bool shown, double samples) {
+    std::vector<ClusterLevels> levels;
+    const Intrinsics& k = s.scene.intrinsics[p.photo];
+    const Pose& pose = s.scene.poses[p.photo];
+    for (const std::uint32_t c : p.clusters) {
+        if (s.samples.empty() && shown)
+            levels.push_back({c, sampled_levels(s.scene.clusters[c], k, pose, s.view, samples)});
+        else if (!s.samples.empty() && shown && !s.points[c].empty())
+            levels.push_back({c, sampled_levels(s.points[c], k, pose, s.view, samples)});
+        else if (!s.samples.empty() && !shown && s.points[c].empty())
+            levels.push_back({c, sampled_levels(s.scene.clusters[c], k, pose, s.view, samples)});
+    }
+    return tile_needs(s.scene.photos[p.photo], s.scene.coverage[p.photo], levels);
 }
 
 /// Whether a photo can show this side of a cluster: one that looks away from the viewer is shown by photos
@@ -62,6 +121,7 @@ double agreement(const Sight& s, std::uint32_t photo) {
     double agrees = 0, all = 0;
     for (std::size_t i = 0; i < s.clusters.size(); i += step) {
         const std::uint32_t c = s.clusters[i];
+        if (s.areas[i] == 0) continue;
         all += s.areas[i];
         if (coverage[c].seen == 0) continue;
         agrees += s.areas[i] * coverage[c].seen / 65535.0 *
@@ -102,7 +162,13 @@ std::vector<Candidate> candidates(const Sight& s, std::span<const std::uint32_t>
 /// For the set cover: what each candidate adds, weighed by how well it agrees.
 CoverProblem cover_problem(const Sight& s, const std::vector<Candidate>& candidates) {
     CoverProblem problem;
-    for (std::size_t i = 0; i < s.clusters.size(); ++i) {
+    const std::size_t step = std::max<std::size_t>(1, s.samples.size() / 16384);
+    for (std::size_t i = 0; i < s.samples.size(); i += step)
+        if (!problem.runs.empty() && problem.runs.back().first == s.samples[i])
+            ++problem.runs.back().area;
+        else
+            problem.runs.push_back({s.samples[i], 1, 1});
+    for (std::size_t i = 0; s.samples.empty() && i < s.clusters.size(); ++i) {
         const package::ClusterRecord& c = s.scene.clusters[s.clusters[i]];
         problem.runs.push_back({c.first_triangle, c.triangles, s.areas[i] / c.triangles});
     }
@@ -150,7 +216,10 @@ void assign_clusters(const Sight& s, const PlanSettings& settings, std::vector<P
             weights[i] = -1;
             const std::uint32_t p = photos[i].photo;
             if (s.scene.coverage[p][index].seen == 0 || !same_side(c, away, centers[i])) continue;
-            const double theta = ray_angle(center(c), s.eye, centers[i]),
+            // The angle may be smaller elsewhere in the cluster, or that of the best one larger.
+            const double turn =
+                c.radius * std::abs(1 / (center(c) - s.eye).norm() - 1 / (center(c) - centers[i]).norm());
+            const double theta = std::max(0.0, ray_angle(center(c), s.eye, centers[i]) - turn),
                          density = std::exp2(s.scene.coverage[p][index].log2_density / 128.0);
             weights[i] = settings.sharpness > 0 ? std::exp(-theta / settings.sharpness) * density : 1;
             if (count_bits(s.scene.visible[p].first(words), c.first_triangle, c.triangles) == c.triangles)
@@ -171,6 +240,8 @@ PlanScene make_plan_scene(const PackageReader& package) {
     s.clusters = package.records<package::ClusterRecord>(Type::clusters);
     s.tree = make_cluster_tree(s.clusters);
     s.triangles = record.triangles;
+    s.positions = package.records<Eigen::Vector3f>(Type::positions);
+    s.indices = package.records<std::uint32_t>(Type::indices);
     for (std::uint32_t i = 0; i < s.photos.size(); ++i) {
         s.intrinsics.push_back(intrinsics(s.photos[i]));
         s.poses.push_back(cam_from_origin(s.photos[i]));
@@ -189,23 +260,25 @@ PlanScene make_plan_scene(const PackageReader& package) {
 }
 
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
-               std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous) {
-    Sight sight = look(scene, view);
+               std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous,
+               std::span<const std::uint32_t> seen) {
+    Sight sight = look(scene, view, seen);
     Plan plan;
     for (const Candidate& c :
          choose(sight, settings, candidates(sight, allowed, settings.choice, previous), plan.uncovered))
-        plan.photos.push_back({c.photo, c.agreement, {}, {}});
+        plan.photos.push_back({c.photo, c.agreement, {}, {}, {}});
     assign_clusters(sight, settings, plan.photos);
-    for (PlannedPhoto& p : plan.photos)
-        p.needs = tile_needs(scene.photos[p.photo], scene.clusters, scene.coverage[p.photo], p.clusters, view,
-                             settings.samples);
+    for (PlannedPhoto& p : plan.photos) {
+        p.needs = needs_of(sight, p, true, settings.samples);
+        p.later = needs_of(sight, p, false, settings.samples);
+    }
     std::erase_if(plan.photos, [](const PlannedPhoto& p) { return p.clusters.empty(); });
     plan.clusters = std::move(sight.clusters);
     return plan;
 }
 
 std::vector<double> agreements(const PlanScene& scene, const View& view) {
-    const Sight sight = look(scene, view);
+    const Sight sight = look(scene, view, {});
     std::vector<double> out;
     for (std::uint32_t p = 0; p < scene.photos.size(); ++p) out.push_back(agreement(sight, p));
     return out;

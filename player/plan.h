@@ -21,6 +21,8 @@ struct PlanScene {
     std::vector<std::span<const package::CoverageRecord>> coverage;  ///< a photo; empty where held out
     std::vector<std::span<const std::uint64_t>> visible;             ///< a photo, as VISB
     std::size_t triangles = 0;
+    std::span<const Eigen::Vector3f> positions;
+    std::span<const std::uint32_t> indices;
 };
 /// Throws Error(damaged).
 PlanScene make_plan_scene(const PackageReader& package);
@@ -45,7 +47,8 @@ struct PlannedPhoto {
     std::uint32_t photo;
     double agreement;                     ///< with the view: share of it seen, by angle, in [0, 1]
     std::vector<std::uint32_t> clusters;  ///< drawn with this photo, ascending
-    TileNeeds needs;
+    TileNeeds needs;                      ///< of clusters seen, see make_plan
+    TileNeeds later;                      ///< of clusters in view that were not seen
 };
 
 /// What a view is drawn from; photos by falling agreement.
@@ -56,9 +59,11 @@ struct Plan {
 };
 
 /// Chooses among the photos `allowed`; those in `previous` are preferred a little, so that the choice does
-/// not flicker. Depends on its arguments alone.
+/// not flicker. `seen` are triangles that samples of the view (or one just before) showed, numbers from 1:
+/// with them the plan covers what is seen, without them all that is in view. Depends on its arguments alone.
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
-               std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous = {});
+               std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous = {},
+               std::span<const std::uint32_t> seen = {});
 
 /// Agreement of every photo with a view, 0 for one that sees nothing of it.
 std::vector<double> agreements(const PlanScene& scene, const View& view);

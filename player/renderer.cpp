@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -9,6 +10,7 @@
 
 #include "gl/context.h"
 #include "scene/error.h"
+#include "scene/tiling.h"
 
 namespace vantage {
 namespace {
@@ -65,7 +67,7 @@ std::size_t pass_bytes(const PackagePages& pages, std::size_t clusters) {
     for (const PhotoPages& p : pages.photos)
         largest = std::max<std::size_t>(largest, p.color_count + p.mask_count);
     return std::size_t(most_photos_per_pass) * (sizeof(PhotoBlock) + 4 * largest) +
-           clusters * sizeof(DrawCommand) + 1024;
+           clusters * (sizeof(DrawCommand) + sizeof(DrawRecord)) + 2048;
 }
 
 bool same(const View& a, const View& b) {
@@ -89,6 +91,14 @@ PlanSettings plan_settings(const RenderSettings& s, int side) {
     const bool falls = s.weights.angle && !s.weights.angle_per_photo && s.show != Show::coverage;
     if (falls && s.blend != Blend::best) p.sharpness = s.weights.sharpness;
     return p;
+}
+
+/// What was seen from `before` says what is seen from `now`.
+bool shows_much_of(const View& before, const View& now, const PlanScene& scene) {
+    const double turned = before.cam_from_origin.direction().dot(now.cam_from_origin.direction());
+    const double moved = (before.cam_from_origin.center() - now.cam_from_origin.center()).norm();
+    const ClusterTree::Node& all = scene.tree.nodes.front();
+    return turned > std::cos(std::numbers::pi / 9) && moved < 0.1 * (all.high - all.low).norm();
 }
 
 /// The view whose pixel centres are one sample's points.
@@ -141,6 +151,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
                            const View* next) {
     fit(view.intrinsics.width, view.intrinsics.height, settings);
     store_.begin_frame(now, !settings.complete);
+    if (!settings.complete) seen_.update(false);
     make_plan_for(view, settings, photos, sample.side);
     const View point = sampled(view, sample);
     Frame frame{point,
@@ -156,6 +167,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
     const Photos shown = present_photos(settings);
     frame.report.photos = shown.size();
     draw_surface(frame);
+    if (!settings.complete) seen_.capture(targets_, view);
     const std::array<float, 4> zero{};
     for (const gl::Framebuffer& sums : targets_.sums_target)
         glClearNamedFramebufferfv(sums.id(), GL_COLOR, 0, zero.data());
@@ -179,7 +191,7 @@ void Renderer::make_plan_for(const View& view, const RenderSettings& settings,
                              std::span<const std::uint32_t> photos, int side) {
     const PlanSettings wanted = plan_settings(settings, side);
     if (planned_for_ && same(planned_for_->view, view) && same(planned_for_->settings, wanted) &&
-        std::ranges::equal(planned_for_->photos, photos))
+        std::ranges::equal(planned_for_->photos, photos) && planned_for_->seen == seen_.version())
         return;
     std::vector<std::uint32_t> previous;
     for (const PlannedPhoto& p : plan_.photos) previous.push_back(p.photo);
@@ -189,7 +201,10 @@ void Renderer::make_plan_for(const View& view, const RenderSettings& settings,
     wide.intrinsics.height += 2;
     wide.intrinsics.cx += 1;
     wide.intrinsics.cy += 1;
-    plan_ = make_plan(scene_, wide, wanted, photos, previous);
+    knows_seen_ =
+        !settings.complete && !seen_.triangles().empty() && shows_much_of(seen_.view(), view, scene_);
+    plan_ = make_plan(scene_, wide, wanted, photos, previous,
+                      knows_seen_ ? seen_.triangles() : std::span<const std::uint32_t>());
     std::erase_if(previous, [&](std::uint32_t p) {
         return std::ranges::any_of(plan_.photos, [&](const PlannedPhoto& q) { return q.photo == p; });
     });
@@ -202,7 +217,7 @@ void Renderer::make_plan_for(const View& view, const RenderSettings& settings,
     all.photos = 0;
     leaving_ = previous.empty() || settings.complete ? std::vector<PlannedPhoto>()
                                                      : make_plan(scene_, wide, all, previous).photos;
-    planned_for_ = PlanKey{view, wanted, {photos.begin(), photos.end()}};
+    planned_for_ = PlanKey{view, wanted, {photos.begin(), photos.end()}, seen_.version()};
 }
 
 void Renderer::update_presence(const RenderSettings& settings, double now) {
@@ -244,13 +259,16 @@ void Renderer::stream(Frame& frame, const View* next) {
         for (const PlannedPhoto& p : plan_.photos) frame.report.uploaded += store_.load_whole(p.photo);
     for (const PlannedPhoto& p : plan_.photos) {
         frame.report.tiles += p.needs.tiles();
-        frame.report.tiles_missing += store_.need(p.photo, p.needs);
+        // Before it is known what a view shows, much would be read in vain: thumbnails have to do.
+        frame.report.tiles_missing += knows_seen_ ? store_.need(p.photo, p.needs) : p.needs.tiles();
     }
     const TileNeeds comparison = comparison_needs(frame.view, settings);
     frame.report.tiles_missing += store_.need(settings.compare_photo, comparison);
     for (const std::uint32_t p : wanted_thumbnails_)
         if (scene_.photos[p].levels) store_.need_thumbnail(p);
     wanted_thumbnails_.clear();
+    if (frame.report.tiles_missing == 0)
+        for (const PlannedPhoto& p : plan_.photos) store_.foresee(p.photo, p.later);
     if (next && frame.report.tiles_missing == 0) {
         std::vector<std::uint32_t> chosen;
         for (const PlannedPhoto& p : plan_.photos) chosen.push_back(p.photo);
@@ -302,7 +320,9 @@ std::size_t Renderer::pass_length(Pass rest, const RenderSettings& settings) con
 void Renderer::draw_surface(const Frame& frame) {
     const std::array<float, 4> zero{};
     const float one = 1;
+    const std::array<GLuint, 4> no_triangle{};
     glClearNamedFramebufferfv(targets_.surface_target.id(), GL_COLOR, 0, zero.data());
+    glClearNamedFramebufferuiv(targets_.surface_target.id(), GL_COLOR, 1, no_triangle.data());
     glDepthMask(GL_TRUE);
     glClearNamedFramebufferfv(targets_.surface_target.id(), GL_DEPTH, 0, &one);
     bind_target(targets_.surface_target, targets_.width, targets_.height);
@@ -314,27 +334,35 @@ void Renderer::draw_surface(const Frame& frame) {
     glUniformMatrix4fv(0, 1, GL_FALSE, frame.clip_from_origin.data());
     uniform(1, frame.view.cam_from_origin.center());
     ring_.begin();
-    GLintptr offset = 0;
-    const std::size_t draws = write_draws(plan_.clusters, offset);
-    glBindVertexArray(model_.vertices.id());
-    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
-                                GLsizei(draws), 0);
+    cluster_photos_.assign(scene_.clusters.size(), 1);
+    draw_clusters(cluster_photos_);
     ring_.end();
 }
 
-std::size_t Renderer::write_draws(std::span<const std::uint32_t> clusters, GLintptr& offset) {
-    const FrameRing::Room room = ring_.take(clusters.size() * sizeof(DrawCommand));
-    offset = room.offset;
-    std::size_t draws = 0;
-    for (std::size_t i = 0; i < clusters.size();) {
-        const package::ClusterRecord& first = scene_.clusters[clusters[i]];
+std::size_t Renderer::draw_clusters(const std::vector<std::uint32_t>& photos) {
+    const std::size_t most = plan_.clusters.size();
+    const FrameRing::Room commands = ring_.take(most * sizeof(DrawCommand)),
+                          records = ring_.take(most * sizeof(DrawRecord));
+    std::uint32_t draws = 0;
+    for (std::size_t i = 0; i < most;) {
+        const std::uint32_t first = plan_.clusters[i];
         std::uint32_t triangles = 0;
-        do triangles += scene_.clusters[clusters[i++]].triangles;
-        while (i < clusters.size() && clusters[i] == clusters[i - 1] + 1);
-        const DrawCommand command{3 * triangles, 1, 3 * first.first_triangle, 0, 0};
-        std::memcpy(room.memory + draws++ * sizeof command, &command, sizeof command);
+        do triangles += scene_.clusters[plan_.clusters[i++]].triangles;
+        while (i < most && plan_.clusters[i] == plan_.clusters[i - 1] + 1 &&
+               photos[plan_.clusters[i]] == photos[first]);
+        if (!photos[first]) continue;
+        const std::uint32_t start = scene_.clusters[first].first_triangle;
+        const DrawCommand command{3 * triangles, 1, 3 * start, 0, draws};
+        const DrawRecord record{start, photos[first]};
+        std::memcpy(commands.memory + draws * sizeof command, &command, sizeof command);
+        std::memcpy(records.memory + draws * sizeof record, &record, sizeof record);
+        ++draws;
     }
+    glVertexArrayVertexBuffer(model_.vertices.id(), 3, ring_.buffer(), records.offset, sizeof(DrawRecord));
+    glBindVertexArray(model_.vertices.id());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, ring_.buffer());
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(commands.offset),
+                                GLsizei(draws), 0);
     return draws;
 }
 
@@ -353,13 +381,14 @@ const gl::Program& Renderer::blend_program(const RenderSettings& settings, bool 
     const Blend blend = settings.show == Show::coverage ? Blend::average : settings.blend;
     // Only per-vertex coordinates have a size of their own for each number of photos.
     const int photos = fragment ? most_photos_per_pass : settings.photos_per_pass;
-    gl::Program& program = blend_programs_[{photos, fragment, blend, consensus}];
+    gl::Program& program = blend_programs_[{photos, fragment, blend, consensus, bool(touched_)}];
     if (program) return program;
     std::vector<std::string> defines{"PASS_PHOTOS " + std::to_string(photos)};
     if (fragment) defines.emplace_back(effect_row(Effect::per_fragment).shader_symbol);
     if (blend == Blend::best) defines.emplace_back("BLEND_BEST");
     if (blend == Blend::lumigraph) defines.emplace_back("BLEND_LUMIGRAPH");
     if (consensus) defines.emplace_back("CONSENSUS");
+    if (touched_) defines.emplace_back("TRACE_TEXELS");
     program = gl::make_program(
         "blend", {{GL_VERTEX_SHADER, "blend.vert"}, {GL_FRAGMENT_SHADER, "blend.frag"}}, defines);
     return program;
@@ -381,22 +410,17 @@ void Renderer::draw_pass(Pass pass, Frame& frame, bool consensus, int into) {
     if (consensus) glBindTextureUnit(5, targets_.sums[1 - into].id());
     glUseProgram(blend_program(settings, consensus).id());
     set_uniforms(pass, frame, consensus);
-    std::vector<std::uint32_t> photos, clusters;
+    std::vector<std::uint32_t> photos;
+    // The best so far is carried from target to target, so it is drawn everywhere.
+    const std::uint32_t always = settings.blend == Blend::best ? 1u << most_photos_per_pass : 0;
+    cluster_photos_.assign(scene_.clusters.size(), always);
     for (const PlannedPhoto* p : pass) {
+        for (const std::uint32_t c : p->clusters) cluster_photos_[c] |= 1u << photos.size();
         photos.push_back(p->photo);
-        clusters.insert(clusters.end(), p->clusters.begin(), p->clusters.end());
     }
-    std::ranges::sort(clusters);
-    clusters.erase(std::unique(clusters.begin(), clusters.end()), clusters.end());
     ring_.begin();
     bind_photos(photos, frame.weights);
-    GLintptr offset = 0;
-    // The best so far is carried from target to target, so it is drawn everywhere.
-    const std::size_t draws =
-        write_draws(settings.blend == Blend::best ? std::span(plan_.clusters) : std::span(clusters), offset);
-    glBindVertexArray(model_.vertices.id());
-    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
-                                GLsizei(draws), 0);
+    const std::size_t draws = draw_clusters(cluster_photos_);
     ring_.end();
     frame.report.draws += draws;
 }
@@ -412,6 +436,11 @@ void Renderer::set_uniforms(Pass pass, const Frame& frame, bool) {
     glUniform1f(7, float(settings.weights.sharpness));
     glUniform1f(8, float(settings.lod_bias - std::log2(frame.sample.side)));
     glUniform1ui(9, GLuint(settings.show));
+    if (touched_) {
+        const ResidencyLayout& layout = store_.residency().layout();
+        glUniform2ui(10, layout.color, layout.color + layout.masks);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, touched_.id());
+    }
     if (per_fragment(settings)) return;
     std::vector<std::uint32_t> slots;
     for (const PlannedPhoto* p : pass)
@@ -462,6 +491,22 @@ void Renderer::resolve(int sums, const Frame& frame) {
     glBindTextureUnit(5, targets_.surface.id());
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+std::uint64_t Renderer::touched_bytes(const View& view, const RenderSettings& settings,
+                                      std::span<const std::uint32_t> photos, double now) {
+    const ResidencyLayout& layout = store_.residency().layout();
+    const std::size_t words = std::size_t(layout.color + 2 * layout.masks) * tile_size * tile_size / 32;
+    const std::vector<std::uint32_t> zero(words, 0);
+    touched_ = gl::make_buffer("touched texels", words * 4, zero.data());
+    draw(view, settings, photos, {}, now);
+    std::vector<std::uint32_t> bits(words);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(touched_.id(), 0, GLsizeiptr(words * 4), bits.data());
+    touched_ = {};
+    std::uint64_t texels = 0;
+    for (const std::uint32_t word : bits) texels += std::uint64_t(std::popcount(word));
+    return 4 * texels;
 }
 
 void Renderer::show(const View& view, const RenderSettings& settings, GLuint target, bool flip) {

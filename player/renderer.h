@@ -13,6 +13,7 @@
 #include "player/photo_store.h"
 #include "player/plan.h"
 #include "player/render_settings.h"
+#include "player/seen_triangles.h"
 #include "player/view.h"
 
 namespace vantage {
@@ -36,6 +37,11 @@ class Renderer {
     /// Shows what was drawn in the framebuffer `target`, whose whole size is the view's. `flip` where the
     /// target's first row is the lowest, as a window's is.
     void show(const View& view, const RenderSettings& settings, GLuint target, bool flip);
+
+    /// Draws once more, as draw() last did, and returns the bytes of the distinct texels of colour, masks and
+    /// depth that the picture is made of.
+    std::uint64_t touched_bytes(const View& view, const RenderSettings& settings,
+                                std::span<const std::uint32_t> photos, double now);
 
     const PackageReader& package() const { return *package_; }
     const PlanScene& scene() const { return scene_; }
@@ -75,8 +81,8 @@ class Renderer {
     void set_uniforms(Pass pass, const Frame& frame, bool consensus);
     /// Writes the photos and their pages into the ring and binds them.
     void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights);
-    /// Writes the draws of these clusters, ascending, into the ring; returns how many there are.
-    std::size_t write_draws(std::span<const std::uint32_t> clusters, GLintptr& offset);
+    /// Draws the plan's clusters for which `photos` has bits, by one call; returns how many draws that were.
+    std::size_t draw_clusters(const std::vector<std::uint32_t>& photos);
     void resolve(int sums, const Frame& frame);
     const gl::Program& blend_program(const RenderSettings& settings, bool consensus);
 
@@ -88,22 +94,27 @@ class Renderer {
     PhotoStore store_;
     FrameRing ring_;
     FrameTargets targets_;
+    SeenTriangles seen_;
     gl::Program surface_program_, resolve_program_, show_program_;
     gl::VertexArray no_vertices_;
-    std::map<std::tuple<int, bool, Blend, bool>, gl::Program> blend_programs_;
+    std::map<std::tuple<int, bool, Blend, bool, bool>, gl::Program> blend_programs_;
+    gl::Buffer touched_;  ///< while texels are traced
 
     /// What plan_ was made for.
     struct PlanKey {
         View view;
         PlanSettings settings;
         std::vector<std::uint32_t> photos;
+        std::uint64_t seen;  ///< version
     };
     std::optional<PlanKey> planned_for_;
+    bool knows_seen_ = false;  ///< the plan was made with what the view shows
     Plan plan_;
     std::vector<PlannedPhoto> leaving_;  ///< not planned any more, fading out
     std::vector<float> presence_;        ///< a photo, 0 to 1
     double last_ = 0;
-    double samples_ = 0;  ///< added up in targets_.accumulated
+    std::vector<std::uint32_t> cluster_photos_;  ///< of a pass, a cluster: a bit a photo
+    double samples_ = 0;                         ///< added up in targets_.accumulated
     std::vector<std::uint32_t> wanted_thumbnails_;
 };
 

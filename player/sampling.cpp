@@ -52,25 +52,46 @@ LevelRange sampled_levels(const package::ClusterRecord& c, const Intrinsics& pho
     const Eigen::Vector3d p = view_pose.R * center + view_pose.t, q = photo_pose.R * center + photo_pose.t;
     if (!(p.z() > c.radius) || !(q.z() > c.radius)) return {0, infinity};
     // Depth changes across the sphere, and so do the angles at which its surface is met.
-    const double across = std::log2((1 + 2 * c.radius / p.z()) * (1 + 2 * c.radius / q.z()));
+    const double across = std::log2((1 + c.radius / p.z()) * (1 + c.radius / q.z()));
     const double shift = std::log2(samples);
-    if (!(c.cone_cutoff < 1)) {  // any normal: the longer side is at least that of a surface met head-on
-        const double head_on = std::log2(photo.fx / q.z() * p.z() / view.intrinsics.fx);
-        return {std::max(0.0, head_on - 2 - shift - across), infinity};
-    }
+    const double head_on = std::log2(photo.fx / q.z() * p.z() / view.intrinsics.fx) - shift;
     const Eigen::Matrix3d photo_from_view = photo_pose.R * view_pose.R.transpose();
     double finest = infinity, coarsest = -infinity;
     for (const Eigen::Vector3d& normal : normals_of(c)) {
         const Eigen::Vector3d n = view_pose.R * normal;
-        // Seen from both sides or from neither, and not at its edge.
         const double to_view = -n.dot(p.normalized()), to_photo = -(photo_from_view * n).dot(q.normalized());
-        if (to_view * to_photo <= 0.01) continue;
-        const double lod = level_of_detail(p, n, q, photo_from_view, photo, view.intrinsics);
+        // Seen from both sides or from neither.
+        if (c.cone_cutoff >= 1 || to_view * to_photo <= 1e-6) continue;
+        const double lod = level_of_detail(p, n, q, photo_from_view, photo, view.intrinsics) - shift;
+        finest = std::min(finest, lod);
+        coarsest = std::max(coarsest, lod);
+    }
+    if (finest > coarsest) finest = coarsest = head_on;  // any normal, or edge-on
+    if (c.cone_cutoff >= 1) finest -= 1, coarsest += 2;
+    // A surface slanted by more than 60 degrees in the photo has little to show on finer levels.
+    finest = std::max(finest, head_on - 1);
+    return {std::max(0.0, finest - across), std::max(0.0, coarsest + across)};
+}
+
+LevelRange sampled_levels(std::span<const SurfacePoint> points, const Intrinsics& photo,
+                          const Pose& photo_pose, const View& view, double samples) {
+    constexpr double between = 0.1;  // what may lie beyond the points looked at
+    const Pose& view_pose = view.cam_from_origin;
+    const Eigen::Matrix3d photo_from_view = photo_pose.R * view_pose.R.transpose();
+    double finest = infinity, coarsest = -infinity;
+    for (const SurfacePoint& point : points) {
+        const Eigen::Vector3d p = view_pose.R * point.position + view_pose.t,
+                              q = photo_pose.R * point.position + photo_pose.t;
+        if (!(p.z() > 0) || !(q.z() > 0)) continue;
+        const double lod =
+            level_of_detail(p, view_pose.R * point.normal, q, photo_from_view, photo, view.intrinsics) -
+            std::log2(samples);
+        if (!std::isfinite(lod)) continue;
         finest = std::min(finest, lod);
         coarsest = std::max(coarsest, lod);
     }
     if (finest > coarsest) return {0, infinity};
-    return {std::max(0.0, finest - shift - across), std::max(0.0, coarsest - shift + across)};
+    return {std::max(0.0, finest), std::max(0.0, coarsest + between)};
 }
 
 }  // namespace vantage

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <span>
 
 #include "player/view.h"
 #include "scene/package_format.h"
@@ -12,9 +13,18 @@ struct LevelRange {
     double finest, coarsest;
 };
 
-/// The levels that shaders/blend.frag computes for fragments of a cluster, all within this range: from the
-/// cluster's sphere and the normals its cone holds. `samples` a pixel's side.
+/// The levels that shaders/blend.frag computes for fragments of a cluster: from the cluster's sphere and the
+/// normals its cone holds, but no finer than a surface slanted by 60 degrees in the photo asks for. `samples`
+/// a pixel's side.
 LevelRange sampled_levels(const package::ClusterRecord& cluster, const Intrinsics& photo,
+                          const Pose& photo_from_origin, const View& view, double samples);
+
+/// A point of a surface and its normal there, relative to the origin.
+struct SurfacePoint {
+    Eigen::Vector3d position, normal;
+};
+/// The same at points that the view shows; {0, infinity} where there is none or it cannot be told.
+LevelRange sampled_levels(std::span<const SurfacePoint> points, const Intrinsics& photo,
                           const Pose& photo_from_origin, const View& view, double samples);
 
 /// log2 of photo pixels a sample, along the shorter side of its footprint but at most 4 times the longer's;

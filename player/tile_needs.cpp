@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "player/sampling.h"
-#include "scene/package_reader.h"
 #include "scene/tiling.h"
 
 namespace vantage {
@@ -27,9 +25,12 @@ class Marks {
     }
     /// All levels that trilinear sampling between two levels of detail reads.
     void add(const Rect& rect, const LevelRange& range) {
-        const int finest = int(std::clamp(range.finest, 0.0, levels_ - 1.0));
-        const int coarsest = int(std::clamp(range.coarsest, 0.0, levels_ - 1.0));
-        for (int l = finest; l <= std::min(coarsest + 1, levels_ - 1); ++l) mark(color_, rect, l);
+        // A level that would be mixed in by less than this is left to the next one.
+        constexpr double slight = 0.25;
+        const int finest = int(std::clamp(range.finest + slight, 0.0, levels_ - 1.0));
+        const int coarsest =
+            int(std::clamp(std::ceil(range.coarsest - slight), double(finest), levels_ - 1.0));
+        for (int l = finest; l <= coarsest; ++l) mark(color_, rect, l);
         const int end = mask_levels_end(levels_) - 1;
         for (int l = std::clamp(finest, mask_level, end); l <= std::clamp(coarsest, mask_level, end); ++l)
             mark(masks_, rect, l);
@@ -77,18 +78,13 @@ std::size_t TileNeeds::tiles() const {
     return n;
 }
 
-TileNeeds tile_needs(const package::PhotoRecord& photo, std::span<const package::ClusterRecord> clusters,
-                     std::span<const package::CoverageRecord> coverage, std::span<const std::uint32_t> drawn,
-                     const View& view, double samples) {
+TileNeeds tile_needs(const package::PhotoRecord& photo, std::span<const package::CoverageRecord> coverage,
+                     std::span<const ClusterLevels> clusters) {
     Marks marks(photo);
-    const Intrinsics k = intrinsics(photo);
-    const Pose pose = cam_from_origin(photo);
     const double w = photo.width / 65535.0, h = photo.height / 65535.0;
-    for (const std::uint32_t i : drawn) {
-        const package::CoverageRecord& c = coverage[i];
-        if (c.seen == 0) continue;
-        marks.add({c.u0 * w, c.v0 * h, c.u1 * w, c.v1 * h},
-                  sampled_levels(clusters[i], k, pose, view, samples));
+    for (const ClusterLevels& c : clusters) {
+        const package::CoverageRecord& r = coverage[c.cluster];
+        if (r.seen) marks.add({r.u0 * w, r.v0 * h, r.u1 * w, r.v1 * h}, c.levels);
     }
     return marks.needs();
 }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "player/view.h"
+#include "player/sampling.h"
 #include "scene/package_format.h"
 
 namespace vantage {
@@ -17,11 +17,14 @@ struct TileNeeds {
     std::size_t tiles() const;  ///< colour, and masks with their depth as one
 };
 
-/// The tiles that a view samples in one photo for these clusters: from each cluster's recorded extent in the
-/// photo, on the levels that its fragments sample.
-TileNeeds tile_needs(const package::PhotoRecord& photo, std::span<const package::ClusterRecord> clusters,
-                     std::span<const package::CoverageRecord> coverage, std::span<const std::uint32_t> drawn,
-                     const View& view, double samples);
+/// A cluster and the levels on which its fragments sample the photo.
+struct ClusterLevels {
+    std::uint32_t cluster;
+    LevelRange levels;
+};
+/// The tiles of one photo that these clusters sample: each one's recorded extent in the photo, on its levels.
+TileNeeds tile_needs(const package::PhotoRecord& photo, std::span<const package::CoverageRecord> coverage,
+                     std::span<const ClusterLevels> clusters);
 
 /// The colour tiles that show the whole photo with `density` samples a photo pixel's side.
 TileNeeds whole_photo_needs(const package::PhotoRecord& photo, double density);

@@ -4,6 +4,7 @@
 
 in vec3 surface_position;
 in vec3 surface_normal;
+flat in uint draw_photos;
 #ifndef PER_FRAGMENT
 in vec2 coordinate[PASS_PHOTOS];
 #endif
@@ -117,6 +118,7 @@ void main() {
     float chosen_lod = 0.0;
 #endif
     for (uint photo = 0u; photo < pass_count; ++photo) {
+        if ((draw_photos >> photo & 1u) == 0u) continue;
         // A photo taken from behind shows the surface's other side.
         if (dot(facing, photos[photo].center_hull.xyz - surface_position) < 0.0) continue;
         vec3 p = (photos[photo].cam_from_origin * vec4(surface_position, 1.0)).xyz;

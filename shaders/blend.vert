@@ -1,10 +1,12 @@
 // The model for a blending pass of PASS_PHOTOS photos.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
+layout(location = 3) in uvec2 of_draw;  // its first triangle; which of the pass's photos are drawn, a bit each
 layout(location = 0) uniform mat4 clip_from_origin;
 
 out vec3 surface_position;
 out vec3 surface_normal;
+flat out uint draw_photos;
 invariant gl_Position;
 
 #ifndef PER_FRAGMENT
@@ -18,6 +20,7 @@ out vec2 coordinate[PASS_PHOTOS];
 void main() {
     surface_position = position;
     surface_normal = normal;
+    draw_photos = of_draw.y;
     gl_Position = clip_from_origin * vec4(position, 1.0);
 #ifndef PER_FRAGMENT
     for (uint i = 0u; i < PASS_PHOTOS; ++i) {

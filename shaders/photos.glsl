@@ -22,6 +22,20 @@ const uint not_resident = 0xffffffffu;
 const float tile_size = 256.0, tile_border = 4.0, tile_content = 248.0;
 const int mask_level = 1;
 
+#ifdef TRACE_TEXELS
+// A bit a texel of the colour, mask and depth layers, one sort after the other: which of them a picture is made of.
+layout(std430, binding = 5) buffer Touched { uint touched[]; };
+layout(location = 10) uniform uvec2 first_layers;  // of masks and of depth
+void touch(uint first_layer, vec3 at) {
+    ivec2 texel = ivec2(floor(at.xy * tile_size - 0.5));
+    for (int i = 0; i < 4; ++i) {
+        uvec2 t = uvec2(clamp(texel + ivec2(i & 1, i >> 1), ivec2(0), ivec2(int(tile_size) - 1)));
+        uint bit = (first_layer + uint(at.z)) * 65536u + t.y * 256u + t.x;
+        atomicOr(touched[bit >> 5], 1u << (bit & 31u));
+    }
+}
+#endif
+
 ivec2 level_size(vec2 size, int level) { return (ivec2(size) + (1 << level) - 1) >> level; }
 
 // Which tile of a level holds a texel position, and where in the array layer it lies.
@@ -58,6 +72,9 @@ vec4 color_at_level(uint photo, int level, vec2 pixel) {
         uint entry = pages[p.page];
         if (entry != not_resident) {
             float shown = float(entry >> 16) / 255.0;
+#ifdef TRACE_TEXELS
+            touch(0u, vec3(p.coordinate, float(entry & 0xffffu)));
+#endif
             c += open * shown * textureLod(color_tiles, vec3(p.coordinate, float(entry & 0xffffu)), 0.0);
             open *= 1.0 - shown;
             if (open <= 0.0) return c;
@@ -88,7 +105,12 @@ MaskPlace mask_place(uint photo, vec2 pixel, float lod) {
     for (int l = clamp(int(lod), mask_level, end - 1); l < end; ++l) {
         TilePlace p = tile_place(photos[photo].size_weight.xy, l, pixel / float(1 << l), photos[photo].mask_base[l]);
         uint entry = pages[p.page];
-        if (entry != not_resident) return MaskPlace(vec3(p.coordinate, float(entry & 0xffffu)), l);
+        if (entry == not_resident) continue;
+#ifdef TRACE_TEXELS
+        touch(first_layers.x, vec3(p.coordinate, float(entry & 0xffffu)));
+        touch(first_layers.y, vec3(p.coordinate, float(entry & 0xffffu)));
+#endif
+        return MaskPlace(vec3(p.coordinate, float(entry & 0xffffu)), l);
     }
     return MaskPlace(vec3(0.0), -1);
 }

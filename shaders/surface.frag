@@ -4,7 +4,9 @@ in vec3 surface_normal;
 #ifdef VERTEX_COLORS
 in vec4 surface_color;
 #endif
+flat in uint draw_first;
 layout(location = 0) out vec4 shaded;
+layout(location = 1) out uint triangle;  // 1 more than its number; 0: none
 layout(location = 1) uniform vec3 eye;
 
 void main() {
@@ -15,4 +17,5 @@ void main() {
     base = pow(surface_color.rgb, vec3(2.2));
 #endif
     shaded = vec4(base * light, 1.0);
+    triangle = draw_first + uint(gl_PrimitiveID) + 1u;
 }

