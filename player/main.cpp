@@ -42,6 +42,8 @@ int play(int argc, char** argv) {
     Options options;
     add_options(app, options);
     if (const auto code = parse(app, argc, argv)) return *code;
+    for (const CLI::Option* option : app.get_options())
+        options.blending_given |= option->get_group() == "Blending" && option->count() > 0;
     const PackageReader package(options.package);
     package.meta();  // not needed to show it, but damage is said
     if (options.list) return list_photos(package), 0;

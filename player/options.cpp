@@ -112,6 +112,10 @@ void add_options(CLI::App& app, Options& o) {
     app.add_option("--frames", o.frames, "close after this many frames")
         ->check(CLI::Range(0, 1 << 30))
         ->group(window);
+    app.add_flag("--fresh", o.fresh, "start with the defaults, and remember nothing")->group(window);
+    app.add_option("--controls", o.controls,
+                   "keep in this file where each control is, for scripts: name, x, y, width, height")
+        ->group(window);
     app.add_option("--screenshot", o.screenshot, "save the last frame before closing")->group(window);
     add_blending(app, o.render);
     app.footer(

@@ -35,7 +35,11 @@ PhotoStore::PhotoStore(const PackageReader& package, std::uint64_t ring_bytes)
 
 void PhotoStore::fit(std::uint64_t bytes, bool with_coordinates) {
     const ResidencyLayout layout = fit_residency(*package_, pages_, bytes, with_coordinates);
-    if (residency_ && residency_->layout() == layout) return;
+    // What is resident is kept while it keeps to the budget, and is not much less than that.
+    if (residency_ && residency_->layout().bytes() <= bytes &&
+        2 * residency_->layout().bytes() > layout.bytes() &&
+        (residency_->layout().coordinates > 0 || !with_coordinates))
+        return;
     residency_.reset();
     residency_ = std::make_unique<Residency>(*package_, pages_, layout);
 }

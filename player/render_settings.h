@@ -32,9 +32,10 @@ struct RenderSettings {
     Show show = Show::colors;
     Compare compare = Compare::nothing;
     std::uint32_t compare_photo = 0;
-    double wiper = 0.5;         ///< share of the width
-    bool complete = true;       ///< wait for all that the view needs, or show what is there
-    bool whole_photos = false;  ///< upload a photo whole, at once (to compare with)
+    std::optional<View> weights_from;  ///< weights as from there, frozen [M]
+    double wiper = 0.5;                ///< share of the width
+    bool complete = true;              ///< wait for all that the view needs, or show what is there
+    bool whole_photos = false;         ///< upload a photo whole, at once (to compare with)
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< a frame
     float background[3] = {0.012f, 0.014f, 0.018f};                      ///< linear
 };

@@ -158,7 +158,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
                 settings,
                 sample,
                 clip_matrix(point, depth_range(scene_.clusters, plan_.clusters, point)),
-                dynamic_weights(view, scene_.photos, settings.weights),
+                dynamic_weights(settings.weights_from.value_or(view), scene_.photos, settings.weights),
                 {}};
     frame.report.clusters = plan_.clusters.size();
     frame.report.uncovered = plan_.uncovered;
@@ -430,6 +430,7 @@ void Renderer::set_uniforms(Pass pass, const Frame& frame, bool) {
     glUniformMatrix4fv(0, 1, GL_FALSE, frame.clip_from_origin.data());
     glUniform1ui(2, GLuint(pass.size()));
     uniform(3, frame.view.cam_from_origin.center());
+    uniform(11, settings.weights_from.value_or(frame.view).cam_from_origin.center());
     uniform(4, overall_direction(frame.view, package_->scene()));
     glUniform1ui(5, switches(settings.weights));
     glUniform1f(6, float(package_->scene().border_width));

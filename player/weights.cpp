@@ -35,22 +35,31 @@ std::vector<double> nearest_is_one(const std::vector<double>& values, double flo
     return weights;
 }
 
-std::vector<double> dynamic_weights(const View& view, std::span<const package::PhotoRecord> photos,
-                                    const WeightSettings& s) {
+ViewWeights view_weights(const View& view, std::span<const package::PhotoRecord> photos,
+                         const WeightSettings& s) {
     const Eigen::Vector3d eye = view.cam_from_origin.center();
     std::vector<double> distances, angles;
     for (const package::PhotoRecord& p : photos) {
         const Eigen::Vector3d center =
             s.fov_normalisation ? normalised_center(p, view) : cam_from_origin(p).center();
+        const Eigen::Vector3d direction =
+            s.corrected_directions ? Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(p.corrected_direction))
+                                   : cam_from_origin(p).direction();
         distances.push_back((center - eye).norm());
-        angles.push_back(angle_between(view.cam_from_origin.direction(), cam_from_origin(p).direction()));
+        angles.push_back(angle_between(view.cam_from_origin.direction(), direction));
     }
+    return {nearest_is_one(distances), nearest_is_one(angles)};
+}
+
+std::vector<double> dynamic_weights(const View& view, std::span<const package::PhotoRecord> photos,
+                                    const WeightSettings& s) {
+    const ViewWeights parts = view_weights(view, photos, s);
     std::vector<double> weights(photos.size(), 1);
     const auto apply = [&](const std::vector<double>& factor) {
         for (std::size_t i = 0; i < weights.size(); ++i) weights[i] *= std::pow(factor[i], s.exponent);
     };
-    if (s.distance) apply(nearest_is_one(distances));
-    if (s.angle && s.angle_per_photo) apply(nearest_is_one(angles));
+    if (s.distance) apply(parts.distance);
+    if (s.angle && s.angle_per_photo) apply(parts.angle);
     // Far above the smallest float even after the static weights: a lone photo still gives a colour.
     for (double& w : weights) w = std::max(w, 1e-9);
     return weights;

@@ -6,15 +6,28 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <epoxy/gl.h>
 #include <imgui.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <numeric>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <utility>
 
 #include "gl/context.h"
+#include "player/camera_path.h"
+#include "player/interface/controls.h"
+#include "player/interface/overlays.h"
+#include "player/interface/panels.h"
+#include "player/interface/photo_strip.h"
 #include "player/navigation.h"
 #include "player/offscreen.h"
 #include "player/picture.h"
+#include "player/renderer.h"
+#include "player/session.h"
+#include "player/settings_file.h"
 #include "player/shots.h"
 #include "scene/error.h"
 
@@ -37,6 +50,7 @@ class Window {
         gl::watch_errors();
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;
+        set_style();
         ImGui_ImplGlfw_InitForOpenGL(window_, true);
         ImGui_ImplOpenGL3_Init("#version 450");
     }
@@ -63,114 +77,90 @@ class Window {
     GLFWwindow* window_ = nullptr;
 };
 
-/// What the window's user changes.
-struct Session {
-    RenderSettings settings;
-    Navigation camera;
-    std::vector<std::uint32_t> photos;  ///< not excluded
-    int nearest;
-    int standing_at;  ///< photo last flown to
-    FrameReport report;
-    std::vector<float> frame_ms = std::vector<float>(120, 0.0f);
-};
+/// Since the process was started, by the system's account of it.
+double process_seconds() {
+    std::ifstream stat("/proc/self/stat"), uptime("/proc/uptime");
+    std::string field;
+    double ticks = 0, up = 0;
+    for (int i = 1; i <= 22 && stat >> field; ++i)
+        if (i == 22) ticks = std::stod(field);
+    uptime >> up;
+    return up - ticks / double(::sysconf(_SC_CLK_TCK));
+}
+
+/// Keys that were pressed in this frame and are meant for the scene.
+bool pressed(int key) { return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key, false); }
 
 void move_by_mouse(Session& s) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantCaptureMouse) return;
+    const Navigation before = s.camera;
     const double radians = 0.005;
     if (io.MouseDown[0]) orbit(s.camera, io.MouseDelta.x * radians, -io.MouseDelta.y * radians);
     if (io.MouseDown[1]) look(s.camera, -io.MouseDelta.x * radians, io.MouseDelta.y * radians);
     const double pixel = (s.camera.eye - s.camera.target).norm() / std::max(1.0f, io.DisplaySize.y);
     if (io.MouseDown[2]) fly(s.camera, Eigen::Vector3d(-io.MouseDelta.x, -io.MouseDelta.y, 0) * pixel);
     if (io.MouseWheel != 0) approach(s.camera, std::pow(0.9, double(io.MouseWheel)));
+    if (s.camera.eye != before.eye || s.camera.R != before.R) s.flight.reset();  // the hand has the last word
 }
 
 void move_by_keys(Session& s) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantCaptureKeyboard) return;
+    if (io.WantTextInput) return;
     const auto down = [&](int key) { return double(ImGui::IsKeyDown(key)); };
     const Eigen::Vector3d step(down(GLFW_KEY_D) - down(GLFW_KEY_A), down(GLFW_KEY_Q) - down(GLFW_KEY_E),
                                down(GLFW_KEY_W) - down(GLFW_KEY_S));
     const double pace =
         (io.KeyShift ? 2.0 : 0.5) * (s.camera.eye - s.camera.target).norm() * std::min(io.DeltaTime, 0.1f);
-    if (step.norm() > 0) fly(s.camera, step * pace);
-}
-
-void photo_panel(Session& s, std::span<const package::PhotoRecord> records) {
-    if (!ImGui::CollapsingHeader("Photos", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    ImGui::SliderInt("nearest", &s.nearest, 1, std::max(1, int(records.size())));
-    for (int i = 0; i < int(records.size()); ++i) {
-        if (ImGui::Selectable(records[std::size_t(i)].name, s.standing_at == i)) {
-            s.standing_at = i;
-            s.camera = stand_at(records[std::size_t(i)], s.camera.up);
-        }
+    if (step.norm() > 0) {
+        s.flight.reset();
+        fly(s.camera, step * pace);
     }
 }
 
-void blending_panel(Session& s) {
-    if (!ImGui::CollapsingHeader("Blending", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    WeightSettings& w = s.settings.weights;
-    int blend = int(s.settings.blend);
-    ImGui::RadioButton("average", &blend, int(Blend::average));
-    ImGui::SameLine();
-    ImGui::RadioButton("lumigraph", &blend, int(Blend::lumigraph));
-    ImGui::SameLine();
-    ImGui::RadioButton("best photo", &blend, int(Blend::best));
-    s.settings.blend = Blend(blend);
-    const char* const modes[] = {"as the scene asks", "per vertex", "per fragment"};
-    int coordinates = int(s.settings.coordinates);
-    ImGui::Combo("coordinates", &coordinates, modes, 3);
-    s.settings.coordinates = Coordinates(coordinates);
-    auto exponent = float(w.exponent);
-    if (ImGui::SliderFloat("exponent", &exponent, 0, 32)) w.exponent = double(exponent);
-    ImGui::SliderInt("per pass", &s.settings.photos_per_pass, 1, most_photos_per_pass);
-    ImGui::Checkbox("distance", &w.distance);
-    ImGui::SameLine();
-    ImGui::Checkbox("angle", &w.angle);
-    ImGui::SameLine();
-    ImGui::Checkbox("field of view", &w.fov_normalisation);
-    ImGui::Text("masks");
-    ImGui::SameLine();
-    ImGui::Checkbox("angle##mask", &w.angle_mask);
-    ImGui::SameLine();
-    ImGui::Checkbox("depth##mask", &w.depth_mask);
-    ImGui::SameLine();
-    ImGui::Checkbox("border##mask", &w.border_mask);
-    ImGui::Checkbox("shade what no photo shows", &s.settings.fill_holes);
+template <class Enum>
+void next(Enum& value, Enum last) {
+    value = value == last ? Enum(0) : Enum(int(value) + 1);
 }
 
-void status_panel(const Session& s) {
-    ImGui::PlotLines("##frames", s.frame_ms.data(), int(s.frame_ms.size()), 0, "frame time, ms", 0, 100,
-                     ImVec2(-1, 48));
-    ImGui::Text("%.1f ms, %zu photos in %zu passes", double(s.frame_ms.back()), s.report.photos,
-                s.report.passes);
-    ImGui::Text("%zu tiles in view, %zu to come", s.report.tiles, s.report.tiles_missing);
-    if (s.report.tiles_damaged)
-        ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), "%zu damaged tiles left out", s.report.tiles_damaged);
-    ImGui::TextDisabled("drag: orbit, right: look, middle: pan\nwheel: approach, WASD QE: fly");
+void fly_on(Session& s, const PlanScene& scene, int by, double now) {
+    const int count = int(scene.photos.size());
+    for (int i = 1; i <= count; ++i) {
+        const auto photo = std::uint32_t((int(s.standing_at) + by * i % count + count) % count);
+        if (scene.photos[photo].levels) return fly_to(s, photo, scene.photos[photo], now);
+    }
 }
 
-void panels(Session& s, const PackageReader& package) {
-    ImGui::SetNextWindowPos(ImVec2(12, 12), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(330, 520), ImGuiCond_FirstUseEver);
-    ImGui::Begin("Vantage");
-    status_panel(s);
-    blending_panel(s);
-    photo_panel(s, package.photos());
-    ImGui::End();
+void obey_keys(Session& s, const PlanScene& scene, double now) {
+    if (pressed(GLFW_KEY_N)) fly_on(s, scene, 1, now);
+    if (pressed(GLFW_KEY_B)) fly_on(s, scene, -1, now);
+    if (pressed(GLFW_KEY_C)) next(s.settings.compare, Compare::difference);
+    if (pressed(GLFW_KEY_V)) next(s.settings.show, Show::coverage);
+    if (pressed(GLFW_KEY_1)) s.settings.blend = Blend::lumigraph;
+    if (pressed(GLFW_KEY_2)) s.settings.blend = Blend::average;
+    if (pressed(GLFW_KEY_3)) s.settings.blend = Blend::best;
+    if (pressed(GLFW_KEY_R)) {
+        s.recording = !s.recording;
+        if (s.recording) s.recorded.clear();
+    }
+    if (pressed(GLFW_KEY_T)) replay(s, now);
+    if (pressed(GLFW_KEY_O)) s.open_asked = true;
+    if (pressed(GLFW_KEY_P)) s.screenshot = true;
+    if (pressed(GLFW_KEY_ESCAPE)) s.quit = true;
+    bool* const panels[] = {&s.panels.help,   &s.panels.blending, &s.panels.status,
+                            &s.panels.photos, &s.panels.frusta,   &s.panels.radar};
+    for (int i = 0; i < 6; ++i)
+        if (pressed(GLFW_KEY_F1 + i)) *panels[i] = !*panels[i];
 }
 
-/// The photos that weigh most from here.
-std::vector<std::uint32_t> nearest_photos(const Session& s, const View& view,
-                                          std::span<const package::PhotoRecord> records) {
-    WeightSettings near = s.settings.weights;
-    near.distance = near.angle = near.angle_per_photo = true;
-    const std::vector<double> weights = dynamic_weights(view, records, near);
-    std::vector<std::uint32_t> photos = s.photos;
-    std::erase_if(photos, [&](std::uint32_t p) { return records[p].levels == 0; });
-    std::stable_sort(photos.begin(), photos.end(), [&](auto a, auto b) { return weights[a] > weights[b]; });
-    photos.resize(std::min(photos.size(), std::size_t(s.nearest)));
-    return photos;
+/// A positions file beside the others, numbered.
+std::string free_name(const std::string& stem, const char* extension) {
+    for (int n = 1;; ++n) {
+        char number[16];
+        std::snprintf(number, sizeof number, "-%04d", n);
+        const std::string name = stem + number + extension;
+        if (!std::filesystem::exists(name)) return name;
+    }
 }
 
 void save_frame(const std::string& file, int width, int height) {
@@ -186,58 +176,230 @@ void save_frame(const std::string& file, int width, int height) {
     write_png(file, p);
 }
 
-void draw_frame(Session& s, Renderer& renderer, int width, int height) {
-    const View view = view_of(s.camera, width, height);
-    const auto photos = nearest_photos(s, view, renderer.package().photos());
-    s.report = renderer.draw(view, s.settings, photos, {}, glfwGetTime());
-    renderer.show(view, s.settings, 0, true);
-    ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-}
+/// One package in the window, from frame to frame.
+class Scene {
+  public:
+    Scene(const PackageReader& package, const Options& o, Session& session)
+        : renderer_(package, memory_budget(o)), session_(session) {
+        session_.photos = photos_in_use(package, o);
+    }
 
-Session start(const PackageReader& package, const Options& o) {
-    Session s{render_settings(package, o), {}, photos_in_use(package, o), 8, 0, {}};
+    /// Draws what has changed, and the interface over it.
+    void frame(int width, int height, double now) {
+        Session& s = session_;
+        continue_flight(s, now);
+        const View view = view_of(s.camera, width, height);
+        interface(view, now);
+        record(now);
+        ImGui::Render();
+        const bool still = unchanged(view);
+        if (!still) samples_ = 0;
+        draw(view, still, now);
+        renderer_.show(view, s.settings, 0, true);
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        last_ = view;
+    }
+    /// The picture is as good as it gets; nothing will change by itself.
+    bool idle() const { return samples_ >= rest_side * rest_side && !session_.flight; }
+    Renderer& renderer() { return renderer_; }
+
+  private:
+    static constexpr int rest_side = 2;
+
+    void interface(const View& view, double now) {
+        Session& s = session_;
+        menu_bar(s, renderer_, now);
+        if (s.panels.frusta) draw_frusta(s, renderer_, view);
+        if (!drawn_) return;  // the first picture does not wait for panels
+        if (s.panels.blending) blending_panel(s, renderer_);
+        if (s.panels.status) status_panel(s, renderer_);
+        if (s.panels.radar) radar_panel(s, renderer_, view, now);
+        if (s.panels.photos) strip_.show(s, renderer_, view, now);
+        if (s.panels.help) help_panel(s);
+        open_dialog(s, renderer_);
+        message_line(s, now);
+    }
+
+    void record(double now) {
+        Session& s = session_;
+        if (s.recording && now >= record_at_) {
+            s.recorded.push_back(s.camera);
+            record_at_ = now + 1.0 / 30;
+        }
+        if (was_recording_ && !s.recording && !s.recorded.empty()) {
+            const std::string file = free_name(renderer_.package().path().stem().string(), ".path");
+            write_path(file, s.recorded, renderer_.package());
+            say(s, std::to_string(s.recorded.size()) + " positions written to " + file, now);
+        }
+        was_recording_ = s.recording;
+    }
+
+    bool unchanged(const View& view) const {
+        const ImGuiIO& io = ImGui::GetIO();
+        const bool touched = ImGui::IsAnyItemActive() || io.MouseClicked[0] || io.MouseReleased[0] ||
+                             io.MouseWheel != 0 || keys_;
+        return drawn_ && !touched && last_ && last_->cam_from_origin.R == view.cam_from_origin.R &&
+               last_->cam_from_origin.t == view.cam_from_origin.t &&
+               last_->intrinsics.width == view.intrinsics.width &&
+               last_->intrinsics.height == view.intrinsics.height;
+    }
+
+    /// While something moves or is still to come, one sample a pixel and a little sharper; then all of them,
+    /// one a frame; then nothing.
+    void draw(const View& view, bool still, double now) {
+        Session& s = session_;
+        if (still && idle()) return;
+        const bool rests = still && s.report.settled;
+        RenderSettings settings = s.settings;
+        settings.lod_bias = rests ? 0 : -0.5;
+        const Navigation ahead = before_ ? between(*before_, s.camera, 4) : s.camera;
+        before_ = s.camera;
+        const View next = view_of(ahead, view.intrinsics.width, view.intrinsics.height);
+        const PixelSample sample = rests ? PixelSample{samples_, rest_side} : PixelSample{};
+        const auto begun = std::chrono::steady_clock::now();
+        s.report = renderer_.draw(view, settings, s.photos, sample, now, &next);
+        if (rests && s.report.settled)
+            ++samples_;
+        else
+            samples_ = 0;
+        drawn_ = true;
+        if (gl::current_device().software) glFinish();
+        remember_time(
+            std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - begun).count());
+    }
+
+    void remember_time(float ms) {
+        auto& times = session_.frame_ms;
+        std::rotate(times.begin(), times.begin() + 1, times.end());
+        times.back() = ms;
+        std::vector<double> drawn;
+        for (const float t : times)
+            if (t > 0) drawn.push_back(double(t));
+        session_.statistics = frame_statistics(std::move(drawn));
+    }
+
+  public:
+    bool keys_ = false;  ///< a key was pressed in this frame
+
+  private:
+    Renderer renderer_;
+    Session& session_;
+    PhotoStrip strip_;
+    std::optional<View> last_;
+    std::optional<Navigation> before_;
+    int samples_ = 0;
+    bool drawn_ = false, was_recording_ = false;
+    double record_at_ = 0;
+};
+
+Session start(const PackageReader& package, const Options& o, const Remembered& remembered) {
+    if (package.photos().empty()) throw Error(Exit::damaged, package.path().string() + ": holds no photo");
+    Session s;
+    s.settings = remembered.settings;
+    s.panels = remembered.panels;
     s.settings.upload_bytes = std::size_t(o.upload_kib) << 10;
     s.settings.complete = false;
-    if (!o.photos.empty()) s.standing_at = int(named_photos(package, o.photos).front());
-    if (package.photos().empty()) throw Error(Exit::damaged, package.path().string() + ": holds no photo");
-    s.camera = stand_at(package.photos()[std::size_t(s.standing_at)], mean_up(package.photos()));
+    const auto named = o.photos.empty()
+                           ? std::vector<std::uint32_t>{std::uint32_t(package.photos().size() / 2)}
+                           : named_photos(package, o.photos);
+    s.standing_at = s.settings.compare_photo = named.front();
+    s.camera = stand_at(package.photos()[s.standing_at], mean_up(package.photos()));
     return s;
 }
 
-}  // namespace
+bool any_key_down() {
+    const auto& down = ImGui::GetIO().KeysDown;
+    return std::any_of(std::begin(down), std::end(down), [](bool d) { return d; });
+}
 
-int run_window(const PackageReader& package, const Options& o) {
-    Session session = start(package, o);
-    const Window window(o.size.empty() ? FrameSize{1280, 720} : parse_size(o.size),
-                        package.path().filename().string() + " - Vantage");
-    Renderer renderer(package, memory_budget(o));
-    auto last = std::chrono::steady_clock::now();
-    for (int frame = 1; !glfwWindowShouldClose(window.get()); ++frame) {
-        glfwPollEvents();
+/// Shows one package until the window closes or another is asked for.
+void show_package(GLFWwindow* window, Session& session, Scene& scene, const Options& o) {
+    std::string saved;
+    for (int frame = 1; !glfwWindowShouldClose(window); ++frame) {
+        // Something to look at does not change by itself once it is complete.
+        if (scene.idle() && !any_key_down() && o.frames == 0)
+            glfwWaitEventsTimeout(0.2);
+        else
+            glfwPollEvents();
         int width = 0, height = 0;
-        glfwGetFramebufferSize(window.get(), &width, &height);
+        glfwGetFramebufferSize(window, &width, &height);
         if (width == 0 || height == 0) {  // minimised
             glfwWaitEventsTimeout(0.1);
             continue;
         }
+        const double now = glfwGetTime();
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
+        controls::begin_frame();
+        scene.keys_ = any_key_down();
         move_by_mouse(session);
         move_by_keys(session);
-        panels(session, package);
-        draw_frame(session, renderer, width, height);
+        obey_keys(session, scene.renderer().scene(), now);
+        scene.frame(width, height, now);
         const bool ends = frame == o.frames;
         if (ends && !o.screenshot.empty()) save_frame(o.screenshot, width, height);
-        glfwSwapBuffers(window.get());
-        const auto now = std::chrono::steady_clock::now();
-        std::rotate(session.frame_ms.begin(), session.frame_ms.begin() + 1, session.frame_ms.end());
-        session.frame_ms.back() = std::chrono::duration<float, std::milli>(now - last).count();
-        last = now;
-        if (ends) break;
+        if (session.screenshot) {
+            saved = free_name(scene.renderer().package().path().stem().string(), ".png");
+            save_frame(saved, width, height);
+            say(session, "screenshot written to " + saved, now);
+        }
+        session.screenshot = false;
+        glfwSwapBuffers(window);
+        if (!o.controls.empty()) controls::write_places(o.controls);
+        if (frame == 1 && !o.quiet)
+            std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * process_seconds());
+        if (ends || session.quit || !session.open.empty()) return;
     }
-    return session.report.tiles_damaged ? int(Exit::damaged) : int(Exit::ok);
+}
+
+}  // namespace
+
+int run_window(const PackageReader& first, const Options& o) {
+    Remembered remembered;
+    remembered.settings = render_settings(first, o);
+    const std::filesystem::path folder = o.fresh ? std::filesystem::path() : settings_folder();
+    if (!o.fresh) {
+        const RenderSettings given = remembered.settings;
+        remembered = read_settings(folder, remembered);
+        if (o.blending_given) remembered.settings = given;
+    }
+    const Window window(o.size.empty() ? remembered.window : parse_size(o.size), "Vantage");
+    Session session = start(first, o, remembered);
+    glfwSetWindowUserPointer(window.get(), &session);
+    glfwSetDropCallback(window.get(), [](GLFWwindow* w, int count, const char** files) {
+        if (count > 0) static_cast<Session*>(glfwGetWindowUserPointer(w))->open = files[0];
+    });
+    std::optional<PackageReader> other;
+    const PackageReader* package = &first;
+    bool damaged = false;
+    for (;;) {
+        glfwSetWindowTitle(window.get(), (package->path().filename().string() + " - Vantage").c_str());
+        {
+            Scene scene(*package, o, session);
+            show_package(window.get(), session, scene, o);
+        }
+        damaged |= session.report.tiles_damaged > 0;
+        if (session.open.empty()) break;
+        remembered.settings = session.settings;
+        remembered.panels = session.panels;
+        const std::string wanted = std::exchange(session.open, "");
+        try {
+            PackageReader reader(wanted);
+            Options plain = o;
+            plain.photos.clear();
+            session = start(reader, plain, remembered);
+            other.emplace(std::move(reader));
+            package = &*other;
+        } catch (const Error& e) {
+            say(session, e.what(), glfwGetTime());
+        }
+    }
+    glfwGetWindowSize(window.get(), &remembered.window.width, &remembered.window.height);
+    remembered.settings = session.settings;
+    remembered.panels = session.panels;
+    write_settings(folder, remembered);
+    return damaged ? int(Exit::damaged) : int(Exit::ok);
 }
 
 }  // namespace vantage

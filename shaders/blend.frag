@@ -12,6 +12,7 @@ layout(location = 0) out vec4 accumulated;
 
 layout(location = 2) uniform uint pass_count;
 layout(location = 3) uniform vec3 eye;             // relative to the origin
+layout(location = 11) uniform vec3 weight_eye;     // from where weights count; elsewhere when they are frozen
 layout(location = 4) uniform vec3 view_direction;  // [P]: to the model from outside, the camera's own from inside
 layout(location = 5) uniform uint switches;        // bit 0 angle mask, 1 depth mask, 2 border mask, 3 angle weight
 layout(location = 6) uniform float border_width;   // pixels of a photo 3072 wide at which the border mask is 1
@@ -30,7 +31,7 @@ const float beside = 0.03;  // what a photo is worth where its pixel may show so
 
 // Angle between the rays from the surface to the viewer and to the photo; exact for small angles.
 float ray_angle(uint photo) {
-    vec3 a = normalize(eye - surface_position), b = normalize(photos[photo].center_hull.xyz - surface_position);
+    vec3 a = normalize(weight_eye - surface_position), b = normalize(photos[photo].center_hull.xyz - surface_position);
     return atan(length(cross(a, b)), dot(a, b));
 }
 

@@ -1,0 +1,127 @@
+#include "player/interface/overlays.h"
+
+#include <imgui.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "player/interface/controls.h"
+
+namespace vantage {
+namespace {
+
+ImU32 weight_color(double distance, double angle, float alpha) {
+    return ImGui::ColorConvertFloat4ToU32(
+        ImVec4(float(0.15 + 0.85 * angle), float(0.15 + 0.85 * distance), 0.2f, alpha));
+}
+
+bool in_use(const Renderer& renderer, std::uint32_t photo) {
+    return std::ranges::any_of(renderer.plan().photos,
+                               [&](const PlannedPhoto& p) { return p.photo == photo; });
+}
+
+double scene_size(const PlanScene& scene) {
+    const ClusterTree::Node& all = scene.tree.nodes.front();
+    return (all.high - all.low).norm();
+}
+
+/// A line between two points relative to the origin, cut at the viewer.
+void line(ImDrawList& list, const View& view, Eigen::Vector3d a, Eigen::Vector3d b, ImU32 color,
+          float width) {
+    const Pose& pose = view.cam_from_origin;
+    const Intrinsics& k = view.intrinsics;
+    a = pose.R * a + pose.t;
+    b = pose.R * b + pose.t;
+    const double nearest = 1e-3 * std::max(a.norm(), b.norm());
+    if (a.z() < nearest && b.z() < nearest) return;
+    if (a.z() < nearest) a += (b - a) * ((nearest - a.z()) / (b.z() - a.z()));
+    if (b.z() < nearest) b += (a - b) * ((nearest - b.z()) / (a.z() - b.z()));
+    const auto pixel = [&](const Eigen::Vector3d& p) {
+        return ImVec2(float(k.fx * p.x() / p.z() + k.cx), float(k.fy * p.y() / p.z() + k.cy));
+    };
+    list.AddLine(pixel(a), pixel(b), color, width);
+}
+
+}  // namespace
+
+void draw_frusta(const Session& s, const Renderer& renderer, const View& view) {
+    const PlanScene& scene = renderer.scene();
+    const ViewWeights weights = view_weights(view, scene.photos, s.settings.weights);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const double length = 0.06 * scene_size(scene);
+    for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
+        const Intrinsics& k = scene.intrinsics[i];
+        const Pose& pose = scene.poses[i];
+        const Eigen::Vector3d center = pose.center();
+        if ((center - view.cam_from_origin.center()).norm() < 0.02 * length) continue;  // stands in it
+        const bool used = in_use(renderer, i);
+        const ImU32 color = weight_color(weights.distance[i], weights.angle[i], used ? 1.0f : 0.45f);
+        std::array<Eigen::Vector3d, 4> corner;
+        for (std::size_t c = 0; c < 4; ++c) {
+            const double u = c == 1 || c == 2 ? k.width : 0, v = c >= 2 ? k.height : 0;
+            corner[c] = center + pose.R.transpose() *
+                                     (Eigen::Vector3d((u - k.cx) / k.fx, (v - k.cy) / k.fy, 1) * length);
+        }
+        for (std::size_t c = 0; c < 4; ++c) {
+            line(list, view, center, corner[c], color, used ? 2.0f : 1.0f);
+            line(list, view, corner[c], corner[(c + 1) % 4], color, used ? 2.0f : 1.0f);
+        }
+    }
+}
+
+void radar_panel(Session& s, const Renderer& renderer, const View& view, double now) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(screen.x - 252, screen.y - 412), ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize(ImVec2(240, 262), ImGuiCond_FirstUseEver);
+    if (!ImGui::Begin("Radar", &s.panels.radar, ImGuiWindowFlags_NoResize)) return ImGui::End();
+    const PlanScene& scene = renderer.scene();
+    const Eigen::Vector3d up = s.camera.up, east = up.unitOrthogonal(), north = up.cross(east);
+    const Eigen::Vector3d eye = view.cam_from_origin.center();
+    double reach = scene_size(scene) / 2;
+    for (const Pose& pose : scene.poses) reach = std::max(reach, pose.center().norm());
+    reach = std::max(reach, eye.norm()) * 1.08;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float side = 224, scale = side / 2 / float(reach);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto place = [&](const Eigen::Vector3d& p) {
+        return ImVec2(low.x + side / 2 + float(p.dot(east)) * scale,
+                      low.y + side / 2 - float(p.dot(north)) * scale);
+    };
+    list.AddRectFilled(low, ImVec2(low.x + side, low.y + side), IM_COL32(20, 24, 30, 255), 4);
+    for (const ClusterTree::Node& node : scene.tree.nodes)
+        if (node.count <= 8) {
+            const Eigen::Vector3d middle = (node.low + node.high) / 2, half = (node.high - node.low) / 2;
+            const auto w = float(east.cwiseAbs().dot(half)) * scale,
+                       h = float(north.cwiseAbs().dot(half)) * scale;
+            const ImVec2 c = place(middle);
+            list.AddRectFilled(ImVec2(c.x - w, c.y - h), ImVec2(c.x + w, c.y + h),
+                               IM_COL32(120, 130, 145, 26));
+        }
+    const ViewWeights weights = view_weights(view, scene.photos, s.settings.weights);
+    const auto arrow = [&](const Pose& pose, ImU32 color, float size) {
+        const ImVec2 at = place(pose.center());
+        const ImVec2 to = place(pose.center() + pose.direction() * (double(size) / double(scale)));
+        list.AddLine(at, to, color, 1.5f);
+        list.AddCircleFilled(at, size / 4, color);
+    };
+    ImGui::InvisibleButton("##radar", ImVec2(side, side));
+    controls::note("Radar map");
+    const bool clicked = ImGui::IsItemClicked();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    std::uint32_t nearest = 0;
+    double best = 1e30;
+    for (std::uint32_t i = 0; i < scene.poses.size(); ++i) {
+        arrow(scene.poses[i],
+              weight_color(weights.distance[i], weights.angle[i], in_use(renderer, i) ? 1.0f : 0.5f), 14);
+        const ImVec2 at = place(scene.poses[i].center());
+        const double d = std::hypot(double(at.x - mouse.x), double(at.y - mouse.y));
+        if (d < best) best = d, nearest = i;
+    }
+    arrow(view.cam_from_origin, IM_COL32(255, 255, 255, 255), 24);
+    if (clicked && best < 16) fly_to(s, nearest, scene.photos[nearest], now);
+    ImGui::End();
+}
+
+}  // namespace vantage

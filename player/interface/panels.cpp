@@ -1,0 +1,278 @@
+#include "player/interface/panels.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "player/interface/controls.h"
+
+namespace vantage {
+namespace {
+
+using controls::checkbox;
+using controls::combo;
+using controls::menu_item;
+using controls::radio;
+using controls::slider;
+
+constexpr float MiB = 1024 * 1024;
+
+void section(const char* title) {
+    ImGui::Spacing();
+    ImGui::TextDisabled("%s", title);
+    ImGui::Separator();
+}
+
+template <class Enum>
+void choice(const char* name, Enum& value, const char* const names[], int count) {
+    int index = int(value);
+    if (combo(name, &index, names, count)) value = Enum(index);
+}
+
+void blend_section(RenderSettings& r) {
+    int blend = int(r.blend);
+    radio("Lumigraph", &blend, int(Blend::lumigraph));
+    ImGui::SameLine();
+    radio("Average", &blend, int(Blend::average));
+    ImGui::SameLine();
+    radio("Best photo", &blend, int(Blend::best));
+    r.blend = Blend(blend);
+    slider("Sharpness", &r.weights.sharpness, 0.01, 1.0, "%.3f rad", ImGuiSliderFlags_Logarithmic);
+    slider("Exponent", &r.weights.exponent, 0.0, 32.0, "%.1f");
+    checkbox("Consensus", &r.consensus);
+    ImGui::SameLine();
+    checkbox("Fill holes", &r.fill_holes);
+}
+
+void weight_section(Session& s) {
+    WeightSettings& w = s.settings.weights;
+    checkbox("Distance", &w.distance);
+    ImGui::SameLine(150);
+    checkbox("Angle", &w.angle);
+    checkbox("Angle mask", &w.angle_mask);
+    ImGui::SameLine(150);
+    checkbox("Depth mask", &w.depth_mask);
+    checkbox("Border mask", &w.border_mask);
+    ImGui::SameLine(150);
+    checkbox("Angle by photo", &w.angle_per_photo);
+    checkbox("Field of view", &w.fov_normalisation);
+    ImGui::SameLine(150);
+    checkbox("Corrected", &w.corrected_directions);
+    if (checkbox("Freeze weights", &s.freeze)) {
+        s.settings.weights_from.reset();
+        if (s.freeze) s.settings.weights_from = view_of(s.camera, 1280, 720);
+    }
+}
+
+void photo_section(Session& s, const Renderer& renderer) {
+    RenderSettings& r = s.settings;
+    static const char* const choices[] = {"cover what is seen", "nearest", "direction"};
+    choice("Choose", r.choice, choices, 3);
+    slider("Photos", &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));
+    slider("Per pass", &r.photos_per_pass, 1, most_photos_per_pass);
+    slider("Angle limit", &r.angle_limit, 10.0, 180.0, "%.0f deg");
+    static const char* const coordinates[] = {"as the scene asks", "per vertex", "per fragment"};
+    choice("Coordinates", r.coordinates, coordinates, 3);
+}
+
+void show_section(Session& s) {
+    RenderSettings& r = s.settings;
+    static const char* const shows[] = {"photos", "which photo", "how many photos"};
+    choice("Show", r.show, shows, 3);
+    static const char* const compares[] = {"nothing", "side by side", "wiper", "difference"};
+    choice("Compare", r.compare, compares, 4);
+    if (r.compare == Compare::wiper) slider("Wiper", &r.wiper, 0.0, 1.0);
+}
+
+void budget_bar(const char* name, double held, double budget) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.0f of %.0f MiB", held / double(MiB), budget / double(MiB));
+    ImGui::ProgressBar(float(budget > 0 ? held / budget : 0), ImVec2(-70, 0), text);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(name);
+}
+
+}  // namespace
+
+void set_style() {
+    ImGui::StyleColorsDark();
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.WindowRounding = 6;
+    style.FrameRounding = style.GrabRounding = style.PopupRounding = 4;
+    style.WindowBorderSize = 0;
+    style.FramePadding = ImVec2(7, 2);
+    style.ItemSpacing = ImVec2(8, 4);
+    style.WindowTitleAlign = ImVec2(0.02f, 0.5f);
+    style.Colors[ImGuiCol_WindowBg] = ImVec4(0.09f, 0.10f, 0.12f, 0.90f);
+    style.Colors[ImGuiCol_PopupBg] = ImVec4(0.11f, 0.12f, 0.14f, 0.97f);
+    style.Colors[ImGuiCol_MenuBarBg] = ImVec4(0.09f, 0.10f, 0.12f, 0.95f);
+    style.Colors[ImGuiCol_FrameBg] = ImVec4(0.19f, 0.21f, 0.25f, 1);
+    style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.13f, 0.17f, 0.23f, 1);
+    for (const int color :
+         {ImGuiCol_CheckMark, ImGuiCol_SliderGrab, ImGuiCol_PlotLines, ImGuiCol_PlotHistogram})
+        style.Colors[color] = ImVec4(0.36f, 0.62f, 0.92f, 1);
+    for (const char* font : {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                             "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf"})
+        if (std::filesystem::exists(font)) {
+            ImGui::GetIO().Fonts->AddFontFromFileTTF(font, 14);
+            return;
+        }
+}
+
+void menu_bar(Session& s, const Renderer& renderer, double now) {
+    if (!ImGui::BeginMainMenuBar()) return;
+    const auto menu = [](const char* name) {
+        const bool open = ImGui::BeginMenu(name);
+        controls::note(name);
+        return open;
+    };
+    if (menu("File")) {
+        if (menu_item("Open...", "O")) s.open_asked = true;
+        if (menu_item("Screenshot", "P")) s.screenshot = true;
+        if (menu_item("Quit", "Esc")) s.quit = true;
+        ImGui::EndMenu();
+    }
+    if (menu("View")) {
+        const auto toggle = [](const char* name, const char* key, bool& shown) {
+            if (menu_item(name, key, shown)) shown = !shown;
+        };
+        toggle("Blending", "F2", s.panels.blending);
+        toggle("Status", "F3", s.panels.status);
+        toggle("Photo strip", "F4", s.panels.photos);
+        toggle("Cameras in the scene", "F5", s.panels.frusta);
+        toggle("Radar", "F6", s.panels.radar);
+        ImGui::EndMenu();
+    }
+    if (menu("Path")) {
+        if (menu_item("Record", "R", s.recording)) {
+            s.recording = !s.recording;
+            if (s.recording) s.recorded.clear();
+        }
+        if (menu_item("Replay", "T")) replay(s, now);
+        ImGui::EndMenu();
+    }
+    if (menu("Help")) {
+        if (menu_item("Mouse and keys", "F1", s.panels.help)) s.panels.help = !s.panels.help;
+        ImGui::EndMenu();
+    }
+    ImGui::TextDisabled("   %s", renderer.package().path().filename().c_str());
+    if (s.recording) ImGui::TextColored(ImVec4(1, 0.4f, 0.35f, 1), "   recording");
+    ImGui::EndMainMenuBar();
+}
+
+void blending_panel(Session& s, const Renderer& renderer) {
+    ImGui::SetNextWindowPos(ImVec2(12, 40), ImGuiCond_FirstUseEver);
+    // Down to the photo strip; what does not fit is scrolled.
+    ImGui::SetNextWindowSizeConstraints(
+        ImVec2(0, 0), ImVec2(FLT_MAX, std::max(120.0f, ImGui::GetIO().DisplaySize.y - 150)));
+    if (ImGui::Begin("Blending", &s.panels.blending, ImGuiWindowFlags_AlwaysAutoResize)) {
+        ImGui::PushItemWidth(190);
+        blend_section(s.settings);
+        section("Weights");
+        weight_section(s);
+        section("Photos");
+        photo_section(s, renderer);
+        section("Show");
+        show_section(s);
+        ImGui::PopItemWidth();
+    }
+    ImGui::End();
+}
+
+void status_panel(const Session& s, const Renderer& renderer) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(screen.x - 352, 40), ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize(ImVec2(340, 0), ImGuiCond_FirstUseEver);
+    if (ImGui::Begin("Status", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+        const float highest = *std::ranges::max_element(s.frame_ms);
+        ImGui::PlotLines("##frames", s.frame_ms.data(), int(s.frame_ms.size()), 0, "", 0,
+                         std::max(1.0f, highest * 1.1f), ImVec2(322, 56));
+        const FrameStatistics& f = s.statistics;
+        ImGui::Text("%.1f ms a frame, median %.1f", f.mean, f.median);
+        ImGui::Text("99 %% below %.1f, 99.9 %% below %.1f", f.p99, f.p999);
+        const FrameReport& r = s.report;
+        ImGui::Text("%zu photos in %zu passes, %zu draws", r.photos, r.passes, r.draws);
+        ImGui::Text("%zu tiles, %zu to come; %.1f MiB uploaded", r.tiles, r.tiles_missing,
+                    double(r.uploaded) / double(MiB));
+        const Residency& held = renderer.store().residency();
+        budget_bar("graphics", double(gl::memory_held()), double(renderer.budget().graphics));
+        budget_bar("tiles", double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
+                   double(held.layout().bytes()));
+        if (r.tiles_damaged)
+            ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), "%zu damaged tiles left out", r.tiles_damaged);
+    }
+    ImGui::End();
+}
+
+void help_panel(Session& s) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
+    if (ImGui::Begin("Mouse and keys", &s.panels.help,
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
+        static const char* const lines[][2] = {{"drag", "turn about the model"},
+                                               {"drag, right button", "look around"},
+                                               {"drag, middle button", "move aside"},
+                                               {"wheel", "come nearer, go away"},
+                                               {"W A S D, Q E", "fly; with Shift faster"},
+                                               {"N, B", "fly to the next or previous photo"},
+                                               {"C", "compare: side by side, wiper, difference"},
+                                               {"V", "show photos, which photo, how many"},
+                                               {"1 2 3", "lumigraph, average, best photo"},
+                                               {"R, T", "record a path, replay it"},
+                                               {"O", "open another package (or drop it here)"},
+                                               {"P", "screenshot"},
+                                               {"F1 to F6", "help and panels"},
+                                               {"Esc", "quit"}};
+        for (const auto& line : lines) {
+            ImGui::TextColored(ImVec4(0.55f, 0.75f, 1, 1), "%s", line[0]);
+            ImGui::SameLine(190);
+            ImGui::TextUnformatted(line[1]);
+        }
+    }
+    ImGui::End();
+}
+
+void open_dialog(Session& s, const Renderer& renderer) {
+    if (s.open_asked) ImGui::OpenPopup("Open a package");
+    s.open_asked = false;
+    if (!ImGui::BeginPopupModal("Open a package", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    static std::array<char, 1024> typed{};
+    const std::filesystem::path folder = std::filesystem::absolute(renderer.package().path()).parent_path();
+    ImGui::TextDisabled("%s", folder.c_str());
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        if (entry.path().extension() != ".vantage") continue;
+        const std::string name = entry.path().filename().string();
+        const bool chosen = ImGui::Selectable(name.c_str(), false, ImGuiSelectableFlags_DontClosePopups);
+        controls::note(name.c_str());
+        if (chosen) std::snprintf(typed.data(), typed.size(), "%s", entry.path().c_str());
+    }
+    ImGui::SetNextItemWidth(420);
+    ImGui::InputText("##file", typed.data(), typed.size());
+    if (controls::button("Open") && typed[0]) {
+        s.open = typed.data();
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::SameLine();
+    if (controls::button("Cancel")) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+void message_line(const Session& s, double now) {
+    if (s.message.empty() || now > s.message_until) return;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(screen.x / 2, 44), ImGuiCond_Always, ImVec2(0.5f, 0));
+    ImGui::Begin("##message", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::TextUnformatted(s.message.c_str());
+    ImGui::End();
+}
+
+}  // namespace vantage

@@ -1,0 +1,93 @@
+#include "player/interface/photo_strip.h"
+
+#include <epoxy/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+#include <string>
+
+#include "player/interface/controls.h"
+
+namespace vantage {
+
+PhotoStrip::~PhotoStrip() { forget(); }
+
+void PhotoStrip::forget() {
+    for (const auto& [layer, texture] : pictures_) glDeleteTextures(1, &texture);
+    pictures_.clear();
+}
+
+/// A layer of the thumbnails as a texture that ImGui can show: as stored, since the window is not sRGB.
+GLuint PhotoStrip::picture(const Residency& residency, std::uint32_t layer) {
+    if (array_ != residency.thumbnails()) {
+        forget();
+        array_ = residency.thumbnails();
+    }
+    GLuint& view = pictures_[layer];
+    if (!view) {
+        glGenTextures(1, &view);
+        glTextureView(view, GL_TEXTURE_2D, array_, GL_RGBA8, 0, 1, layer, 1);
+        glTextureParameteri(view, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTextureParameteri(view, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    }
+    return view;
+}
+
+void PhotoStrip::show(Session& s, Renderer& renderer, const View& view, double now) {
+    const PlanScene& scene = renderer.scene();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    constexpr float height = 64;
+    ImGui::SetNextWindowPos(ImVec2(12, screen.y - height - 40));
+    ImGui::SetNextWindowSize(ImVec2(screen.x - 24, height + 30));
+    ImGui::Begin("##photos", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_HorizontalScrollbar);
+    // Not in the middle of a flight or a click: what people aim at must not run away.
+    if (ranked_at_ < 0 || (now - ranked_at_ > 0.5 && !s.flight && !ImGui::IsWindowHovered())) {
+        agreements_ = agreements(scene, view);
+        ranked_at_ = now;
+    }
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < scene.photos.size(); ++i)
+        if (scene.photos[i].levels) order.push_back(i);
+    std::ranges::stable_sort(order, std::ranges::greater(), [&](auto i) { return agreements_[i]; });
+    const auto shown = std::min<std::size_t>(order.size(), 48);
+    for (std::size_t n = 0; n < shown; ++n) {
+        const package::PhotoRecord& p = scene.photos[order[n]];
+        const float width = height * float(p.width) / float(p.height);
+        if (n > 0) ImGui::SameLine();
+        const std::string name = std::string("Photo ") + std::to_string(n + 1);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const bool clicked = ImGui::InvisibleButton(name.c_str(), ImVec2(width, height));
+        controls::note(name.c_str());
+        if (!ImGui::IsItemVisible()) continue;
+        const bool hovered = ImGui::IsItemHovered();
+        renderer.want_thumbnail(order[n]);
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const ImVec2 end(at.x + width, at.y + height);
+        const Residency& residency = renderer.store().residency();
+        if (const auto layer = residency.thumbnail_layer(order[n])) {
+            const ImVec2 share(float(p.thumbnail_width) / float(residency.layout().thumbnail_width),
+                               float(p.thumbnail_height) / float(residency.layout().thumbnail_height));
+            list.AddImage(ImTextureID(std::uintptr_t(picture(residency, *layer))), at, end, ImVec2(0, 0),
+                          share);
+        } else {
+            list.AddRectFilled(at, end, IM_COL32(40, 44, 52, 255));
+        }
+        const bool used = std::ranges::any_of(renderer.plan().photos,
+                                              [&](const PlannedPhoto& q) { return q.photo == order[n]; });
+        const FalseColor c = false_color(order[n]);
+        if (used || hovered)
+            list.AddRect(at, end, ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, 1)), 0, 0,
+                         hovered ? 4.0f : 2.5f);
+        if (hovered)
+            ImGui::SetTooltip("%s, %ux%u, agrees to %.0f %%", p.name, p.width, p.height,
+                              100 * agreements_[order[n]]);
+        if (clicked) fly_to(s, order[n], p, now);
+    }
+    ImGui::End();
+}
+
+}  // namespace vantage
