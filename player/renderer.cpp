@@ -141,7 +141,9 @@ void Renderer::fit(int width, int height, const RenderSettings& settings) {
     if (targets_.width == width && targets_.height == height && (store_.has_coordinates() || !coordinates))
         return;
     targets_ = {};
-    const std::uint64_t others = gl::memory_held() - store_.bytes() + FrameTargets::bytes(width, height);
+    seen_.release();
+    const std::uint64_t others = gl::memory_held() - store_.bytes() + FrameTargets::bytes(width, height) +
+                                 SeenTriangles::bytes(width, height);
     store_.fit(budget_.graphics > others ? budget_.graphics - others : 0, coordinates);
     targets_ = make_frame_targets(width, height);
 }

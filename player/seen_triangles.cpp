@@ -5,8 +5,16 @@
 
 namespace vantage {
 
-SeenTriangles::~SeenTriangles() {
+SeenTriangles::~SeenTriangles() { release(); }
+
+void SeenTriangles::release() {
     if (fence_) glDeleteSync(fence_);
+    fence_ = nullptr;
+    mapped_ = nullptr;
+    small_target_ = {};
+    small_ = {};
+    pixels_ = {};
+    width_ = height_ = 0;
 }
 
 void SeenTriangles::capture(const FrameTargets& targets, const View& view) {

@@ -15,6 +15,12 @@ class SeenTriangles {
   public:
     static constexpr int step = 2;  ///< pixels
 
+    /// Graphics memory for frames of this size.
+    static std::uint64_t bytes(int width, int height) {
+        return std::uint64_t(width / step + 1) * std::uint64_t(height / step + 1) * 8;
+    }
+    /// Releases it, until the next capture.
+    void release();
     /// Begins to read what `targets` shows of `view`. Does nothing where a frame is still on its way.
     void capture(const FrameTargets& targets, const View& view);
     /// Takes in what has arrived, or with `wait` what is on its way. True where that is new.

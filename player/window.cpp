@@ -317,7 +317,7 @@ void show_package(GLFWwindow* window, Session& session, Scene& scene, const Opti
     std::string saved;
     for (int frame = 1; !glfwWindowShouldClose(window); ++frame) {
         // Something to look at does not change by itself once it is complete.
-        if (scene.idle() && !any_key_down() && o.frames == 0)
+        if (scene.idle() && !any_key_down() && o.frames == 0 && o.controls.empty())
             glfwWaitEventsTimeout(0.2);
         else
             glfwPollEvents();

@@ -12,10 +12,14 @@ struct Place {
     ImVec2 low, high;
 };
 std::vector<Place> places;
+long frame = 0;
 
 }  // namespace
 
-void begin_frame() { places.clear(); }
+void begin_frame() {
+    places.clear();
+    ++frame;
+}
 
 void note(const char* name) { places.push_back({name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}); }
 
@@ -23,6 +27,7 @@ void write_places(const std::filesystem::path& file) {
     const std::filesystem::path part = file.string() + ".part";
     {
         std::ofstream out(part);
+        out << "frame\t" << frame << '\n';
         for (const Place& p : places)
             out << p.name << '\t' << p.low.x << '\t' << p.low.y << '\t' << p.high.x - p.low.x << '\t'
                 << p.high.y - p.low.y << '\n';

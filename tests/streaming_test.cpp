@@ -1,0 +1,206 @@
+// What the player streams: bytes that arrive are the package's, budgets are kept, nothing that is damaged is
+// shown as sound; and what a plan covers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <numeric>
+#include <set>
+
+#include "gl/context.h"
+#include "pipeline/import/discover.h"
+#include "pipeline/import/read_scene.h"
+#include "pipeline/prepare.h"
+#include "pipeline/synth/synthesise.h"
+#include "player/camera_path.h"
+#include "player/picture.h"
+#include "player/renderer.h"
+#include "scene/error.h"
+#include "scene/package_reader.h"
+#include "scene/tiling.h"
+#include "temporary_folder.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+class Streaming : public TemporaryFolder {
+  protected:
+    fs::path file = dir / "scene.vantage";
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+        spec.photos.width = 1200;
+        spec.photos.height = 900;
+        spec.photos.samples = 1;
+        synthesise(spec, dir / "scene", {});
+        prepare(read_scene(discover(dir / "scene")), {}, file, [](const Progress&) {});
+    }
+    static std::vector<std::uint32_t> all(const PackageReader& package) {
+        std::vector<std::uint32_t> photos(package.photos().size());
+        std::iota(photos.begin(), photos.end(), 0u);
+        return photos;
+    }
+    static RenderSettings streamed() {
+        RenderSettings s;
+        s.complete = false;
+        s.photos = 4;
+        return s;
+    }
+};
+
+std::vector<std::uint8_t> shown(Renderer& renderer, const View& view, const RenderSettings& settings) {
+    const int w = view.intrinsics.width, h = view.intrinsics.height;
+    const gl::Texture color = gl::make_texture_2d("picture", GL_RGBA8, w, h);
+    const gl::Framebuffer target = gl::make_framebuffer("picture", std::array{color.id()}, 0);
+    renderer.show(view, settings, target.id(), false);
+    std::vector<std::uint8_t> rgba(std::size_t(w) * std::size_t(h) * 4);
+    glGetTextureImage(color.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(rgba.size()), rgba.data());
+    return rgba;
+}
+
+double mean_difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(int(a[i]) - int(b[i]));
+    return sum / double(a.size());
+}
+
+}  // namespace
+
+TEST_F(Streaming, WhatArrivesIsWhatThePackageHoldsThroughAnyRing) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    const PackagePages pages = number_pages(package.photos());
+    for (const std::size_t ring : {4 * tile_bytes, 9 * tile_bytes + 777}) {
+        TileStream stream(package, ring, 3);
+        std::vector<StreamRequest> wanted;
+        for (std::uint32_t t = 0; t < 20; ++t) wanted.push_back(color_request(package, pages, 1, 0, t));
+        for (std::uint32_t t = 0; t < 6; ++t) wanted.push_back(mask_request(package, pages, 2, 1, t));
+        wanted.push_back(thumbnail_request(package, 3));
+        stream.want(wanted);
+        std::set<std::uint64_t> arrived;
+        while (stream.wait()) {
+            while (const auto f = stream.take(SIZE_MAX)) {
+                std::vector<std::byte> bytes(f->piece.bytes);
+                glGetNamedBufferSubData(stream.buffer(), GLintptr(f->piece.offset), GLsizeiptr(bytes.size()),
+                                        bytes.data());
+                const StreamRequest& r = f->request;
+                const auto first = r.bytes ? package.bytes(r.chunk) : package.block(*r.chunk, r.block);
+                EXPECT_TRUE(f->sound && std::ranges::equal(first, std::span(bytes).first(first.size())));
+                if (r.second) {
+                    const auto second = package.block(*r.second, r.block);
+                    EXPECT_TRUE(std::ranges::equal(second, std::span(bytes).subspan(first.size())));
+                }
+                EXPECT_TRUE(arrived.insert(r.identity()).second) << "fetched twice";
+                stream.release(*f);
+            }
+            stream.fence();
+        }
+        EXPECT_EQ(arrived.size(), wanted.size());
+        EXPECT_EQ(stream.waiting(), 0u);
+    }
+}
+
+TEST_F(Streaming, ABudgetOfUploadsIsKeptAndThePictureBecomesExact) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, {});
+    const View view = view_of_photo(package.photos()[2], 0.5);
+    RenderSettings settings = streamed();
+    settings.upload_bytes = std::size_t(1) << 20;
+    FrameReport report;
+    std::vector<std::uint8_t> first;
+    for (int frame = 0; frame < 400 && !report.settled; ++frame) {
+        report = renderer.draw(view, settings, all(package), {}, frame / 30.0);
+        ASSERT_LE(report.uploaded, settings.upload_bytes);
+        if (first.empty() && report.photos > 0) first = shown(renderer, view, settings);
+    }
+    ASSERT_TRUE(report.settled);
+    const auto last = shown(renderer, view, settings);
+    settings.complete = true;
+    renderer.draw(view, settings, all(package), {}, 100);
+    const auto exact = shown(renderer, view, settings);
+    EXPECT_LT(mean_difference(first, exact), 12) << "thumbnails show the scene, if not sharply";
+    EXPECT_GT(mean_difference(first, exact), 0.2);
+    EXPECT_LT(mean_difference(last, exact), 0.1);
+}
+
+TEST_F(Streaming, GraphicsMemoryIsKeptOnAFlightOverMoreThanItHolds) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    const MemoryBudget budget{std::uint64_t(36) << 20, std::uint64_t(4) << 20};
+    Renderer renderer(package, budget);
+    const CameraPath path = scripted_path("flight", stand_at(package.photos()[2], {0, 0, 1}), 60);
+    for (int frame = 0; frame < 60; ++frame) {
+        const FrameReport report = renderer.draw(view_of(path.frames[std::size_t(frame)], 400, 300),
+                                                 streamed(), all(package), {}, frame / 30.0);
+        ASSERT_LE(gl::memory_held(), budget.graphics);
+        ASSERT_EQ(report.tiles_damaged, 0u);
+    }
+    EXPECT_THROW(
+        {
+            Renderer small(package, {std::uint64_t(8) << 20, std::uint64_t(1) << 20});
+            small.draw(view_of(path.frames[0], 400, 300), streamed(), all(package), {}, 0);
+        },
+        Error);
+}
+
+TEST_F(Streaming, ADamagedTileIsCountedAndACoarserOneShown) {
+    {
+        const PackageReader package(file);
+        const auto* tiles = package.find(package::Type::tiles, 2, 0);
+        std::fstream f(file, std::ios::in | std::ios::out | std::ios::binary);
+        for (std::size_t t = 0; t < package.blocks(*tiles); ++t) {
+            f.seekp(std::streamoff(tiles->offset + tiles->head_length + t * tile_bytes + 100));
+            f.put('!');
+        }
+    }
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, {});
+    const std::vector<std::uint32_t> only{2};
+    const View view = view_of_photo(package.photos()[2], 1);
+    RenderSettings settings = streamed();
+    FrameReport report;
+    for (int frame = 0; frame < 200 && !report.settled; ++frame)
+        report = renderer.draw(view, settings, only, {}, frame / 30.0);
+    EXPECT_GT(report.tiles_damaged, 0u);
+    const auto rgba = shown(renderer, view, settings);
+    std::size_t colored = 0;
+    for (std::size_t i = 3; i < rgba.size(); i += 4) colored += rgba[i] == 255;
+    EXPECT_GT(colored, rgba.size() / 4 / 3) << "coarser levels stand in";
+}
+
+TEST_F(Streaming, APlanCoversWhatIsSeenAndHoldsOnToItsPhotos) {
+    const PackageReader package(file);
+    const PlanScene scene = make_plan_scene(package);
+    const auto photos = all(package);
+    PlanSettings settings;
+    settings.photos = 1;
+    settings.sharpness = 0.055;
+    const Navigation start = stand_at(package.photos()[2], {0, 0, 1});
+    std::vector<std::uint32_t> previous;
+    int changes = 0;
+    for (const Navigation& n : scripted_path("orbit", start, 120).frames) {
+        const Plan plan = make_plan(scene, view_of(n, 640, 480), settings, photos, previous);
+        EXPECT_LE(plan.uncovered, 2e-4);
+        EXPECT_EQ(plan.photos.size(), std::set<std::uint32_t>([&] {
+                                          std::set<std::uint32_t> s;
+                                          for (const auto& p : plan.photos) s.insert(p.photo);
+                                          return s;
+                                      }())
+                                          .size());
+        std::vector<std::uint32_t> now;
+        for (const PlannedPhoto& p : plan.photos) now.push_back(p.photo);
+        std::ranges::sort(now);
+        changes += now != previous;
+        previous = now;
+        const Plan same = make_plan(scene, view_of(n, 640, 480), settings, photos, previous);
+        std::vector<std::uint32_t> again;
+        for (const PlannedPhoto& p : same.photos) again.push_back(p.photo);
+        std::ranges::sort(again);
+        EXPECT_EQ(again, now) << "a view that stays keeps its photos";
+    }
+    EXPECT_LT(changes, 40);
+}

@@ -1,0 +1,138 @@
+#!/usr/bin/env bash
+# Uses every control of the window once, as a person would: real mouse and key events through the X server. Then looks
+# at what the player did and remembered.
+# usage: window_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 where there is no X server to test with
+set -uo pipefail
+if [ -z "${VANTAGE_WINDOW_TEST:-}" ]; then
+  for tool in xvfb-run xdotool; do
+    command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
+  done
+  export VANTAGE_WINDOW_TEST=$(mktemp -d)
+  trap 'rm -rf "$VANTAGE_WINDOW_TEST"' EXIT
+  xvfb-run -a -s "-screen 0 1280x1024x24" "$0" "$@"
+  exit $?
+fi
+
+vantage=$1 player=$2 source=$3 dir=$VANTAGE_WINDOW_TEST
+cd "$dir" || exit 1
+export XDG_CONFIG_HOME=$dir/config
+"$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage >/dev/null 2>&1 || exit 1
+cp one.vantage two.vantage
+"$player" one.vantage --size 900x700 --blended 1 --controls places >says 2>&1 &
+pid=$!
+failed=0
+fail() { echo "FAILED: $*"; failed=1; }
+
+# place NAME: x and y of the middle of a control, once it is on the screen
+place() {
+  for _ in $(seq 40); do
+    if [ -f places ]; then
+      awk -F'\t' -v n="$1" '$1 == n && !done { print int($2 + $4 * '"${2:-0.5}"'), int($3 + $5 / 2); done = 1 }' places >at
+      [ -s at ] && { cat at; return 0; }
+    fi
+    sleep 0.1
+  done
+  return 1
+}
+frame() { awk -F'\t' '$1 == "frame" { print $2; exit }' places 2>/dev/null; }
+frames() {  # waits for so many frames to be drawn from now
+  local from now
+  from=$(frame)
+  for _ in $(seq 200); do
+    now=$(frame)
+    [ $((${now:-0} - ${from:-0})) -ge "$1" ] && return
+    sleep 0.02
+  done
+  fail "no frames are drawn"
+}
+press() {  # press NAME [share of its width]
+  local at
+  at=$(place "$1" "${2:-0.5}") || { fail "there is no '$1'"; return; }
+  # shellcheck disable=SC2086
+  xdotool mousemove $at
+  frames 2
+  xdotool mousedown 1
+  frames 2
+  xdotool mouseup 1
+  frames 3
+}
+key() { xdotool keydown "$1"; frames 2; xdotool keyup "$1"; frames 2; }
+
+place "Photo 1" >/dev/null || { cat says; fail "no window"; exit 1; }
+xdotool mousemove 600 20
+window=$(xdotool search --name Vantage | tail -1)
+xdotool windowfocus "$window"
+sleep 0.3
+
+press "Average"
+press "Best photo"
+press "Lumigraph"
+press "Sharpness" 0.6
+press "Exponent" 0.3
+for box in "Consensus" "Fill holes" "Distance" "Angle" "Angle mask" "Depth mask" "Border mask" "Angle by photo" \
+  "Field of view" "Corrected" "Freeze weights"; do press "$box"; done
+press "Freeze weights"
+press "Choose"; press "nearest"
+press "Per pass" 0.7
+press "Angle limit" 0.4
+press "Coordinates"; press "per vertex"
+press "Show"; press "which photo"
+press "Show"; press "how many photos"
+press "Show"; press "photos"
+press "Photo 2"
+sleep 1
+press "Compare"; press "side by side"
+press "Compare"; press "difference"
+press "Compare"; press "wiper"
+press "Wiper" 0.3
+press "Compare"; press "nothing"
+press "View"; press "Cameras in the scene"
+press "View"; press "Radar"
+press "Radar map" 0.5
+press "View"; press "Status"
+press "View"; press "Blending"
+press "View"; press "Photo strip"
+press "Path"; press "Record"
+xdotool mousemove 500 400 mousedown 1 mousemove_relative 60 20; frames 3; xdotool mouseup 1
+xdotool mousemove 500 400 mousedown 3 mousemove_relative 30 0; frames 3; xdotool mouseup 3
+xdotool mousemove 500 400 mousedown 2 mousemove_relative 30 0; frames 3; xdotool mouseup 2
+xdotool click 4; frames 3
+for k in w a s d q e; do key $k; done
+press "Path"; press "Record"
+press "Path"; press "Replay"
+sleep 1
+press "File"; press "Screenshot"
+press "Help"; press "Mouse and keys"
+key F1
+for k in n b c c c c v v v 1 2 3 1 r r t p F2 F3 F4 F5 F6; do key $k; done
+press "File"; press "Open..."; press "Cancel"
+press "Photos" 0.5
+key o; press "two.vantage"; press "Open"
+sleep 1
+[ "$(xdotool getwindowname "$window")" = "two.vantage - Vantage" ] || fail "the other package is not shown"
+kill -0 $pid 2>/dev/null || { cat says; fail "the player has gone"; }
+press "File"
+xdotool mousemove $(place "Quit")
+frames 2
+xdotool click 1
+for _ in $(seq 100); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
+kill -9 $pid 2>/dev/null && fail "the player did not leave"
+wait $pid
+[ $? = 0 ] || { cat says; fail "the player did not leave well"; }
+
+[ "$(ls one-*.png 2>/dev/null | wc -l)" = 2 ] || fail "expected two screenshots: $(ls)"
+[ "$(ls one-*.path 2>/dev/null | wc -l)" -ge 1 ] || fail "no path was recorded: $(ls)"
+remembers() { grep -q "\"$1\": $2" config/vantage/player.json || fail "$1 is not remembered as $2"; }
+remembers blend 1
+remembers choice 1
+remembers consensus true
+remembers fill_holes false
+for weight in distance angle angle_mask depth_mask border_mask; do remembers $weight false; done
+remembers corrected_directions true
+remembers angle_per_photo true
+remembers photos_per_pass 1[0-4]
+remembers panel_blending true
+remembers panel_radar false
+remembers width 900
+[ $failed = 0 ] && echo "every control did its work"
+exit $failed
