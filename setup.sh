@@ -8,7 +8,8 @@ packages=(g++ cmake ninja-build pkg-config ca-certificates
   libopenimageio-dev openimageio-tools libopenmesh-dev libmeshoptimizer-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libturbojpeg0-dev libpng-dev libpugixml-dev libembree-dev libtomlplusplus-dev
   libxxhash-dev libeigen3-dev libepoxy-dev libegl-dev libgl-dev libglfw3-dev libimgui-dev
-  libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libgtest-dev)
+  libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libgtest-dev
+  fonts-dejavu-core xvfb xauth xdotool)
 missing=()
 for p in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$p" 2>/dev/null | grep -q 'ok installed' || missing+=("$p")

@@ -243,6 +243,40 @@ void print(const nlohmann::json& s) {
     std::fflush(stdout);
 }
 
+/// Median frame time of a view that stands still, everything resident, over a setting (de Melo 2017, 5.1
+/// and 5.2).
+int run_sweep(const PackageReader& package, const BenchOptions& o, FrameSize size, const Target& target,
+              bool software, const std::filesystem::path& folder) {
+    const bool passes = o.sweep == "passes";
+    const int all = int(photos_in_use(package, o.player).size());
+    std::vector<int> values;
+    for (int v = 1; v <= (passes ? most_photos_per_pass : all); v *= 2) values.push_back(v);
+    if (!passes && values.back() != all) values.push_back(all);
+    std::vector<std::vector<double>> ms(values.size());
+    for (int repeat = 0; repeat < o.repeats; ++repeat)
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            BenchOptions one = o;
+            one.warm = true;
+            (passes ? one.player.render.photos_per_pass : one.player.photos_blended) = values[i];
+            if (passes && o.player.photos_blended < 0) one.player.photos_blended = all;
+            const Flight f = fly_path(package, one, path_of("still", package, one, repeat), "resident",
+                                      repeat, size, target, software);
+            for (const double t : times(f)) ms[i].push_back(t);
+        }
+    Curve medians{passes ? "photos a pass" : "photos blended", {}};
+    std::vector<std::string> labels;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const FrameStatistics s = frame_statistics(ms[i]);
+        medians.values.push_back(s.median);
+        labels.push_back(std::to_string(values[i]));
+        std::printf("%s %2d  median %7.2f ms  99 %% %7.2f ms\n", passes ? "photos a pass" : "photos blended",
+                    values[i], s.median, s.p99);
+    }
+    write_plot(folder / ("sweep-" + o.sweep + ".svg"), "median frame time, " + medians.name, "ms", {medians},
+               labels);
+    return int(Exit::ok);
+}
+
 }  // namespace
 
 void add_bench_options(CLI::App& app, BenchOptions& o) {
@@ -269,6 +303,12 @@ void add_bench_options(CLI::App& app, BenchOptions& o) {
         ->check(CLI::Range(1, 1000))
         ->capture_default_str()
         ->group(group);
+    app.add_option(
+           "--sweep", o.sweep,
+           "instead of paths, a view that stands still with 1, 2, 4, ... photos a pass (passes), or photos "
+           "blended (photos)")
+        ->check(CLI::IsMember({"passes", "photos"}))
+        ->group(group);
     app.add_flag("--warm", o.warm, "leave what the system has cached of the package")->group(group);
     app.footer(
         "Writes frames.csv, summary.json and a plot a path into the folder given by -o (default bench).\n"
@@ -290,6 +330,8 @@ int run_bench(const PackageReader& package, const BenchOptions& o) {
     const Target target = make_target(size);
     std::printf("%s, %dx%d, %d repeats\n", gl::current_device().renderer.c_str(), size.width, size.height,
                 o.repeats);
+    std::fflush(stdout);
+    if (!o.sweep.empty()) return run_sweep(package, o, size, target, software, folder);
     std::vector<Flight> flights;
     nlohmann::json summaries = nlohmann::json::array();
     for (const std::string& name : o.paths) {

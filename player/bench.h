@@ -16,11 +16,12 @@ struct BenchOptions {
     int frames = 120, repeats = 3;
     double minutes = 0;  ///< instead of `frames`
     bool warm = false;
+    std::string sweep;
     std::string out = "bench";
 };
 void add_bench_options(CLI::App& app, BenchOptions& options);
 
-/// Flies scripted paths without a display and writes what every frame took: frames.csv, summary.json, and a
+/// Flies scripted paths without a display, and writes what every frame took: frames.csv, summary.json, and a
 /// plot a path. Prints the summary. Throws Error.
 int run_bench(const PackageReader& package, const BenchOptions& options);
 

@@ -90,7 +90,7 @@ int run_offscreen(const PackageReader& package, const Options& o) {
         const FrameReport& r = picture.report;
         damaged = r.tiles_damaged;
         if (!o.quiet)
-            std::printf("%s  %dx%d  %zu photos in %zu passes  %zu tiles%s  %.1f %% coloured  %.2f s\n",
+            std::printf("%s  %dx%d  %zu photos in %zu passes  %zu tiles%s  %.3f %% coloured  %.2f s\n",
                         file.c_str(), picture.width, picture.height, r.photos, r.passes, r.tiles,
                         r.tiles_missing ? (" (" + std::to_string(r.tiles_missing) + " missing)").c_str() : "",
                         100 * seen_share(picture), s);

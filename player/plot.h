@@ -11,8 +11,9 @@ struct Curve {
     std::vector<double> values;
 };
 
-/// Writes curves as an SVG picture with axes from 0 and a legend. Throws Error(storage).
+/// Writes curves as an SVG picture with a vertical axis from 0 and a legend; below, `labels` of the values,
+/// or else the last frame's number. Throws Error(storage).
 void write_plot(const std::filesystem::path& file, const std::string& title, const std::string& unit,
-                const std::vector<Curve>& curves);
+                const std::vector<Curve>& curves, const std::vector<std::string>& labels = {});
 
 }  // namespace vantage

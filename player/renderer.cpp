@@ -153,6 +153,8 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
                            const View* next) {
     fit(view.intrinsics.width, view.intrinsics.height, settings);
     store_.begin_frame(now, !settings.complete);
+    if (settings.complete && settings.photos > 0 && sample.index == 0)
+        look_first(view, settings, photos, sample);
     if (!settings.complete) seen_.update(false);
     make_plan_for(view, settings, photos, sample.side);
     const View point = sampled(view, sample);
@@ -189,6 +191,21 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
     return r;
 }
 
+/// Finds out what the view shows before photos are chosen for it, where there is time to wait.
+void Renderer::look_first(const View& view, const RenderSettings& settings,
+                          std::span<const std::uint32_t> photos, PixelSample sample) {
+    make_plan_for(view, settings, photos, sample.side);
+    draw_surface({view,
+                  settings,
+                  sample,
+                  clip_matrix(view, depth_range(scene_.clusters, plan_.clusters, view)),
+                  {},
+                  {}});
+    seen_.update(true);
+    seen_.capture(targets_, view);
+    seen_.update(true);
+}
+
 void Renderer::make_plan_for(const View& view, const RenderSettings& settings,
                              std::span<const std::uint32_t> photos, int side) {
     const PlanSettings wanted = plan_settings(settings, side);
@@ -203,8 +220,8 @@ void Renderer::make_plan_for(const View& view, const RenderSettings& settings,
     wide.intrinsics.height += 2;
     wide.intrinsics.cx += 1;
     wide.intrinsics.cy += 1;
-    knows_seen_ =
-        !settings.complete && !seen_.triangles().empty() && shows_much_of(seen_.view(), view, scene_);
+    knows_seen_ = (!settings.complete || settings.photos > 0) && !seen_.triangles().empty() &&
+                  shows_much_of(seen_.view(), view, scene_);
     plan_ = make_plan(scene_, wide, wanted, photos, previous,
                       knows_seen_ ? seen_.triangles() : std::span<const std::uint32_t>());
     std::erase_if(previous, [&](std::uint32_t p) {
@@ -288,6 +305,7 @@ void Renderer::load(Pass pass, Frame& frame) {
     for (const PlannedPhoto* p : pass) {
         store_.need_base(p->photo, !per_fragment(frame.settings));
         store_.need(p->photo, p->needs);
+        store_.need(p->photo, p->later);
         frame.report.tiles += p->needs.tiles();
     }
     store_.need(frame.settings.compare_photo, comparison_needs(frame.view, frame.settings));

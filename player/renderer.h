@@ -68,6 +68,8 @@ class Renderer {
     void fit(int width, int height, const RenderSettings& settings);
     void make_plan_for(const View& view, const RenderSettings& settings,
                        std::span<const std::uint32_t> photos, int side);
+    void look_first(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
+                    PixelSample sample);
     void update_presence(const RenderSettings& settings, double now);
     Photos present_photos(const RenderSettings& settings) const;
     void stream(Frame& frame, const View* next);
