@@ -37,7 +37,7 @@ struct Flight {
     std::string path, mode;
     int repeat;
     std::vector<FrameRecord> frames;
-    std::uint64_t bytes_read = 0;
+    std::uint64_t bytes_read = 0, graphics_budget = 0;
     // After a jump only.
     int frames_to_exact = -1;
     std::uint64_t jump_bytes = 0, touched_bytes = 0;
@@ -156,6 +156,7 @@ Flight fly_path(const PackageReader& package, const BenchOptions& o, const Camer
         }
     }
     flight.bytes_read = renderer.store().bytes_read();
+    flight.graphics_budget = renderer.graphics_budget();
     return flight;
 }
 
@@ -214,7 +215,7 @@ nlohmann::json summarise(const std::vector<const Flight*>& flights, const BenchO
         {"upload_budget_bytes", std::uint64_t(o.player.upload_kib) << 10},
         {"frames_over_upload_budget", over},
         {"graphics_bytes_max", graphics},
-        {"graphics_budget_bytes", std::uint64_t(o.player.graphics_mib) << 20},
+        {"graphics_budget_bytes", flights.back()->graphics_budget},
         {"process_bytes_max", process},
         {"bytes_read", read / flights.size()}};
     if (const Flight& f = *flights.back(); f.frames_to_exact >= 0) {

@@ -98,9 +98,9 @@ void add_options(CLI::App& app, Options& o) {
                    "photos to blend, more where the view needs more to be covered; 0: all (default 8 in the "
                    "window, all for pictures)")
         ->check(CLI::Range(0, 1 << 20));
-    app.add_option("--graphics-memory", o.graphics_mib, "MiB of graphics memory to keep to")
-        ->check(CLI::Range(16u, 1u << 20))
-        ->capture_default_str();
+    app.add_option("--graphics-memory", o.graphics_mib,
+                   "MiB of graphics memory to keep to (default by the size of the window)")
+        ->check(CLI::Range(16u, 1u << 20));
     app.add_option("--memory", o.ring_mib, "MiB of memory that tiles pass through on their way")
         ->check(CLI::Range(1u, 4096u))
         ->capture_default_str();

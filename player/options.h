@@ -20,7 +20,7 @@ struct Options {
     std::string controls;         ///< file for the places of the controls
     int frames = 0;               ///< 0: until the window is closed
     int photos_blended = -1;      ///< -1: by what is shown; 0: all
-    unsigned graphics_mib = 1024, ring_mib = 32, upload_kib = 8192;
+    unsigned graphics_mib = 0, ring_mib = 32, upload_kib = 8192;
     std::string holes, fov_normalisation = "auto";
     RenderSettings render;
 };

@@ -75,9 +75,9 @@ std::vector<std::size_t> cover(const CoverProblem& problem) {
     std::vector<double> bound;
     for (const CoverProblem::Set& s : problem.sets) bound.push_back(gain(problem, open, s));
     const auto value = [&](std::size_t i) {
-        return bound[i] * std::pow(std::max(problem.sets[i].preference, 1e-12), 0.5);
+        return bound[i] * std::pow(std::max(problem.sets[i].preference, 1e-12), 0.25);
     };
-    for (double left = all; left > 2e-4 * all;) {
+    for (double left = all; left > 4e-3 * all;) {
         std::size_t best = problem.sets.size();
         std::vector<std::size_t> order(problem.sets.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

@@ -22,7 +22,7 @@ struct CoverProblem {
 };
 
 /// Sets that cover every triangle some set sees: whole where some set sees it whole. Greedy (Chvatal 1979),
-/// the one that adds the most preferred area first; ends when what is left is below 0.02 % of the area.
+/// the one that adds the most preferred area first; ends when what is left is below 0.4 % of the area.
 std::vector<std::size_t> cover(const CoverProblem& problem);
 
 /// Share of the area that any set covers which the chosen do not.

@@ -53,7 +53,7 @@ struct FrameReport {
 
 /// Memory that the player keeps to, bytes.
 struct MemoryBudget {
-    std::uint64_t graphics = std::uint64_t(1024) << 20;
+    std::uint64_t graphics = 0;                    ///< 0: by the size of the frames
     std::uint64_t ring = std::uint64_t(32) << 20;  ///< through which uploads go
 };
 

@@ -93,6 +93,12 @@ PlanSettings plan_settings(const RenderSettings& s, int side) {
     return p;
 }
 
+/// Enough for what a frame of this size shows, and for some turning back.
+std::uint64_t tiles_for(int width, int height) {
+    constexpr double MiB = 1 << 20;
+    return std::uint64_t(std::clamp(256 * MiB * width * height / (1280.0 * 720), 256 * MiB, 1024 * MiB));
+}
+
 /// What was seen from `before` says what is seen from `now`.
 bool shows_much_of(const View& before, const View& now, const PlanScene& scene) {
     const double turned = before.cam_from_origin.direction().dot(now.cam_from_origin.direction());
@@ -144,7 +150,8 @@ void Renderer::fit(int width, int height, const RenderSettings& settings) {
     seen_.release();
     const std::uint64_t others = gl::memory_held() - store_.bytes() + FrameTargets::bytes(width, height) +
                                  SeenTriangles::bytes(width, height);
-    store_.fit(budget_.graphics > others ? budget_.graphics - others : 0, coordinates);
+    graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
+    store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
     targets_ = make_frame_targets(width, height);
 }
 

@@ -48,7 +48,8 @@ class Renderer {
     const Plan& plan() const { return plan_; }
     bool per_fragment(const RenderSettings& settings) const;
     const PhotoStore& store() const { return store_; }
-    const MemoryBudget& budget() const { return budget_; }
+    /// Bytes of graphics memory that are kept to now.
+    std::uint64_t graphics_budget() const { return graphics_budget_; }
     /// Panels show this photo's thumbnail: it is fetched with the next frame.
     void want_thumbnail(std::uint32_t photo) { wanted_thumbnails_.push_back(photo); }
 
@@ -90,6 +91,7 @@ class Renderer {
 
     const PackageReader* package_;
     MemoryBudget budget_;
+    std::uint64_t graphics_budget_ = 0;
     PlanScene scene_;
     Model model_;
     std::vector<PhotoBlock> blocks_;

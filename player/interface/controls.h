@@ -12,8 +12,8 @@ namespace vantage::controls {
 void begin_frame();
 /// The item just made is called `name`.
 void note(const char* name);
-/// Writes the number of the frame, then "name x y width height" a line, in window pixels; replaces the file at
-/// once.
+/// Writes the number of the frame, then "name x y width height" a line, in window pixels; replaces the file
+/// at once.
 void write_places(const std::filesystem::path& file);
 
 bool button(const char* name);

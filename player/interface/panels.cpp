@@ -200,7 +200,7 @@ void status_panel(const Session& s, const Renderer& renderer) {
         ImGui::Text("%zu tiles, %zu to come; %.1f MiB uploaded", r.tiles, r.tiles_missing,
                     double(r.uploaded) / double(MiB));
         const Residency& held = renderer.store().residency();
-        budget_bar("graphics", double(gl::memory_held()), double(renderer.budget().graphics));
+        budget_bar("graphics", double(gl::memory_held()), double(renderer.graphics_budget()));
         budget_bar("tiles", double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
                    double(held.layout().bytes()));
         if (r.tiles_damaged)

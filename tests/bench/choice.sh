@@ -5,12 +5,13 @@
 # usage: choice.sh PLAYER PACKAGE...
 player=$1
 shift
+picture=$(mktemp -d)/view.png
 for package in "$@"; do
   photos=$("$player" "$package" --list | awk '{ sub(/\.[^.]*$/, "", $1); print $1 }')
   most=$(echo "$photos" | wc -l)
   for photo in $photos; do
     view() {  # view OPTIONS: photos used, per cent coloured
-      "$player" "$package" --offscreen --photo "$photo" --exclude "$photo" --scale 0.25 --samples 1 -o /dev/shm/choice.png "$@" |
+      "$player" "$package" --offscreen --photo "$photo" --exclude "$photo" --scale 0.25 --samples 1 -o "$picture" "$@" |
         awk '{ for (i = 2; i <= NF; i++) { if ($i == "photos") p = $(i - 1); if ($i == "coloured") c = $(i - 2) } print p, c }'
     }
     echo "all $(view)"
