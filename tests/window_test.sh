@@ -73,7 +73,7 @@ for box in "Consensus" "Fill holes" "Distance" "Angle" "Angle mask" "Depth mask"
   "Field of view" "Corrected" "Freeze weights"; do press "$box"; done
 press "Freeze weights"
 press "Choose"; press "nearest"
-press "Per pass" 0.7
+press "Per pass" 0.2
 press "Angle limit" 0.4
 press "Coordinates"; press "per vertex"
 press "Show"; press "which photo"
@@ -130,7 +130,7 @@ remembers fill_holes false
 for weight in distance angle angle_mask depth_mask border_mask; do remembers $weight false; done
 remembers corrected_directions true
 remembers angle_per_photo true
-remembers photos_per_pass 1[0-4]
+remembers photos_per_pass [2-7]
 remembers panel_blending true
 remembers panel_radar false
 remembers width 900
