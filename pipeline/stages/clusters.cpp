@@ -120,6 +120,7 @@ FrameTriangles triangles_in_frame(const std::vector<package::ClusterRecord>& clu
         Eigen::Vector3d(0, k.fy, k.cy).normalized(), Eigen::Vector3d(0, -k.fy, k.height - k.cy).normalized()};
     FrameTriangles out;
     out.indices.reserve(indices.size());
+    out.places.reserve(indices.size() / 3);
     for (std::uint32_t number = 0; number < clusters.size(); ++number) {
         const package::ClusterRecord& c = clusters[number];
         const Eigen::Vector3d center =
