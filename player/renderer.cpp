@@ -436,7 +436,7 @@ void Renderer::draw_pass(Pass pass, Frame& frame, bool consensus, int into) {
     }
     if (consensus) glBindTextureUnit(5, targets_.sums[1 - into].id());
     glUseProgram(blend_program(settings, consensus).id());
-    set_uniforms(pass, frame, consensus);
+    set_uniforms(pass, frame);
     std::vector<std::uint32_t> photos;
     // The best so far is carried from target to target, so it is drawn everywhere.
     const std::uint32_t always = settings.blend == Blend::best ? 1u << most_photos_per_pass : 0;
@@ -452,7 +452,7 @@ void Renderer::draw_pass(Pass pass, Frame& frame, bool consensus, int into) {
     frame.report.draws += draws;
 }
 
-void Renderer::set_uniforms(Pass pass, const Frame& frame, bool) {
+void Renderer::set_uniforms(Pass pass, const Frame& frame) {
     const RenderSettings& settings = frame.settings;
     glUniformMatrix4fv(0, 1, GL_FALSE, frame.clip_from_origin.data());
     glUniform1ui(2, GLuint(pass.size()));

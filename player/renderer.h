@@ -81,7 +81,7 @@ class Renderer {
     void draw_surface(const Frame& frame);
     void draw_passes(Pass photos, Frame& frame, bool consensus, int& into);
     void draw_pass(Pass pass, Frame& frame, bool consensus, int into);
-    void set_uniforms(Pass pass, const Frame& frame, bool consensus);
+    void set_uniforms(Pass pass, const Frame& frame);
     /// Writes the photos and their pages into the ring and binds them.
     void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights);
     /// Draws the plan's clusters for which `photos` has bits, by one call; returns how many draws that were.

@@ -153,7 +153,7 @@ void obey_keys(Session& s, const PlanScene& scene, double now) {
         if (pressed(GLFW_KEY_F1 + i)) *panels[i] = !*panels[i];
 }
 
-/// A positions file beside the others, numbered.
+/// The first of STEM-0001, STEM-0002, ... that no file is called.
 std::string free_name(const std::string& stem, const char* extension) {
     for (int n = 1;; ++n) {
         char number[16];
@@ -185,14 +185,14 @@ class Scene {
     }
 
     /// Draws what has changed, and the interface over it.
-    void frame(int width, int height, double now) {
+    void frame(int width, int height, double now, bool keys) {
         Session& s = session_;
         continue_flight(s, now);
         const View view = view_of(s.camera, width, height);
         interface(view, now);
         record(now);
         ImGui::Render();
-        const bool still = unchanged(view);
+        const bool still = !keys && unchanged(view);
         if (!still) samples_ = 0;
         draw(view, still, now);
         renderer_.show(view, s.settings, 0, true);
@@ -236,8 +236,8 @@ class Scene {
 
     bool unchanged(const View& view) const {
         const ImGuiIO& io = ImGui::GetIO();
-        const bool touched = ImGui::IsAnyItemActive() || io.MouseClicked[0] || io.MouseReleased[0] ||
-                             io.MouseWheel != 0 || keys_;
+        const bool touched =
+            ImGui::IsAnyItemActive() || io.MouseClicked[0] || io.MouseReleased[0] || io.MouseWheel != 0;
         return drawn_ && !touched && last_ && last_->cam_from_origin.R == view.cam_from_origin.R &&
                last_->cam_from_origin.t == view.cam_from_origin.t &&
                last_->intrinsics.width == view.intrinsics.width &&
@@ -278,10 +278,6 @@ class Scene {
         session_.statistics = frame_statistics(std::move(drawn));
     }
 
-  public:
-    bool keys_ = false;  ///< a key was pressed in this frame
-
-  private:
     Renderer renderer_;
     Session& session_;
     PhotoStrip strip_;
@@ -332,11 +328,10 @@ void show_package(GLFWwindow* window, Session& session, Scene& scene, const Opti
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
         controls::begin_frame();
-        scene.keys_ = any_key_down();
         move_by_mouse(session);
         move_by_keys(session);
         obey_keys(session, scene.renderer().scene(), now);
-        scene.frame(width, height, now);
+        scene.frame(width, height, now, any_key_down());
         const bool ends = frame == o.frames;
         if (ends && !o.screenshot.empty()) save_frame(o.screenshot, width, height);
         if (session.screenshot) {
