@@ -6,6 +6,7 @@
 #include "pipeline/photo_stages.h"
 #include "pipeline/stages/inspect.h"
 #include "pipeline/stages/pyramid.h"
+#include "pipeline/stages/subdivide.h"
 #include "scene/checksum.h"
 #include "scene/error.h"
 
@@ -75,6 +76,7 @@ void prepare(SceneInput scene, const PrepareSettings& settings, const std::files
                     scene.files.mesh.string() + ": has points only, expected a mesh with triangles");
     GlThread gl;
     progress({"inspect", "", 0, scene.photos.size()});
+    subdivide_large_triangles(scene.mesh);
     PackedModel model = pack_model(scene.mesh, settings.cluster_triangles);
     const DistanceMethod distance = settled(settings.distance, gl.device());
     UploadedModel uploaded(gl, model, scene.mesh.normals, distance);

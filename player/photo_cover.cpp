@@ -7,6 +7,11 @@
 namespace vantage {
 namespace {
 
+// A triangle that a chosen photo sees in part is mostly coloured: little is left of it even where another
+// photo sees it whole.
+constexpr double rest_of_part = 0.25;
+constexpr double negligible = 1.6e-3;  // share of the area
+
 /// Calls `visit(word, mask)` for the words that hold the run's bits.
 template <class Visit>
 void for_words(std::uint32_t first, std::uint32_t count, const Visit& visit) {
@@ -18,7 +23,7 @@ void for_words(std::uint32_t first, std::uint32_t count, const Visit& visit) {
     }
 }
 
-/// What is still to be covered: triangles that some set sees whole, and others that some set sees in part.
+/// What is still to be covered: triangles that some set sees whole, and that some set sees at least in part.
 struct Open {
     std::vector<std::uint64_t> whole, part;
 };
@@ -34,7 +39,6 @@ Open all_open(const CoverProblem& problem) {
             open.whole[w] |= s.whole[w];
             open.part[w] |= s.part[w];
         }
-    for (std::size_t w = 0; w < words; ++w) open.part[w] &= ~open.whole[w];
     return open;
 }
 
@@ -42,7 +46,8 @@ double open_area(const CoverProblem& problem, const Open& open) {
     double area = 0;
     for (const CoverProblem::Run& run : problem.runs)
         for_words(run.first, run.count, [&](std::uint32_t w, std::uint64_t mask) {
-            area += run.area * (std::popcount(open.whole[w] & mask) + std::popcount(open.part[w] & mask));
+            area += run.area *
+                    (rest_of_part * std::popcount(open.whole[w] & mask) + std::popcount(open.part[w] & mask));
         });
     return area;
 }
@@ -51,7 +56,7 @@ double gain(const CoverProblem& problem, const Open& open, const CoverProblem::S
     double area = 0;
     for (const CoverProblem::Run& run : problem.runs)
         for_words(run.first, run.count, [&](std::uint32_t w, std::uint64_t mask) {
-            area += run.area * (std::popcount(s.whole[w] & open.whole[w] & mask) +
+            area += run.area * (rest_of_part * std::popcount(s.whole[w] & open.whole[w] & mask) +
                                 std::popcount(s.part[w] & open.part[w] & mask));
         });
     return area;
@@ -64,9 +69,7 @@ void close(Open& open, const CoverProblem::Set& s) {
     }
 }
 
-}  // namespace
-
-std::vector<std::size_t> cover(const CoverProblem& problem) {
+std::vector<std::size_t> greedy_cover(const CoverProblem& problem) {
     Open open = all_open(problem);
     std::vector<std::size_t> chosen;
     if (problem.sets.empty()) return chosen;
@@ -77,7 +80,7 @@ std::vector<std::size_t> cover(const CoverProblem& problem) {
     const auto value = [&](std::size_t i) {
         return bound[i] * std::pow(std::max(problem.sets[i].preference, 1e-12), 0.25);
     };
-    for (double left = all; left > 4e-3 * all;) {
+    for (double left = all; left > negligible * all;) {
         std::size_t best = problem.sets.size();
         std::vector<std::size_t> order(problem.sets.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -91,6 +94,19 @@ std::vector<std::size_t> cover(const CoverProblem& problem) {
         chosen.push_back(best);
         left -= bound[best];
         close(open, problem.sets[best]);
+    }
+    return chosen;
+}
+
+}  // namespace
+
+std::vector<std::size_t> cover(const CoverProblem& problem) {
+    std::vector<std::size_t> chosen = greedy_cover(problem);
+    // What came first may not be needed for what came later; the last ones can hardly be spared.
+    for (std::size_t i = chosen.size(); i-- > 0;) {
+        std::vector<std::size_t> without = chosen;
+        without.erase(without.begin() + std::ptrdiff_t(i));
+        if (uncovered_share(problem, without) <= negligible) chosen = std::move(without);
     }
     return chosen;
 }

@@ -21,11 +21,13 @@ struct CoverProblem {
     std::vector<Set> sets;
 };
 
-/// Sets that cover every triangle some set sees: whole where some set sees it whole. Greedy (Chvatal 1979),
-/// the one that adds the most preferred area first; ends when what is left is below 0.4 % of the area.
+/// Sets that together see what any set sees, whole where any does: greedy (Chvatal 1979), the one that adds
+/// the most preferred area first, until uncovered_share() is below 0.0016; then those that can be spared are
+/// left out.
 std::vector<std::size_t> cover(const CoverProblem& problem);
 
-/// Share of the area that any set covers which the chosen do not.
+/// Share of what the sets see that the chosen do not; a triangle that they see in part, and others whole,
+/// counts a fifth.
 double uncovered_share(const CoverProblem& problem, std::span<const std::size_t> chosen);
 
 /// Bits set in [first, first + count).

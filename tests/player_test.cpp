@@ -224,12 +224,13 @@ TEST(PhotoCover, LeavesAlmostNothingThatSomePhotoSees) {
         for (std::uint32_t f = 0; f < 300; f += 60) problem.runs.push_back({f, 60, random(0.5, 2)});
         for (std::size_t s = 0; s < sets; ++s) problem.sets.push_back({whole[s], part[s], random(0.1, 1)});
         const auto chosen = cover(problem);
-        EXPECT_LE(uncovered_share(problem, chosen), 4e-3);
+        EXPECT_LE(uncovered_share(problem, chosen), 1.6e-3);
         EXPECT_EQ(std::set(chosen.begin(), chosen.end()).size(), chosen.size());
-        // None is chosen in vain: the last one adds something that the others leave.
-        auto fewer = chosen;
-        fewer.pop_back();
-        EXPECT_GT(uncovered_share(problem, fewer), uncovered_share(problem, chosen));
+        for (std::size_t i = 0; i < chosen.size(); ++i) {
+            auto fewer = chosen;
+            fewer.erase(fewer.begin() + std::ptrdiff_t(i));
+            EXPECT_GT(uncovered_share(problem, fewer), 1.6e-3) << "one can be spared";
+        }
     }
     EXPECT_TRUE(cover({}).empty());
     EXPECT_EQ(uncovered_share({}, {}), 0);
