@@ -27,7 +27,8 @@ RgbaImage read_pixels(const PhotoStages& s, const PhotoInput& photo, package::Ph
     r.source_checksum = id.checksum;
     RgbaImage image = decode_photo(photo.file, bytes, photo.decoded);
     const int longest = int(std::max(r.width, r.height));
-    if (std::max(image.width, image.height) > longest) image = thumbnail(image, longest);
+    if (std::max(image.width, image.height) > longest)
+        image = reduced(image, thumbnail_size(image.width, image.height, longest));
     if (!(s.model.record.effects >> int(Effect::undistortion) & 1) || !photo.camera.lens.distorts())
         return image;
     r.flags |= package::photo_undistorted;
@@ -64,7 +65,7 @@ std::vector<std::uint8_t> write_pixels(const PhotoStages& s, std::uint32_t i, Rg
         // The coarsest level that still has the thumbnail's detail is the cheapest to reduce.
         const int wanted = int(std::max(r.thumbnail_width, r.thumbnail_height));
         if (thumbnail_due && (std::max(next.width, next.height) < wanted || l + 1 == last)) {
-            RgbaImage small = thumbnail(level, wanted);
+            const RgbaImage small = reduced(level, {int(r.thumbnail_width), int(r.thumbnail_height)});
             s.writer.write(Type::thumbnail, i, std::as_bytes(std::span(small.rgba)));
             thumbnail_due = false;
         }

@@ -330,7 +330,7 @@ TEST_F(EndToEnd, PhotosAreReducedAsAsked) {
     const Picture small = p.own_view(1, Blend::best);
     ASSERT_EQ(small.width, 166);
     const RgbaImage photo = read_photo(p.scene.photos[1].file, {331, 250});
-    EXPECT_GE(psnr(small, thumbnail(photo, 166).rgba), 40);
+    EXPECT_GE(psnr(small, reduced(photo, thumbnail_size(photo.width, photo.height, 166)).rgba), 40);
 }
 
 TEST_F(EndToEnd, ALensIsTakenOut) {

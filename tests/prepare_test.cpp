@@ -48,6 +48,22 @@ TEST_F(Prepare, EveryDatasetIsSoundAndCurrent) {
     }
 }
 
+TEST_F(Prepare, OddPhotoSizesAreSound) {
+    // At half size, rounded up, 1062 x 797 has another shape: a thumbnail of that would be 512 x 385, not
+    // 384.
+    for (const auto& [width, height] : {std::pair(1062, 797), {797, 1062}, {513, 1}, {3, 700}}) {
+        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+        spec.photos.count = 1;
+        spec.photos.samples = 1;
+        spec.photos.width = width;
+        spec.photos.height = height;
+        const fs::path scene = dir / ("scene" + std::to_string(width));
+        synthesise(spec, scene, {});
+        prepare(read_scene(discover(scene)), {}, dir / "a.vantage", quiet);
+        for (const Issue& i : check_package(dir / "a.vantage", true, scene)) ADD_FAILURE() << i.text;
+    }
+}
+
 TEST_F(Prepare, VerticesKeepWhatIsTheirsInWhateverOrder) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.photos.count = 1;

@@ -104,8 +104,7 @@ Level thumbnail_size(int width, int height, int longest) {
     return {std::max(1, int(std::lround(width * s))), std::max(1, int(std::lround(height * s)))};
 }
 
-RgbaImage thumbnail(const RgbaImage& image, int longest) {
-    const Level size = thumbnail_size(image.width, image.height, longest);
+RgbaImage reduced(const RgbaImage& image, const Level& size) {
     RgbaImage out{size.width, size.height, {}};
     out.rgba.resize(std::size_t(size.width) * std::size_t(size.height) * 4);
     const cv::Mat from(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.rgba.data()));

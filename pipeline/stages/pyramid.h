@@ -22,9 +22,9 @@ RgbaImage halve(const RgbaImage& image);
 void cut_tile(std::span<const std::byte> texels, const Level& level, std::size_t number,
               std::span<std::byte> tile);
 
-/// Area average to at most `longest` pixels on the long side; never enlarges.
-RgbaImage thumbnail(const RgbaImage& image, int longest);
-/// The size thumbnail() gives.
+/// Area average to a size that is no larger.
+RgbaImage reduced(const RgbaImage& image, const Level& size);
+/// At most `longest` pixels on the long side, never larger than the photo.
 Level thumbnail_size(int width, int height, int longest);
 
 }  // namespace vantage
