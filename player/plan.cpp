@@ -8,6 +8,7 @@
 #include <string>
 
 #include "player/photo_cover.h"
+#include "player/shown_tiles.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -35,9 +36,15 @@ struct Sight {
     const View& view;
     Eigen::Vector3d eye;
     std::vector<std::uint32_t> clusters;
-    std::vector<double> areas{};                      ///< of clusters; any unit, 0: not seen
-    std::vector<std::uint32_t> samples{};             ///< triangles seen, with repetitions; none: unknown
-    std::vector<std::vector<SurfacePoint>> points{};  ///< some of what is seen of each cluster
+    std::vector<double> areas{};           ///< of clusters; any unit, 0: not seen
+    std::vector<std::uint32_t> samples{};  ///< triangles seen, with repetitions; none: unknown
+    std::vector<bool> shown{};             ///< a cluster: some of it was seen
+    /// Some of the samples, as surfaces, with their triangles and clusters.
+    struct Surface {
+        std::vector<SurfaceSample> samples;
+        std::vector<std::uint32_t> triangles, clusters;
+        double pixels = 0;  ///< of the view, that one of them stands for
+    } surface{};
 };
 
 /// The cluster of each sample, and where it is none of the model's triangles, 2^32 - 1.
@@ -59,49 +66,83 @@ std::vector<std::uint32_t> clusters_of(const PlanScene& scene, std::span<const s
     return out;
 }
 
-SurfacePoint middle_of(const PlanScene& scene, std::uint32_t triangle) {
-    Eigen::Vector3d corner[3];
-    for (std::size_t v = 0; v < 3; ++v)
-        corner[v] = scene.positions[scene.indices[3 * std::size_t(triangle) + v]].cast<double>();
-    return {(corner[0] + corner[1] + corner[2]) / 3,
-            (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized()};
+bool sees(std::span<const std::uint64_t> visible, std::size_t triangles, std::uint32_t t) {
+    return visible[package::visible_words(triangles) + t / 64] >> (t % 64) & 1;
 }
 
-Sight look(const PlanScene& scene, const View& view, std::span<const std::uint32_t> seen) {
-    constexpr std::uint32_t points = 6;  // looked at in each cluster
+/// Points of the triangles, spread over each by the plastic ratio's sequence (Roberts 2018).
+Sight::Surface surface_of(const PlanScene& scene, const View& view, std::span<const std::uint32_t> triangles,
+                          std::span<const std::uint32_t> clusters, std::size_t seen, double samples) {
+    constexpr std::size_t most = 8192;
+    Sight::Surface out;
+    const std::size_t step = std::max<std::size_t>(1, triangles.size() / most);
+    for (std::size_t i = 0; i < triangles.size(); i += step) {
+        Eigen::Vector3d corner[3];
+        for (std::size_t v = 0; v < 3; ++v)
+            corner[v] = scene.positions[scene.indices[3 * std::size_t(triangles[i]) + v]].cast<double>();
+        double a = std::fmod(double(i) * 0.7548776662466927, 1.0),
+               b = std::fmod(double(i) * 0.5698402909980532, 1.0);
+        if (a + b > 1) a = 1 - a, b = 1 - b;
+        const Eigen::Vector3d e = corner[1] - corner[0], f = corner[2] - corner[0];
+        const auto s = surface_sample(view, corner[0] + a * e + b * f, e.cross(f).normalized(), samples);
+        if (!s) continue;
+        out.samples.push_back(*s);
+        out.triangles.push_back(triangles[i]);
+        out.clusters.push_back(clusters[i]);
+    }
+    if (seen > 0)
+        out.pixels = double(view.intrinsics.width) * view.intrinsics.height / double(seen) * double(step) *
+                     samples * samples;
+    return out;
+}
+
+Sight look(const PlanScene& scene, const View& view, std::span<const std::uint32_t> seen, double samples) {
     Sight s{scene, view, view.cam_from_origin.center(), clusters_in_view(scene.tree, scene.clusters, view)};
-    const std::vector<std::uint32_t> cluster = clusters_of(scene, seen);
-    std::vector<std::uint32_t> count(scene.clusters.size(), 0), number(scene.clusters.size(), 0);
+    const std::vector<std::uint32_t> all = clusters_of(scene, seen);
+    std::vector<std::uint32_t> count(scene.clusters.size(), 0), clusters;
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        if (cluster[i] == ~0u) continue;
-        ++count[cluster[i]];
+        if (all[i] == ~0u) continue;
+        ++count[all[i]];
         s.samples.push_back(seen[i] - 1);
+        clusters.push_back(all[i]);
     }
-    s.points.resize(scene.clusters.size());
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        const std::uint32_t c = cluster[i];
-        if (c != ~0u && number[c]++ % (count[c] / points + 1) == 0)
-            s.points[c].push_back(middle_of(scene, seen[i] - 1));
-    }
+    s.surface = surface_of(scene, view, s.samples, clusters, seen.size(), samples);
+    for (const std::uint32_t n : count) s.shown.push_back(n > 0);
     for (const std::uint32_t c : s.clusters)
         s.areas.push_back(s.samples.empty() ? area_in_view(scene.clusters[c], view) : count[c]);
     return s;
 }
 
-/// The tiles of one photo for those of its clusters that are, or are not, seen.
-TileNeeds needs_of(const Sight& s, const PlannedPhoto& p, bool shown, double samples) {
+/// The tiles of one photo for those of its clusters that are, or are not, shown; all count as shown where
+/// that is not known.
+TileNeeds needs_of_clusters(const Sight& s, const PlannedPhoto& p, bool shown, double samples) {
     std::vector<ClusterLevels> levels;
     const Intrinsics& k = s.scene.intrinsics[p.photo];
-    const Pose& pose = s.scene.poses[p.photo];
-    for (const std::uint32_t c : p.clusters) {
-        if (s.samples.empty() && shown)
-            levels.push_back({c, sampled_levels(s.scene.clusters[c], k, pose, s.view, samples)});
-        else if (!s.samples.empty() && shown && !s.points[c].empty())
-            levels.push_back({c, sampled_levels(s.points[c], k, pose, s.view, samples)});
-        else if (!s.samples.empty() && !shown && s.points[c].empty())
-            levels.push_back({c, sampled_levels(s.scene.clusters[c], k, pose, s.view, samples)});
-    }
+    for (const std::uint32_t c : p.clusters)
+        if ((s.samples.empty() || s.shown[c]) == shown)
+            levels.push_back(
+                {c, sampled_levels(s.scene.clusters[c], k, s.scene.poses[p.photo], s.view, samples)});
     return tile_needs(s.scene.photos[p.photo], s.scene.coverage[p.photo], levels);
+}
+
+/// What is lost with a level is some grey levels of detail: an eighth of them cannot be told, a 32nd of two
+/// levels' not either.
+double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) / 2, 0.0, 2.0); }
+
+/// The tiles of one photo that are worth having for what is seen.
+TileNeeds needs_of_samples(const Sight& s, const PlannedPhoto& p, double worth) {
+    std::vector<float> weights(s.scene.clusters.size(), 0);
+    for (std::size_t i = 0; i < p.clusters.size(); ++i) weights[p.clusters[i]] = p.weights[i];
+    std::vector<SurfaceSample> samples;
+    for (std::size_t i = 0; i < s.surface.samples.size(); ++i) {
+        const float weight = weights[s.surface.clusters[i]];
+        if (!(weight > 0) || !sees(s.scene.visible[p.photo], s.scene.triangles, s.surface.triangles[i]))
+            continue;
+        samples.push_back(s.surface.samples[i]);
+        samples.back().coarser = spared_levels(weight);
+    }
+    return shown_tiles(s.scene.photos[p.photo], s.scene.intrinsics[p.photo], s.scene.poses[p.photo], samples,
+                       s.surface.pixels, worth);
 }
 
 /// Whether a photo can show this side of a cluster: one that looks away from the viewer is shown by photos
@@ -226,7 +267,10 @@ void assign_clusters(const Sight& s, const PlanSettings& settings, std::vector<P
                 best = std::max(best, weights[i]);
         }
         for (std::size_t i = 0; i < photos.size(); ++i)
-            if (weights[i] >= 0 && weights[i] >= least * best) photos[i].clusters.push_back(index);
+            if (weights[i] >= 0 && weights[i] >= least * best) {
+                photos[i].clusters.push_back(index);
+                photos[i].weights.push_back(best > 0 ? float(std::min(1.0, weights[i] / best)) : 1.0f);
+            }
     }
 }
 
@@ -262,15 +306,17 @@ PlanScene make_plan_scene(const PackageReader& package) {
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
                std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous,
                std::span<const std::uint32_t> seen) {
-    Sight sight = look(scene, view, seen);
+    Sight sight = look(scene, view, seen, settings.samples);
     Plan plan;
     for (const Candidate& c :
          choose(sight, settings, candidates(sight, allowed, settings.choice, previous), plan.uncovered))
-        plan.photos.push_back({c.photo, c.agreement, {}, {}, {}});
+        plan.photos.push_back({c.photo, c.agreement, {}, {}, {}, {}});
     assign_clusters(sight, settings, plan.photos);
     for (PlannedPhoto& p : plan.photos) {
-        p.needs = needs_of(sight, p, true, settings.samples);
-        p.later = needs_of(sight, p, false, settings.samples);
+        const bool by_samples = settings.worth > 0 && !sight.samples.empty();
+        p.needs = by_samples ? needs_of_samples(sight, p, settings.worth)
+                             : needs_of_clusters(sight, p, true, settings.samples);
+        p.later = needs_of_clusters(sight, p, false, settings.samples);
     }
     std::erase_if(plan.photos, [](const PlannedPhoto& p) { return p.clusters.empty(); });
     plan.clusters = std::move(sight.clusters);
@@ -278,7 +324,7 @@ Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& set
 }
 
 std::vector<double> agreements(const PlanScene& scene, const View& view) {
-    const Sight sight = look(scene, view, {});
+    const Sight sight = look(scene, view, {}, 1);
     std::vector<double> out;
     for (std::uint32_t p = 0; p < scene.photos.size(); ++p) out.push_back(agreement(sight, p));
     return out;

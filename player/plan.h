@@ -41,12 +41,14 @@ struct PlanSettings {
     double angle_limit = 0;  ///< radians between the viewing directions beyond which a photo is used only
                              ///< where it alone sees a surface; 0: none
     double samples = 1;      ///< along a pixel's side
+    double worth = 0;        ///< share of a tile's texels that must be shown, to need it; 0: all that may be
 };
 
 struct PlannedPhoto {
     std::uint32_t photo;
     double agreement;                     ///< with the view: share of it seen, by angle, in [0, 1]
     std::vector<std::uint32_t> clusters;  ///< drawn with this photo, ascending
+    std::vector<float> weights;           ///< of each, beside the best photo's, at most 1
     TileNeeds needs;                      ///< of clusters seen, see make_plan
     TileNeeds later;                      ///< of clusters in view that were not seen
 };

@@ -79,7 +79,7 @@ bool same(const View& a, const View& b) {
 
 bool same(const PlanSettings& a, const PlanSettings& b) {
     return a.choice == b.choice && a.photos == b.photos && a.sharpness == b.sharpness &&
-           a.angle_limit == b.angle_limit && a.samples == b.samples;
+           a.angle_limit == b.angle_limit && a.samples == b.samples && a.worth == b.worth;
 }
 
 PlanSettings plan_settings(const RenderSettings& s, int side) {
@@ -88,6 +88,7 @@ PlanSettings plan_settings(const RenderSettings& s, int side) {
     p.photos = s.photos;
     p.angle_limit = s.photos > 0 ? s.angle_limit * std::numbers::pi / 180 : 0;
     p.samples = side * std::exp2(-s.lod_bias);
+    if (!s.complete) p.worth = 0.1;  // 50 dB from all that may be sampled, for two thirds of the bytes
     const bool falls = s.weights.angle && !s.weights.angle_per_photo && s.show != Show::coverage;
     if (falls && s.blend != Blend::best) p.sharpness = s.weights.sharpness;
     return p;
@@ -96,7 +97,7 @@ PlanSettings plan_settings(const RenderSettings& s, int side) {
 /// Enough for what a frame of this size shows, and for some turning back.
 std::uint64_t tiles_for(int width, int height) {
     constexpr double MiB = 1 << 20;
-    return std::uint64_t(std::clamp(256 * MiB * width * height / (1280.0 * 720), 256 * MiB, 1024 * MiB));
+    return std::uint64_t(std::clamp(384 * MiB * width * height / (1280.0 * 720), 384 * MiB, 1536 * MiB));
 }
 
 /// What was seen from `before` says what is seen from `now`.

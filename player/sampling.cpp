@@ -73,25 +73,4 @@ LevelRange sampled_levels(const package::ClusterRecord& c, const Intrinsics& pho
     return {std::max(0.0, finest - across), std::max(0.0, coarsest + across)};
 }
 
-LevelRange sampled_levels(std::span<const SurfacePoint> points, const Intrinsics& photo,
-                          const Pose& photo_pose, const View& view, double samples) {
-    constexpr double between = 0.1;  // what may lie beyond the points looked at
-    const Pose& view_pose = view.cam_from_origin;
-    const Eigen::Matrix3d photo_from_view = photo_pose.R * view_pose.R.transpose();
-    double finest = infinity, coarsest = -infinity;
-    for (const SurfacePoint& point : points) {
-        const Eigen::Vector3d p = view_pose.R * point.position + view_pose.t,
-                              q = photo_pose.R * point.position + photo_pose.t;
-        if (!(p.z() > 0) || !(q.z() > 0)) continue;
-        const double lod =
-            level_of_detail(p, view_pose.R * point.normal, q, photo_from_view, photo, view.intrinsics) -
-            std::log2(samples);
-        if (!std::isfinite(lod)) continue;
-        finest = std::min(finest, lod);
-        coarsest = std::max(coarsest, lod);
-    }
-    if (finest > coarsest) return {0, infinity};
-    return {std::max(0.0, finest), std::max(0.0, coarsest + between)};
-}
-
 }  // namespace vantage

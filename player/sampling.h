@@ -19,14 +19,6 @@ struct LevelRange {
 LevelRange sampled_levels(const package::ClusterRecord& cluster, const Intrinsics& photo,
                           const Pose& photo_from_origin, const View& view, double samples);
 
-/// A point of a surface and its normal there, relative to the origin.
-struct SurfacePoint {
-    Eigen::Vector3d position, normal;
-};
-/// The same at points that the view shows; {0, infinity} where there is none or it cannot be told.
-LevelRange sampled_levels(std::span<const SurfacePoint> points, const Intrinsics& photo,
-                          const Pose& photo_from_origin, const View& view, double samples);
-
 /// log2 of photo pixels a sample, along the shorter side of its footprint but at most 4 times the longer's;
 /// at a point in the view's camera on a plane with this normal. Infinite where the plane shows its edge.
 double level_of_detail(const Eigen::Vector3d& in_view, const Eigen::Vector3d& normal_in_view,
