@@ -15,6 +15,7 @@
 #include "player/camera_path.h"
 #include "player/frame_statistics.h"
 #include "player/offscreen.h"
+#include "player/picture.h"
 #include "player/plot.h"
 #include "player/renderer.h"
 #include "player/shots.h"
@@ -118,6 +119,18 @@ void preload(Renderer& renderer, const CameraPath& path, FrameSize size, RenderS
         renderer.draw(view_of(n, size.width, size.height), settings, photos, {}, 0);
 }
 
+/// Whether a frame is among those, evenly spread over the path, that are kept as pictures.
+bool pictured(int frame, int frames, int pictures) {
+    return std::int64_t(frame) * pictures % frames < pictures;
+}
+
+void write_picture(const std::filesystem::path& file, const Target& target, FrameSize size) {
+    Picture p{size.width, size.height, {}, {}};
+    p.rgba.resize(std::size_t(p.width) * std::size_t(p.height) * 4);
+    glGetTextureImage(target.color.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(p.rgba.size()), p.rgba.data());
+    write_png(file, p);
+}
+
 Flight fly_path(const PackageReader& package, const BenchOptions& o, const CameraPath& path,
                 const std::string& mode, int repeat, FrameSize size, const Target& target, bool software) {
     if (!o.warm) drop_from_cache(package);
@@ -148,6 +161,11 @@ Flight fly_path(const PackageReader& package, const BenchOptions& o, const Camer
                                                  i == 0 || i == jump ? nullptr : &next);
         renderer.show(view, settings, target.framebuffer.id(), false);
         flight.frames.push_back({timer.end(), report, gl::memory_held(), process_bytes()});
+        if (repeat == 0 && pictured(i, int(path.frames.size()), o.pictures)) {
+            char number[16];
+            std::snprintf(number, sizeof number, "-%05d.png", i);
+            write_picture(o.folder / (path.name + "-" + mode + number), target, size);
+        }
         if (jump >= 0 && i > jump && flight.frames_to_exact < 0 && report.tiles_missing == 0 &&
             report.photos == renderer.plan().photos.size()) {
             flight.frames_to_exact = i - jump;
@@ -310,6 +328,10 @@ void add_bench_options(CLI::App& app, BenchOptions& o) {
            "blended (photos)")
         ->check(CLI::IsMember({"passes", "photos"}))
         ->group(group);
+    app.add_option("--pictures", o.pictures,
+                   "frames of each path that are kept as PNG, evenly spread over it")
+        ->check(CLI::Range(0, 1 << 20))
+        ->group(group);
     app.add_flag("--warm", o.warm, "leave what the system has cached of the package")->group(group);
     app.footer(
         "Writes frames.csv, summary.json and a plot a path into the folder given by -o (default bench).\n"
@@ -320,9 +342,10 @@ void add_bench_options(CLI::App& app, BenchOptions& o) {
         "256");
 }
 
-int run_bench(const PackageReader& package, const BenchOptions& o) {
+int run_bench(const PackageReader& package, BenchOptions o) {
     const FrameSize size = o.player.size.empty() ? FrameSize{1280, 720} : parse_size(o.player.size);
-    const std::filesystem::path folder = o.player.out.empty() ? o.out : o.player.out;
+    if (!o.player.out.empty()) o.folder = o.player.out;
+    const std::filesystem::path& folder = o.folder;
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw Error(Exit::storage, folder.string() + ": the folder cannot be made");

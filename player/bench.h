@@ -1,5 +1,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,13 @@ struct BenchOptions {
     double minutes = 0;  ///< instead of `frames`
     bool warm = false;
     std::string sweep;
-    std::string out = "bench";
+    int pictures = 0;  ///< frames of a path kept as PNG
+    std::filesystem::path folder = "bench";
 };
 void add_bench_options(CLI::App& app, BenchOptions& options);
 
 /// Flies scripted paths without a display, and writes what every frame took: frames.csv, summary.json, and a
-/// plot a path. Prints the summary. Throws Error.
-int run_bench(const PackageReader& package, const BenchOptions& options);
+/// plot a path, and frames as PNG where asked for. Prints the summary. Throws Error.
+int run_bench(const PackageReader& package, BenchOptions options);
 
 }  // namespace vantage

@@ -34,11 +34,14 @@ void add_blending(CLI::App& app, RenderSettings& r) {
         ->capture_default_str()
         ->group(group);
     app.add_flag("--consensus", r.consensus, "what disagrees with the mean of all counts less")->group(group);
-    app.add_option("--choose", r.choice,
-                   "photos to blend: cover (every surface gets one that sees it, the best first), nearest, "
-                   "direction")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, Choice>{
-            {"cover", Choice::cover}, {"nearest", Choice::nearest}, {"direction", Choice::direction}}))
+    app.add_option(
+           "--choose", r.choice,
+           "photos to blend: cover (every surface gets one that sees it, the best first), nearest, "
+           "direction (those that look as the viewer does), normals (and more against what they leave)")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Choice>{{"cover", Choice::cover},
+                                                                          {"nearest", Choice::nearest},
+                                                                          {"direction", Choice::direction},
+                                                                          {"normals", Choice::normals}}))
         ->default_str("cover")
         ->group(group);
     app.add_option("--show", r.show,

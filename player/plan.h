@@ -3,47 +3,12 @@
 #include <span>
 #include <vector>
 
-#include "player/cluster_tree.h"
+#include "player/plan_scene.h"
+#include "player/plan_settings.h"
 #include "player/tile_needs.h"
 #include "player/view.h"
-#include "scene/package_reader.h"
 
 namespace vantage {
-
-/// What plans are made of: the package's photos and clusters, and what each photo sees. Spans live as long as
-/// the package.
-struct PlanScene {
-    std::span<const package::PhotoRecord> photos;
-    std::span<const package::ClusterRecord> clusters;
-    ClusterTree tree;
-    std::vector<Intrinsics> intrinsics;                              ///< a photo
-    std::vector<Pose> poses;                                         ///< a photo, cam_from_origin
-    std::vector<std::span<const package::CoverageRecord>> coverage;  ///< a photo; empty where held out
-    std::vector<std::span<const std::uint64_t>> visible;             ///< a photo, as VISB
-    std::size_t triangles = 0;
-    std::span<const Eigen::Vector3f> positions;
-    std::span<const std::uint32_t> indices;
-};
-/// Throws Error(damaged).
-PlanScene make_plan_scene(const PackageReader& package);
-
-/// How photos are chosen.
-enum class Choice {
-    cover,      ///< a weighted set cover: every surface in view that some photo sees gets one, best first
-    nearest,    ///< those whose cameras are nearest to the viewer
-    direction,  ///< [P]: best corrected directions and largest hulls, and for what stays uncovered, normals
-};
-
-struct PlanSettings {
-    Choice choice = Choice::cover;
-    int photos = 0;          ///< at least so many, where so many see the view; 0: all
-    double sharpness = 0;    ///< radians of the angle weight; 0: weights do not fall with the angle
-    double angle_limit = 0;  ///< radians between the viewing directions beyond which a photo is used only
-                             ///< where it alone sees a surface; 0: none
-    double samples = 1;      ///< along a pixel's side
-    double worth = 0;        ///< share of a tile's texels that must be shown, to need it; 0: all that may be
-    bool operator==(const PlanSettings&) const = default;
-};
 
 struct PlannedPhoto {
     std::uint32_t photo;

@@ -252,6 +252,14 @@ std::uint64_t Renderer::touched_bytes(const View& view, const RenderSettings& se
     return 4 * texels;
 }
 
+std::vector<std::uint32_t> Renderer::triangles() const {
+    std::vector<std::uint32_t> out(std::size_t(targets_.width) * std::size_t(targets_.height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glGetTextureImage(targets_.triangles.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, GLsizei(out.size() * 4),
+                      out.data());
+    return out;
+}
+
 void Renderer::show(const View& view, const RenderSettings& settings, GLuint target, bool flip) {
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, view.intrinsics.width, view.intrinsics.height);

@@ -39,6 +39,9 @@ class Renderer {
     std::uint64_t touched_bytes(const View& view, const RenderSettings& settings,
                                 std::span<const std::uint32_t> photos, double now);
 
+    /// The triangle at each pixel of the last draw(), from 1, first row on top; 0 where there is none. Waits.
+    std::vector<std::uint32_t> triangles() const;
+
     const PackageReader& package() const { return *package_; }
     const PlanScene& scene() const { return scene_; }
     const Plan& plan() const { return plan_.plan(); }

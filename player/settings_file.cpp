@@ -61,7 +61,7 @@ Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
             value = it->get<T>();
     });
     r.settings.blend = within(j.value("blend", -1), Blend::best, r.settings.blend);
-    r.settings.choice = within(j.value("choice", -1), Choice::direction, r.settings.choice);
+    r.settings.choice = within(j.value("choice", -1), Choice::normals, r.settings.choice);
     // The file may have been edited.
     r.window.width = std::clamp(r.window.width, 320, 16384);
     r.window.height = std::clamp(r.window.height, 240, 16384);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# How many photos it takes to cover what is seen: the set cover against the nearest n. From each photo's camera, with that
+# How many photos it takes to cover what is seen: the set cover against the search by normals and the nearest n. From each photo's camera, with that
 # photo left out, at a quarter of its size; what any other photo colours and the chosen do not, as a share, mean over
 # the views.
 # usage: choice.sh PLAYER PACKAGE...
@@ -16,6 +16,9 @@ for package in "$@"; do
     }
     echo "all $(view)"
     echo "cover $(view --choose cover --blended 1)"
+    for n in 1 2 3; do
+      [ "$n" -lt "$most" ] && echo "normals-$n $(view --choose normals --blended "$n")"
+    done
     for n in 1 2 3 4 5 6 8 10 12; do
       [ "$n" -lt "$most" ] && echo "nearest-$n $(view --choose nearest --blended "$n")"
     done
