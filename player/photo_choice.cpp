@@ -48,7 +48,9 @@ CoverProblem cover_problem(const Sight& s, const std::vector<Candidate>& candida
             ++problem.runs.back().area;
         else
             problem.runs.push_back({s.samples[i], 1, 1});
-    for (std::size_t i = 0; s.samples.empty() && i < s.clusters.size(); ++i) {
+    // Where it is not known what is seen, some of the clusters tell enough to begin with.
+    const std::size_t every = std::max<std::size_t>(1, s.clusters.size() / 128);
+    for (std::size_t i = 0; s.samples.empty() && i < s.clusters.size(); i += every) {
         const package::ClusterRecord& c = s.scene.clusters[s.clusters[i]];
         problem.runs.push_back({c.first_triangle, c.triangles, s.areas[i] / c.triangles});
     }

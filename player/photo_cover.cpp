@@ -69,17 +69,22 @@ void close(Open& open, const CoverProblem::Set& s) {
     }
 }
 
-std::vector<std::size_t> greedy_cover(const CoverProblem& problem) {
-    Open open = all_open(problem);
+double share_left(const CoverProblem& problem, Open open, std::span<const std::size_t> chosen) {
+    const double all = open_area(problem, open);
+    for (const std::size_t i : chosen) close(open, problem.sets[i]);
+    return all > 0 ? open_area(problem, open) / all : 0;
+}
+
+std::vector<std::size_t> greedy_cover(const CoverProblem& problem, Open open) {
     std::vector<std::size_t> chosen;
-    if (problem.sets.empty()) return chosen;
     const double all = open_area(problem, open);
     // What a set adds only shrinks, so its last gain bounds it: most sets are not counted again.
-    std::vector<double> bound;
-    for (const CoverProblem::Set& s : problem.sets) bound.push_back(gain(problem, open, s));
-    const auto value = [&](std::size_t i) {
-        return bound[i] * std::pow(std::max(problem.sets[i].preference, 1e-12), 0.25);
-    };
+    std::vector<double> bound, liking;
+    for (const CoverProblem::Set& s : problem.sets) {
+        bound.push_back(gain(problem, open, s));
+        liking.push_back(std::pow(std::max(s.preference, 1e-12), 0.25));
+    }
+    const auto value = [&](std::size_t i) { return bound[i] * liking[i]; };
     for (double left = all; left > negligible * all;) {
         std::size_t best = problem.sets.size();
         std::vector<std::size_t> order(problem.sets.size());
@@ -101,22 +106,19 @@ std::vector<std::size_t> greedy_cover(const CoverProblem& problem) {
 }  // namespace
 
 std::vector<std::size_t> cover(const CoverProblem& problem) {
-    std::vector<std::size_t> chosen = greedy_cover(problem);
+    const Open open = all_open(problem);
+    std::vector<std::size_t> chosen = greedy_cover(problem, open);
     // What came first may not be needed for what came later; the last ones can hardly be spared.
     for (std::size_t i = chosen.size(); i-- > 0;) {
         std::vector<std::size_t> without = chosen;
         without.erase(without.begin() + std::ptrdiff_t(i));
-        if (uncovered_share(problem, without) <= negligible) chosen = std::move(without);
+        if (share_left(problem, open, without) <= negligible) chosen = std::move(without);
     }
     return chosen;
 }
 
 double uncovered_share(const CoverProblem& problem, std::span<const std::size_t> chosen) {
-    Open open = all_open(problem);
-    if (problem.sets.empty()) return 0;
-    const double all = open_area(problem, open);
-    for (const std::size_t i : chosen) close(open, problem.sets[i]);
-    return all > 0 ? open_area(problem, open) / all : 0;
+    return share_left(problem, all_open(problem), chosen);
 }
 
 std::uint32_t count_bits(std::span<const std::uint64_t> bits, std::uint32_t first, std::uint32_t count) {

@@ -28,7 +28,7 @@ void bind_target(const gl::Framebuffer& framebuffer, int width, int height) {
 /// Enough for what a frame of this size shows, and for some turning back.
 std::uint64_t tiles_for(int width, int height) {
     constexpr double MiB = 1 << 20;
-    return std::uint64_t(std::clamp(384 * MiB * width * height / (1280.0 * 720), 384 * MiB, 1536 * MiB));
+    return std::uint64_t(std::clamp(256 * MiB * width * height / (1280.0 * 720), 256 * MiB, 1024 * MiB));
 }
 
 /// The view whose pixel centres are one sample's points.
