@@ -2,7 +2,7 @@
 #include <optional>
 #include <string_view>
 
-#include "player/bench.h"
+#include "player/measure/bench.h"
 #include "player/offscreen.h"
 #include "player/options.h"
 #include "player/window.h"

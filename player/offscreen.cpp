@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "gl/context.h"
-#include "player/picture.h"
+#include "player/render/picture.h"
 #include "player/shots.h"
 #include "scene/error.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "player/render_settings.h"
+#include "player/render/render_settings.h"
 
 namespace vantage {
 

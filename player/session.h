@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "player/frame_statistics.h"
+#include "player/measure/frame_statistics.h"
 #include "player/navigation.h"
-#include "player/render_settings.h"
+#include "player/render/render_settings.h"
 
 namespace vantage {
 

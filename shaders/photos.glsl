@@ -1,4 +1,4 @@
-// The photos of a pass as every shader sees them; layout as in player/photo_block.h.
+// The photos of a pass as every shader sees them; layout as in player/stream/photo_block.h.
 struct Photo {
     mat4 cam_from_origin;
     vec4 focal_center;     // fx fy cx cy, pixels

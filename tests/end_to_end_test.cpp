@@ -17,7 +17,7 @@
 #include "pipeline/prepare.h"
 #include "pipeline/stages/pyramid.h"
 #include "pipeline/synth/synthesise.h"
-#include "player/picture.h"
+#include "player/render/picture.h"
 #include "player/shots.h"
 #include "scene/package_reader.h"
 #include "temporary_folder.h"

@@ -6,16 +6,16 @@
 #include <random>
 #include <set>
 
-#include "player/cluster_tree.h"
-#include "player/layer_pool.h"
 #include "player/navigation.h"
-#include "player/normal_clusters.h"
-#include "player/photo_cover.h"
-#include "player/sampling.h"
+#include "player/plan/cluster_tree.h"
+#include "player/plan/normal_clusters.h"
+#include "player/plan/photo_cover.h"
+#include "player/plan/sampling.h"
+#include "player/plan/shown_tiles.h"
+#include "player/plan/tile_needs.h"
+#include "player/render/weights.h"
 #include "player/shots.h"
-#include "player/shown_tiles.h"
-#include "player/tile_needs.h"
-#include "player/weights.h"
+#include "player/stream/layer_pool.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "player/renderer.h"
+#include "player/render/renderer.h"
 #include "player/session.h"
 
 namespace vantage {

@@ -71,7 +71,8 @@ void weight_section(Session& s) {
 
 void photo_section(Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
-    static const char* const choices[] = {"cover what is seen", "nearest", "direction", "direction and normals"};
+    static const char* const choices[] = {"cover what is seen", "nearest", "direction",
+                                          "direction and normals"};
     choice("Choose", r.choice, choices, 4);
     slider("Photos", &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));
     slider("Per pass", &r.photos_per_pass, 1, most_photos_per_pass);

@@ -1,7 +1,7 @@
 #pragma once
 #include <map>
 
-#include "player/renderer.h"
+#include "player/render/renderer.h"
 #include "player/session.h"
 
 namespace vantage {

@@ -1,0 +1,123 @@
+#include "player/plan/photo_choice.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "player/plan/normal_clusters.h"
+#include "player/plan/photo_cover.h"
+
+namespace vantage {
+namespace {
+
+bool contains(std::span<const std::uint32_t> list, std::uint32_t value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+struct Candidate {
+    std::uint32_t photo;
+    double agreement, rank;
+};
+
+std::vector<Candidate> candidates(const Sight& s, std::span<const std::uint32_t> allowed, Choice choice,
+                                  std::span<const std::uint32_t> previous) {
+    constexpr double loyalty = 1.15;  // a newcomer must be better by this much
+    std::vector<Candidate> out;
+    for (const std::uint32_t p : allowed) {
+        const double a = agreement(s, p);
+        if (!(a > 0)) continue;
+        double rank = a;
+        if (choice == Choice::nearest)
+            rank = 1 / (1e-12 + (s.scene.poses[p].center() - s.eye).norm());
+        else if (choice != Choice::cover)
+            rank = std::max(1e-3, s.view.cam_from_origin.direction().dot(Eigen::Map<const Eigen::Vector3d>(
+                                      s.scene.photos[p].corrected_direction))) *
+                   std::max(0.01, s.scene.photos[p].hull_area);
+        out.push_back({p, a, rank * (contains(previous, p) ? loyalty : 1)});
+    }
+    std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.rank > b.rank; });
+    return out;
+}
+
+/// For the set cover: what each candidate adds, weighed by how well it agrees.
+CoverProblem cover_problem(const Sight& s, const std::vector<Candidate>& candidates) {
+    CoverProblem problem;
+    const std::size_t step = std::max<std::size_t>(1, s.samples.size() / 16384);
+    for (std::size_t i = 0; i < s.samples.size(); i += step)
+        if (!problem.runs.empty() && problem.runs.back().first == s.samples[i])
+            ++problem.runs.back().area;
+        else
+            problem.runs.push_back({s.samples[i], 1, 1});
+    // Where it is not known what is seen, some of the clusters tell enough to begin with.
+    const std::size_t every = std::max<std::size_t>(1, s.clusters.size() / 128);
+    for (std::size_t i = 0; s.samples.empty() && i < s.clusters.size(); i += every) {
+        const package::ClusterRecord& c = s.scene.clusters[s.clusters[i]];
+        problem.runs.push_back({c.first_triangle, c.triangles, s.areas[i] / c.triangles});
+    }
+    const std::size_t words = package::visible_words(s.scene.triangles);
+    for (const Candidate& c : candidates) {
+        const auto bits = s.scene.visible[c.photo];
+        problem.sets.push_back({bits.first(words), bits.subspan(words, words), c.rank});
+    }
+    return problem;
+}
+
+/// Normals, towards the viewer, of what is seen and no chosen photo sees.
+std::vector<Eigen::Vector3d> uncovered_normals(const Sight& s, const std::vector<Candidate>& all,
+                                               const std::vector<std::size_t>& chosen) {
+    std::vector<Eigen::Vector3d> normals;
+    for (std::size_t i = 0; i < s.surface.samples.size(); ++i) {
+        const std::uint32_t t = s.surface.triangles[i];
+        if (std::ranges::any_of(chosen, [&](std::size_t c) { return sees(s.scene, all[c].photo, t); }))
+            continue;
+        const SurfaceSample& sample = s.surface.samples[i];
+        const Eigen::Vector3d n = sample.along_x.cross(sample.along_y).normalized();
+        normals.push_back(n.dot(s.eye - sample.position) < 0 ? Eigen::Vector3d(-n) : n);
+    }
+    return normals;
+}
+
+/// [P]: for each of a few directions of what stays uncovered, the photo that looks against it the most. On
+/// the processor, over the samples that the plan has anyway: it took [P] a pass of its own and most of a
+/// frame.
+void add_against_normals(const Sight& s, const std::vector<Candidate>& all,
+                         std::vector<std::size_t>& chosen) {
+    for (const NormalCluster& cluster : cluster_normals(uncovered_normals(s, all, chosen), 4, 5)) {
+        std::size_t best = all.size();
+        double most = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const package::PhotoRecord& photo = s.scene.photos[all[i].photo];
+            const double against =
+                -cluster.direction.dot(Eigen::Map<const Eigen::Vector3d>(photo.corrected_direction)) *
+                std::max(0.01, photo.hull_area);
+            if (std::ranges::count(chosen, i) || !(against > most)) continue;
+            most = against;
+            best = i;
+        }
+        if (best < all.size()) chosen.push_back(best);
+    }
+}
+
+}  // namespace
+
+PhotoChoice choose_photos(const Sight& s, const PlanSettings& settings,
+                          std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous) {
+    const std::vector<Candidate> all = candidates(s, allowed, settings.choice, previous);
+    const auto wanted = settings.photos > 0 ? std::size_t(settings.photos) : all.size();
+    const CoverProblem problem = cover_problem(s, all);
+    std::vector<std::size_t> chosen;
+    if (settings.choice == Choice::cover && wanted < all.size()) chosen = cover(problem);
+    const auto within = [&](const Candidate& c) {
+        const double cosine = s.view.cam_from_origin.direction().dot(s.scene.poses[c.photo].direction());
+        return settings.angle_limit <= 0 || std::acos(std::clamp(cosine, -1.0, 1.0)) <= settings.angle_limit;
+    };
+    for (std::size_t i = 0; i < all.size() && chosen.size() < wanted; ++i)
+        if (within(all[i]) && !std::ranges::count(chosen, i)) chosen.push_back(i);
+    if (settings.choice == Choice::normals) add_against_normals(s, all, chosen);
+    PhotoChoice out{{}, uncovered_share(problem, chosen)};
+    for (const std::size_t i : chosen) out.photos.push_back({all[i].photo, all[i].agreement});
+    std::ranges::stable_sort(out.photos, std::ranges::greater{}, &ChosenPhoto::agreement);
+    return out;
+}
+
+}  // namespace vantage

@@ -1,0 +1,132 @@
+#include "player/plan/photo_cover.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace vantage {
+namespace {
+
+// A triangle that a chosen photo sees in part is mostly coloured: little is left of it even where another
+// photo sees it whole.
+constexpr double rest_of_part = 0.25;
+constexpr double negligible = 1.6e-3;  // share of the area
+
+/// Calls `visit(word, mask)` for the words that hold the run's bits.
+template <class Visit>
+void for_words(std::uint32_t first, std::uint32_t count, const Visit& visit) {
+    const std::uint32_t end = first + count;
+    for (std::uint32_t at = first; at < end;) {
+        const std::uint32_t low = at % 64, bits = std::min(64 - low, end - at);
+        visit(at / 64, (bits == 64 ? ~std::uint64_t(0) : (std::uint64_t(1) << bits) - 1) << low);
+        at += bits;
+    }
+}
+
+/// What is still to be covered: triangles that some set sees whole, and that some set sees at least in part.
+struct Open {
+    std::vector<std::uint64_t> whole, part;
+};
+
+Open all_open(const CoverProblem& problem) {
+    Open open;
+    if (problem.sets.empty()) return open;
+    const std::size_t words = problem.sets.front().whole.size();
+    open.whole.assign(words, 0);
+    open.part.assign(words, 0);
+    for (const CoverProblem::Set& s : problem.sets)
+        for (std::size_t w = 0; w < words; ++w) {
+            open.whole[w] |= s.whole[w];
+            open.part[w] |= s.part[w];
+        }
+    return open;
+}
+
+double open_area(const CoverProblem& problem, const Open& open) {
+    double area = 0;
+    for (const CoverProblem::Run& run : problem.runs)
+        for_words(run.first, run.count, [&](std::uint32_t w, std::uint64_t mask) {
+            area += run.area *
+                    (rest_of_part * std::popcount(open.whole[w] & mask) + std::popcount(open.part[w] & mask));
+        });
+    return area;
+}
+
+double gain(const CoverProblem& problem, const Open& open, const CoverProblem::Set& s) {
+    double area = 0;
+    for (const CoverProblem::Run& run : problem.runs)
+        for_words(run.first, run.count, [&](std::uint32_t w, std::uint64_t mask) {
+            area += run.area * (rest_of_part * std::popcount(s.whole[w] & open.whole[w] & mask) +
+                                std::popcount(s.part[w] & open.part[w] & mask));
+        });
+    return area;
+}
+
+void close(Open& open, const CoverProblem::Set& s) {
+    for (std::size_t w = 0; w < open.whole.size(); ++w) {
+        open.whole[w] &= ~s.whole[w];
+        open.part[w] &= ~s.part[w];
+    }
+}
+
+double share_left(const CoverProblem& problem, Open open, std::span<const std::size_t> chosen) {
+    const double all = open_area(problem, open);
+    for (const std::size_t i : chosen) close(open, problem.sets[i]);
+    return all > 0 ? open_area(problem, open) / all : 0;
+}
+
+std::vector<std::size_t> greedy_cover(const CoverProblem& problem, Open open) {
+    std::vector<std::size_t> chosen;
+    const double all = open_area(problem, open);
+    // What a set adds only shrinks, so its last gain bounds it: most sets are not counted again.
+    std::vector<double> bound, liking;
+    for (const CoverProblem::Set& s : problem.sets) {
+        bound.push_back(gain(problem, open, s));
+        liking.push_back(std::pow(std::max(s.preference, 1e-12), 0.25));
+    }
+    const auto value = [&](std::size_t i) { return bound[i] * liking[i]; };
+    for (double left = all; left > negligible * all;) {
+        std::size_t best = problem.sets.size();
+        std::vector<std::size_t> order(problem.sets.size());
+        for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+        std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return value(a) > value(b); });
+        for (const std::size_t i : order) {
+            if (best < order.size() && value(i) <= value(best)) break;
+            bound[i] = gain(problem, open, problem.sets[i]);
+            if (bound[i] > 0 && (best == order.size() || value(i) > value(best))) best = i;
+        }
+        if (best == order.size()) break;
+        chosen.push_back(best);
+        left -= bound[best];
+        close(open, problem.sets[best]);
+    }
+    return chosen;
+}
+
+}  // namespace
+
+std::vector<std::size_t> cover(const CoverProblem& problem) {
+    const Open open = all_open(problem);
+    std::vector<std::size_t> chosen = greedy_cover(problem, open);
+    // What came first may not be needed for what came later; the last ones can hardly be spared.
+    for (std::size_t i = chosen.size(); i-- > 0;) {
+        std::vector<std::size_t> without = chosen;
+        without.erase(without.begin() + std::ptrdiff_t(i));
+        if (share_left(problem, open, without) <= negligible) chosen = std::move(without);
+    }
+    return chosen;
+}
+
+double uncovered_share(const CoverProblem& problem, std::span<const std::size_t> chosen) {
+    return share_left(problem, all_open(problem), chosen);
+}
+
+std::uint32_t count_bits(std::span<const std::uint64_t> bits, std::uint32_t first, std::uint32_t count) {
+    std::uint32_t n = 0;
+    for_words(first, count, [&](std::uint32_t w, std::uint64_t mask) {
+        n += std::uint32_t(std::popcount(bits[w] & mask));
+    });
+    return n;
+}
+
+}  // namespace vantage

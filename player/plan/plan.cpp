@@ -1,0 +1,112 @@
+#include "player/plan/plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "player/plan/photo_choice.h"
+#include "player/plan/photo_cover.h"
+#include "player/plan/shown_tiles.h"
+
+namespace vantage {
+namespace {
+
+/// The tiles of one photo for those of its clusters that are, or are not, shown; all count as shown where
+/// that is not known.
+TileNeeds needs_of_clusters(const Sight& s, const PlannedPhoto& p, bool shown, double samples) {
+    std::vector<ClusterLevels> levels;
+    const Intrinsics& k = s.scene.intrinsics[p.photo];
+    for (const std::uint32_t c : p.clusters)
+        if ((s.samples.empty() || s.shown[c]) == shown)
+            levels.push_back(
+                {c, sampled_levels(s.scene.clusters[c], k, s.scene.poses[p.photo], s.view, samples)});
+    return tile_needs(s.scene.photos[p.photo], s.scene.coverage[p.photo], levels);
+}
+
+/// What is lost with a level is some grey levels of detail: an eighth of them cannot be told, a 32nd of two
+/// levels' not either.
+double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) / 2, 0.0, 2.0); }
+
+/// The tiles of one photo that are worth having for what is seen.
+TileNeeds needs_of_samples(const Sight& s, const PlannedPhoto& p, double worth) {
+    std::vector<float> weights(s.scene.clusters.size(), 0);
+    for (std::size_t i = 0; i < p.clusters.size(); ++i) weights[p.clusters[i]] = p.weights[i];
+    std::vector<SurfaceSample> samples;
+    for (std::size_t i = 0; i < s.surface.samples.size(); ++i) {
+        const float weight = weights[s.surface.clusters[i]];
+        if (!(weight > 0) || !sees(s.scene, p.photo, s.surface.triangles[i])) continue;
+        samples.push_back(s.surface.samples[i]);
+        samples.back().coarser = spared_levels(weight);
+    }
+    return shown_tiles(s.scene.photos[p.photo], s.scene.intrinsics[p.photo], s.scene.poses[p.photo], samples,
+                       s.surface.pixels, worth);
+}
+
+/// Whether a photo can show this side of a cluster: one that looks away from the viewer is shown by photos
+/// that it looks away from, too.
+bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d& photo) {
+    return !away || looks_away(c, photo);
+}
+
+/// Which of the chosen photos draw which clusters: all that see them, but for those whose weight next to a
+/// photo that sees the whole cluster could not change a colour code.
+void assign_clusters(const Sight& s, const PlanSettings& settings, std::vector<PlannedPhoto>& photos) {
+    constexpr double least = 1.0 / 1024;
+    const std::size_t words = package::visible_words(s.scene.triangles);
+    std::vector<Eigen::Vector3d> centers;
+    for (const PlannedPhoto& p : photos) centers.push_back(s.scene.poses[p.photo].center());
+    std::vector<double> weights(photos.size());
+    for (const std::uint32_t index : s.clusters) {
+        const package::ClusterRecord& c = s.scene.clusters[index];
+        const bool away = looks_away(c, s.eye);
+        double best = 0;
+        for (std::size_t i = 0; i < photos.size(); ++i) {
+            weights[i] = -1;
+            const std::uint32_t p = photos[i].photo;
+            if (s.scene.coverage[p][index].seen == 0 || !same_side(c, away, centers[i])) continue;
+            // The angle may be smaller elsewhere in the cluster, or that of the best one larger.
+            const double turn =
+                c.radius * std::abs(1 / (center(c) - s.eye).norm() - 1 / (center(c) - centers[i]).norm());
+            const double theta = std::max(0.0, ray_angle(center(c), s.eye, centers[i]) - turn),
+                         density = std::exp2(s.scene.coverage[p][index].log2_density / 128.0);
+            weights[i] = settings.sharpness > 0 ? std::exp(-theta / settings.sharpness) * density : 1;
+            if (count_bits(s.scene.visible[p].first(words), c.first_triangle, c.triangles) == c.triangles)
+                best = std::max(best, weights[i]);
+        }
+        for (std::size_t i = 0; i < photos.size(); ++i)
+            if (weights[i] >= 0 && weights[i] >= least * best) {
+                photos[i].clusters.push_back(index);
+                photos[i].weights.push_back(best > 0 ? float(std::min(1.0, weights[i] / best)) : 1.0f);
+            }
+    }
+}
+
+}  // namespace
+
+Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
+               std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous,
+               std::span<const std::uint32_t> seen) {
+    Sight sight = look(scene, view, seen, settings.samples);
+    Plan plan;
+    const PhotoChoice choice = choose_photos(sight, settings, allowed, previous);
+    plan.uncovered = choice.uncovered;
+    for (const ChosenPhoto& c : choice.photos) plan.photos.push_back({c.photo, c.agreement, {}, {}, {}, {}});
+    assign_clusters(sight, settings, plan.photos);
+    for (PlannedPhoto& p : plan.photos) {
+        const bool by_samples = settings.worth > 0 && !sight.samples.empty();
+        p.needs = by_samples ? needs_of_samples(sight, p, settings.worth)
+                             : needs_of_clusters(sight, p, true, settings.samples);
+        p.later = needs_of_clusters(sight, p, false, settings.samples);
+    }
+    std::erase_if(plan.photos, [](const PlannedPhoto& p) { return p.clusters.empty(); });
+    plan.clusters = std::move(sight.clusters);
+    return plan;
+}
+
+std::vector<double> agreements(const PlanScene& scene, const View& view) {
+    const Sight sight = look(scene, view, {}, 1);
+    std::vector<double> out;
+    for (std::uint32_t p = 0; p < scene.photos.size(); ++p) out.push_back(agreement(sight, p));
+    return out;
+}
+
+}  // namespace vantage

@@ -1,0 +1,36 @@
+#include "player/plan/plan_scene.h"
+
+#include <string>
+
+#include "scene/error.h"
+
+namespace vantage {
+
+PlanScene make_plan_scene(const PackageReader& package) {
+    using package::Type;
+    const package::SceneRecord& record = package.scene();
+    PlanScene s;
+    s.photos = package.photos();
+    s.clusters = package.records<package::ClusterRecord>(Type::clusters);
+    s.tree = make_cluster_tree(s.clusters);
+    s.triangles = record.triangles;
+    s.positions = package.records<Eigen::Vector3f>(Type::positions);
+    s.indices = package.records<std::uint32_t>(Type::indices);
+    for (std::uint32_t i = 0; i < s.photos.size(); ++i) {
+        s.intrinsics.push_back(intrinsics(s.photos[i]));
+        s.poses.push_back(cam_from_origin(s.photos[i]));
+        s.coverage.emplace_back();
+        s.visible.emplace_back();
+        if (!s.photos[i].levels) continue;
+        s.coverage.back() = package.records<package::CoverageRecord>(Type::coverage, i);
+        s.visible.back() = package.records<std::uint64_t>(Type::visible, i);
+        if (s.coverage.back().size() != s.clusters.size() ||
+            s.visible.back().size() != 2 * package::visible_words(s.triangles))
+            throw Error(Exit::damaged, package.path().string() + ": COVR or VISB of " +
+                                           std::string(s.photos[i].name) +
+                                           ": length does not fit the scene's counts");
+    }
+    return s;
+}
+
+}  // namespace vantage

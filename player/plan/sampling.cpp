@@ -1,0 +1,76 @@
+#include "player/plan/sampling.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace vantage {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The cone's axis and normals on its rim and halfway to it.
+std::array<Eigen::Vector3d, 9> normals_of(const package::ClusterRecord& c) {
+    const Eigen::Vector3d axis(c.cone_axis[0], c.cone_axis[1], c.cone_axis[2]);
+    const Eigen::Vector3d side = axis.unitOrthogonal(), other = axis.cross(side);
+    const double half_angle = std::asin(std::clamp(double(c.cone_cutoff), 0.0, 1.0));
+    std::array<Eigen::Vector3d, 9> out{axis};
+    for (std::size_t i = 1; i < out.size(); ++i) {
+        const double tilt = i % 2 ? half_angle : half_angle / 2, turn = double(i) * std::numbers::pi / 4;
+        out[i] = std::cos(tilt) * axis + std::sin(tilt) * (std::cos(turn) * side + std::sin(turn) * other);
+    }
+    return out;
+}
+
+}  // namespace
+
+double level_of_detail(const Eigen::Vector3d& p, const Eigen::Vector3d& n, const Eigen::Vector3d& q,
+                       const Eigen::Matrix3d& photo_from_view, const Intrinsics& photo,
+                       const Intrinsics& view) {
+    const Eigen::Vector3d ray = p / p.z();
+    const double facing = n.dot(ray);
+    if (!(std::abs(facing) > 1e-9)) return infinity;
+    double length[2];
+    for (int axis = 0; axis < 2; ++axis) {
+        const double f = axis ? view.fy : view.fx;
+        const Eigen::Vector3d along =
+            photo_from_view * ((Eigen::Vector3d::Unit(axis) - ray * (n[axis] / facing)) * (p.z() / f));
+        length[axis] = std::hypot(photo.fx / q.z() * (along.x() - q.x() / q.z() * along.z()),
+                                  photo.fy / q.z() * (along.y() - q.y() / q.z() * along.z()));
+    }
+    const double major = std::max(length[0], length[1]), minor = std::min(length[0], length[1]);
+    return std::log2(std::max(minor, major / 4));
+}
+
+LevelRange sampled_levels(const package::ClusterRecord& c, const Intrinsics& photo, const Pose& photo_pose,
+                          const View& view, double samples) {
+    const Eigen::Vector3d center(c.center[0], c.center[1], c.center[2]);
+    const Pose& view_pose = view.cam_from_origin;
+    const Eigen::Vector3d p = view_pose.R * center + view_pose.t, q = photo_pose.R * center + photo_pose.t;
+    if (!(p.z() > c.radius) || !(q.z() > c.radius)) return {0, infinity};
+    // Depth changes across the sphere, and so do the angles at which its surface is met.
+    const double across = std::log2((1 + c.radius / p.z()) * (1 + c.radius / q.z()));
+    const double shift = std::log2(samples);
+    const double head_on = std::log2(photo.fx / q.z() * p.z() / view.intrinsics.fx) - shift;
+    const Eigen::Matrix3d photo_from_view = photo_pose.R * view_pose.R.transpose();
+    double finest = infinity, coarsest = -infinity;
+    for (const Eigen::Vector3d& normal : normals_of(c)) {
+        const Eigen::Vector3d n = view_pose.R * normal;
+        const double to_view = -n.dot(p.normalized()), to_photo = -(photo_from_view * n).dot(q.normalized());
+        // Seen from both sides or from neither.
+        if (c.cone_cutoff >= 1 || to_view * to_photo <= 1e-6) continue;
+        const double lod = level_of_detail(p, n, q, photo_from_view, photo, view.intrinsics) - shift;
+        finest = std::min(finest, lod);
+        coarsest = std::max(coarsest, lod);
+    }
+    if (finest > coarsest) finest = coarsest = head_on;  // any normal, or edge-on
+    if (c.cone_cutoff >= 1) finest -= 1, coarsest += 2;
+    // A surface slanted by more than 60 degrees in the photo has little to show on finer levels.
+    finest = std::max(finest, head_on - 1);
+    return {std::max(0.0, finest - across), std::max(0.0, coarsest + across)};
+}
+
+}  // namespace vantage

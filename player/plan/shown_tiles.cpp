@@ -1,0 +1,116 @@
+#include "player/plan/shown_tiles.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "scene/tiling.h"
+
+namespace vantage {
+namespace {
+
+/// log2 of photo pixels from a sample to the next, as footprint_lod() in shaders/blend.frag.
+double level_of_detail(const SurfaceSample& s, const Eigen::Vector3d& in_photo, const Pose& pose,
+                       const Intrinsics& k) {
+    const auto length = [&](const Eigen::Vector3d& along) {
+        const Eigen::Vector3d step = pose.R * along;
+        return std::hypot(k.fx * (step.x() - in_photo.x() / in_photo.z() * step.z()),
+                          k.fy * (step.y() - in_photo.y() / in_photo.z() * step.z())) /
+               in_photo.z();
+    };
+    const double a = length(s.along_x), b = length(s.along_y);
+    return std::log2(std::max({std::min(a, b), std::max(a, b) / 4, 1e-6}));
+}
+
+/// How many texels of each tile of a pyramid are shown, level by level from `first` to before `end`.
+class Shown {
+  public:
+    Shown(const package::PhotoRecord& photo, int first, int end) : first_(first) {
+        for (int l = 0; l < end; ++l) {
+            sizes_.push_back(level_size(int(photo.width), int(photo.height), l));
+            texels_.emplace_back(std::size_t(l < first ? 0 : sizes_.back().tiles()), 0.0);
+        }
+    }
+    int first() const { return first_; }
+    int last() const { return int(sizes_.size()) - 1; }
+    void add(const Eigen::Vector2d& pixel, int level, double texels) {
+        const Level& size = sizes_[std::size_t(level)];
+        const int x = std::min(int(pixel.x() / (1 << level)) / tile_content, size.columns() - 1),
+                  y = std::min(int(pixel.y() / (1 << level)) / tile_content, size.rows() - 1);
+        texels_[std::size_t(level)][std::size_t(y * size.columns() + x)] += texels;
+    }
+    /// The tiles worth having, by level; the others' texels go to the next coarser level.
+    void list(double worth, std::array<std::vector<std::uint32_t>, most_levels>& out) {
+        constexpr double all = double(tile_content) * tile_content;
+        for (int l = first_; l <= last(); ++l)
+            for (std::uint32_t t = 0; t < texels_[std::size_t(l)].size(); ++t) {
+                const double shown = texels_[std::size_t(l)][t];
+                if (!(shown > 0)) continue;
+                if (shown >= worth * all || l == last())
+                    out[std::size_t(l)].push_back(t);
+                else
+                    promote(l, int(t), shown);
+            }
+    }
+
+  private:
+    void promote(int level, int tile, double shown) {
+        const int columns = sizes_[std::size_t(level)].columns();
+        const Level& coarser = sizes_[std::size_t(level) + 1];
+        const int x = std::min(tile % columns / 2, coarser.columns() - 1),
+                  y = std::min(tile / columns / 2, coarser.rows() - 1);
+        texels_[std::size_t(level) + 1][std::size_t(y * coarser.columns() + x)] += shown / 4;
+    }
+
+    int first_;
+    std::vector<Level> sizes_;
+    std::vector<std::vector<double>> texels_;
+};
+
+}  // namespace
+
+std::optional<SurfaceSample> surface_sample(const View& view, const Eigen::Vector3d& position,
+                                            const Eigen::Vector3d& normal, double samples) {
+    const Intrinsics& k = view.intrinsics;
+    const auto seen = project(k, view.cam_from_origin, position);
+    if (!seen || !(seen->pixel.array() >= 0).all() || seen->pixel.x() > k.width || seen->pixel.y() > k.height)
+        return {};
+    const Eigen::Matrix3d& R = view.cam_from_origin.R;
+    const Eigen::Vector3d p = R * position + view.cam_from_origin.t, n = R * normal, ray = p / p.z();
+    const double facing = n.dot(ray);
+    if (!(std::abs(facing) > 1e-9)) return {};
+    // The plane's point under the next sample, less this one.
+    const auto along = [&](int axis, double f) -> Eigen::Vector3d {
+        return R.transpose() *
+               ((Eigen::Vector3d::Unit(axis) - ray * (n[axis] / facing)) * (p.z() / (f * samples)));
+    };
+    return SurfaceSample{position, along(0, k.fx), along(1, k.fy)};
+}
+
+TileNeeds shown_tiles(const package::PhotoRecord& photo, const Intrinsics& k, const Pose& pose,
+                      std::span<const SurfaceSample> samples, double pixels, double worth) {
+    constexpr double slight = 0.25;  // a level that would be mixed in by less is left to the other
+    Shown color(photo, 0, int(photo.levels)), masks(photo, mask_level, mask_levels_end(int(photo.levels)));
+    for (const SurfaceSample& s : samples) {
+        const Eigen::Vector3d q = pose.R * s.position + pose.t;
+        if (!(q.z() > 0)) continue;
+        const Eigen::Vector2d pixel(k.fx * q.x() / q.z() + k.cx, k.fy * q.y() / q.z() + k.cy);
+        if (!(pixel.array() >= 0).all() || !(pixel.x() < k.width) || !(pixel.y() < k.height)) continue;
+        const double sampled = level_of_detail(s, q, pose, k), lod = sampled + s.coarser;
+        const auto add = [&](Shown& to, double level) {
+            const int l = int(std::clamp(level, double(to.first()), double(to.last())));
+            to.add(pixel, l, pixels * std::exp2(2 * std::min(sampled - l, 1.0)));
+            return l;
+        };
+        const int finest = add(color, std::floor(lod + slight));
+        if (std::ceil(lod - slight) > finest) add(color, std::ceil(lod - slight));
+        add(masks, std::floor(lod));
+    }
+    TileNeeds needs;
+    color.list(worth, needs.color);
+    masks.list(worth, needs.masks);
+    return needs;
+}
+
+}  // namespace vantage

@@ -1,0 +1,114 @@
+#include "player/plan/sight.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vantage {
+namespace {
+
+constexpr double agreement_angle = 0.35;  ///< radians; wider than the blend's, to rank the far ones, too
+
+/// Pixels that a cluster's sphere fills, at most the frame.
+double area_in_view(const package::ClusterRecord& c, const View& view) {
+    const Intrinsics& k = view.intrinsics;
+    const double z = (view.cam_from_origin.R * center(c) + view.cam_from_origin.t).z();
+    const double reach = std::max(z, double(c.radius)), r = c.radius / reach;
+    return std::min(std::numbers::pi * r * r * k.fx * k.fy, double(k.width) * k.height);
+}
+
+/// The cluster of each sample, and where it is none of the model's triangles, 2^32 - 1.
+std::vector<std::uint32_t> clusters_of(const PlanScene& scene, std::span<const std::uint32_t> seen) {
+    const auto holds = [&](std::size_t c, std::uint32_t t) {
+        return t - scene.clusters[c].first_triangle < scene.clusters[c].triangles;
+    };
+    std::vector<std::uint32_t> out(seen.size(), ~0u);
+    std::size_t cluster = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const std::uint32_t t = seen[i] - 1;
+        if (seen[i] == 0 || t >= scene.triangles) continue;
+        if (!holds(cluster, t))  // neighbours are mostly of one cluster
+            cluster = std::size_t(
+                std::ranges::upper_bound(scene.clusters, t, {}, &package::ClusterRecord::first_triangle) -
+                scene.clusters.begin() - 1);
+        out[i] = std::uint32_t(cluster);
+    }
+    return out;
+}
+
+/// Points of the triangles, spread over each by the plastic ratio's sequence (Roberts 2018).
+Sight::Surface surface_of(const PlanScene& scene, const View& view, std::span<const std::uint32_t> triangles,
+                          std::span<const std::uint32_t> clusters, std::size_t seen, double samples) {
+    constexpr std::size_t most = 8192;
+    Sight::Surface out;
+    const std::size_t step = std::max<std::size_t>(1, triangles.size() / most);
+    for (std::size_t i = 0; i < triangles.size(); i += step) {
+        Eigen::Vector3d corner[3];
+        for (std::size_t v = 0; v < 3; ++v)
+            corner[v] = scene.positions[scene.indices[3 * std::size_t(triangles[i]) + v]].cast<double>();
+        double a = std::fmod(double(i) * 0.7548776662466927, 1.0),
+               b = std::fmod(double(i) * 0.5698402909980532, 1.0);
+        if (a + b > 1) a = 1 - a, b = 1 - b;
+        const Eigen::Vector3d e = corner[1] - corner[0], f = corner[2] - corner[0];
+        const auto s = surface_sample(view, corner[0] + a * e + b * f, e.cross(f).normalized(), samples);
+        if (!s) continue;
+        out.samples.push_back(*s);
+        out.triangles.push_back(triangles[i]);
+        out.clusters.push_back(clusters[i]);
+    }
+    if (seen > 0)
+        out.pixels = double(view.intrinsics.width) * view.intrinsics.height / double(seen) * double(step) *
+                     samples * samples;
+    return out;
+}
+
+}  // namespace
+
+Sight look(const PlanScene& scene, const View& view, std::span<const std::uint32_t> seen, double samples) {
+    Sight s{scene, view, view.cam_from_origin.center(), clusters_in_view(scene.tree, scene.clusters, view)};
+    const std::vector<std::uint32_t> all = clusters_of(scene, seen);
+    std::vector<std::uint32_t> count(scene.clusters.size(), 0), clusters;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        if (all[i] == ~0u) continue;
+        ++count[all[i]];
+        s.samples.push_back(seen[i] - 1);
+        clusters.push_back(all[i]);
+    }
+    s.surface = surface_of(scene, view, s.samples, clusters, seen.size(), samples);
+    for (const std::uint32_t n : count) s.shown.push_back(n > 0);
+    for (const std::uint32_t c : s.clusters)
+        s.areas.push_back(s.samples.empty() ? area_in_view(scene.clusters[c], view) : count[c]);
+    return s;
+}
+
+double agreement(const Sight& s, std::uint32_t photo) {
+    // Over at most 512 clusters, evenly drawn from all in view: a rank needs no more.
+    const auto& coverage = s.scene.coverage[photo];
+    if (coverage.empty()) return 0;
+    const Eigen::Vector3d from = s.scene.poses[photo].center();
+    const std::size_t step = std::max<std::size_t>(1, s.clusters.size() / 512);
+    double agrees = 0, all = 0;
+    for (std::size_t i = 0; i < s.clusters.size(); i += step) {
+        const std::uint32_t c = s.clusters[i];
+        if (s.areas[i] == 0) continue;
+        all += s.areas[i];
+        if (coverage[c].seen == 0) continue;
+        agrees += s.areas[i] * coverage[c].seen / 65535.0 *
+                  std::exp(-ray_angle(center(s.scene.clusters[c]), s.eye, from) / agreement_angle);
+    }
+    return all > 0 ? agrees / all : 0;
+}
+
+bool sees(const PlanScene& scene, std::uint32_t photo, std::uint32_t t) {
+    return scene.visible[photo][package::visible_words(scene.triangles) + t / 64] >> (t % 64) & 1;
+}
+
+Eigen::Vector3d center(const package::ClusterRecord& c) { return {c.center[0], c.center[1], c.center[2]}; }
+
+double ray_angle(const Eigen::Vector3d& point, const Eigen::Vector3d& eye, const Eigen::Vector3d& photo) {
+    const Eigen::Vector3d a = eye - point, b = photo - point;
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace vantage

@@ -1,0 +1,101 @@
+#include "player/plan/tile_needs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/tiling.h"
+
+namespace vantage {
+namespace {
+
+/// A rectangle of photo pixels at full size.
+struct Rect {
+    double u0, v0, u1, v1;
+};
+
+/// Tiles of a photo's levels that are marked.
+class Marks {
+  public:
+    explicit Marks(const package::PhotoRecord& photo) : levels_(int(photo.levels)) {
+        for (int l = 0; l < std::max(levels_, mask_levels_end(levels_)); ++l) {
+            sizes_.push_back(level_size(int(photo.width), int(photo.height), l));
+            color_.emplace_back(std::size_t(sizes_.back().tiles()), false);
+        }
+        masks_ = color_;
+    }
+    /// All levels that trilinear sampling between two levels of detail reads.
+    void add(const Rect& rect, const LevelRange& range) {
+        // A level that would be mixed in by less than this is left to the next one.
+        constexpr double slight = 0.25;
+        const int finest = int(std::clamp(range.finest + slight, 0.0, levels_ - 1.0));
+        const int coarsest =
+            int(std::clamp(std::ceil(range.coarsest - slight), double(finest), levels_ - 1.0));
+        for (int l = finest; l <= coarsest; ++l) mark(color_, rect, l);
+        const int end = mask_levels_end(levels_) - 1;
+        for (int l = std::clamp(finest, mask_level, end); l <= std::clamp(coarsest, mask_level, end); ++l)
+            mark(masks_, rect, l);
+    }
+    TileNeeds needs() const {
+        TileNeeds out;
+        for (std::size_t l = 0; l < color_.size(); ++l) {
+            if (int(l) < levels_) out.color[l] = listed(color_[l]);
+            out.masks[l] = listed(masks_[l]);
+        }
+        return out;
+    }
+
+  private:
+    void mark(std::vector<std::vector<bool>>& tiles, const Rect& rect, int level) const {
+        const Level& size = sizes_[std::size_t(level)];
+        const double s = 1.0 / (1 << level);
+        const auto tile = [](double texel, int count) {
+            return int(std::clamp(std::floor(texel / tile_content), 0.0, double(count - 1)));
+        };
+        const int x0 = tile(rect.u0 * s, size.columns()), x1 = tile(rect.u1 * s, size.columns());
+        const int y0 = tile(rect.v0 * s, size.rows()), y1 = tile(rect.v1 * s, size.rows());
+        for (int y = y0; y <= y1; ++y)
+            for (int x = x0; x <= x1; ++x)
+                tiles[std::size_t(level)][std::size_t(y) * std::size_t(size.columns()) + std::size_t(x)] =
+                    true;
+    }
+    static std::vector<std::uint32_t> listed(const std::vector<bool>& marks) {
+        std::vector<std::uint32_t> out;
+        for (std::size_t i = 0; i < marks.size(); ++i)
+            if (marks[i]) out.push_back(std::uint32_t(i));
+        return out;
+    }
+
+    int levels_;
+    std::vector<Level> sizes_;
+    std::vector<std::vector<bool>> color_, masks_;
+};
+
+}  // namespace
+
+std::size_t TileNeeds::tiles() const {
+    std::size_t n = 0;
+    for (std::size_t l = 0; l < most_levels; ++l) n += color[l].size() + masks[l].size();
+    return n;
+}
+
+TileNeeds tile_needs(const package::PhotoRecord& photo, std::span<const package::CoverageRecord> coverage,
+                     std::span<const ClusterLevels> clusters) {
+    Marks marks(photo);
+    const double w = photo.width / 65535.0, h = photo.height / 65535.0;
+    for (const ClusterLevels& c : clusters) {
+        const package::CoverageRecord& r = coverage[c.cluster];
+        if (r.seen) marks.add({r.u0 * w, r.v0 * h, r.u1 * w, r.v1 * h}, c.levels);
+    }
+    return marks.needs();
+}
+
+TileNeeds whole_photo_needs(const package::PhotoRecord& photo, double density) {
+    const double lod = std::max(0.0, -std::log2(std::max(density, 1e-9)));
+    Marks marks(photo);
+    marks.add({0, 0, double(photo.width), double(photo.height)}, {lod, lod});
+    TileNeeds needs = marks.needs();
+    for (auto& level : needs.masks) level.clear();
+    return needs;
+}
+
+}  // namespace vantage

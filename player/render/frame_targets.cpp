@@ -1,0 +1,37 @@
+#include "player/render/frame_targets.h"
+
+#include <array>
+#include <string>
+
+#include "scene/error.h"
+
+namespace vantage {
+
+FrameTargets make_frame_targets(int width, int height) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (width < 1 || height < 1 || width > most || height > most)
+        throw Error(Exit::usage, "a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                                     ", expected 1 to " + std::to_string(most) + " along each side");
+    FrameTargets t;
+    t.width = width;
+    t.height = height;
+    t.depth = gl::make_texture_2d("frame depth", GL_DEPTH_COMPONENT32F, width, height);
+    t.surface = gl::make_texture_2d("frame surface", GL_RGBA16F, width, height);
+    t.triangles = gl::make_texture_2d("frame triangles", GL_R32UI, width, height);
+    t.surface_target =
+        gl::make_framebuffer("frame surface", std::array{t.surface.id(), t.triangles.id()}, t.depth.id());
+    for (int i = 0; i < 2; ++i) {
+        t.sums[i] = gl::make_texture_2d("frame sums", GL_RGBA32F, width, height);
+        t.sums_target[i] = gl::make_framebuffer("frame sums", std::array{t.sums[i].id()}, t.depth.id());
+    }
+    t.accumulated = gl::make_texture_2d("frame samples", GL_RGBA32F, width, height);
+    t.accumulated_target = gl::make_framebuffer("frame samples", std::array{t.accumulated.id()}, 0);
+    return t;
+}
+
+std::uint64_t FrameTargets::bytes(int width, int height) {
+    return std::uint64_t(width) * std::uint64_t(height) * (4 + 8 + 4 + 3 * 16);
+}
+
+}  // namespace vantage

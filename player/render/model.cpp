@@ -1,0 +1,49 @@
+#include "player/render/model.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "scene/error.h"
+
+namespace vantage {
+
+using package::Type;
+
+Model load_model(const PackageReader& package) {
+    const package::SceneRecord& scene = package.scene();
+    const auto positions = package.records<float>(Type::positions),
+               normals = package.records<float>(Type::normals);
+    const auto indices = package.records<std::uint32_t>(Type::indices);
+    if (std::any_of(indices.begin(), indices.end(), [&](std::uint32_t i) { return i >= scene.vertices; }))
+        throw Error(Exit::damaged, package.path().string() + ": INDX names a vertex that does not exist");
+    if (indices.size() > std::size_t(std::numeric_limits<GLsizei>::max()))
+        throw Error(Exit::damaged, package.path().string() + ": INDX has more triangles than can be drawn");
+    Model m;
+    m.vertex_count = std::uint32_t(scene.vertices);
+    m.positions = gl::make_buffer("positions", positions.size_bytes(), positions.data());
+    m.normals = gl::make_buffer("normals", normals.size_bytes(), normals.data());
+    m.indices = gl::make_buffer("indices", indices.size_bytes(), indices.data());
+    m.vertices = gl::make_vertex_array("model");
+    gl::attach_floats(m.vertices, 0, m.positions, 3, 12);
+    gl::attach_floats(m.vertices, 1, m.normals, 3, 12);
+    glVertexArrayElementBuffer(m.vertices.id(), m.indices.id());
+    for (const auto chunk : {std::as_bytes(positions), std::as_bytes(normals), std::as_bytes(indices)})
+        package.forget(chunk);
+    glVertexArrayAttribIFormat(m.vertices.id(), 3, 2, GL_UNSIGNED_INT, 0);
+    glVertexArrayAttribBinding(m.vertices.id(), 3, 3);
+    glVertexArrayBindingDivisor(m.vertices.id(), 3, 1);
+    glEnableVertexArrayAttrib(m.vertices.id(), 3);
+    if (!effect_on(scene, Effect::vertex_colors)) return m;
+    const auto colors = package.records<std::uint32_t>(Type::colors);
+    if (colors.size() != scene.vertices)
+        throw Error(Exit::damaged,
+                    package.path().string() + ": VCOL: length does not fit the scene's counts");
+    m.colors = gl::make_buffer("colors", colors.size_bytes(), colors.data());
+    glVertexArrayVertexBuffer(m.vertices.id(), 2, m.colors.id(), 0, 4);
+    glVertexArrayAttribFormat(m.vertices.id(), 2, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
+    glVertexArrayAttribBinding(m.vertices.id(), 2, 2);
+    glEnableVertexArrayAttrib(m.vertices.id(), 2);
+    return m;
+}
+
+}  // namespace vantage

@@ -1,0 +1,227 @@
+#include "player/render/model_passes.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+namespace vantage {
+namespace {
+
+/// [P]'s viewing direction: towards the model's centre from outside its box, the camera's own from inside.
+Eigen::Vector3d overall_direction(const View& view, const package::SceneRecord& scene) {
+    const Eigen::Vector3d eye = view.cam_from_origin.center();
+    const Eigen::Vector3d half = (Eigen::Map<const Eigen::Vector3d>(scene.bounds_max) -
+                                  Eigen::Map<const Eigen::Vector3d>(scene.bounds_min)) /
+                                 2;
+    const bool outside = (eye.cwiseAbs().array() > half.array()).any();
+    return outside && eye.norm() > 0 ? Eigen::Vector3d(-eye.normalized()) : view.cam_from_origin.direction();
+}
+
+GLuint switches(const WeightSettings& w) {
+    return GLuint(w.angle_mask) | GLuint(w.depth_mask) << 1 | GLuint(w.border_mask) << 2 |
+           GLuint(w.angle && !w.angle_per_photo) << 3;
+}
+
+void uniform(GLint location, const Eigen::Vector3d& v) {
+    glUniform3f(location, float(v.x()), float(v.y()), float(v.z()));
+}
+
+void bind_target(const gl::Framebuffer& framebuffer, const FrameTargets& targets) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glViewport(0, 0, targets.width, targets.height);
+}
+
+std::vector<std::string> surface_defines(const PackageReader& package) {
+    const EffectRow& row = effect_row(Effect::vertex_colors);
+    return effect_on(package.scene(), row.effect) ? std::vector<std::string>{row.shader_symbol}
+                                                  : std::vector<std::string>{};
+}
+
+std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos) {
+    std::vector<PhotoBlock> out;
+    for (std::uint32_t i = 0; i < photos.size(); ++i) out.push_back(make_photo_block(photos[i], i));
+    return out;
+}
+
+/// The most that one pass writes: photos, their pages, and the draws.
+std::size_t pass_bytes(const PackagePages& pages, std::size_t clusters) {
+    std::size_t largest = 0;
+    for (const PhotoPages& p : pages.photos)
+        largest = std::max<std::size_t>(largest, p.color_count + p.mask_count);
+    return std::size_t(most_photos_per_pass) * (sizeof(PhotoBlock) + 4 * largest) +
+           clusters * (sizeof(DrawCommand) + sizeof(DrawRecord)) + 2048;
+}
+
+}  // namespace
+
+ModelPasses::ModelPasses(const PackageReader& package, const PlanScene& scene, const PhotoStore& store)
+    : package_(&package),
+      scene_(&scene),
+      store_(&store),
+      model_(load_model(package)),
+      blocks_(make_blocks(scene.photos)),
+      ring_(pass_bytes(store.pages(), scene.clusters.size())),
+      surface_program_(gl::make_program(
+          "surface", {{GL_VERTEX_SHADER, "surface.vert"}, {GL_FRAGMENT_SHADER, "surface.frag"}},
+          surface_defines(package))) {}
+
+bool ModelPasses::per_fragment(const RenderSettings& settings) const {
+    if (settings.coordinates != Coordinates::automatic) return settings.coordinates == Coordinates::fragment;
+    return effect_on(package_->scene(), Effect::per_fragment);
+}
+
+void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targets) {
+    const std::array<float, 4> zero{};
+    const float one = 1;
+    const std::array<GLuint, 4> no_triangle{};
+    glClearNamedFramebufferfv(targets.surface_target.id(), GL_COLOR, 0, zero.data());
+    glClearNamedFramebufferuiv(targets.surface_target.id(), GL_COLOR, 1, no_triangle.data());
+    glDepthMask(GL_TRUE);
+    glClearNamedFramebufferfv(targets.surface_target.id(), GL_DEPTH, 0, &one);
+    bind_target(targets.surface_target, targets);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glUseProgram(surface_program_.id());
+    glUniformMatrix4fv(0, 1, GL_FALSE, drawn.clip_from_origin.data());
+    uniform(1, drawn.view.cam_from_origin.center());
+    ring_.begin();
+    cluster_photos_.assign(scene_->clusters.size(), 1);
+    draw_clusters(drawn.plan.plan().clusters);
+    ring_.end();
+}
+
+std::size_t ModelPasses::draw_clusters(std::span<const std::uint32_t> clusters) {
+    const std::size_t most = clusters.size();
+    const FrameRing::Room commands = ring_.take(most * sizeof(DrawCommand)),
+                          records = ring_.take(most * sizeof(DrawRecord));
+    std::uint32_t draws = 0;
+    for (std::size_t i = 0; i < most;) {
+        const std::uint32_t first = clusters[i];
+        std::uint32_t triangles = 0;
+        do triangles += scene_->clusters[clusters[i++]].triangles;
+        while (i < most && clusters[i] == clusters[i - 1] + 1 &&
+               cluster_photos_[clusters[i]] == cluster_photos_[first]);
+        if (!cluster_photos_[first]) continue;
+        const std::uint32_t start = scene_->clusters[first].first_triangle;
+        const DrawCommand command{3 * triangles, 1, 3 * start, 0, draws};
+        const DrawRecord record{start, cluster_photos_[first]};
+        std::memcpy(commands.memory + draws * sizeof command, &command, sizeof command);
+        std::memcpy(records.memory + draws * sizeof record, &record, sizeof record);
+        ++draws;
+    }
+    glVertexArrayVertexBuffer(model_.vertices.id(), 3, ring_.buffer(), records.offset, sizeof(DrawRecord));
+    glBindVertexArray(model_.vertices.id());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, ring_.buffer());
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(commands.offset),
+                                GLsizei(draws), 0);
+    return draws;
+}
+
+const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bool consensus) {
+    const bool fragment = per_fragment(settings);
+    const Blend blend = settings.show == Show::coverage ? Blend::average : settings.blend;
+    // Only per-vertex coordinates have a size of their own for each number of photos.
+    const int photos = fragment ? most_photos_per_pass : settings.photos_per_pass;
+    gl::Program& program = blend_programs_[{photos, fragment, blend, consensus, trace_ != 0}];
+    if (program) return program;
+    std::vector<std::string> defines{"PASS_PHOTOS " + std::to_string(photos)};
+    if (fragment) defines.emplace_back(effect_row(Effect::per_fragment).shader_symbol);
+    if (blend == Blend::best) defines.emplace_back("BLEND_BEST");
+    if (blend == Blend::lumigraph) defines.emplace_back("BLEND_LUMIGRAPH");
+    if (consensus) defines.emplace_back("CONSENSUS");
+    if (trace_) defines.emplace_back("TRACE_TEXELS");
+    program = gl::make_program(
+        "blend", {{GL_VERTEX_SHADER, "blend.vert"}, {GL_FRAGMENT_SHADER, "blend.frag"}}, defines);
+    return program;
+}
+
+std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
+                                     const FrameTargets& targets, bool consensus, int into) {
+    const RenderSettings& settings = drawn.settings;
+    bind_target(targets.sums_target[into], targets);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    if (settings.blend != Blend::best || settings.show == Show::coverage) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+    } else {
+        glDisable(GL_BLEND);
+        glBindTextureUnit(4, targets.sums[1 - into].id());
+    }
+    if (consensus) glBindTextureUnit(5, targets.sums[1 - into].id());
+    glUseProgram(blend_program(settings, consensus).id());
+    set_uniforms(pass, drawn);
+    std::vector<std::uint32_t> photos;
+    // The best so far is carried from target to target, so it is drawn everywhere.
+    const std::uint32_t always = settings.blend == Blend::best ? 1u << most_photos_per_pass : 0;
+    cluster_photos_.assign(scene_->clusters.size(), always);
+    for (const PlannedPhoto* p : pass) {
+        for (const std::uint32_t c : p->clusters) cluster_photos_[c] |= 1u << photos.size();
+        photos.push_back(p->photo);
+    }
+    ring_.begin();
+    bind_photos(photos, drawn.weights, &drawn.plan);
+    const std::size_t draws = draw_clusters(drawn.plan.plan().clusters);
+    ring_.end();
+    return draws;
+}
+
+void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn) {
+    const RenderSettings& settings = drawn.settings;
+    glUniformMatrix4fv(0, 1, GL_FALSE, drawn.clip_from_origin.data());
+    glUniform1ui(2, GLuint(pass.size()));
+    uniform(3, drawn.view.cam_from_origin.center());
+    uniform(11, settings.weights_from.value_or(drawn.view).cam_from_origin.center());
+    uniform(4, overall_direction(drawn.view, package_->scene()));
+    glUniform1ui(5, switches(settings.weights));
+    glUniform1f(6, float(package_->scene().border_width));
+    glUniform1f(7, float(settings.weights.sharpness));
+    glUniform1f(8, float(settings.lod_bias - std::log2(drawn.side)));
+    glUniform1ui(9, GLuint(settings.show));
+    if (trace_) {
+        const ResidencyLayout& layout = store_->residency().layout();
+        glUniform2ui(10, layout.color, layout.color + layout.masks);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, trace_);
+    }
+    if (per_fragment(settings)) return;
+    std::vector<std::uint32_t> slots;
+    for (const PlannedPhoto* p : pass)
+        slots.push_back(store_->residency().coordinate_slot(p->photo).value_or(0));
+    slots.resize(std::size_t(settings.photos_per_pass), slots.front());
+    glUniform1ui(1, model_.vertex_count);
+    glUniform1uiv(16, GLsizei(slots.size()), slots.data());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, store_->residency().coordinates());
+}
+
+void ModelPasses::bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights,
+                              const ViewPlan* plan) {
+    std::size_t words = 0;
+    for (const std::uint32_t p : photos) words += store_->table_words(p);
+    const FrameRing::Room blocks = ring_.take(photos.size() * sizeof(PhotoBlock)),
+                          table = ring_.take(words * 4);
+    std::uint32_t next = 0;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        const std::uint32_t p = photos[i];
+        PhotoBlock b = blocks_[p];
+        b.size_weight[3] = float(weights[p]);
+        b.direction_presence[3] = plan ? std::max(plan->presence(p), 1e-4f) : 1;
+        store_->write_pages(p, b, table.memory, next);
+        std::memcpy(blocks.memory + i * sizeof b, &b, sizeof b);
+    }
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, ring_.buffer(), blocks.offset, blocks.bytes);
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 1, ring_.buffer(), table.offset, table.bytes);
+    store_->bind();
+}
+
+void ModelPasses::with_photo(std::uint32_t photo, const std::function<void()>& draw) {
+    ring_.begin();
+    bind_photos(std::array{photo}, std::vector<double>(scene_->photos.size(), 1), nullptr);
+    draw();
+    ring_.end();
+}
+
+}  // namespace vantage

@@ -1,0 +1,46 @@
+#include "player/render/picture.h"
+
+#include <png.h>
+
+#include <array>
+#include <cstring>
+#include <system_error>
+
+#include "gl/context.h"
+#include "scene/error.h"
+
+namespace vantage {
+
+Picture take_picture(Renderer& renderer, const View& view, const RenderSettings& settings,
+                     std::span<const std::uint32_t> photos, int side) {
+    Picture p{view.intrinsics.width, view.intrinsics.height, {}, {}};
+    const gl::Texture color = gl::make_texture_2d("picture", GL_RGBA8, p.width, p.height);
+    const gl::Framebuffer target = gl::make_framebuffer("picture", std::array{color.id()}, 0);
+    for (int i = 0; i < side * side; ++i) p.report = renderer.draw(view, settings, photos, {i, side}, 0);
+    renderer.show(view, settings, target.id(), false);
+    p.rgba.resize(std::size_t(p.width) * std::size_t(p.height) * 4);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(color.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(p.rgba.size()), p.rgba.data());
+    gl::check("reading the picture");
+    return p;
+}
+
+void write_png(const std::filesystem::path& file, const Picture& picture) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = png_uint_32(picture.width);
+    image.height = png_uint_32(picture.height);
+    image.format = PNG_FORMAT_RGBA;
+    const std::filesystem::path part = file.string() + ".part";
+    const bool written =
+        png_image_write_to_file(&image, part.c_str(), 0, picture.rgba.data(), 0, nullptr) != 0;
+    std::error_code error;
+    if (written) std::filesystem::rename(part, file, error);
+    if (written && !error) return;
+    std::filesystem::remove(part, error);
+    throw Error(Exit::storage,
+                file.string() + ": cannot be written: " +
+                    (written ? std::string("not renamed into place") : std::string(image.message)));
+}
+
+}  // namespace vantage

@@ -1,0 +1,286 @@
+#include "player/render/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "gl/context.h"
+#include "scene/error.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+namespace {
+
+Eigen::Matrix4f clip_matrix(const View& view, Eigen::Vector2d range) {
+    if (!(range.y() > 0)) range = {1, 2};
+    Eigen::Matrix4d cam = Eigen::Matrix4d::Identity();
+    cam.topLeftCorner<3, 3>() = view.cam_from_origin.R;
+    cam.topRightCorner<3, 1>() = view.cam_from_origin.t;
+    return (clip_from_cam(view.intrinsics, range.x(), range.y()) * cam).cast<float>();
+}
+
+void bind_target(const gl::Framebuffer& framebuffer, int width, int height) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glViewport(0, 0, width, height);
+}
+
+/// Enough for what a frame of this size shows, and for some turning back.
+std::uint64_t tiles_for(int width, int height) {
+    constexpr double MiB = 1 << 20;
+    return std::uint64_t(std::clamp(256 * MiB * width * height / (1280.0 * 720), 256 * MiB, 1024 * MiB));
+}
+
+/// The view whose pixel centres are one sample's points.
+View sampled(View view, PixelSample s) {
+    view.intrinsics.cx -= (s.index % s.side + 0.5) / s.side - 0.5;
+    view.intrinsics.cy -= (s.index / s.side + 0.5) / s.side - 0.5;
+    return view;
+}
+
+}  // namespace
+
+Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
+    : package_(&package),
+      budget_(budget),
+      scene_(make_plan_scene(package)),
+      store_(package, budget.ring),
+      passes_(package, scene_, store_),
+      plan_(scene_),
+      resolve_program_(gl::make_program(
+          "resolve", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "resolve.frag"}})),
+      show_program_(
+          gl::make_program("show", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "show.frag"}})),
+      no_vertices_(gl::make_vertex_array("no vertices")) {
+    gl::check("opening the package");
+}
+
+/// Targets of the frame's size, and tiles in what the budget leaves beside them.
+void Renderer::fit(int width, int height, const RenderSettings& settings) {
+    const bool coordinates = !per_fragment(settings);
+    if (targets_.width == width && targets_.height == height && (store_.has_coordinates() || !coordinates))
+        return;
+    targets_ = {};
+    seen_.release();
+    const std::uint64_t others = gl::memory_held() - store_.bytes() + FrameTargets::bytes(width, height) +
+                                 SeenTriangles::bytes(width, height);
+    graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
+    store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
+    targets_ = make_frame_targets(width, height);
+}
+
+FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
+                           std::span<const std::uint32_t> photos, PixelSample sample, double now,
+                           const View* next) {
+    fit(view.intrinsics.width, view.intrinsics.height, settings);
+    store_.begin_frame(now, !settings.complete);
+    if (settings.complete && settings.photos > 0 && sample.index == 0)
+        look_first(view, settings, photos, sample);
+    if (!settings.complete) seen_.update(false);
+    plan_.update(view, settings, photos, sample.side, seen_);
+    const View point = sampled(view, sample);
+    Frame frame{drawn_view(point, settings, sample.side), sample, now, {}};
+    frame.report.clusters = plan_.plan().clusters.size();
+    frame.report.uncovered = plan_.plan().uncovered;
+    if (!settings.complete) stream(frame, next);
+    plan_.fade(settings, now, ready_photos(settings));
+    const std::vector<const PlannedPhoto*> shown = plan_.present(settings);
+    frame.report.photos = shown.size();
+    passes_.draw_surface(frame.drawn, targets_);
+    if (!settings.complete) seen_.capture(targets_, view);
+    const std::array<float, 4> zero{};
+    for (const gl::Framebuffer& sums : targets_.sums_target)
+        glClearNamedFramebufferfv(sums.id(), GL_COLOR, 0, zero.data());
+    int into = 0;
+    draw_passes(shown, frame, false, into);
+    if (settings.consensus && settings.blend != Blend::best) {
+        into = 1;
+        draw_passes(shown, frame, true, into);
+    }
+    resolve(into, frame);
+    FrameReport& r = frame.report;
+    r.tiles_damaged = store_.residency().damaged_count();
+    r.settled = r.tiles_missing == 0 && plan_.settled() && store_.residency().settled();
+    gl::check("rendering a view");
+    return r;
+}
+
+DrawnView Renderer::drawn_view(const View& view, const RenderSettings& settings, int side) const {
+    return {view,
+            settings,
+            plan_,
+            side,
+            clip_matrix(view, depth_range(scene_.clusters, plan_.plan().clusters, view)),
+            dynamic_weights(settings.weights_from.value_or(view), scene_.photos, settings.weights)};
+}
+
+std::vector<bool> Renderer::ready_photos(const RenderSettings& settings) const {
+    std::vector<bool> ready(scene_.photos.size(), false);
+    for (const PlannedPhoto& p : plan_.plan().photos)
+        ready[p.photo] = store_.base_resident(p.photo, !per_fragment(settings));
+    return ready;
+}
+
+/// Finds out what the view shows before photos are chosen for it, where there is time to wait.
+void Renderer::look_first(const View& view, const RenderSettings& settings,
+                          std::span<const std::uint32_t> photos, PixelSample sample) {
+    plan_.update(view, settings, photos, sample.side, seen_);
+    passes_.draw_surface(drawn_view(view, settings, sample.side), targets_);
+    seen_.update(true);
+    seen_.capture(targets_, view);
+    seen_.update(true);
+}
+
+TileNeeds Renderer::comparison_needs(const View& view, const RenderSettings& settings) const {
+    const std::uint32_t photo = settings.compare_photo;
+    if (settings.compare == Compare::nothing || !scene_.photos[photo].levels) return {};
+    return whole_photo_needs(scene_.photos[photo], view.intrinsics.fx / scene_.intrinsics[photo].fx);
+}
+
+/// Says what the frame needs, most urgent first, and what it will need soon; uploads what has arrived.
+void Renderer::stream(Frame& frame, const View* next) {
+    const RenderSettings& settings = frame.drawn.settings;
+    for (const PlannedPhoto& p : plan_.plan().photos) store_.need_base(p.photo, !per_fragment(settings));
+    for (const PlannedPhoto& p : plan_.leaving()) store_.need_base(p.photo, !per_fragment(settings));
+    if (settings.whole_photos)
+        for (const PlannedPhoto& p : plan_.plan().photos) frame.report.uploaded += store_.load_whole(p.photo);
+    for (const PlannedPhoto& p : plan_.plan().photos) {
+        frame.report.tiles += p.needs.tiles();
+        // Before it is known what a view shows, much would be read in vain: thumbnails have to do.
+        frame.report.tiles_missing += plan_.knows_seen() ? store_.need(p.photo, p.needs) : p.needs.tiles();
+    }
+    const TileNeeds comparison = comparison_needs(frame.drawn.view, settings);
+    frame.report.tiles_missing += store_.need(settings.compare_photo, comparison);
+    for (const std::uint32_t p : wanted_thumbnails_)
+        if (scene_.photos[p].levels) store_.need_thumbnail(p);
+    wanted_thumbnails_.clear();
+    if (frame.report.tiles_missing == 0)
+        for (const PlannedPhoto& p : plan_.plan().photos) store_.foresee(p.photo, p.later);
+    if (next && frame.report.tiles_missing == 0) {
+        for (const PlannedPhoto& p : plan_.ahead(*next, settings, frame.sample.side).photos)
+            store_.foresee(p.photo, p.needs);
+    }
+    frame.report.uploaded += store_.stream(settings.upload_bytes);
+}
+
+/// Loads all that a pass needs, however long it takes.
+void Renderer::load(Pass pass, Frame& frame) {
+    std::size_t missing = 0;
+    store_.begin_frame(frame.now, false);  // what earlier passes used may give way
+    for (const PlannedPhoto* p : pass) {
+        store_.need_base(p->photo, !per_fragment(frame.drawn.settings));
+        store_.need(p->photo, p->needs);
+        store_.need(p->photo, p->later);
+        frame.report.tiles += p->needs.tiles();
+    }
+    store_.need(frame.drawn.settings.compare_photo, comparison_needs(frame.drawn.view, frame.drawn.settings));
+    store_.load();
+    for (const PlannedPhoto* p : pass) missing += store_.missing(p->photo, p->needs);
+    frame.report.tiles_missing += missing;
+}
+
+std::size_t Renderer::pass_length(Pass rest, const RenderSettings& settings) const {
+    const std::size_t most = std::min(rest.size(), std::size_t(settings.photos_per_pass));
+    if (!settings.complete) return most;
+    const ResidencyLayout& layout = store_.residency().layout();
+    std::size_t n = 0, color = 0, masks = 0;
+    while (n < most) {
+        for (const auto& level : rest[n]->needs.color) color += level.size();
+        for (const auto& level : rest[n]->needs.masks) masks += level.size();
+        // Sums do not mind where a pass ends, so a pass ends where the card is full.
+        const auto exceeds = [](std::size_t wanted, std::size_t room, std::size_t all) {
+            return wanted > room && room < all;
+        };
+        const bool full =
+            exceeds(color, layout.color, store_.pages().color) ||
+            exceeds(masks + n + 1, layout.masks, store_.pages().masks) ||
+            exceeds(n + 1, layout.thumbnails, scene_.photos.size()) ||
+            (!per_fragment(settings) && exceeds(n + 1, layout.coordinates, scene_.photos.size()));
+        if (n > 0 && full) break;
+        ++n;
+    }
+    return n;
+}
+
+void Renderer::draw_passes(Pass photos, Frame& frame, bool consensus, int& into) {
+    for (Pass rest = photos; !rest.empty(); ++frame.report.passes) {
+        const Pass pass = rest.first(pass_length(rest, frame.drawn.settings));
+        rest = rest.subspan(pass.size());
+        if (frame.drawn.settings.complete) load(pass, frame);
+        if (frame.drawn.settings.blend == Blend::best) into = 1 - into;
+        frame.report.draws += passes_.draw_photos(pass, frame.drawn, targets_, consensus, into);
+    }
+}
+
+void Renderer::resolve(int sums, const Frame& frame) {
+    if (frame.sample.index == 0) {
+        const std::array<float, 4> zero{};
+        glClearNamedFramebufferfv(targets_.accumulated_target.id(), GL_COLOR, 0, zero.data());
+        samples_ = 0;
+    }
+    ++samples_;
+    bind_target(targets_.accumulated_target, targets_.width, targets_.height);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glUseProgram(resolve_program_.id());
+    const bool counts = frame.drawn.settings.show == Show::coverage;
+    glUniform1i(0, frame.drawn.settings.blend == Blend::best && !counts);
+    glUniform1i(1, frame.drawn.settings.fill_holes);
+    glUniform3fv(2, 1, frame.drawn.settings.background);
+    glUniform1f(3, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
+    glBindTextureUnit(4, targets_.sums[sums].id());
+    glBindTextureUnit(5, targets_.surface.id());
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+std::uint64_t Renderer::touched_bytes(const View& view, const RenderSettings& settings,
+                                      std::span<const std::uint32_t> photos, double now) {
+    const ResidencyLayout& layout = store_.residency().layout();
+    const std::size_t words = std::size_t(layout.color + 2 * layout.masks) * tile_size * tile_size / 32;
+    const std::vector<std::uint32_t> zero(words, 0);
+    const gl::Buffer touched = gl::make_buffer("touched texels", words * 4, zero.data());
+    passes_.trace(touched.id());
+    draw(view, settings, photos, {}, now);
+    passes_.trace(0);
+    std::vector<std::uint32_t> bits(words);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(touched.id(), 0, GLsizeiptr(words * 4), bits.data());
+    std::uint64_t texels = 0;
+    for (const std::uint32_t word : bits) texels += std::uint64_t(std::popcount(word));
+    return 4 * texels;
+}
+
+std::vector<std::uint32_t> Renderer::triangles() const {
+    std::vector<std::uint32_t> out(std::size_t(targets_.width) * std::size_t(targets_.height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glGetTextureImage(targets_.triangles.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, GLsizei(out.size() * 4),
+                      out.data());
+    return out;
+}
+
+void Renderer::show(const View& view, const RenderSettings& settings, GLuint target, bool flip) {
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glViewport(0, 0, view.intrinsics.width, view.intrinsics.height);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(show_program_.id());
+    glUniform1f(0, float(std::max(samples_, 1.0)));
+    glUniform1i(1, flip);
+    glUniform1ui(2, GLuint(settings.compare));
+    const std::uint32_t photo = settings.compare_photo;
+    if (settings.compare != Compare::nothing) {
+        const Eigen::Matrix3f photo_from_frame =
+            pixels_from_pixels(scene_.intrinsics[photo], scene_.poses[photo].R, view).cast<float>();
+        glUniform1f(3, float(settings.wiper));
+        glUniformMatrix3fv(4, 1, GL_FALSE, photo_from_frame.data());
+        glUniform1f(5, float(std::log2(scene_.intrinsics[photo].fx / view.intrinsics.fx)));
+    }
+    glBindTextureUnit(4, targets_.accumulated.id());
+    glBindVertexArray(no_vertices_.id());
+    passes_.with_photo(photo, [] { glDrawArrays(GL_TRIANGLES, 0, 3); });
+    gl::check("showing a view");
+}
+
+}  // namespace vantage

@@ -1,0 +1,59 @@
+#include "player/stream/photo_pages.h"
+
+#include <string>
+
+#include "scene/error.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+
+using package::Type;
+
+PackagePages number_pages(std::span<const package::PhotoRecord> photos) {
+    PackagePages out;
+    for (const package::PhotoRecord& p : photos) {
+        if (p.levels > most_levels)
+            throw Error(Exit::damaged, std::string(p.name) + ": has " + std::to_string(p.levels) +
+                                           " levels, expected at most " + std::to_string(most_levels));
+        PhotoPages pages;
+        pages.color_first = out.color;
+        pages.mask_first = out.masks;
+        const auto tiles = [&](int level) {
+            return std::uint32_t(level_size(int(p.width), int(p.height), level).tiles());
+        };
+        for (std::uint32_t l = 0; l < p.levels; ++l) {
+            pages.color[l] = out.color;
+            out.color += tiles(int(l));
+        }
+        for (int l = mask_level; p.levels && l < mask_levels_end(int(p.levels)); ++l) {
+            pages.masks[std::size_t(l)] = out.masks;
+            out.masks += tiles(l);
+        }
+        pages.color_count = out.color - pages.color_first;
+        pages.mask_count = out.masks - pages.mask_first;
+        out.photos.push_back(pages);
+    }
+    return out;
+}
+
+StreamRequest color_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,
+                            std::uint32_t level, std::uint32_t tile) {
+    return {Resource::color, pages.photos[photo].color[level] + tile, package.find(Type::tiles, photo, level),
+            tile};
+}
+
+StreamRequest mask_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,
+                           std::uint32_t level, std::uint32_t tile) {
+    StreamRequest r{Resource::masks, pages.photos[photo].masks[level] + tile,
+                    package.find(Type::masks, photo, level), tile};
+    r.second = package.find(Type::depth, photo, level);
+    return r;
+}
+
+StreamRequest thumbnail_request(const PackageReader& package, std::uint32_t photo) {
+    StreamRequest r{Resource::thumbnail, photo, package.find(Type::thumbnail, photo)};
+    r.bytes = r.chunk->head_length;
+    return r;
+}
+
+}  // namespace vantage

@@ -1,0 +1,238 @@
+#include "player/stream/residency.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "scene/error.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+namespace {
+
+using package::Type;
+
+constexpr std::uint32_t not_resident = 0xffffffffu;
+constexpr std::uint64_t piece_bytes = 256 * 1024;  ///< of texture coordinates
+
+std::uint32_t pieces_of(std::uint32_t vertices) {
+    return std::uint32_t((std::uint64_t(vertices) * 8 + piece_bytes - 1) / piece_bytes);
+}
+
+std::uint32_t most_layers() {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
+    return std::uint32_t(std::max(1, int(most)));
+}
+
+}  // namespace
+
+std::uint64_t ResidencyLayout::bytes() const {
+    return std::uint64_t(color + 2 * masks) * tile_bytes +
+           std::uint64_t(thumbnails) * std::uint64_t(thumbnail_width) * std::uint64_t(thumbnail_height) * 4 +
+           std::uint64_t(coordinates) * vertices * 8;
+}
+
+ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& pages, std::uint64_t bytes,
+                              bool with_coordinates) {
+    constexpr std::uint32_t most_thumbnails = 64, most_slots = 32, least_tiles = 16;
+    ResidencyLayout out;
+    out.vertices = std::uint32_t(package.scene().vertices);
+    std::uint32_t photos = 0;
+    for (const package::PhotoRecord& p : package.photos()) {
+        out.thumbnail_width = std::max(out.thumbnail_width, int(p.thumbnail_width));
+        out.thumbnail_height = std::max(out.thumbnail_height, int(p.thumbnail_height));
+        photos += p.levels > 0;
+    }
+    const std::uint64_t eighth = bytes / 8;
+    const auto fit = [&](std::uint64_t each, std::uint32_t most) {
+        return std::uint32_t(
+            std::min<std::uint64_t>({photos, most, eighth / std::max<std::uint64_t>(1, each)}));
+    };
+    out.thumbnails = std::max(
+        1u,
+        fit(std::uint64_t(out.thumbnail_width) * std::uint64_t(out.thumbnail_height) * 4, most_thumbnails));
+    if (with_coordinates)
+        out.coordinates = std::max(1u, std::min(photos, fit(std::uint64_t(out.vertices) * 8, most_slots)));
+    const std::uint64_t fixed = out.bytes(), left = bytes > fixed ? bytes - fixed : 0;
+    // A view far off needs as many tiles of masks (two each) as of colour, one near by more of colour.
+    const double unit = double(left) / double(tile_bytes) / 2.2;
+    const auto layers = [](double wanted, std::uint32_t most) {
+        return std::uint32_t(std::clamp(wanted, 0.0, double(std::min(most, most_layers()))));
+    };
+    out.masks = layers(std::floor(unit * 0.6), pages.masks);
+    out.color = layers(std::floor(double(left) / double(tile_bytes) - 2.0 * out.masks), pages.color);
+    if (out.color < std::min(least_tiles, pages.color) || out.masks < std::min(least_tiles, pages.masks))
+        throw Error(Exit::usage, package.path().string() + ": the graphics memory leaves " +
+                                     std::to_string(left >> 20) +
+                                     " MiB for tiles, expected at least 16 (--graphics-memory)");
+    return out;
+}
+
+Residency::Residency(const PackageReader& package, const PackagePages& pages, const ResidencyLayout& layout)
+    : package_(&package),
+      layout_(layout),
+      pages_(&pages),
+      color_pool_(layout.color, pages.color),
+      mask_pool_(layout.masks, pages.masks),
+      thumbnail_pool_(layout.thumbnails, std::uint32_t(package.photos().size())),
+      slot_pool_(layout.coordinates, std::uint32_t(package.photos().size())),
+      color_births_(layout.color, 0),
+      mask_births_(layout.masks, 0),
+      slots_(layout.coordinates) {
+    const auto tiles = [](const char* label, GLenum format, std::uint32_t layers, GLenum filter) {
+        return gl::make_texture_array(label, format, tile_size, tile_size, int(std::max(1u, layers)), filter);
+    };
+    color_ = tiles("colour tiles", GL_SRGB8_ALPHA8, layout.color, GL_LINEAR);
+    masks_ = tiles("mask tiles", GL_RGBA8, layout.masks, GL_LINEAR);
+    depths_ = tiles("depth tiles", GL_R32F, layout.masks, GL_NEAREST);
+    thumbnails_ = gl::make_texture_array("thumbnails", GL_SRGB8_ALPHA8, layout.thumbnail_width,
+                                         layout.thumbnail_height, int(layout.thumbnails), GL_LINEAR);
+    coordinates_ =
+        gl::make_buffer("texture coordinates",
+                        std::max<std::size_t>(8, std::size_t(layout.coordinates) * layout.vertices * 8),
+                        nullptr, GL_DYNAMIC_STORAGE_BIT);
+}
+
+void Residency::begin_frame(double now, bool fade) {
+    ++frame_;
+    now_ = now;
+    fades_ = fade;
+}
+
+const LayerPool& Residency::pool_of(Resource resource) const {
+    switch (resource) {
+        case Resource::color:
+            return color_pool_;
+        case Resource::masks:
+            return mask_pool_;
+        case Resource::thumbnail:
+            return thumbnail_pool_;
+        case Resource::coordinates:
+            return slot_pool_;
+    }
+    return color_pool_;
+}
+
+bool Residency::holds(const StreamRequest& r) const {
+    if (r.resource != Resource::coordinates) return pool_of(r.resource).layer_of(r.key).has_value();
+    const std::uint32_t pieces = pieces_of(layout_.vertices);
+    const auto slot = slot_pool_.layer_of(r.key / pieces);
+    return slot && slots_[*slot].arrived[r.key % pieces];
+}
+
+bool Residency::need(const StreamRequest& r, std::vector<StreamRequest>& missing) {
+    if (const_cast<LayerPool&>(pool_of(r.resource)).use(r.key, frame_)) return true;
+    if (!damaged_.contains(r.identity())) missing.push_back(r);
+    return false;
+}
+
+bool Residency::need_coordinates(std::uint32_t photo, std::vector<StreamRequest>& missing) {
+    const std::uint32_t pieces = pieces_of(layout_.vertices);
+    const bool has = slot_pool_.use(photo, frame_);
+    const Slot* slot = has ? &slots_[*slot_pool_.layer_of(photo)] : nullptr;
+    if (slot && slot->missing == 0) return true;
+    const auto* chunk = package_->find(Type::coordinates, photo);
+    for (std::uint32_t i = 0; i < pieces; ++i) {
+        StreamRequest r{Resource::coordinates, photo * pieces + i, chunk};
+        if (damaged_.contains(r.identity())) return false;
+        if (slot && slot->arrived[i]) continue;
+        r.first = i * piece_bytes;
+        r.bytes = std::min(piece_bytes, std::uint64_t(layout_.vertices) * 8 - r.first);
+        missing.push_back(r);
+    }
+    return false;
+}
+
+std::size_t Residency::upload(TileStream& stream, std::size_t budget) {
+    std::size_t uploaded = 0;
+    while (const auto fetched = stream.take(budget - uploaded)) {
+        if (!fetched->sound) {
+            damaged_.insert(fetched->request.identity());
+        } else if (store(fetched->request, reinterpret_cast<const std::byte*>(fetched->piece.offset),
+                         stream.buffer())) {
+            uploaded += fetched->piece.bytes;
+        }
+        stream.release(*fetched);
+    }
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    stream.fence();
+    return uploaded;
+}
+
+std::size_t Residency::upload_whole(std::uint32_t photo, std::uint32_t levels) {
+    std::size_t uploaded = 0;
+    std::vector<StreamRequest> missing;
+    const auto all = [&](Type type, std::uint32_t level, const auto& request) {
+        const auto* chunk = package_->find(type, photo, level);
+        for (std::uint32_t t = 0; chunk && t < package_->blocks(*chunk); ++t)
+            need(request(*package_, *pages_, photo, level, t), missing);
+    };
+    for (std::uint32_t l = levels; l-- > 0;) {
+        all(Type::tiles, l, color_request);
+        if (int(l) >= mask_level) all(Type::masks, l, mask_request);
+    }
+    std::vector<std::byte> both(2 * tile_bytes);
+    for (const StreamRequest& r : missing) {
+        const auto block = package_->block(*r.chunk, r.block);
+        std::copy(block.begin(), block.end(), both.begin());
+        if (r.second) std::ranges::copy(package_->block(*r.second, r.block), both.begin() + tile_bytes);
+        if (store(r, both.data(), 0)) uploaded += std::size_t(r.size());
+    }
+    return uploaded;
+}
+
+bool Residency::store(const StreamRequest& r, const std::byte* source, GLuint unpack_buffer) {
+    if (r.resource == Resource::coordinates) {
+        const std::uint32_t pieces = pieces_of(layout_.vertices), photo = r.key / pieces;
+        const auto index = slot_pool_.place(photo, frame_);
+        if (!index) return false;
+        Slot& slot = slots_[*index];
+        if (slot.photo != photo) slot = {photo, std::vector<bool>(pieces, false), pieces};
+        const auto to = GLintptr(std::uint64_t(*index) * layout_.vertices * 8 + r.first);
+        glCopyNamedBufferSubData(unpack_buffer, coordinates_.id(), reinterpret_cast<GLintptr>(source), to,
+                                 GLsizeiptr(r.bytes));
+        slot.missing -= !slot.arrived[r.key % pieces];
+        slot.arrived[r.key % pieces] = true;
+        return true;
+    }
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, unpack_buffer);
+    const auto tile = [&](const gl::Texture& to, std::uint32_t layer, GLenum layout, GLenum type,
+                          const std::byte* from) {
+        glTextureSubImage3D(to.id(), 0, 0, 0, GLint(layer), tile_size, tile_size, 1, layout, type, from);
+    };
+    if (r.resource == Resource::thumbnail) {
+        const auto layer = thumbnail_pool_.place(r.key, frame_);
+        const package::PhotoRecord& p = package_->photos()[r.key];
+        if (!layer) return false;
+        glTextureSubImage3D(thumbnails_.id(), 0, 0, 0, GLint(*layer), GLsizei(p.thumbnail_width),
+                            GLsizei(p.thumbnail_height), 1, GL_RGBA, GL_UNSIGNED_BYTE, source);
+        return true;
+    }
+    const bool is_color = r.resource == Resource::color;
+    const auto layer = (is_color ? color_pool_ : mask_pool_).place(r.key, frame_);
+    if (!layer) return false;
+    (is_color ? color_births_ : mask_births_)[*layer] = last_birth_ = now_;
+    if (is_color) {
+        tile(color_, *layer, GL_RGBA, GL_UNSIGNED_BYTE, source);
+    } else {
+        tile(masks_, *layer, GL_RGBA, GL_UNSIGNED_BYTE, source);
+        tile(depths_, *layer, GL_RED, GL_FLOAT, source + tile_bytes);
+    }
+    return true;
+}
+
+std::optional<std::uint32_t> Residency::coordinate_slot(std::uint32_t photo) const {
+    const auto slot = slot_pool_.layer_of(photo);
+    return slot && slots_[*slot].missing == 0 ? slot : std::nullopt;
+}
+
+std::uint32_t Residency::entry(const LayerPool& pool, const std::vector<double>& births,
+                               std::uint32_t page) const {
+    const auto layer = pool.layer_of(page);
+    if (!layer) return not_resident;
+    const double age = fades_ ? std::clamp((now_ - births[*layer]) / fade_seconds, 0.0, 1.0) : 1;
+    return *layer | std::uint32_t(std::lround(255 * age)) << 16;
+}
+
+}  // namespace vantage
