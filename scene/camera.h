@@ -42,6 +42,11 @@ struct Projection {
 std::optional<Projection> project(const Intrinsics& intrinsics, const Pose& cam_from_world,
                                   const Eigen::Vector3d& point);
 
+/// A pixel position is within the frame; one that is no number is not.
+inline bool in_frame(const Intrinsics& k, const Eigen::Vector2d& pixel) {
+    return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < k.width && pixel.y() < k.height;
+}
+
 /// OpenGL clip-from-camera matrix whose pixels are exactly those of `intrinsics` (principal point
 /// included), row 0 of the framebuffer being the photo's top row. Depth range [near, far], both > 0.
 Eigen::Matrix4d clip_from_cam(const Intrinsics& intrinsics, double near, double far);

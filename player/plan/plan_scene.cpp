@@ -1,5 +1,6 @@
 #include "player/plan/plan_scene.h"
 
+#include <algorithm>
 #include <string>
 
 #include "scene/error.h"
@@ -31,6 +32,24 @@ PlanScene make_plan_scene(const PackageReader& package) {
                                            ": length does not fit the scene's counts");
     }
     return s;
+}
+
+std::vector<std::uint32_t> clusters_of(const PlanScene& scene, std::span<const std::uint32_t> triangles) {
+    const auto holds = [&](std::size_t c, std::uint32_t t) {
+        return t - scene.clusters[c].first_triangle < scene.clusters[c].triangles;
+    };
+    std::vector<std::uint32_t> out(triangles.size(), ~0u);
+    std::size_t cluster = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const std::uint32_t t = triangles[i] - 1;
+        if (triangles[i] == 0 || t >= scene.triangles) continue;
+        if (!holds(cluster, t))  // neighbours are mostly of one cluster
+            cluster = std::size_t(
+                std::ranges::upper_bound(scene.clusters, t, {}, &package::ClusterRecord::first_triangle) -
+                scene.clusters.begin() - 1);
+        out[i] = std::uint32_t(cluster);
+    }
+    return out;
 }
 
 }  // namespace vantage

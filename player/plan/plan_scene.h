@@ -25,4 +25,7 @@ struct PlanScene {
 /// Throws Error(damaged).
 PlanScene make_plan_scene(const PackageReader& package);
 
+/// The cluster of each triangle, numbered from 1; 2^32 - 1 where it is none of the model's, as 0 is.
+std::vector<std::uint32_t> clusters_of(const PlanScene& scene, std::span<const std::uint32_t> triangles);
+
 }  // namespace vantage

@@ -27,22 +27,30 @@ std::array<Eigen::Vector3d, 9> normals_of(const package::ClusterRecord& c) {
 
 }  // namespace
 
-double level_of_detail(const Eigen::Vector3d& p, const Eigen::Vector3d& n, const Eigen::Vector3d& q,
-                       const Eigen::Matrix3d& photo_from_view, const Intrinsics& photo,
-                       const Intrinsics& view) {
-    const Eigen::Vector3d ray = p / p.z();
+std::optional<SurfaceSample> surface_sample(const View& view, const Eigen::Vector3d& position,
+                                            const Eigen::Vector3d& normal, double samples) {
+    const Eigen::Matrix3d& R = view.cam_from_origin.R;
+    const Eigen::Vector3d p = R * position + view.cam_from_origin.t, n = R * normal, ray = p / p.z();
     const double facing = n.dot(ray);
-    if (!(std::abs(facing) > 1e-9)) return infinity;
-    double length[2];
-    for (int axis = 0; axis < 2; ++axis) {
-        const double f = axis ? view.fy : view.fx;
-        const Eigen::Vector3d along =
-            photo_from_view * ((Eigen::Vector3d::Unit(axis) - ray * (n[axis] / facing)) * (p.z() / f));
-        length[axis] = std::hypot(photo.fx / q.z() * (along.x() - q.x() / q.z() * along.z()),
-                                  photo.fy / q.z() * (along.y() - q.y() / q.z() * along.z()));
-    }
-    const double major = std::max(length[0], length[1]), minor = std::min(length[0], length[1]);
-    return std::log2(std::max(minor, major / 4));
+    if (!(p.z() > 0) || !(std::abs(facing) > 1e-9)) return {};
+    // The plane's point under the next sample, less this one.
+    const auto along = [&](int axis, double f) -> Eigen::Vector3d {
+        return R.transpose() *
+               ((Eigen::Vector3d::Unit(axis) - ray * (n[axis] / facing)) * (p.z() / (f * samples)));
+    };
+    return SurfaceSample{position, along(0, view.intrinsics.fx), along(1, view.intrinsics.fy)};
+}
+
+double level_of_detail(const SurfaceSample& s, const Intrinsics& k, const Pose& pose) {
+    const Eigen::Vector3d q = pose.R * s.position + pose.t;
+    const auto length = [&](const Eigen::Vector3d& along) {
+        const Eigen::Vector3d step = pose.R * along;
+        return std::hypot(k.fx * (step.x() - q.x() / q.z() * step.z()),
+                          k.fy * (step.y() - q.y() / q.z() * step.z())) /
+               q.z();
+    };
+    const double a = length(s.along_x), b = length(s.along_y);
+    return std::log2(std::max({std::min(a, b), std::max(a, b) / 4, 1e-6}));
 }
 
 LevelRange sampled_levels(const package::ClusterRecord& c, const Intrinsics& photo, const Pose& photo_pose,
@@ -53,16 +61,15 @@ LevelRange sampled_levels(const package::ClusterRecord& c, const Intrinsics& pho
     if (!(p.z() > c.radius) || !(q.z() > c.radius)) return {0, infinity};
     // Depth changes across the sphere, and so do the angles at which its surface is met.
     const double across = std::log2((1 + c.radius / p.z()) * (1 + c.radius / q.z()));
-    const double shift = std::log2(samples);
-    const double head_on = std::log2(photo.fx / q.z() * p.z() / view.intrinsics.fx) - shift;
-    const Eigen::Matrix3d photo_from_view = photo_pose.R * view_pose.R.transpose();
+    const double head_on = std::log2(photo.fx / q.z() * p.z() / (view.intrinsics.fx * samples));
     double finest = infinity, coarsest = -infinity;
     for (const Eigen::Vector3d& normal : normals_of(c)) {
-        const Eigen::Vector3d n = view_pose.R * normal;
-        const double to_view = -n.dot(p.normalized()), to_photo = -(photo_from_view * n).dot(q.normalized());
+        const double to_view = -(view_pose.R * normal).dot(p.normalized()),
+                     to_photo = -(photo_pose.R * normal).dot(q.normalized());
         // Seen from both sides or from neither.
         if (c.cone_cutoff >= 1 || to_view * to_photo <= 1e-6) continue;
-        const double lod = level_of_detail(p, n, q, photo_from_view, photo, view.intrinsics) - shift;
+        const auto sample = surface_sample(view, center, normal, samples);
+        const double lod = sample ? level_of_detail(*sample, photo, photo_pose) : head_on;
         finest = std::min(finest, lod);
         coarsest = std::max(coarsest, lod);
     }

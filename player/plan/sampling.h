@@ -1,11 +1,25 @@
 #pragma once
 #include <Eigen/Core>
-#include <span>
+#include <optional>
 
 #include "player/view.h"
 #include "scene/package_format.h"
 
 namespace vantage {
+
+/// A point of a surface, relative to the origin, and the steps on the plane there from one sample of a view's
+/// picture to the next along its sides.
+struct SurfaceSample {
+    Eigen::Vector3d position, along_x, along_y;
+    double coarser = 0;  ///< levels that need not be there, because the photo counts for little
+};
+/// `samples` along a pixel's side. Empty where the point is behind the viewer or its plane is seen edge-on.
+std::optional<SurfaceSample> surface_sample(const View& view, const Eigen::Vector3d& position,
+                                            const Eigen::Vector3d& normal, double samples);
+
+/// log2 of photo pixels from a sample to the next, along the shorter step but at most 4 times the longer's,
+/// as footprint_lod() in shaders/blend.frag; for a point before the photo.
+double level_of_detail(const SurfaceSample& sample, const Intrinsics& photo, const Pose& photo_from_origin);
 
 /// Levels of detail between which a surface's samples lie: 0 is one photo pixel a sample, each further one
 /// twice as many along a side.
@@ -18,11 +32,5 @@ struct LevelRange {
 /// a pixel's side.
 LevelRange sampled_levels(const package::ClusterRecord& cluster, const Intrinsics& photo,
                           const Pose& photo_from_origin, const View& view, double samples);
-
-/// log2 of photo pixels a sample, along the shorter side of its footprint but at most 4 times the longer's;
-/// at a point in the view's camera on a plane with this normal. Infinite where the plane shows its edge.
-double level_of_detail(const Eigen::Vector3d& in_view, const Eigen::Vector3d& normal_in_view,
-                       const Eigen::Vector3d& in_photo, const Eigen::Matrix3d& photo_from_view,
-                       const Intrinsics& photo, const Intrinsics& view);
 
 }  // namespace vantage

@@ -10,19 +10,6 @@
 namespace vantage {
 namespace {
 
-/// log2 of photo pixels from a sample to the next, as footprint_lod() in shaders/blend.frag.
-double level_of_detail(const SurfaceSample& s, const Eigen::Vector3d& in_photo, const Pose& pose,
-                       const Intrinsics& k) {
-    const auto length = [&](const Eigen::Vector3d& along) {
-        const Eigen::Vector3d step = pose.R * along;
-        return std::hypot(k.fx * (step.x() - in_photo.x() / in_photo.z() * step.z()),
-                          k.fy * (step.y() - in_photo.y() / in_photo.z() * step.z())) /
-               in_photo.z();
-    };
-    const double a = length(s.along_x), b = length(s.along_y);
-    return std::log2(std::max({std::min(a, b), std::max(a, b) / 4, 1e-6}));
-}
-
 /// How many texels of each tile of a pyramid are shown, level by level from `first` to before `end`.
 class Shown {
   public:
@@ -70,34 +57,15 @@ class Shown {
 
 }  // namespace
 
-std::optional<SurfaceSample> surface_sample(const View& view, const Eigen::Vector3d& position,
-                                            const Eigen::Vector3d& normal, double samples) {
-    const Intrinsics& k = view.intrinsics;
-    const auto seen = project(k, view.cam_from_origin, position);
-    if (!seen || !(seen->pixel.array() >= 0).all() || seen->pixel.x() > k.width || seen->pixel.y() > k.height)
-        return {};
-    const Eigen::Matrix3d& R = view.cam_from_origin.R;
-    const Eigen::Vector3d p = R * position + view.cam_from_origin.t, n = R * normal, ray = p / p.z();
-    const double facing = n.dot(ray);
-    if (!(std::abs(facing) > 1e-9)) return {};
-    // The plane's point under the next sample, less this one.
-    const auto along = [&](int axis, double f) -> Eigen::Vector3d {
-        return R.transpose() *
-               ((Eigen::Vector3d::Unit(axis) - ray * (n[axis] / facing)) * (p.z() / (f * samples)));
-    };
-    return SurfaceSample{position, along(0, k.fx), along(1, k.fy)};
-}
-
 TileNeeds shown_tiles(const package::PhotoRecord& photo, const Intrinsics& k, const Pose& pose,
                       std::span<const SurfaceSample> samples, double pixels, double worth) {
     constexpr double slight = 0.25;  // a level that would be mixed in by less is left to the other
     Shown color(photo, 0, int(photo.levels)), masks(photo, mask_level, mask_levels_end(int(photo.levels)));
     for (const SurfaceSample& s : samples) {
-        const Eigen::Vector3d q = pose.R * s.position + pose.t;
-        if (!(q.z() > 0)) continue;
-        const Eigen::Vector2d pixel(k.fx * q.x() / q.z() + k.cx, k.fy * q.y() / q.z() + k.cy);
-        if (!(pixel.array() >= 0).all() || !(pixel.x() < k.width) || !(pixel.y() < k.height)) continue;
-        const double sampled = level_of_detail(s, q, pose, k), lod = sampled + s.coarser;
+        const auto seen = project(k, pose, s.position);
+        if (!seen || !in_frame(k, seen->pixel)) continue;
+        const Eigen::Vector2d& pixel = seen->pixel;
+        const double sampled = level_of_detail(s, k, pose), lod = sampled + s.coarser;
         const auto add = [&](Shown& to, double level) {
             const int l = int(std::clamp(level, double(to.first()), double(to.last())));
             to.add(pixel, l, pixels * std::exp2(2 * std::min(sampled - l, 1.0)));

@@ -18,28 +18,9 @@ double area_in_view(const package::ClusterRecord& c, const View& view) {
     return std::min(std::numbers::pi * r * r * k.fx * k.fy, double(k.width) * k.height);
 }
 
-/// The cluster of each sample, and where it is none of the model's triangles, 2^32 - 1.
-std::vector<std::uint32_t> clusters_of(const PlanScene& scene, std::span<const std::uint32_t> seen) {
-    const auto holds = [&](std::size_t c, std::uint32_t t) {
-        return t - scene.clusters[c].first_triangle < scene.clusters[c].triangles;
-    };
-    std::vector<std::uint32_t> out(seen.size(), ~0u);
-    std::size_t cluster = 0;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        const std::uint32_t t = seen[i] - 1;
-        if (seen[i] == 0 || t >= scene.triangles) continue;
-        if (!holds(cluster, t))  // neighbours are mostly of one cluster
-            cluster = std::size_t(
-                std::ranges::upper_bound(scene.clusters, t, {}, &package::ClusterRecord::first_triangle) -
-                scene.clusters.begin() - 1);
-        out[i] = std::uint32_t(cluster);
-    }
-    return out;
-}
-
 /// Points of the triangles, spread over each by the plastic ratio's sequence (Roberts 2018).
 Sight::Surface surface_of(const PlanScene& scene, const View& view, std::span<const std::uint32_t> triangles,
-                          std::span<const std::uint32_t> clusters, std::size_t seen, double samples) {
+                          std::span<const std::uint32_t> clusters, std::size_t looked, double samples) {
     constexpr std::size_t most = 8192;
     Sight::Surface out;
     const std::size_t step = std::max<std::size_t>(1, triangles.size() / most);
@@ -51,14 +32,16 @@ Sight::Surface surface_of(const PlanScene& scene, const View& view, std::span<co
                b = std::fmod(double(i) * 0.5698402909980532, 1.0);
         if (a + b > 1) a = 1 - a, b = 1 - b;
         const Eigen::Vector3d e = corner[1] - corner[0], f = corner[2] - corner[0];
-        const auto s = surface_sample(view, corner[0] + a * e + b * f, e.cross(f).normalized(), samples);
-        if (!s) continue;
+        const Eigen::Vector3d point = corner[0] + a * e + b * f;
+        const auto seen = project(view.intrinsics, view.cam_from_origin, point);
+        const auto s = surface_sample(view, point, e.cross(f).normalized(), samples);
+        if (!s || !seen || !in_frame(view.intrinsics, seen->pixel)) continue;
         out.samples.push_back(*s);
         out.triangles.push_back(triangles[i]);
         out.clusters.push_back(clusters[i]);
     }
-    if (seen > 0)
-        out.pixels = double(view.intrinsics.width) * view.intrinsics.height / double(seen) * double(step) *
+    if (looked > 0)
+        out.pixels = double(view.intrinsics.width) * view.intrinsics.height / double(looked) * double(step) *
                      samples * samples;
     return out;
 }
