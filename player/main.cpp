@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "player/measure/bench.h"
+#include "player/measure/evaluate.h"
 #include "player/offscreen.h"
 #include "player/options.h"
 #include "player/window.h"
@@ -35,6 +36,17 @@ int bench(int argc, char** argv) {
     return run_bench(PackageReader(options.player.package), options);
 }
 
+int evaluate(int argc, char** argv) {
+    using namespace vantage;
+    CLI::App app{
+        "vantage-player evaluate leaves each photo out in turn and compares it with what the others make of "
+        "it."};
+    EvaluateOptions options;
+    add_evaluate_options(app, options);
+    if (const auto code = parse(app, argc, argv)) return *code;
+    return run_evaluate(PackageReader(options.player.package), options);
+}
+
 int play(int argc, char** argv) {
     using namespace vantage;
     CLI::App app{"vantage-player shows a prepared package: a scanned object through its own photos."};
@@ -54,9 +66,11 @@ int play(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     using vantage::Exit;
-    const bool benching = argc > 1 && std::string_view(argv[1]) == "bench";
+    const std::string_view command = argc > 1 ? argv[1] : "";
     try {
-        return benching ? bench(argc - 1, argv + 1) : play(argc, argv);
+        if (command == "bench") return bench(argc - 1, argv + 1);
+        if (command == "evaluate") return evaluate(argc - 1, argv + 1);
+        return play(argc, argv);
     } catch (const vantage::Error& e) {
         std::fprintf(stderr, "vantage-player: %s\n", e.what());
         return int(e.code());

@@ -1,0 +1,189 @@
+#include "player/measure/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+#include "gl/context.h"
+#include "player/measure/evaluation_page.h"
+#include "player/measure/left_out.h"
+#include "player/offscreen.h"
+#include "player/shots.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+void write_pictures(const std::filesystem::path& folder, const LeftOut& r, const LeftOutPictures& p) {
+    write_png(folder / (r.name + "-photo.png"), p.photo);
+    write_png(folder / (r.name + "-rendered.png"), p.rendered);
+    write_png(folder / (r.name + "-difference.png"), p.difference);
+}
+
+void write_photos(const std::filesystem::path& file, const std::vector<LeftOut>& results) {
+    std::ofstream out(file);
+    out << "photo,pixels,psnr,psnr_gain,ssim,over_nearest,coloured,gain_red,gain_green,gain_blue,shift_right,"
+           "shift_down\n";
+    for (const LeftOut& r : results)
+        out << r.name << ',' << r.score.pixels << ',' << r.score.psnr << ',' << r.score.psnr_gain << ','
+            << r.score.ssim << ',' << r.over_nearest << ',' << r.coloured << ',' << r.score.gain[0] << ','
+            << r.score.gain[1] << ',' << r.score.gain[2] << ',' << r.shift[0] << ',' << r.shift[1] << '\n';
+    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+}
+
+void write_regions(const std::filesystem::path& file, const PackageReader& package,
+                   const std::vector<RegionError>& regions) {
+    std::ofstream out(file);
+    out.precision(10);
+    out << "x,y,z,radius,pixels,uncoloured,rms\n";
+    const auto clusters = package.records<package::ClusterRecord>(package::Type::clusters);
+    const double* origin = package.scene().origin;
+    for (std::size_t c = 0; c < regions.size(); ++c) {
+        if (regions[c].pixels == 0) continue;
+        for (std::size_t i = 0; i < 3; ++i) out << clusters[c].center[i] + origin[i] << ',';
+        out << clusters[c].radius << ',' << regions[c].pixels << ',' << regions[c].uncoloured << ','
+            << regions[c].rms() << '\n';
+    }
+    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+}
+
+/// Green to red over 0 to 40 grey levels, blue where photos see what no other shows, grey where none looks.
+std::array<int, 3> error_color(const RegionError& r) {
+    if (r.pixels == 0) return {128, 128, 128};
+    if (2 * r.uncoloured > r.pixels) return {60, 90, 255};
+    const double t = std::clamp(r.rms() / 40, 0.0, 1.0);
+    return {int(255 * std::min(1.0, 2 * t)), int(255 * std::min(1.0, 2 - 2 * t)), 40};
+}
+
+/// The model as ASCII PLY, a colour a triangle, relative to the package's origin.
+void write_model(const std::filesystem::path& file, const PackageReader& package,
+                 const std::vector<RegionError>& regions) {
+    const auto positions = package.records<Eigen::Vector3f>(package::Type::positions);
+    const auto indices = package.records<std::uint32_t>(package::Type::indices);
+    const auto clusters = package.records<package::ClusterRecord>(package::Type::clusters);
+    std::ofstream out(file);
+    out << "ply\nformat ascii 1.0\nelement vertex " << positions.size()
+        << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << indices.size() / 3
+        << "\nproperty list uchar uint vertex_indices\nproperty uchar red\nproperty uchar green\n"
+           "property uchar blue\nend_header\n";
+    for (const Eigen::Vector3f& p : positions) out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    for (std::size_t c = 0; c < clusters.size(); ++c) {
+        const auto [red, green, blue] = error_color(c < regions.size() ? regions[c] : RegionError{});
+        for (std::size_t t = clusters[c].first_triangle;
+             t < clusters[c].first_triangle + clusters[c].triangles; ++t)
+            out << "3 " << indices[3 * t] << ' ' << indices[3 * t + 1] << ' ' << indices[3 * t + 2] << ' '
+                << red << ' ' << green << ' ' << blue << '\n';
+    }
+    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+}
+
+void print(const LeftOut& r) {
+    std::printf("%-20s %7.2f %7.2f %7.4f %+7.2f %7.1f %+7.2f %+6.2f %+6.2f\n", r.name.c_str(), r.score.psnr,
+                r.score.psnr_gain, r.score.ssim, r.over_nearest, 100 * r.coloured, r.stops, r.shift[0],
+                r.shift[1]);
+    std::fflush(stdout);
+}
+
+void print_means(const std::vector<LeftOut>& results) {
+    LeftOut mean;
+    double n = 0;
+    for (const LeftOut& r : results) {
+        if (r.score.pixels == 0) continue;
+        ++n;
+        mean.score.psnr += r.score.psnr;
+        mean.score.psnr_gain += r.score.psnr_gain;
+        mean.score.ssim += r.score.ssim;
+        mean.over_nearest += r.over_nearest;
+        mean.coloured += r.coloured;
+    }
+    if (n == 0) return;
+    std::printf("%-20s %7.2f %7.2f %7.4f %+7.2f %7.1f\n", "mean", mean.score.psnr / n,
+                mean.score.psnr_gain / n, mean.score.ssim / n, mean.over_nearest / n,
+                100 * mean.coloured / n);
+}
+
+void print_remarks(const std::vector<LeftOut>& results) {
+    for (const std::size_t i : worst_first(results))
+        for (const std::string& s : results[i].remarks)
+            std::printf("%s: %s\n", results[i].name.c_str(), s.c_str());
+}
+
+/// The photos to leave out: those asked for, or every n-th; without those that have no pixels.
+std::vector<std::uint32_t> photos_to_leave_out(const PackageReader& package, const EvaluateOptions& o,
+                                               const std::vector<std::uint32_t>& in_use) {
+    std::vector<std::uint32_t> out = named_photos(package, o.player.photos);
+    if (out.empty())
+        for (std::size_t i = 0; i < in_use.size(); i += std::size_t(o.every)) out.push_back(in_use[i]);
+    std::erase_if(out, [&](std::uint32_t p) { return package.photos()[p].levels == 0; });
+    return out;
+}
+
+}  // namespace
+
+void add_evaluate_options(CLI::App& app, EvaluateOptions& o) {
+    add_options(app, o.player);
+    const std::string group = "Evaluation";
+    app.add_option("--level", o.level, "pyramid level that is compared: 0 full size, 1 half")
+        ->check(CLI::Range(0, 8))
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--every", o.every, "leave out every n-th photo only (or those of --photo)")
+        ->check(CLI::Range(1, 1 << 20))
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--worst", o.worst, "photos whose pictures come first")
+        ->check(CLI::Range(0, 1 << 20))
+        ->capture_default_str()
+        ->group(group);
+    app.footer(
+        "Writes index.html, photos.csv, regions.csv, regions.ply and pictures into the folder given by -o "
+        "(default\n"
+        "evaluation).\n"
+        "Columns: PSNR, PSNR after the gain a channel that fits best, SSIM; dB over the nearest photo "
+        "alone;\n"
+        "per cent of the photo's surface that the others colour; stops brighter than the others; content "
+        "lies\n"
+        "px to the right and down of the others' (full size).\n"
+        "Examples:\n"
+        "  vantage-player evaluate chapel.vantage\n"
+        "  vantage-player evaluate chapel.vantage --every 10 --level 2 -o quick\n"
+        "  vantage-player evaluate chapel.vantage --blend average --photo 0003 0007");
+}
+
+int run_evaluate(const PackageReader& package, EvaluateOptions o) {
+    if (!o.player.out.empty()) o.folder = o.player.out;
+    o.player.offscreen = true;
+    const std::vector<std::uint32_t> photos = photos_in_use(package, o.player);
+    const std::vector<std::uint32_t> left_out = photos_to_leave_out(package, o, photos);
+    if (left_out.empty()) throw Error(Exit::input, package.path().string() + ": no photo to leave out");
+    std::error_code error;
+    std::filesystem::create_directories(o.folder, error);
+    if (error) throw Error(Exit::storage, o.folder.string() + ": the folder cannot be made");
+    const RenderSettings settings = render_settings(package, o.player);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, memory_budget(o.player));
+    std::vector<LeftOut> results;
+    std::vector<RegionError> regions(renderer.scene().clusters.size());
+    std::printf("%-20s %7s %7s %7s %7s %7s %7s %6s %6s\n", "photo", "PSNR", "gain", "SSIM", "nearest",
+                "colour%", "stops", "right", "down");
+    for (const std::uint32_t p : left_out) {
+        LeftOutPictures pictures;
+        const int level = std::min(o.level, int(package.photos()[p].levels) - 1);
+        results.push_back(leave_out(renderer, settings, photos, p, level, regions, pictures));
+        write_pictures(o.folder, results.back(), pictures);
+        print(results.back());
+    }
+    remark(results);
+    print_means(results);
+    print_remarks(results);
+    write_photos(o.folder / "photos.csv", results);
+    write_regions(o.folder / "regions.csv", package, regions);
+    write_model(o.folder / "regions.ply", package, regions);
+    write_evaluation_page(o.folder, package.path().filename().string() + ": each photo left out", results,
+                          o.worst);
+    std::printf("%s\n", (o.folder / "index.html").c_str());
+    return int(Exit::ok);
+}
+
+}  // namespace vantage

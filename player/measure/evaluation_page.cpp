@@ -1,0 +1,100 @@
+#include "player/measure/evaluation_page.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <numeric>
+
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+constexpr const char* style = R"(
+body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 78rem; padding: 0 1rem; color: #222;
+       background: #fff; }
+table { border-collapse: collapse; margin: 1rem 0 2rem; }
+th, td { padding: .25rem .8rem; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap; }
+th:first-child, td:first-child, td:last-child, th:last-child { text-align: left; }
+td:last-child { white-space: normal; }
+figure { margin: 0 0 2rem; } figure div { display: grid; grid-template-columns: repeat(3, 1fr); gap: .5rem; }
+img { width: 100%; background: #ccc; } figcaption { margin: .3rem 0; }
+.rest { display: grid; grid-template-columns: repeat(2, 1fr); gap: 1rem; } .rest figure { margin: 0; }
+)";
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text)
+        if (c == '<' || c == '>' || c == '&' || c == '"')
+            out += "&#" + std::to_string(int(c)) + ";";
+        else
+            out += c;
+    return out;
+}
+
+std::string number(const char* format, double value) {
+    char out[64];
+    std::snprintf(out, sizeof out, format, value);
+    return out;
+}
+
+std::string remarks(const LeftOut& r) {
+    std::string out;
+    for (const std::string& s : r.remarks) out += (out.empty() ? "" : "; ") + s;
+    return escaped(out);
+}
+
+void row(std::ostream& out, const LeftOut& r) {
+    out << "<tr><td>" << escaped(r.name) << "</td>";
+    for (const std::string& cell :
+         {number("%.2f", r.score.psnr), number("%.2f", r.score.psnr_gain), number("%.4f", r.score.ssim),
+          number("%+.2f", r.over_nearest), number("%.1f %%", 100 * r.coloured), number("%+.2f", r.stops),
+          number("%+.2f", r.shift[0]), number("%+.2f", r.shift[1])})
+        out << "<td>" << cell << "</td>";
+    out << "<td>" << remarks(r) << "</td></tr>\n";
+}
+
+void figure(std::ostream& out, const LeftOut& r) {
+    const std::string name = escaped(r.name);
+    out << "<figure><figcaption><b>" << name << "</b> " << number("%.2f dB", r.score.psnr_gain) << ", SSIM "
+        << number("%.4f", r.score.ssim) << (r.remarks.empty() ? "" : ": ") << remarks(r)
+        << "</figcaption><div>";
+    for (const char* kind : {"photo", "rendered", "difference"})
+        out << "<img loading=lazy alt='" << kind << "' title='" << kind << "' src='" << name << "-" << kind
+            << ".png'>";
+    out << "</div></figure>\n";
+}
+
+}  // namespace
+
+std::vector<std::size_t> worst_first(const std::vector<LeftOut>& results) {
+    std::vector<std::size_t> order(results.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return results[i].score.ssim; });
+    return order;
+}
+
+void write_evaluation_page(const std::filesystem::path& folder, const std::string& title,
+                           const std::vector<LeftOut>& results, int worst) {
+    std::ofstream out(folder / "index.html");
+    out << "<!doctype html><html lang=en><meta charset=utf-8><title>" << escaped(title) << "</title>\n<style>"
+        << style << "</style>\n<h1>" << escaped(title)
+        << "</h1>\n<p>Each photo was left out, rendered from its camera with the others, and compared with "
+           "itself. "
+           "Left to right: the photo, the picture, their difference after the gain that fits best (black: "
+           "none, "
+           "white: a quarter of the range, grey: nothing shown).</p>\n"
+           "<table><tr><th>photo<th>PSNR, dB<th>after gain<th>SSIM<th>over nearest, dB<th>coloured<th>stops"
+           "<th>right, px<th>down, px<th></tr>\n";
+    for (const LeftOut& r : results) row(out, r);
+    out << "</table>\n<h2>The worst</h2>\n";
+    const std::vector<std::size_t> order = worst_first(results);
+    const std::size_t first = std::min(order.size(), std::size_t(std::max(worst, 0)));
+    for (std::size_t i = 0; i < first; ++i) figure(out, results[order[i]]);
+    out << "<h2>The others</h2>\n<div class=rest>\n";
+    for (std::size_t i = first; i < order.size(); ++i) figure(out, results[order[i]]);
+    out << "</div></html>\n";
+    if (!out.flush()) throw Error(Exit::storage, (folder / "index.html").string() + ": cannot be written");
+}
+
+}  // namespace vantage

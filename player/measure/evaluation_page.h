@@ -1,0 +1,18 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "player/measure/left_out.h"
+
+namespace vantage {
+
+/// index.html: the means, a row for each photo, and the pictures NAME-photo.png, NAME-rendered.png,
+/// NAME-difference.png beside it, the `worst` ones (by SSIM) first and larger. Throws Error(storage).
+void write_evaluation_page(const std::filesystem::path& folder, const std::string& title,
+                           const std::vector<LeftOut>& results, int worst);
+
+/// Indices by rising SSIM; photos that nothing shows come first.
+std::vector<std::size_t> worst_first(const std::vector<LeftOut>& results);
+
+}  // namespace vantage

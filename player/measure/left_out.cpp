@@ -1,0 +1,141 @@
+#include "player/measure/left_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "player/measure/photo_pixels.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+namespace {
+
+/// Pixels of the level behind which the photo has a surface, by its own masks.
+std::vector<bool> surface_pixels(const PackageReader& package, std::uint32_t photo, int level,
+                                 const Picture& like) {
+    const int last = mask_levels_end(int(package.photos()[photo].levels)) - 1;
+    const int from = std::clamp(level, mask_level, last);
+    const Picture masks = level_of_photo(package, package::Type::masks, photo, from);
+    std::vector<bool> out(like.rgba.size() / 4);
+    for (int y = 0; y < like.height; ++y)
+        for (int x = 0; x < like.width; ++x) {
+            const int shift = from - level;
+            const int u = std::min(shift >= 0 ? x >> shift : x << -shift, masks.width - 1),
+                      v = std::min(shift >= 0 ? y >> shift : y << -shift, masks.height - 1);
+            out[std::size_t(y) * std::size_t(like.width) + std::size_t(x)] =
+                masks.rgba[(std::size_t(v) * std::size_t(masks.width) + std::size_t(u)) * 4 + 3] > 0;
+        }
+    return out;
+}
+
+double coloured_share(const Picture& p, const std::vector<bool>& surface) {
+    std::size_t all = 0, coloured = 0;
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+        all += surface[i];
+        coloured += surface[i] && p.rgba[4 * i + 3] >= 128;
+    }
+    return all ? double(coloured) / double(all) : 0;
+}
+
+void add_regions(const PlanScene& scene, std::span<const std::uint32_t> triangles, const LeftOutPictures& p,
+                 const PictureScore& s, std::vector<RegionError>& regions) {
+    regions.resize(scene.clusters.size());
+    const std::vector<std::uint32_t> clusters = clusters_of(scene, triangles);
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+        if (clusters[i] >= regions.size() || p.photo.rgba[4 * i + 3] < 128) continue;
+        RegionError& r = regions[clusters[i]];
+        ++r.pixels;
+        if (p.rendered.rgba[4 * i + 3] < 128) {
+            ++r.uncoloured;
+            continue;
+        }
+        for (std::size_t c = 0; c < 3; ++c)
+            r.squares += std::pow(p.photo.rgba[4 * i + c] - s.gain[c] * p.rendered.rgba[4 * i + c], 2);
+    }
+}
+
+double over_nearest(Renderer& renderer, RenderSettings settings, std::span<const std::uint32_t> others,
+                    const View& view, const LeftOutPictures& p, const std::vector<bool>& scored) {
+    settings.choice = Choice::nearest;
+    settings.photos = 1;
+    const Picture nearest = take_picture(renderer, view, settings, others, 2);
+    std::vector<bool> both = scored_pixels(nearest);
+    for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] && scored[i];
+    const PictureScore a = score(p.photo, p.rendered, both), b = score(p.photo, nearest, both);
+    return a.psnr_gain - b.psnr_gain;
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+template <class... Args>
+std::string text(const char* format, Args... args) {
+    char out[160];
+    std::snprintf(out, sizeof out, format, args...);
+    return out;
+}
+
+}  // namespace
+
+double RegionError::rms() const {
+    return pixels > uncoloured ? std::sqrt(squares / (3.0 * double(pixels - uncoloured))) : 0;
+}
+
+LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<const std::uint32_t> photos,
+                  std::uint32_t photo, int level, std::vector<RegionError>& regions, LeftOutPictures& p) {
+    const PackageReader& package = renderer.package();
+    const package::PhotoRecord& record = package.photos()[photo];
+    std::vector<std::uint32_t> others(photos.begin(), photos.end());
+    std::erase(others, photo);
+    const View view = view_of_level(record, level);
+    p.photo = level_of_photo(package, package::Type::tiles, photo, level);
+    p.rendered = take_picture(renderer, view, settings, others, 2);
+    const std::vector<std::uint32_t> triangles = renderer.triangles();
+    std::vector<bool> scored = scored_pixels(p.rendered);
+    for (std::size_t i = 0; i < scored.size(); ++i) scored[i] = scored[i] && p.photo.rgba[4 * i + 3] >= 128;
+    LeftOut out;
+    out.photo = photo;
+    out.name = record.name;
+    out.name = out.name.substr(0, out.name.rfind('.'));
+    out.score = score(p.photo, p.rendered, scored);
+    out.coloured = coloured_share(p.rendered, surface_pixels(package, photo, level, p.rendered));
+    if (out.score.pixels > 0) {
+        out.over_nearest = over_nearest(renderer, settings, others, view, p, scored);
+        out.shift = shift_of(p.photo, p.rendered, scored);
+        for (double& s : out.shift) s *= 1 << level;
+        const auto& g = out.score.gain;
+        out.stops = std::log2(std::max(1e-6, (g[0] + g[1] + g[2]) / 3)) * 2.2;  // of light, not of codes
+    }
+    p.difference = difference_picture(p.photo, p.rendered, out.score);
+    add_regions(renderer.scene(), triangles, p, out.score, regions);
+    return out;
+}
+
+void remark(std::vector<LeftOut>& results) {
+    std::vector<double> ssim, deviations;
+    for (const LeftOut& r : results) ssim.push_back(r.score.ssim);
+    const double middle = median(ssim);
+    for (const double s : ssim) deviations.push_back(std::abs(s - middle));
+    const double usual = 1.4826 * median(deviations);
+    for (LeftOut& r : results) {
+        if (r.score.pixels == 0) {
+            r.remarks.emplace_back("no other photo shows what it sees");
+            continue;
+        }
+        const double off = std::hypot(r.shift[0], r.shift[1]);
+        if (off > 1) r.remarks.push_back(text("lies %.1f px off: its camera, or the mesh", off));
+        if (std::abs(r.stops) > 0.15)
+            r.remarks.push_back(text("%.2f stops %s than the others", std::abs(r.stops),
+                                     r.stops > 0 ? "brighter" : "darker"));
+        if (r.coloured < 0.95)
+            r.remarks.push_back(text("the others show %.0f %% of what it sees", 100 * r.coloured));
+        if (r.remarks.empty() && r.score.ssim < middle - 3 * usual)
+            r.remarks.emplace_back("differs otherwise: something moved, shines, or the mesh is rough");
+    }
+}
+
+}  // namespace vantage

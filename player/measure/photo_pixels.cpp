@@ -1,0 +1,45 @@
+#include "player/measure/photo_pixels.h"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+#include "scene/error.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+
+Picture level_of_photo(const PackageReader& package, package::Type type, std::uint32_t photo, int level) {
+    const package::PhotoRecord& record = package.photos()[photo];
+    const package::DirectoryEntry* chunk = package.find(type, photo, std::uint32_t(level));
+    if (!record.levels || !chunk) throw std::invalid_argument("no such level of a photo");
+    const Level size = level_size(int(record.width), int(record.height), level);
+    Picture p{size.width, size.height, {}, {}};
+    p.rgba.resize(std::size_t(size.width) * std::size_t(size.height) * 4);
+    for (int t = 0; t < size.tiles(); ++t) {
+        if (!package.block_sound(*chunk, std::size_t(t)))
+            throw Error(Exit::damaged, package.path().string() + ": " + describe(*chunk, package) +
+                                           ": tile " + std::to_string(t) + " has a wrong checksum");
+        const std::span<const std::byte> tile = package.block(*chunk, std::size_t(t));
+        const int x0 = t % size.columns() * tile_content, y0 = t / size.columns() * tile_content;
+        const int width = std::min(tile_content, size.width - x0),
+                  height = std::min(tile_content, size.height - y0);
+        for (int y = 0; y < height; ++y)
+            std::memcpy(p.rgba.data() + (std::size_t(y0 + y) * std::size_t(size.width) + std::size_t(x0)) * 4,
+                        tile.data() + (std::size_t(y + tile_border) * tile_size + tile_border) * 4,
+                        std::size_t(width) * 4);
+    }
+    return p;
+}
+
+View view_of_level(const package::PhotoRecord& photo, int level) {
+    View view{intrinsics(photo), cam_from_origin(photo)};
+    Intrinsics& k = view.intrinsics;
+    const Level size = level_size(int(photo.width), int(photo.height), level);
+    const double s = 1.0 / (1 << level);
+    k.width = size.width, k.height = size.height;
+    k.fx *= s, k.fy *= s, k.cx *= s, k.cy *= s;
+    return view;
+}
+
+}  // namespace vantage

@@ -1,0 +1,111 @@
+#include "player/measure/evaluate.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <fstream>
+#include <numeric>
+
+#include "gl/context.h"
+#include "pipeline/import/discover.h"
+#include "pipeline/import/read_scene.h"
+#include "pipeline/prepare.h"
+#include "pipeline/synth/synthesise.h"
+#include "player/measure/left_out.h"
+#include "temporary_folder.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+class Evaluate : public TemporaryFolder {
+  protected:
+    fs::path file = dir / "scene.vantage";
+    SceneInput scene;
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+        spec.photos.width = 800;
+        spec.photos.height = 600;
+        spec.photos.arc = 40;
+        spec.photos.samples = 2;
+        synthesise(spec, dir / "scene", {});
+        scene = read_scene(discover(dir / "scene"));
+    }
+    std::vector<LeftOut> evaluate() {
+        prepare(scene, {}, file, [](const Progress&) {});
+        const PackageReader package(file);
+        const gl::HeadlessContext context;
+        Renderer renderer(package, {});
+        std::vector<std::uint32_t> photos(package.photos().size());
+        std::iota(photos.begin(), photos.end(), 0u);
+        std::vector<LeftOut> out;
+        std::vector<RegionError> regions;
+        LeftOutPictures pictures;
+        for (const std::uint32_t p : photos)
+            out.push_back(leave_out(renderer, {}, photos, p, 1, regions, pictures));
+        remark(out);
+        return out;
+    }
+};
+
+bool says_off(const LeftOut& r) {
+    return std::ranges::any_of(r.remarks, [](const std::string& s) { return s.find("px off") != s.npos; });
+}
+
+}  // namespace
+
+TEST_F(Evaluate, AGoodSceneIsToldSo) {
+    for (const LeftOut& r : evaluate()) {
+        EXPECT_GT(r.score.psnr_gain, 22) << r.name;
+        EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), 0.5) << r.name;
+        EXPECT_LT(std::abs(r.stops), 0.1) << r.name << ": all were exposed alike";
+        EXPECT_FALSE(says_off(r)) << r.name;
+    }
+}
+
+TEST_F(Evaluate, AWrongCameraIsFoundAndByHowMuch) {
+    constexpr double off = 2.5;  // pixels at full size
+    Camera& camera = scene.photos[2].camera;
+    Pose& pose = camera.cam_from_world;
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(off / camera.intrinsics.fx, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    pose.R = turn * pose.R;
+    pose.t = turn * pose.t;
+    const std::vector<LeftOut> results = evaluate();
+    // Points move to the right in the camera that was turned: its own content lies that far to the left of
+    // them.
+    EXPECT_NEAR(std::abs(results[2].shift[0]), off, 0.8);
+    EXPECT_LT(std::abs(results[2].shift[1]), 0.5);
+    EXPECT_TRUE(says_off(results[2]));
+    for (const LeftOut& r : results)  // the others are shown with it, too, and so a little off
+        EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), r.photo == 2 ? 2 * off : 0.7 * off) << r.name;
+}
+
+TEST_F(Evaluate, WritesWhatItFound) {
+    prepare(scene, {}, file, [](const Progress&) {});
+    const PackageReader package(file);
+    EvaluateOptions options;
+    options.folder = dir / "evaluation";
+    options.level = 2;
+    options.every = 2;
+    EXPECT_EQ(run_evaluate(package, options), 0);
+    const std::string csv = slurp(options.folder / "photos.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4) << "a heading, and photos 0, 2 and 4";
+    const std::string page = slurp(options.folder / "index.html");
+    for (const char* name : {"0000", "0002", "0004"})
+        for (const char* kind : {"-photo.png", "-rendered.png", "-difference.png"}) {
+            EXPECT_TRUE(fs::exists(options.folder / (std::string(name) + kind)));
+            EXPECT_NE(page.find(std::string(name) + kind), page.npos);
+        }
+    std::ifstream ply(options.folder / "regions.ply");
+    std::string line;
+    std::size_t lines = 0, header = 0;
+    while (std::getline(ply, line)) {
+        ++lines;
+        if (line == "end_header") header = lines;
+    }
+    EXPECT_EQ(lines, header + package.scene().vertices + package.scene().triangles);
+}

@@ -1,0 +1,132 @@
+#include "player/measure/picture_metrics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <random>
+
+using namespace vantage;
+
+namespace {
+
+Picture random_picture(int width, int height, unsigned seed, bool smooth) {
+    cv::Mat m(height, width, CV_8UC4);
+    cv::RNG random(seed);
+    random.fill(m, cv::RNG::UNIFORM, 0, 256);
+    if (smooth) cv::GaussianBlur(m, m, {0, 0}, 3);
+    if (smooth) cv::normalize(m, m, 0, 255, cv::NORM_MINMAX);
+    Picture p{width, height, std::vector<std::uint8_t>(m.datastart, m.dataend), {}};
+    for (std::size_t i = 3; i < p.rgba.size(); i += 4) p.rgba[i] = 255;
+    return p;
+}
+
+cv::Mat rgb(const Picture& p) {
+    cv::Mat m(p.height, p.width, CV_8UC4, const_cast<std::uint8_t*>(p.rgba.data())), out;
+    cv::cvtColor(m, out, cv::COLOR_RGBA2RGB);
+    return out;
+}
+
+cv::Mat mask_of(const Picture& p, const std::vector<bool>& flags) {
+    cv::Mat m(p.height, p.width, CV_8U);
+    for (std::size_t i = 0; i < flags.size(); ++i) m.data[i] = flags[i];
+    return m;
+}
+
+/// Normalised-convolution SSIM over a mask, by OpenCV's filters.
+double ssim(const Picture& photo, const Picture& picture, const cv::Mat& mask) {
+    cv::Mat a, b, m;
+    cv::cvtColor(rgb(photo), a, cv::COLOR_RGB2GRAY);
+    cv::cvtColor(rgb(picture), b, cv::COLOR_RGB2GRAY);
+    a.convertTo(a, CV_64F), b.convertTo(b, CV_64F), mask.convertTo(m, CV_64F);
+    const auto blur = [](const cv::Mat& x) {
+        cv::Mat out;
+        cv::GaussianBlur(x, out, {11, 11}, 1.5, 1.5, cv::BORDER_CONSTANT);
+        return out;
+    };
+    const cv::Mat n = cv::max(blur(m), 1e-9);
+    const auto mean = [&](const cv::Mat& x) { return cv::Mat(blur(x.mul(m)) / n); };
+    const cv::Mat ma = mean(a), mb = mean(b);
+    const cv::Mat va = cv::max(mean(a.mul(a)) - ma.mul(ma), 0), vb = cv::max(mean(b.mul(b)) - mb.mul(mb), 0),
+                  c = mean(a.mul(b)) - ma.mul(mb);
+    const double c1 = 2.55 * 2.55, c2 = 7.65 * 7.65;
+    const cv::Mat top = (2 * ma.mul(mb) + c1).mul(2 * c + c2),
+                  bottom = (ma.mul(ma) + mb.mul(mb) + c1).mul(va + vb + c2);
+    return cv::mean(top / bottom, mask)[0];
+}
+
+}  // namespace
+
+TEST(PictureMetrics, AgreeWithOpenCv) {
+    for (const bool smooth : {false, true}) {
+        const Picture photo = random_picture(97, 61, 1, smooth);
+        Picture picture = random_picture(97, 61, 2, smooth);
+        for (std::size_t i = 0; i < picture.rgba.size(); ++i)  // much of one in the other
+            picture.rgba[i] = std::uint8_t((2 * photo.rgba[i] + picture.rgba[i]) / 3);
+        for (int y = 0; y < 61; ++y)
+            for (int x = 0; x < 97; ++x)
+                if (std::hypot(x - 40, y - 30) > 35) picture.rgba[std::size_t(y * 97 + x) * 4 + 3] = 100;
+        const std::vector<bool> scored = scored_pixels(picture);
+        cv::Mat solid(61, 97, CV_8U), eroded;
+        for (std::size_t i = 0; i < scored.size(); ++i) solid.data[i] = picture.rgba[4 * i + 3] >= 128;
+        cv::erode(solid, eroded, cv::getStructuringElement(cv::MORPH_ELLIPSE, {7, 7}), {-1, -1}, 1,
+                  cv::BORDER_CONSTANT, 1);
+        const cv::Mat mask = mask_of(picture, scored);
+        EXPECT_EQ(cv::countNonZero(mask != eroded), 0);
+        const PictureScore s = score(photo, picture, scored);
+        cv::Mat squares;
+        cv::Mat difference;
+        cv::absdiff(rgb(photo), rgb(picture), difference);
+        difference.convertTo(difference, CV_64F);
+        const cv::Scalar mse = cv::mean(difference.mul(difference), mask);
+        EXPECT_NEAR(s.psnr, 10 * std::log10(255 * 255 / ((mse[0] + mse[1] + mse[2]) / 3)), 1e-9);
+        EXPECT_NEAR(s.ssim, ssim(photo, picture, mask), 1e-3);
+        EXPECT_EQ(s.pixels, std::size_t(cv::countNonZero(mask)));
+    }
+}
+
+TEST(PictureMetrics, AGainIsTakenOut) {
+    const Picture picture = random_picture(64, 48, 3, true);
+    Picture photo = picture;
+    const double gain[] = {0.9, 0.7, 0.5};
+    for (std::size_t i = 0; i < photo.rgba.size(); i += 4)
+        for (std::size_t c = 0; c < 3; ++c)
+            photo.rgba[i + c] = std::uint8_t(std::lround(gain[c] * picture.rgba[i + c]));
+    const PictureScore s = score(photo, picture, scored_pixels(picture));
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(s.gain[c], gain[c], 2e-3);
+    EXPECT_GT(s.psnr_gain, 50);
+    EXPECT_LT(s.psnr, 20);
+}
+
+TEST(PictureMetrics, FindTheShift) {
+    const cv::Mat wide = rgb(random_picture(300, 200, 4, true));
+    for (const auto& [dx, dy] : {std::pair(0.0, 0.0), {0.7, -0.4}, {-1.5, 1.1}}) {
+        cv::Mat moved;
+        const cv::Mat warp = (cv::Mat_<double>(2, 3) << 1, 0, dx, 0, 1, dy);
+        cv::warpAffine(wide, moved, warp, wide.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
+        const auto picture = [](const cv::Mat& m) {
+            cv::Mat rgba;
+            cv::cvtColor(m, rgba, cv::COLOR_RGB2RGBA);
+            return Picture{m.cols, m.rows, std::vector<std::uint8_t>(rgba.datastart, rgba.dataend), {}};
+        };
+        const Picture a = picture(wide), b = picture(moved);
+        const auto shift = shift_of(a, b, scored_pixels(a));
+        EXPECT_NEAR(shift[0], dx, 0.05 + 0.25 * std::abs(dx));
+        EXPECT_NEAR(shift[1], dy, 0.05 + 0.25 * std::abs(dy));
+    }
+}
+
+TEST(PictureMetrics, NothingToGoBy) {
+    Picture empty = random_picture(20, 10, 5, false);
+    for (std::size_t i = 3; i < empty.rgba.size(); i += 4) empty.rgba[i] = 0;
+    const PictureScore none = score(empty, empty, scored_pixels(empty));
+    EXPECT_EQ(none.pixels, 0u);
+    EXPECT_EQ(none.psnr, 0);
+    const Picture flat{20, 10, std::vector<std::uint8_t>(800, 255), {}};
+    const auto shift = shift_of(flat, flat, scored_pixels(flat));
+    EXPECT_EQ(shift[0], 0);
+    EXPECT_EQ(shift[1], 0);
+    EXPECT_GT(score(flat, flat, scored_pixels(flat)).psnr, 100);
+    const Picture black{20, 10, std::vector<std::uint8_t>(800, 0), {}};
+    EXPECT_TRUE(std::isfinite(score(flat, black, std::vector<bool>(200, true)).psnr_gain));
+}
