@@ -77,7 +77,7 @@ TileNeeds shown_tiles(const package::PhotoRecord& photo, const Intrinsics& k, co
     }
     TileNeeds needs;
     color.list(worth, needs.color);
-    masks.list(worth, needs.masks);
+    masks.list(2 * worth, needs.masks);  // depth comes with them: twice the bytes
     return needs;
 }
 

@@ -22,7 +22,7 @@ PlanSettings plan_settings(const RenderSettings& s, int side) {
     p.photos = s.photos;
     p.angle_limit = s.photos > 0 ? s.angle_limit * std::numbers::pi / 180 : 0;
     p.samples = side * std::exp2(-s.lod_bias);
-    if (!s.complete) p.worth = 0.1;  // 50 dB from all that may be sampled, for half of the bytes
+    if (!s.complete) p.worth = 0.1;  // 47 dB and more from all that may be sampled, for half of the bytes
     const bool falls = s.weights.angle && !s.weights.angle_per_photo && s.show != Show::coverage;
     if (falls && s.blend != Blend::best) p.sharpness = s.weights.sharpness;
     return p;
