@@ -34,10 +34,7 @@ std::vector<Shot> shots(const PackageReader& package, const Options& o) {
 std::filesystem::path picture_file(const Options& o, const std::string& name, std::size_t count) {
     const std::filesystem::path out = o.out.empty() ? (count == 1 ? name + ".png" : ".") : o.out;
     if (count == 1 && out.extension() == ".png" && !std::filesystem::is_directory(out)) return out;
-    std::error_code error;
-    std::filesystem::create_directories(out, error);
-    if (error || !std::filesystem::is_directory(out))
-        throw Error(Exit::storage, out.string() + ": the folder cannot be made");
+    make_folder(out);
     return out / (name + ".png");
 }
 

@@ -346,9 +346,7 @@ int run_bench(const PackageReader& package, BenchOptions o) {
     const FrameSize size = o.player.size.empty() ? FrameSize{1280, 720} : parse_size(o.player.size);
     if (!o.player.out.empty()) o.folder = o.player.out;
     const std::filesystem::path& folder = o.folder;
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw Error(Exit::storage, folder.string() + ": the folder cannot be made");
+    make_folder(folder);
     const gl::HeadlessContext context;
     const bool software = gl::current_device().software;
     const Target target = make_target(size);

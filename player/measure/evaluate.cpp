@@ -157,9 +157,7 @@ int run_evaluate(const PackageReader& package, EvaluateOptions o) {
     const std::vector<std::uint32_t> photos = photos_in_use(package, o.player);
     const std::vector<std::uint32_t> left_out = photos_to_leave_out(package, o, photos);
     if (left_out.empty()) throw Error(Exit::input, package.path().string() + ": no photo to leave out");
-    std::error_code error;
-    std::filesystem::create_directories(o.folder, error);
-    if (error) throw Error(Exit::storage, o.folder.string() + ": the folder cannot be made");
+    make_folder(o.folder);
     const RenderSettings settings = render_settings(package, o.player);
     const gl::HeadlessContext context;
     Renderer renderer(package, memory_budget(o.player));
