@@ -10,10 +10,6 @@
 namespace vantage {
 namespace {
 
-bool contains(std::span<const std::uint32_t> list, std::uint32_t value) {
-    return std::find(list.begin(), list.end(), value) != list.end();
-}
-
 struct Candidate {
     std::uint32_t photo;
     double agreement, rank;
@@ -33,7 +29,7 @@ std::vector<Candidate> candidates(const Sight& s, std::span<const std::uint32_t>
             rank = std::max(1e-3, s.view.cam_from_origin.direction().dot(Eigen::Map<const Eigen::Vector3d>(
                                       s.scene.photos[p].corrected_direction))) *
                    std::max(0.01, s.scene.photos[p].hull_area);
-        out.push_back({p, a, rank * (contains(previous, p) ? loyalty : 1)});
+        out.push_back({p, a, rank * (std::ranges::count(previous, p) ? loyalty : 1)});
     }
     std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.rank > b.rank; });
     return out;

@@ -1,6 +1,5 @@
 #include "player/plan/shown_tiles.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <vector>
