@@ -3,25 +3,22 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <atomic>
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <numbers>
-#include <optional>
 #include <random>
 
 #include "pipeline/export/colmap.h"
 #include "pipeline/export/ply.h"
 #include "pipeline/for_each_photo.h"
 #include "pipeline/images/image_files.h"
+#include "pipeline/synth/cast_photo.h"
 #include "scene/error.h"
 
 namespace vantage {
 namespace {
 
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
@@ -36,89 +33,6 @@ Pose look_at(const Vector3d& eye, const Vector3d& target) {
     pose.R << x.transpose(), z.cross(x).transpose(), z.transpose();
     pose.t = -pose.R * eye;
     return pose;
-}
-
-/// The pinhole coordinates that the lens draws at `drawn`, by Newton's method. Empty beyond the lens' fold.
-std::optional<Vector2d> undrawn(const Lens& lens, const Vector2d& drawn) {
-    Vector2d x = drawn;
-    for (int i = 0; i < 30; ++i) {
-        const Vector2d error = distort(lens, x) - drawn;
-        if (error.norm() < 1e-12) return x;
-        const double h = 1e-6;
-        Eigen::Matrix2d J;
-        J.col(0) = (distort(lens, x + Vector2d(h, 0)) - distort(lens, x - Vector2d(h, 0))) / (2 * h);
-        J.col(1) = (distort(lens, x + Vector2d(0, h)) - distort(lens, x - Vector2d(0, h))) / (2 * h);
-        if (!(J.determinant() > 1e-3)) return std::nullopt;
-        x -= J.inverse() * error;
-    }
-    return (distort(lens, x) - drawn).norm() < 1e-9 ? std::optional(x) : std::nullopt;
-}
-
-struct Lit {
-    const SynthModel& model;
-    const RayScene& rays;
-
-    Vector3d normal(const RayHit& hit) const {
-        const auto& t = model.mesh.triangles[hit.triangle];
-        const auto n = [&](std::size_t i) { return model.mesh.normals[t[i]].cast<double>(); };
-        return (n(0) * (1 - hit.uv.sum()) + n(1) * hit.uv.x() + n(2) * hit.uv.y()).normalized();
-    }
-    /// Linear light that leaves the first surface along the ray, or the sky.
-    Vector3f color(const Vector3d& eye, const Vector3d& direction) const {
-        const auto hit = rays.first_hit(eye, direction);
-        if (!hit) {
-            const double up = std::clamp(direction.normalized().z() * 2, 0.0, 1.0);
-            return Vector3f(0.60f, 0.72f, 0.86f) * float(1 - up) + Vector3f(0.16f, 0.34f, 0.70f) * float(up);
-        }
-        const Vector3d p = eye + hit->distance * direction, n = normal(*hit);
-        const Vector3d sun = Vector3d(-0.55, -0.75, 0.62).normalized();
-        const double facing = n.dot(sun);
-        const bool lit = facing > 0 && !rays.occluded(p + n * 2e-3, sun, 0, 1e6);
-        const double sky = 0.34 * (0.65 + 0.35 * n.z());
-        return albedo(model.materials[hit->triangle], p, n) * float(sky + (lit ? 0.85 * facing : 0.0));
-    }
-};
-
-std::uint8_t encode(float linear) {
-    const float l = std::clamp(linear, 0.0f, 1.0f);
-    const float s = l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1 / 2.4f) - 0.055f;
-    return std::uint8_t(std::lround(255 * s));
-}
-
-std::vector<std::uint8_t> render_photo(const Lit& scene, const Camera& camera, int samples, double gain) {
-    const Intrinsics& k = camera.intrinsics;
-    const Vector3d eye = camera.cam_from_world.center();
-    const Eigen::Matrix3d world_from_cam = camera.cam_from_world.R.transpose();
-    std::vector<std::uint8_t> rgb(std::size_t(k.width) * std::size_t(k.height) * 3);
-    for (int y = 0; y < k.height; ++y)
-        for (int x = 0; x < k.width; ++x) {
-            Vector3f sum = Vector3f::Zero();
-            for (int s = 0; s < samples * samples; ++s) {
-                const double u = x + (s % samples + 0.5) / samples, v = y + (s / samples + 0.5) / samples;
-                const Vector2d drawn((u - k.cx) / k.fx, (v - k.cy) / k.fy);
-                const auto ray = camera.lens.distorts() ? undrawn(camera.lens, drawn) : std::optional(drawn);
-                if (ray) sum += scene.color(eye, world_from_cam * Vector3d(ray->x(), ray->y(), 1));
-            }
-            const Vector3f mean = sum * float(gain / (samples * samples));
-            for (int c = 0; c < 3; ++c)
-                rgb[(std::size_t(y) * std::size_t(k.width) + std::size_t(x)) * 3 + std::size_t(c)] =
-                    encode(mean[c]);
-        }
-    return rgb;
-}
-
-std::vector<float> cast_depth(const RayScene& rays, const Camera& camera) {
-    const Intrinsics& k = camera.intrinsics;
-    const Eigen::Matrix3d world_from_cam = camera.cam_from_world.R.transpose();
-    std::vector<float> z;
-    z.reserve(std::size_t(k.width) * std::size_t(k.height));
-    for (int y = 0; y < k.height; ++y)
-        for (int x = 0; x < k.width; ++x) {
-            const Vector3d ray((x + 0.5 - k.cx) / k.fx, (y + 0.5 - k.cy) / k.fy, 1);
-            const auto hit = rays.first_hit(camera.cam_from_world.center(), world_from_cam * ray);
-            z.push_back(hit ? float(hit->distance) : std::numeric_limits<float>::infinity());
-        }
-    return z;
 }
 
 /// A camera turned and moved at random, by `pixels` at distance `distance` together.
@@ -200,12 +114,11 @@ void synthesise(const SynthSpec& spec, const std::filesystem::path& folder,
     write_colmap_text(folder / "truth" / "sparse", photos);
     write_gains(folder / "truth" / "exposure.csv", photos, gains);
     write_model(model, folder / "mesh.ply");
-    const Lit lit{model, rays};
     std::atomic<std::size_t> done{0};
     for_each_photo(photos.size(), 0, [&](std::size_t i) {
         const Camera& camera = photos[i].camera;
         const Intrinsics& k = camera.intrinsics;
-        const auto rgb = render_photo(lit, camera, spec.photos.samples, gains[i]);
+        const auto rgb = cast_photo(model, rays, camera, spec.photos.samples, gains[i]);
         image_files().write(folder / "images" / photos[i].name, k.width, k.height, 3, Sample::u8,
                             std::as_bytes(std::span(rgb)));
         const auto z = cast_depth(rays, camera);
