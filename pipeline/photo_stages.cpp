@@ -32,7 +32,7 @@ RgbaImage read_pixels(const PhotoStages& s, const PhotoInput& photo, package::Ph
     if (!(s.model.record.effects >> int(Effect::undistortion) & 1) || !photo.camera.lens.distorts())
         return image;
     r.flags |= package::photo_undistorted;
-    return undistort(image, photo.camera);
+    return undistort(image, photo.camera, s.settings.resampling);
 }
 
 /// Validity of a level's texels, 0 or 1; empty where the photo is opaque.
@@ -77,6 +77,7 @@ std::vector<std::uint8_t> write_pixels(const PhotoStages& s, std::uint32_t i, Rg
 std::vector<float> distances(const PhotoStages& s, std::vector<std::uint8_t> borders,
                              const PhotoGeometry& g) {
     if (s.distance == DistanceMethod::exact) return exact_distance(borders, g.width, g.height);
+    if (s.distance == DistanceMethod::chamfer) return chamfer_distance(borders, g.width, g.height);
     const auto flood = [&] {
         return flood_distance(s.buffers.jump_flood, borders, g.width, g.height, s.distance);
     };

@@ -7,6 +7,7 @@
 
 #include "pipeline/scene_input.h"
 #include "pipeline/stages/border.h"
+#include "pipeline/stages/undistort.h"
 #include "scene/effects.h"
 
 namespace vantage {
@@ -18,6 +19,7 @@ struct PrepareSettings {
     double border_threshold = 0.01;  ///< depth step relative to depth, per pixel of the masks
     int thumbnail = 512;             ///< px on the long side
     int photo_size = 0;              ///< px on the long side that photos are reduced to; 0: as they are
+    Resampling resampling = Resampling::lanczos;  ///< of photos whose lens bends lines
     unsigned cluster_triangles = 256;
     unsigned threads = 0;  ///< 0: all cores; also the number of photos in flight
     std::vector<std::string> hold_out;

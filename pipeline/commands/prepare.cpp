@@ -16,7 +16,7 @@ namespace vantage {
 namespace {
 
 struct Options {
-    std::string input, mesh, cameras, photos, out, distance = "auto", config;
+    std::string input, mesh, cameras, photos, out, distance = "auto", resampling = "lanczos", config;
     std::vector<std::string> effects;
     PrepareSettings settings;
 };
@@ -49,6 +49,7 @@ InputFiles input_files(const Options& o) {
 
 int run_prepare(Options o) {
     o.settings.distance = distance_method(o.distance);
+    o.settings.resampling = resampling(o.resampling);
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const InputFiles files = input_files(o);
@@ -86,7 +87,8 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("-o,--output", o->out, "the package to write")->required();
     c->add_option("--config", o->config,
                   "settings: a TOML file, or a preset of configs/ by name; the command line overrules it");
-    c->add_option("--distance", o->distance, "border distance: auto, exact, jfa, jfa+1, 1+jfa, jfa^2")
+    c->add_option("--distance", o->distance,
+                  "border distance: auto, exact, jfa, jfa+1, 1+jfa, jfa^2, chamfer")
         ->capture_default_str();
     c->add_option("--border-width", o->settings.border_width,
                   "px at 3072 px width where the border mask reaches 1")
@@ -101,6 +103,9 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--photo-size", o->settings.photo_size,
                   "px on the long side that photos are reduced to; 0 = as they are")
         ->check(CLI::Range(0, 1 << 16))
+        ->capture_default_str();
+    c->add_option("--resampling", o->resampling,
+                  "of photos whose lens bends lines: nearest, linear, cubic, lanczos")
         ->capture_default_str();
     c->add_option("--cluster-triangles", o->settings.cluster_triangles, "triangles a cluster")
         ->check(CLI::Range(1, 512))

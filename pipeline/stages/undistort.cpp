@@ -4,8 +4,19 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "scene/error.h"
+
 namespace vantage {
 namespace {
+
+struct Named {
+    const char* name;
+    int opencv;
+};
+constexpr Named resamplings[] = {{"nearest", cv::INTER_NEAREST},
+                                 {"linear", cv::INTER_LINEAR},
+                                 {"cubic", cv::INTER_CUBIC},
+                                 {"lanczos", cv::INTER_LANCZOS4}};
 
 Eigen::Vector2d drawn_at(const Camera& camera, double u, double v) {
     const Intrinsics& k = camera.intrinsics;
@@ -14,6 +25,17 @@ Eigen::Vector2d drawn_at(const Camera& camera, double u, double v) {
 }
 
 }  // namespace
+
+Resampling resampling(const std::string& wanted) {
+    std::string known;
+    for (std::size_t i = 0; i < std::size(resamplings); ++i) {
+        if (wanted == resamplings[i].name) return Resampling(i);
+        known += (i ? ", " : "") + std::string(resamplings[i].name);
+    }
+    throw Error(Exit::usage, "unknown resampling '" + wanted + "', expected one of " + known);
+}
+
+const char* name(Resampling r) { return resamplings[int(r)].name; }
 
 double largest_displacement(const Camera& camera) {
     if (!camera.lens.distorts()) return 0;
@@ -29,7 +51,7 @@ double largest_displacement(const Camera& camera) {
     return largest;
 }
 
-RgbaImage undistort(const RgbaImage& photo, const Camera& camera) {
+RgbaImage undistort(const RgbaImage& photo, const Camera& camera, Resampling resampling) {
     cv::Mat map(photo.height, photo.width, CV_32FC2);
     for (int y = 0; y < photo.height; ++y)
         for (int x = 0; x < photo.width; ++x) {
@@ -41,7 +63,7 @@ RgbaImage undistort(const RgbaImage& photo, const Camera& camera) {
     RgbaImage out{photo.width, photo.height, std::vector<std::uint8_t>(photo.rgba.size())};
     const cv::Mat from(photo.height, photo.width, CV_8UC4, const_cast<std::uint8_t*>(photo.rgba.data()));
     cv::Mat to(out.height, out.width, CV_8UC4, out.rgba.data());
-    cv::remap(from, to, map, {}, cv::INTER_LANCZOS4, cv::BORDER_REPLICATE);
+    cv::remap(from, to, map, {}, resamplings[int(resampling)].opencv, cv::BORDER_REPLICATE);
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x) {
             const cv::Vec2f p = map.at<cv::Vec2f>(y, x);

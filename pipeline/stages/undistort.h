@@ -1,15 +1,22 @@
 #pragma once
+#include <string>
+
 #include "pipeline/stages/pyramid.h"
 #include "scene/camera.h"
 
 namespace vantage {
 
+/// How colours between a photo's pixels are found.
+enum class Resampling { nearest, linear, cubic, lanczos };
+Resampling resampling(const std::string& name);
+const char* name(Resampling resampling);
+
 /// Largest distance in pixels between where the lens and where the pinhole draws a pixel, sampled on a grid
 /// over the photo. 0 for a pinhole; never NaN.
 double largest_displacement(const Camera& camera);
 
-/// Resamples the photo to the pinhole camera of the same intrinsics (Lanczos, OpenCV). Pixels whose ray the
+/// Resamples the photo to the pinhole camera of the same intrinsics (OpenCV). Pixels whose ray the
 /// photo does not hold get alpha 0.
-RgbaImage undistort(const RgbaImage& photo, const Camera& camera);
+RgbaImage undistort(const RgbaImage& photo, const Camera& camera, Resampling resampling);
 
 }  // namespace vantage
