@@ -20,6 +20,19 @@ void add_blending(CLI::App& app, RenderSettings& r) {
                                                                        {"fragment", Coordinates::fragment}}))
         ->default_str("auto")
         ->group(group);
+    app.add_option("--lod-bias", r.lod_bias, "levels of detail coarser, or finer where negative")
+        ->check(CLI::Range(-8.0, 16.0))
+        ->capture_default_str()
+        ->group(group);
+    app.add_flag("!--bilinear", r.trilinear, "each sample from one level of detail instead of two")
+        ->group(group);
+    app.add_option("--anisotropy", r.anisotropy,
+                   "taps along a sample's longer side where a photo sees the surface at a slant")
+        ->check(CLI::Range(1, 16))
+        ->capture_default_str()
+        ->group(group);
+    app.add_flag("--half-float", r.half_sums, "sums of a pass in half precision")->group(group);
+    app.add_flag("--thumbnails", r.thumbnails, "nothing finer than thumbnails")->group(group);
     app.add_option("--photos-per-pass", r.photos_per_pass, "photos blended at once")
         ->check(CLI::Range(1, most_photos_per_pass))
         ->capture_default_str()

@@ -86,19 +86,51 @@ float weight_of(uint photo, vec2 pixel, vec4 masks) {
 #endif
 }
 
+// What a sample covers of a photo.
+struct Footprint {
+    float lod;
+#ifdef TAPS
+    vec2 longer;  // its longer side, photo pixels
+    int taps;
+#endif
+};
 // Level of detail from how far a photo's pixel moves along the sample's two sides; by the projection's Jacobian, so
-// that no derivative is taken where neighbours may have left the loop. Up to 4 times longer than wide is kept sharp.
-float footprint_lod(uint photo, vec3 p, vec3 along_x, vec3 along_y) {
+// that no derivative is taken where neighbours may have left the loop. Up to 4 times longer than wide is kept sharp, or
+// as many times as there are taps along the longer side.
+Footprint footprint_of(uint photo, vec3 p, vec3 along_x, vec3 along_y) {
     mat3 R = mat3(photos[photo].cam_from_origin);
     vec3 x = R * along_x, y = R * along_y;
     vec2 f = photos[photo].focal_center.xy / p.z, slope = p.xy / p.z;
-    float a = length(f * (x.xy - slope * x.z)), b = length(f * (y.xy - slope * y.z));
-    float major = max(a, b), minor = min(a, b);
-    return max(0.0, log2(max(max(minor, major / 4.0), 1e-6)) + lod_bias - 0.02);
+    vec2 u = f * (x.xy - slope * x.z), v = f * (y.xy - slope * y.z);
+    float a = length(u), b = length(v), major = max(a, b), minor = min(a, b);
+#ifdef TAPS
+    float width = max(max(minor, major / float(TAPS)), 1e-6);
+    int taps = clamp(int(ceil(major / max(width, 1.0) - 0.1)), 1, TAPS);
+    return Footprint(max(0.0, log2(width) + lod_bias - 0.02), a > b ? u : v, taps);
+#else
+    return Footprint(max(0.0, log2(max(max(minor, major / 4.0), 1e-6)) + lod_bias - 0.02));
+#endif
 }
 
-vec4 shown_color(uint photo, vec2 pixel, float lod) {
-    vec4 c = color_at(photo, pixel, lod);
+vec4 filtered(uint photo, vec2 pixel, Footprint f) {
+#ifdef BILINEAR
+    f.lod = floor(f.lod + 0.5);
+#endif
+#ifdef TAPS
+    vec4 sum = vec4(0.0);
+    vec2 low = vec2(0.5), high = photos[photo].size_weight.xy - 0.5;
+    for (int i = 0; i < f.taps; ++i) {
+        vec2 at = pixel + f.longer * ((float(i) + 0.5) / float(f.taps) - 0.5);
+        sum += color_at(photo, clamp(at, low, high), f.lod);
+    }
+    return sum / float(f.taps);
+#else
+    return color_at(photo, pixel, f.lod);
+#endif
+}
+
+vec4 shown_color(uint photo, vec2 pixel, Footprint footprint) {
+    vec4 c = filtered(photo, pixel, footprint);
     return show == 0u ? c : vec4(show == 1u ? photos[photo].false_color.rgb : vec3(1.0), c.a);
 }
 
@@ -116,7 +148,7 @@ void main() {
     accumulated = before;
     int chosen = -1;
     vec2 chosen_pixel = vec2(0.0);
-    float chosen_lod = 0.0;
+    Footprint chosen_footprint;
 #endif
     for (uint photo = 0u; photo < pass_count; ++photo) {
         if ((draw_photos >> photo & 1u) == 0u) continue;
@@ -129,8 +161,8 @@ void main() {
         vec2 pixel = coordinate[photo] * photos[photo].size_weight.xy;
 #endif
         if (!(p.z > 0.0) || !inside(photo, pixel)) continue;
-        float lod = footprint_lod(photo, p, along_x, along_y);
-        MaskPlace at = mask_place(photo, pixel, lod);
+        Footprint footprint = footprint_of(photo, p, along_x, along_y);
+        MaskPlace at = mask_place(photo, pixel, footprint.lod);
         if (at.level < 0) continue;
         float w = photos[photo].direction.w;
 #ifdef PER_FRAGMENT
@@ -144,10 +176,10 @@ void main() {
             accumulated.a = w;
             chosen = int(photo);
             chosen_pixel = pixel;
-            chosen_lod = lod;
+            chosen_footprint = footprint;
         }
 #else
-        vec4 c = shown_color(photo, pixel, lod);
+        vec4 c = shown_color(photo, pixel, footprint);
 #ifdef CONSENSUS
         vec3 off = (sqrt(c.rgb) - sqrt(mean)) / 0.08;
         w /= 1.0 + dot(off, off);
@@ -158,7 +190,7 @@ void main() {
     }
 #ifdef BLEND_BEST
     if (chosen >= 0) {
-        vec4 c = shown_color(uint(chosen), chosen_pixel, chosen_lod);
+        vec4 c = shown_color(uint(chosen), chosen_pixel, chosen_footprint);
         accumulated = c.a > 0.5 ? vec4(c.rgb, accumulated.a) : before;
     }
 #endif

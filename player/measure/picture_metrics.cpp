@@ -75,6 +75,22 @@ double mean_ssim(const Picture& photo, const Picture& picture, const std::vector
     return sum / double(pixels);
 }
 
+/// The least of the worst thousandth of the pixels' differences in their worst channel.
+double worst_thousandth(const Picture& photo, const Picture& picture, const std::vector<bool>& scored,
+                        const std::array<double, 3>& gain) {
+    std::vector<float> off;
+    for (std::size_t i = 0; i < scored.size(); ++i) {
+        if (!scored[i]) continue;
+        double most = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+            most = std::max(most, std::abs(photo.rgba[4 * i + c] - gain[c] * picture.rgba[4 * i + c]));
+        off.push_back(float(most));
+    }
+    const auto at = off.end() - std::ptrdiff_t(1 + off.size() / 1000);
+    std::nth_element(off.begin(), at, off.end());
+    return double(*at);
+}
+
 double psnr(double squares, std::size_t pixels) {
     return 10 * std::log10(255 * 255 / std::max(squares / (3.0 * double(pixels)), 1e-12));
 }
@@ -116,6 +132,7 @@ PictureScore score(const Picture& photo, const Picture& picture, const std::vect
     each([&](std::size_t c, double a, double b) { gained += (a - s.gain[c] * b) * (a - s.gain[c] * b); });
     s.psnr = psnr(squares, s.pixels);
     s.psnr_gain = psnr(gained, s.pixels);
+    s.worst = worst_thousandth(photo, picture, scored, s.gain);
     s.ssim = mean_ssim(photo, picture, scored, s.pixels);
     return s;
 }

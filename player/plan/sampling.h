@@ -18,7 +18,7 @@ std::optional<SurfaceSample> surface_sample(const View& view, const Eigen::Vecto
                                             const Eigen::Vector3d& normal, double samples);
 
 /// log2 of photo pixels from a sample to the next, along the shorter step but at most 4 times the longer's,
-/// as footprint_lod() in shaders/blend.frag; for a point before the photo.
+/// as footprint_of() in shaders/blend.frag; for a point before the photo.
 double level_of_detail(const SurfaceSample& sample, const Intrinsics& photo, const Pose& photo_from_origin);
 
 /// Levels of detail between which a surface's samples lie: 0 is one photo pixel a sample, each further one

@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-FrameTargets make_frame_targets(int width, int height) {
+FrameTargets make_frame_targets(int width, int height, bool half_sums) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     if (width < 1 || height < 1 || width > most || height > most)
@@ -16,13 +16,14 @@ FrameTargets make_frame_targets(int width, int height) {
     FrameTargets t;
     t.width = width;
     t.height = height;
+    t.half_sums = half_sums;
     t.depth = gl::make_texture_2d("frame depth", GL_DEPTH_COMPONENT32F, width, height);
     t.surface = gl::make_texture_2d("frame surface", GL_RGBA16F, width, height);
     t.triangles = gl::make_texture_2d("frame triangles", GL_R32UI, width, height);
     t.surface_target =
         gl::make_framebuffer("frame surface", std::array{t.surface.id(), t.triangles.id()}, t.depth.id());
     for (int i = 0; i < 2; ++i) {
-        t.sums[i] = gl::make_texture_2d("frame sums", GL_RGBA32F, width, height);
+        t.sums[i] = gl::make_texture_2d("frame sums", half_sums ? GL_RGBA16F : GL_RGBA32F, width, height);
         t.sums_target[i] = gl::make_framebuffer("frame sums", std::array{t.sums[i].id()}, t.depth.id());
     }
     t.accumulated = gl::make_texture_2d("frame samples", GL_RGBA32F, width, height);
@@ -30,8 +31,8 @@ FrameTargets make_frame_targets(int width, int height) {
     return t;
 }
 
-std::uint64_t FrameTargets::bytes(int width, int height) {
-    return std::uint64_t(width) * std::uint64_t(height) * (4 + 8 + 4 + 3 * 16);
+std::uint64_t FrameTargets::bytes(int width, int height, bool half_sums) {
+    return std::uint64_t(width) * std::uint64_t(height) * (4 + 8 + 4 + 16 + (half_sums ? 16 : 32));
 }
 
 }  // namespace vantage

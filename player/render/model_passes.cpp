@@ -125,7 +125,8 @@ const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bo
     const Blend blend = settings.show == Show::coverage ? Blend::average : settings.blend;
     // Only per-vertex coordinates have a size of their own for each number of photos.
     const int photos = fragment ? most_photos_per_pass : settings.photos_per_pass;
-    gl::Program& program = blend_programs_[{photos, fragment, blend, consensus, trace_ != 0}];
+    gl::Program& program = blend_programs_[{photos, fragment, blend, consensus, trace_ != 0,
+                                            settings.trilinear, settings.anisotropy}];
     if (program) return program;
     std::vector<std::string> defines{"PASS_PHOTOS " + std::to_string(photos)};
     if (fragment) defines.emplace_back(effect_row(Effect::per_fragment).shader_symbol);
@@ -133,6 +134,8 @@ const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bo
     if (blend == Blend::lumigraph) defines.emplace_back("BLEND_LUMIGRAPH");
     if (consensus) defines.emplace_back("CONSENSUS");
     if (trace_) defines.emplace_back("TRACE_TEXELS");
+    if (!settings.trilinear) defines.emplace_back("BILINEAR");
+    if (settings.anisotropy > 1) defines.push_back("TAPS " + std::to_string(settings.anisotropy));
     program = gl::make_program(
         "blend", {{GL_VERTEX_SHADER, "blend.vert"}, {GL_FRAGMENT_SHADER, "blend.frag"}}, defines);
     return program;

@@ -29,6 +29,10 @@ struct RenderSettings {
     bool fill_holes = false;   ///< plain shading where no photo contributes, background beside the model
     int photos_per_pass = 8;   ///< 1 to 16
     double lod_bias = 0;       ///< levels; below 0 is sharper
+    bool trilinear = true;     ///< between two levels; else the nearest level
+    int anisotropy = 1;        ///< taps along a sample's longer side in the photo, 1 to 16
+    bool half_sums = false;    ///< sums of a pass in half precision: half the bandwidth
+    bool thumbnails = false;   ///< nothing finer is asked for
     Show show = Show::colors;
     Compare compare = Compare::nothing;
     std::uint32_t compare_photo = 0;

@@ -58,15 +58,17 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
 /// Targets of the frame's size, and tiles in what the budget leaves beside them.
 void Renderer::fit(int width, int height, const RenderSettings& settings) {
     const bool coordinates = !per_fragment(settings);
-    if (targets_.width == width && targets_.height == height && (store_.has_coordinates() || !coordinates))
+    if (targets_.width == width && targets_.height == height && targets_.half_sums == settings.half_sums &&
+        (store_.has_coordinates() || !coordinates))
         return;
     targets_ = {};
     seen_.release();
-    const std::uint64_t others = gl::memory_held() - store_.bytes() + FrameTargets::bytes(width, height) +
+    const std::uint64_t others = gl::memory_held() - store_.bytes() +
+                                 FrameTargets::bytes(width, height, settings.half_sums) +
                                  SeenTriangles::bytes(width, height);
     graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
     store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
-    targets_ = make_frame_targets(width, height);
+    targets_ = make_frame_targets(width, height, settings.half_sums);
 }
 
 FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
@@ -145,6 +147,7 @@ void Renderer::stream(Frame& frame, const View* next) {
     if (settings.whole_photos)
         for (const PlannedPhoto& p : plan_.plan().photos) frame.report.uploaded += store_.load_whole(p.photo);
     for (const PlannedPhoto& p : plan_.plan().photos) {
+        if (settings.thumbnails) break;
         frame.report.tiles += p.needs.tiles();
         // Before it is known what a view shows, much would be read in vain: thumbnails have to do.
         frame.report.tiles_missing += plan_.knows_seen() ? store_.need(p.photo, p.needs) : p.needs.tiles();
@@ -154,9 +157,9 @@ void Renderer::stream(Frame& frame, const View* next) {
     for (const std::uint32_t p : wanted_thumbnails_)
         if (scene_.photos[p].levels) store_.need_thumbnail(p);
     wanted_thumbnails_.clear();
-    if (frame.report.tiles_missing == 0)
+    if (frame.report.tiles_missing == 0 && !settings.thumbnails)
         for (const PlannedPhoto& p : plan_.plan().photos) store_.foresee(p.photo, p.later);
-    if (next && frame.report.tiles_missing == 0) {
+    if (next && frame.report.tiles_missing == 0 && !settings.thumbnails) {
         for (const PlannedPhoto& p : plan_.ahead(*next, settings, frame.sample.side).photos)
             store_.foresee(p.photo, p.needs);
     }
@@ -169,13 +172,15 @@ void Renderer::load(Pass pass, Frame& frame) {
     store_.begin_frame(frame.now, false);  // what earlier passes used may give way
     for (const PlannedPhoto* p : pass) {
         store_.need_base(p->photo, !per_fragment(frame.drawn.settings));
+        if (frame.drawn.settings.thumbnails) continue;
         store_.need(p->photo, p->needs);
         store_.need(p->photo, p->later);
         frame.report.tiles += p->needs.tiles();
     }
     store_.need(frame.drawn.settings.compare_photo, comparison_needs(frame.drawn.view, frame.drawn.settings));
     store_.load();
-    for (const PlannedPhoto* p : pass) missing += store_.missing(p->photo, p->needs);
+    for (const PlannedPhoto* p : pass)
+        if (!frame.drawn.settings.thumbnails) missing += store_.missing(p->photo, p->needs);
     frame.report.tiles_missing += missing;
 }
 

@@ -21,7 +21,8 @@ PlanSettings plan_settings(const RenderSettings& s, int side) {
     p.choice = s.choice;
     p.photos = s.photos;
     p.angle_limit = s.photos > 0 ? s.angle_limit * std::numbers::pi / 180 : 0;
-    p.samples = side * std::exp2(-s.lod_bias);
+    // Beyond 4 taps, finer levels are read than the footprint that is kept sharp otherwise asks for.
+    p.samples = side * std::exp2(-s.lod_bias) * std::max(1.0, s.anisotropy / 4.0);
     if (!s.complete) p.worth = 0.1;  // 47 dB and more from all that may be sampled, for half of the bytes
     const bool falls = s.weights.angle && !s.weights.angle_per_photo && s.show != Show::coverage;
     if (falls && s.blend != Blend::best) p.sharpness = s.weights.sharpness;
