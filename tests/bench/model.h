@@ -1,0 +1,30 @@
+#pragma once
+#include <vector>
+
+#include "pipeline/scene_input.h"
+#include "pipeline/stages/photo_geometry.h"
+
+namespace vantage::bench {
+
+/// A scene's model on the graphics card, as the pipeline has it, positions relative to the first vertex'
+/// place. Belongs to the OpenGL thread.
+class BenchModel {
+  public:
+    explicit BenchModel(SceneInput scene);
+
+    const SceneInput& scene() const { return scene_; }
+    const std::vector<Eigen::Vector3f>& positions() const { return positions_; }
+    const std::vector<std::uint32_t>& indices() const { return indices_; }
+    /// At most `count` of the photos' cameras, evenly spread, for those positions.
+    std::vector<Camera> some_cameras(std::size_t count) const;
+    /// Depth, angles and coordinates as prepare() finds them, maps at half of the intrinsics' size.
+    PhotoGeometry geometry(const Intrinsics& intrinsics, const Pose& pose) const;
+
+  private:
+    SceneInput scene_;
+    std::vector<Eigen::Vector3f> positions_;
+    std::vector<std::uint32_t> indices_;
+    ModelBuffers buffers_;
+};
+
+}  // namespace vantage::bench

@@ -1,0 +1,13 @@
+#include "tests/bench/sweep.h"
+
+namespace vantage::bench {
+
+// One file in sweeps/ each.
+extern const Sweep border_sweep;
+
+std::span<const Sweep> sweeps() {
+    static const Sweep all[] = {border_sweep};
+    return all;
+}
+
+}  // namespace vantage::bench
