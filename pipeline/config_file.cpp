@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "scene/error.h"
 
@@ -12,12 +13,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path find_config(const std::string& name) {
-    if (fs::is_regular_file(name)) return name;
+std::optional<fs::path> in_configs(const std::string& name) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
     for (const fs::path& folder : {program / "../share/vantage/configs", fs::path(VANTAGE_CONFIGS)})
-        if (const fs::path preset = folder / (name + ".toml"); fs::is_regular_file(preset)) return preset;
+        if (fs::is_regular_file(folder / name)) return folder / name;
+    return {};
+}
+
+fs::path find_config(const std::string& name) {
+    if (fs::is_regular_file(name)) return name;
+    if (const auto preset = in_configs(name + ".toml")) return *preset;
     throw Error(Exit::usage,
                 "--config " + name + ": expected a TOML file or one of preview, default, overnight, ci");
 }
@@ -44,6 +50,11 @@ void apply(CLI::Option& option, const fs::path& file, std::string_view key, cons
 }
 
 }  // namespace
+
+fs::path find_config_file(const std::string& name) {
+    if (const auto file = in_configs(name)) return *file;
+    throw Error(Exit::usage, "configs/" + name + ": is not there");
+}
 
 void apply_config(CLI::App& command, const std::string& name) {
     const fs::path file = find_config(name);

@@ -1,8 +1,13 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 
 namespace vantage {
+
+/// A file of configs/, beside the program or in the sources. Throws Error(usage) where there is none of that
+/// name.
+std::filesystem::path find_config_file(const std::string& name);
 
 /// Gives `command` the settings of a TOML file: each key is the name of one of its long options, each value
 /// what would stand on the command line (lists for options that take several). Options given there stay.

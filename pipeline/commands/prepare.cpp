@@ -4,10 +4,13 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <fstream>
 
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/progress_line.h"
 #include "pipeline/config_file.h"
+#include "pipeline/explain.h"
 #include "pipeline/import/discover.h"
 #include "pipeline/import/read_scene.h"
 #include "scene/error.h"
@@ -19,6 +22,7 @@ struct Options {
     std::string input, mesh, cameras, photos, out, distance = "auto", resampling = "lanczos", config;
     std::vector<std::string> effects;
     PrepareSettings settings;
+    bool explain = false;
 };
 
 /// "NAME=on|off|auto" into the table of forced effects.
@@ -47,6 +51,14 @@ InputFiles input_files(const Options& o) {
     return files;
 }
 
+/// Of this process so far; 0 where the system does not say.
+double peak_memory_mb() {
+    std::ifstream in("/proc/self/status");
+    for (std::string line; std::getline(in, line);)
+        if (line.starts_with("VmHWM:")) return std::strtod(line.c_str() + 6, nullptr) * 1024 / 1e6;
+    return 0;
+}
+
 int run_prepare(Options o) {
     o.settings.distance = distance_method(o.distance);
     o.settings.resampling = resampling(o.resampling);
@@ -67,6 +79,9 @@ int run_prepare(Options o) {
     const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("package  {} ({:.1f} MB, {:.1f} s)\n", o.out, double(std::filesystem::file_size(o.out)) / 1e6,
                s);
+    fmt::print("memory   {:.0f} MB at most\n", peak_memory_mb());
+    if (o.explain)
+        for (const std::string& l : explain(o.settings, scene, PackageReader(o.out))) fmt::print("{}\n", l);
     return 0;
 }
 
@@ -113,6 +128,8 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--threads", o->settings.threads, "photos in flight; 0 = all cores")->capture_default_str();
     c->add_option("--hold-out", o->settings.hold_out, "photos whose camera is kept and whose pixels are not")
         ->delimiter(',');
+    c->add_flag("--explain", o->explain,
+                "say what each setting costs and gives up, as measured by vantage-bench");
     c->add_option("--effect", o->effects, "NAME=on|off|auto, see 'vantage info'");
     c->callback([o, c, &run] {
         if (!o->config.empty()) apply_config(*c, o->config);

@@ -1,0 +1,167 @@
+#include "tests/bench/run.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <thread>
+
+#include "gl/context.h"
+#include "pipeline/file_identity.h"
+#include "scene/error.h"
+#include "tests/bench/costs.h"
+#include "tests/bench/log.h"
+#include "tests/bench/page.h"
+#include "tests/bench/sweep.h"
+#include "tests/bench/tables.h"
+#include "tests/bench/timing.h"
+
+namespace vantage::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Level, views, photos, repeats, points.
+const Effort efforts[] = {
+    {"smoke", 1, 1, 2, 1, 2000}, {"short", 2, 1, 3, 3, 20000}, {"full", 1, 2, 12, 5, 200000}};
+
+const Effort& effort_called(const std::string& name) {
+    const auto found = std::ranges::find(efforts, name, &Effort::name);
+    if (found == std::end(efforts))
+        throw Error(Exit::usage, "--set " + name + ": expected smoke, short or full");
+    return *found;
+}
+
+fs::path datasets() {
+    const char* root = std::getenv("VANTAGE_DATASETS");
+    return root ? root : "../shared/datasets";
+}
+
+/// What a set is measured on where nothing is said: synthetic scenes, and the real ones that are there.
+std::vector<fs::path> usual_inputs(const std::string& set) {
+    const fs::path data = fs::path(VANTAGE_SOURCE_DIR) / "data";
+    if (set == "smoke") return {data / "tiny.toml"};
+    std::vector<fs::path> out{data / (set == "short" ? "small.toml" : "demo.toml")};
+    for (const char* name : {"sceaux", "fountain-P11"}) {
+        if (fs::is_directory(datasets() / name)) out.push_back(datasets() / name);
+        if (set == "short") break;
+    }
+    return out;
+}
+
+std::string processor() {
+    std::ifstream in("/proc/cpuinfo");
+    for (std::string line; std::getline(in, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    return "unknown processor";
+}
+
+std::vector<std::string> machine(const Effort& effort) {
+    const gl::HeadlessContext context;
+    const gl::Device device = gl::current_device();
+    const std::time_t now = std::time(nullptr);
+    return {fmt::format("{}, {} cores", processor(), std::thread::hardware_concurrency()),
+            fmt::format("OpenGL: {}{}", device.renderer,
+                        device.software ? " (software: frame times say nothing of a graphics card's)" : ""),
+            fmt::format("{:%Y-%m-%d}, the {} set", fmt::gmtime(now), effort.name)};
+}
+
+bool wanted(const RunOptions& o, const char* sweep) {
+    return o.only.empty() || std::ranges::count(o.only, sweep) > 0;
+}
+
+void run_job(Log& log, const std::string& key, const Sweep& sweep, const BenchScene& scene, const Job& job) {
+    std::vector<Measurement> found;
+    const double ms = milliseconds([&] { found = job.run(); });
+    for (Measurement& m : found) {
+        m.sweep = sweep.name;
+        m.scene = scene.name;
+    }
+    log.add(key, ms / 1000, found);
+}
+
+/// A line a job: on a terminal the last one stands while it is measured.
+void run_scene(const RunOptions& o, const Effort& effort, const BenchScene& scene, Log& log) {
+    for (const Sweep& sweep : sweeps()) {
+        if (!wanted(o, sweep.name)) continue;
+        for (const Job& job : sweep.jobs(scene, effort, o.folder / "pictures")) {
+            const std::string key = scene.name + " " + sweep.name + " " + job.name;
+            if (log.holds(key)) continue;
+            fmt::print("{:<14} {:<14} {:<24}", scene.name, sweep.name, job.name);
+            std::fflush(stdout);
+            const double before = log.seconds();
+            run_job(log, key, sweep, scene, job);
+            fmt::print(" {:6.1f} s\n", log.seconds() - before);
+            std::fflush(stdout);
+        }
+    }
+}
+
+/// Of what must be the same for a run to be gone on with.
+std::string identity(const Effort& effort) {
+    return fmt::format("{} {:016x}", effort.name, identify(fs::read_symlink("/proc/self/exe")).checksum);
+}
+
+int list_sweeps() {
+    for (const Sweep& s : sweeps()) fmt::print("{:<14} {}\n               {}\n", s.name, s.title, s.question);
+    return int(Exit::ok);
+}
+
+}  // namespace
+
+void add_run_options(CLI::App& app, RunOptions& o) {
+    app.add_option(
+        "INPUT", o.inputs,
+        "folders of scans, or specifications of synthetic scenes (TOML); else those of the set, real ones "
+        "from $VANTAGE_DATASETS");
+    app.add_option("--set", o.set, "how much is measured: smoke (a minute), short (ten), full")
+        ->capture_default_str();
+    app.add_option("--only", o.only, "sweeps to run, see --list")->delimiter(',');
+    app.add_option("-o,--output", o.folder, "folder to write into, and to go on from")->capture_default_str();
+    app.add_option("--against", o.against, "results.json of an earlier run: the page shows what moved");
+    app.add_option("--costs", o.costs, "write here what 'vantage prepare --explain' tells");
+    app.add_flag("--list", o.list, "name the sweeps and leave");
+    app.footer(
+        "Writes index.html (one file, readable offline), results.csv and results.json. A run that was cut "
+        "off goes on "
+        "where it\nstopped; one by another build begins anew.\n"
+        "Examples:\n  vantage-bench\n  vantage-bench --set full -o full\n"
+        "  vantage-bench scans/chapel --only blending,selection -o chapel\n"
+        "  vantage-bench --set short -o new --against old/results.json");
+}
+
+int run(const RunOptions& o) {
+    if (o.list) return list_sweeps();
+    const Effort& effort = effort_called(o.set);
+    for (const std::string& name : o.only)
+        if (std::ranges::find(sweeps(), name, [](const Sweep& s) { return std::string(s.name); }) ==
+            sweeps().end())
+            throw Error(Exit::usage, "--only " + name + ": no such sweep, see --list");
+    std::vector<Measurement> before;
+    if (!o.against.empty()) before = read_json(o.against);
+    std::vector<fs::path> inputs(o.inputs.begin(), o.inputs.end());
+    if (inputs.empty()) inputs = usual_inputs(effort.name);
+    make_folder(o.folder);
+    Log log(o.folder / "log.jsonl", identity(effort));
+    if (log.jobs()) fmt::print("going on after {} jobs\n", log.jobs());
+    for (const fs::path& input : inputs) {
+        fmt::print("{}\n", input.string());
+        std::fflush(stdout);
+        run_scene(o, effort, open_scene(input, o.folder / "scenes", effort), log);
+    }
+    std::vector<std::string> about = machine(effort);
+    about.push_back(fmt::format("measured in {:.1f} minutes", log.seconds() / 60));
+    write_csv(o.folder / "results.csv", log.measurements());
+    write_json(o.folder / "results.json", about, log.measurements());
+    if (!o.costs.empty()) write_costs(o.costs, about, log.measurements());
+    write_page(o.folder, {"What accuracy costs", about, sweeps(), log.measurements(), before});
+    fmt::print("{}\n", (o.folder / "index.html").string());
+    return int(Exit::ok);
+}
+
+}  // namespace vantage::bench

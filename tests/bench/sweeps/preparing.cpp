@@ -1,0 +1,79 @@
+// Settings of prepare, one at a time.
+#include <fmt/format.h>
+
+#include "gl/context.h"
+#include "pipeline/prepare.h"
+#include "tests/bench/pictures.h"
+#include "tests/bench/prepared.h"
+#include "tests/bench/sweep.h"
+
+namespace vantage::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Knob {
+    const char* option;
+    std::vector<double> values;
+    double usual;
+};
+
+std::vector<Knob> knobs() {
+    const PrepareSettings usual;
+    return {{"border-width", {8, 16, 32, 64, 128, 256}, usual.border_width},
+            {"border-threshold", {0.0025, 0.005, 0.01, 0.02, 0.04, 0.1}, usual.border_threshold},
+            {"cluster-triangles", {32, 64, 128, 256, 512}, double(usual.cluster_triangles)},
+            {"thumbnail", {128, 256, 512, 1024}, double(usual.thumbnail)}};
+}
+
+/// What stands first: thumbnails alone where they are swept, else the picture as it ends up.
+PictureSetting picture_setting(const Knob& knob, double value) {
+    PictureSetting s{knob.option, fmt::format("{:g}", value), false, value == knob.usual, {}};
+    s.settings.photos = 8;
+    s.settings.thumbnails = std::string(knob.option) == "thumbnail";
+    return s;
+}
+
+std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, const fs::path& folder,
+                                 const Knob& knob) {
+    std::vector<Measurement> out;
+    const fs::path file = scene.package.string() + ".knob";
+    for (const double value : knob.values) {
+        if (effort.name == "smoke" && value != knob.values.front() && value != knob.usual) continue;
+        const PictureSetting s = picture_setting(knob, value);
+        const PrepareCost cost =
+            run_prepare(scene.folder, file, {std::string("--") + knob.option, s.setting});
+        const PackageReader package(file);
+        const gl::HeadlessContext context;
+        Renderer renderer(package, ample_memory());
+        out.push_back(measure_pictures(renderer, scene, effort, std::vector{s}, folder, "preparing").front());
+        out.back().exhibits.clear();
+        out.back().values["package_bytes"] = double(package.size());
+        out.back().values["prepare_s"] = cost.seconds;
+        out.back().values["memory_bytes"] = cost.memory_bytes;
+        fs::remove(file);
+    }
+    return out;
+}
+
+std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const fs::path& folder) {
+    std::vector<Job> out;
+    for (const Knob& knob : knobs())
+        out.push_back({knob.option, [=, &scene] { return measure(scene, effort, folder, knob); }});
+    return out;
+}
+
+}  // namespace
+
+extern const Sweep preparing_sweep;
+const Sweep preparing_sweep{"preparing",
+                            "Settings of prepare, one at a time",
+                            "Borders, clusters and thumbnails: what does each setting change in the picture, "
+                            "in a frame, in the package? "
+                            "(Thumbnails by the picture made of them alone.)",
+                            "the photo left out, or the ray-cast picture",
+                            "none: a matter of taste that the truth decides",
+                            {{"prepare_s", "psnr"}, {"frame_ms", "psnr"}, {"package_bytes", "psnr"}},
+                            jobs};
+
+}  // namespace vantage::bench

@@ -1,0 +1,42 @@
+#include "pipeline/explain.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "pipeline/import/discover.h"
+#include "pipeline/import/read_scene.h"
+#include "pipeline/synth/synthesise.h"
+#include "temporary_folder.h"
+
+using namespace vantage;
+
+namespace {
+
+class Explain : public TemporaryFolder {
+  protected:
+    std::string explained(const PrepareSettings& settings) {
+        synthesise(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
+        const SceneInput scene = read_scene(discover(dir / "scene"));
+        prepare(scene, settings, dir / "p.vantage", [](const Progress&) {});
+        std::string all;
+        for (const std::string& line : explain(settings, scene, PackageReader(dir / "p.vantage"))) all += line + "\n";
+        return all;
+    }
+};
+
+}  // namespace
+
+TEST_F(Explain, NamesEverySettingWithWhatWasMeasured) {
+    PrepareSettings settings;
+    settings.distance = DistanceMethod::chamfer;
+    settings.photo_size = 165;
+    const std::string said = explained(settings);
+    for (const char* option : {"photo-size", "distance", "border-width", "border-threshold", "thumbnail",
+                               "cluster-triangles", "per-fragment"})
+        EXPECT_NE(said.find(option), std::string::npos) << option << " in\n" << said;
+    EXPECT_EQ(said.find("not measured"), std::string::npos) << said;
+    EXPECT_EQ(said.find("nan"), std::string::npos) << said;
+    EXPECT_NE(said.find("of 331 px, 0.50 of the side"), std::string::npos) << said;
+    EXPECT_NE(said.find("chamfer"), std::string::npos) << said;
+}
