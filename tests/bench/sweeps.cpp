@@ -5,9 +5,10 @@ namespace vantage::bench {
 // One file in sweeps/ each.
 extern const Sweep border_sweep;
 extern const Sweep depth_sweep;
+extern const Sweep coordinates_sweep;
 
 std::span<const Sweep> sweeps() {
-    static const Sweep all[] = {border_sweep, depth_sweep};
+    static const Sweep all[] = {border_sweep, depth_sweep, coordinates_sweep};
     return all;
 }
 
