@@ -6,9 +6,10 @@ namespace vantage::bench {
 extern const Sweep border_sweep;
 extern const Sweep depth_sweep;
 extern const Sweep coordinates_sweep;
+extern const Sweep undistortion_sweep;
 
 std::span<const Sweep> sweeps() {
-    static const Sweep all[] = {border_sweep, depth_sweep, coordinates_sweep};
+    static const Sweep all[] = {border_sweep, depth_sweep, coordinates_sweep, undistortion_sweep};
     return all;
 }
 
