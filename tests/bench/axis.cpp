@@ -18,14 +18,6 @@ std::string with_places(double value, int places) {
     return (value < 0 && !zero ? "−" : "") + std::string(text);
 }
 
-/// "10⁻⁷"
-std::string power_of_ten(int exponent) {
-    constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string out = exponent < 0 ? "10⁻" : "10";
-    for (const char c : std::to_string(std::abs(exponent))) out += digits[c - '0'];
-    return out;
-}
-
 /// The least of 1, 2, 5 times a power of ten that is no less.
 double round_step(double least) {
     const double decade = std::pow(10.0, std::floor(std::log10(least)));

@@ -26,7 +26,7 @@ constexpr const char* inks[] = {"#005A8C", "#A34700", "#00694D", "#94486F", "#85
 constexpr int shapes[] = {7, 9, 13, 11};  // gnuplot's filled circle, triangles and diamond
 constexpr int square = 5, circle = 6;
 constexpr const char *ink = "#333333", *pale = "#E4E4E4", *grey = "#9A9A9A";
-constexpr double width = 560, body = 330, title_height = 34, axis_height = 56, key_row = 17;
+constexpr double width = 520, body = 330, title_height = 34, axis_height = 56, key_row = 17;
 constexpr double label_size = 10, text_size = 11.5;
 
 /// A number as gnuplot reads it.
@@ -126,13 +126,20 @@ std::vector<Spot> staircase(const Layout& l) {
     return out;
 }
 
-/// The curve's points from left to right, in the axes' units.
+/// The curve's points along the side on which it is longer, in the axes' units.
 std::vector<Spot> path(const Layout& l, const PlotCurve& c) {
     std::vector<Spot> out;
     for (const PlotPoint& p : c.points)
         if (drawn(p)) out.push_back(l.place(p.x, p.y));
-    std::ranges::stable_sort(
-        out, [](const Spot& a, const Spot& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    if (out.empty()) return out;
+    const auto across = [&](const Spot& s) { return l.pixel(s).x; };
+    const auto down = [&](const Spot& s) { return l.pixel(s).y; };
+    const auto [left, right] = std::ranges::minmax_element(out, {}, across);
+    const auto [top, bottom] = std::ranges::minmax_element(out, {}, down);
+    if (across(*right) - across(*left) >= down(*bottom) - down(*top))
+        std::ranges::stable_sort(out, {}, across);
+    else
+        std::ranges::stable_sort(out, {}, down);
     return out;
 }
 
@@ -140,12 +147,16 @@ void add_segments(const Layout& l, const std::vector<Spot>& path, Obstacles& o) 
     for (std::size_t i = 1; i < path.size(); ++i) o.lines.push_back({l.pixel(path[i - 1]), l.pixel(path[i])});
 }
 
-/// Wishes for all points that are drawn, in their order: chosen and exact first, then the ends of each axis,
-/// then the front, then the rest.
+double radius(const PlotPoint& p) { return p.chosen ? 7.5 : 5.5; }
+
+/// Wishes for all points that are drawn, in their order: chosen and exact first and what stands out from
+/// muted curves, then the ends of each axis, then the front, then the rest.
 std::vector<LabelWish> label_wishes(const Layout& l) {
     std::vector<LabelWish> out;
-    each_point(l.plot, [&](const PlotCurve&, const PlotPoint& p) {
-        out.push_back({l.pixel(l.place(p.x, p.y)), p.quiet ? "" : p.label, p.chosen || p.exact ? 0 : 3});
+    const bool background = std::ranges::any_of(l.plot.curves, &PlotCurve::muted);
+    each_point(l.plot, [&](const PlotCurve& c, const PlotPoint& p) {
+        const bool first = p.chosen || p.exact || (background && !c.muted);
+        out.push_back({l.pixel(l.place(p.x, p.y)), p.quiet ? "" : p.label, radius(p), first ? 0 : 3});
     });
     const auto prefer = [&](std::size_t i, int rank) { out[i].rank = std::min(out[i].rank, rank); };
     for (const std::size_t i : front(tradeoffs(l.plot))) prefer(i, 2);
@@ -160,9 +171,10 @@ std::vector<LabelWish> label_wishes(const Layout& l) {
 Obstacles obstacles(const Layout& l) {
     Obstacles o;
     o.area = {l.area.left + 2, l.area.top - 6, width - 2, l.area.bottom - 2};
-    each_point(l.plot,
-               [&](const PlotCurve&, const PlotPoint& p) { o.marks.push_back(l.pixel(l.place(p.x, p.y))); });
-    o.mark = 5.5;
+    each_point(l.plot, [&](const PlotCurve&, const PlotPoint& p) {
+        o.marks.push_back({l.pixel(l.place(p.x, p.y)), radius(p)});
+        if (moved(p)) o.marks.push_back({l.pixel(l.place((*p.before)[0], (*p.before)[1]))});
+    });
     for (const PlotCurve& c : l.plot.curves)
         if (c.line) add_segments(l, path(l, c), o);
     add_segments(l, staircase(l), o);

@@ -18,7 +18,7 @@ struct PlotPoint {
 struct PlotCurve {
     std::string name;  ///< in the key, if there are several
     std::vector<PlotPoint> points;
-    bool line = true;    ///< through its points by x
+    bool line = true;    ///< through its points, along its longer side
     bool muted = false;  ///< small and grey
 };
 

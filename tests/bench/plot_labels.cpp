@@ -24,10 +24,10 @@ bool crosses(const std::pair<Spot, Spot>& line, const Box& box) {
 }
 
 /// Right, left, above and below, and between; the same again further away.
-std::vector<Box> places(const LabelWish& wish, double mark, double font_size) {
+std::vector<Box> places(const LabelWish& wish, double font_size) {
     const double w = text_width(wish.text, font_size), h = 1.15 * font_size;
     std::vector<Box> out;
-    for (const double gap : {mark + 1.5, mark + 9}) {
+    for (const double gap : {wish.radius + 1.5, wish.radius + 9}) {
         const double diagonal = 0.75 * gap;
         const Spot offsets[] = {{gap, -h / 2},
                                 {diagonal, -diagonal - h / 2 - 1},
@@ -52,8 +52,9 @@ std::optional<double> badness(const Box& box, const LabelWish& wish, const Obsta
         return std::nullopt;
     if (std::ranges::any_of(taken, [&](const Box& b) { return overlap(b, box); })) return std::nullopt;
     double sum = 0;
-    for (const Spot& m : o.marks) {
-        if (!overlap(box, {m.x - o.mark, m.y - o.mark, m.x + o.mark, m.y + o.mark})) continue;
+    for (const Mark& m : o.marks) {
+        const Box mark{m.at.x - m.radius, m.at.y - m.radius, m.at.x + m.radius, m.at.y + m.radius};
+        if (!overlap(box, mark)) continue;
         if (wish.rank > 0) return std::nullopt;
         sum += 50;
     }
@@ -96,7 +97,7 @@ std::vector<std::optional<LabelPlace>> place_labels(const std::vector<LabelWish>
         if (wishes[i].text.empty()) continue;
         std::optional<Box> best;
         double least = 0, nth = 0;
-        for (const Box& box : places(wishes[i], obstacles.mark, font_size)) {
+        for (const Box& box : places(wishes[i], font_size)) {
             nth += 0.12;
             const std::optional<double> bad = badness(box, wishes[i], obstacles, taken);
             if (!bad || (best && *bad + nth >= least)) continue;

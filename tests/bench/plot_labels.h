@@ -20,13 +20,17 @@ double text_width(const std::string& utf8, double font_size);
 struct LabelWish {
     Spot point;
     std::string text;
-    int rank = 0;  ///< least first; 0 is kept even over another point's mark
+    double radius = 5.5;  ///< of the point's mark
+    int rank = 0;         ///< least first; 0 is kept even over another point's mark
+};
+struct Mark {
+    Spot at;
+    double radius = 5.5;
 };
 /// What labels keep clear of.
 struct Obstacles {
-    Box area;                 ///< none may leave it
-    std::vector<Spot> marks;  ///< of points, as wide as `mark`
-    double mark = 6;
+    Box area;  ///< none may leave it
+    std::vector<Mark> marks;
     std::vector<std::pair<Spot, Spot>> lines;  ///< crossed only where nothing else is free
 };
 

@@ -27,35 +27,38 @@ Scale scale_of(std::span<const double> values, const std::string& unit) {
     for (const double v : values)
         if (std::isfinite(v) && v > 0) low = std::min(low, v), high = std::max(high, v);
     if (from == std::end(units) || high == 0) return {1, unit};
-    const double middle = std::sqrt(low) * std::sqrt(high) * from->size;
+    const double middle = std::sqrt(low) * std::sqrt(high) * from->size, most = high * from->size;
     const Unit* best = nullptr;
     for (const Unit& to : units)
-        if (to.family == from->family && (!best || to.size <= middle)) best = &to;
+        if (to.family == from->family && (!best || (to.size <= 10 * middle && to.size <= most))) best = &to;
     return {from->size / best->size, best->name};
+}
+
+std::string power_of_ten(int exponent) {
+    constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string out = exponent < 0 ? "10⁻" : "10";
+    for (const char c : std::to_string(std::abs(exponent))) out += digits[c - '0'];
+    return out;
 }
 
 std::string number(double value, int digits) {
     if (!std::isfinite(value)) return "–";
-    char text[64];
-    const double size = std::abs(value);
-    if (size != 0 && (size < 1e-4 || size >= 1e7)) {
-        std::snprintf(text, sizeof text, "%.*e", digits - 1, size);
-    } else {
-        std::snprintf(text, sizeof text, "%.*e", digits - 1, size);  // rounds before it counts the places
-        const int places =
-            digits - 1 - std::atoi(std::string(text).substr(std::string(text).find('e') + 1).c_str());
-        std::snprintf(text, sizeof text, "%.*f", size == 0 ? 0 : std::clamp(places, 0, 9), size);
-    }
-    return (std::string_view(text).find_first_of("123456789") < std::string_view(text).find('e') && value < 0
-                ? "−"
-                : "") +
-           std::string(text);
+    if (value == 0) return "0";
+    char rounded[64], text[64];
+    std::snprintf(rounded, sizeof rounded, "%.*e", digits - 1, std::abs(value));
+    const std::string_view r = rounded;
+    const int exponent = std::atoi(rounded + r.find('e') + 1), places = digits - 1 - exponent;
+    const std::string minus = value < 0 ? "−" : "";
+    if (exponent < -4 || exponent > 6)
+        return minus + std::string(r.substr(0, r.find('e'))) + "·" + power_of_ten(exponent);
+    std::snprintf(text, sizeof text, "%.*f", std::max(places, 0), std::abs(value));
+    return minus + text;
 }
 
-std::string quantity(double value, const std::string& unit) {
+std::string quantity(double value, const std::string& unit, int digits) {
     const double values[] = {std::abs(value)};
     const Scale scale = scale_of(values, unit);
-    return number(value * scale.factor) +
+    return number(value * scale.factor, digits) +
            (scale.unit.empty() || !std::isfinite(value) ? "" : " " + scale.unit);
 }
 
