@@ -1,0 +1,10 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace vantage::bench {
+
+/// RFC 4648, padded, in one line.
+std::string base64(std::string_view bytes);
+
+}  // namespace vantage::bench
