@@ -1,5 +1,5 @@
-// vantage-bench as a whole, on a small synthetic scene: every knob's exact end reproduces the truth to what its sweep
-// says, and a run that was cut off goes on.
+// vantage-bench as a whole, on a small synthetic scene: every knob's exact end reproduces the truth to what
+// its sweep says, and a run that was cut off goes on.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,18 +26,12 @@ struct Bound {
 constexpr double any = 1e30;
 // As Sweep::precision has it in words.
 constexpr Bound precisions[] = {
-    {"border", "mask_worst", 0, 0},
-    {"border", "distance_worst", 0, 0},
-    {"depth", "false_hidden", 0, 0.05},
-    {"depth", "false_visible", 0, 0.05},
-    {"coordinates", "px_worst", 0, 0.001},
-    {"undistortion", "psnr", 36, any},
-    {"tiles", "psnr", 100, 100},
-    {"blending", "uncoloured", 0, 0.2},
-    {"sums", "psnr_exact", 100, 100},
-    {"selection", "uncoloured", 0, 0.2},
-    {"hysteresis", "changes", 0, 0},
-    {"hysteresis", "uncovered", 0, 0},
+    {"border", "mask_worst", 0, 0},        {"border", "distance_worst", 0, 0},
+    {"depth", "false_hidden", 0, 0.05},    {"depth", "false_visible", 0, 0.05},
+    {"coordinates", "px_worst", 0, 0.001}, {"undistortion", "psnr", 36, any},
+    {"tiles", "psnr", 100, 100},           {"blending", "uncoloured", 0, 0.2},
+    {"sums", "psnr_exact", 100, 100},      {"selection", "uncoloured", 0, 0.2},
+    {"hysteresis", "changes", 0, 0},       {"hysteresis", "uncovered", 0, 0},
     {"filtering", "psnr_exact", 100, 100},
 };
 
@@ -45,7 +39,8 @@ class VantageBench : public TemporaryFolder {
   protected:
     /// Its exit code; what it says is in `said`.
     int run(const std::string& options) {
-        const std::string command = std::string(VANTAGE_BENCH) + " " + options + " > " + (dir / "said").string() + " 2>&1";
+        const std::string command =
+            std::string(VANTAGE_BENCH) + " " + options + " > " + (dir / "said").string() + " 2>&1";
         const int status = std::system(command.c_str());
         said = slurp(dir / "said");
         return status;
@@ -55,12 +50,13 @@ class VantageBench : public TemporaryFolder {
 
 std::vector<Measurement> of(const std::vector<Measurement>& all, const std::string& sweep) {
     std::vector<Measurement> out;
-    std::ranges::copy_if(all, std::back_inserter(out), [&](const Measurement& m) { return m.sweep == sweep; });
+    std::ranges::copy_if(all, std::back_inserter(out),
+                         [&](const Measurement& m) { return m.sweep == sweep; });
     return out;
 }
 
-const Measurement& row(const std::vector<Measurement>& all, const std::string& sweep, const std::string& curve,
-                       const std::string& setting) {
+const Measurement& row(const std::vector<Measurement>& all, const std::string& sweep,
+                       const std::string& curve, const std::string& setting) {
     for (const Measurement& m : all)
         if (m.sweep == sweep && m.curve == curve && m.setting == setting) return m;
     throw std::out_of_range(sweep + ", " + curve + ", " + setting + ": not measured");
@@ -88,10 +84,13 @@ TEST_F(VantageBench, EveryExactEndReproducesTheTruth) {
     const auto value = [&](const char* sweep, const char* curve, const char* setting, const char* metric) {
         return row(all, sweep, curve, setting).values.at(metric);
     };
-    EXPECT_GT(value("border", "masks at 1/8", "exact", "mask_mean"), value("border", "masks at 1/2", "exact", "mask_mean"));
-    EXPECT_LT(value("filtering", "samples", "1x1", "psnr_exact"), value("filtering", "samples", "2x2", "psnr_exact"));
+    EXPECT_GT(value("border", "masks at 1/8", "exact", "mask_mean"),
+              value("border", "masks at 1/2", "exact", "mask_mean"));
+    EXPECT_LT(value("filtering", "samples", "1x1", "psnr_exact"),
+              value("filtering", "samples", "2x2", "psnr_exact"));
     EXPECT_LT(value("sums", "average, 8 a pass", "half float", "psnr_exact"), 50);
-    EXPECT_LT(value("loading", "tiles", "3 levels coarser", "psnr"), value("loading", "tiles", "full resolution", "psnr"));
+    EXPECT_LT(value("loading", "tiles", "3 levels coarser", "psnr"),
+              value("loading", "tiles", "full resolution", "psnr"));
     EXPECT_TRUE(fs::exists(dir / "out" / "index.html"));
 }
 
@@ -116,11 +115,14 @@ TEST_F(VantageBench, SaysWhatIsWrong) {
     EXPECT_EQ(run("--set huge"), 2 << 8);
     EXPECT_EQ(run("--set smoke --only border --against " + (dir / "none.json").string()), 3 << 8);
     EXPECT_NE(said.find("none.json"), std::string::npos);
-    EXPECT_EQ(run("--set smoke --only border -o " + (dir / "out").string() + " " + (dir / "no-scan").string()), 3 << 8);
+    EXPECT_EQ(
+        run("--set smoke --only border -o " + (dir / "out").string() + " " + (dir / "no-scan").string()),
+        3 << 8);
 }
 
 TEST_F(VantageBench, ALogOfAnotherRunIsBegunAnew) {
-    Measurement m{"border", "tiny", "masks at 1/2", "jfa", true, false, {{"mask_mean", 0.25}}, {{"a", "b.jpg"}}};
+    Measurement m{"border", "tiny", "masks at 1/2",        "jfa",
+                  true,     false,  {{"mask_mean", 0.25}}, {{"a", "b.jpg"}}};
     {
         Log log(dir / "log", "one");
         log.add("job", 1.5, {m, m});

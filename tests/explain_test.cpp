@@ -20,7 +20,8 @@ class Explain : public TemporaryFolder {
         const SceneInput scene = read_scene(discover(dir / "scene"));
         prepare(scene, settings, dir / "p.vantage", [](const Progress&) {});
         std::string all;
-        for (const std::string& line : explain(settings, scene, PackageReader(dir / "p.vantage"))) all += line + "\n";
+        for (const std::string& line : explain(settings, scene, PackageReader(dir / "p.vantage")))
+            all += line + "\n";
         return all;
     }
 };

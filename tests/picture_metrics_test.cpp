@@ -139,20 +139,25 @@ TEST(PictureMetrics, NothingToGoBy) {
 // The measuring kit beside the datasets has software of its own.
 TEST_F(PictureMetricsBesideTheKit, AgreeToAHundredthOfADecibel) {
     const char* root = std::getenv("VANTAGE_DATASETS");
-    const std::filesystem::path kit = std::filesystem::path(root ? root : "../shared/datasets") / "../tools/metric.py";
+    const std::filesystem::path kit =
+        std::filesystem::path(root ? root : "../shared/datasets") / "../tools/metric.py";
     if (!std::filesystem::exists(kit)) GTEST_SKIP() << "no measuring kit at " << kit;
     const Picture photo = random_picture(181, 133, 5, true);
     Picture picture = random_picture(181, 133, 5, true);
     std::mt19937 random(3);
     for (std::uint8_t& v : picture.rgba) v = std::uint8_t(v * 0.9 + double(random() % 20));
-    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = i > 40000 && i < 42000 ? 0 : 255;
+    for (std::size_t i = 3; i < picture.rgba.size(); i += 4)
+        picture.rgba[i] = i > 40000 && i < 42000 ? 0 : 255;
     write_png(dir / "photo.png", photo);
     write_png(dir / "picture.png", picture);
     const std::string command = "python3 " + kit.string() + " " + (dir / "photo.png").string() + " " +
                                 (dir / "picture.png").string() + " > " + (dir / "said").string() + " 2>&1";
-    if (std::system(("/usr/bin/" + command).c_str()) != 0) GTEST_SKIP() << "the kit does not run here: " << slurp(dir / "said");
+    if (std::system(("/usr/bin/" + command).c_str()) != 0)
+        GTEST_SKIP() << "the kit does not run here: " << slurp(dir / "said");
     const std::string said = slurp(dir / "said");
-    const auto value = [&](const std::string& name) { return std::stod(said.substr(said.find(name + "=") + name.size() + 1)); };
+    const auto value = [&](const std::string& name) {
+        return std::stod(said.substr(said.find(name + "=") + name.size() + 1));
+    };
     const PictureScore s = score(photo, picture, scored_pixels(picture));
     EXPECT_NEAR(s.psnr, value("psnr"), 0.01);
     EXPECT_NEAR(s.psnr_gain, value("psnr_gain"), 0.01);

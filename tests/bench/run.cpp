@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <optional>
 #include <thread>
 
 #include "gl/context.h"
@@ -142,7 +143,7 @@ int run(const RunOptions& o) {
         if (std::ranges::find(sweeps(), name, [](const Sweep& s) { return std::string(s.name); }) ==
             sweeps().end())
             throw Error(Exit::usage, "--only " + name + ": no such sweep, see --list");
-    std::vector<Measurement> before;
+    std::optional<Run> before;
     if (!o.against.empty()) before = read_json(o.against);
     std::vector<fs::path> inputs(o.inputs.begin(), o.inputs.end());
     if (inputs.empty()) inputs = usual_inputs(effort.name);
@@ -157,9 +158,10 @@ int run(const RunOptions& o) {
     std::vector<std::string> about = machine(effort);
     about.push_back(fmt::format("measured in {:.1f} minutes", log.seconds() / 60));
     write_csv(o.folder / "results.csv", log.measurements());
-    write_json(o.folder / "results.json", about, log.measurements());
+    const Run now{VANTAGE_VERSION, effort.name, about, log.measurements()};
+    write_json(o.folder / "results.json", now);
     if (!o.costs.empty()) write_costs(o.costs, about, log.measurements());
-    write_page(o.folder, {"What accuracy costs", about, sweeps(), log.measurements(), before});
+    write_page(o.folder, {"What accuracy costs", sweeps(), now, before});
     fmt::print("{}\n", (o.folder / "index.html").string());
     return int(Exit::ok);
 }
