@@ -140,7 +140,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
     Results results;
     for (const Cast& c : photos) add(c, effort.repeats, results);
     std::vector<Measurement> out;
-    if (results.full[0].psnr.empty()) return out;
+    if (results.full[0].psnr.empty() || results.halved[0].psnr.empty()) return out;
     for (std::size_t s = 0; s < settings; ++s) out.push_back(measured("as undistorted", s, results.full[s]));
     for (std::size_t s = 0; s < settings; ++s)
         out.push_back(measured("a level coarser", s, results.halved[s]));
