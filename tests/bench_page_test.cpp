@@ -1,12 +1,18 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <random>
+#include <set>
 
 #include "scene/error.h"
 #include "temporary_folder.h"
 #include "tests/bench/base64.h"
 #include "tests/bench/front.h"
+#include "tests/bench/gnuplot.h"
+#include "tests/bench/moved.h"
+#include "tests/bench/page.h"
+#include "tests/bench/quantity.h"
 #include "tests/bench/tables.h"
 
 using namespace vantage;
@@ -140,6 +146,242 @@ TEST_F(BenchTables, CsvHasALineAValue) {
               "sweep,scene,curve,setting,exact,chosen,metric,unit,value\r\n"
               "border,hall,masks at 1/2,\"a, \"\"b\"\"\",0,0,photo_ms,ms,\r\n"
               "border,hall,masks at 1/2,\"a, \"\"b\"\"\",0,0,psnr,dB,34.5\r\n");
+}
+
+TEST(Quantity, IsWrittenInAUnitThatSuits) {
+    EXPECT_EQ(quantity(12'340'000, "B"), "12.34 MB");
+    EXPECT_EQ(quantity(0.0005, "s"), "500.0 µs");
+    EXPECT_EQ(quantity(34.5, "dB"), "34.50 dB");
+    EXPECT_EQ(quantity(-0.25, ""), "−0.2500");
+    EXPECT_EQ(quantity(0, "ms"), "0 ms");
+    EXPECT_EQ(number(9.99996), "10.00");
+    EXPECT_EQ(number(2.5e-7, 2), "2.5·10⁻⁷");
+    EXPECT_EQ(quantity(nan_value, "dB"), "–");
+    EXPECT_EQ(number(-std::numeric_limits<double>::infinity()), "–");
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+    std::size_t n = 0;
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += what.size()) ++n;
+    return n;
+}
+
+PlotSpec plot_of(std::vector<PlotPoint> points) {
+    return {"a plot",
+            {"preparing", "ms", true, true},
+            {"error", "of 255", true, true},
+            {PlotCurve{"masks", std::move(points)}}};
+}
+
+/// Whole, and nothing in it that SVG does not allow.
+void expect_sound(const std::string& svg) {
+    EXPECT_EQ(svg.find("<svg "), 0U);
+    EXPECT_EQ(count(svg, "<svg"), 1U);
+    EXPECT_EQ(count(svg, "</svg>"), 1U);
+    EXPECT_EQ(count(svg, "<g"), count(svg, "</g>"));
+    EXPECT_EQ(svg.find("<?xml"), std::string::npos);
+    for (const char* odd : {"nan", "NaN", "inf,", "-inf"}) EXPECT_EQ(svg.find(odd), std::string::npos) << odd;
+}
+
+TEST(Plot, ZerosOnALogAxisAreDrawnAtAFloorThatIsSaid) {
+    const std::string svg = svg_plot(plot_of({{1, 0, "none"}, {10, 0.5, "some"}, {100, 5, "much"}}));
+    expect_sound(svg);
+    EXPECT_NE(svg.find("0 at the edge"), std::string::npos);
+    for (const char* label : {"none", "some", "much"}) EXPECT_NE(svg.find(label), std::string::npos);
+    EXPECT_EQ(svg_plot(plot_of({{1, 1, "a"}, {2, 3, "b"}})).find("0 at the edge"), std::string::npos);
+    expect_sound(svg_plot(plot_of({{0, 0, "all"}, {0, 0, "zero"}})));
+    expect_sound(svg_plot(plot_of({{1, -3, "negative"}, {2, 3, "b"}})));
+}
+
+TEST(Plot, OnePointOrNoneStillMakesAPlot) {
+    expect_sound(svg_plot(plot_of({{5, 5, "alone", true, true}})));
+    expect_sound(svg_plot(plot_of({{1e-300, 1e300, "far"}, {1e300, 1e-300, "apart"}})));
+    expect_sound(svg_plot(plot_of({{5, nan_value, "not drawn"}})));
+    const std::string none = svg_plot(plot_of({}));
+    expect_sound(none);
+    EXPECT_NE(none.find("nothing was measured"), std::string::npos);
+    expect_sound(svg_plot({}));
+}
+
+TEST(Plot, NamesArePrintedAsTheyAre) {
+    const auto trap = std::filesystem::temp_directory_path() / ("bench-trap-" + std::to_string(::getpid()));
+    const std::string name = "it's `touch " + trap.string() + "` $(touch " + trap.string() + ")";
+    PlotSpec plot = plot_of({{1, 1, "jfa^2_x"}, {9, 4, "<b>&\\n\"q\""}});
+    plot.title = name;
+    const std::string svg = svg_plot(plot);
+    expect_sound(svg);
+    EXPECT_NE(svg.find("jfa^2_x"), std::string::npos);
+    EXPECT_NE(svg.find("<text>" + name), std::string::npos);
+    EXPECT_EQ(svg.find("<b>"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(trap));
+}
+
+TEST(Plot, TwoInOnePageShareNoIds) {
+    const auto ids = [](const std::string& svg) {
+        std::set<std::string> out;
+        for (std::size_t at = 0; (at = svg.find(" id=", at)) != std::string::npos; at += 5)
+            out.insert(svg.substr(at + 5, svg.find(svg[at + 4], at + 5) - at - 5));
+        return out;
+    };
+    const std::set<std::string> a = ids(svg_plot(plot_of({{1, 1, "a"}}))),
+                                b = ids(svg_plot(plot_of({{1, 2, "a"}})));
+    EXPECT_FALSE(a.empty());
+    for (const std::string& id : a) EXPECT_FALSE(b.contains(id)) << id;
+}
+
+/// Complaints of svg_plot() with only `folder` to find programs in.
+std::string complaint_with_path(const std::filesystem::path& folder) {
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", folder.c_str(), 1);
+    std::string said;
+    try {
+        svg_plot({});
+    } catch (const Error& e) {
+        EXPECT_EQ(e.code(), Exit::input);
+        said = e.what();
+    }
+    ::setenv("PATH", path.c_str(), 1);
+    return said;
+}
+
+TEST_F(BenchTables, GnuplotMissingOrFailingIsSaidInALine) {
+    EXPECT_NE(complaint_with_path(dir).find("gnuplot-nox"), std::string::npos);
+    std::ofstream(dir / "gnuplot")
+        << "#!/bin/sh\nprintf '\\nplot x\\n     ^\\n\"plot.gp\", line 3: no x\\n' >&2\nexit 1\n";
+    std::filesystem::permissions(dir / "gnuplot", std::filesystem::perms::owner_all);
+    EXPECT_EQ(complaint_with_path(dir), "gnuplot failed: \"plot.gp\", line 3: no x");
+}
+
+/// Ten settings whose times are all `drift` times as long as at 1.
+std::vector<Measurement> drifting_rows(double drift) {
+    std::vector<Measurement> out;
+    for (int i = 1; i <= 10; ++i)
+        out.push_back(row("setting " + std::to_string(i), {{"photo_ms", i * drift}, {"psnr", 30.0 + i}}));
+    return out;
+}
+
+TEST(Moved, ADriftingMachineIsNoMove) {
+    const Comparison same = compare(drifting_rows(2), drifting_rows(1));
+    EXPECT_DOUBLE_EQ(same.drift, 2);
+    EXPECT_EQ(same.compared, 20U);
+    EXPECT_TRUE(same.moved.empty());
+}
+
+TEST(Moved, WorstFirstAndBetterLast) {
+    std::vector<Measurement> now = drifting_rows(2);
+    now[3].values["photo_ms"] *= 1.5;
+    now[4].values["psnr"] -= 3;
+    now[5].values["photo_ms"] *= 0.5;
+    now[6].values["psnr"] = nan_value;
+    now[7].setting = "another";
+    const std::vector<Measurement> before = drifting_rows(1);
+    const Comparison c = compare(now, before);
+    ASSERT_EQ(c.moved.size(), 4U);
+    EXPECT_EQ(c.moved[0].row, &now[6]);
+    EXPECT_FALSE(c.moved[0].now);
+    EXPECT_EQ(c.moved[1].row, &now[4]);
+    EXPECT_EQ(c.moved[2].row, &now[3]);
+    EXPECT_DOUBLE_EQ(c.moved[2].before, 8);
+    EXPECT_EQ(c.moved[3].row, &now[5]);
+    EXPECT_LT(c.moved[3].by, 0);
+    EXPECT_EQ(c.appeared, std::vector{full_name(now[7])});
+    EXPECT_EQ(c.vanished, std::vector{full_name(before[7])});
+}
+
+std::vector<Job> no_jobs(const BenchScene&, const Effort&, const std::filesystem::path&) { return {}; }
+const Sweep two_sweeps[] = {
+    {"border", "Borders <near>", "Which?", "the truth", "0", {{"photo_ms", "psnr"}}, no_jobs},
+    {"presets", "Presets", "Which?", "the truth", "0", {}, no_jobs}};
+
+Measurement preset(std::string setting, double seconds, double psnr) {
+    return {"presets",
+            "hall",
+            "presets",
+            std::move(setting),
+            false,
+            false,
+            {{"prepare_s", seconds}, {"psnr", psnr}},
+            {}};
+}
+
+class BenchPage : public TemporaryFolder {
+  protected:
+    PageInput input{"A <page>", two_sweeps, {"0.1.0", "short", {"a & b"}, drifting_rows(1)}, std::nullopt};
+
+    std::string page() {
+        write_page(dir, input);
+        return slurp(dir / "index.html");
+    }
+};
+
+TEST_F(BenchPage, RefersToNothingOutsideItself) {
+    std::ofstream(dir / "shot.jpg") << "not really a JPEG";
+    input.now.measurements[0].exhibits = {{"a <shot>", "shot.jpg"}, {"another", "gone.jpg"}};
+    const std::string html = page();
+    for (const char* attribute : {"src=", "href=", "url("})
+        for (std::size_t at = 0; (at = html.find(attribute, at)) != std::string::npos;) {
+            at += std::string_view(attribute).size();
+            const std::size_t value = html[at] == '"' || html[at] == '\'' ? at + 1 : at;
+            EXPECT_TRUE(html[value] == '#' || html.compare(value, 5, "data:") == 0) << html.substr(at, 60);
+        }
+    EXPECT_NE(html.find("data:image/jpeg;base64," + base64("not really a JPEG")), std::string::npos);
+    EXPECT_NE(html.find("the picture is missing"), std::string::npos);
+    EXPECT_EQ(html.find("@import"), std::string::npos);
+    EXPECT_EQ(html.find("<script"), std::string::npos);
+}
+
+TEST_F(BenchPage, EscapesWhatItPrints) {
+    input.now.measurements[0].setting = "<script>alert('1')</script>";
+    const std::string html = page();
+    EXPECT_EQ(html.find("<script"), std::string::npos);
+    EXPECT_EQ(html.find("<near>"), std::string::npos);
+    EXPECT_NE(html.find("&#60;near&#62;"), std::string::npos);
+    EXPECT_NE(html.find("a &#38; b"), std::string::npos);
+}
+
+TEST_F(BenchPage, ShowsWhatMovedAndNothingElse) {
+    input.before = bench::Run{"0.0.9", "short", {}, drifting_rows(1.3)};
+    EXPECT_NE(page().find("Nothing moved"), std::string::npos);
+    input.before->measurements[2].values["psnr"] += 2;
+    const std::string html = page();
+    const std::string section =
+        html.substr(html.find("<section id=moved>"),
+                    html.find("<section id=defaults>") - html.find("<section id=moved>"));
+    EXPECT_EQ(section.find("Nothing moved"), std::string::npos);
+    EXPECT_NE(section.find("<tr class=\"worse\"><td>border<td>hall<td>masks at 1/2<td>setting "
+                           "3<td>PSNR<td>35.00 dB<td>33.00 dB"),
+              std::string::npos)
+        << section;
+    EXPECT_EQ(section.find("setting 4"), std::string::npos);
+}
+
+TEST_F(BenchPage, WhatIsNotFiniteIsADash) {
+    input.now.measurements[1].values["psnr"] = nan_value;
+    input.now.measurements[2].values["photo_ms"] = std::numeric_limits<double>::infinity();
+    const std::string html = page();
+    for (const char* odd : {">nan", ">inf", "NaN", "-nan"})
+        EXPECT_EQ(html.find(odd), std::string::npos) << odd;
+    EXPECT_NE(html.find("<td>–"), std::string::npos);
+    EXPECT_NE(
+        html.find("Not drawn, having no finite value: masks at 1/2, setting 2; masks at 1/2, setting 3"),
+        std::string::npos);
+}
+
+TEST_F(BenchPage, SaysHowFarAPresetIsFromTheFront) {
+    for (const Measurement& m : {preset("preview", 1, 30), preset("default", 10, 31), preset("trial", 9, 33),
+                                 preset("overnight", 100, 36)})
+        input.now.measurements.push_back(m);
+    const std::string html = page();
+    EXPECT_NE(html.find("<td>preview<td>on the front"), std::string::npos);
+    EXPECT_NE(html.find("<td>default<td>2.00 dB below the best that costs no more (trial)"),
+              std::string::npos);
+    EXPECT_NE(html.find("<td>overnight<td>on the front"), std::string::npos);
+}
+
+TEST_F(BenchPage, NothingMeasuredIsAPageToo) {
+    input.now.measurements.clear();
+    EXPECT_NE(page().find("Not measured in this run: border, presets"), std::string::npos);
+    EXPECT_THROW(write_page(dir / "none", input), Error);
 }
 
 }  // namespace

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <string_view>
 
 namespace vantage::bench {
 namespace {
 
 constexpr double padding = 0.07;
+constexpr double least = 1e-100, most = 1e100;  // beyond, arithmetic on ranges would overflow
 
 std::string with_places(double value, int places) {
     char text[64];
@@ -36,7 +38,7 @@ std::vector<Axis::Tick> even_ticks(double low, double high) {
 }
 
 std::vector<Axis::Tick> log_ticks(double low, double high) {
-    const double decades = std::log10(high / low);
+    const double decades = std::log10(high) - std::log10(low);
     if (decades < 1) return even_ticks(low, high);
     const int every = std::max(1, int(std::ceil(decades / 7)));
     const bool plain = low >= 0.9e-3 && high < 1.1e5;
@@ -56,7 +58,7 @@ std::vector<Axis::Tick> log_ticks(double low, double high) {
 void set_even_range(Axis& axis, double low, double high) {
     const double size = std::max(std::abs(low), std::abs(high)), middle = low / 2 + high / 2;
     const bool positive = low >= 0;
-    if (size == 0) low = 0, high = 1;
+    if (size < least) low = 0, high = 1;
     if (high - low < 1e-4 * size) low = middle - 0.1 * size, high = middle + 0.1 * size;
     const double pad = padding * (high - low);
     axis.low = positive && low - pad < 0 ? -0.4 * pad : low - pad;
@@ -65,10 +67,10 @@ void set_even_range(Axis& axis, double low, double high) {
 }
 
 void set_log_range(Axis& axis, double low, double high, bool zeros, bool negatives) {
-    if (high / low < 1.001) low /= 2, high *= 2;
-    const double wider = std::pow(high / low, padding);
+    if (high < low * 1.001) low /= 2, high *= 2;
+    const double decades = std::log10(high) - std::log10(low), wider = std::pow(10.0, padding * decades);
     if (zeros) {
-        axis.floor = low / std::max(2.0, std::pow(high / low, 0.14));
+        axis.floor = low / std::max(2.0, std::pow(10.0, 0.14 * decades));
         axis.low = *axis.floor / wider;
     } else {
         axis.low = low / wider;
@@ -85,8 +87,8 @@ Axis axis_of(std::span<const double> values, bool log, const std::string& unit) 
     axis.scale = scale_of(values, unit);
     std::vector<double> all, positive;
     for (const double v : values)
-        if (std::isfinite(v)) all.push_back(v * axis.scale.factor);
-    std::ranges::copy_if(all, std::back_inserter(positive), [](double v) { return v > 0; });
+        if (std::isfinite(v)) all.push_back(std::clamp(v * axis.scale.factor, -most, most));
+    std::ranges::copy_if(all, std::back_inserter(positive), [](double v) { return v >= least; });
     axis.log = log && !positive.empty();
     if (all.empty()) return axis;
     const auto [low, high] = std::ranges::minmax(axis.log ? positive : all);
@@ -98,11 +100,12 @@ Axis axis_of(std::span<const double> values, bool log, const std::string& unit) 
 }
 
 double drawn_at(const Axis& axis, double value) {
-    return axis.log && value <= 0 ? axis.floor.value_or(axis.low) : value * axis.scale.factor;
+    const double at = std::clamp(value * axis.scale.factor, -most, most);
+    return axis.log && at < least ? axis.floor.value_or(axis.low) : at;
 }
 
 double share_along(const Axis& axis, double at) {
-    return axis.log ? std::log(at / axis.low) / std::log(axis.high / axis.low)
+    return axis.log ? (std::log(at) - std::log(axis.low)) / (std::log(axis.high) - std::log(axis.low))
                     : (at - axis.low) / (axis.high - axis.low);
 }
 

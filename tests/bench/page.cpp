@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "scene/error.h"
 #include "tests/bench/page_parts.h"
@@ -27,9 +29,10 @@ nav ol { columns: 20rem; margin: .5rem 0; padding-left: 1.4rem; } nav li { break
 .scene { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(28rem, 100%), 1fr));
          gap: 1rem 1.5rem; align-items: start; }
 figure { margin: 0; min-width: 0; } figcaption { font-size: 12px; color: var(--soft); margin-top: .2rem; }
-figure.plot { max-width: 44rem; } svg.plot { display: block; height: auto; }
+figure.plot { max-width: 42rem; } svg.plot { display: block; height: auto; }
 .exhibits { margin: 1rem 0; display: grid; gap: .8rem;
             grid-template-columns: repeat(auto-fill, minmax(min(13rem, 100%), 1fr)); align-items: start; }
+.exhibits.lines { grid-template-columns: repeat(var(--line), minmax(0, 1fr)); max-width: calc(var(--line) * 17rem); }
 .exhibits.few { margin: 0; grid-template-columns: repeat(auto-fill, minmax(min(11rem, 100%), 1fr)); }
 .exhibits img { width: 100%; display: block; background: #ccc; }
 .exhibits .chosen img { outline: 2px solid var(--ink); }
@@ -43,6 +46,7 @@ th small { font-weight: 400; color: var(--soft); }
 th:nth-child(-n+2), td:nth-child(-n+2), td:nth-child(4), .moved :is(th, td):nth-child(-n+5),
 .words :is(th, td) { text-align: left; }
 td:nth-child(3), th:nth-child(3) { text-align: center; } .words td { white-space: normal; min-width: 9rem; }
+.words tr.chosen td:nth-child(n+2) { font-weight: 400; }
 .moved :is(th, td):nth-child(3), .words :is(th, td):nth-child(3) { text-align: left; }
 tbody tr:hover { background: var(--shade); } tr.chosen { font-weight: 600; }
 .tag { font-size: 11px; font-weight: 400; border: 1px solid var(--soft); border-radius: 3px; padding: 0 .3em;

@@ -6,8 +6,10 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <ostream>
 #include <set>
+#include <string_view>
 
 #include "tests/bench/base64.h"
 #include "tests/bench/front.h"
@@ -95,6 +97,22 @@ void write_exhibit(std::ostream& out, const PageContent& page, const Measurement
         << (row.chosen ? " <span class=tag>chosen</span>" : "") << "</figcaption></figure>\n";
 }
 
+std::size_t pictures(std::span<const Measurement> rows) {
+    std::size_t count = 0;
+    for (const Measurement& row : rows) count += row.exhibits.size();
+    return count;
+}
+
+/// How a picture grid begins; a curve's pictures fill a line of it if they are 3 to 8.
+std::string exhibits_grid(std::span<const Measurement> rows) {
+    std::map<std::string, std::size_t> curves;
+    for (const Measurement& row : rows) curves[row.curve] += row.exhibits.size();
+    std::size_t most = 0;
+    for (const auto& [name, count] : curves) most = std::max(most, count);
+    if (most < 3 || most > 8) return "<div class=exhibits>\n";
+    return "<div class=\"exhibits lines\" style=\"--line: " + std::to_string(most) + "\">\n";
+}
+
 }  // namespace
 
 const Moved* find_moved(const PageContent& page, const Measurement& row, const char* metric) {
@@ -121,7 +139,7 @@ std::string verdict(std::span<const Measurement> rows, std::size_t i, const Plot
     const double by = points[i].error - points[*best].error;
     if (by == 0) return "no better than " + name + ", which costs less";
     if (by <= m.noise * std::abs(points[i].error)) return "as good as " + name + ", which costs no more";
-    return quantity(by, m.unit) + (m.less_is_better ? " above" : " below") +
+    return quantity(by, m.unit, 3) + (m.less_is_better ? " above" : " below") +
            " the best that costs no more (" + name + ")";
 }
 
@@ -172,16 +190,16 @@ void write_rows(std::ostream& out, const PageContent& page, std::span<const Meas
 }
 
 void close_scene(std::ostream& out, const PageContent& page, std::span<const Measurement> rows) {
-    std::size_t count = 0, written = 0;
-    for (const Measurement& row : rows) count += row.exhibits.size();
+    const std::size_t count = pictures(rows);
+    std::size_t written = 0;
     const bool beside = count <= few_exhibits;
     if (!beside) out << "</div>\n";
-    if (count) out << "<div class=\"exhibits" << (beside ? " few" : "") << "\">\n";
+    if (count) out << (beside ? "<div class=\"exhibits few\">\n" : exhibits_grid(rows));
     for (const Measurement& row : rows)
         for (const Exhibit& e : row.exhibits) {
             if (written++ == many_exhibits)
-                out << "</div><details><summary>" << count - many_exhibits
-                    << " more pictures</summary><div class=exhibits>\n";
+                out << "</div><details><summary>" << count - many_exhibits << " more pictures</summary>"
+                    << exhibits_grid(rows);
             write_exhibit(out, page, row, e);
         }
     if (count) out << "</div>\n";

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <ostream>
+#include <string_view>
 
 #include "tests/bench/front.h"
 #include "tests/bench/page_parts.h"

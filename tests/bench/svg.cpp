@@ -1,5 +1,6 @@
 #include "tests/bench/svg.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "tests/bench/quantity.h"
