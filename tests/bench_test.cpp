@@ -28,7 +28,7 @@ constexpr double any = 1e30;
 constexpr Bound precisions[] = {
     {"border", "mask_worst", 0, 0},        {"border", "distance_worst", 0, 0},
     {"depth", "false_hidden", 0, 0.05},    {"depth", "false_visible", 0, 0.05},
-    {"coordinates", "px_worst", 0, 0.001}, {"undistortion", "psnr", 36, any},
+    {"coordinates", "px_worst", 0, 0.001}, {"undistortion", "psnr", 30, any},
     {"tiles", "psnr", 100, 100},           {"blending", "uncoloured", 0, 0.2},
     {"sums", "psnr_exact", 100, 100},      {"selection", "uncoloured", 0, 0.2},
     {"hysteresis", "changes", 0, 0},       {"hysteresis", "uncovered", 0, 0},
@@ -88,7 +88,7 @@ TEST_F(VantageBench, EveryExactEndReproducesTheTruth) {
               value("border", "masks at 1/2", "exact", "mask_mean"));
     EXPECT_LT(value("filtering", "samples", "1x1", "psnr_exact"),
               value("filtering", "samples", "2x2", "psnr_exact"));
-    EXPECT_LT(value("sums", "average, 8 a pass", "half float", "psnr_exact"), 50);
+    EXPECT_LT(value("sums", "average", "half float", "psnr_exact"), 50);
     EXPECT_LT(value("loading", "tiles", "3 levels coarser", "psnr"),
               value("loading", "tiles", "full resolution", "psnr"));
     EXPECT_TRUE(fs::exists(dir / "out" / "index.html"));

@@ -41,6 +41,8 @@ constexpr Metric table[] = {
     {"memory_bytes", "peak memory", "B", Kind::bytes, true, timed},
     {"photos", "photos blended", "", Kind::other, true, same},
     {"pixels", "photo pixels", "MP", Kind::other, true, same},
+    {"exponent", "exponent of nearness", "", Kind::other, true, same},
+    {"sharpness", "angle at which a photo counts 1/e", "rad", Kind::other, true, same},
     {"triangle_px", "triangle size", "px", Kind::other, true, same},
 };
 

@@ -97,9 +97,12 @@ std::vector<SweepPart> parts(std::span<const Sweep> sweeps, std::span<const Meas
         SweepPart part{&s, {}};
         for (std::size_t i = 0; i < rows.size();) {
             std::size_t end = i + 1;
-            while (end < rows.size() && rows[end].sweep == rows[i].sweep && rows[end].scene == rows[i].scene)
+            while (end < rows.size() && rows[end].sweep == rows[i].sweep &&
+                   rows[end].scene == rows[i].scene && (!s.apart || rows[end].curve == rows[i].curve))
                 ++end;
-            if (rows[i].sweep == s.name) part.scenes.push_back({rows[i].scene, rows.subspan(i, end - i)});
+            if (rows[i].sweep == s.name)
+                part.scenes.push_back(
+                    {rows[i].scene + (s.apart ? ", " + rows[i].curve : ""), rows.subspan(i, end - i)});
             i = end;
         }
         out.push_back(std::move(part));

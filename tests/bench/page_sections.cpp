@@ -132,7 +132,7 @@ void write_verdicts(std::ostream& out, std::span<const Measurement> rows, const 
 void write_head(std::ostream& out, const Sweep& sweep, const std::string& title) {
     out << "<section id=\"sweep-" << escaped(sweep.name) << "\"><h2>" << escaped(title) << "</h2>\n<p>"
         << escaped(sweep.question) << "</p>\n<p class=note>Measured against " << escaped(sweep.truth)
-        << ", which its exact end reproduces to " << escaped(sweep.precision) << ".</p>\n";
+        << ". Precision of the exact end: " << escaped(sweep.precision) << ".</p>\n";
 }
 
 }  // namespace

@@ -146,7 +146,6 @@ int settle(Renderer& renderer, const TrueView& view, const PictureSetting& s) {
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& s) {
     settle(renderer, view, s);
     const Frames frames(renderer, view, s);
-    frames.draw();
     // Samples are drawn one after the other, each as the first.
     return milliseconds([&] { frames.draw(); }) * (s.timed_whole ? s.side * s.side : 1);
 }
@@ -162,12 +161,12 @@ std::vector<Measurement> measure_pictures(Renderer& renderer, const BenchScene& 
         double photos = 0;
         for (const Picture& p : pictures.back())
             photos += double(p.report.photos) / double(scene.views.size());
-        out.push_back({"", "", s.curve, s.setting, s.exact, s.chosen, {}, {}});
-        out.back().values = {{"psnr", e.psnr},
-                             {"ssim", e.ssim},
-                             {"worst", e.worst},
-                             {"uncoloured", e.uncoloured},
-                             {"photos", photos}};
+        out.push_back({"", "", s.curve, s.setting, s.exact, s.chosen, s.known, {}});
+        out.back().values.merge(std::map<std::string, double>{{"psnr", e.psnr},
+                                                              {"ssim", e.ssim},
+                                                              {"worst", e.worst},
+                                                              {"uncoloured", e.uncoloured},
+                                                              {"photos", photos}});
     }
     for (std::size_t i = 0; i < out.size(); ++i) {
         const std::size_t of = exact_of(settings, settings[i].curve);
@@ -181,10 +180,13 @@ std::vector<Measurement> measure_pictures(Renderer& renderer, const BenchScene& 
     std::vector<Picture> firsts;
     for (const auto& p : pictures) firsts.push_back(p.front());
     keep_extremes(scene, settings, firsts, folder, tag, out);
-    const std::vector<double> ms = medians_in_turn(settings.size(), effort.repeats, [&](std::size_t i) {
-        return time_frame(renderer, scene.views.front(), settings[i]);
+    std::vector<std::size_t> timed;
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        if (settings[i].timed) timed.push_back(i);
+    const std::vector<double> ms = medians_in_turn(timed.size(), effort.repeats, [&](std::size_t i) {
+        return time_frame(renderer, scene.views.front(), settings[timed[i]]);
     });
-    for (std::size_t i = 0; i < out.size(); ++i) out[i].values["frame_ms"] = ms[i];
+    for (std::size_t i = 0; i < timed.size(); ++i) out[timed[i]].values["frame_ms"] = ms[i];
     return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,7 +18,9 @@ struct PictureSetting {
     RenderSettings settings;
     int side = 2;              ///< samples along a pixel's side, in pictures that are compared with the truth
     bool timed_whole = false;  ///< a frame takes all of the samples, else one
+    bool timed = true;         ///< frames are; else it is known that they take no other time
     double photos = 1;         ///< share of those that may be blended, evenly spread
+    std::map<std::string, double> known{};  ///< metrics that come with the setting
 };
 
 /// How far a scene's views are from the truth where that is seeable; means over the views.

@@ -16,6 +16,7 @@
 #include "pipeline/file_identity.h"
 #include "scene/error.h"
 #include "tests/bench/costs.h"
+#include "tests/bench/gnuplot.h"
 #include "tests/bench/log.h"
 #include "tests/bench/page.h"
 #include "tests/bench/sweep.h"
@@ -27,9 +28,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Level, views, photos, repeats, points.
+// Longest, views, photos, repeats, points.
 const Effort efforts[] = {
-    {"smoke", 1, 1, 2, 1, 2000}, {"short", 2, 1, 3, 3, 20000}, {"full", 1, 2, 12, 5, 200000}};
+    {"smoke", 200, 1, 2, 1, 2000}, {"short", 400, 1, 2, 3, 20000}, {"full", 800, 2, 4, 3, 200000}};
 
 const Effort& effort_called(const std::string& name) {
     const auto found = std::ranges::find(efforts, name, &Effort::name);
@@ -62,14 +63,14 @@ std::string processor() {
     return "unknown processor";
 }
 
-std::vector<std::string> machine(const Effort& effort) {
+std::vector<std::string> machine() {
     const gl::HeadlessContext context;
     const gl::Device device = gl::current_device();
     const std::time_t now = std::time(nullptr);
     return {fmt::format("{}, {} cores", processor(), std::thread::hardware_concurrency()),
             fmt::format("OpenGL: {}{}", device.renderer,
                         device.software ? " (software: frame times say nothing of a graphics card's)" : ""),
-            fmt::format("{:%Y-%m-%d}, the {} set", fmt::gmtime(now), effort.name)};
+            fmt::format("{:%Y-%m-%d}", fmt::gmtime(now))};
 }
 
 bool wanted(const RunOptions& o, const char* sweep) {
@@ -147,6 +148,7 @@ int run(const RunOptions& o) {
     if (!o.against.empty()) before = read_json(o.against);
     std::vector<fs::path> inputs(o.inputs.begin(), o.inputs.end());
     if (inputs.empty()) inputs = usual_inputs(effort.name);
+    svg_plot({});  // where gnuplot is missing, that is said now and not after an hour
     make_folder(o.folder);
     Log log(o.folder / "log.jsonl", identity(effort));
     if (log.jobs()) fmt::print("going on after {} jobs\n", log.jobs());
@@ -155,7 +157,7 @@ int run(const RunOptions& o) {
         std::fflush(stdout);
         run_scene(o, effort, open_scene(input, o.folder / "scenes", effort), log);
     }
-    std::vector<std::string> about = machine(effort);
+    std::vector<std::string> about = machine();
     about.push_back(fmt::format("measured in {:.1f} minutes", log.seconds() / 60));
     write_csv(o.folder / "results.csv", log.measurements());
     const Run now{VANTAGE_VERSION, effort.name, about, log.measurements()};

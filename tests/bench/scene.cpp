@@ -109,6 +109,13 @@ std::vector<bool> seeable_pixels(const PackageReader& package, const RayScene& r
     return {seeable.begin(), seeable.end()};
 }
 
+/// The finest pyramid level that the effort allows.
+int level_for(const Effort& effort, int width, int height) {
+    int level = 0;
+    while (std::max(width, height) >> level > effort.longest) ++level;
+    return level;
+}
+
 /// Photos left out, evenly spread.
 std::vector<TrueView> left_out_views(const PackageReader& package, const Effort& effort) {
     std::vector<TrueView> views;
@@ -116,7 +123,8 @@ std::vector<TrueView> left_out_views(const PackageReader& package, const Effort&
     for (std::size_t v = 0; v < count; ++v) {
         const auto left_out = std::uint32_t((v + 1) * photos / (count + 1));
         const package::PhotoRecord& record = package.photos()[left_out];
-        const int level = std::min(effort.level, int(record.levels) - 1);
+        const int level =
+            std::min(level_for(effort, int(record.width), int(record.height)), int(record.levels) - 1);
         TrueView view{record.name,
                       view_of_level(record, level),
                       level_of_photo(package, package::Type::tiles, left_out, level),
@@ -145,7 +153,8 @@ std::vector<TrueView> cast_views(const PackageReader& package, const SynthSpec& 
         const std::size_t gaps = cameras.size() / 2, gap = (2 * v + 1) * gaps / (2 * effort.views);
         Camera camera = cameras[std::min(2 * gap + 1, cameras.size() - 1)].camera;
         camera.lens = {};
-        const Level size = level_size(camera.intrinsics.width, camera.intrinsics.height, effort.level);
+        const Level size = level_size(camera.intrinsics.width, camera.intrinsics.height,
+                                      level_for(effort, camera.intrinsics.width, camera.intrinsics.height));
         camera.intrinsics = camera.intrinsics.scaled(size.width, size.height);
         TrueView view{fmt::format("between {} and {}", gap, gap + 1),
                       {camera.intrinsics, camera.cam_from_world.relative_to(origin)},
@@ -165,6 +174,8 @@ std::vector<TrueView> cast_views(const PackageReader& package, const SynthSpec& 
 }  // namespace
 
 BenchScene open_scene(const fs::path& input, const fs::path& work, const Effort& effort) {
+    if (!fs::is_directory(input) && !(fs::is_regular_file(input) && input.extension() == ".toml"))
+        throw Error(Exit::input, input.string() + ": expected a scan's folder, or a specification (.toml)");
     make_folder(work);
     BenchScene scene;
     if (input.extension() == ".toml") {

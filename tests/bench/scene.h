@@ -15,7 +15,7 @@ namespace vantage::bench {
 /// How much is measured.
 struct Effort {
     std::string name;    ///< "smoke", "short" or "full"
-    int level;           ///< pyramid level of the photos that pictures are compared at
+    int longest;         ///< px on the long side of the pictures that are compared, at most
     std::size_t views;   ///< true views of a scene
     std::size_t photos;  ///< of a scene that are looked at where each costs
     int repeats;         ///< of everything that is timed

@@ -35,6 +35,7 @@ struct Sweep {
     /// The jobs on a scene; none where the scene does not have what is swept. `folder` takes exhibits.
     std::vector<Job> (*jobs)(const BenchScene& scene, const Effort& effort,
                              const std::filesystem::path& folder);
+    bool apart = false;  ///< curves are knobs of their own, and are not compared with each other
 };
 std::span<const Sweep> sweeps();
 

@@ -8,10 +8,10 @@ extern const Sweep border_sweep, depth_sweep, coordinates_sweep, undistortion_sw
     loading_sweep, photos_sweep, preparing_sweep, presets_sweep;
 
 std::span<const Sweep> sweeps() {
-    static const Sweep all[] = {
-        border_sweep,      depth_sweep,    coordinates_sweep, undistortion_sweep, tile_format_sweep,
-        blending_sweep,    exponent_sweep, sums_sweep,        selection_sweep,    hysteresis_sweep,
-        filtering_sweep,   loading_sweep,  photos_sweep,      preparing_sweep,    presets_sweep};
+    static const Sweep all[] = {border_sweep,      depth_sweep,      coordinates_sweep, undistortion_sweep,
+                                tile_format_sweep, blending_sweep,   exponent_sweep,    sums_sweep,
+                                selection_sweep,   hysteresis_sweep, filtering_sweep,   loading_sweep,
+                                photos_sweep,      preparing_sweep,  presets_sweep};
     return all;
 }
 

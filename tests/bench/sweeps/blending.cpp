@@ -14,10 +14,11 @@ constexpr struct {
     const char* name;
 } modes[] = {{Blend::lumigraph, "lumigraph"}, {Blend::average, "average"}, {Blend::best, "best"}};
 
-std::vector<PictureSetting> photo_counts() {
+std::vector<PictureSetting> photo_counts(int most) {
     std::vector<PictureSetting> out;
     for (const auto& mode : modes)
         for (const int photos : {0, 1, 2, 4, 8, 16}) {
+            if (photos >= most) continue;
             PictureSetting s{mode.name, photos ? fmt::format("{}", photos) : "all", !photos, false, {}};
             s.settings.blend = mode.blend;
             s.settings.photos = photos;
@@ -27,13 +28,15 @@ std::vector<PictureSetting> photo_counts() {
     return out;
 }
 
-std::vector<PictureSetting> exponents() {
+std::vector<PictureSetting> exponents(int) {
     std::vector<PictureSetting> out;
     const RenderSettings usual;
     for (const double e : {0.0, 1.0, 2.0, 4.0, 8.0, 16.0}) {
         PictureSetting s{"average, exponent", fmt::format("{:g}", e), false, e == usual.weights.exponent, {}};
         s.settings.blend = Blend::average;
         s.settings.weights.exponent = e;
+        s.known["exponent"] = e;
+        s.timed = e == usual.weights.exponent;
         out.push_back(s);
     }
     for (const double radians : {0.01, 0.02, 0.055, 0.1, 0.2, 0.5}) {
@@ -43,6 +46,8 @@ std::vector<PictureSetting> exponents() {
                          radians == usual.weights.sharpness,
                          {}};
         s.settings.weights.sharpness = radians;
+        s.known["sharpness"] = radians;
+        s.timed = radians == usual.weights.sharpness;
         out.push_back(s);
     }
     PictureSetting consensus{"lumigraph, sharpness", "consensus", false, false, {}};
@@ -51,7 +56,7 @@ std::vector<PictureSetting> exponents() {
     return out;
 }
 
-std::vector<PictureSetting> passes() {
+std::vector<PictureSetting> passes(int) {
     std::vector<PictureSetting> out;
     for (const int n : {16, 8, 4, 2, 1}) {
         PictureSetting s{
@@ -62,31 +67,26 @@ std::vector<PictureSetting> passes() {
     return out;
 }
 
-std::vector<PictureSetting> precisions() {
+std::vector<PictureSetting> precisions(int) {
     std::vector<PictureSetting> out;
     for (const auto& mode : modes)
-        for (const bool half : {false, true})
-            for (const int n : {8, 1}) {
-                PictureSetting s{fmt::format("{}, {} a pass", mode.name, n),
-                                 half ? "half float" : "float",
-                                 !half,
-                                 !half && n == 8 && mode.blend == Blend::lumigraph,
-                                 {}};
-                s.settings.blend = mode.blend;
-                s.settings.half_sums = half;
-                s.settings.photos_per_pass = n;
-                out.push_back(s);
-            }
+        for (const bool half : {false, true}) {
+            PictureSetting s{
+                mode.name, half ? "half float" : "float", !half, !half && mode.blend == Blend::lumigraph, {}};
+            s.settings.blend = mode.blend;
+            s.settings.half_sums = half;
+            out.push_back(s);
+        }
     return out;
 }
 
 Job pictures_job(const char* name, const BenchScene& scene, const Effort& effort,
-                 const std::filesystem::path& folder, std::vector<PictureSetting> (*settings)()) {
+                 const std::filesystem::path& folder, std::vector<PictureSetting> (*settings)(int photos)) {
     return {name, [=, &scene] {
                 const PackageReader package(scene.package);
                 const gl::HeadlessContext context;
                 Renderer renderer(package, ample_memory());
-                const std::vector<PictureSetting> all = settings();
+                const std::vector<PictureSetting> all = settings(int(scene.views.front().photos.size()));
                 std::vector<Measurement> out =
                     measure_pictures(renderer, scene, effort, all, folder, std::string("blending-") + name);
                 const Intrinsics& k = scene.views.front().view.intrinsics;
@@ -126,9 +126,10 @@ const Sweep exponent_sweep{"exponent",
                            "How sharply near photos are preferred",
                            "One photo alone is sharp and shows its borders; many are soft. Where between?",
                            "the photo left out, or the ray-cast picture",
-                           "none: a matter of taste that the truth decides",
-                           {{"frame_ms", "psnr"}, {"frame_ms", "ssim"}},
-                           exponent_jobs};
+                           "nothing, having none: the truth decides",
+                           {{"sharpness", "psnr"}, {"exponent", "psnr"}, {"frame_ms", "psnr"}},
+                           exponent_jobs,
+                           true};
 const Sweep sums_sweep{
     "sums",
     "Photos a pass, and the precision of their sums",
@@ -136,6 +137,7 @@ const Sweep sums_sweep{
     "all photos in one pass, in single precision",
     "50 dB beside it, whatever the passes",
     {{"frame_ms", "psnr_exact"}, {"target_bytes", "psnr_exact", true}},
-    sum_jobs};
+    sum_jobs,
+    true};
 
 }  // namespace vantage::bench

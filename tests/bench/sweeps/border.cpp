@@ -100,7 +100,8 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, 
                 masks[m] = border_mask(found[m], w, h, map.full_width);
             });
         };
-        const std::vector<double> medians = medians_in_turn(std::size(methods), effort.repeats, time);
+        const std::vector<double> medians =
+            medians_in_turn(std::size(methods), level > 1 ? effort.repeats : 1, time);
         for (std::size_t m = 0; m < std::size(methods); ++m) {
             add_errors(masks[m], map, truth, full, errors[m]);
             for (std::size_t i = 0; i < exact.size(); ++i)

@@ -307,8 +307,8 @@ const Sweep depth_sweep{"depth",
                         "photo sees of the surface?",
                         "a ray from the photo to each of random points on the surface",
                         "0.001 % of the points, where rays along one line from either end round differently",
-                        {{"photo_bytes", "false_hidden", true, false},
-                         {"photo_bytes", "false_visible", true, false},
+                        {{"photo_bytes", "false_visible", true, false},
+                         {"photo_bytes", "false_hidden", true, false},
                          {"point_ns", "false_visible", true, false}},
                         jobs};
 

@@ -21,7 +21,7 @@ PictureSetting setting(std::string curve, std::string name, int side) {
 std::vector<PictureSetting> settings(int most) {
     std::vector<PictureSetting> out{setting("samples", fmt::format("{0}x{0}", most), most)};
     out.back().exact = true;
-    for (int side = most / 2; side >= 1; side = side > 3 ? 3 : side - 1) {
+    for (int side = 3; side >= 1; --side) {
         out.push_back(setting("samples", fmt::format("{0}x{0}", side), side));
         out.back().chosen = side == 2;
     }
@@ -43,7 +43,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
     const PackageReader package(scene.package);
     const gl::HeadlessContext context;
     Renderer renderer(package, ample_memory());
-    return measure_pictures(renderer, scene, effort, settings(effort.name == "smoke" ? 4 : 8), folder,
+    return measure_pictures(renderer, scene, effort, settings(effort.name == "smoke" ? 4 : 6), folder,
                             "filtering");
 }
 

@@ -80,6 +80,7 @@ const Sweep photos_sweep{"photos",
                          "the photo left out, or the ray-cast picture",
                          "all photos at full size",
                          {{"package_bytes", "psnr"}, {"photos", "psnr"}, {"pixels", "psnr"}},
-                         jobs};
+                         jobs,
+                         true};
 
 }  // namespace vantage::bench

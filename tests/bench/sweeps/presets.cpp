@@ -17,13 +17,12 @@ struct Candidate {
     std::vector<std::string> options;
 };
 
-std::vector<Candidate> candidates(const Effort& effort) {
+std::vector<Candidate> candidates(bool full) {
     std::vector<Candidate> out;
     for (const char* preset : {"preview", "default", "overnight", "ci"})
         out.push_back({"presets", preset, {"--config", preset}});
-    const bool full = effort.name == "full";
-    for (const int size : full ? std::vector{0, 2048, 1536, 1024, 640} : std::vector{0, 1024})
-        for (const char* distance : {"exact", "chamfer", "jfa^2"})
+    for (const int size : full ? std::vector{0, 2048, 1024, 640} : std::vector{0, 1024})
+        for (const char* distance : {"exact", "chamfer"})
             for (const char* fragment : {"on", "off"}) {
                 if (!full && fragment[1] == 'n' && distance[0] != 'e') continue;
                 out.push_back({std::string("coordinates per ") + (fragment[1] == 'n' ? "fragment" : "vertex"),
@@ -52,8 +51,9 @@ std::vector<PrepareCost> prepare_all(const BenchScene& scene, const std::vector<
 }
 
 std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, const fs::path& folder) {
-    const std::vector<Candidate> all = candidates(effort);
-    const std::vector<PrepareCost> costs = prepare_all(scene, all, effort.repeats);
+    const bool full = effort.name == "full";
+    const std::vector<Candidate> all = candidates(full);
+    const std::vector<PrepareCost> costs = prepare_all(scene, all, full ? effort.repeats : 1);
     const fs::path file = scene.package.string() + ".candidate";
     std::vector<Measurement> out;
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -26,6 +26,7 @@ std::vector<PictureSetting> settings() {
     std::vector<PictureSetting> out{{"all", "all", true, false, {}}};
     for (const auto& c : choices)
         for (const int photos : {1, 2, 3, 4, 8}) {
+            if (photos == 3 && c.choice != Choice::nearest) continue;
             PictureSetting s{
                 c.name, fmt::format("{}", photos), false, c.choice == Choice::cover && photos == 8, {}};
             s.settings.choice = c.choice;

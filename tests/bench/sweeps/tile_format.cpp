@@ -648,6 +648,7 @@ const Sweep tile_format_sweep{"tiles",
                                {"tile_ms", "psnr", true, false},
                                {"texel_bytes", "worst", true, false},
                                {"tile_ms", "read_bytes", true, true}},
-                              jobs};
+                              jobs,
+                              true};
 
 }  // namespace vantage::bench

@@ -172,6 +172,7 @@ const Sweep undistortion_sweep{
     "the photo that a camera of the same place without a lens would have taken, cast by rays",
     "37 dB as undistorted, 42 dB a level coarser (data/tiny.toml): what 36 samples a pixel leave of aliasing",
     {{"photo_ms", "psnr", true, false}, {"photo_ms", "worst", true, false}},
-    jobs};
+    jobs,
+    true};
 
 }  // namespace vantage::bench
