@@ -13,11 +13,12 @@ namespace {
 struct Candidate {
     std::uint32_t photo;
     double agreement, rank;
+    bool former;  ///< of the choice before this one
 };
+constexpr double loyalty = 1.15;  // a newcomer must be better by this much
 
 std::vector<Candidate> candidates(const Sight& s, std::span<const std::uint32_t> allowed, Choice choice,
                                   std::span<const std::uint32_t> previous) {
-    constexpr double loyalty = 1.15;  // a newcomer must be better by this much
     std::vector<Candidate> out;
     for (const std::uint32_t p : allowed) {
         const double a = agreement(s, p);
@@ -29,7 +30,8 @@ std::vector<Candidate> candidates(const Sight& s, std::span<const std::uint32_t>
             rank = std::max(1e-3, s.view.cam_from_origin.direction().dot(Eigen::Map<const Eigen::Vector3d>(
                                       s.scene.photos[p].corrected_direction))) *
                    std::max(0.01, s.scene.photos[p].hull_area);
-        out.push_back({p, a, rank * (std::ranges::count(previous, p) ? loyalty : 1)});
+        const bool former = std::ranges::count(previous, p) > 0;
+        out.push_back({p, a, rank * (former ? loyalty : 1), former});
     }
     std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.rank > b.rank; });
     return out;
@@ -53,7 +55,9 @@ CoverProblem cover_problem(const Sight& s, const std::vector<Candidate>& candida
     const std::size_t words = package::visible_words(s.scene.triangles);
     for (const Candidate& c : candidates) {
         const auto bits = s.scene.visible[c.photo];
-        problem.sets.push_back({bits.first(words), bits.subspan(words, words), c.rank});
+        // cover() takes a preference by its fourth root.
+        const double preference = c.rank * (c.former ? loyalty * loyalty * loyalty : 1);
+        problem.sets.push_back({bits.first(words), bits.subspan(words, words), preference});
     }
     return problem;
 }
