@@ -2,6 +2,7 @@
 #include "tests/bench/page_parts.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include <set>
 #include <string_view>
 
+#include "scene/error.h"
 #include "tests/bench/base64.h"
 #include "tests/bench/front.h"
 #include "tests/bench/quantity.h"
@@ -103,6 +105,21 @@ std::size_t pictures(std::span<const Measurement> rows) {
     return count;
 }
 
+/// As a file of its own, on white, named for its title: "blending-sceaux-psnr-against-a-frame.svg".
+void keep_plot(const std::filesystem::path& folder, const std::string& title, std::string svg) {
+    std::string name;
+    for (const char c : title) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+        if (plain || (!name.empty() && name.back() != '-'))
+            name += plain ? char(std::tolower(static_cast<unsigned char>(c))) : '-';
+    }
+    svg.insert(svg.find('>') + 1, "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>");
+    make_folder(folder);
+    std::ofstream out(folder / (name + ".svg"), std::ios::binary);
+    if (!(out << svg).flush())
+        throw Error(Exit::storage, (folder / name).string() + ".svg: cannot be written");
+}
+
 /// How a picture grid begins; a curve's pictures fill a line of it if they are 3 to 8.
 std::string exhibits_grid(std::span<const Measurement> rows) {
     std::map<std::string, std::size_t> curves;
@@ -156,13 +173,15 @@ PlotPoint point_for(const PageContent& page, const Measurement& row, const Plot&
     return p;
 }
 
-void write_plot(std::ostream& out, const PlotSpec& spec, std::span<const Measurement> rows,
-                const Plot& plot) {
+void write_plot(std::ostream& out, const PageContent& page, const Sweep& sweep, const PlotSpec& spec,
+                std::span<const Measurement> rows, const Plot& plot) {
+    const std::string svg = svg_plot(spec);
+    keep_plot(page.folder / "plots", sweep.name + (" " + spec.title), svg);
     std::string without;
     for (const Measurement& row : rows)
         if (!value(row, plot.x) || !value(row, plot.y))
             without += (without.empty() ? "" : "; ") + row.curve + ", " + row.setting;
-    out << "<figure class=plot>" << svg_plot(spec);
+    out << "<figure class=plot>" << svg;
     if (!without.empty())
         out << "<figcaption>Not drawn, having no finite value: " << escaped(without) << "</figcaption>";
     out << "</figure>\n";

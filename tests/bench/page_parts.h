@@ -42,8 +42,10 @@ std::string verdict(std::span<const Measurement> rows, std::size_t i, const Plot
 PlotAxis axis_for(const char* metric, bool log);
 /// Without `quiet` and what else depends on the plot's purpose.
 PlotPoint point_for(const PageContent& page, const Measurement& row, const Plot& plot);
-/// A plot, and below it what it could not show.
-void write_plot(std::ostream& out, const PlotSpec& spec, std::span<const Measurement> rows, const Plot& plot);
+/// A plot, and below it what it could not show; besides, as folder/plots/SWEEP-TITLE.svg. Throws
+/// Error(storage).
+void write_plot(std::ostream& out, const PageContent& page, const Sweep& sweep, const PlotSpec& spec,
+                std::span<const Measurement> rows, const Plot& plot);
 /// All rows; marked those on the front of `plot`, if there is one.
 void write_rows(std::ostream& out, const PageContent& page, std::span<const Measurement> rows,
                 const Plot* plot);

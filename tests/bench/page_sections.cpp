@@ -174,7 +174,7 @@ void write_sweep(std::ostream& out, const PageContent& page, const SweepPart& pa
         out << "<h3>" << escaped(s.scene) << "</h3>\n<div class=scene>\n";
         for (const Plot& plot : sweep.plots)
             if (has(s.rows, plot))
-                write_plot(out,
+                write_plot(out, page, sweep,
                            {plot_title(s, plot), axis_for(plot.x, plot.log_x), axis_for(plot.y, plot.log_y),
                             curves(page, s.rows, plot)},
                            s.rows, plot);
@@ -190,7 +190,7 @@ void write_presets(std::ostream& out, const PageContent& page, const SweepPart& 
         const std::vector<Plot> plots = plots_of_presets(*part.sweep, s.rows);
         out << "<h3>" << escaped(s.scene) << "</h3>\n<div class=scene>\n";
         for (const Plot& plot : plots)
-            write_plot(out,
+            write_plot(out, page, *part.sweep,
                        {plot_title(s, plot), axis_for(plot.x, plot.log_x), axis_for(plot.y, plot.log_y),
                         preset_curves(page, s.rows, plot)},
                        s.rows, plot);

@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 // Longest, views, photos, repeats, points.
 const Effort efforts[] = {
-    {"smoke", 200, 1, 2, 1, 2000}, {"short", 400, 1, 2, 3, 20000}, {"full", 800, 2, 4, 3, 200000}};
+    {"smoke", 200, 2, 2, 1, 2000}, {"short", 400, 2, 2, 2, 20000}, {"full", 800, 2, 4, 3, 200000}};
 
 const Effort& effort_called(const std::string& name) {
     const auto found = std::ranges::find(efforts, name, &Effort::name);
@@ -48,7 +48,7 @@ fs::path datasets() {
 std::vector<fs::path> usual_inputs(const std::string& set) {
     const fs::path data = fs::path(VANTAGE_SOURCE_DIR) / "data";
     if (set == "smoke") return {data / "tiny.toml"};
-    std::vector<fs::path> out{data / (set == "short" ? "small.toml" : "demo.toml")};
+    std::vector<fs::path> out{data / "small.toml"};
     for (const char* name : {"sceaux", "fountain-P11"}) {
         if (fs::is_directory(datasets() / name)) out.push_back(datasets() / name);
         if (set == "short") break;
@@ -114,6 +114,19 @@ int list_sweeps() {
     return int(Exit::ok);
 }
 
+/// The tables and the page of a run.
+int write_results(const RunOptions& o, const Run& now) {
+    make_folder(o.folder);
+    std::optional<Run> before;
+    if (!o.against.empty()) before = read_json(o.against);
+    write_csv(o.folder / "results.csv", now.measurements);
+    write_json(o.folder / "results.json", now);
+    if (!o.costs.empty()) write_costs(o.costs, now.machine, now.measurements);
+    write_page(o.folder, {"What accuracy costs", sweeps(), now, before});
+    fmt::print("{}\n", (o.folder / "index.html").string());
+    return int(Exit::ok);
+}
+
 }  // namespace
 
 void add_run_options(CLI::App& app, RunOptions& o) {
@@ -127,6 +140,7 @@ void add_run_options(CLI::App& app, RunOptions& o) {
     app.add_option("-o,--output", o.folder, "folder to write into, and to go on from")->capture_default_str();
     app.add_option("--against", o.against, "results.json of an earlier run: the page shows what moved");
     app.add_option("--costs", o.costs, "write here what 'vantage prepare --explain' tells");
+    app.add_option("--redraw", o.redraw, "results.json of a run: its page again, nothing measured");
     app.add_flag("--list", o.list, "name the sweeps and leave");
     app.footer(
         "Writes index.html (one file, readable offline), results.csv and results.json. A run that was cut "
@@ -139,13 +153,13 @@ void add_run_options(CLI::App& app, RunOptions& o) {
 
 int run(const RunOptions& o) {
     if (o.list) return list_sweeps();
+    if (!o.redraw.empty()) return write_results(o, read_json(o.redraw));
     const Effort& effort = effort_called(o.set);
     for (const std::string& name : o.only)
         if (std::ranges::find(sweeps(), name, [](const Sweep& s) { return std::string(s.name); }) ==
             sweeps().end())
             throw Error(Exit::usage, "--only " + name + ": no such sweep, see --list");
-    std::optional<Run> before;
-    if (!o.against.empty()) before = read_json(o.against);
+    if (!o.against.empty()) read_json(o.against);  // what is wrong with it is said now
     std::vector<fs::path> inputs(o.inputs.begin(), o.inputs.end());
     if (inputs.empty()) inputs = usual_inputs(effort.name);
     svg_plot({});  // where gnuplot is missing, that is said now and not after an hour
@@ -159,13 +173,7 @@ int run(const RunOptions& o) {
     }
     std::vector<std::string> about = machine();
     about.push_back(fmt::format("measured in {:.1f} minutes", log.seconds() / 60));
-    write_csv(o.folder / "results.csv", log.measurements());
-    const Run now{VANTAGE_VERSION, effort.name, about, log.measurements()};
-    write_json(o.folder / "results.json", now);
-    if (!o.costs.empty()) write_costs(o.costs, about, log.measurements());
-    write_page(o.folder, {"What accuracy costs", sweeps(), now, before});
-    fmt::print("{}\n", (o.folder / "index.html").string());
-    return int(Exit::ok);
+    return write_results(o, {VANTAGE_VERSION, effort.name, about, log.measurements()});
 }
 
 }  // namespace vantage::bench

@@ -116,6 +116,24 @@ int level_for(const Effort& effort, int width, int height) {
     return level;
 }
 
+/// A window in the middle of a frame, of at most the effort's size: what a viewer sees who stands near.
+Intrinsics middle_of(const Intrinsics& k, const Effort& effort) {
+    const int w = std::min(k.width, effort.longest), h = std::min(k.height, effort.longest * 2 / 3);
+    return {w, h, k.fx, k.fy, k.cx - (k.width - w) / 2, k.cy - (k.height - h) / 2};
+}
+
+Picture window(const Picture& p, int x0, int y0, int width, int height) {
+    Picture out{width, height, {}, {}};
+    for (int y = 0; y < height; ++y) {
+        const auto row = p.rgba.begin() + 4 * (std::ptrdiff_t(y + y0) * p.width + x0);
+        out.rgba.insert(out.rgba.end(), row, row + 4 * width);
+    }
+    return out;
+}
+
+/// Every second view is a close one: the middle of a frame at full size.
+bool close_up(std::size_t view) { return view % 2 == 1; }
+
 /// Photos left out, evenly spread.
 std::vector<TrueView> left_out_views(const PackageReader& package, const Effort& effort) {
     std::vector<TrueView> views;
@@ -123,13 +141,20 @@ std::vector<TrueView> left_out_views(const PackageReader& package, const Effort&
     for (std::size_t v = 0; v < count; ++v) {
         const auto left_out = std::uint32_t((v + 1) * photos / (count + 1));
         const package::PhotoRecord& record = package.photos()[left_out];
-        const int level =
-            std::min(level_for(effort, int(record.width), int(record.height)), int(record.levels) - 1);
+        const int wanted = close_up(v) ? 0 : level_for(effort, int(record.width), int(record.height));
+        const int level = std::min(wanted, int(record.levels) - 1);
         TrueView view{record.name,
                       view_of_level(record, level),
                       level_of_photo(package, package::Type::tiles, left_out, level),
                       {},
                       {}};
+        if (close_up(v)) {
+            const Intrinsics whole = view.view.intrinsics, k = middle_of(whole, effort);
+            view.view.intrinsics = k;
+            view.truth = window(view.truth, (whole.width - k.width) / 2, (whole.height - k.height) / 2,
+                                k.width, k.height);
+            view.name += ", close";
+        }
         view.photos.resize(photos);
         std::iota(view.photos.begin(), view.photos.end(), 0u);
         std::erase(view.photos, left_out);
@@ -153,12 +178,12 @@ std::vector<TrueView> cast_views(const PackageReader& package, const SynthSpec& 
         const std::size_t gaps = cameras.size() / 2, gap = (2 * v + 1) * gaps / (2 * effort.views);
         Camera camera = cameras[std::min(2 * gap + 1, cameras.size() - 1)].camera;
         camera.lens = {};
-        const Level size = level_size(camera.intrinsics.width, camera.intrinsics.height,
-                                      level_for(effort, camera.intrinsics.width, camera.intrinsics.height));
-        camera.intrinsics = camera.intrinsics.scaled(size.width, size.height);
+        const Intrinsics& k = camera.intrinsics;
+        const Level size = level_size(k.width, k.height, level_for(effort, k.width, k.height));
+        camera.intrinsics = close_up(v) ? middle_of(k, effort) : k.scaled(size.width, size.height);
         TrueView view{fmt::format("between {} and {}", gap, gap + 1),
                       {camera.intrinsics, camera.cam_from_world.relative_to(origin)},
-                      {size.width, size.height, {}, {}},
+                      {camera.intrinsics.width, camera.intrinsics.height, {}, {}},
                       {},
                       {}};
         const auto rgb = cast_photo(model, rays, camera, 4, 1);
