@@ -28,7 +28,8 @@ std::vector<Cost> read_costs() {
     std::ifstream in(file);
     try {
         std::vector<Cost> out;
-        for (const auto& c : nlohmann::json::parse(in).at("costs"))
+        const nlohmann::json whole = nlohmann::json::parse(in);
+        for (const auto& c : whole.at("costs"))
             out.push_back({c.at("option"), c.at("value"), c.at("scene"), c.at("values")});
         return out;
     } catch (const nlohmann::json::exception&) {
@@ -94,26 +95,27 @@ std::string beside(const std::vector<Cost>& costs, const std::string& option, co
         compare(costs, option, value, usual, "psnr", [](double a, double b) { return a - b; });
     if (!error.scenes) return "not measured";
     std::string out;
-    const auto add = [&](const char* metric, const char* what) {
-        if (const Compared r = ratio(metric); r.scenes)
-            out += fmt::format("{:.2f} of the {}, ", r.mean, what);
+    // What is within the noise of timing is not worth a word.
+    const auto add = [&](const char* metric, const char* what, double noise) {
+        const Compared r = ratio(metric);
+        if (r.scenes && std::abs(r.mean - 1) > noise) out += fmt::format("{:.2f} of the {}, ", r.mean, what);
     };
-    add("prepare_s", "time");
-    add("package_bytes", "bytes");
-    add("frame_ms", "frame");
+    add("prepare_s", "time", 0.15);
+    add("package_bytes", "bytes", 0.005);
+    add("frame_ms", "time of a frame", 0.15);
     return out + decibels(error);
 }
 
 std::string explain_distance(const std::vector<Cost>& costs, const std::string& method) {
     if (!measured_values(costs, "distance").contains(method)) return "not measured";
-    const double mean = plain(costs, "distance", method, "mask_mean"),
-                 exact = plain(costs, "distance", "exact", "mask_mean"),
-                 off = plain(costs, "distance", method, "distance_worst");
-    return fmt::format(
-        "{:.1f} ms a photo (exact {:.1f}); the border mask is {:.2f} of 255 from that of the full photo in "
-        "the mean (exact {:.2f}), a distance at worst {:.2f} px off",
-        plain(costs, "distance", method, "photo_ms"), plain(costs, "distance", "exact", "photo_ms"), mean,
-        exact, off);
+    const auto value = [&](const char* of, const char* metric) {
+        return plain(costs, "distance", of, metric);
+    };
+    const std::string takes = fmt::format("{:.0f} ms a photo", value(method.c_str(), "photo_ms"));
+    const double off = value(method.c_str(), "distance_worst");
+    if (off == 0) return takes + ", nothing given up";
+    return fmt::format("{} (exact: {:.0f}), a distance is at worst {:.2f} px off", takes,
+                       value("exact", "photo_ms"), off);
 }
 
 std::string explain_resampling(const std::vector<Cost>& costs, const std::string& wanted) {
@@ -150,7 +152,7 @@ std::string explain_number(const std::vector<Cost>& costs, const std::string& op
                            double usual) {
     const std::string v = nearest(costs, option, value), u = nearest(costs, option, usual);
     if (v.empty()) return "not measured";
-    if (v != u) return fmt::format("{} (measured at {}; usual {})", beside(costs, option, v, u), v, u);
+    if (v != u) return fmt::format("beside {}: {} (measured at {})", u, beside(costs, option, v, u), v);
     std::string out = "as usual";
     const std::set<std::string> all = measured_values(costs, option);
     for (const std::string& other :
@@ -186,6 +188,7 @@ std::vector<std::string> explain(const PrepareSettings& s, const SceneInput& sce
     number("border-width", s.border_width, usual.border_width);
     number("border-threshold", s.border_threshold, usual.border_threshold);
     number("thumbnail", s.thumbnail, usual.thumbnail);
+    out.back() += "; dB of the first picture, made of thumbnails alone";
     number("cluster-triangles", s.cluster_triangles, usual.cluster_triangles);
     if (effect_on(package.scene(), Effect::undistortion))
         out.push_back(line("resampling", name(s.resampling), explain_resampling(costs, name(s.resampling))));

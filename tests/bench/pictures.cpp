@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 #include "gl/context.h"
@@ -41,8 +42,11 @@ class Frames {
         settings_.complete = false;
     }
     FrameReport draw() const {
-        static double now = 0;  // on and on, so that everything has faded in
-        const FrameReport report = renderer_.draw(view_, settings_, photos_, {0, side_}, now += 10);
+        // A clock that runs a thousand times as fast: nothing is still fading in.
+        const double now =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+                .count();
+        const FrameReport report = renderer_.draw(view_, settings_, photos_, {0, side_}, now);
         renderer_.show(view_, settings_, target_.id(), false);
         glFinish();
         return report;

@@ -215,6 +215,8 @@ BenchScene open_scene(const fs::path& input, const fs::path& work, const Effort&
     scene.package = work / (scene.name + ".vantage");
     prepare_once(scene.folder, scene.package);
     const PackageReader package(scene.package);
+    if (package.photos().size() < 2)
+        throw Error(Exit::input, input.string() + ": has one photo, expected two or more to compare");
     scene.views = scene.spec ? cast_views(package, *scene.spec, effort) : left_out_views(package, effort);
     const RayScene rays(package.records<Eigen::Vector3f>(package::Type::positions),
                         package.records<std::uint32_t>(package::Type::indices));
