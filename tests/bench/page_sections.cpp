@@ -12,7 +12,7 @@
 namespace vantage::bench {
 namespace {
 
-constexpr std::size_t most_moved = 40;
+constexpr std::size_t most_moved = 24;
 
 std::string signed_quantity(double value, const std::string& unit) {
     return (value > 0 ? "+" : "") + quantity(value, unit, 3);
@@ -39,6 +39,17 @@ void write_moved_rows(std::ostream& out, std::span<const Moved> moved) {
             << (m.now ? number(std::abs(m.by), 2) : "–") << "\n";
     }
     out << "</tbody></table></div>\n";
+}
+
+void write_moved_group(std::ostream& out, const char* title, std::span<const Moved> moved) {
+    if (moved.empty()) return;
+    out << "<h3>" << title << "</h3>\n";
+    const std::size_t first = std::min(moved.size(), most_moved);
+    write_moved_rows(out, moved.first(first));
+    if (first == moved.size()) return;
+    out << "<details><summary>" << moved.size() - first << " more</summary>\n";
+    write_moved_rows(out, moved.subspan(first));
+    out << "</details>\n";
 }
 
 void write_list(std::ostream& out, const char* what, const std::vector<std::string>& names) {
@@ -155,13 +166,13 @@ void write_moved(std::ostream& out, const PageContent& page) {
     else
         out << "<p>Of " << c.compared << " values, " << c.moved.size()
             << " moved by more than their noise, the worst first:</p>\n";
-    const std::size_t first = std::min(c.moved.size(), most_moved);
-    if (first) write_moved_rows(out, std::span(c.moved).first(first));
-    if (first < c.moved.size()) {
-        out << "<details><summary>" << c.moved.size() - first << " more</summary>\n";
-        write_moved_rows(out, std::span(c.moved).subspan(first));
-        out << "</details>\n";
-    }
+    // Apart, so that neither hides the other.
+    std::vector<Moved> errors, costs;
+    for (const Moved& m : c.moved)
+        (m.metric->kind == Metric::Kind::time || m.metric->kind == Metric::Kind::bytes ? costs : errors)
+            .push_back(m);
+    write_moved_group(out, "Accuracy", errors);
+    write_moved_group(out, "Time and bytes", costs);
     write_list(out, "new settings", c.appeared);
     write_list(out, "settings that are gone", c.vanished);
     out << "</section>\n";
