@@ -77,7 +77,6 @@ std::vector<std::uint8_t> write_pixels(const PhotoStages& s, std::uint32_t i, Rg
 std::vector<float> distances(const PhotoStages& s, std::vector<std::uint8_t> borders,
                              const PhotoGeometry& g) {
     if (s.distance == DistanceMethod::exact) return exact_distance(borders, g.width, g.height);
-    if (s.distance == DistanceMethod::chamfer) return chamfer_distance(borders, g.width, g.height);
     const auto flood = [&] {
         return flood_distance(s.buffers.jump_flood, borders, g.width, g.height, s.distance);
     };

@@ -40,10 +40,6 @@ DistanceMethod settled(DistanceMethod method, const gl::Device& device) {
     return device.software ? DistanceMethod::exact : DistanceMethod::jfa_squared;
 }
 
-bool floods(DistanceMethod method) {
-    return method != DistanceMethod::exact && method != DistanceMethod::chamfer;
-}
-
 /// The model's buffers, made on the OpenGL thread while others work, and released there.
 class UploadedModel {
   public:
@@ -51,7 +47,7 @@ class UploadedModel {
                   DistanceMethod distance)
         : gl_(gl), done_(gl.submit([&, distance] {
               buffers_ = upload_model(model.positions, normals);
-              if (floods(distance)) buffers_.jump_flood = jump_flood_program();
+              if (distance != DistanceMethod::exact) buffers_.jump_flood = jump_flood_program();
           })) {}
     ~UploadedModel() {
         gl_.submit([this] { buffers_ = {}; }).wait();

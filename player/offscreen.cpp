@@ -59,7 +59,7 @@ RenderSettings render_settings(const PackageReader& package, const Options& o) {
     r.weights.fov_normalisation = o.fov_normalisation == "auto"
                                       ? effect_on(package.scene(), Effect::fov_normalisation)
                                       : o.fov_normalisation == "on";
-    r.photos = o.photos_blended >= 0 ? o.photos_blended : (o.offscreen ? 0 : 8);
+    r.photos = o.photos_blended >= 0 ? o.photos_blended : (o.offscreen ? 0 : window_photos);
     r.fill_holes = o.holes == "shade" || (o.holes.empty() && !o.offscreen);
     return r;
 }

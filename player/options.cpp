@@ -111,7 +111,7 @@ void add_options(CLI::App& app, Options& o) {
     app.add_option("-o,--output", o.out, "PNG file, or folder for several pictures")->group(pictures);
     app.add_flag("-q,--quiet", o.quiet, "no word unless something is wrong")->group(pictures);
     app.add_option("--blended", o.photos_blended,
-                   "photos to blend, more where the view needs more to be covered; 0: all (default 8 in the "
+                   "photos to blend, more where the view needs more to be covered; 0: all (default 4 in the "
                    "window, all for pictures)")
         ->check(CLI::Range(0, 1 << 20));
     app.add_option("--graphics-memory", o.graphics_mib,

@@ -30,7 +30,7 @@ class Explain : public TemporaryFolder {
 
 TEST_F(Explain, NamesEverySettingWithWhatWasMeasured) {
     PrepareSettings settings;
-    settings.distance = DistanceMethod::chamfer;
+    settings.distance = DistanceMethod::jfa;
     settings.photo_size = 165;
     const std::string said = explained(settings);
     for (const char* option : {"photo-size", "distance", "border-width", "border-threshold", "thumbnail",
@@ -39,5 +39,5 @@ TEST_F(Explain, NamesEverySettingWithWhatWasMeasured) {
     EXPECT_EQ(said.find("not measured"), std::string::npos) << said;
     EXPECT_EQ(said.find("nan"), std::string::npos) << said;
     EXPECT_NE(said.find("of 331 px, 0.50 of the side"), std::string::npos) << said;
-    EXPECT_NE(said.find("chamfer"), std::string::npos) << said;
+    EXPECT_NE(said.find("jfa "), std::string::npos) << said;
 }

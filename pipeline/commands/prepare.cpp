@@ -103,7 +103,7 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--config", o->config,
                   "settings: a TOML file, or a preset of configs/ by name; the command line overrules it");
     c->add_option("--distance", o->distance,
-                  "border distance: auto, exact, jfa, jfa+1, 1+jfa, jfa^2, chamfer")
+                  "border distance: auto, exact, jfa, jfa+1, 1+jfa, jfa^2")
         ->capture_default_str();
     c->add_option("--border-width", o->settings.border_width,
                   "px at 3072 px width where the border mask reaches 1")

@@ -23,8 +23,7 @@ constexpr Named methods[] = {{DistanceMethod::automatic, "auto"},
                              {DistanceMethod::jfa, "jfa"},
                              {DistanceMethod::jfa_plus_1, "jfa+1"},
                              {DistanceMethod::one_plus_jfa, "1+jfa"},
-                             {DistanceMethod::jfa_squared, "jfa^2"},
-                             {DistanceMethod::chamfer, "chamfer"}};
+                             {DistanceMethod::jfa_squared, "jfa^2"}};
 
 /// Is the 3x3 neighbourhood of an inner pixel a depth discontinuity?
 bool discontinuous(const float* above, const float* here, const float* below, int x, float threshold) {
@@ -57,17 +56,6 @@ std::vector<int> strides(int longest, DistanceMethod variant) {
     return s;
 }
 
-std::vector<float> transformed(const std::vector<std::uint8_t>& borders, int width, int height,
-                               cv::DistanceTransformMasks steps) {
-    std::vector<float> distance(borders.size(), std::numeric_limits<float>::infinity());
-    if (std::find(borders.begin(), borders.end(), 1) == borders.end()) return distance;
-    cv::Mat away(height, width, CV_8UC1);
-    for (std::size_t i = 0; i < borders.size(); ++i) away.data[i] = borders[i] ? 0 : 255;
-    cv::Mat out(height, width, CV_32FC1, distance.data());
-    cv::distanceTransform(away, out, cv::DIST_L2, steps, CV_32F);
-    return distance;
-}
-
 }  // namespace
 
 DistanceMethod distance_method(const std::string& wanted) {
@@ -95,11 +83,13 @@ std::vector<std::uint8_t> find_borders(const DepthMap& d, float threshold) {
 }
 
 std::vector<float> exact_distance(const std::vector<std::uint8_t>& borders, int width, int height) {
-    return transformed(borders, width, height, cv::DIST_MASK_PRECISE);
-}
-
-std::vector<float> chamfer_distance(const std::vector<std::uint8_t>& borders, int width, int height) {
-    return transformed(borders, width, height, cv::DIST_MASK_5);
+    std::vector<float> distance(borders.size(), std::numeric_limits<float>::infinity());
+    if (std::find(borders.begin(), borders.end(), 1) == borders.end()) return distance;
+    cv::Mat away(height, width, CV_8UC1);
+    for (std::size_t i = 0; i < borders.size(); ++i) away.data[i] = borders[i] ? 0 : 255;
+    cv::Mat out(height, width, CV_32FC1, distance.data());
+    cv::distanceTransform(away, out, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
+    return distance;
 }
 
 gl::Program jump_flood_program() {

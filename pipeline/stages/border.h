@@ -8,7 +8,7 @@
 namespace vantage {
 
 /// How the distance to the nearest border is found.
-enum class DistanceMethod { automatic, exact, jfa, jfa_plus_1, one_plus_jfa, jfa_squared, chamfer };
+enum class DistanceMethod { automatic, exact, jfa, jfa_plus_1, one_plus_jfa, jfa_squared };
 DistanceMethod distance_method(const std::string& name);
 const char* name(DistanceMethod method);
 
@@ -28,9 +28,6 @@ std::vector<std::uint8_t> find_borders(const DepthMap& depth, float threshold);
 /// Exact Euclidean distance in pixels to the nearest border pixel's centre (OpenCV, Felzenszwalb), +inf with
 /// no border.
 std::vector<float> exact_distance(const std::vector<std::uint8_t>& borders, int width, int height);
-
-/// The same along steps to the 5x5 neighbours (Borgefors 1986, OpenCV): up to 2 % too long or too short.
-std::vector<float> chamfer_distance(const std::vector<std::uint8_t>& borders, int width, int height);
 
 /// The program that flood_distance runs.
 gl::Program jump_flood_program();

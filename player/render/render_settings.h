@@ -16,6 +16,9 @@ enum class Show { colors, sources, coverage };           ///< false colours: whi
 enum class Compare { nothing, side_by_side, wiper, difference };
 
 inline constexpr int most_photos_per_pass = 16;
+/// Photos that a window blends: 4 are as good as 8 and take two thirds to four fifths of the time
+/// (vantage-bench, "blending").
+inline constexpr int window_photos = 4;
 
 /// How a view is rendered.
 struct RenderSettings {

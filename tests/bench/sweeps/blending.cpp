@@ -22,7 +22,7 @@ std::vector<PictureSetting> photo_counts(int most) {
             PictureSetting s{mode.name, photos ? fmt::format("{}", photos) : "all", !photos, false, {}};
             s.settings.blend = mode.blend;
             s.settings.photos = photos;
-            s.chosen = photos == 8 && mode.blend == Blend::lumigraph;
+            s.chosen = photos == window_photos && mode.blend == Blend::lumigraph;
             out.push_back(s);
         }
     return out;

@@ -11,7 +11,7 @@ namespace {
 
 PictureSetting setting(std::string curve, std::string name, int side) {
     PictureSetting s{std::move(curve), std::move(name), false, false, {}};
-    s.settings.photos = 8;
+    s.settings.photos = window_photos;
     s.side = side;
     s.timed_whole = true;
     return s;

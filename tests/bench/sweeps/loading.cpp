@@ -15,12 +15,12 @@ std::vector<PictureSetting> settings() {
     for (const int bias : {0, 1, 2, 3}) {
         PictureSetting s{
             "tiles", bias ? fmt::format("{} levels coarser", bias) : "full resolution", !bias, !bias, {}};
-        s.settings.photos = 8;
+        s.settings.photos = window_photos;
         s.settings.lod_bias = bias;
         out.push_back(s);
     }
     PictureSetting s{"thumbnails", "thumbnails", false, false, {}};
-    s.settings.photos = 8;
+    s.settings.photos = window_photos;
     s.settings.thumbnails = true;
     out.push_back(s);
     return out;

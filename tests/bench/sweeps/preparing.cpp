@@ -29,7 +29,7 @@ std::vector<Knob> knobs() {
 /// What stands first: thumbnails alone where they are swept, else the picture as it ends up.
 PictureSetting picture_setting(const Knob& knob, double value) {
     PictureSetting s{knob.option, fmt::format("{:g}", value), false, value == knob.usual, {}};
-    s.settings.photos = 8;
+    s.settings.photos = window_photos;
     s.timed = std::string(knob.option) == "cluster-triangles";
     s.settings.thumbnails = std::string(knob.option) == "thumbnail";
     return s;

@@ -22,9 +22,9 @@ std::vector<Candidate> candidates(bool full) {
     for (const char* preset : {"preview", "default", "overnight", "ci"})
         out.push_back({"presets", preset, {"--config", preset}});
     for (const int size : full ? std::vector{0, 2048, 1024, 640} : std::vector{0, 1024})
-        for (const char* distance : {"exact", "chamfer"})
+        for (const char* distance : {"exact", "jfa"})
             for (const char* fragment : {"on", "off"}) {
-                if (!full && fragment[1] == 'n' && distance[0] != 'e') continue;
+                if (!full && (distance[0] != 'e' || (fragment[1] == 'f' && size))) continue;
                 out.push_back({std::string("coordinates per ") + (fragment[1] == 'n' ? "fragment" : "vertex"),
                                fmt::format("{} {}", size ? fmt::format("{} px", size) : "full", distance),
                                {"--photo-size", std::to_string(size), "--distance", distance, "--effect",
@@ -62,7 +62,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, 
         const gl::HeadlessContext context;
         Renderer renderer(package, ample_memory());
         PictureSetting s{all[i].curve, all[i].name, all[i].name == "overnight", all[i].name == "default", {}};
-        s.settings.photos = 8;
+        s.settings.photos = window_photos;
         out.push_back(
             measure_pictures(renderer, scene, effort, std::vector{s}, folder, fmt::format("presets-{}", i))
                 .front());

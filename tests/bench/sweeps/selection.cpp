@@ -27,8 +27,11 @@ std::vector<PictureSetting> settings() {
     for (const auto& c : choices)
         for (const int photos : {1, 2, 3, 4, 8}) {
             if (photos == 3 && c.choice != Choice::nearest) continue;
-            PictureSetting s{
-                c.name, fmt::format("{}", photos), false, c.choice == Choice::cover && photos == 8, {}};
+            PictureSetting s{c.name,
+                             fmt::format("{}", photos),
+                             false,
+                             c.choice == Choice::cover && photos == window_photos,
+                             {}};
             s.settings.choice = c.choice;
             s.settings.photos = photos;
             out.push_back(s);
@@ -94,7 +97,7 @@ std::vector<Measurement> measure_path(const BenchScene& scene) {
                 settings.photos = n;
                 settings.sharpness = RenderSettings{}.weights.sharpness;
                 Measurement m = fly(plans, path, settings, c.name, remembers, scene.views.front());
-                m.chosen = remembers && c.choice == Choice::cover && n == 8;
+                m.chosen = remembers && c.choice == Choice::cover && n == window_photos;
                 out.push_back(std::move(m));
             }
     PlanSettings all;
