@@ -29,10 +29,10 @@ constexpr Bound precisions[] = {
     {"border", "mask_worst", 0, 0},        {"border", "distance_worst", 0, 0},
     {"depth", "false_hidden", 0, 0.05},    {"depth", "false_visible", 0, 0.05},
     {"coordinates", "px_worst", 0, 0.001}, {"undistortion", "psnr", 30, any},
-    {"tiles", "psnr", 100, 100},           {"blending", "uncoloured", 0, 0.2},
-    {"sums", "psnr_exact", 100, 100},      {"selection", "uncoloured", 0, 0.2},
-    {"hysteresis", "changes", 0, 0},       {"hysteresis", "uncovered", 0, 0},
-    {"filtering", "psnr_exact", 100, 100},
+    {"tile-format", "psnr", 100, 100},     {"tile-border", "psnr", 100, 100},
+    {"blending", "uncoloured", 0, 0.2},    {"sums", "psnr_exact", 100, 100},
+    {"selection", "uncoloured", 0, 0.2},   {"hysteresis", "changes", 0, 0},
+    {"hysteresis", "uncovered", 0, 0},     {"filtering", "psnr_exact", 100, 100},
 };
 
 class VantageBench : public TemporaryFolder {

@@ -1,67 +1,25 @@
-// Tiles of colour: how they are coded, how large they are, and how far they reach into their neighbours.
+// How tiles of colour are coded.
 #include <squish.h>
 #include <zstd.h>
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <random>
 #include <stdexcept>
-#include <unordered_set>
 
 #include "gl/context.h"
 #include "gl/object.h"
-#include "pipeline/ray_scene.h"
-#include "pipeline/rgba_image.h"
-#include "player/plan/sampling.h"
-#include "scene/package_reader.h"
 #include "scene/tiling.h"
 #include "tests/bench/exhibit.h"
 #include "tests/bench/statistics.h"
 #include "tests/bench/sweep.h"
+#include "tests/bench/tile_layers.h"
+#include "tests/bench/tile_pixels.h"
 #include "tests/bench/timing.h"
 
 namespace vantage::bench {
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
-using Texels = std::span<const std::uint8_t>;  ///< RGBA, row by row
-
-constexpr double psnr_most = 100;
-
-/// Differences of channels from what they should be, up to 255.
-class Differences {
-  public:
-    void add(double difference) {
-        squares_ += difference * difference;
-        ++counts_[std::size_t(std::lround(std::min(std::abs(difference), 255.0) * steps))];
-        ++all_;
-    }
-    bool empty() const { return all_ == 0; }
-    double psnr() const {
-        const double mean = squares_ / double(std::max(all_, std::uint64_t(1)));
-        return mean > 0 ? std::min(psnr_most, 10 * std::log10(255 * 255 / mean)) : psnr_most;
-    }
-    /// What 99.9 % are no larger than.
-    double worst() const {
-        std::uint64_t up_to = 0;
-        for (std::size_t i = 0; i < counts_.size(); ++i)
-            if ((up_to += counts_[i]) * 1000 >= all_ * 999) return double(i) / steps;
-        return 255;
-    }
-
-  private:
-    static constexpr std::size_t steps = 16;  ///< to a grey level
-    double squares_ = 0;
-    std::uint64_t all_ = 0;
-    std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(255 * steps + 1);
-};
-
-// --- How tiles are coded
 
 enum class Codec { raw, bc1_range, bc1_cluster, jpeg, png, zstd };
 
@@ -148,38 +106,6 @@ void decode(const Format& f, Texels coded, Bytes& tile) {
         else
             image.copyTo(to);
     }
-}
-
-/// Layers of an array texture that tiles are put into, in turn.
-class Layers {
-  public:
-    Layers(GLenum format, int size, int count)
-        : texture_(gl::make_texture_array("tiles", format, size, size, count)), size_(size), count_(count) {}
-    void put_rgba(const void* texels) {
-        glTextureSubImage3D(texture_.id(), 0, 0, 0, next(), size_, size_, 1, GL_RGBA, GL_UNSIGNED_BYTE,
-                            texels);
-        glFinish();
-    }
-    void put_bc1(Texels blocks) {
-        glCompressedTextureSubImage3D(texture_.id(), 0, 0, 0, next(), size_, size_, 1,
-                                      GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GLsizei(blocks.size()), blocks.data());
-        glFinish();
-    }
-
-  private:
-    int next() { return at_++ % count_; }
-    gl::Texture texture_;
-    int size_, count_, at_ = 0;
-};
-
-/// Of the photos that have tiles, at most `count`, evenly spread.
-std::vector<std::uint32_t> some_photos(const PackageReader& package, std::size_t count) {
-    std::vector<std::uint32_t> all, out;
-    for (std::uint32_t i = 0; i < package.photos().size(); ++i)
-        if (package.photos()[i].levels > 0) all.push_back(i);
-    const std::size_t some = std::min(count, all.size());
-    for (std::size_t i = 0; i < some; ++i) out.push_back(all[(2 * i + 1) * all.size() / (2 * some)]);
-    return out;
 }
 
 /// A stored tile, and the part of it that is the photo's: beyond its edges the last texel is repeated.
@@ -350,305 +276,20 @@ std::vector<Measurement> measure_formats(const BenchScene& scene, const Effort& 
     return out;
 }
 
-// --- How large they are
-
-/// A level of a photo, put together from its tiles.
-RgbaImage level_image(const PackageReader& package, std::uint32_t photo, int level) {
-    const package::PhotoRecord& record = package.photos()[photo];
-    const Level size = level_size(int(record.width), int(record.height), level);
-    RgbaImage out{size.width, size.height, Bytes(std::size_t(size.width) * std::size_t(size.height) * 4)};
-    const auto* entry = package.find(package::Type::tiles, photo, std::uint32_t(level));
-    for (int t = 0; entry && t < int(package.blocks(*entry)); ++t) {
-        const auto block = package.block(*entry, std::size_t(t));
-        const int x0 = t % size.columns() * tile_content, y0 = t / size.columns() * tile_content;
-        const int w = std::min(tile_content, size.width - x0), h = std::min(tile_content, size.height - y0);
-        for (int y = 0; y < h; ++y)
-            std::memcpy(&out.rgba[4 * (std::size_t(y0 + y) * std::size_t(size.width) + std::size_t(x0))],
-                        &block[4 * std::size_t((y + tile_border) * tile_size + tile_border)],
-                        4 * std::size_t(w));
-    }
-    return out;
-}
-
-/// A square out of an image; its edges repeat their last texel.
-Bytes cut(const RgbaImage& image, int x0, int y0, int size) {
-    Bytes out(std::size_t(size) * std::size_t(size) * 4);
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-            const std::size_t from =
-                std::size_t(std::clamp(y0 + y, 0, image.height - 1)) * std::size_t(image.width) +
-                std::size_t(std::clamp(x0 + x, 0, image.width - 1));
-            std::memcpy(&out[4 * (std::size_t(y) * std::size_t(size) + std::size_t(x))],
-                        &image.rgba[4 * from], 4);
-        }
-    return out;
-}
-
-/// Texels of a photo's level in squares of 8, which every tile's content is a multiple of.
-constexpr int block_size = 8;
-struct Block {
-    std::uint32_t photo, level, x, y;
-    std::uint64_t key() const {
-        return std::uint64_t(photo) << 40 | std::uint64_t(level) << 34 | std::uint64_t(x) << 17 | y;
-    }
-};
-using Blocks = std::unordered_set<std::uint64_t>;
-
-/// A photo that a view may show.
-struct Source {
-    std::uint32_t photo;
-    int levels;
-    Intrinsics k;
-    Pose pose;
-    Eigen::Vector3d center;
-};
-
-/// The package's model for casting rays.
-struct Surface {
-    std::vector<Eigen::Vector3f> positions;
-    std::vector<std::uint32_t> indices;
-    RayScene rays;
-};
-
-Surface surface(const PackageReader& package) {
-    std::vector<Eigen::Vector3f> positions;
-    for (const auto& p : package.records<std::array<float, 3>>(package::Type::positions))
-        positions.emplace_back(p[0], p[1], p[2]);
-    const auto indices = package.records<std::uint32_t>(package::Type::indices);
-    RayScene rays(positions, indices);
-    return {std::move(positions), {indices.begin(), indices.end()}, std::move(rays)};
-}
-
-/// The blocks that a trilinear sample of the photo takes.
-void mark(const Source& source, const SurfaceSample& sample, const Eigen::Vector2d& pixel, Blocks& out) {
-    // As footprint_of() and color_at() in the shaders.
-    const double lod =
-        std::clamp(level_of_detail(sample, source.k, source.pose) - 0.02, 0.0, double(source.levels - 1));
-    for (int l = int(lod); l <= int(std::ceil(lod)); ++l) {
-        const double scale = 1.0 / (block_size << l);
-        out.insert(Block{source.photo, std::uint32_t(l), std::uint32_t(pixel.x() * scale),
-                         std::uint32_t(pixel.y() * scale)}
-                       .key());
-    }
-}
-
-/// Marks what up to four photos show of a point: those nearest in angle of the ones that see it.
-void mark_point(const Surface& surface, const std::vector<Source>& sources, const View& view,
-                const Eigen::Vector3d& p, const Eigen::Vector3d& normal, Blocks& out) {
-    const auto sample = surface_sample(view, p, normal, 1);
-    if (!sample) return;
-    const Eigen::Vector3d to_eye = (view.cam_from_origin.center() - p).normalized();
-    std::vector<std::pair<double, const Source*>> by_angle;
-    for (const Source& s : sources) {
-        const Eigen::Vector3d to_photo = s.center - p;
-        // Photos from behind show the surface's other side.
-        if (normal.dot(to_photo) * normal.dot(to_eye) > 0)
-            by_angle.emplace_back(-to_photo.normalized().dot(to_eye), &s);
-    }
-    std::sort(by_angle.begin(), by_angle.end());
-    int photos = 0;
-    for (const auto& [angle, s] : by_angle) {
-        const auto seen = project(s->k, s->pose, p);
-        const double almost_there = 1 - 0.3 / std::max(s->k.fx, s->k.fy);
-        if (!seen || !in_frame(s->k, seen->pixel) ||
-            surface.rays.occluded(s->center, p - s->center, 0, almost_there))
-            continue;
-        mark(*s, *sample, seen->pixel, out);
-        if (++photos == 4) return;
-    }
-}
-
-/// The blocks that a view shows, by a ray every `step` pixels.
-Blocks shown_blocks(const PackageReader& package, const Surface& surface, const TrueView& view, int step) {
-    std::vector<Source> sources;
-    for (const std::uint32_t i : view.photos) {
-        const package::PhotoRecord& p = package.photos()[i];
-        const Pose pose = cam_from_origin(p);
-        if (p.levels > 0) sources.push_back({i, int(p.levels), intrinsics(p), pose, pose.center()});
-    }
-    const Intrinsics& k = view.view.intrinsics;
-    const Pose& pose = view.view.cam_from_origin;
-    const Eigen::Vector3d eye = pose.center();
-    Blocks out;
-    for (int y = step / 2; y < k.height; y += step)
-        for (int x = step / 2; x < k.width; x += step) {
-            const Eigen::Vector3d ray =
-                pose.R.transpose() * Eigen::Vector3d((x + 0.5 - k.cx) / k.fx, (y + 0.5 - k.cy) / k.fy, 1);
-            const auto hit = surface.rays.first_hit(eye, ray);
-            if (!hit) continue;
-            const auto corner = [&](std::size_t i) -> Eigen::Vector3d {
-                return surface.positions[surface.indices[3 * hit->triangle + i]].cast<double>();
-            };
-            const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
-            mark_point(surface, sources, view.view, eye + hit->distance * ray, normal, out);
-        }
-    return out;
-}
-
-/// Bytes of the tiles that hold these blocks, the border around each tile's content included.
-double tile_bytes_of(const Blocks& blocks, int size) {
-    if (size == block_size) return double(blocks.size()) * size * size * 4;
-    constexpr std::uint64_t mask = (1u << 17) - 1;
-    const std::uint64_t content = std::uint64_t((size - 2 * tile_border) / block_size);
-    Blocks tiles;
-    for (const std::uint64_t b : blocks)
-        tiles.insert((b & ~(mask << 17 | mask)) | (b >> 17 & mask) / content << 17 | (b & mask) / content);
-    return double(tiles.size()) * size * size * 4;
-}
-
-/// Tiles of a size, cut out of an image: some 16 MB, so that they are not all in the processor's caches.
-std::vector<Bytes> cut_some(const RgbaImage& image, int size) {
-    const int count = std::clamp((1 << 22) / (size * size), 4, 256);
-    std::vector<Bytes> out;
-    for (int i = 0; i < count; ++i)
-        out.push_back(cut(image, i * size % image.width, i * size / image.width * size, size));
-    return out;
-}
-
-// The first has no border: what is shown, as if that could be read alone.
-constexpr int tile_sizes[] = {block_size, 64, 128, 256, 512, 1024};
-
-/// Milliseconds to upload a tile, by size.
-std::vector<double> upload_ms(const RgbaImage& image, int repeats) {
-    std::vector<std::vector<Bytes>> tiles;
-    std::vector<Layers> layers;
-    for (const int size : tile_sizes) {
-        tiles.push_back(cut_some(image, size));
-        layers.emplace_back(GL_SRGB8_ALPHA8, size, 4);
-        for (int i = 0; i < 4; ++i)
-            layers.back().put_rgba(tiles.back()[0].data());  // its memory is there now
-    }
-    std::vector<double> ms = medians_in_turn(std::size(tile_sizes), repeats, [&](std::size_t s) {
-        return milliseconds([&] {
-            for (const Bytes& t : tiles[s]) layers[s].put_rgba(t.data());
-        });
-    });
-    for (std::size_t s = 0; s < ms.size(); ++s) ms[s] /= double(tiles[s].size());
-    return ms;
-}
-
-std::vector<Measurement> measure_sizes(const BenchScene& scene, const Effort& effort) {
-    const gl::HeadlessContext context;
-    const PackageReader package(scene.package);
-    const std::vector<std::uint32_t> photos = some_photos(package, 1);
-    const auto triangles = package.records<std::uint32_t>(package::Type::indices, package::scene_wide, false);
-    if (photos.empty() || triangles.empty() || scene.views.empty()) return {};
-    const Surface model = surface(package);
-    std::vector<Blocks> shown;
-    for (const TrueView& v : scene.views)
-        shown.push_back(shown_blocks(package, model, v, effort.points < 20000 ? 4 : 2));
-    const std::vector<double> ms = upload_ms(level_image(package, photos[0], 0), effort.repeats);
-    gl::check("uploading tiles");
-    std::vector<Measurement> out;
-    for (std::size_t s = 0; s < std::size(tile_sizes); ++s) {
-        const int size = tile_sizes[s];
-        std::vector<double> read;
-        for (const Blocks& b : shown) read.push_back(tile_bytes_of(b, size));
-        Measurement m;
-        m.curve = "tile size";
-        m.exact = size == block_size;
-        m.chosen = size == tile_size;
-        m.setting = m.exact ? "8x8, what is shown" : std::to_string(size);
-        m.values = {{"read_bytes", mean(read)}, {"tile_ms", ms[s]}};
-        out.push_back(std::move(m));
-    }
-    return out;
-}
-
-// --- How far they reach into their neighbours
-
-/// A level cut into tiles of 256 texels of which `border` on each side are the neighbours'.
-struct Cut {
-    int content, columns;
-    std::vector<RgbaImage> tiles;
-};
-
-Cut cut_all(const RgbaImage& image, int border) {
-    const int content = tile_size - 2 * border;
-    Cut out{content, (image.width + content - 1) / content, {}};
-    for (int y = 0; y < image.height; y += content)
-        for (int x = 0; x < image.width; x += content)
-            out.tiles.push_back({tile_size, tile_size, cut(image, x - border, y - border, tile_size)});
-    return out;
-}
-
-/// Linear between four texels, clamped at the image's edges; alpha, too.
-std::array<double, 4> bilinear(const RgbaImage& image, double x, double y) {
-    const double fx = std::floor(x - 0.5), fy = std::floor(y - 0.5), s = x - 0.5 - fx, t = y - 0.5 - fy;
-    const auto texel = [&](int i, int j) {
-        return &image.rgba[4 * (std::size_t(std::clamp(int(fy) + j, 0, image.height - 1)) *
-                                    std::size_t(image.width) +
-                                std::size_t(std::clamp(int(fx) + i, 0, image.width - 1)))];
-    };
-    std::array<double, 4> out;
-    for (std::size_t c = 0; c < 4; ++c)
-        out[c] = (1 - t) * ((1 - s) * texel(0, 0)[c] + s * texel(1, 0)[c]) +
-                 t * ((1 - s) * texel(0, 1)[c] + s * texel(1, 1)[c]);
-    return out;
-}
-
-/// Samples through the tiles beside samples of the whole, at random places.
-void compare(const RgbaImage& whole, int border, std::size_t points, Differences& all) {
-    const Cut tiles = cut_all(whole, border);
-    std::mt19937 engine(3);
-    // 256ths of a texel, as graphics cards have it, so that rounding does not count.
-    const auto place = [&](int length) { return double(engine() % (std::uint32_t(length) * 256)) / 256; };
-    for (std::size_t i = 0; i < points; ++i) {
-        const double x = place(whole.width), y = place(whole.height);
-        const int column = int(x) / tiles.content, row = int(y) / tiles.content;
-        const auto truth = bilinear(whole, x, y);
-        if (truth[3] < 255) continue;
-        const auto found = bilinear(tiles.tiles[std::size_t(row * tiles.columns + column)],
-                                    x - column * tiles.content + border, y - row * tiles.content + border);
-        for (std::size_t c = 0; c < 3; ++c) all.add(found[c] - truth[c]);
-    }
-}
-
-std::vector<Measurement> measure_borders(const BenchScene& scene, const Effort& effort) {
-    const PackageReader package(scene.package);
-    constexpr int borders[] = {0, 1, 2, 4, 8};
-    std::array<Differences, std::size(borders)> all;
-    for (const std::uint32_t photo : some_photos(package, effort.photos)) {
-        const RgbaImage whole = level_image(package, photo, 0);
-        for (std::size_t b = 0; b < std::size(borders); ++b)
-            compare(whole, borders[b], effort.points, all[b]);
-    }
-    if (all[0].empty()) return {};
-    std::vector<Measurement> out;
-    for (std::size_t b = 0; b < std::size(borders); ++b) {
-        const double share = double(tile_size) / (tile_size - 2 * borders[b]);
-        Measurement m;
-        m.curve = "border";
-        m.setting = std::to_string(borders[b]);
-        m.exact = borders[b] >= 1;  // four texels reach half a texel beyond the tile's own
-        m.chosen = borders[b] == tile_border;
-        m.values = {{"psnr", all[b].psnr()}, {"worst", all[b].worst()}, {"texel_bytes", 4 * share * share}};
-        out.push_back(std::move(m));
-    }
-    return out;
-}
-
 std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::filesystem::path& folder) {
-    return {{"format", [=, &scene] { return measure_formats(scene, effort, folder); }},
-            {"size", [=, &scene] { return measure_sizes(scene, effort); }},
-            {"border", [=, &scene] { return measure_borders(scene, effort); }}};
+    return {{"all", [=, &scene] { return measure_formats(scene, effort, folder); }}};
 }
 
 }  // namespace
 
 extern const Sweep tile_format_sweep;
-const Sweep tile_format_sweep{"tiles",
-                              "Tiles of colour",
-                              "Tiles are stored as the graphics card takes them, 256 texels wide, with 4 of "
-                              "their neighbours'. What would "
-                              "a coded format, another size or another border give and cost?",
-                              "the photo's texels as they were prepared",
-                              "0 of 255",
-                              {{"texel_bytes", "psnr", true, false},
-                               {"tile_ms", "psnr", true, false},
-                               {"texel_bytes", "worst", true, false},
-                               {"tile_ms", "read_bytes", true, true}},
-                              jobs,
-                              true};
+const Sweep tile_format_sweep{
+    "tile-format",
+    "How tiles are coded",
+    "Tiles are stored as the graphics card takes them. What would a coded format save, and cost?",
+    "the photo's texels as they were prepared",
+    "0 of 255",
+    {{"texel_bytes", "psnr"}, {"tile_ms", "psnr"}, {"texel_bytes", "worst"}},
+    jobs};
 
 }  // namespace vantage::bench
