@@ -154,9 +154,12 @@ double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting
     return milliseconds([&] { frames.draw(); }) * (s.timed_whole ? s.side * s.side : 1);
 }
 
-std::vector<Measurement> measure_pictures(Renderer& renderer, const BenchScene& scene, const Effort& effort,
-                                          std::span<const PictureSetting> settings,
+std::vector<Measurement> measure_pictures(const std::filesystem::path& file, const BenchScene& scene,
+                                          const Effort& effort, std::span<const PictureSetting> settings,
                                           const std::filesystem::path& folder, const std::string& tag) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, ample_memory());
     std::vector<Measurement> out;
     std::vector<std::vector<Picture>> pictures;
     for (const PictureSetting& s : settings) {

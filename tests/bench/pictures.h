@@ -39,11 +39,11 @@ int settle(Renderer& renderer, const TrueView& view, const PictureSetting& setti
 /// Milliseconds of a frame that stands still, everything resident; of all its samples where they are timed.
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
-/// psnr, ssim, worst, uncoloured, photos and frame_ms of each, and psnr_exact: beside the exact setting of
-/// the same curve, or else of another, where there is one. Keeps parts of pictures where the worst differs
-/// most from the exact.
-std::vector<Measurement> measure_pictures(Renderer& renderer, const BenchScene& scene, const Effort& effort,
-                                          std::span<const PictureSetting> settings,
+/// Of a package of the scene: psnr, ssim, worst, uncoloured, photos and frame_ms of each, and psnr_exact:
+/// beside the exact setting of the same curve, or else of another, where there is one. Keeps parts of
+/// pictures where the worst differs most from the exact.
+std::vector<Measurement> measure_pictures(const std::filesystem::path& package, const BenchScene& scene,
+                                          const Effort& effort, std::span<const PictureSetting> settings,
                                           const std::filesystem::path& folder, const std::string& tag);
 
 /// Enough for all that a package has.

@@ -1,7 +1,6 @@
 // How photos are blended: the mode, how many, how sharply; how many a pass; in which precision.
 #include <fmt/format.h>
 
-#include "gl/context.h"
 #include "player/render/frame_targets.h"
 #include "tests/bench/pictures.h"
 #include "tests/bench/sweep.h"
@@ -83,12 +82,9 @@ std::vector<PictureSetting> precisions(int) {
 Job pictures_job(const char* name, const BenchScene& scene, const Effort& effort,
                  const std::filesystem::path& folder, std::vector<PictureSetting> (*settings)(int photos)) {
     return {name, [=, &scene] {
-                const PackageReader package(scene.package);
-                const gl::HeadlessContext context;
-                Renderer renderer(package, ample_memory());
                 const std::vector<PictureSetting> all = settings(int(scene.views.front().photos.size()));
-                std::vector<Measurement> out =
-                    measure_pictures(renderer, scene, effort, all, folder, std::string("blending-") + name);
+                std::vector<Measurement> out = measure_pictures(scene.package, scene, effort, all, folder,
+                                                                std::string("blending-") + name);
                 const Intrinsics& k = scene.views.front().view.intrinsics;
                 for (std::size_t i = 0; i < out.size(); ++i)
                     out[i].values["target_bytes"] =

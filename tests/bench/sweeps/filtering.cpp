@@ -2,7 +2,6 @@
 // pixel.
 #include <fmt/format.h>
 
-#include "gl/context.h"
 #include "tests/bench/pictures.h"
 #include "tests/bench/sweep.h"
 
@@ -40,10 +39,7 @@ std::vector<PictureSetting> settings(int most) {
 
 std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
                                  const std::filesystem::path& folder) {
-    const PackageReader package(scene.package);
-    const gl::HeadlessContext context;
-    Renderer renderer(package, ample_memory());
-    return measure_pictures(renderer, scene, effort, settings(effort.name == "smoke" ? 4 : 6), folder,
+    return measure_pictures(scene.package, scene, effort, settings(effort.name == "smoke" ? 4 : 6), folder,
                             "filtering");
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "gl/context.h"
 #include "tests/bench/pictures.h"
 #include "tests/bench/prepared.h"
 #include "tests/bench/sweep.h"
@@ -15,9 +14,6 @@ namespace fs = std::filesystem;
 
 std::vector<Measurement> measure_counts(const BenchScene& scene, const Effort& effort,
                                         const fs::path& folder) {
-    const PackageReader package(scene.package);
-    const gl::HeadlessContext context;
-    Renderer renderer(package, ample_memory());
     const std::size_t all = scene.views.front().photos.size();
     std::vector<PictureSetting> settings;
     for (const double share : {1.0, 0.75, 0.5, 0.25, 0.125}) {
@@ -27,8 +23,8 @@ std::vector<Measurement> measure_counts(const BenchScene& scene, const Effort& e
         s.photos = share;
         settings.push_back(s);
     }
-    std::vector<Measurement> out = measure_pictures(renderer, scene, effort, settings, folder, "photos");
-    const double bytes = double(package.size());
+    std::vector<Measurement> out = measure_pictures(scene.package, scene, effort, settings, folder, "photos");
+    const double bytes = double(fs::file_size(scene.package));
     for (std::size_t i = 0; i < out.size(); ++i) out[i].values["package_bytes"] = bytes * settings[i].photos;
     return out;
 }
@@ -48,17 +44,13 @@ std::vector<Measurement> measure_resolutions(const BenchScene& scene, const Effo
         const fs::path file = fs::path(scene.package.string() + ".reduced");
         const std::string size = std::to_string(std::max(16u, longest / std::uint32_t(divisor)));
         const PrepareCost cost = run_prepare(scene.folder, file, {"--photo-size", size});
-        const PackageReader package(file);
-        const gl::HeadlessContext context;
-        Renderer renderer(package, ample_memory());
         const std::vector<PictureSetting> one{
             {"pixels a photo", size + " px", divisor == 1, divisor == 1, {}}};
         out.push_back(
-            measure_pictures(renderer, scene, effort, one, folder, fmt::format("pixels-{}", divisor))
-                .front());
+            measure_pictures(file, scene, effort, one, folder, fmt::format("pixels-{}", divisor)).front());
         out.back().values.erase("psnr_exact");
         std::erase_if(out.back().exhibits, [](const Exhibit& e) { return e.caption == "truth"; });
-        out.back().values["package_bytes"] = double(package.size());
+        out.back().values["package_bytes"] = double(fs::file_size(file));
         out.back().values["prepare_s"] = cost.seconds;
         out.back().values["pixels"] = pixels / (divisor * divisor);
         fs::remove(file);

@@ -1,7 +1,6 @@
 // The presets of configs/ among the settings that could be: preparation, bytes and frames together.
 #include <fmt/format.h>
 
-#include "gl/context.h"
 #include "tests/bench/pictures.h"
 #include "tests/bench/prepared.h"
 #include "tests/bench/statistics.h"
@@ -58,18 +57,15 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, 
     std::vector<Measurement> out;
     for (std::size_t i = 0; i < all.size(); ++i) {
         run_prepare(scene.folder, file, all[i].options);
-        const PackageReader package(file);
-        const gl::HeadlessContext context;
-        Renderer renderer(package, ample_memory());
         PictureSetting s{all[i].curve, all[i].name, all[i].name == "overnight", all[i].name == "default", {}};
         s.settings.photos = window_photos;
         out.push_back(
-            measure_pictures(renderer, scene, effort, std::vector{s}, folder, fmt::format("presets-{}", i))
+            measure_pictures(file, scene, effort, std::vector{s}, folder, fmt::format("presets-{}", i))
                 .front());
         out.back().values.erase("psnr_exact");
         if (all[i].curve != "presets") out.back().exhibits.clear();
         std::erase_if(out.back().exhibits, [](const Exhibit& e) { return e.caption == "truth"; });
-        out.back().values["package_bytes"] = double(package.size());
+        out.back().values["package_bytes"] = double(fs::file_size(file));
         out.back().values["prepare_s"] = costs[i].seconds;
         out.back().values["memory_bytes"] = costs[i].memory_bytes;
         fs::remove(file);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include "gl/context.h"
 #include "player/camera_path.h"
 #include "tests/bench/pictures.h"
 #include "tests/bench/statistics.h"
@@ -41,10 +40,7 @@ std::vector<PictureSetting> settings() {
 
 std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
                                  const std::filesystem::path& folder) {
-    const PackageReader package(scene.package);
-    const gl::HeadlessContext context;
-    Renderer renderer(package, ample_memory());
-    return measure_pictures(renderer, scene, effort, settings(), folder, "selection");
+    return measure_pictures(scene.package, scene, effort, settings(), folder, "selection");
 }
 
 /// Photos that are new in the choice, a frame of an orbit, and what planning costs.
