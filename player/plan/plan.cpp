@@ -92,6 +92,7 @@ Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& set
     for (const ChosenPhoto& c : choice.photos) plan.photos.push_back({c.photo, c.agreement, {}, {}, {}, {}});
     assign_clusters(sight, settings, plan.photos);
     for (PlannedPhoto& p : plan.photos) {
+        if (!settings.tiles) break;
         const bool by_samples = settings.worth > 0 && !sight.samples.empty();
         p.needs = by_samples ? needs_of_samples(sight, p, settings.worth)
                              : needs_of_clusters(sight, p, true, settings.samples);

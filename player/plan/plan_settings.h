@@ -18,6 +18,7 @@ struct PlanSettings {
                              ///< where it alone sees a surface; 0: none
     double samples = 1;      ///< along a pixel's side
     double worth = 0;        ///< share of a tile's texels that must be shown, to need it; 0: all that may be
+    bool tiles = true;       ///< say which tiles are needed; else thumbnails have to do
     bool operator==(const PlanSettings&) const = default;
 };
 

@@ -147,7 +147,6 @@ void Renderer::stream(Frame& frame, const View* next) {
     if (settings.whole_photos)
         for (const PlannedPhoto& p : plan_.plan().photos) frame.report.uploaded += store_.load_whole(p.photo);
     for (const PlannedPhoto& p : plan_.plan().photos) {
-        if (settings.thumbnails) break;
         frame.report.tiles += p.needs.tiles();
         // Before it is known what a view shows, much would be read in vain: thumbnails have to do.
         frame.report.tiles_missing += plan_.knows_seen() ? store_.need(p.photo, p.needs) : p.needs.tiles();
@@ -157,9 +156,9 @@ void Renderer::stream(Frame& frame, const View* next) {
     for (const std::uint32_t p : wanted_thumbnails_)
         if (scene_.photos[p].levels) store_.need_thumbnail(p);
     wanted_thumbnails_.clear();
-    if (frame.report.tiles_missing == 0 && !settings.thumbnails)
+    if (frame.report.tiles_missing == 0)
         for (const PlannedPhoto& p : plan_.plan().photos) store_.foresee(p.photo, p.later);
-    if (next && frame.report.tiles_missing == 0 && !settings.thumbnails) {
+    if (next && frame.report.tiles_missing == 0) {
         for (const PlannedPhoto& p : plan_.ahead(*next, settings, frame.sample.side).photos)
             store_.foresee(p.photo, p.needs);
     }
@@ -172,15 +171,13 @@ void Renderer::load(Pass pass, Frame& frame) {
     store_.begin_frame(frame.now, false);  // what earlier passes used may give way
     for (const PlannedPhoto* p : pass) {
         store_.need_base(p->photo, !per_fragment(frame.drawn.settings));
-        if (frame.drawn.settings.thumbnails) continue;
         store_.need(p->photo, p->needs);
         store_.need(p->photo, p->later);
         frame.report.tiles += p->needs.tiles();
     }
     store_.need(frame.drawn.settings.compare_photo, comparison_needs(frame.drawn.view, frame.drawn.settings));
     store_.load();
-    for (const PlannedPhoto* p : pass)
-        if (!frame.drawn.settings.thumbnails) missing += store_.missing(p->photo, p->needs);
+    for (const PlannedPhoto* p : pass) missing += store_.missing(p->photo, p->needs);
     frame.report.tiles_missing += missing;
 }
 

@@ -20,6 +20,7 @@ PlanSettings plan_settings(const RenderSettings& s, int side) {
     PlanSettings p;
     p.choice = s.choice;
     p.photos = s.photos;
+    p.tiles = !s.thumbnails;
     p.angle_limit = s.photos > 0 ? s.angle_limit * std::numbers::pi / 180 : 0;
     // Beyond 4 taps, finer levels are read than the footprint that is kept sharp otherwise asks for.
     p.samples = side * std::exp2(-s.lod_bias) * std::max(1.0, s.anisotropy / 4.0);

@@ -139,11 +139,11 @@ std::vector<Picture> render_views(Renderer& renderer, const BenchScene& scene, c
     return out;
 }
 
-int settle(Renderer& renderer, const TrueView& view, const PictureSetting& s) {
+void settle(Renderer& renderer, const TrueView& view, const PictureSetting& s) {
     const Frames frames(renderer, view, s);
-    for (int n = 1;; ++n) {
+    for (int n = 0; n < 1000; ++n) {
         const FrameReport r = frames.draw();
-        if ((r.tiles_missing == 0 && r.photos == renderer.plan().photos.size()) || n == 1000) return n;
+        if (r.tiles_missing == 0 && r.photos == renderer.plan().photos.size()) return;
     }
 }
 

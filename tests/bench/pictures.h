@@ -33,8 +33,8 @@ PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Pi
 /// All of a scene's views with these settings.
 std::vector<Picture> render_views(Renderer& renderer, const BenchScene& scene, const PictureSetting& setting);
 
-/// Draws frames of the view until one misses nothing; says how many.
-int settle(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
+/// Draws frames of the view until one misses nothing.
+void settle(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
 /// Milliseconds of a frame that stands still, everything resident; of all its samples where they are timed.
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& setting);

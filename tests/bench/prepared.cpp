@@ -61,4 +61,19 @@ PrepareCost run_prepare(const std::filesystem::path& folder, const std::filesyst
     return cost;
 }
 
+Measurement measure_prepared(const BenchScene& scene, const Effort& effort,
+                             const std::vector<std::string>& options, const PictureSetting& setting,
+                             const std::filesystem::path& folder, const std::string& tag) {
+    const std::filesystem::path file = scene.package.string() + ".candidate";
+    const PrepareCost cost = run_prepare(scene.folder, file, options);
+    Measurement m = measure_pictures(file, scene, effort, std::vector{setting}, folder, tag).front();
+    m.values.erase("psnr_exact");
+    std::erase_if(m.exhibits, [](const Exhibit& e) { return e.caption == "truth"; });
+    m.values["package_bytes"] = double(std::filesystem::file_size(file));
+    m.values["prepare_s"] = cost.seconds;
+    m.values["memory_bytes"] = cost.memory_bytes;
+    std::filesystem::remove(file);
+    return m;
+}
+
 }  // namespace vantage::bench

@@ -41,19 +41,11 @@ std::vector<Measurement> measure_resolutions(const BenchScene& scene, const Effo
     }
     std::vector<Measurement> out;
     for (const int divisor : {1, 2, 4, 8}) {
-        const fs::path file = fs::path(scene.package.string() + ".reduced");
         const std::string size = std::to_string(std::max(16u, longest / std::uint32_t(divisor)));
-        const PrepareCost cost = run_prepare(scene.folder, file, {"--photo-size", size});
-        const std::vector<PictureSetting> one{
-            {"pixels a photo", size + " px", divisor == 1, divisor == 1, {}}};
-        out.push_back(
-            measure_pictures(file, scene, effort, one, folder, fmt::format("pixels-{}", divisor)).front());
-        out.back().values.erase("psnr_exact");
-        std::erase_if(out.back().exhibits, [](const Exhibit& e) { return e.caption == "truth"; });
-        out.back().values["package_bytes"] = double(fs::file_size(file));
-        out.back().values["prepare_s"] = cost.seconds;
+        const PictureSetting one{"pixels a photo", size + " px", divisor == 1, divisor == 1, {}};
+        out.push_back(measure_prepared(scene, effort, {"--photo-size", size}, one, folder,
+                                       fmt::format("pixels-{}", divisor)));
         out.back().values["pixels"] = pixels / (divisor * divisor);
-        fs::remove(file);
     }
     return out;
 }

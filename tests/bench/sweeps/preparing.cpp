@@ -37,18 +37,12 @@ PictureSetting picture_setting(const Knob& knob, double value) {
 std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, const fs::path& folder,
                                  const Knob& knob) {
     std::vector<Measurement> out;
-    const fs::path file = scene.package.string() + ".knob";
     for (const double value : knob.values) {
         if (effort.name == "smoke" && value != knob.values.front() && value != knob.usual) continue;
         const PictureSetting s = picture_setting(knob, value);
-        const PrepareCost cost =
-            run_prepare(scene.folder, file, {std::string("--") + knob.option, s.setting});
-        out.push_back(measure_pictures(file, scene, effort, std::vector{s}, folder, "preparing").front());
+        out.push_back(measure_prepared(scene, effort, {std::string("--") + knob.option, s.setting}, s, folder,
+                                       "preparing"));
         out.back().exhibits.clear();
-        out.back().values["package_bytes"] = double(fs::file_size(file));
-        out.back().values["prepare_s"] = cost.seconds;
-        out.back().values["memory_bytes"] = cost.memory_bytes;
-        fs::remove(file);
     }
     return out;
 }

@@ -53,22 +53,15 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, 
     const bool full = effort.name == "full";
     const std::vector<Candidate> all = candidates(full);
     const std::vector<PrepareCost> costs = prepare_all(scene, all, full ? effort.repeats : 1);
-    const fs::path file = scene.package.string() + ".candidate";
     std::vector<Measurement> out;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        run_prepare(scene.folder, file, all[i].options);
         PictureSetting s{all[i].curve, all[i].name, all[i].name == "overnight", all[i].name == "default", {}};
         s.settings.photos = window_photos;
         out.push_back(
-            measure_pictures(file, scene, effort, std::vector{s}, folder, fmt::format("presets-{}", i))
-                .front());
-        out.back().values.erase("psnr_exact");
+            measure_prepared(scene, effort, all[i].options, s, folder, fmt::format("presets-{}", i)));
         if (all[i].curve != "presets") out.back().exhibits.clear();
-        std::erase_if(out.back().exhibits, [](const Exhibit& e) { return e.caption == "truth"; });
-        out.back().values["package_bytes"] = double(fs::file_size(file));
         out.back().values["prepare_s"] = costs[i].seconds;
         out.back().values["memory_bytes"] = costs[i].memory_bytes;
-        fs::remove(file);
     }
     return out;
 }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "player/camera_path.h"
 #include "tests/bench/pictures.h"
