@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <map>
-#include <nlohmann/json.hpp>
 
-#include "pipeline/file_identity.h"
 #include "pipeline/import/discover.h"
+#include "pipeline/provenance.h"
+#include "pipeline/stage_keys.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
 
@@ -72,7 +72,9 @@ void check_blocks(const PackageReader& reader, Type type, std::uint32_t i, std::
 }
 
 void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std::uint32_t i, Issues& out) {
-    if (p.flags & package::photo_held_out) return;
+    const bool without_pixels = p.flags & (package::photo_held_out | package::photo_left_out);
+    if (without_pixels != (p.levels == 0)) damaged(out, fmt::format("{}: flags and levels disagree", p.name));
+    if (without_pixels) return;
     for (std::uint32_t l = 0; l < p.levels; ++l)
         check_blocks(reader, Type::tiles, i, l, level_size(int(p.width), int(p.height), int(l)), out);
     for (int l = mask_level; l < mask_levels_end(int(p.levels)); ++l)
@@ -113,50 +115,62 @@ void check_mask_meaning(const PackageReader& reader, std::uint32_t i, std::uint3
     }
 }
 
-void compare(const std::filesystem::path& file, std::uint64_t bytes, std::uint64_t sum, Issues& out) {
-    if (!std::filesystem::exists(file)) {
-        out.push_back({Exit::stale, file.string() + ": is gone"});
-    } else if (const FileIdentity id = identify(file); id.bytes != bytes || id.checksum != sum) {
-        out.push_back({Exit::stale, file.string() + ": has changed since the package was prepared"});
+void check_states(const PackageReader& reader, Issues& out) {
+    const auto photos = reader.photos();
+    const auto states = reader.records<package::PhotoState>(Type::states);
+    if (states.size() != photos.size()) return damaged(out, "STAT: has not one entry a photo");
+    for (std::size_t i = 0; i < photos.size(); ++i)
+        if (!sealed(states[i], photos[i]))
+            damaged(out, fmt::format("STAT: the entry of {} does not belong to it", photos[i].name));
+}
+
+void check_structure(const PackageReader& reader, bool deep, Issues& out) {
+    check_checksums(reader, deep, out);
+    if (!out.empty()) return;
+    check_model(reader, out);
+    check_states(reader, out);
+    const auto photos = reader.photos();
+    for (std::uint32_t i = 0; i < photos.size(); ++i) {
+        check_photo(reader, photos[i], i, out);
+        for (int l = mask_level; deep && l < mask_levels_end(int(photos[i].levels)); ++l)
+            check_mask_meaning(reader, i, std::uint32_t(l), out);
     }
 }
 
-void check_against(const PackageReader& reader, const std::filesystem::path& folder, Issues& out) {
-    const InputFiles files = discover(folder);
-    const auto meta = nlohmann::json::parse(reader.meta());
-    const auto& mesh = meta.at("inputs").at("mesh");
-    compare(files.mesh, mesh.at("bytes"), mesh.at("xxh3"), out);
-    const auto now = camera_files(files.cameras);
-    for (const auto& c : meta.at("inputs").at("cameras"))
-        for (const auto& file : now)
-            if (file.filename() == c.at("name").get<std::string>())
-                compare(file, c.at("bytes"), c.at("xxh3"), out);
-    for (const package::PhotoRecord& p : reader.photos())
-        if (!(p.flags & package::photo_held_out))
-            compare(files.photos / p.name, p.source_bytes, p.source_checksum, out);
+void check_against(const PackageReader& reader, const CheckDepth& depth, Issues& out) {
+    IdentityCache identities(usual_identity_cache(), depth.rehash);
+    for (const std::string& change : changed_inputs(reader, discover(depth.against), identities))
+        out.push_back({Exit::stale, change});
 }
 
 }  // namespace
 
-Issues check_package(const std::filesystem::path& file, bool deep, const std::filesystem::path& against) {
+const char* kind_name(Exit kind) {
+    if (kind == Exit::input) return "unreadable";
+    if (kind == Exit::damaged) return "damaged";
+    return kind == Exit::stale ? "stale" : "incomplete";
+}
+
+Exit worst(const Issues& issues) {
+    for (const Exit kind : {Exit::input, Exit::damaged, Exit::stale, Exit::incomplete})
+        if (std::ranges::count(issues, kind, &Issue::kind) > 0) return kind;
+    return Exit::ok;
+}
+
+Issues check_package(const std::filesystem::path& file, const CheckDepth& depth) {
     Issues out;
     try {
         const PackageReader reader(file);
-        check_checksums(reader, deep, out);
+        check_structure(reader, depth.deep, out);
         if (!out.empty()) return out;
-        check_model(reader, out);
-        const auto photos = reader.photos();
-        for (std::uint32_t i = 0; i < photos.size(); ++i) {
-            check_photo(reader, photos[i], i, out);
-            for (int l = mask_level; deep && l < mask_levels_end(int(photos[i].levels)); ++l)
-                check_mask_meaning(reader, i, std::uint32_t(l), out);
-        }
-        if (out.empty() && !against.empty()) check_against(reader, against, out);
+        if (!depth.against.empty()) check_against(reader, depth, out);
+        for (const UnusablePhoto& l : left_out_of(reader))
+            out.push_back({Exit::incomplete, l.photo + ": left out: " + l.why});
     } catch (const Error& e) {
-        if (e.code() != Exit::damaged) throw;
-        damaged(out, e.what());
-    } catch (const nlohmann::json::exception& e) {
-        damaged(out, std::string("META: not readable: ") + e.what());
+        if (e.code() != Exit::damaged && e.code() != Exit::input) throw;
+        std::string text = e.what();
+        if (text.starts_with(file.string() + ": ")) text.erase(0, file.string().size() + 2);
+        out.push_back({e.code(), text});
     }
     return out;
 }

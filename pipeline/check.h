@@ -9,14 +9,24 @@ namespace vantage {
 
 /// One thing that is wrong with a package, and how wrong.
 struct Issue {
-    Exit kind;  ///< damaged or stale
+    Exit kind;  ///< input (cannot be read), damaged, stale or incomplete
     std::string text;
 };
 
-/// Structure, checksums of heads and meaning; with `deep` every block's checksum too. Opening problems
-/// (header, directory) are issues as well. With `against` not empty, the package's inputs in that folder or
-/// file set are compared by length and checksum.
-std::vector<Issue> check_package(const std::filesystem::path& file, bool deep,
-                                 const std::filesystem::path& against);
+/// "unreadable", "damaged", "stale", "incomplete".
+const char* kind_name(Exit kind);
+/// The one that stands for all: what cannot be trusted at all comes before what is old, and that before what
+/// is not everything. ok where there is none.
+Exit worst(const std::vector<Issue>& issues);
+
+/// What a check goes into.
+struct CheckDepth {
+    bool deep = false;              ///< every tile's checksum, and what it means
+    std::filesystem::path against{};///< the package's input folder, where it is to be compared
+    bool rehash = false;            ///< inputs are read, whatever their sizes and times say
+};
+
+/// Structure, checksums of heads, meaning and completeness; problems of opening are issues as well.
+std::vector<Issue> check_package(const std::filesystem::path& file, const CheckDepth& depth);
 
 }  // namespace vantage

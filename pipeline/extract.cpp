@@ -1,10 +1,10 @@
 #include "pipeline/extract.h"
 
 #include <array>
-#include <cstring>
 
 #include "pipeline/export/ply.h"
 #include "pipeline/images/image_files.h"
+#include "pipeline/join_tiles.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
@@ -14,25 +14,6 @@ namespace {
 
 using package::Type;
 namespace fs = std::filesystem;
-
-/// Puts the tiles of a level together again: width * height 4-byte texels.
-std::vector<std::byte> join_tiles(const PackageReader& reader, const package::DirectoryEntry& e,
-                                  const Level& level) {
-    if (reader.blocks(e) != std::size_t(level.tiles()) || e.block_length != tile_bytes)
-        throw Error(Exit::damaged, describe(e, reader) + ": does not have the tiles of its size");
-    std::vector<std::byte> out(std::size_t(level.width) * std::size_t(level.height) * 4);
-    for (int y = 0; y < level.height; ++y)
-        for (int column = 0; column < level.columns(); ++column) {
-            const int tile = (y / tile_content) * level.columns() + column, x = column * tile_content;
-            const int n = std::min(tile_content, level.width - x);
-            const auto from = reader.block(e, std::size_t(tile));
-            std::memcpy(
-                out.data() + (std::size_t(y) * std::size_t(level.width) + std::size_t(x)) * 4,
-                from.data() + (std::size_t(y % tile_content + tile_border) * tile_size + tile_border) * 4,
-                std::size_t(n) * 4);
-        }
-    return out;
-}
 
 void write_mesh(const PackageReader& reader, const fs::path& file) {
     const package::SceneRecord& s = reader.scene();

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <set>
 
-#include "pipeline/file_identity.h"
 #include "pipeline/stages/clusters.h"
 #include "pipeline/stages/pyramid.h"
 #include "scene/checksum.h"
@@ -119,88 +117,70 @@ std::vector<package::PhotoRecord> photo_records(const SceneInput& scene, const P
     return records;
 }
 
-std::string provenance(const SceneInput& scene, const PrepareSettings& s,
-                       const std::vector<EffectDecision>& effects) {
-    nlohmann::json meta;
-    meta["tool"] = "vantage " VANTAGE_VERSION;
-    meta["config"] = {{"distance", name(s.distance)},
-                      {"border_width", s.border_width},
-                      {"border_threshold", s.border_threshold},
-                      {"thumbnail", s.thumbnail},
-                      {"resampling", name(s.resampling)},
-                      {"cluster_triangles", s.cluster_triangles},
-                      {"photo_size", s.photo_size},
-                      {"hold_out", s.hold_out}};
-    const auto input = [](const std::filesystem::path& file) {
-        const FileIdentity id = identify(file);
-        return nlohmann::json{{"name", file.filename().string()}, {"bytes", id.bytes}, {"xxh3", id.checksum}};
-    };
-    meta["inputs"]["mesh"] = input(scene.files.mesh);
-    meta["inputs"]["camera_format"] = scene.camera_format;
-    for (const auto& file : camera_files(scene.files.cameras))
-        meta["inputs"]["cameras"].push_back(input(file));
-    for (const EffectDecision& d : effects) {
-        const EffectRow& row = effect_row(d.effect);
-        meta["effects"].push_back({{"name", row.name},
-                                   {"on", d.on},
-                                   {"forced", d.forced},
-                                   {"measures", row.measures},
-                                   {"measured", d.measured},
-                                   {"threshold", row.threshold},
-                                   {"unit", row.unit},
-                                   {"evidence", d.evidence}});
-    }
-    meta["scalars"] = nlohmann::json::array();
-    for (const ScalarLayer& layer : scene.mesh.scalars) meta["scalars"].push_back(layer.name);
-    meta["warnings"] = scene.warnings;
-    return meta.dump(1);
+namespace {
+
+/// Of the tile pyramid, also where the photo was left out: it may be readable one day.
+int planned_levels(const package::PhotoRecord& p) {
+    return p.flags & package::photo_held_out ? 0 : level_count(int(p.width), int(p.height));
 }
 
-std::vector<ChunkPlan> plan_chunks(const PackedModel& m, const Mesh& mesh, std::size_t meta_bytes,
-                                   const std::vector<package::PhotoRecord>& photos) {
-    const std::uint64_t v = m.record.vertices;
+std::vector<ChunkPlan> plan_scene(const package::SceneRecord& s, const LayoutSizes& sizes) {
     const auto whole = [](Type type, std::uint64_t bytes) {
         return ChunkPlan{type, package::scene_wide, 0, bytes};
     };
-    std::vector<ChunkPlan> plan{whole(Type::meta, meta_bytes),
+    std::vector<ChunkPlan> plan{whole(Type::meta, sizes.meta_bytes),
                                 whole(Type::scene, sizeof(package::SceneRecord)),
-                                whole(Type::photos, photos.size() * sizeof(package::PhotoRecord)),
-                                whole(Type::positions, v * 12),
-                                whole(Type::normals, v * 12),
-                                whole(Type::indices, m.record.triangles * 12),
-                                whole(Type::clusters, m.clusters.size() * sizeof(package::ClusterRecord))};
-    if (!mesh.colors.empty()) plan.push_back(whole(Type::colors, v * 4));
-    if (!mesh.scalars.empty()) plan.push_back(whole(Type::scalars, v * 4 * mesh.scalars.size()));
-    std::uint32_t top = 0;
+                                whole(Type::photos, s.photos * sizeof(package::PhotoRecord)),
+                                whole(Type::states, s.photos * sizeof(package::PhotoState)),
+                                whole(Type::positions, s.vertices * 12),
+                                whole(Type::normals, s.vertices * 12),
+                                whole(Type::indices, s.triangles * 12),
+                                whole(Type::clusters, s.clusters * sizeof(package::ClusterRecord))};
+    if (sizes.colors) plan.push_back(whole(Type::colors, s.vertices * 4));
+    if (s.scalar_layers) plan.push_back(whole(Type::scalars, s.vertices * 4 * s.scalar_layers));
+    return plan;
+}
+
+}  // namespace
+
+std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const LayoutSizes& sizes,
+                                   std::span<const package::PhotoRecord> photos, Share share) {
+    std::vector<ChunkPlan> plan = plan_scene(scene, sizes);
+    int top = 0;
     const auto each = [&](const auto& add) {
         for (std::uint32_t i = 0; i < photos.size(); ++i)
-            if (photos[i].levels) add(i, photos[i]);
+            if (const int levels = planned_levels(photos[i]); levels > 0 && share.holds(i))
+                add(i, photos[i], levels);
     };
-    each([&](std::uint32_t i, const package::PhotoRecord& p) {
+    each([&](std::uint32_t i, const package::PhotoRecord& p, int levels) {
         plan.push_back({Type::thumbnail, i, 0, std::uint64_t(p.thumbnail_width) * p.thumbnail_height * 4});
-        top = std::max(top, p.levels);
+        top = std::max(top, levels);
     });
-    each([&](std::uint32_t i, const auto&) {
-        plan.push_back({Type::coverage, i, 0, m.clusters.size() * sizeof(package::CoverageRecord)});
+    each([&](std::uint32_t i, const auto&, int) {
+        plan.push_back({Type::coverage, i, 0, scene.clusters * sizeof(package::CoverageRecord)});
     });
-    each([&](std::uint32_t i, const auto&) {
-        plan.push_back({Type::visible, i, 0, 16 * package::visible_words(m.record.triangles)});
+    each([&](std::uint32_t i, const auto&, int) {
+        plan.push_back({Type::visible, i, 0, 16 * package::visible_words(scene.triangles)});
     });
-    each([&](std::uint32_t i, const auto&) { plan.push_back({Type::coordinates, i, 0, v * 8}); });
-    const auto tiles = [&](Type type, std::uint32_t i, const package::PhotoRecord& p, std::uint32_t level) {
-        const auto n = std::uint64_t(level_size(int(p.width), int(p.height), int(level)).tiles());
-        plan.push_back({type, i, level, 0, n, tile_bytes});
-    };
-    for (auto level = std::uint32_t(mask_levels_end(int(top))); level-- > 0;) {
+    each([&](std::uint32_t i, const auto&, int) {
+        plan.push_back({Type::coordinates, i, 0, scene.vertices * 8});
+    });
+    for (int level = mask_levels_end(top); level-- > 0;) {
         for (const Type type : {Type::tiles, Type::masks, Type::depth})
-            each([&](std::uint32_t i, const auto& p) {
-                const bool has = type == Type::tiles ? level < p.levels
-                                                     : int(level) >= mask_level &&
-                                                           int(level) < mask_levels_end(int(p.levels));
-                if (has) tiles(type, i, p, level);
+            each([&](std::uint32_t i, const package::PhotoRecord& p, int levels) {
+                const bool has = type == Type::tiles ? level < levels
+                                                     : level >= mask_level && level < mask_levels_end(levels);
+                const auto n = std::uint64_t(level_size(int(p.width), int(p.height), level).tiles());
+                if (has) plan.push_back({type, i, std::uint32_t(level), 0, n, tile_bytes});
             });
     }
     return plan;
+}
+
+std::uint64_t names_checksum(std::span<const package::PhotoRecord> photos) {
+    std::string names;
+    for (const package::PhotoRecord& p : photos) names += std::string(p.name) + '\n';
+    return checksum(std::as_bytes(std::span(names)));
 }
 
 void write_model(PackageWriter& writer, const PackedModel& m, const Mesh& mesh) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,13 +27,17 @@ PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles);
 std::vector<package::PhotoRecord> photo_records(const SceneInput& scene, const PrepareSettings& settings,
                                                 const Eigen::Vector3d& origin);
 
-/// META: where the package comes from, as JSON.
-std::string provenance(const SceneInput& scene, const PrepareSettings& settings,
-                       const std::vector<EffectDecision>& effects);
-
-/// Every chunk in file order: coarse before fine.
-std::vector<ChunkPlan> plan_chunks(const PackedModel& model, const Mesh& mesh, std::size_t meta_bytes,
-                                   const std::vector<package::PhotoRecord>& photos);
+/// What a package's layout depends on, besides its photos.
+struct LayoutSizes {
+    std::uint64_t meta_bytes;
+    bool colors;  ///< the mesh has them
+};
+/// Every chunk in file order, coarse before fine; of the photos' chunks, those of a share. Photos that were
+/// left out have their place.
+std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const LayoutSizes& sizes,
+                                   std::span<const package::PhotoRecord> photos, Share share = {});
+/// XXH3-64 of the photos' names, in order.
+std::uint64_t names_checksum(std::span<const package::PhotoRecord> photos);
 
 /// The chunks that belong to the scene and not to a photo, but for META and PHOT.
 void write_model(PackageWriter& writer, const PackedModel& model, const Mesh& mesh);

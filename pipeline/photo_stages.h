@@ -1,9 +1,12 @@
 #pragma once
 #include <future>
 
+#include "pipeline/former.h"
 #include "pipeline/gl_thread.h"
+#include "pipeline/identity_cache.h"
 #include "pipeline/package_layout.h"
 #include "pipeline/ray_scene.h"
+#include "pipeline/stage_keys.h"
 #include "pipeline/stages/photo_geometry.h"
 
 namespace vantage {
@@ -11,17 +14,26 @@ namespace vantage {
 /// What every photo's stages read.
 struct PhotoStages {
     const SceneInput& scene;
-    const PrepareSettings& settings;
+    const SceneKey& key;
     const PackedModel& model;
     const ModelBuffers& buffers;
     GlThread& gl;
     PackageWriter& writer;
-    DistanceMethod distance;  ///< settled, not automatic
+    IdentityCache& identities;
+    const std::vector<std::unique_ptr<Former>>& formers;
     std::shared_future<RayScene> rays;
+    bool strict;   ///< a photo that cannot be read ends it all
+    Trace* trace;  ///< may be null
 };
 
-/// Takes photo `i` through all stages into the package and completes its record. The OpenGL work runs while
-/// the photo is decoded and cut. Thread-safe for different photos. Throws Error.
-void run_photo(const PhotoStages& stages, std::uint32_t i, package::PhotoRecord& record);
+/// Brings photo `i` through all stages into the package and completes its record and state: what earlier runs
+/// left is kept where it was made from the same, the rest is made, the OpenGL work while the photo is decoded
+/// and cut. A photo that cannot be decoded is left out, and its state says why. Returns the stages that were
+/// made. Thread-safe for different photos. Throws Error.
+std::vector<package::Stage> run_photo(const PhotoStages& stages, std::uint32_t i,
+                                      package::PhotoRecord& record, package::PhotoState& state);
+
+/// The stages that a photo goes through: all, or for a held-out one its geometry only.
+std::vector<package::Stage> stages_of(const package::PhotoRecord& record);
 
 }  // namespace vantage

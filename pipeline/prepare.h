@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -9,8 +11,12 @@
 #include "pipeline/stages/border.h"
 #include "pipeline/stages/undistort.h"
 #include "scene/effects.h"
+#include "scene/package_format.h"
+#include "scene/package_writer.h"
 
 namespace vantage {
+
+class Trace;
 
 /// Settings of `vantage prepare`; every one is a point on a curve of accuracy against time.
 struct PrepareSettings {
@@ -19,7 +25,7 @@ struct PrepareSettings {
     double border_threshold = 0.01;  ///< depth step relative to depth, per pixel of the masks
     int thumbnail = 512;             ///< px on the long side
     int photo_size = 0;              ///< px on the long side that photos are reduced to; 0: as they are
-    Resampling resampling = Resampling::lanczos;  ///< of photos whose lens bends lines
+    Resampling resampling = Resampling::cubic;  ///< of photos whose lens bends lines
     unsigned cluster_triangles = 256;
     unsigned threads = 0;  ///< 0: all cores; also the number of photos in flight
     std::vector<std::string> hold_out;
@@ -33,9 +39,30 @@ struct Progress {
     std::size_t done, total;
 };
 
+/// How a run goes about it; the package does not depend on it.
+struct PrepareRun {
+    const std::atomic<bool>* stop = nullptr;  ///< set: the photos in hand are finished, and no more begun
+    bool strict = false;                      ///< a photo that cannot be used ends the run
+    bool rehash = false;                      ///< read files to know them, whatever their times say
+    Share share{};                            ///< of the photos; all, where it is not given
+    Trace* trace = nullptr;                   ///< to be told when what was done
+};
+
+/// What a run did.
+struct PrepareResult {
+    struct Stage {
+        std::size_t made = 0, kept = 0;
+        std::map<std::string, std::vector<std::string>> why;  ///< reason: photos it was made for
+    };
+    std::array<Stage, std::size_t(package::Stage::count)> stages;
+    std::vector<UnusablePhoto> left_out;
+};
+
 /// Prepares the package `out` from `scene`. Work is per photo: at most `threads` photos are in memory. The
-/// same inputs and settings give the same bytes. Throws Error; the file appears only when whole.
-void prepare(SceneInput scene, const PrepareSettings& settings, const std::filesystem::path& out,
-             const std::function<void(const Progress&)>& progress);
+/// same inputs and settings give the same bytes, however often the run is cut off and gone on with: what is
+/// done is kept in FILE.part, and of a finished package all that was made from the same. The file appears
+/// only when whole. Throws Error; Error(interrupted) when stopped.
+PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const std::filesystem::path& out,
+                 const std::function<void(const Progress&)>& progress, const PrepareRun& run = {});
 
 }  // namespace vantage

@@ -26,12 +26,18 @@ struct InputFiles {
     std::filesystem::path mesh, cameras, photos;
 };
 
+/// A photo that cannot be used, and why.
+struct UnusablePhoto {
+    std::string photo, why;
+};
+
 /// Everything `prepare` starts from. Photos are sorted by name.
 struct SceneInput {
     InputFiles files;
     std::string camera_format;  ///< for people: "COLMAP text", "Bundler", ...
     Mesh mesh;
     std::vector<PhotoInput> photos;
+    std::vector<UnusablePhoto> left_out;  ///< sorted by name; of those that show before a photo is decoded
     std::vector<std::string> warnings;
 };
 

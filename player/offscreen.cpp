@@ -10,6 +10,7 @@
 #include "player/render/picture.h"
 #include "player/shots.h"
 #include "scene/error.h"
+#include "scene/make_folder.h"
 
 namespace vantage {
 namespace {

@@ -7,6 +7,7 @@
 namespace vantage::package {
 
 inline constexpr char magic[8] = {'V', 'A', 'N', 'T', 'A', 'G', 'E', '\n'};
+inline constexpr char part_magic[8] = {'V', 'N', 'T', 'G', 'P', 'A', 'R', 'T'};  ///< of one being prepared
 inline constexpr std::uint32_t version = 1;
 inline constexpr std::uint64_t alignment = 4096;  ///< of every chunk and every block
 inline constexpr std::uint32_t scene_wide = 0xffffffffu;
@@ -20,6 +21,7 @@ enum class Type : std::uint32_t {
     meta = fourcc("META"),         ///< JSON: tool, configuration, effects with evidence, inputs, names
     scene = fourcc("SCEN"),        ///< one SceneRecord
     photos = fourcc("PHOT"),       ///< PhotoRecord[photos]
+    states = fourcc("STAT"),       ///< PhotoState[photos]: what each photo's artefacts were made from
     positions = fourcc("VPOS"),    ///< float[3][vertices], relative to the origin
     normals = fourcc("VNRM"),      ///< float[3][vertices], unit length
     colors = fourcc("VCOL"),       ///< u8[4][vertices], sRGB and alpha; optional
@@ -42,8 +44,9 @@ struct Header {
     std::uint64_t directory_offset;
     std::uint64_t file_size;
     std::uint64_t directory_checksum;  ///< XXH3-64 of the directory
-    std::uint64_t reserved[2];
-    std::uint64_t header_checksum;  ///< XXH3-64 of the bytes before it
+    std::uint64_t layout;              ///< XXH3-64 of where photos' chunks lie and what photos are called
+    std::uint32_t share, shares;       ///< of the photos, counted from 1, that a part holds; 0, 0: all
+    std::uint64_t header_checksum;     ///< XXH3-64 of the bytes before it
 };
 
 /// Where a chunk is. A chunk is a head and then blocks of equal length. `checksum` covers the head; for a
@@ -71,13 +74,18 @@ struct SceneRecord {
     std::uint64_t scalar_layers;
 };
 
-enum PhotoFlags : std::uint32_t { photo_held_out = 1, photo_undistorted = 2, photo_has_alpha = 4 };
+enum PhotoFlags : std::uint32_t {
+    photo_held_out = 1,
+    photo_undistorted = 2,
+    photo_has_alpha = 4,
+    photo_left_out = 8  ///< it could not be read: camera only, the reason in its PhotoState
+};
 
 struct PhotoRecord {
     char name[192];  ///< UTF-8, zero-terminated: the file name without folders
     std::uint32_t width, height;
     std::uint32_t flags;
-    std::uint32_t levels;  ///< of the tile pyramid; 0 for a held-out photo
+    std::uint32_t levels;  ///< of the tile pyramid; 0 for a photo held or left out
     std::uint32_t thumbnail_width, thumbnail_height;
     std::uint32_t mask_width, mask_height;  ///< at pyramid level `mask_level`
     double fx, fy, cx, cy;
@@ -91,6 +99,22 @@ struct PhotoRecord {
     double gain[3];                 ///< colour gain, linear light; 1 where not estimated
     std::uint64_t source_bytes, source_checksum;  ///< length and XXH3-64 of the photo's file
     std::uint64_t reserved[2];
+};
+
+/// The stages that a photo goes through.
+enum class Stage : std::uint32_t { thumbnail, tiles, masks, coordinates, coverage, count };
+
+/// What a photo's artefacts were made from, so that a later run knows which it may keep.
+struct PhotoState {
+    struct Made {
+        std::uint64_t key;      ///< of all that went in: inputs, settings, the stage's version; 0: not made
+        std::uint64_t content;  ///< XXH3-64 of the checksums of the stage's chunks
+    };
+    Made stages[std::size_t(Stage::count)];
+    std::uint64_t photo, camera, model;  ///< XXH3-64 of these inputs, to say which of them has changed
+    char left_out[192];                  ///< why the photo could not be read; else empty
+    std::uint64_t record;                ///< XXH3-64 of the photo's PhotoRecord
+    std::uint64_t checksum;              ///< XXH3-64 of the bytes before
 };
 
 struct ClusterRecord {
@@ -110,6 +134,7 @@ struct CoverageRecord {
 inline constexpr std::uint64_t visible_words(std::uint64_t triangles) { return (triangles + 63) / 64; }
 
 static_assert(sizeof(Header) == 64 && sizeof(DirectoryEntry) == 64 && sizeof(ClusterRecord) == 40);
+static_assert(sizeof(PhotoState) == 312 && std::is_trivially_copyable_v<PhotoState>);
 static_assert(sizeof(CoverageRecord) == 12 && sizeof(SceneRecord) == 136 && sizeof(PhotoRecord) % 8 == 0);
 static_assert(std::is_trivially_copyable_v<PhotoRecord> && std::numeric_limits<float>::is_iec559);
 

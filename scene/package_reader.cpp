@@ -25,11 +25,13 @@ struct PackageReader::Mapping {
     std::filesystem::path path;
     const std::byte* data = nullptr;
     std::uint64_t size = 0;
-    std::span<const DirectoryEntry> directory;
+    int fd = -1;
+    std::vector<DirectoryEntry> directory;  ///< a part's changes while it is written, so: as it was
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, const DirectoryEntry*> index;
 
     ~Mapping() {
         if (data) ::munmap(const_cast<std::byte*>(data), size);
+        if (fd >= 0) ::close(fd);
     }
 
     [[noreturn]] void damaged(const std::string& what) const {
@@ -37,31 +39,34 @@ struct PackageReader::Mapping {
     }
 
     void map() {
-        const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+        fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
         struct stat st {};
         if (fd < 0 || ::fstat(fd, &st) != 0 || !S_ISREG(st.st_mode)) {
             const std::string why = fd < 0 ? std::strerror(errno) : "not a regular file";
-            if (fd >= 0) ::close(fd);
             throw Error(Exit::input, path.string() + ": cannot open: " + why);
         }
         size = std::uint64_t(st.st_size);
-        if (size < sizeof(package::Header)) {
-            ::close(fd);
+        if (size < sizeof(package::Header))
             damaged("not a Vantage package: " + std::to_string(size) + " bytes, a header has 64");
-        }
         void* p = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, fd, 0);
-        ::close(fd);
         if (p == MAP_FAILED)
             throw Error(Exit::input, path.string() + ": cannot map: " + std::strerror(errno));
         data = static_cast<const std::byte*>(p);
     }
 
-    const package::Header& checked_header() const {
-        const auto& h = *reinterpret_cast<const package::Header*>(data);
-        if (std::memcmp(h.magic, package::magic, sizeof h.magic) != 0)
-            damaged(std::all_of(data, data + sizeof h, [](std::byte b) { return b == std::byte{0}; })
-                        ? "header: preparation of this package was not finished"
-                        : "header: not a Vantage package");
+    const package::Header& header() const { return *reinterpret_cast<const package::Header*>(data); }
+
+    bool is_part() const { return std::memcmp(header().magic, package::part_magic, 8) == 0; }
+
+    const package::Header& checked_header(Expect expect) const {
+        const package::Header& h = header();
+        const bool part = is_part();
+        if (part && expect == Expect::whole && h.shares > 0 && h.directory_checksum != 0)
+            damaged("header: holds share " + std::to_string(h.share) + " of " + std::to_string(h.shares) +
+                    " of the photos, join them by 'vantage merge'");
+        if (part && expect == Expect::whole) damaged("header: preparation of this package was not finished");
+        if (!part && std::memcmp(h.magic, package::magic, sizeof h.magic) != 0)
+            damaged("header: not a Vantage package");
         if (h.header_checksum != checksum({data, offsetof(package::Header, header_checksum)}))
             damaged("header: checksum does not match");
         if (h.version != package::version)
@@ -77,17 +82,25 @@ struct PackageReader::Mapping {
         if (h.directory_offset % 8 || h.directory_offset > size ||
             h.directory_count > (size - h.directory_offset) / sizeof(DirectoryEntry))
             damaged("directory: lies outside the file");
-        directory = {reinterpret_cast<const DirectoryEntry*>(data + h.directory_offset), h.directory_count};
-        if (checksum(std::as_bytes(directory)) != h.directory_checksum)
+        const auto* first = reinterpret_cast<const DirectoryEntry*>(data + h.directory_offset);
+        directory.assign(first, first + h.directory_count);
+        // A part's entries come one by one, and a torn one is as good as none.
+        const bool growing = is_part() && h.directory_checksum == 0;
+        if (growing)
+            std::erase_if(directory, [&](const DirectoryEntry& e) { return e.type == 0 || !fits(e); });
+        else if (checksum(std::as_bytes(std::span(directory))) != h.directory_checksum)
             damaged("directory: checksum does not match");
         for (const DirectoryEntry& e : directory) {
-            if (e.offset % package::alignment || e.offset > size || e.length > size - e.offset ||
-                e.head_length > e.length ||
-                (e.block_length == 0 ? e.head_length != e.length : !blocks_fit(e)))
+            if (!fits(e))
                 damaged("directory: entry " + std::to_string(&e - directory.data()) +
                         " lies outside the file");
             index[{e.type, e.photo, e.level}] = &e;
         }
+    }
+
+    bool fits(const DirectoryEntry& e) const {
+        return e.offset % package::alignment == 0 && e.offset <= size && e.length <= size - e.offset &&
+               e.head_length <= e.length && (e.block_length == 0 ? e.head_length == e.length : blocks_fit(e));
     }
 
     static bool blocks_fit(const DirectoryEntry& e) {
@@ -97,10 +110,11 @@ struct PackageReader::Mapping {
     }
 };
 
-PackageReader::PackageReader(const std::filesystem::path& file) : map_(std::make_unique<Mapping>()) {
+PackageReader::PackageReader(const std::filesystem::path& file, Expect expect)
+    : map_(std::make_unique<Mapping>()) {
     map_->path = file;
     map_->map();
-    map_->read_directory(map_->checked_header());
+    map_->read_directory(map_->checked_header(expect));
 }
 PackageReader::~PackageReader() = default;
 PackageReader::PackageReader(PackageReader&&) noexcept = default;
@@ -108,6 +122,7 @@ PackageReader& PackageReader::operator=(PackageReader&&) noexcept = default;
 
 const std::filesystem::path& PackageReader::path() const { return map_->path; }
 std::uint64_t PackageReader::size() const { return map_->size; }
+const package::Header& PackageReader::header() const { return map_->header(); }
 std::span<const DirectoryEntry> PackageReader::directory() const { return map_->directory; }
 
 const DirectoryEntry* PackageReader::find(Type type, std::uint32_t photo, std::uint32_t level) const {
@@ -133,6 +148,19 @@ bool PackageReader::block_sound(const DirectoryEntry& e, std::size_t i) const {
     std::uint64_t expected;
     std::memcpy(&expected, map_->data + e.offset + i * sizeof expected, sizeof expected);
     return checksum(block(e, i)) == expected;
+}
+
+std::span<const std::byte> PackageReader::raw(const DirectoryEntry& e) const {
+    return {map_->data + e.offset, e.length};
+}
+
+int PackageReader::descriptor() const { return map_->fd; }
+
+bool PackageReader::sound(const DirectoryEntry& e) const {
+    if (!head_sound(e)) return false;
+    for (std::size_t b = 0; b < blocks(e); ++b)
+        if (!block_sound(e, b)) return false;
+    return true;
 }
 
 void PackageReader::forget(std::span<const std::byte> bytes) const {

@@ -17,14 +17,18 @@ namespace vantage {
 /// nothing else. Spans point into the mapping and live as long as the reader.
 class PackageReader {
   public:
-    /// Throws Error(input) when the file cannot be opened, Error(damaged) when it is not a whole package.
-    explicit PackageReader(const std::filesystem::path& file);
+    /// What a file may be: a whole package, or also one that is still being prepared, of which only the
+    /// chunks sealed so far are there (META and the like may not be, and records are the caller's to check).
+    enum class Expect { whole, part };
+    /// Throws Error(input) when the file cannot be opened, Error(damaged) when it is not what is expected.
+    explicit PackageReader(const std::filesystem::path& file, Expect expect = Expect::whole);
     ~PackageReader();
     PackageReader(PackageReader&&) noexcept;
     PackageReader& operator=(PackageReader&&) noexcept;
 
     const std::filesystem::path& path() const;
     std::uint64_t size() const;
+    const package::Header& header() const;
     std::span<const package::DirectoryEntry> directory() const;
 
     /// The entry, or null where the package has no such chunk.
@@ -36,10 +40,15 @@ class PackageReader {
     std::size_t blocks(const package::DirectoryEntry& entry) const;
     std::span<const std::byte> block(const package::DirectoryEntry& entry, std::size_t index) const;
     bool block_sound(const package::DirectoryEntry& entry, std::size_t index) const;
+    /// Head and blocks as they lie in the file, and the file itself: for copying.
+    std::span<const std::byte> raw(const package::DirectoryEntry& entry) const;
+    int descriptor() const;
     /// Gives the memory of these bytes back to the system until they are read again.
     void forget(std::span<const std::byte> bytes) const;
     /// XXH3-64 of the head agrees with the directory.
     bool head_sound(const package::DirectoryEntry& entry) const;
+    /// Head and every block agree with their checksums.
+    bool sound(const package::DirectoryEntry& entry) const;
 
     /// A chunk as records. Throws Error(damaged) when it is missing (and `required`), its length is no
     /// multiple of the record, or its checksum is wrong.

@@ -7,7 +7,7 @@
 
 #include "scene/error.h"
 #include "temporary_folder.h"
-#include "tests/bench/base64.h"
+#include "pipeline/report/base64.h"
 #include "tests/bench/front.h"
 #include "tests/bench/gnuplot.h"
 #include "tests/bench/moved.h"

@@ -36,14 +36,15 @@ TEST_F(Prepare, SceauxSmallIsSoundCurrentAndTheSameTwice) {
     settings.threads = 1;
     prepare(read_scene(discover(input)), settings, dir / "b.vantage", quiet);
     EXPECT_TRUE(slurp(dir / "a.vantage") == slurp(dir / "b.vantage")) << "with 1 thread and with all";
-    for (const Issue& i : check_package(dir / "a.vantage", true, input)) ADD_FAILURE() << i.text;
+    for (const Issue& i : check_package(dir / "a.vantage", {.deep = true, .against = input}))
+        ADD_FAILURE() << i.text;
 }
 
 TEST_F(Prepare, EveryDatasetIsSoundAndCurrent) {
     for (const char* name : {"sceaux", "sceaux-bundler", "fountain-P11"}) {
         VANTAGE_DATASET(input, name);
         prepare(read_scene(discover(input)), {}, dir / "a.vantage", quiet);
-        for (const Issue& i : check_package(dir / "a.vantage", true, input))
+        for (const Issue& i : check_package(dir / "a.vantage", {.deep = true, .against = input}))
             ADD_FAILURE() << name << ": " << i.text;
     }
 }
@@ -60,7 +61,8 @@ TEST_F(Prepare, OddPhotoSizesAreSound) {
         const fs::path scene = dir / ("scene" + std::to_string(width));
         synthesise(spec, scene, {});
         prepare(read_scene(discover(scene)), {}, dir / "a.vantage", quiet);
-        for (const Issue& i : check_package(dir / "a.vantage", true, scene)) ADD_FAILURE() << i.text;
+        for (const Issue& i : check_package(dir / "a.vantage", {.deep = true, .against = scene}))
+            ADD_FAILURE() << i.text;
     }
 }
 
@@ -128,7 +130,7 @@ TEST_F(Prepare, AHeldOutPhotoKeepsItsCameraOnly) {
     ASSERT_TRUE(i);
     EXPECT_EQ(reader.photos()[*i].levels, 0u);
     for (const auto& e : reader.directory()) EXPECT_NE(e.photo, *i);
-    EXPECT_TRUE(check_package(dir / "a.vantage", true, {}).empty());
+    EXPECT_TRUE(check_package(dir / "a.vantage", {.deep = true}).empty());
     settings.hold_out = {"nobody"};
     EXPECT_THROW(prepare(read_scene(discover(input)), settings, dir / "b.vantage", quiet), Error);
 }
@@ -151,7 +153,7 @@ TEST_F(Prepare, DamageIsNamedInEveryChunkAndAtEveryCut) {
         f.seekp(at);
         f.put(char(good ^ 0x10));
         f.close();
-        const auto issues = check_package(file, true, {});
+        const auto issues = check_package(file, {.deep = true});
         const std::string type(reinterpret_cast<const char*>(&e.type), 4);
         EXPECT_TRUE(!issues.empty() && issues[0].text.find(type) != std::string::npos)
             << type << " " << e.photo;
@@ -159,10 +161,10 @@ TEST_F(Prepare, DamageIsNamedInEveryChunkAndAtEveryCut) {
         back.seekp(at);
         back.put(good);
     }
-    EXPECT_TRUE(check_package(file, true, {}).empty());
+    EXPECT_TRUE(check_package(file, {.deep = true}).empty());
     for (auto e = entries.rbegin(); e != entries.rend(); ++e) {
         fs::resize_file(file, e->offset);
-        const auto issues = check_package(file, false, {});
+        const auto issues = check_package(file, {});
         ASSERT_EQ(issues.size(), 1u);
         EXPECT_EQ(issues[0].kind, Exit::damaged);
     }

@@ -2,48 +2,103 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/commands.h"
+#include "scene/junit.h"
 
 namespace vantage {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct Options {
-    std::string file, against;
-    bool deep = false, json = false;
+    std::vector<std::string> files;
+    std::string junit;
+    CheckDepth depth;
+    bool json = false;
 };
 
-int run_check(const Options& o) {
-    const std::vector<Issue> issues = check_package(o.file, o.deep, o.against);
-    Exit worst = Exit::ok;
-    for (const Issue& i : issues) worst = worst == Exit::damaged ? worst : i.kind;
-    if (o.json) {
-        nlohmann::json out{{"file", o.file}, {"sound", issues.empty()}, {"issues", nlohmann::json::array()}};
-        for (const Issue& i : issues)
-            out["issues"].push_back(
-                {{"kind", i.kind == Exit::stale ? "stale" : "damaged"}, {"text", i.text}});
-        fmt::print("{}\n", out.dump(1));
-    } else {
-        for (const Issue& i : issues)
-            fmt::print("{}: {}: {}\n", o.file, i.kind == Exit::stale ? "stale" : "damaged", i.text);
-        if (issues.empty()) fmt::print("{}: sound{}\n", o.file, o.deep ? ", every tile read" : "");
+struct Checked {
+    std::string file;
+    std::vector<Issue> issues;
+    double seconds;
+};
+
+/// Of one package, the folder itself; of several, the folder in it that is called like the package.
+fs::path inputs_of(const Options& o, const fs::path& file) {
+    if (o.depth.against.empty() || o.files.size() == 1) return o.depth.against;
+    return o.depth.against / file.stem();
+}
+
+Checked check_one(const Options& o, const std::string& file) {
+    CheckDepth depth = o.depth;
+    depth.against = inputs_of(o, file);
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<Issue> issues = check_package(file, depth);
+    return {file, std::move(issues),
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+}
+
+std::string all_text(const std::vector<Issue>& issues) {
+    std::string text;
+    for (const Issue& i : issues) text += (text.empty() ? "" : "\n") + i.text;
+    return text;
+}
+
+void print_lines(const Checked& c, bool deep) {
+    for (const Issue& i : c.issues) fmt::print("{}: {}: {}\n", c.file, kind_name(i.kind), i.text);
+    if (c.issues.empty()) fmt::print("{}: sound{}\n", c.file, deep ? ", every tile read" : "");
+    std::fflush(stdout);
+}
+
+void print_json(const std::vector<Checked>& all) {
+    nlohmann::json out{{"packages", nlohmann::json::array()}};
+    for (const Checked& c : all) {
+        nlohmann::json issues = nlohmann::json::array();
+        for (const Issue& i : c.issues) issues.push_back({{"kind", kind_name(i.kind)}, {"text", i.text}});
+        out["packages"].push_back(
+            {{"file", c.file}, {"sound", c.issues.empty()}, {"issues", issues}, {"seconds", c.seconds}});
     }
-    return int(worst);
+    fmt::print("{}\n", out.dump(1));
+}
+
+int run_check(const Options& o) {
+    std::vector<Checked> all;
+    std::vector<Issue> issues;
+    std::vector<CheckCase> cases;
+    for (const std::string& file : o.files) {
+        const Checked& c = all.emplace_back(check_one(o, file));
+        issues.insert(issues.end(), c.issues.begin(), c.issues.end());
+        const Exit kind = worst(c.issues);
+        cases.push_back({file, kind == Exit::ok ? "" : kind_name(kind), all_text(c.issues), c.seconds});
+        if (!o.json) print_lines(c, o.depth.deep);
+    }
+    if (o.json) print_json(all);
+    if (!o.junit.empty()) write_junit(o.junit, "vantage check", cases);
+    return int(worst(issues));
 }
 
 }  // namespace
 
 void add_check(CLI::App& app, Run& run) {
     auto o = std::make_shared<Options>();
-    CLI::App* c = app.add_subcommand("check", "Check that a package is whole, sound and current");
+    CLI::App* c = app.add_subcommand("check", "Check that packages are whole, sound, current and complete");
     c->footer(
-        "Examples:\n  vantage check chapel.vantage\n  vantage check --deep --against scans/chapel "
-        "chapel.vantage");
-    c->add_option("FILE", o->file, "the package")->required();
-    c->add_flag("--deep", o->deep, "read every tile");
-    c->add_option("--against", o->against, "the input folder it was prepared from");
+        "Examples:\n  vantage check chapel.vantage\n"
+        "  vantage check --deep --against scans/chapel chapel.vantage\n"
+        "  vantage check shelf/*.vantage --against scans --junit checks.xml   (shelf/a.vantage against "
+        "scans/a)\n"
+        "Exit code, the worst of all packages: 3 unreadable, 4 damaged, 5 stale, 9 incomplete, 0 none of "
+        "these.");
+    c->add_option("FILES", o->files, "the packages")->required();
+    c->add_flag("--deep", o->depth.deep, "read every tile");
+    c->add_option("--against", o->depth.against,
+                  "the input folder it was prepared from; of several packages, the folder that holds theirs");
+    c->add_flag("--rehash", o->depth.rehash, "read all inputs, not only their sizes and times");
     c->add_flag("--json", o->json, "machine-readable output");
+    c->add_option("--junit", o->junit, "write a JUnit file for CI");
     c->callback([o, &run] { run = [o] { return run_check(*o); }; });
 }
 

@@ -7,8 +7,10 @@ namespace vantage {
 
 using Run = std::function<int()>;
 void add_prepare(CLI::App& app, Run& run);
+void add_merge(CLI::App& app, Run& run);
 void add_info(CLI::App& app, Run& run);
 void add_check(CLI::App& app, Run& run);
+void add_diff(CLI::App& app, Run& run);
 void add_extract(CLI::App& app, Run& run);
 void add_synth(CLI::App& app, Run& run);
 

@@ -6,23 +6,31 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/left_out.h"
 #include "pipeline/commands/progress_line.h"
+#include "pipeline/commands/stop_signals.h"
 #include "pipeline/config_file.h"
 #include "pipeline/explain.h"
 #include "pipeline/import/discover.h"
 #include "pipeline/import/read_scene.h"
+#include "pipeline/provenance.h"
+#include "pipeline/report/report.h"
+#include "pipeline/stage_keys.h"
+#include "pipeline/trace.h"
 #include "scene/error.h"
 
 namespace vantage {
 namespace {
 
 struct Options {
-    std::string input, mesh, cameras, photos, out, distance = "auto", resampling = "lanczos", config;
+    std::string input, mesh, cameras, photos, out, distance = "auto", resampling = "cubic", config;
+    std::string progress = "auto", share, trace, report;
     std::vector<std::string> effects;
     PrepareSettings settings;
-    bool explain = false;
+    bool explain = false, strict = false, rehash = false, no_report = false;
 };
 
 /// "NAME=on|off|auto" into the table of forced effects.
@@ -59,30 +67,102 @@ double peak_memory_mb() {
     return 0;
 }
 
+/// "3/8": the third of eight shares.
+Share share(const std::string& text) {
+    Share s;
+    char rest = 0;
+    if (text.empty()) return s;
+    if (std::sscanf(text.c_str(), "%u/%u%c", &s.share, &s.shares, &rest) != 2 || s.share < 1 ||
+        s.share > s.shares)
+        throw Error(Exit::usage, "--shard " + text + ": expected i/n, i from 1 to n");
+    return s;
+}
+
+/// What the package there lacks, if it is what this run would make; else nothing.
+std::optional<std::vector<UnusablePhoto>> current(const Options& o, const InputFiles& files) {
+    if (!std::filesystem::exists(o.out)) return {};
+    try {
+        const PackageReader package(o.out);
+        IdentityCache identities(usual_identity_cache(), o.rehash);
+        if (!changed_settings(package, o.settings).empty() ||
+            !changed_inputs(package, files, identities).empty())
+            return {};
+        return left_out_of(package);
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+void print_scene(const SceneInput& scene) {
+    fmt::print("mesh     {} ({} vertices, {} triangles)\ncameras  {} ({})\nphotos   {} ({})\n",
+               scene.files.mesh.string(), scene.mesh.positions.size(), scene.mesh.triangles.size(),
+               scene.files.cameras.string(), scene.camera_format, scene.files.photos.string(),
+               scene.photos.size());
+    for (const std::string& w : scene.warnings) fmt::print("warning  {}\n", w);
+    std::fflush(stdout);
+}
+
+std::string some(const std::vector<std::string>& photos) {
+    const std::string first = photos.front();
+    return photos.size() == 1 ? first : fmt::format("{} photos, {} the first", photos.size(), first);
+}
+
+/// What was made and what was kept; with `why`, the reasons.
+void print_done(const PrepareResult& done, bool why) {
+    std::size_t kept = 0;
+    for (const PrepareResult::Stage& s : done.stages) kept += s.kept;
+    for (std::size_t s = 0; s < done.stages.size() && (why || kept > 0); ++s) {
+        fmt::print("{:<12} {} made, {} kept\n", name(package::Stage(s)), done.stages[s].made,
+                   done.stages[s].kept);
+        for (const auto& [reason, photos] : done.stages[s].why)
+            if (why) fmt::print("             {}: {}\n", some(photos), reason);
+    }
+}
+
+PrepareResult prepare_shown(const Options& o, const SceneInput& scene, Trace& trace) {
+    ProgressLine line(progress_style(o.progress));
+    const PrepareRun run{&stop_on_signals(), o.strict, o.rehash, share(o.share), &trace};
+    return prepare(
+        scene, o.settings, o.out, [&](const Progress& p) { line.show(p); }, run);
+}
+
+std::filesystem::path report_file(const Options& o) {
+    return o.report.empty() ? std::filesystem::path(o.out).replace_extension(".html")
+                            : std::filesystem::path(o.report);
+}
+
+SceneInput read_traced(const InputFiles& files, Trace& trace) {
+    const Traced traced(&trace, "import");
+    return read_scene(files);
+}
+
 int run_prepare(Options o) {
     o.settings.distance = distance_method(o.distance);
     o.settings.resampling = resampling(o.resampling);
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const InputFiles files = input_files(o);
-    const SceneInput scene = read_scene(files);
-    fmt::print("mesh     {} ({} vertices, {} triangles)\ncameras  {} ({})\nphotos   {} ({})\n",
-               files.mesh.string(), scene.mesh.positions.size(), scene.mesh.triangles.size(),
-               files.cameras.string(), scene.camera_format, files.photos.string(), scene.photos.size());
-    for (const std::string& w : scene.warnings) fmt::print("warning  {}\n", w);
-    std::fflush(stdout);
-    {
-        ProgressLine line;
-        prepare(scene, o.settings, o.out,
-                [&](const Progress& p) { line.show(p.stage, p.photo, p.done, p.total); });
+    if (const auto lacking = current(o, files)) {
+        fmt::print("package  {} is current, nothing to do\n", o.out);
+        return int(report_left_out(*lacking));
     }
+    Trace trace;
+    const SceneInput scene = read_traced(files, trace);
+    print_scene(scene);
+    const PrepareResult done = prepare_shown(o, scene, trace);
+    if (!o.trace.empty()) write_trace(o.trace, trace.spans());
     const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!o.no_report && o.share.empty())
+        write_report(report_file(o), PackageReader(o.out),
+                     ReportRun{done, trace.spans(), s, peak_memory_mb()});
+    print_done(done, o.explain);
     fmt::print("package  {} ({:.1f} MB, {:.1f} s)\n", o.out, double(std::filesystem::file_size(o.out)) / 1e6,
                s);
     fmt::print("memory   {:.0f} MB at most\n", peak_memory_mb());
-    if (o.explain)
+    if (!o.no_report && o.share.empty()) fmt::print("report   {}\n", report_file(o).string());
+    if (o.explain && o.share.empty())
         for (const std::string& l : explain(o.settings, scene, PackageReader(o.out))) fmt::print("{}\n", l);
-    return 0;
+    return int(report_left_out(done.left_out));
 }
 
 }  // namespace
@@ -94,7 +174,9 @@ void add_prepare(CLI::App& app, Run& run) {
         "Examples:\n  vantage prepare scans/chapel -o chapel.vantage\n"
         "  vantage prepare --mesh m.ply --cameras bundle.out --photos images -o m.vantage\n"
         "  vantage prepare chapel -o look.vantage --config preview\n"
-        "  vantage prepare chapel -o c.vantage --effect per-fragment=on --hold-out 0003,0007");
+        "  vantage prepare chapel -o c.vantage --effect per-fragment=on --hold-out 0003,0007\n"
+        "  vantage prepare chapel -o chapel-3.share --shard 3/8\n"
+        "Run again, it goes on where it was cut off, and redoes only what a change calls for.");
     c->add_option("INPUT", o->input, "folder that holds mesh, cameras and photos");
     c->add_option("--mesh", o->mesh, "mesh file: PLY, OBJ, STL, OFF");
     c->add_option("--cameras", o->cameras, "COLMAP folder, Bundler .out, MeshLab .mlp");
@@ -102,8 +184,7 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("-o,--output", o->out, "the package to write")->required();
     c->add_option("--config", o->config,
                   "settings: a TOML file, or a preset of configs/ by name; the command line overrules it");
-    c->add_option("--distance", o->distance,
-                  "border distance: auto, exact, jfa, jfa+1, 1+jfa, jfa^2")
+    c->add_option("--distance", o->distance, "border distance: auto, exact, jfa, jfa+1, 1+jfa, jfa^2")
         ->capture_default_str();
     c->add_option("--border-width", o->settings.border_width,
                   "px at 3072 px width where the border mask reaches 1")
@@ -128,8 +209,18 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--threads", o->settings.threads, "photos in flight; 0 = all cores")->capture_default_str();
     c->add_option("--hold-out", o->settings.hold_out, "photos whose camera is kept and whose pixels are not")
         ->delimiter(',');
-    c->add_flag("--explain", o->explain,
-                "say what each setting costs and gives up, as measured by vantage-bench");
+    c->add_flag(
+        "--explain", o->explain,
+        "say why each stage ran, and what each setting costs and gives up, as measured by vantage-bench");
+    c->add_flag("--strict", o->strict,
+                "stop at the first photo that cannot be used, instead of leaving it out");
+    c->add_flag("--rehash", o->rehash,
+                "read all files to see what has changed, not only their sizes and times");
+    c->add_option("--shard", o->share, "i/n: only every n-th photo, to be joined by 'vantage merge'");
+    c->add_option("--report", o->report, "the HTML report; usually beside the package");
+    c->add_flag("--no-report", o->no_report, "write no report");
+    c->add_option("--trace", o->trace, "write when which thread did what, for Perfetto or chrome://tracing");
+    c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();
     c->add_option("--effect", o->effects, "NAME=on|off|auto, see 'vantage info'");
     c->callback([o, c, &run] {
         if (!o->config.empty()) apply_config(*c, o->config);

@@ -4,24 +4,65 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "scene/error.h"
 
 namespace vantage {
+namespace {
 
-ProgressLine::ProgressLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
-
-ProgressLine::~ProgressLine() {
-    if (terminal_) std::fputc('\n', stderr);
+std::string duration(double seconds) {
+    const auto s = long(seconds + 0.5);
+    if (s < 60) return fmt::format("{} s", s);
+    if (s < 3600) return fmt::format("{}:{:02} min", s / 60, s % 60);
+    return fmt::format("{}:{:02} h", s / 3600, s / 60 % 60);
 }
 
-void ProgressLine::show(const std::string& stage, const std::string& photo, std::size_t done,
-                        std::size_t total) const {
+std::string rate(const Progress& p, double seconds) {
+    if (p.done == 0 || p.done >= p.total) return {};
+    return fmt::format("  {:.1f} photos/s, {} left", double(p.done) / seconds,
+                       duration(seconds / double(p.done) * double(p.total - p.done)));
+}
+
+std::string bar(const Progress& p, double seconds) {
+    constexpr std::size_t width = 30;
+    const std::size_t full = p.total ? p.done * width / p.total : 0;
+    return fmt::format("\r\033[K{:>8} [{}{}] {}/{}{}  {}", p.stage, std::string(full, '='),
+                       std::string(width - full, ' '), p.done, p.total, rate(p, seconds), p.photo);
+}
+
+std::string json_line(const Progress& p, double seconds) {
+    nlohmann::json j{
+        {"stage", p.stage}, {"photo", p.photo}, {"done", p.done}, {"total", p.total}, {"seconds", seconds}};
+    if (p.done > 0) j["seconds_left"] = seconds / double(p.done) * double(p.total - p.done);
+    return j.dump() + "\n";
+}
+
+}  // namespace
+
+ProgressStyle progress_style(const std::string& name) {
+    if (name == "auto") return ::isatty(STDERR_FILENO) == 1 ? ProgressStyle::bar : ProgressStyle::lines;
+    if (name == "bar") return ProgressStyle::bar;
+    if (name == "lines") return ProgressStyle::lines;
+    if (name == "json") return ProgressStyle::json;
+    if (name == "none") return ProgressStyle::none;
+    throw Error(Exit::usage, "--progress " + name + ": expected auto, bar, lines, json or none");
+}
+
+ProgressLine::~ProgressLine() {
+    if (shown_ && style_ == ProgressStyle::bar) std::fputc('\n', stderr);
+}
+
+void ProgressLine::show(const Progress& p) {
     const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    std::string line = fmt::format("{:>8}  {}/{}", stage, done, total);
-    if (!photo.empty()) line += "  " + photo;
-    if (done > 0 && done < total)
-        line += fmt::format("  {:.1f} photos/s, {:.0f} s left", double(done) / s,
-                            s / double(done) * double(total - done));
-    std::fputs(((terminal_ ? "\r\033[K" : "") + line + (terminal_ ? "" : "\n")).c_str(), stderr);
+    shown_ = true;
+    if (style_ == ProgressStyle::bar)
+        std::fputs(bar(p, s).c_str(), stderr);
+    else if (style_ == ProgressStyle::json)
+        std::fputs(json_line(p, s).c_str(), stderr);
+    else if (style_ == ProgressStyle::lines)
+        std::fputs(fmt::format("{:>8}  {}/{}  {}{}\n", p.stage, p.done, p.total, p.photo, rate(p, s)).c_str(),
+                   stderr);
 }
 
 }  // namespace vantage

@@ -1,23 +1,29 @@
 #pragma once
 #include <chrono>
-#include <cstddef>
 #include <string>
+
+#include "pipeline/prepare.h"
 
 namespace vantage {
 
-/// What is done, how fast and how long it will take, on the error stream: one line that rewrites itself on a
-/// terminal, plain lines elsewhere.
+/// How progress is told: a bar that rewrites itself, plain lines, a JSON object a line, or not at all.
+enum class ProgressStyle { bar, lines, json, none };
+/// "auto" is a bar on a terminal and lines elsewhere. Throws Error(usage).
+ProgressStyle progress_style(const std::string& name);
+
+/// What is done, how fast and how long it will take, on the error stream.
 class ProgressLine {
   public:
-    ProgressLine();
+    explicit ProgressLine(ProgressStyle style) : style_(style) {}
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
-    void show(const std::string& stage, const std::string& photo, std::size_t done, std::size_t total) const;
+    void show(const Progress& progress);
 
   private:
-    bool terminal_;
+    ProgressStyle style_;
+    bool shown_ = false;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

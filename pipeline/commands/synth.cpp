@@ -21,10 +21,10 @@ void add_synth(CLI::App& app, Run& run) {
         run = [o] {
             {
                 std::mutex mutex;
-                const ProgressLine line;
+                ProgressLine line(progress_style("auto"));
                 synthesise(read_spec(o->spec), o->out, [&](std::size_t done, std::size_t total) {
                     const std::scoped_lock lock(mutex);
-                    line.show("photos", "", done, total);
+                    line.show({"photos", "", done, total});
                 });
             }
             fmt::print("scene    {}\n", o->out);

@@ -62,11 +62,12 @@ fs::path find_photos(const std::vector<fs::path>& files) {
     std::map<fs::path, std::size_t> count;
     for (const fs::path& f : files)
         if (is_photo(f)) ++count[f.parent_path()];
-    fs::path best;
-    std::size_t most = 0;
-    for (const auto& [folder, n] : count)
-        if (n > most || (n == most && folder.filename() == "images")) best = folder, most = n;
-    return best;
+    // Masks and depth maps beside them may be more.
+    const auto rank = [](const auto& c) {
+        return std::pair(one_of(c.first.filename().string(), {"images", "photos"}), c.second);
+    };
+    const auto best = std::ranges::max_element(count, {}, rank);
+    return best == count.end() ? fs::path() : best->first;
 }
 
 }  // namespace

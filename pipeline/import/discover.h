@@ -6,7 +6,8 @@
 namespace vantage {
 
 /// Looks through a folder, three levels deep, for a mesh (mesh.* first, else the largest), cameras (COLMAP
-/// first, then Bundler) and the folder with the most photos. Throws Error(input) saying what is missing.
+/// first, then Bundler) and photos (a folder called images or photos first, else the one with the most).
+/// Throws Error(input) saying what is missing.
 InputFiles discover(const std::filesystem::path& folder);
 
 /// Is this a photo's file name?

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "pipeline/file_identity.h"
-#include "scene/error.h"
 
 namespace vantage {
 namespace {
@@ -103,6 +102,13 @@ RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::b
                          ", its camera expects " + std::to_string(expected.width) + "x" +
                          std::to_string(expected.height));
     return photo;
+}
+
+std::string reason_of(const Error& error, const std::filesystem::path& file) {
+    const std::string message = error.what();
+    for (const std::string& prefix : {file.string() + ": ", file.filename().string() + ": "})
+        if (message.starts_with(prefix)) return message.substr(prefix.size());
+    return message;
 }
 
 }  // namespace vantage

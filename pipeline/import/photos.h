@@ -1,8 +1,10 @@
 #pragma once
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "pipeline/images/image_files.h"
+#include "scene/error.h"
 
 namespace vantage {
 
@@ -17,5 +19,8 @@ RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected);
 /// The same from the file's bytes, where they are in memory already.
 RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
                        PhotoSize expected);
+
+/// The message of an error about this photo without the file's name and place: "JPEG is damaged ...".
+std::string reason_of(const Error& error, const std::filesystem::path& file);
 
 }  // namespace vantage

@@ -50,30 +50,37 @@ void fit_to_photo(PhotoInput& photo, bool size_known, SceneInput& scene) {
     k = k.scaled(size.width, size.height);
 }
 
+/// The photo of a camera, checked. Throws Error(input) where the two cannot be used.
+PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file, SceneInput& scene) {
+    PhotoInput photo{file.filename().string(), file, entry.camera};
+    fit_to_photo(photo, entry.size_known, scene);
+    photo.decoded = {photo.camera.intrinsics.width, photo.camera.intrinsics.height};
+    validate(photo.camera, photo.name);
+    return photo;
+}
+
 void add_photos(SceneInput& scene, const CameraSet& set) {
     std::set<fs::path> used;
     for (const CameraSet::Entry& entry : set.entries) {
-        PhotoInput photo{"", find_photo(scene.files.photos, entry.photo), entry.camera};
-        if (photo.file.empty()) {
-            scene.warnings.push_back(entry.photo + ": has a camera and no photo, left out");
+        const fs::path file = find_photo(scene.files.photos, entry.photo);
+        if (file.empty()) {
+            scene.left_out.push_back({entry.photo, "has a camera and no photo"});
             continue;
         }
-        photo.name = photo.file.filename().string();
-        if (!used.insert(photo.file).second)
-            throw Error(Exit::input, photo.file.string() + ": has two cameras");
-        fit_to_photo(photo, entry.size_known, scene);
-        photo.decoded = {photo.camera.intrinsics.width, photo.camera.intrinsics.height};
-        validate(photo.camera, photo.name);
-        scene.photos.push_back(std::move(photo));
+        if (!used.insert(file).second) throw Error(Exit::input, file.string() + ": has two cameras");
+        try {
+            scene.photos.push_back(read_photo_input(entry, file, scene));
+        } catch (const Error& e) {
+            scene.left_out.push_back({file.filename().string(), reason_of(e, file)});
+        }
     }
     for (const auto& entry : fs::directory_iterator(scene.files.photos))
         if (is_photo(entry.path()) && !used.contains(entry.path()))
-            scene.warnings.push_back(entry.path().filename().string() + ": has no camera, left out");
-    std::sort(scene.photos.begin(), scene.photos.end(),
-              [](const auto& a, const auto& b) { return a.name < b.name; });
-    std::sort(scene.warnings.begin(), scene.warnings.end());
-    const auto twin = std::adjacent_find(scene.photos.begin(), scene.photos.end(),
-                                         [](const auto& a, const auto& b) { return a.name == b.name; });
+            scene.left_out.push_back({entry.path().filename().string(), "has no camera"});
+    std::ranges::sort(scene.photos, {}, &PhotoInput::name);
+    std::ranges::sort(scene.left_out, {}, &UnusablePhoto::photo);
+    std::ranges::sort(scene.warnings);
+    const auto twin = std::ranges::adjacent_find(scene.photos, {}, &PhotoInput::name);
     if (twin != scene.photos.end())
         throw Error(Exit::input, twin->file.string() + ": another photo has the same name");
 }

@@ -5,8 +5,8 @@ namespace vantage {
 
 /// Reads mesh and cameras, finds each camera's photo (by path, file name or name without extension),
 /// completes cameras of unknown size from the photos' headers, checks all. Photos or cameras without the
-/// other are warnings; none left, two photos of one name, or a photo of another shape than its camera is an
-/// Error(input).
+/// other, unreadable photos, those of another shape than their camera, and cameras that are none are left
+/// out; none left, two cameras of a photo or two photos of one name are an Error(input).
 SceneInput read_scene(const InputFiles& files);
 
 }  // namespace vantage

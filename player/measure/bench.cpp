@@ -20,6 +20,7 @@
 #include "player/render/renderer.h"
 #include "player/shots.h"
 #include "scene/error.h"
+#include "scene/make_folder.h"
 
 namespace vantage {
 namespace {

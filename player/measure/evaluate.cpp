@@ -11,6 +11,7 @@
 #include "player/offscreen.h"
 #include "player/shots.h"
 #include "scene/error.h"
+#include "scene/make_folder.h"
 
 namespace vantage {
 namespace {

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "scene/error.h"
+#include "scene/markup.h"
 
 namespace vantage {
 namespace {
@@ -21,16 +22,6 @@ figure { margin: 0 0 2rem; } figure div { display: grid; grid-template-columns: 
 img { width: 100%; background: #ccc; } figcaption { margin: .3rem 0; }
 .rest { display: grid; grid-template-columns: repeat(2, 1fr); gap: 1rem; } .rest figure { margin: 0; }
 )";
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text)
-        if (c == '<' || c == '>' || c == '&' || c == '"')
-            out += "&#" + std::to_string(int(c)) + ";";
-        else
-            out += c;
-    return out;
-}
 
 std::string number(const char* format, double value) {
     char out[64];

@@ -25,13 +25,6 @@ Picture take_picture(Renderer& renderer, const View& view, const RenderSettings&
     return p;
 }
 
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error || !std::filesystem::is_directory(folder, error))
-        throw Error(Exit::storage, folder.string() + ": the folder cannot be made");
-}
-
 void write_png(const std::filesystem::path& file, const Picture& picture) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;

@@ -18,9 +18,6 @@ struct Picture {
 Picture take_picture(Renderer& renderer, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side);
 
-/// Makes the folder where there is none. Throws Error(storage).
-void make_folder(const std::filesystem::path& folder);
-
 /// Writes a PNG beside the file and renames it. Throws Error(storage).
 void write_png(const std::filesystem::path& file, const Picture& picture);
 

@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "scene/error.h"
+#include "scene/make_folder.h"
 
 namespace vantage::bench {
 

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "scene/error.h"
+#include "scene/markup.h"
 #include "tests/bench/axis.h"
 #include "tests/bench/front.h"
 #include "tests/bench/plot_labels.h"

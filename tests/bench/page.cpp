@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scene/error.h"
+#include "scene/markup.h"
 #include "tests/bench/page_parts.h"
 #include "tests/bench/quantity.h"
 

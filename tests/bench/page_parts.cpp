@@ -12,8 +12,10 @@
 #include <set>
 #include <string_view>
 
+#include "pipeline/report/base64.h"
 #include "scene/error.h"
-#include "tests/bench/base64.h"
+#include "scene/make_folder.h"
+#include "scene/markup.h"
 #include "tests/bench/front.h"
 #include "tests/bench/quantity.h"
 

@@ -5,6 +5,7 @@
 #include <ostream>
 #include <string_view>
 
+#include "scene/markup.h"
 #include "tests/bench/front.h"
 #include "tests/bench/page_parts.h"
 #include "tests/bench/quantity.h"

@@ -62,14 +62,4 @@ std::string quantity(double value, const std::string& unit, int digits) {
            (scale.unit.empty() || !std::isfinite(value) ? "" : " " + scale.unit);
 }
 
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text)
-        if (c == '<' || c == '>' || c == '&' || c == '"' || c == '\'')
-            out += "&#" + std::to_string(int(c)) + ";";
-        else
-            out += c;
-    return out;
-}
-
 }  // namespace vantage::bench

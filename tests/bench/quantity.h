@@ -22,7 +22,4 @@ std::string number(double value, int digits = 4);
 /// With its unit: "12.3 MB".
 std::string quantity(double value, const std::string& unit, int digits = 4);
 
-/// Text as HTML and XML have it.
-std::string escaped(const std::string& text);
-
 }  // namespace vantage::bench

@@ -15,6 +15,7 @@
 #include "gl/context.h"
 #include "pipeline/file_identity.h"
 #include "scene/error.h"
+#include "scene/make_folder.h"
 #include "tests/bench/costs.h"
 #include "tests/bench/gnuplot.h"
 #include "tests/bench/log.h"
@@ -30,7 +31,7 @@ namespace fs = std::filesystem;
 
 // Longest, views, photos, repeats, points.
 const Effort efforts[] = {
-    {"smoke", 200, 2, 2, 1, 2000}, {"short", 400, 2, 2, 2, 20000}, {"full", 800, 2, 4, 3, 200000}};
+    {"smoke", 200, 2, 2, 1, 2000}, {"short", 400, 2, 2, 2, 20000}, {"full", 640, 2, 3, 3, 200000}};
 
 const Effort& effort_called(const std::string& name) {
     const auto found = std::ranges::find(efforts, name, &Effort::name);

@@ -16,6 +16,7 @@
 #include "pipeline/synth/synthesise.h"
 #include "player/measure/photo_pixels.h"
 #include "scene/error.h"
+#include "scene/make_folder.h"
 
 namespace vantage::bench {
 namespace {

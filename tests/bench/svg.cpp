@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "scene/markup.h"
 #include "tests/bench/quantity.h"
 
 namespace vantage::bench {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/for_each_photo.h"
+#include "pipeline/prepare.h"
 #include "pipeline/stages/pyramid.h"
 #include "pipeline/stages/undistort.h"
 #include "pipeline/synth/cast_photo.h"
@@ -124,7 +125,7 @@ Measurement measured(const char* curve, std::size_t setting, const Result& r) {
     m.curve = curve;
     m.exact = setting == std::size(resamplings);
     m.setting = m.exact ? twice : name(resamplings[setting]);
-    m.chosen = !m.exact && resamplings[setting] == Resampling::lanczos;
+    m.chosen = !m.exact && resamplings[setting] == PrepareSettings{}.resampling;
     m.values = {
         {"psnr", mean(r.psnr)}, {"ssim", mean(r.ssim)}, {"worst", mean(r.worst)}, {"photo_ms", mean(r.ms)}};
     return m;

@@ -1,9 +1,9 @@
-#include "tests/bench/base64.h"
+#include "pipeline/report/base64.h"
 
 #include <algorithm>
 #include <cstdint>
 
-namespace vantage::bench {
+namespace vantage {
 
 std::string base64(std::string_view bytes) {
     constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -19,4 +19,4 @@ std::string base64(std::string_view bytes) {
     return out;
 }
 
-}  // namespace vantage::bench
+}  // namespace vantage

@@ -1,0 +1,55 @@
+#include "pipeline/diff.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/commands/commands.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+struct Options {
+    std::string a, b, folder;
+    bool json = false;
+};
+
+void print(const std::vector<Difference>& all) {
+    for (const Difference& d : all)
+        fmt::print("{}{}{}: {}\n", d.of, d.what.empty() ? "" : ": ", d.what, d.text);
+    if (all.empty()) fmt::print("the same\n");
+}
+
+void print_json(const std::vector<Difference>& all) {
+    nlohmann::json out = nlohmann::json::array();
+    for (const Difference& d : all) out.push_back({{"of", d.of}, {"what", d.what}, {"text", d.text}});
+    fmt::print("{}\n", out.dump(1));
+}
+
+int run_diff(const Options& o) {
+    const PackageReader a(o.a), b(o.b);
+    const std::vector<Difference> all = diff(a, b);
+    if (!o.folder.empty()) write_difference_pictures(a, b, o.folder);
+    o.json ? print_json(all) : print(all);
+    return int(all.empty() ? Exit::ok : Exit::different);
+}
+
+}  // namespace
+
+void add_diff(CLI::App& app, Run& run) {
+    auto o = std::make_shared<Options>();
+    CLI::App* c = app.add_subcommand("diff", "Say what differs between two packages, artefact by artefact");
+    c->footer(
+        "Examples:\n  vantage diff chapel.vantage chapel-new.vantage\n"
+        "  vantage diff a.vantage b.vantage -o differences   (with pictures)\n"
+        "Exit code: 0 the same, 10 different.");
+    c->add_option("A", o->a, "a package")->required();
+    c->add_option("B", o->b, "another")->required();
+    c->add_option("-o,--output", o->folder,
+                  "folder to write pictures of the differences and their page into");
+    c->add_flag("--json", o->json, "machine-readable output");
+    c->callback([o, &run] { run = [o] { return run_diff(*o); }; });
+}
+
+}  // namespace vantage

@@ -1,0 +1,42 @@
+#include "pipeline/merge.h"
+
+#include <fmt/format.h>
+
+#include "pipeline/commands/commands.h"
+#include "pipeline/commands/left_out.h"
+
+namespace vantage {
+namespace {
+
+struct Options {
+    std::vector<std::string> shares;
+    std::string out;
+    bool remove = false;
+};
+
+int run_merge(const Options& o) {
+    merge({o.shares.begin(), o.shares.end()}, o.out);
+    if (o.remove)
+        for (const std::string& share : o.shares) std::filesystem::remove(share);
+    fmt::print("package  {} ({:.1f} MB of {} shares)\n", o.out,
+               double(std::filesystem::file_size(o.out)) / 1e6, o.shares.size());
+    return int(report_left_out(left_out_of(PackageReader(o.out))));
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, Run& run) {
+    auto o = std::make_shared<Options>();
+    CLI::App* c = app.add_subcommand("merge", "Join the shares of a preparation into one package");
+    c->footer(
+        "Each share comes from 'vantage prepare INPUT -o SHARE --shard i/n', on whatever machine; the result "
+        "is the\n"
+        "same, byte by byte, as that of one machine. A merge that was cut off goes on when it is run again.\n"
+        "Example:\n  vantage merge chapel-*.share -o chapel.vantage --remove");
+    c->add_option("SHARES", o->shares, "all shares of one preparation, in any order")->required();
+    c->add_option("-o,--output", o->out, "the package to write")->required();
+    c->add_flag("--remove", o->remove, "remove the shares once the package is whole");
+    c->callback([o, &run] { run = [o] { return run_merge(*o); }; });
+}
+
+}  // namespace vantage

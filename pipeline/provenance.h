@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/identity_cache.h"
+#include "pipeline/prepare.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+
+/// META: where the package comes from, as JSON: tool, settings, inputs with length and checksum, effects with
+/// their evidence, what was left out at once, warnings, names of scalar layers. Throws Error(input).
+std::string provenance(const SceneInput& scene, const PrepareSettings& settings,
+                       const std::vector<EffectDecision>& effects, IdentityCache& identities);
+
+/// What distinguishes a package from one that these inputs would give now, a line each: "mesh.ply: has
+/// changed since the package was prepared". Nothing where it is current. Throws Error(damaged) for an
+/// unreadable META.
+std::vector<std::string> changed_inputs(const PackageReader& package, const InputFiles& files,
+                                        IdentityCache& identities);
+/// The same for the settings and the tool that it was prepared with.
+std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings);
+
+/// The photos that a package lacks: those without camera or file, and those that could not be decoded.
+std::vector<UnusablePhoto> left_out_of(const PackageReader& package);
+
+}  // namespace vantage

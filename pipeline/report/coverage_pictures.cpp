@@ -1,0 +1,160 @@
+#include "pipeline/report/coverage_pictures.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace vantage {
+
+using package::Type;
+
+const std::array<CoverageClass, 5> coverage_classes{{{"no photo", {196, 48, 40}},
+                                                     {"one photo", {232, 140, 44}},
+                                                     {"two photos", {226, 205, 70}},
+                                                     {"three or four", {122, 182, 92}},
+                                                     {"five and more", {46, 125, 110}}}};
+
+namespace {
+
+std::size_t class_of(unsigned photos) { return photos < 3 ? photos : photos < 5 ? 3 : 4; }
+
+struct Geometry {
+    std::span<const Eigen::Vector3f> positions;
+    std::span<const std::uint32_t> indices;
+
+    explicit Geometry(const PackageReader& package)
+        : positions(package.records<Eigen::Vector3f>(Type::positions)),
+          indices(package.records<std::uint32_t>(Type::indices)) {}
+    std::array<Eigen::Vector3f, 3> corners(std::size_t triangle) const {
+        return {positions[indices[3 * triangle]], positions[indices[3 * triangle + 1]],
+                positions[indices[3 * triangle + 2]]};
+    }
+};
+
+/// Parallel projection along an axis onto a picture.
+struct ParallelView {
+    int right, down, depth;  ///< axes of the world
+    float right_sign, down_sign, depth_sign;
+    Eigen::Vector3f center;
+    float scale;
+    int width, height;
+
+    Eigen::Vector3f at(const Eigen::Vector3f& p) const {
+        const Eigen::Vector3f d = p - center;
+        return {float(width) / 2 + right_sign * d[right] * scale,
+                float(height) / 2 + down_sign * d[down] * scale, depth_sign * d[depth]};
+    }
+};
+
+ParallelView look_along(int axis, float sign, const Eigen::Vector3f& low, const Eigen::Vector3f& high,
+                        int size) {
+    // Upright where z or y is up; a picture from above has y upwards.
+    const int right = axis == 0 ? 1 : 0, down = axis == 2 ? 1 : 2;
+    const Eigen::Vector3f extent = (high - low).cwiseMax((high - low).maxCoeff() * 1e-3f);
+    const float scale = float(size - 8) / std::max(extent[right], extent[down]);
+    ParallelView p{right, down, axis, axis == 1 ? -sign : sign, -1, -sign, (low + high) / 2, scale, 0, 0};
+    p.width = std::max(16, int(extent[right] * scale) + 8);
+    p.height = std::max(16, int(extent[down] * scale) + 8);
+    return p;
+}
+
+struct Canvas {
+    RgbaImage image;
+    std::vector<float> depth;
+
+    Canvas(int width, int height)
+        : image{width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4, 255)},
+          depth(std::size_t(width) * std::size_t(height), std::numeric_limits<float>::infinity()) {}
+
+    void put(int x, int y, float z, const std::array<std::uint8_t, 3>& color) {
+        const std::size_t at = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
+        if (!(z < depth[at])) return;
+        depth[at] = z;
+        std::copy_n(color.begin(), 3, image.rgba.begin() + std::ptrdiff_t(4 * at));
+    }
+};
+
+/// Every pixel whose centre lies in the triangle; at least the one that holds its first corner.
+void fill(Canvas& canvas, const std::array<Eigen::Vector3f, 3>& p, const std::array<std::uint8_t, 3>& color) {
+    const float area =
+        (p[1] - p[0]).head<2>().x() * (p[2] - p[0]).y() - (p[1] - p[0]).y() * (p[2] - p[0]).x();
+    const int w = canvas.image.width, h = canvas.image.height;
+    const auto clamp = [](float v, int end) { return int(std::clamp(v, 0.0f, float(end - 1))); };
+    canvas.put(clamp(p[0].x(), w), clamp(p[0].y(), h), p[0].z(), color);
+    if (!(std::abs(area) > 1e-12f)) return;
+    const int x0 = clamp(std::min({p[0].x(), p[1].x(), p[2].x()}), w),
+              x1 = clamp(std::max({p[0].x(), p[1].x(), p[2].x()}), w);
+    const int y0 = clamp(std::min({p[0].y(), p[1].y(), p[2].y()}), h),
+              y1 = clamp(std::max({p[0].y(), p[1].y(), p[2].y()}), h);
+    for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x) {
+            const Eigen::Vector2f c(float(x) + 0.5f, float(y) + 0.5f);
+            const auto part = [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+                return ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x())) / area;
+            };
+            const float u = part(p[1], p[2]), v = part(p[2], p[0]), t = part(p[0], p[1]);
+            if (u >= 0 && v >= 0 && t >= 0)
+                canvas.put(x, y, u * p[0].z() + v * p[1].z() + t * p[2].z(), color);
+        }
+}
+
+std::array<std::uint8_t, 3> shaded(unsigned photos, const std::array<Eigen::Vector3f, 3>& corners, int axis) {
+    const Eigen::Vector3f n = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const float length = n.norm(), facing = length > 0 ? std::abs(n[axis]) / length : 1;
+    std::array<std::uint8_t, 3> color = coverage_classes[class_of(photos)].color;
+    for (std::uint8_t& c : color) c = std::uint8_t(float(c) * (0.55f + 0.45f * facing));
+    return color;
+}
+
+}  // namespace
+
+std::vector<unsigned> photos_a_triangle(const PackageReader& package) {
+    const std::uint64_t triangles = package.scene().triangles;
+    std::vector<unsigned> count(triangles, 0);
+    for (std::uint32_t i = 0; i < package.photos().size(); ++i) {
+        const auto bits = package.records<std::uint64_t>(Type::visible, i, false);
+        const std::uint64_t words = package::visible_words(triangles);
+        if (bits.size() != 2 * words) continue;
+        for (std::uint64_t t = 0; t < triangles; ++t) count[t] += unsigned(bits[words + t / 64] >> (t % 64) & 1);
+    }
+    return count;
+}
+
+std::array<double, 5> covered_area(const PackageReader& package, const std::vector<unsigned>& photos) {
+    const Geometry g(package);
+    std::array<double, 5> area{};
+    double total = 0;
+    for (std::size_t t = 0; t < photos.size(); ++t) {
+        const auto p = g.corners(t);
+        const double a = double((p[1] - p[0]).cross(p[2] - p[0]).norm());
+        area[class_of(photos[t])] += a;
+        total += a;
+    }
+    for (double& a : area) a = total > 0 ? a / total : 0;
+    return area;
+}
+
+std::vector<CoveragePicture> coverage_pictures(const PackageReader& package,
+                                               const std::vector<unsigned>& photos, int size) {
+    const Geometry g(package);
+    Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
+    for (const std::uint32_t i : g.indices)
+        low = low.cwiseMin(g.positions[i]), high = high.cwiseMax(g.positions[i]);
+    std::vector<CoveragePicture> pictures;
+    for (int axis = 0; axis < 3 && !photos.empty(); ++axis)
+        for (const float sign : {1.0f, -1.0f}) {
+            const ParallelView view = look_along(axis, sign, low, high, size);
+            Canvas canvas(view.width, view.height);
+            for (std::size_t t = 0; t < photos.size(); ++t) {
+                const auto corners = g.corners(t);
+                fill(canvas, {view.at(corners[0]), view.at(corners[1]), view.at(corners[2])},
+                     shaded(photos[t], corners, axis));
+            }
+            pictures.push_back({std::string(sign > 0 ? "+" : "-") + "xyz"[axis], std::move(canvas.image)});
+        }
+    return pictures;
+}
+
+}  // namespace vantage

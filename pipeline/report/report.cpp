@@ -1,0 +1,198 @@
+#include "pipeline/report/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/join_tiles.h"
+#include "pipeline/provenance.h"
+#include "pipeline/report/coverage_pictures.h"
+#include "pipeline/report/embedded_picture.h"
+#include "pipeline/report/timeline.h"
+#include "pipeline/stage_keys.h"
+#include "pipeline/stages/pyramid.h"
+#include "scene/error.h"
+#include "scene/markup.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using package::PhotoRecord;
+using package::Type;
+
+constexpr const char* style = R"(
+body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 78rem; padding: 0 1rem; color: #222; }
+h1 { margin-bottom: .2rem; } h2 { margin-top: 2.5rem; }
+table { border-collapse: collapse; } th, td { padding: .2rem .9rem .2rem 0; text-align: left; border-bottom: 1px solid #ddd; }
+td.n, th.n { text-align: right; } .well { color: #117733; } .bad { color: #b02a20; }
+.grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1.2rem; }
+.grid figure { margin: 0; } figcaption { font-size: 13px; } img { max-width: 100%; height: auto; display: block; }
+.bar { display: flex; height: 1.6rem; margin: .5rem 0; } .legend span { margin-right: 1.2rem; white-space: nowrap; }
+.legend i { display: inline-block; width: .9rem; height: .9rem; margin-right: .35rem; vertical-align: -.1rem; }
+.model { display: flex; flex-wrap: wrap; gap: 1rem; align-items: end; } .model figure { margin: 0; }
+)";
+
+std::string cell(const std::string& text) { return "<td>" + escaped(text) + "</td>"; }
+std::string number(const std::string& text) { return "<td class=n>" + escaped(text) + "</td>"; }
+
+std::string heading(const PackageReader& package, const json& meta,
+                    const std::vector<UnusablePhoto>& left_out, const std::optional<ReportRun>& run) {
+    const package::SceneRecord& s = package.scene();
+    const std::string name = escaped(package.path().filename().string());
+    std::string out = "<title>" + name + "</title>\n<h1>" + name + "</h1>\n";
+    out += left_out.empty()
+               ? "<p class=well>Complete: every photo is in it.</p>\n"
+               : fmt::format(
+                     "<p class=bad>Incomplete: {} left out, see below.</p>\n",
+                     left_out.size() == 1 ? "one photo is" : fmt::format("{} photos are", left_out.size()));
+    out += fmt::format("<p>{} photos, {} vertices, {} triangles, {:.1f} MB; prepared by {}",
+                       package.photos().size(), s.vertices, s.triangles, double(package.size()) / 1e6,
+                       escaped(meta.value("tool", "")));
+    if (run)
+        out += fmt::format(" in {:.1f} s with {:.0f} MB of memory at most", run->seconds, run->memory_mb);
+    return out + ".</p>\n";
+}
+
+std::string left_out_part(const std::vector<UnusablePhoto>& left_out) {
+    if (left_out.empty()) return {};
+    std::string out = "<h2>Left out</h2>\n<table><tr><th>photo<th>why</tr>\n";
+    for (const UnusablePhoto& l : left_out) out += "<tr>" + cell(l.photo) + cell(l.why) + "</tr>\n";
+    return out + "</table>\n";
+}
+
+std::string warnings_part(const json& meta) {
+    const json warnings = meta.value("warnings", json::array());
+    if (warnings.empty()) return {};
+    std::string out = "<h2>Warnings</h2>\n<ul>\n";
+    for (const json& w : warnings) out += "<li>" + escaped(w.get<std::string>()) + "</li>\n";
+    return out + "</ul>\n";
+}
+
+std::string effects_part(const json& meta) {
+    std::string out =
+        "<h2>Effects</h2>\n<p>What the scene calls for, and by which evidence; the rest costs nothing.</p>\n"
+        "<table><tr><th>effect<th><th>evidence<th class=n>measured<th class=n>on above</tr>\n";
+    for (const json& e : meta.value("effects", json::array())) {
+        const std::string unit = e.value("unit", "");
+        out += "<tr>" + cell(e.value("name", "")) +
+               cell(std::string(e.value("on", false) ? "on" : "off") +
+                    (e.value("forced", false) ? ", forced" : "")) +
+               cell(e.value("evidence", "")) +
+               number(fmt::format("{:.3g} {}", e.value("measured", 0.0), unit)) +
+               number(fmt::format("{:g} {}", e.value("threshold", 0.0), unit)) + "</tr>\n";
+    }
+    return out + "</table>\n";
+}
+
+std::string css(const std::array<std::uint8_t, 3>& c) {
+    return fmt::format("rgb({},{},{})", c[0], c[1], c[2]);
+}
+
+std::string coverage_part(const PackageReader& package) {
+    const std::vector<unsigned> photos = photos_a_triangle(package);
+    const auto area = covered_area(package, photos);
+    std::string out = "<h2>Coverage</h2>\n<p>How many photos see the model's surface.</p>\n<div class=bar>";
+    for (std::size_t c = 0; c < area.size(); ++c)
+        out += fmt::format("<div style=\"width:{:.3f}%;background:{}\"></div>", 100 * area[c],
+                           css(coverage_classes[c].color));
+    out += "</div><p class=legend>";
+    for (std::size_t c = 0; c < area.size(); ++c)
+        out += fmt::format("<span><i style=\"background:{}\"></i>{}: {:.1f} % of the area</span> ",
+                           css(coverage_classes[c].color), coverage_classes[c].name, 100 * area[c]);
+    out += "</p>\n<div class=model>\n";
+    for (const CoveragePicture& p : coverage_pictures(package, photos, 360))
+        out += "<figure>" + embedded_picture(p.image, "the model from " + p.from) + "<figcaption>from " +
+               p.from + "</figcaption></figure>\n";
+    return out + "</div>\n";
+}
+
+/// Angle, depth and border mask as red, green and blue, at the level that is about as large as the thumbnail.
+RgbaImage mask_picture(const PackageReader& package, std::uint32_t i, const PhotoRecord& p) {
+    int l = mask_level;
+    while (l + 1 < mask_levels_end(int(p.levels)) && std::max(p.width, p.height) >> l > 320) ++l;
+    const Level size = level_size(int(p.width), int(p.height), l);
+    const auto* chunk = package.find(Type::masks, i, std::uint32_t(l));
+    RgbaImage image{size.width, size.height, {}};
+    if (!chunk) return {1, 1, {0, 0, 0, 0}};
+    const std::vector<std::byte> texels = join_tiles(package, *chunk, size);
+    image.rgba.resize(texels.size());
+    std::memcpy(image.rgba.data(), texels.data(), texels.size());
+    return image;
+}
+
+RgbaImage thumbnail(const PackageReader& package, std::uint32_t i, const PhotoRecord& p) {
+    const auto bytes = package.bytes(package.find(Type::thumbnail, i));
+    RgbaImage image{int(p.thumbnail_width), int(p.thumbnail_height), {}};
+    image.rgba.resize(bytes.size());
+    std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
+    return reduced(image, thumbnail_size(image.width, image.height, 320));
+}
+
+std::string photo_figure(const PackageReader& package, std::uint32_t i, const PhotoRecord& p) {
+    std::string flags;
+    if (p.flags & package::photo_undistorted) flags += ", undistorted";
+    if (p.flags & package::photo_has_alpha) flags += ", with transparent parts";
+    return "<figure>" + embedded_picture(thumbnail(package, i, p), p.name) +
+           embedded_picture(mask_picture(package, i, p), std::string("masks of ") + p.name) +
+           fmt::format(
+               "<figcaption><b>{}</b> {} x {}{}; sees {:.1f} % of the vertices, depth {:.3g} to "
+               "{:.3g}</figcaption></figure>\n",
+               escaped(p.name), p.width, p.height, flags, 100 * p.visible_vertices, p.z_min, p.z_max);
+}
+
+std::string photos_part(const PackageReader& package) {
+    std::string out =
+        "<h2>Photos</h2>\n<p>Below each its masks: angle in red, depth in green, border in blue; black is "
+        "not "
+        "seen.</p>\n<div class=grid>\n";
+    const auto photos = package.photos();
+    for (std::uint32_t i = 0; i < photos.size(); ++i)
+        if (photos[i].levels) out += photo_figure(package, i, photos[i]);
+    return out + "</div>\n";
+}
+
+std::string run_part(const ReportRun& run) {
+    std::string out =
+        "<h2>What was done</h2>\n<table><tr><th>stage<th class=n>made<th class=n>kept<th>why</tr>\n";
+    for (std::size_t s = 0; s < run.prepared.stages.size(); ++s) {
+        const PrepareResult::Stage& stage = run.prepared.stages[s];
+        std::string why;
+        for (const auto& [reason, photos] : stage.why)
+            why += fmt::format("{}{} ({})", why.empty() ? "" : "; ", reason,
+                               photos.size() == 1 ? photos[0] : std::to_string(photos.size()));
+        out += "<tr>" + cell(name(package::Stage(s))) + number(std::to_string(stage.made)) +
+               number(std::to_string(stage.kept)) + cell(why) + "</tr>\n";
+    }
+    out +=
+        "</table>\n<h2>Where the time went</h2>\n" + timeline(run.spans) +
+        "<table><tr><th>what<th class=n>times<th class=n>in all<th class=n>median<th class=n>longest</tr>\n";
+    for (const StageTime& t : stage_times(run.spans))
+        out += "<tr>" + cell(t.stage) + number(std::to_string(t.count)) +
+               number(fmt::format("{:.2f} s", t.total)) + number(fmt::format("{:.1f} ms", 1000 * t.median)) +
+               number(fmt::format("{:.1f} ms", 1000 * t.longest)) + "</tr>\n";
+    return out + "</table>\n";
+}
+
+}  // namespace
+
+void write_report(const fs::path& file, const PackageReader& package, const std::optional<ReportRun>& run) {
+    const json meta = json::parse(package.meta(), nullptr, false);
+    if (!meta.is_object()) throw Error(Exit::damaged, package.path().string() + ": META: not readable");
+    const std::vector<UnusablePhoto> left_out = left_out_of(package);
+    std::string page = std::string("<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>") + style +
+                       "</style>\n" + heading(package, meta, left_out, run) + left_out_part(left_out) +
+                       warnings_part(meta) + effects_part(meta) + coverage_part(package) +
+                       photos_part(package);
+    if (run) page += run_part(*run);
+    std::ofstream out(file, std::ios::binary);
+    out << page << "</html>\n";
+    out.flush();
+    if (!out) throw Error(Exit::storage, file.string() + ": cannot write");
+}
+
+}  // namespace vantage

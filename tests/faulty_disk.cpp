@@ -1,0 +1,77 @@
+// Preloaded into a program, it makes the disk fail where a test wants it to: FAULT="CALL:N:HOW", where from
+// the N-th CALL (pwrite, fallocate, fsync, rename) on the call fails with HOW (ENOSPC, EIO, EACCES), or the
+// N-th kills the process first (KILL) or after it was done (KILL_AFTER), as a power cut would.
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace {
+
+struct Fault {
+    char call[16] = "", how[16] = "";
+    int from = 0;
+
+    Fault() {
+        if (const char* text = std::getenv("FAULT")) std::sscanf(text, "%15[^:]:%d:%15s", call, &from, how);
+    }
+    bool is(const char* name) const { return std::strcmp(how, name) == 0; }
+    int error() const { return is("ENOSPC") ? ENOSPC : is("EACCES") ? EACCES : EIO; }
+};
+
+std::atomic<int> calls{0};
+
+/// The real call, or what the fault makes of it.
+template <class Real>
+auto faulty(const char* name, Real real) -> decltype(real()) {
+    static const Fault fault;
+    if (std::strcmp(fault.call, name) != 0) return real();
+    const int n = ++calls;
+    if (n == fault.from && fault.is("KILL")) ::kill(::getpid(), SIGKILL);
+    if (n == fault.from && fault.is("KILL_AFTER")) {
+        real();
+        ::kill(::getpid(), SIGKILL);
+    }
+    if (n < fault.from || fault.is("KILL") || fault.is("KILL_AFTER")) return real();
+    errno = fault.error();
+    return -1;
+}
+
+template <class F>
+F* next(const char* name) {
+    return reinterpret_cast<F*>(::dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
+
+extern "C" {
+
+ssize_t pwrite(int fd, const void* data, size_t size, off_t at) {
+    return faulty("pwrite", [&] {
+        return next<ssize_t(int, const void*, size_t, off_t)>("pwrite")(fd, data, size, at);
+    });
+}
+ssize_t pwrite64(int fd, const void* data, size_t size, off64_t at) {
+    return faulty("pwrite", [&] {
+        return next<ssize_t(int, const void*, size_t, off64_t)>("pwrite64")(fd, data, size, at);
+    });
+}
+int posix_fallocate(int fd, off_t from, off_t size) {
+    const int result =
+        faulty("fallocate", [&] { return next<int(int, off_t, off_t)>("posix_fallocate")(fd, from, size); });
+    return result < 0 ? errno : result;
+}
+int fsync(int fd) {
+    return faulty("fsync", [&] { return next<int(int)>("fsync")(fd); });
+}
+int rename(const char* from, const char* to) {
+    return faulty("rename", [&] { return next<int(const char*, const char*)>("rename")(from, to); });
+}
+}

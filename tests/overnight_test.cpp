@@ -1,0 +1,372 @@
+// vantage prepare as it is left alone overnight: cut off, gone on with, short of disk, fed with bad photos,
+// divided.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "pipeline/check.h"
+#include "pipeline/import/discover.h"
+#include "pipeline/import/read_scene.h"
+#include "pipeline/merge.h"
+#include "pipeline/prepare.h"
+#include "pipeline/synth/synthesise.h"
+#include "scene/error.h"
+#include "scene/package_reader.h"
+#include "temporary_folder.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+using package::Stage;
+
+namespace {
+
+struct Outcome {
+    int code;  ///< -1 where a signal ended it
+    std::string out, err;
+};
+
+class Overnight : public TemporaryFolder {
+  protected:
+    const fs::path scene = dir / "scene", file = dir / "scene.vantage";
+
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+        spec.photos.count = 6;
+        spec.photos.samples = 1;
+        synthesise(spec, scene, {});
+        ::setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);
+        ::setenv("MESA_SHADER_CACHE_DIR", fs::temp_directory_path().c_str(), 1);  // compiled once for all tests
+    }
+
+    Outcome run(const std::string& words, const std::string& before = "") const {
+        const fs::path out = dir / "out.txt", err = dir / "err.txt";
+        const int status = std::system(
+            (before + " " VANTAGE_PROGRAM " " + words + " >" + out.string() + " 2>" + err.string()).c_str());
+        const bool exited = WIFEXITED(status) && WEXITSTATUS(status) < 128;
+        return {exited ? WEXITSTATUS(status) : -1, slurp(out), slurp(err)};
+    }
+    Outcome prepare_program(const std::string& options = "", const std::string& before = "") const {
+        return run("prepare --progress none " + scene.string() + " -o " + file.string() + " " + options,
+                   before);
+    }
+    Outcome with_fault(const std::string& fault, const std::string& options = "") const {
+        return prepare_program(options, "FAULT=" + fault + " LD_PRELOAD=" FAULTY_DISK);
+    }
+    /// What an undisturbed run gives.
+    std::string undisturbed(const PrepareSettings& settings = {}) const {
+        const fs::path other = dir / "undisturbed.vantage";
+        fs::remove(other);
+        prepare(read_scene(discover(scene)), settings, other, [](const Progress&) {});
+        return slurp(other);
+    }
+    PrepareResult prepare_here(const PrepareSettings& settings = {}) const {
+        return prepare(read_scene(discover(scene)), settings, file, [](const Progress&) {});
+    }
+    std::vector<fs::path> photos() const {
+        std::vector<fs::path> all;
+        for (const auto& e : fs::directory_iterator(discover(scene).photos)) all.push_back(e.path());
+        std::ranges::sort(all);
+        return all;
+    }
+    void expect_whole(const std::string& bytes, const std::string& after) const {
+        EXPECT_TRUE(slurp(file) == bytes) << after << ": not the bytes of an undisturbed run";
+        EXPECT_FALSE(fs::exists(part_of(file))) << after;
+        EXPECT_FALSE(fs::exists(former_part_of(file))) << after;
+    }
+};
+
+std::size_t made(const PrepareResult& p, Stage s) { return p.stages[std::size_t(s)].made; }
+std::size_t kept(const PrepareResult& p, Stage s) { return p.stages[std::size_t(s)].kept; }
+constexpr Stage every_stage[] = {Stage::thumbnail, Stage::tiles, Stage::masks, Stage::coordinates,
+                                 Stage::coverage};
+
+bool one_line(const std::string& text) {
+    return !text.empty() && std::ranges::count(text, '\n') == 1 && text.back() == '\n';
+}
+
+int number_from(const char* variable, int usual) {
+    const char* text = std::getenv(variable);
+    return text ? std::atoi(text) : usual;
+}
+
+}  // namespace
+
+TEST_F(Overnight, KilledAtAnyInstantGoesOnToTheSameBytes) {
+    if (const char* other = std::getenv("VANTAGE_KILLED_SCENE")) {
+        fs::remove_all(scene);
+        synthesise(read_spec(other), scene, {});
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const std::string bytes = undisturbed();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> instant(0.02, seconds);
+    int killed = 0, gone_on = 0;
+    for (int i = 0, n = number_from("VANTAGE_KILLS", 8); i < n; ++i) {
+        fs::remove(file);
+        fs::remove(part_of(file));
+        killed += prepare_program("", "timeout -s KILL " + std::to_string(instant(random))).code == -1;
+        gone_on += fs::exists(part_of(file));
+        const Outcome next = prepare_program();
+        ASSERT_EQ(next.code, 0) << next.err;
+        expect_whole(bytes, "kill " + std::to_string(i));
+    }
+    std::printf("%d killed, %d of them with a part to go on from\n", killed, gone_on);
+    EXPECT_GT(killed, 0);
+}
+
+TEST_F(Overnight, KilledAtAnyWriteGoesOnToTheSameBytes) {
+    const std::string bytes = undisturbed();
+    for (const char* fault : {"pwrite:1:KILL", "pwrite:2:KILL", "pwrite:3:KILL_AFTER", "pwrite:40:KILL",
+                              "pwrite:77:KILL", "pwrite:150:KILL_AFTER", "fallocate:1:KILL", "fsync:1:KILL",
+                              "fsync:1:KILL_AFTER", "rename:1:KILL", "rename:1:KILL_AFTER"}) {
+        fs::remove(file);
+        EXPECT_EQ(with_fault(fault).code, -1) << fault;
+        const Outcome next = prepare_program();
+        ASSERT_EQ(next.code, 0) << fault << next.err;
+        expect_whole(bytes, fault);
+    }
+}
+
+TEST_F(Overnight, KilledAgainAndAgainStillArrives) {
+    const std::string bytes = undisturbed();
+    int runs = 0;
+    while (with_fault("pwrite:120:KILL").code != 0)
+        ASSERT_LT(++runs, 50) << "no run does more than the one before";
+    expect_whole(bytes, std::to_string(runs) + " kills");
+    EXPECT_GT(runs, 1);
+}
+
+TEST_F(Overnight, WhatIsDoneIsNotDoneAgain) {
+    EXPECT_EQ(with_fault("fsync:1:KILL").code, -1);
+    const PrepareResult next = prepare_here();
+    for (const Stage s : every_stage) EXPECT_EQ(made(next, s), 0u) << int(s);
+    for (const Stage s : every_stage) EXPECT_EQ(kept(next, s), 6u) << int(s);
+}
+
+TEST_F(Overnight, WhatRotsInThePartIsMadeAgain) {
+    const std::string bytes = undisturbed();
+    EXPECT_EQ(with_fault("fsync:1:KILL").code, -1);
+    std::uint64_t at = 0;
+    {
+        const PackageReader part(part_of(file), PackageReader::Expect::part);
+        at = part.find(package::Type::tiles, 2, 0)->offset + 5000;
+    }
+    std::fstream part(part_of(file), std::ios::in | std::ios::out | std::ios::binary);
+    part.seekp(std::streamoff(at));
+    part << "a power cut";
+    part.close();
+    const PrepareResult next = prepare_here();
+    EXPECT_EQ(made(next, Stage::tiles), 1u);
+    expect_whole(bytes, "damage");
+}
+
+TEST_F(Overnight, AFullDiskIsOneLineAndNothingIsLost) {
+    const std::string bytes = undisturbed();
+    for (const char* fault : {"fallocate:1:ENOSPC", "pwrite:1:ENOSPC", "pwrite:30:ENOSPC", "pwrite:120:EIO",
+                              "pwrite:90:EACCES", "fsync:1:EIO", "rename:1:EACCES"}) {
+        const Outcome failed = with_fault(fault);
+        EXPECT_EQ(failed.code, int(Exit::storage)) << fault << failed.err;
+        EXPECT_TRUE(one_line(failed.err)) << fault << failed.err;
+        EXPECT_NE(failed.err.find("scene.vantage"), std::string::npos) << failed.err;
+        const Outcome next = prepare_program();
+        ASSERT_EQ(next.code, 0) << fault << next.err;
+        expect_whole(bytes, fault);
+        fs::remove(file);
+    }
+}
+
+TEST_F(Overnight, NothingChangedIsNothingDone) {
+    prepare_here();
+    const auto written = fs::last_write_time(file);
+    const Outcome again = prepare_program();
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.out.find("nothing to do"), std::string::npos) << again.out;
+    EXPECT_EQ(fs::last_write_time(file), written);
+}
+
+TEST_F(Overnight, AChangedPhotoIsRedoneAlone) {
+    prepare_here();
+    fs::copy_file(photos()[1], photos()[4], fs::copy_options::overwrite_existing);
+    const PrepareResult next = prepare_here();
+    for (const Stage s : {Stage::thumbnail, Stage::tiles, Stage::masks}) {
+        EXPECT_EQ(made(next, s), 1u) << int(s);
+        EXPECT_EQ(kept(next, s), 5u) << int(s);
+    }
+    EXPECT_EQ(made(next, Stage::coordinates) + made(next, Stage::coverage), 0u)
+        << "they do not read the photo";
+    const auto& why = next.stages[std::size_t(Stage::tiles)].why;
+    ASSERT_EQ(why.size(), 1u);
+    EXPECT_EQ(why.begin()->first, "the photo's file has changed");
+    expect_whole(undisturbed(), "a changed photo");
+}
+
+TEST_F(Overnight, PhotosComeAndGo) {
+    const fs::path away = photos()[3], held = dir / "held.jpg";
+    fs::rename(away, held);
+    prepare_here();
+    fs::rename(held, away);
+    const PrepareResult more = prepare_here();
+    for (const Stage s : every_stage) EXPECT_EQ(made(more, s), 1u) << int(s);
+    for (const Stage s : every_stage) EXPECT_EQ(kept(more, s), 5u) << int(s);
+    expect_whole(undisturbed(), "an added photo");
+    fs::remove(away);
+    const PrepareResult fewer = prepare_here();
+    for (const Stage s : every_stage) EXPECT_EQ(made(fewer, s), 0u) << int(s);
+    expect_whole(undisturbed(), "a removed photo");
+}
+
+TEST_F(Overnight, AChangedSettingRedoesTheStagesThatReadIt) {
+    prepare_here();
+    PrepareSettings settings;
+    settings.border_threshold = 0.02;
+    const PrepareResult masks = prepare_here(settings);
+    EXPECT_EQ(made(masks, Stage::masks), 6u);
+    for (const Stage s : {Stage::thumbnail, Stage::tiles, Stage::coordinates, Stage::coverage})
+        EXPECT_EQ(made(masks, s), 0u) << int(s);
+    EXPECT_EQ(masks.stages[std::size_t(Stage::masks)].why.begin()->first,
+              "the setting border_threshold has changed");
+    expect_whole(undisturbed(settings), "another border");
+    settings.thumbnail = 128;
+    const PrepareResult small = prepare_here(settings);
+    EXPECT_EQ(made(small, Stage::thumbnail), 6u);
+    for (const Stage s : {Stage::tiles, Stage::masks, Stage::coordinates, Stage::coverage})
+        EXPECT_EQ(made(small, s), 0u) << int(s);
+    expect_whole(undisturbed(settings), "smaller thumbnails");
+    settings.cluster_triangles = 64;
+    const PrepareResult clusters = prepare_here(settings);
+    EXPECT_EQ(made(clusters, Stage::tiles), 0u);
+    EXPECT_EQ(made(clusters, Stage::coverage), 6u);
+    expect_whole(undisturbed(settings), "smaller clusters");
+}
+
+TEST_F(Overnight, AnInterruptedChangeGoesOn) {
+    prepare_here();
+    const fs::path away = photos()[3];
+    fs::remove(away);
+    EXPECT_EQ(with_fault("pwrite:60:KILL").code, -1);
+    EXPECT_EQ(check_package(file, {.deep = true}).size(), 0u)
+        << "the package of before stays until the new one is whole";
+    const Outcome next = prepare_program();
+    EXPECT_EQ(next.code, int(Exit::incomplete)) << next.err;
+    expect_whole(undisturbed(), "an interrupted change");
+}
+
+TEST_F(Overnight, BadPhotosAreLeftOutAndNamed) {
+    const std::vector<fs::path> all = photos();
+    fs::resize_file(all[0], fs::file_size(all[0]) / 2);              // cut short
+    fs::remove(all[1]);                                              // missing
+    fs::copy_file(all[2], all[2].parent_path() / "stranger.jpg");    // no camera
+    std::ofstream(all[3], std::ios::trunc) << "this is no picture";  // not one at all
+    const Outcome done = prepare_program();
+    EXPECT_EQ(done.code, int(Exit::incomplete)) << done.err;
+    for (const std::string& line :
+         {"left out " + all[0].filename().string() + ": JPEG is damaged or cut short",
+          "left out " + all[1].filename().string() + ": has a camera and no photo",
+          std::string("left out stranger.jpg: has no camera"),
+          "left out " + all[3].filename().string() + ": "})
+        EXPECT_NE(done.out.find(line), std::string::npos) << line << "\n" << done.out;
+    const std::vector<Issue> issues = check_package(file, {.deep = true, .against = scene});
+    EXPECT_EQ(worst(issues), Exit::incomplete);
+    EXPECT_EQ(issues.size(), 4u);
+    const Outcome again = prepare_program();
+    EXPECT_EQ(again.code, int(Exit::incomplete)) << "still";
+    EXPECT_NE(again.out.find("nothing to do"), std::string::npos) << again.out;
+    const Outcome strict = prepare_program("--strict --thumbnail 128");
+    EXPECT_EQ(strict.code, int(Exit::input));
+    EXPECT_TRUE(one_line(strict.err)) << strict.err;
+}
+
+TEST_F(Overnight, ARepairedPhotoTakesItsPlace) {
+    const std::string bytes = undisturbed();
+    const fs::path bad = photos()[2];
+    const std::string picture = slurp(bad);
+    fs::resize_file(bad, picture.size() / 2);
+    EXPECT_EQ(prepare_here().left_out.size(), 1u);
+    std::ofstream(bad, std::ios::binary) << picture;
+    const PrepareResult next = prepare_here();
+    EXPECT_TRUE(next.left_out.empty());
+    for (const Stage s : every_stage) EXPECT_EQ(made(next, s), 1u) << int(s);
+    expect_whole(bytes, "repair");
+}
+
+TEST_F(Overnight, ASignalFinishesThePhotosInHand) {
+    const std::string bytes = undisturbed();
+    for (const char* signal : {"TERM", "INT"}) {
+        const Outcome stopped = prepare_program("--threads 1", std::string("timeout -s ") + signal + " 0.25");
+        ASSERT_TRUE(stopped.code == 124 || stopped.code == 8 || stopped.code == 0)
+            << stopped.code << stopped.err;
+        const Outcome next = prepare_program();
+        EXPECT_EQ(next.code, 0) << next.err;
+        expect_whole(bytes, signal);
+        fs::remove(file);
+    }
+}
+
+TEST_F(Overnight, OnlyOneWritesAtATime) {
+    prepare_here();
+    std::vector<ChunkPlan> plan{{package::Type::meta, package::scene_wide, 0, 4}};
+    PackageWriter other(file, plan);
+    const Outcome second = prepare_program("--thumbnail 128");
+    EXPECT_EQ(second.code, int(Exit::storage));
+    EXPECT_TRUE(one_line(second.err)) << second.err;
+    EXPECT_NE(second.err.find("another process is writing it"), std::string::npos) << second.err;
+}
+
+TEST_F(Overnight, SharesMergeIntoTheBytesOfOneRun) {
+    fs::resize_file(photos()[4], 1000);  // and a photo that is left out
+    const std::string bytes = undisturbed();
+    for (const unsigned n : {1u, 2u, 5u, 8u}) {
+        std::vector<fs::path> shares;
+        for (unsigned i = 1; i <= n; ++i) {
+            shares.insert(shares.begin(), dir / ("share" + std::to_string(i)));
+            PrepareRun run;
+            run.share = {i, n};
+            prepare(
+                read_scene(discover(scene)), {}, shares.front(), [](const Progress&) {}, run);
+        }
+        merge(shares, file);
+        expect_whole(bytes, std::to_string(n) + " shares");
+        EXPECT_THROW(merge({shares.begin() + 1, shares.end()}, dir / "lacking"), Error);
+    }
+}
+
+TEST_F(Overnight, SharesOfOtherInputsAreRefused) {
+    for (const std::uint32_t i : {1u, 2u}) {
+        PrepareRun run;
+        run.share = {i, 2};
+        PrepareSettings settings;
+        settings.border_width = 60 + i;
+        prepare(
+            read_scene(discover(scene)), settings, dir / std::to_string(i), [](const Progress&) {}, run);
+    }
+    const Outcome merged =
+        run("merge " + (dir / "1").string() + " " + (dir / "2").string() + " -o " + file.string());
+    EXPECT_EQ(merged.code, int(Exit::input));
+    EXPECT_TRUE(one_line(merged.err)) << merged.err;
+    EXPECT_FALSE(fs::exists(file));
+    EXPECT_EQ(run("check " + (dir / "1").string()).code, int(Exit::damaged)) << "a share is no package";
+}
+
+TEST_F(Overnight, DiffNamesWhatDiffers) {
+    prepare_here();
+    const fs::path other = dir / "other.vantage";
+    fs::copy_file(file, other);
+    EXPECT_EQ(run("diff " + file.string() + " " + other.string()).code, 0);
+    fs::copy_file(photos()[1], photos()[4], fs::copy_options::overwrite_existing);
+    prepare_here();
+    const Outcome d =
+        run("diff " + file.string() + " " + other.string() + " -o " + (dir / "pictures").string());
+    EXPECT_EQ(d.code, int(Exit::different)) << d.err;
+    const std::string name = photos()[4].filename().string();
+    EXPECT_NE(d.out.find(name + ": tiles: level 0: "), std::string::npos) << d.out;
+    EXPECT_EQ(d.out.find(photos()[3].filename().string()), std::string::npos)
+        << "the others are the same: " << d.out;
+    EXPECT_TRUE(fs::exists(dir / "pictures" / (photos()[4].stem().string() + "-tiles.png")));
+}
