@@ -6,6 +6,7 @@
 #include "player/measure/evaluate.h"
 #include "player/offscreen.h"
 #include "player/options.h"
+#include "player/verify/verify.h"
 #include "player/window.h"
 #include "scene/error.h"
 
@@ -47,6 +48,15 @@ int evaluate(int argc, char** argv) {
     return run_evaluate(PackageReader(options.player.package), options);
 }
 
+int verify(int argc, char** argv) {
+    using namespace vantage;
+    CLI::App app{"vantage-player verify compares what packages show with pictures that were stored of them."};
+    VerifyOptions options;
+    add_verify_options(app, options);
+    if (const auto code = parse(app, argc, argv)) return *code;
+    return run_verify(options);
+}
+
 int play(int argc, char** argv) {
     using namespace vantage;
     CLI::App app{"vantage-player shows a prepared package: a scanned object through its own photos."};
@@ -70,6 +80,7 @@ int main(int argc, char** argv) {
     try {
         if (command == "bench") return bench(argc - 1, argv + 1);
         if (command == "evaluate") return evaluate(argc - 1, argv + 1);
+        if (command == "verify") return verify(argc - 1, argv + 1);
         return play(argc, argv);
     } catch (const vantage::Error& e) {
         std::fprintf(stderr, "vantage-player: %s\n", e.what());

@@ -140,7 +140,7 @@ void add_options(CLI::App& app, Options& o) {
         "  vantage-player chapel.vantage --offscreen --photo 0003 -o 0003.png\n"
         "  vantage-player chapel.vantage --offscreen --photo all --scale 0.5 --blend best -o pictures\n"
         "  vantage-player chapel.vantage --offscreen --view 4,-9,2,0,0,1,40 --size 1920x1080 -o view.png\n"
-        "  vantage-player bench --help\n"
+        "  vantage-player bench --help, evaluate --help, verify --help\n"
         "Exit codes: 0 well, 2 usage, 3 input, 4 damaged package, 6 storage, 7 graphics.");
 }
 

@@ -1,11 +1,10 @@
 // vantage prepare as it is left alone overnight: cut off, gone on with, short of disk, fed with bad photos,
 // divided.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
+#include "overnight.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <random>
 
@@ -17,69 +16,12 @@
 #include "pipeline/synth/synthesise.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
-#include "temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
 using package::Stage;
 
 namespace {
-
-struct Outcome {
-    int code;  ///< -1 where a signal ended it
-    std::string out, err;
-};
-
-class Overnight : public TemporaryFolder {
-  protected:
-    const fs::path scene = dir / "scene", file = dir / "scene.vantage";
-
-    void SetUp() override {
-        TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
-        spec.photos.count = 6;
-        spec.photos.samples = 1;
-        synthesise(spec, scene, {});
-        ::setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);
-        ::setenv("MESA_SHADER_CACHE_DIR", fs::temp_directory_path().c_str(), 1);  // compiled once for all tests
-    }
-
-    Outcome run(const std::string& words, const std::string& before = "") const {
-        const fs::path out = dir / "out.txt", err = dir / "err.txt";
-        const int status = std::system(
-            (before + " " VANTAGE_PROGRAM " " + words + " >" + out.string() + " 2>" + err.string()).c_str());
-        const bool exited = WIFEXITED(status) && WEXITSTATUS(status) < 128;
-        return {exited ? WEXITSTATUS(status) : -1, slurp(out), slurp(err)};
-    }
-    Outcome prepare_program(const std::string& options = "", const std::string& before = "") const {
-        return run("prepare --progress none " + scene.string() + " -o " + file.string() + " " + options,
-                   before);
-    }
-    Outcome with_fault(const std::string& fault, const std::string& options = "") const {
-        return prepare_program(options, "FAULT=" + fault + " LD_PRELOAD=" FAULTY_DISK);
-    }
-    /// What an undisturbed run gives.
-    std::string undisturbed(const PrepareSettings& settings = {}) const {
-        const fs::path other = dir / "undisturbed.vantage";
-        fs::remove(other);
-        prepare(read_scene(discover(scene)), settings, other, [](const Progress&) {});
-        return slurp(other);
-    }
-    PrepareResult prepare_here(const PrepareSettings& settings = {}) const {
-        return prepare(read_scene(discover(scene)), settings, file, [](const Progress&) {});
-    }
-    std::vector<fs::path> photos() const {
-        std::vector<fs::path> all;
-        for (const auto& e : fs::directory_iterator(discover(scene).photos)) all.push_back(e.path());
-        std::ranges::sort(all);
-        return all;
-    }
-    void expect_whole(const std::string& bytes, const std::string& after) const {
-        EXPECT_TRUE(slurp(file) == bytes) << after << ": not the bytes of an undisturbed run";
-        EXPECT_FALSE(fs::exists(part_of(file))) << after;
-        EXPECT_FALSE(fs::exists(former_part_of(file))) << after;
-    }
-};
 
 std::size_t made(const PrepareResult& p, Stage s) { return p.stages[std::size_t(s)].made; }
 std::size_t kept(const PrepareResult& p, Stage s) { return p.stages[std::size_t(s)].kept; }

@@ -43,4 +43,20 @@ void write_png(const std::filesystem::path& file, const Picture& picture) {
                     (written ? std::string("not renamed into place") : std::string(image.message)));
 }
 
+Picture read_png(const std::filesystem::path& file) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    Picture picture;
+    if (png_image_begin_read_from_file(&image, file.c_str())) {
+        image.format = PNG_FORMAT_RGBA;
+        picture.width = int(image.width);
+        picture.height = int(image.height);
+        picture.rgba.resize(PNG_IMAGE_SIZE(image));
+        if (png_image_finish_read(&image, nullptr, picture.rgba.data(), 0, nullptr)) return picture;
+    }
+    const std::string why = image.message;
+    png_image_free(&image);
+    throw Error(Exit::input, file.string() + ": cannot be read: " + why);
+}
+
 }  // namespace vantage

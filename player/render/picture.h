@@ -20,5 +20,7 @@ Picture take_picture(Renderer& renderer, const View& view, const RenderSettings&
 
 /// Writes a PNG beside the file and renames it. Throws Error(storage).
 void write_png(const std::filesystem::path& file, const Picture& picture);
+/// Throws Error(input).
+Picture read_png(const std::filesystem::path& file);
 
 }  // namespace vantage

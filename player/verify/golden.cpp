@@ -1,0 +1,71 @@
+#include "player/verify/golden.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "player/camera_path.h"
+#include "player/navigation.h"
+#include "scene/error.h"
+
+namespace vantage {
+
+void write_usual_views(const std::filesystem::path& file, const PackageReader& package) {
+    const auto photos = package.photos();
+    const Eigen::Vector3d up = mean_up(photos);
+    std::vector<Navigation> stands, views;
+    for (const package::PhotoRecord& p : photos)
+        if (p.levels > 0) stands.push_back(stand_at(p, up));
+    if (stands.empty()) throw Error(Exit::input, package.path().string() + ": has no photo to look from");
+    const std::size_t count = std::min<std::size_t>(4, stands.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = i * stands.size() / count;
+        Navigation n = between(stands[at], stands[(at + 1) % stands.size()], 0.4);
+        approach(n, i % 2 ? 0.7 : 1.2);
+        views.push_back(n);
+    }
+    write_path(file, views, package);
+}
+
+GoldenDifference compare_pictures(const Picture& stored, const Picture& now, int tolerance) {
+    GoldenDifference d;
+    if (stored.width != now.width || stored.height != now.height) {
+        d.problem = "stored as " + std::to_string(stored.width) + "x" + std::to_string(stored.height) +
+                    ", is " + std::to_string(now.width) + "x" + std::to_string(now.height);
+        return d;
+    }
+    std::size_t beyond = 0;
+    double total = 0;
+    const std::size_t pixels = stored.rgba.size() / 4;
+    for (std::size_t p = 0; p < pixels; ++p) {
+        int off = 0;
+        for (std::size_t c = 4 * p; c < 4 * p + 4; ++c)
+            off = std::max(off, std::abs(int(stored.rgba[c]) - int(now.rgba[c])));
+        beyond += off > tolerance;
+        total += off;
+        if (off <= d.worst) continue;
+        d.worst = off;
+        d.x = int(p % std::size_t(stored.width));
+        d.y = int(p / std::size_t(stored.width));
+    }
+    d.share = pixels ? double(beyond) / double(pixels) : 0;
+    d.mean = pixels ? total / double(pixels) : 0;
+    return d;
+}
+
+Picture side_by_side(const Picture& stored, const Picture& now) {
+    constexpr int gain = 8;
+    const auto w = std::size_t(stored.width);
+    Picture out{3 * stored.width, stored.height, std::vector<std::uint8_t>(3 * stored.rgba.size(), 255), {}};
+    for (std::size_t p = 0; p < stored.rgba.size() / 4; ++p) {
+        const std::size_t to = 4 * ((p / w) * 3 * w + p % w);
+        for (std::size_t c = 0; c < 4; ++c) {
+            const int a = stored.rgba[4 * p + c], b = now.rgba[4 * p + c];
+            out.rgba[to + c] = std::uint8_t(a);
+            out.rgba[to + 4 * w + c] = std::uint8_t(b);
+            if (c < 3) out.rgba[to + 8 * w + c] = std::uint8_t(std::min(255, gain * std::abs(a - b)));
+        }
+    }
+    return out;
+}
+
+}  // namespace vantage

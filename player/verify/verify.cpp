@@ -1,0 +1,202 @@
+#include "player/verify/verify.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "gl/context.h"
+#include "player/offscreen.h"
+#include "player/verify/golden.h"
+#include "scene/error.h"
+#include "scene/junit.h"
+#include "scene/make_folder.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What was found of one package.
+struct Verified {
+    std::string package;
+    Exit exit = Exit::ok;
+    std::vector<std::string> lines;  ///< what is wrong
+    std::vector<GoldenDifference> views;
+    double seconds = 0;
+
+    void wrong(Exit code, const std::string& line) {
+        exit = code;
+        lines.push_back(line);
+    }
+};
+
+/// Of one package the folder itself; of several, the folder in it that is called like the package.
+fs::path golden_of(const VerifyOptions& o, const std::string& package) {
+    return o.packages.size() == 1 ? o.golden : o.golden / fs::path(package).stem();
+}
+
+std::string percent(double share) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g %%", 100 * share);
+    return text;
+}
+
+std::string words(const GoldenDifference& d, int tolerance) {
+    if (!d.problem.empty()) return d.view + ": " + d.problem;
+    return d.view + ": " + percent(d.share) + " of the pixels are off by more than " +
+           std::to_string(tolerance) + ", the worst by " + std::to_string(d.worst) + " of 255 at " +
+           std::to_string(d.x) + "," + std::to_string(d.y);
+}
+
+void verify_view(const VerifyOptions& o, const fs::path& folder, const Shot& shot, const Picture& now,
+                 Verified& out) {
+    const fs::path file = folder / (shot.name + ".png");
+    if (o.update) return write_png(file, now);
+    GoldenDifference d;
+    if (!fs::exists(file)) {
+        d.problem = "no picture is stored, see --update";
+    } else {
+        const Picture stored = read_png(file);
+        d = compare_pictures(stored, now, o.tolerance);
+        if (d.problem.empty() && d.share > o.share) {
+            const fs::path pictures = o.differences / fs::path(out.package).stem();
+            make_folder(pictures);
+            write_png(pictures / (shot.name + ".png"), side_by_side(stored, now));
+        }
+    }
+    d.view = shot.name;
+    if (!d.problem.empty() || d.share > o.share) out.wrong(Exit::different, words(d, o.tolerance));
+    out.views.push_back(d);
+}
+
+void verify_package(const VerifyOptions& o, Verified& out) {
+    const PackageReader package(out.package);
+    const fs::path folder = golden_of(o, out.package), views = folder / "views.path";
+    if (o.update) make_folder(folder);
+    if (o.update && !fs::exists(views)) write_usual_views(views, package);
+    Options settings;
+    settings.package = out.package;
+    settings.offscreen = true;
+    const std::vector<std::uint32_t> photos = photos_in_use(package, settings);
+    Renderer renderer(package, memory_budget(settings));
+    for (const Shot& shot : read_path(views.string(), package, parse_size(o.size))) {
+        const Picture now = take_picture(renderer, shot.view, render_settings(package, settings), photos, 2);
+        if (now.report.tiles_damaged)
+            return out.wrong(Exit::damaged,
+                             std::to_string(now.report.tiles_damaged) + " tiles have a wrong checksum");
+        verify_view(o, folder, shot, now, out);
+    }
+}
+
+/// What is wrong with the package is its own; what is wrong with the disk ends it all.
+Verified verify_one(const VerifyOptions& o, const std::string& package) {
+    Verified out;
+    out.package = package;
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        verify_package(o, out);
+    } catch (const Error& e) {
+        if (e.code() != Exit::damaged && e.code() != Exit::input) throw;
+        std::string text = e.what();
+        if (text.starts_with(package + ": ")) text.erase(0, package.size() + 2);
+        out.wrong(e.code(), text);
+    }
+    out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return out;
+}
+
+const char* kind(Exit code) {
+    if (code == Exit::ok) return "";
+    if (code == Exit::input) return "unreadable";
+    return code == Exit::damaged ? "damaged" : "different";
+}
+
+void print(const VerifyOptions& o, const Verified& v) {
+    for (const std::string& line : v.lines)
+        std::printf("%s: %s: %s\n", v.package.c_str(), kind(v.exit), line.c_str());
+    if (!v.lines.empty()) return;
+    int worst = 0;
+    for (const GoldenDifference& d : v.views) worst = std::max(worst, d.worst);
+    if (o.update)
+        std::printf("%s: stored\n", v.package.c_str());
+    else
+        std::printf("%s: as stored, %zu views, worst pixel %d of 255\n", v.package.c_str(), v.views.size(),
+                    worst);
+    std::fflush(stdout);
+}
+
+void print_json(const std::vector<Verified>& all) {
+    nlohmann::json out{{"packages", nlohmann::json::array()}};
+    for (const Verified& v : all) {
+        nlohmann::json views = nlohmann::json::array();
+        for (const GoldenDifference& d : v.views)
+            views.push_back({{"view", d.view},
+                             {"problem", d.problem},
+                             {"worst", d.worst},
+                             {"x", d.x},
+                             {"y", d.y},
+                             {"share", d.share},
+                             {"mean", d.mean}});
+        out["packages"].push_back({{"file", v.package},
+                                   {"kind", kind(v.exit)},
+                                   {"issues", v.lines},
+                                   {"views", views},
+                                   {"seconds", v.seconds}});
+    }
+    std::printf("%s\n", out.dump(1).c_str());
+}
+
+CheckCase junit_case(const Verified& v) {
+    std::string text;
+    for (const std::string& line : v.lines) text += (text.empty() ? "" : "\n") + line;
+    return {v.package, kind(v.exit), text, v.seconds};
+}
+
+}  // namespace
+
+void add_verify_options(CLI::App& app, VerifyOptions& o) {
+    app.add_option("FILES", o.packages, "the packages")->required();
+    app.add_option(
+           "--golden", o.golden,
+           "folder of views.path and the stored pictures; of several packages, the folder that holds theirs")
+        ->required();
+    app.add_flag("--update", o.update, "store the pictures; views, too, where none are recorded");
+    app.add_option("--size", o.size, "WIDTHxHEIGHT of the pictures")->capture_default_str();
+    app.add_option("--tolerance", o.tolerance, "grey levels that a pixel may be off")
+        ->check(CLI::Range(0, 255))
+        ->capture_default_str();
+    app.add_option("--share", o.share, "of the pixels that may be off by more")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    app.add_option("-o,--output", o.differences, "folder for pictures of the differences")
+        ->capture_default_str();
+    app.add_option("--junit", o.junit, "write a JUnit file for CI");
+    app.add_flag("--json", o.json, "machine-readable output");
+    app.footer(
+        "views.path holds a view a line, as the window records them and --path reads them.\n"
+        "Examples:\n"
+        "  vantage-player verify chapel.vantage --golden golden/chapel --update\n"
+        "  vantage-player verify chapel.vantage --golden golden/chapel\n"
+        "  vantage-player verify shelf/*.vantage --golden golden --junit pictures.xml   (shelf/a.vantage by "
+        "golden/a)\n"
+        "Exit code, the worst of all packages: 3 unreadable, 4 damaged, 10 different, 0 none of these.");
+}
+
+int run_verify(const VerifyOptions& o) {
+    const gl::HeadlessContext context;
+    std::vector<Verified> all;
+    std::vector<CheckCase> cases;
+    for (const std::string& package : o.packages) {
+        all.push_back(verify_one(o, package));
+        cases.push_back(junit_case(all.back()));
+        if (!o.json) print(o, all.back());
+    }
+    if (o.json) print_json(all);
+    if (!o.junit.empty()) write_junit(o.junit, "vantage-player verify", cases);
+    for (const Exit code : {Exit::input, Exit::damaged, Exit::different})
+        if (std::ranges::count(all, code, &Verified::exit) > 0) return int(code);
+    return int(Exit::ok);
+}
+
+}  // namespace vantage
