@@ -21,9 +21,9 @@ Exit worst(const std::vector<Issue>& issues);
 
 /// What a check goes into.
 struct CheckDepth {
-    bool deep = false;              ///< every tile's checksum, and what it means
-    std::filesystem::path against{};///< the package's input folder, where it is to be compared
-    bool rehash = false;            ///< inputs are read, whatever their sizes and times say
+    bool deep = false;                ///< every tile's checksum, and what it means
+    std::filesystem::path against{};  ///< the package's input folder, where it is to be compared
+    bool rehash = false;              ///< inputs are read, whatever their sizes and times say
 };
 
 /// Structure, checksums of heads, meaning and completeness; problems of opening are issues as well.

@@ -13,6 +13,7 @@
 #include "pipeline/stages/clusters.h"
 #include "pipeline/stages/coverage.h"
 #include "pipeline/stages/masks.h"
+#include "pipeline/stages/near_distance.h"
 #include "pipeline/stages/pyramid.h"
 #include "pipeline/stages/undistort.h"
 #include "pipeline/stages/visibility.h"
@@ -91,26 +92,28 @@ std::vector<std::uint8_t> write_pixels(const PhotoStages& s, std::uint32_t i, co
     return valid;
 }
 
-std::vector<float> distances(const PhotoStages& s, std::vector<std::uint8_t> borders,
+/// To the nearest border, as far as the mask goes: `reach` pixels.
+std::vector<float> distances(const PhotoStages& s, const std::vector<std::uint8_t>& borders, int reach,
                              const PhotoGeometry& g) {
-    if (s.key.distance == DistanceMethod::exact) return exact_distance(borders, g.width, g.height);
+    if (s.key.distance == DistanceMethod::exact)
+        return reach <= farthest_near ? near_distance(borders, g.width, g.height, reach)
+                                      : exact_distance(borders, g.width, g.height);
     const auto flood = [&] {
         return flood_distance(s.buffers.jump_flood, borders, g.width, g.height, s.key.distance);
     };
     return s.gl.submit(flood).get();
 }
 
-void write_masks(const PhotoStages& s, std::uint32_t i, const PhotoGeometry& g,
-                 std::vector<std::uint8_t> valid, const Intrinsics& k, int levels) {
+void write_masks(const PhotoStages& s, std::uint32_t i, PhotoGeometry g, std::vector<std::uint8_t> valid,
+                 const Intrinsics& k, int levels) {
     const Traced traced(s.trace, "masks", s.scene.photos[i].name);
     const DepthMap depth{g.width, g.height, g.z, std::move(valid)};
     const double scale = 1.0 / (1 << mask_level);
     const double full = s.key.settings.border_width * k.width / 3072 * scale;
-    const auto border =
-        border_mask(distances(s, find_borders(depth, float(s.key.settings.border_threshold)), g), g.width,
-                    g.height, float(full));
-    MaskLevel masks{g.width, g.height,
-                    combine_masks(g, border, std::sqrt(k.fx * k.fy), s.key.reference_density), g.z};
+    const auto borders = find_borders(depth, float(s.key.settings.border_threshold));
+    const auto border = border_mask(distances(s, borders, int(full) + 3, g), g.width, g.height, float(full));
+    auto combined = combine_masks(g, border, std::sqrt(k.fx * k.fy), s.key.reference_density);
+    MaskLevel masks{g.width, g.height, std::move(combined), std::move(g.z)};
     for (int l = mask_level;; ++l) {
         const Level size{masks.width, masks.height};
         write_tiles(s.writer, Type::masks, i, std::uint32_t(l), bytes_of(masks.masks), size);
@@ -268,8 +271,8 @@ void make_from_geometry(const PhotoRun& run, const Due& due, const FrameTriangle
         record_findings(geometry, run.k, run.pose, r);
         if (r.levels) s.writer.write(Type::coordinates, run.i, bytes_of(geometry.coordinates));
     }
-    if (due[Stage::masks]) write_masks(s, run.i, geometry, std::move(valid), run.k, int(r.levels));
     if (due[Stage::coverage]) write_coverage(s, run.i, triangles, geometry, run.k, run.pose);
+    if (due[Stage::masks]) write_masks(s, run.i, std::move(geometry), std::move(valid), run.k, int(r.levels));
 }
 
 /// Makes the stages that are due: the model is rendered while the photo is decoded and cut.

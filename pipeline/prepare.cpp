@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/for_each_photo.h"
+#include "pipeline/needs.h"
 #include "pipeline/photo_stages.h"
 #include "pipeline/provenance.h"
+#include "pipeline/room.h"
 #include "pipeline/stages/inspect.h"
 #include "pipeline/stages/pyramid.h"
 #include "pipeline/stages/subdivide.h"
@@ -55,12 +58,12 @@ class Tally {
     const std::vector<std::unique_ptr<Former>>& formers_;
 };
 
-void run_photos(const PhotoStages& s, Photos& photos, const PrepareRun& run, Tally& tally,
+void run_photos(const PhotoStages& s, Photos& photos, unsigned in_flight, const PrepareRun& run, Tally& tally,
                 const std::function<void(const Progress&)>& progress) {
     std::mutex mutex;
     std::size_t done = 0, total = 0;
     for (std::size_t i = 0; i < photos.records.size(); ++i) total += run.share.holds(i);
-    for_each_photo(photos.records.size(), s.key.settings.threads, [&](std::size_t i) {
+    for_each_photo(photos.records.size(), in_flight, [&](std::size_t i) {
         if (!run.share.holds(i) || (run.stop && *run.stop)) return;
         const auto made = run_photo(s, std::uint32_t(i), photos.records[i], photos.states[i]);
         const std::scoped_lock lock(mutex);
@@ -144,10 +147,61 @@ void complete_record(package::SceneRecord& record, const SceneInput& scene, cons
     for (const EffectDecision& d : effects) record.effects |= std::uint64_t(d.on) << int(d.effect);
 }
 
+/// All that is settled before the first photo is begun.
+struct Plan {
+    PackedModel model;
+    DistanceMethod distance;
+    Photos photos;
+    std::string meta;
+    std::vector<ChunkPlan> chunks;
+    std::uint64_t names;
+};
+
+PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace* trace) {
+    const Traced traced(trace, "model");
+    subdivide_large_triangles(scene.mesh);
+    return pack_model(scene.mesh, settings.cluster_triangles);
+}
+
+/// Fills in the rest of a plan that holds the model.
+void complete_plan(Plan& plan, const SceneInput& scene, const PrepareSettings& settings,
+                   const PrepareRun& run, IdentityCache& identities) {
+    const Traced traced(run.trace, "inspect");
+    const std::vector<EffectDecision> effects = inspect(scene, settings.effects);
+    complete_record(plan.model.record, scene, settings, effects);
+    plan.photos.records = photo_records(scene, settings, plan.model.origin);
+    plan.photos.states.resize(plan.photos.records.size());
+    plan.meta = provenance(scene, settings, effects, identities);
+    plan.chunks = plan_chunks(plan.model.record, {plan.meta.size(), !scene.mesh.colors.empty()},
+                              plan.photos.records, run.share);
+    plan.names = names_checksum(plan.photos.records);
+}
+
+/// Makes room, and says what it will take. Throws where there is too little of something.
+Needs see_to_needs(const Plan& plan, const SceneInput& scene, const PrepareSettings& settings,
+                   const PrepareRun& run, const std::filesystem::path& out) {
+    const PackageLayout layout = package_layout(plan.chunks, plan.names);
+    const std::uint64_t photo = photo_memory(scene, plan.model.record);
+    const std::uint64_t base = memory_now() + scene_memory(plan.model.record);
+    const unsigned in_flight = photos_in_flight(settings, base, photo);
+    const double share = run.share.shares ? 1.0 / run.share.shares : 1;
+    const Needs needs{layout.bytes, room_for(out), base + in_flight * photo, in_flight,
+                      share * expected_seconds(scene, plan.model.record, in_flight)};
+    if (run.needs) run.needs(needs);
+    make_room(out, layout);
+    return needs;
+}
+
+void write_scene(PackageWriter& writer, const Plan& plan, const SceneInput& scene, Trace* trace) {
+    const Traced traced(trace, "write model");
+    writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(plan.meta)));
+    write_model(writer, plan.model, scene.mesh);
+}
+
 }  // namespace
 
 PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const std::filesystem::path& out,
-                 const std::function<void(const Progress&)>& progress, const PrepareRun& run) {
+                      const std::function<void(const Progress&)>& progress, const PrepareRun& run) {
     if (settings.photo_size > 0) reduce_photos(scene, settings.photo_size);
     if (scene.mesh.points_only())
         throw Error(Exit::input,
@@ -157,44 +211,33 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     GlThread gl;
     IdentityCache identities(usual_identity_cache(), run.rehash);
     progress({"inspect", "", 0, scene.photos.size()});
-    PackedModel model = [&] {
-        const Traced traced(run.trace, "model");
-        subdivide_large_triangles(scene.mesh);
-        return pack_model(scene.mesh, settings.cluster_triangles);
-    }();
-    const DistanceMethod distance = settled(settings.distance, gl.device());
-    UploadedModel uploaded(gl, model, scene.mesh.normals, distance);
+    Plan plan{make_model(scene, settings, run.trace), settled(settings.distance, gl.device()), {}, {}, {}, 0};
+    const PackedModel& model = plan.model;
+    UploadedModel uploaded(gl, model, scene.mesh.normals, plan.distance);
     auto rays = std::async(std::launch::async, [&] {
         const Traced traced(run.trace, "rays");
         return RayScene(model.positions, model.indices);
     });
-    const std::vector<EffectDecision> effects = [&] {
-        const Traced traced(run.trace, "inspect");
-        return inspect(scene, settings.effects);
-    }();
-    complete_record(model.record, scene, settings, effects);
-    Photos photos{photo_records(scene, settings, model.origin), {}};
-    photos.states.resize(photos.records.size());
-    const std::string meta = provenance(scene, settings, effects, identities);
-    PackageWriter writer(
-        out, plan_chunks(model.record, {meta.size(), !scene.mesh.colors.empty()}, photos.records, run.share),
-        names_checksum(photos.records), run.share);
+    complete_plan(plan, scene, settings, run, identities);
+    const Needs needs = see_to_needs(plan, scene, settings, run, out);
+    PackageWriter writer(out, plan.chunks, plan.names, run.share);
     const auto formers = formers_of(out, writer.resumed());
-    {
-        const Traced traced(run.trace, "write model");
-        writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(meta)));
-        write_model(writer, model, scene.mesh);
-    }
-    const SceneKey key{settings, distance, bool(model.record.effects >> int(Effect::undistortion) & 1),
+    write_scene(writer, plan, scene, run.trace);
+
+    const SceneKey key{settings, plan.distance, bool(model.record.effects >> int(Effect::undistortion) & 1),
                        model_checksum(model, scene.mesh.normals), model.record.reference_density};
-    Tally tally(scene, nlohmann::json::parse(meta)["config"], formers);
-    run_photos({scene, key, model, uploaded.get(), gl, writer, identities, formers, rays.share(), run.strict,
-                run.trace},
-               photos, run, tally, progress);
-    note_left_out(scene, photos, tally.result);
-    writer.write(Type::photos, package::scene_wide, bytes_of(photos.records));
-    writer.write(Type::states, package::scene_wide, bytes_of(photos.states));
-    progress({"pack", "", photos.records.size(), photos.records.size()});
+    Tally tally(scene, nlohmann::json::parse(plan.meta)["config"], formers);
+    const PhotoStages stages{scene,      key,     model,        uploaded.get(), gl,       writer,
+                             identities, formers, rays.share(), run.strict,     run.trace};
+    const auto start = std::chrono::steady_clock::now();
+    run_photos(stages, plan.photos, needs.in_flight, run, tally, progress);
+    if (formers.empty())
+        remember_speed(needs.seconds,
+                       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    note_left_out(scene, plan.photos, tally.result);
+    writer.write(Type::photos, package::scene_wide, bytes_of(plan.photos.records));
+    writer.write(Type::states, package::scene_wide, bytes_of(plan.photos.states));
+    progress({"pack", "", plan.photos.records.size(), plan.photos.records.size()});
     const Traced traced(run.trace, "flush");
     writer.finish();
     return tally.result;

@@ -27,7 +27,8 @@ struct PrepareSettings {
     int photo_size = 0;              ///< px on the long side that photos are reduced to; 0: as they are
     Resampling resampling = Resampling::cubic;  ///< of photos whose lens bends lines
     unsigned cluster_triangles = 256;
-    unsigned threads = 0;  ///< 0: all cores; also the number of photos in flight
+    unsigned threads = 0;      ///< 0: all cores; also the number of photos in flight
+    std::uint64_t memory = 0;  ///< bytes that must do, by having fewer photos in flight; 0: any
     std::vector<std::string> hold_out;
     std::map<Effect, EffectChoice> effects;
 };
@@ -39,6 +40,14 @@ struct Progress {
     std::size_t done, total;
 };
 
+/// What a preparation will take, known before its photos are begun.
+struct Needs {
+    std::uint64_t disk, disk_free;  ///< bytes
+    std::uint64_t memory;           ///< bytes at most
+    unsigned in_flight;             ///< photos at a time
+    double seconds;                 ///< where nothing can be kept
+};
+
 /// How a run goes about it; the package does not depend on it.
 struct PrepareRun {
     const std::atomic<bool>* stop = nullptr;  ///< set: the photos in hand are finished, and no more begun
@@ -46,6 +55,7 @@ struct PrepareRun {
     bool rehash = false;                      ///< read files to know them, whatever their times say
     Share share{};                            ///< of the photos; all, where it is not given
     Trace* trace = nullptr;                   ///< to be told when what was done
+    std::function<void(const Needs&)> needs;  ///< told before the photos are begun
 };
 
 /// What a run did.
@@ -63,6 +73,6 @@ struct PrepareResult {
 /// done is kept in FILE.part, and of a finished package all that was made from the same. The file appears
 /// only when whole. Throws Error; Error(interrupted) when stopped.
 PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const std::filesystem::path& out,
-                 const std::function<void(const Progress&)>& progress, const PrepareRun& run = {});
+                      const std::function<void(const Progress&)>& progress, const PrepareRun& run = {});
 
 }  // namespace vantage

@@ -1,6 +1,7 @@
 #include "scene/package_reader.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -45,6 +46,7 @@ struct PackageReader::Mapping {
             const std::string why = fd < 0 ? std::strerror(errno) : "not a regular file";
             throw Error(Exit::input, path.string() + ": cannot open: " + why);
         }
+        ::flock(fd, LOCK_SH | LOCK_NB);  // where a writer holds it, this is that writer
         size = std::uint64_t(st.st_size);
         if (size < sizeof(package::Header))
             damaged("not a Vantage package: " + std::to_string(size) + " bytes, a header has 64");

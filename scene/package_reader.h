@@ -14,7 +14,8 @@
 namespace vantage {
 
 /// A mapped package. Opening checks header and directory against the file and against each other; it reads
-/// nothing else. Spans point into the mapping and live as long as the reader.
+/// nothing else. While it is open it holds a shared lock, by which others see that the file is in use. Spans
+/// point into the mapping and live as long as the reader.
 class PackageReader {
   public:
     /// What a file may be: a whole package, or also one that is still being prepared, of which only the

@@ -94,7 +94,10 @@ bool same_place(const DirectoryEntry& a, const DirectoryEntry& b) {
 
 }  // namespace
 
-std::uint64_t package_bytes(std::span<const ChunkPlan> plan) { return lay_out(plan).size; }
+PackageLayout package_layout(std::span<const ChunkPlan> plan, std::uint64_t names) {
+    const Layout layout = lay_out(plan);
+    return {layout.size, layout_checksum(layout, names)};
+}
 
 std::filesystem::path part_of(const std::filesystem::path& file) { return file.string() + ".part"; }
 std::filesystem::path former_part_of(const std::filesystem::path& file) { return file.string() + ".former"; }

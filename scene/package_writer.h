@@ -28,8 +28,12 @@ struct Share {
     bool holds(std::size_t photo) const { return shares == 0 || photo % shares == share - 1; }
 };
 
-/// The bytes that a package of these chunks will have.
-std::uint64_t package_bytes(std::span<const ChunkPlan> plan);
+/// The bytes that a package of these chunks will have, and a checksum of where they lie.
+struct PackageLayout {
+    std::uint64_t bytes, checksum;
+};
+/// `names` is a checksum of the photos' names, in order.
+PackageLayout package_layout(std::span<const ChunkPlan> plan, std::uint64_t names);
 
 /// The file that `file` is written as until it is whole, and the one an unfit earlier one is moved to.
 std::filesystem::path part_of(const std::filesystem::path& file);

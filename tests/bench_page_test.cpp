@@ -5,9 +5,9 @@
 #include <random>
 #include <set>
 
+#include "pipeline/report/base64.h"
 #include "scene/error.h"
 #include "temporary_folder.h"
-#include "pipeline/report/base64.h"
 #include "tests/bench/front.h"
 #include "tests/bench/gnuplot.h"
 #include "tests/bench/moved.h"

@@ -1,8 +1,10 @@
 // Preloaded into a program, it makes the disk fail where a test wants it to: FAULT="CALL:N:HOW", where from
-// the N-th CALL (pwrite, fallocate, fsync, rename) on the call fails with HOW (ENOSPC, EIO, EACCES), or the
-// N-th kills the process first (KILL) or after it was done (KILL_AFTER), as a power cut would.
+// the N-th CALL (pwrite, fallocate, fsync, rename; of statvfs: says that there is no room) on the call fails
+// with HOW (ENOSPC, EIO, EACCES), or the N-th kills the process first (KILL) or after it was done
+// (KILL_AFTER), as a power cut would.
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/statvfs.h>
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -67,6 +69,11 @@ int posix_fallocate(int fd, off_t from, off_t size) {
     const int result =
         faulty("fallocate", [&] { return next<int(int, off_t, off_t)>("posix_fallocate")(fd, from, size); });
     return result < 0 ? errno : result;
+}
+int statvfs(const char* path, struct statvfs* out) {
+    const int result = next<int(const char*, struct statvfs*)>("statvfs")(path, out);
+    if (faulty("statvfs", [] { return 0; }) < 0) out->f_bavail = 0;  // no room
+    return result;
 }
 int fsync(int fd) {
     return faulty("fsync", [&] { return next<int(int)>("fsync")(fd); });

@@ -9,6 +9,7 @@
 #include "gl/context.h"
 #include "pipeline/stages/border.h"
 #include "pipeline/stages/clusters.h"
+#include "pipeline/stages/near_distance.h"
 #include "pipeline/stages/pyramid.h"
 
 using namespace vantage;
@@ -42,6 +43,21 @@ TEST(BorderDistance, ExactIsTheBruteForce) {
     const auto borders = scattered(61, 47, 150);
     const auto exact = exact_distance(borders, 61, 47), truth = brute_force(borders, 61, 47);
     for (std::size_t i = 0; i < truth.size(); ++i) ASSERT_NEAR(exact[i], truth[i], 1e-3) << i;
+}
+
+TEST(BorderDistance, NearIsTheBruteForceWithinItsReach) {
+    for (const auto& [width, height] : {std::pair(61, 47), {1, 90}, {90, 1}, {1, 1}, {33, 3}})
+        for (const int reach : {0, 1, 7, farthest_near}) {
+            const auto borders = scattered(width, height, 30);
+            const auto near = near_distance(borders, width, height, reach);
+            const auto truth = brute_force(borders, width, height);
+            for (std::size_t i = 0; i < truth.size(); ++i)
+                if (truth[i] <= float(reach))
+                    ASSERT_NEAR(near[i], truth[i], 1e-4)
+                        << width << "x" << height << " " << reach << " " << i;
+                else
+                    ASSERT_TRUE(std::isinf(near[i])) << width << "x" << height << " " << reach << " " << i;
+        }
 }
 
 TEST(BorderDistance, JumpFloodingIsNeverNearerThanTheTruthAndAlmostAlwaysRight) {

@@ -124,6 +124,39 @@ TEST_F(Overnight, AFullDiskIsOneLineAndNothingIsLost) {
     }
 }
 
+TEST_F(Overnight, WithoutRoomForBothTheOldPackageBecomesTheNewOne) {
+    prepare_here();
+    fs::copy_file(photos()[1], photos()[4], fs::copy_options::overwrite_existing);
+    const std::string before = slurp(file);
+    {
+        const PackageReader somebody(file);
+        const Outcome refused = with_fault("statvfs:1:FULL");
+        EXPECT_EQ(refused.code, int(Exit::storage));
+        EXPECT_TRUE(one_line(refused.err)) << refused.err;
+        EXPECT_NE(refused.err.find(" MB free"), std::string::npos) << refused.err;
+        EXPECT_TRUE(slurp(file) == before) << "somebody looks at it";
+    }
+    const Outcome done = with_fault("statvfs:1:FULL", "--explain");
+    ASSERT_EQ(done.code, 0) << done.err;
+    EXPECT_NE(done.out.find("tiles        1 made, 5 kept"), std::string::npos) << done.out;
+    expect_whole(undisturbed(), "in place");
+}
+
+TEST_F(Overnight, ADiskTooSmallIsRefusedAtOnce) {
+    const Outcome refused = with_fault("statvfs:1:FULL");
+    EXPECT_EQ(refused.code, int(Exit::storage));
+    EXPECT_TRUE(one_line(refused.err)) << refused.err;
+    EXPECT_NE(refused.out.find("needs    at most "), std::string::npos) << refused.out;
+    EXPECT_FALSE(fs::exists(part_of(file)));
+}
+
+TEST_F(Overnight, MemoryTooSmallIsRefusedAtOnce) {
+    const Outcome refused = prepare_program("--memory 1M");
+    EXPECT_EQ(refused.code, int(Exit::usage));
+    EXPECT_TRUE(one_line(refused.err)) << refused.err;
+    EXPECT_EQ(prepare_program("--memory 2G").code, 0);
+}
+
 TEST_F(Overnight, NothingChangedIsNothingDone) {
     prepare_here();
     const auto written = fs::last_write_time(file);

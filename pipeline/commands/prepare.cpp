@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <optional>
 
 #include "pipeline/commands/commands.h"
@@ -16,6 +16,7 @@
 #include "pipeline/explain.h"
 #include "pipeline/import/discover.h"
 #include "pipeline/import/read_scene.h"
+#include "pipeline/needs.h"
 #include "pipeline/provenance.h"
 #include "pipeline/report/report.h"
 #include "pipeline/stage_keys.h"
@@ -57,14 +58,6 @@ InputFiles input_files(const Options& o) {
     if (files.mesh.empty() || files.cameras.empty() || files.photos.empty())
         throw Error(Exit::usage, "expected an INPUT folder, or --mesh, --cameras and --photos together");
     return files;
-}
-
-/// Of this process so far; 0 where the system does not say.
-double peak_memory_mb() {
-    std::ifstream in("/proc/self/status");
-    for (std::string line; std::getline(in, line);)
-        if (line.starts_with("VmHWM:")) return std::strtod(line.c_str() + 6, nullptr) * 1024 / 1e6;
-    return 0;
 }
 
 /// "3/8": the third of eight shares.
@@ -119,9 +112,18 @@ void print_done(const PrepareResult& done, bool why) {
     }
 }
 
+void print_needs(const Needs& n) {
+    fmt::print(
+        "needs    at most {:.0f} s, {:.0f} MB of memory ({} photos at a time), {:.0f} MB of the disk's "
+        "{:.0f}\n",
+        std::ceil(n.seconds), double(n.memory) / 1e6, n.in_flight, double(n.disk) / 1e6,
+        double(n.disk_free) / 1e6);
+    std::fflush(stdout);
+}
+
 PrepareResult prepare_shown(const Options& o, const SceneInput& scene, Trace& trace) {
     ProgressLine line(progress_style(o.progress));
-    const PrepareRun run{&stop_on_signals(), o.strict, o.rehash, share(o.share), &trace};
+    const PrepareRun run{&stop_on_signals(), o.strict, o.rehash, share(o.share), &trace, print_needs};
     return prepare(
         scene, o.settings, o.out, [&](const Progress& p) { line.show(p); }, run);
 }
@@ -154,11 +156,11 @@ int run_prepare(Options o) {
     const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!o.no_report && o.share.empty())
         write_report(report_file(o), PackageReader(o.out),
-                     ReportRun{done, trace.spans(), s, peak_memory_mb()});
+                     ReportRun{done, trace.spans(), s, double(memory_peak()) / 1e6});
     print_done(done, o.explain);
     fmt::print("package  {} ({:.1f} MB, {:.1f} s)\n", o.out, double(std::filesystem::file_size(o.out)) / 1e6,
                s);
-    fmt::print("memory   {:.0f} MB at most\n", peak_memory_mb());
+    fmt::print("memory   {:.0f} MB at most\n", double(memory_peak()) / 1e6);
     if (!o.no_report && o.share.empty()) fmt::print("report   {}\n", report_file(o).string());
     if (o.explain && o.share.empty())
         for (const std::string& l : explain(o.settings, scene, PackageReader(o.out))) fmt::print("{}\n", l);
@@ -207,6 +209,8 @@ void add_prepare(CLI::App& app, Run& run) {
         ->check(CLI::Range(1, 512))
         ->capture_default_str();
     c->add_option("--threads", o->settings.threads, "photos in flight; 0 = all cores")->capture_default_str();
+    c->add_option("--memory", o->settings.memory, "bytes that must do, such as 800M: fewer photos in flight")
+        ->transform(CLI::AsSizeValue(false));
     c->add_option("--hold-out", o->settings.hold_out, "photos whose camera is kept and whose pixels are not")
         ->delimiter(',');
     c->add_flag(

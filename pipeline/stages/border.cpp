@@ -25,24 +25,27 @@ constexpr Named methods[] = {{DistanceMethod::automatic, "auto"},
                              {DistanceMethod::one_plus_jfa, "1+jfa"},
                              {DistanceMethod::jfa_squared, "jfa^2"}};
 
-/// Is the 3x3 neighbourhood of an inner pixel a depth discontinuity?
-bool discontinuous(const float* above, const float* here, const float* below, int x, float threshold) {
-    const float z = here[x];
-    const float nine[] = {above[x - 1], above[x],     above[x + 1], here[x - 1],
-                          here[x + 1],  below[x - 1], below[x],     below[x + 1]};
-    const bool seen = std::isfinite(z);
-    for (const float other : nine)
-        if (std::isfinite(other) != seen) return true;
-    if (!seen) return false;
-    const float gx =
-        (above[x + 1] + 2 * here[x + 1] + below[x + 1]) - (above[x - 1] + 2 * here[x - 1] + below[x - 1]);
-    const float gy =
-        (below[x - 1] + 2 * below[x] + below[x + 1]) - (above[x - 1] + 2 * above[x] + above[x + 1]);
-    const float least = threshold * 8 * z;
-    if (gx * gx + gy * gy <= least * least) return false;
-    // A plane is linear in 1/z however steep; a step is not.
-    const auto bend = [&](float a, float b) { return std::abs(1 / a + 1 / b - 2 / z) * std::max({a, b, z}); };
-    return std::max(bend(here[x - 1], here[x + 1]), bend(above[x], below[x])) > threshold / 4;
+/// Which pixels of a row, but for its ends, lie on a depth discontinuity, by their 3x3 neighbourhoods.
+/// Without branches: what is no number compares false, and a neighbour that is not seen decides alone.
+void find_in_row(const float* above, const float* here, const float* below, int width, float threshold,
+                 std::uint8_t* out) {
+    constexpr float unseen = std::numeric_limits<float>::infinity();
+    for (int x = 1; x + 1 < width; ++x) {
+        const float a = above[x - 1], b = above[x], c = above[x + 1], d = here[x - 1], z = here[x],
+                    e = here[x + 1], f = below[x - 1], g = below[x], h = below[x + 1];
+        const int seen = (a < unseen) + (b < unseen) + (c < unseen) + (d < unseen) + (e < unseen) +
+                         (f < unseen) + (g < unseen) + (h < unseen);
+        const int outline = z < unseen ? seen != 8 : seen != 0;
+        const float gx = (c + 2 * e + h) - (a + 2 * d + f), gy = (f + 2 * g + h) - (a + 2 * b + c);
+        const float least = threshold * 8 * z;
+        // A plane is linear in 1/z however steep; a step is not.
+        const float inverse = 1 / z,
+                    bend_x = std::abs(1 / d + 1 / e - 2 * inverse) * std::max(std::max(d, e), z),
+                    bend_y = std::abs(1 / b + 1 / g - 2 * inverse) * std::max(std::max(b, g), z);
+        const int step =
+            int(gx * gx + gy * gy > least * least) & int(std::max(bend_x, bend_y) > threshold / 4);
+        out[x] = std::uint8_t(outline | (step & (z < unseen)));
+    }
 }
 
 std::vector<int> strides(int longest, DistanceMethod variant) {
@@ -73,9 +76,8 @@ std::vector<std::uint8_t> find_borders(const DepthMap& d, float threshold) {
     std::vector<std::uint8_t> borders(d.z.size(), 0);
     for (int y = 1; y + 1 < d.height; ++y) {
         const float* here = d.z.data() + std::size_t(y) * std::size_t(d.width);
-        std::uint8_t* out = borders.data() + std::size_t(y) * std::size_t(d.width);
-        for (int x = 1; x + 1 < d.width; ++x)
-            out[x] = discontinuous(here - d.width, here, here + d.width, x, threshold);
+        find_in_row(here - d.width, here, here + d.width, d.width, threshold,
+                    borders.data() + std::size_t(y) * std::size_t(d.width));
     }
     for (std::size_t i = 0; i < d.valid.size(); ++i)
         if (d.valid[i] == 0) borders[i] = 1;

@@ -1,20 +1,44 @@
 #include "pipeline/stages/masks.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "scene/tiling.h"
 
 namespace vantage {
 
+namespace {
+
+/// log2 of positive finite floats, to 1/2048 of an octave: by exponent and the mantissa's first bits.
+class Log2 {
+  public:
+    Log2() {
+        for (std::size_t i = 0; i < table_.size(); ++i)
+            table_[i] = float(std::log2(1 + (double(i) + 0.5) / double(table_.size())));
+    }
+    float operator()(float z) const {
+        const auto bits = std::bit_cast<std::uint32_t>(z);
+        return float(int(bits >> 23) - 127) + table_[bits >> 12 & 2047];
+    }
+
+  private:
+    std::array<float, 2048> table_;
+};
+
+}  // namespace
+
 std::vector<std::uint8_t> combine_masks(const PhotoGeometry& g, const std::vector<std::uint8_t>& border,
                                         double focal, double reference_density) {
+    static const Log2 log2;
     std::vector<std::uint8_t> out(g.z.size() * 4, 0);
     const float top = float(std::log2(focal / reference_density));
     for (std::size_t i = 0; i < g.z.size(); ++i) {
-        if (!std::isfinite(g.z[i]) || !(g.z[i] > 0)) continue;
-        const float code = 255 + 12 * (top - std::log2(g.z[i]));
+        if (!(g.z[i] > 0 && g.z[i] < std::numeric_limits<float>::infinity())) continue;
+        const float code = 255 + 12 * (top - log2(g.z[i]));
         out[4 * i] = g.angle[i];
         out[4 * i + 1] = std::uint8_t(std::clamp(code, 1.0f, 255.0f) + 0.5f);
         out[4 * i + 2] = border[i];
