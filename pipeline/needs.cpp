@@ -57,7 +57,7 @@ std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& 
 
 std::uint64_t scene_memory(const package::SceneRecord& model) {
     // A software renderer and its shaders, as measured; the tree for rays, buffers, and bins of triangles.
-    return std::uint64_t(150e6 + 250.0 * double(model.triangles));
+    return std::uint64_t(60e6 + 150.0 * double(model.triangles));
 }
 
 std::uint64_t memory_now() { return status_bytes("VmRSS:"); }

@@ -114,7 +114,7 @@ void print_done(const PrepareResult& done, bool why) {
 
 void print_needs(const Needs& n) {
     fmt::print(
-        "needs    at most {:.0f} s, {:.0f} MB of memory ({} photos at a time), {:.0f} MB of the disk's "
+        "needs    about {:.0f} s, at most {:.0f} MB of memory ({} photos at a time), {:.0f} MB of the disk's "
         "{:.0f}\n",
         std::ceil(n.seconds), double(n.memory) / 1e6, n.in_flight, double(n.disk) / 1e6,
         double(n.disk_free) / 1e6);
