@@ -27,8 +27,11 @@ EGLContext context_on(EGLDisplay display) {
 
 bool has_extension(const char* list, const char* name) { return list && std::strstr(list, name); }
 
-/// EGL devices, hardware before software, so that a GPU is found without a display server.
-std::vector<EGLDeviceEXT> devices() {
+struct Devices {
+    std::vector<EGLDeviceEXT> hardware, software;
+};
+
+Devices sorted_devices() {
     const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!has_extension(client, "EGL_EXT_platform_device") ||
         !has_extension(client, "EGL_EXT_device_enumeration"))
@@ -36,17 +39,25 @@ std::vector<EGLDeviceEXT> devices() {
     std::array<EGLDeviceEXT, 16> found{};
     EGLint n = 0;
     if (!eglQueryDevicesEXT(EGLint(found.size()), found.data(), &n)) return {};
-    std::vector<EGLDeviceEXT> hardware, software;
+    Devices out;
     for (EGLint i = 0; i < n; ++i) {
         const char* extensions = eglQueryDeviceStringEXT(found[std::size_t(i)], EGL_EXTENSIONS);
-        (has_extension(extensions, "EGL_MESA_device_software") ? software : hardware)
+        (has_extension(extensions, "EGL_MESA_device_software") ? out.software : out.hardware)
             .push_back(found[std::size_t(i)]);
     }
-    hardware.insert(hardware.end(), software.begin(), software.end());
-    return hardware;
+    return out;
+}
+
+/// EGL devices, hardware before software, so that a GPU is found without a display server.
+std::vector<EGLDeviceEXT> devices() {
+    Devices all = sorted_devices();
+    all.hardware.insert(all.hardware.end(), all.software.begin(), all.software.end());
+    return all.hardware;
 }
 
 }  // namespace
+
+bool has_hardware() { return !sorted_devices().hardware.empty(); }
 
 struct HeadlessContext::State {
     EGLDisplay display = EGL_NO_DISPLAY;

@@ -18,6 +18,9 @@ class HeadlessContext {
     std::unique_ptr<State> state_;
 };
 
+/// Is there a device that is no software? Quick: makes no context.
+bool has_hardware();
+
 /// Facts of the current context.
 struct Device {
     std::string renderer, version;

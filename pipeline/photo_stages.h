@@ -2,12 +2,11 @@
 #include <future>
 
 #include "pipeline/former.h"
-#include "pipeline/gl_thread.h"
+#include "pipeline/geometry_renderer.h"
 #include "pipeline/identity_cache.h"
 #include "pipeline/package_layout.h"
 #include "pipeline/ray_scene.h"
 #include "pipeline/stage_keys.h"
-#include "pipeline/stages/photo_geometry.h"
 
 namespace vantage {
 
@@ -16,8 +15,7 @@ struct PhotoStages {
     const SceneInput& scene;
     const SceneKey& key;
     const PackedModel& model;
-    const ModelBuffers& buffers;
-    GlThread& gl;
+    GeometryRenderer& renderer;
     PackageWriter& writer;
     IdentityCache& identities;
     const std::vector<std::unique_ptr<Former>>& formers;

@@ -101,37 +101,6 @@ void reduce_photos(SceneInput& scene, int longest) {
     }
 }
 
-DistanceMethod settled(DistanceMethod method, const gl::Device& device) {
-    if (method != DistanceMethod::automatic) return method;
-    return device.software ? DistanceMethod::exact : DistanceMethod::jfa_squared;
-}
-
-/// The model's buffers, made on the OpenGL thread while others work, and released there.
-class UploadedModel {
-  public:
-    UploadedModel(GlThread& gl, const PackedModel& model, const std::vector<Eigen::Vector3f>& normals,
-                  DistanceMethod distance)
-        : gl_(gl), done_(gl.submit([&, distance] {
-              buffers_ = upload_model(model.positions, normals);
-              if (distance != DistanceMethod::exact) buffers_.jump_flood = jump_flood_program();
-          })) {}
-    ~UploadedModel() {
-        gl_.submit([this] { buffers_ = {}; }).wait();
-    }
-    UploadedModel(const UploadedModel&) = delete;
-    UploadedModel& operator=(const UploadedModel&) = delete;
-
-    const ModelBuffers& get() {
-        done_.get();
-        return buffers_;
-    }
-
-  private:
-    GlThread& gl_;
-    ModelBuffers buffers_;
-    std::future<void> done_;
-};
-
 /// An octave of the depth mask is twelve of its steps: rounded up to the next, the reference does not move
 /// with every photo that comes or goes, and all masks with it.
 double reference_density(const SceneInput& scene) {
@@ -150,7 +119,6 @@ void complete_record(package::SceneRecord& record, const SceneInput& scene, cons
 /// All that is settled before the first photo is begun.
 struct Plan {
     PackedModel model;
-    DistanceMethod distance;
     Photos photos;
     std::string meta;
     std::vector<ChunkPlan> chunks;
@@ -208,12 +176,11 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
                     scene.files.mesh.string() + ": has points only, expected a mesh with triangles");
     if (run.strict && !scene.left_out.empty())
         throw Error(Exit::input, scene.left_out.front().photo + ": " + scene.left_out.front().why);
-    GlThread gl;
     IdentityCache identities(usual_identity_cache(), run.rehash);
     progress({"inspect", "", 0, scene.photos.size()});
-    Plan plan{make_model(scene, settings, run.trace), settled(settings.distance, gl.device()), {}, {}, {}, 0};
+    Plan plan{make_model(scene, settings, run.trace), {}, {}, {}, 0};
     const PackedModel& model = plan.model;
-    UploadedModel uploaded(gl, model, scene.mesh.normals, plan.distance);
+    GeometryRenderer renderer(model, scene.mesh.normals, settings);
     auto rays = std::async(std::launch::async, [&] {
         const Traced traced(run.trace, "rays");
         return RayScene(model.positions, model.indices);
@@ -224,11 +191,15 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     const auto formers = formers_of(out, writer.resumed());
     write_scene(writer, plan, scene, run.trace);
 
-    const SceneKey key{settings, plan.distance, bool(model.record.effects >> int(Effect::undistortion) & 1),
-                       model_checksum(model, scene.mesh.normals), model.record.reference_density};
+    const SceneKey key{settings,
+                       renderer.distance(),
+                       renderer.on_graphics_card(),
+                       bool(model.record.effects >> int(Effect::undistortion) & 1),
+                       model_checksum(model, scene.mesh.normals),
+                       model.record.reference_density};
     Tally tally(scene, nlohmann::json::parse(plan.meta)["config"], formers);
-    const PhotoStages stages{scene,      key,     model,        uploaded.get(), gl,       writer,
-                             identities, formers, rays.share(), run.strict,     run.trace};
+    const PhotoStages stages{scene,      key,     model,        renderer,   writer,
+                             identities, formers, rays.share(), run.strict, run.trace};
     const auto start = std::chrono::steady_clock::now();
     run_photos(stages, plan.photos, needs.in_flight, run, tally, progress);
     if (formers.empty())

@@ -18,9 +18,16 @@ namespace vantage {
 
 class Trace;
 
+/// What renders the model from the photos' cameras; automatic: a graphics card where there is one.
+enum class RenderBy { automatic, opengl, processor };
+const char* name(RenderBy by);
+/// Throws Error(usage).
+RenderBy render_by(const std::string& name);
+
 /// Settings of `vantage prepare`; every one is a point on a curve of accuracy against time.
 struct PrepareSettings {
     DistanceMethod distance = DistanceMethod::automatic;
+    RenderBy render_by = RenderBy::automatic;
     double border_width = 64;        ///< px at a photo 3072 px wide: where the border mask reaches 1
     double border_threshold = 0.01;  ///< depth step relative to depth, per pixel of the masks
     int thumbnail = 512;             ///< px on the long side

@@ -22,6 +22,7 @@ json settings_json(const PrepareSettings& s) {
         if (choice != EffectChoice::automatic)
             forced[effect_row(effect).name] = choice == EffectChoice::on ? "on" : "off";
     return {{"distance", name(s.distance)},
+            {"render_by", name(s.render_by)},
             {"border_width", s.border_width},
             {"border_threshold", s.border_threshold},
             {"thumbnail", s.thumbnail},

@@ -97,11 +97,12 @@ PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Eige
     key(Stage::thumbnail) =
         start(Stage::thumbnail).add(key(Stage::tiles)).add(scene.settings.thumbnail).value();
     for (const Stage stage : {Stage::coordinates, Stage::coverage})
-        key(stage) = start(stage).add(s.camera).add(s.model).value();
+        key(stage) = start(stage).add(s.camera).add(s.model).add(scene.opengl).value();
     key(Stage::masks) = start(Stage::masks)
                             .add(key(Stage::tiles))
                             .add(s.camera)
                             .add(s.model)
+                            .add(scene.opengl)
                             .add(scene.distance)
                             .add(scene.settings.border_width)
                             .add(scene.settings.border_threshold)
@@ -117,10 +118,11 @@ std::vector<std::string> settings_of(Stage stage) {
         case Stage::thumbnail:
             return {"photo_size", "resampling", "thumbnail"};
         case Stage::masks:
-            return {"photo_size", "distance", "border_width", "border_threshold", "cluster_triangles"};
+            return {"photo_size",   "distance",         "render_by",
+                    "border_width", "border_threshold", "cluster_triangles"};
         case Stage::coordinates:
         case Stage::coverage:
-            return {"photo_size", "cluster_triangles"};
+            return {"photo_size", "render_by", "cluster_triangles"};
         case Stage::count:
             break;
     }

@@ -18,6 +18,7 @@ const char* name(package::Stage stage);
 struct SceneKey {
     const PrepareSettings& settings;
     DistanceMethod distance;       ///< settled, not automatic
+    bool opengl;                   ///< renders, else the processor
     bool undistortion;             ///< the effect is on
     std::uint64_t model;           ///< XXH3-64 of geometry and clusters, see model_checksum
     double reference_density = 1;  ///< of the depth mask

@@ -40,6 +40,28 @@ TEST_F(Prepare, SceauxSmallIsSoundCurrentAndTheSameTwice) {
         ADD_FAILURE() << i.text;
 }
 
+TEST_F(Prepare, OpenGlRendersWhatTheProcessorDoes) {
+    synthesise(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
+    for (const RenderBy by : {RenderBy::opengl, RenderBy::processor}) {
+        PrepareSettings settings;
+        settings.render_by = by;
+        settings.distance = DistanceMethod::exact;
+        prepare(read_scene(discover(dir / "scene")), settings, dir / name(by), quiet);
+        for (const Issue& i : check_package(dir / name(by), {.deep = true, .against = dir / "scene"}))
+            ADD_FAILURE() << name(by) << ": " << i.text;
+    }
+    const PackageReader a(dir / "opengl"), b(dir / "processor");
+    for (std::uint32_t p = 0; p < a.photos().size(); ++p) {
+        EXPECT_NEAR(a.photos()[p].visible_vertices, b.photos()[p].visible_vertices, 1e-3);
+        EXPECT_NEAR(a.photos()[p].seen_distance, b.photos()[p].seen_distance,
+                    1e-3 * a.photos()[p].seen_distance);
+    }
+    PrepareSettings flooded;
+    flooded.render_by = RenderBy::processor;
+    flooded.distance = DistanceMethod::jfa;
+    EXPECT_THROW(prepare(read_scene(discover(dir / "scene")), flooded, dir / "none", quiet), Error);
+}
+
 TEST_F(Prepare, EveryDatasetIsSoundAndCurrent) {
     for (const char* name : {"sceaux", "sceaux-bundler", "fountain-P11"}) {
         VANTAGE_DATASET(input, name);

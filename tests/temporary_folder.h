@@ -4,7 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <string>
 
 namespace vantage {
@@ -20,7 +20,9 @@ class TemporaryFolder : public ::testing::Test {
 
     static std::string slurp(const std::filesystem::path& file) {
         std::ifstream in(file, std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
+        std::ostringstream bytes;
+        if (in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
+        return std::move(bytes).str();
     }
 };
 

@@ -27,7 +27,8 @@ namespace vantage {
 namespace {
 
 struct Options {
-    std::string input, mesh, cameras, photos, out, distance = "auto", resampling = "cubic", config;
+    std::string input, mesh, cameras, photos, out, distance = "auto", resampling = "cubic",
+                                                   render_by = "auto", config;
     std::string progress = "auto", share, trace, report;
     std::vector<std::string> effects;
     PrepareSettings settings;
@@ -141,6 +142,7 @@ SceneInput read_traced(const InputFiles& files, Trace& trace) {
 int run_prepare(Options o) {
     o.settings.distance = distance_method(o.distance);
     o.settings.resampling = resampling(o.resampling);
+    o.settings.render_by = render_by(o.render_by);
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const InputFiles files = input_files(o);
@@ -204,6 +206,11 @@ void add_prepare(CLI::App& app, Run& run) {
         ->capture_default_str();
     c->add_option("--resampling", o->resampling,
                   "of photos whose lens bends lines: nearest, linear, cubic, lanczos")
+        ->capture_default_str();
+    c->add_option("--render-by", o->render_by,
+                  "what renders the model from the photos' cameras: auto (a graphics card where there is "
+                  "one), opengl, "
+                  "processor")
         ->capture_default_str();
     c->add_option("--cluster-triangles", o->settings.cluster_triangles, "triangles a cluster")
         ->check(CLI::Range(1, 512))

@@ -117,7 +117,8 @@ std::vector<unsigned> photos_a_triangle(const PackageReader& package) {
         const auto bits = package.records<std::uint64_t>(Type::visible, i, false);
         const std::uint64_t words = package::visible_words(triangles);
         if (bits.size() != 2 * words) continue;
-        for (std::uint64_t t = 0; t < triangles; ++t) count[t] += unsigned(bits[words + t / 64] >> (t % 64) & 1);
+        for (std::uint64_t t = 0; t < triangles; ++t)
+            count[t] += unsigned(bits[words + t / 64] >> (t % 64) & 1);
     }
     return count;
 }

@@ -31,7 +31,7 @@ h1 { margin-bottom: .2rem; } h2 { margin-top: 2.5rem; }
 table { border-collapse: collapse; } th, td { padding: .2rem .9rem .2rem 0; text-align: left; border-bottom: 1px solid #ddd; }
 td.n, th.n { text-align: right; } .well { color: #117733; } .bad { color: #b02a20; }
 .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1.2rem; }
-.grid figure { margin: 0; } figcaption { font-size: 13px; } img { max-width: 100%; height: auto; display: block; }
+.grid figure { margin: 0; } .grid img { width: 100%; } figcaption { font-size: 13px; } img { max-width: 100%; height: auto; display: block; }
 .bar { display: flex; height: 1.6rem; margin: .5rem 0; } .legend span { margin-right: 1.2rem; white-space: nowrap; }
 .legend i { display: inline-block; width: .9rem; height: .9rem; margin-right: .35rem; vertical-align: -.1rem; }
 .model { display: flex; flex-wrap: wrap; gap: 1rem; align-items: end; } .model figure { margin: 0; }
@@ -147,7 +147,7 @@ std::string photo_figure(const PackageReader& package, std::uint32_t i, const Ph
 
 std::string photos_part(const PackageReader& package) {
     std::string out =
-        "<h2>Photos</h2>\n<p>Below each its masks: angle in red, depth in green, border in blue; black is "
+        "<h2>Photos</h2>\n<p>Below each its masks: angle in red, depth in green, border in blue; grey is "
         "not "
         "seen.</p>\n<div class=grid>\n";
     const auto photos = package.photos();

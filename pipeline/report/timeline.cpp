@@ -12,9 +12,10 @@ namespace vantage {
 namespace {
 
 constexpr double width = 1100, left = 70, lane = 26, axis = 22;
-/// Paul Tol's "muted", which most eyes tell apart.
+/// Paul Tol's "muted" and "light", which most eyes tell apart.
 constexpr std::array palette{"#332288", "#88ccee", "#44aa99", "#117733", "#999933", "#ddcc77",
-                             "#cc6677", "#882255", "#aa4499", "#666666", "#bbbbbb"};
+                             "#cc6677", "#882255", "#aa4499", "#666666", "#ee8866", "#77aadd",
+                             "#bbcc33", "#ffaabb", "#000000", "#aaaa00"};
 constexpr const char* waiting = "wait for render";
 
 const char* color_of(const std::map<std::string, std::size_t>& order, const std::string& stage) {

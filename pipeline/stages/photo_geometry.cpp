@@ -132,30 +132,39 @@ Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Po
     double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
     for (const Eigen::Vector3f& p : positions) {
         const double z = axis.dot(p.cast<double>()) + pose.t.z();
-        if (z > 0) nearest = std::min(nearest, z);
+        nearest = std::min(nearest,
+                           std::max(z, 0.0));  // a triangle may reach past its corners to the camera's plane
         farthest = std::max(farthest, z);
     }
     if (!(farthest > 0)) return {0, 0};
     return {std::max(nearest * 0.999, farthest * 1e-5), farthest * 1.001};
 }
 
-PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::uint32_t> indices,
-                              const Intrinsics& k, const Pose& pose, Eigen::Vector2d near_far) {
+PhotoGeometry empty_geometry(const Intrinsics& k, std::size_t vertices) {
     const Level half = level_size(k.width, k.height, mask_level);
     const std::size_t pixels = std::size_t(half.width) * std::size_t(half.height);
-    PhotoGeometry out{half.width,
-                      half.height,
-                      std::vector<float>(pixels, std::numeric_limits<float>::infinity()),
-                      std::vector<std::uint8_t>(pixels, 0),
-                      std::vector<std::uint32_t>(pixels, ~0u),
-                      std::vector<Eigen::Vector2f>(model.vertex_count, Eigen::Vector2f(-1, -1))};
+    return {half.width,
+            half.height,
+            std::vector<float>(pixels, std::numeric_limits<float>::infinity()),
+            std::vector<std::uint8_t>(pixels, 0),
+            std::vector<std::uint32_t>(pixels, ~0u),
+            std::vector<Eigen::Vector2f>(vertices, Eigen::Vector2f(-1, -1))};
+}
+
+Intrinsics map_intrinsics(const Intrinsics& k) {
+    // A level's pixel is 2^level pixels wide even where the size is odd, so the frame grows by the rounding.
+    const Level half = level_size(k.width, k.height, mask_level);
+    const double s = 1.0 / (1 << mask_level);
+    return {half.width, half.height, k.fx * s, k.fy * s, k.cx * s, k.cy * s};
+}
+
+PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::uint32_t> indices,
+                              const Intrinsics& k, const Pose& pose, Eigen::Vector2d near_far) {
+    PhotoGeometry out = empty_geometry(k, model.vertex_count);
     if (!(near_far.y() > 0) || indices.empty()) return out;
     const Triangles triangles{gl::make_buffer("triangles in frame", indices.size_bytes(), indices.data()),
                               indices.size()};
-    // A level's pixel is 2^level pixels wide even where the size is odd, so the frame grows by the rounding.
-    const double s = 1.0 / (1 << mask_level);
-    const Intrinsics coarse{half.width, half.height, k.fx * s, k.fy * s, k.cx * s, k.cy * s};
-    const Maps maps = render_maps(model, triangles, coarse, pose, near_far, out);
+    const Maps maps = render_maps(model, triangles, map_intrinsics(k), pose, near_far, out);
     out.coordinates = capture_coordinates(model, k, pose, triangles, maps.triangles);
     gl::check("rendering a photo's geometry");
     return out;

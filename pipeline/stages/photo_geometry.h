@@ -29,8 +29,13 @@ struct PhotoGeometry {
     std::vector<Eigen::Vector2f> coordinates;  ///< a vertex; (-1,-1) where not visible, see settle_visibility
 };
 
-/// Near and far plane that hold the model: the range of positive vertex depths, widened, with a ratio that a
-/// float depth buffer resolves. {0, 0} when the model is behind the camera.
+/// One in which nothing is seen, and the intrinsics of its maps.
+PhotoGeometry empty_geometry(const Intrinsics& photo, std::size_t vertices);
+Intrinsics map_intrinsics(const Intrinsics& photo);
+
+/// Near and far plane that hold the model: the range of vertex depths, widened, with a ratio that a float
+/// depth buffer resolves; as near as that allows where the model reaches behind the camera. {0, 0} when all
+/// of it is behind.
 Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& cam_from_origin);
 
 /// Renders depth and angle and captures texture coordinates (METHOD: texture coordinates). On the OpenGL

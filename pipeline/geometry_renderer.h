@@ -1,0 +1,44 @@
+#pragma once
+#include <future>
+#include <memory>
+#include <string>
+
+#include "pipeline/package_layout.h"
+#include "pipeline/stages/border.h"
+#include "pipeline/stages/clusters.h"
+#include "pipeline/stages/photo_geometry.h"
+
+namespace vantage {
+
+/// Renders what photos' cameras see of the model: on the graphics card, by a thread of its own, or by the
+/// processor in the caller's thread. Thread-safe.
+class GeometryRenderer {
+  public:
+    /// Settles what is automatic in the settings: a graphics card where there is one, else the processor,
+    /// with exact distances. The model must outlive it. Throws Error(graphics) where OpenGL is asked for and
+    /// not to be had, Error(usage) where distances are to be flooded without it.
+    GeometryRenderer(const PackedModel& model, const std::vector<Eigen::Vector3f>& normals,
+                     const PrepareSettings& settings);
+    ~GeometryRenderer();
+    GeometryRenderer(const GeometryRenderer&) = delete;
+    GeometryRenderer& operator=(const GeometryRenderer&) = delete;
+
+    bool on_graphics_card() const;  ///< or by OpenGL on the processor, where that was asked for
+    DistanceMethod distance() const { return distance_; }
+
+    /// Arguments as of render_geometry; `triangles` must live until the result is there.
+    std::future<PhotoGeometry> render(const FrameTriangles& triangles, const Intrinsics& intrinsics,
+                                      const Pose& cam_from_origin, Eigen::Vector2d near_far, Trace* trace,
+                                      const std::string& photo);
+    /// To the nearest border, +inf where it is farther than `reach` pixels or somewhat beyond.
+    std::vector<float> distances(const std::vector<std::uint8_t>& borders, int width, int height, int reach);
+
+  private:
+    struct OpenGl;
+    const PackedModel& model_;
+    const std::vector<Eigen::Vector3f>& normals_;
+    DistanceMethod distance_;
+    std::unique_ptr<OpenGl> gl_;
+};
+
+}  // namespace vantage

@@ -1,0 +1,17 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/photo_run.h"
+#include "pipeline/stages/clusters.h"
+#include "pipeline/stages/photo_geometry.h"
+
+namespace vantage {
+
+/// Writes texture coordinates, masks and coverage, as far as they are due, from what the photo's camera sees
+/// of the model; notes the findings in the record. `valid` as make_pixels returns it.
+void make_from_geometry(const PhotoRun& run, const Due& due, const FrameTriangles& triangles,
+                        PhotoGeometry geometry, std::vector<std::uint8_t> valid,
+                        package::PhotoRecord& record);
+
+}  // namespace vantage

@@ -1,0 +1,71 @@
+#include "pipeline/pixel_stages.h"
+
+#include <algorithm>
+
+#include "pipeline/import/photos.h"
+#include "pipeline/stages/pyramid.h"
+#include "pipeline/stages/undistort.h"
+#include "pipeline/trace.h"
+#include "pipeline/write_tiles.h"
+
+namespace vantage {
+namespace {
+
+using package::Stage;
+using package::Type;
+
+RgbaImage decode_pixels(const PhotoStages& s, const PhotoInput& photo, std::span<const std::byte> bytes,
+                        package::PhotoRecord& r) {
+    const Traced traced(s.trace, "decode", photo.name);
+    RgbaImage image = decode_photo(photo.file, bytes, photo.decoded);
+    const int longest = int(std::max(r.width, r.height));
+    if (std::max(image.width, image.height) > longest)
+        image = reduced(image, thumbnail_size(image.width, image.height, longest));
+    if (!s.key.undistortion || !photo.camera.lens.distorts()) return image;
+    r.flags |= package::photo_undistorted;
+    return undistort(image, photo.camera, s.key.settings.resampling);
+}
+
+/// Validity of a level's texels, 0 or 1; empty where the photo is opaque.
+std::vector<std::uint8_t> validity(const RgbaImage& level) {
+    std::vector<std::uint8_t> valid(level.rgba.size() / 4);
+    for (std::size_t p = 0; p < valid.size(); ++p) valid[p] = level.rgba[4 * p + 3] == 255;
+    return valid;
+}
+
+/// Thumbnail and tile pyramid. Returns the photo's validity at `mask_level`, empty where it is opaque.
+std::vector<std::uint8_t> write_pixels(const PhotoStages& s, std::uint32_t i, const Due& due, RgbaImage level,
+                                       package::PhotoRecord& r) {
+    const Traced traced(s.trace, "tiles", r.name);
+    const bool opaque = is_opaque(level);
+    if (!opaque) r.flags |= package::photo_has_alpha;
+    std::vector<std::uint8_t> valid;
+    bool thumbnail_due = due[Stage::thumbnail];
+    const std::uint32_t last = std::max(r.levels, std::uint32_t(mask_level) + 1);
+    for (std::uint32_t l = 0; l < last; ++l) {
+        if (l == std::uint32_t(mask_level) && !opaque) valid = validity(level);
+        if (l < r.levels && due[Stage::tiles])
+            write_tiles(s.writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height});
+        RgbaImage next = halve(level);
+        // The coarsest level that still has the thumbnail's detail is the cheapest to reduce.
+        const int wanted = int(std::max(r.thumbnail_width, r.thumbnail_height));
+        if (thumbnail_due && (std::max(next.width, next.height) < wanted || l + 1 == last)) {
+            const RgbaImage small = reduced(level, {int(r.thumbnail_width), int(r.thumbnail_height)});
+            s.writer.write(Type::thumbnail, i, std::as_bytes(std::span(small.rgba)));
+            thumbnail_due = false;
+        }
+        level = std::move(next);
+    }
+    return valid;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> make_pixels(const PhotoRun& run, const Due& due, PhotoFile& file,
+                                      package::PhotoRecord& r) {
+    RgbaImage image = decode_pixels(run.s, run.photo, file.bytes(), r);
+    file.release();
+    return write_pixels(run.s, run.i, due, std::move(image), r);
+}
+
+}  // namespace vantage
