@@ -67,7 +67,7 @@ GeometryRenderer::GeometryRenderer(const PackedModel& model, const std::vector<E
 
 GeometryRenderer::~GeometryRenderer() = default;
 
-bool GeometryRenderer::on_graphics_card() const { return gl_ != nullptr; }
+bool GeometryRenderer::by_opengl() const { return gl_ != nullptr; }
 
 std::future<PhotoGeometry> GeometryRenderer::render(const FrameTriangles& triangles, const Intrinsics& k,
                                                     const Pose& pose, Eigen::Vector2d near_far, Trace* trace,

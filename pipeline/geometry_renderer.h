@@ -23,7 +23,7 @@ class GeometryRenderer {
     GeometryRenderer(const GeometryRenderer&) = delete;
     GeometryRenderer& operator=(const GeometryRenderer&) = delete;
 
-    bool on_graphics_card() const;  ///< or by OpenGL on the processor, where that was asked for
+    bool by_opengl() const;  ///< else by the processor
     DistanceMethod distance() const { return distance_; }
 
     /// Arguments as of render_geometry; `triangles` must live until the result is there.

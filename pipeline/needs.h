@@ -11,7 +11,7 @@ namespace vantage {
 std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& model);
 
 /// What is still to come for the whole scene, whatever the photos.
-std::uint64_t scene_memory(const package::SceneRecord& model);
+std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl);
 
 /// What this process holds now, and has held at most, in bytes; 0 where the system does not say.
 std::uint64_t memory_now();

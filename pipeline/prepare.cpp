@@ -147,10 +147,10 @@ void complete_plan(Plan& plan, const SceneInput& scene, const PrepareSettings& s
 
 /// Makes room, and says what it will take. Throws where there is too little of something.
 Needs see_to_needs(const Plan& plan, const SceneInput& scene, const PrepareSettings& settings,
-                   const PrepareRun& run, const std::filesystem::path& out) {
+                   const PrepareRun& run, bool opengl, const std::filesystem::path& out) {
     const PackageLayout layout = package_layout(plan.chunks, plan.names);
     const std::uint64_t photo = photo_memory(scene, plan.model.record);
-    const std::uint64_t base = memory_now() + scene_memory(plan.model.record);
+    const std::uint64_t base = memory_now() + scene_memory(plan.model.record, opengl);
     const unsigned in_flight = photos_in_flight(settings, base, photo);
     const double share = run.share.shares ? 1.0 / run.share.shares : 1;
     const Needs needs{layout.bytes, room_for(out), base + in_flight * photo, in_flight,
@@ -186,14 +186,14 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
         return RayScene(model.positions, model.indices);
     });
     complete_plan(plan, scene, settings, run, identities);
-    const Needs needs = see_to_needs(plan, scene, settings, run, out);
+    const Needs needs = see_to_needs(plan, scene, settings, run, renderer.by_opengl(), out);
     PackageWriter writer(out, plan.chunks, plan.names, run.share);
     const auto formers = formers_of(out, writer.resumed());
     write_scene(writer, plan, scene, run.trace);
 
     const SceneKey key{settings,
                        renderer.distance(),
-                       renderer.on_graphics_card(),
+                       renderer.by_opengl(),
                        bool(model.record.effects >> int(Effect::undistortion) & 1),
                        model_checksum(model, scene.mesh.normals),
                        model.record.reference_density};

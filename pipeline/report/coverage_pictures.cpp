@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "pipeline/for_each_photo.h"
+
 namespace vantage {
 
 using package::Type;
@@ -143,18 +145,19 @@ std::vector<CoveragePicture> coverage_pictures(const PackageReader& package,
     Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
     for (const std::uint32_t i : g.indices)
         low = low.cwiseMin(g.positions[i]), high = high.cwiseMax(g.positions[i]);
-    std::vector<CoveragePicture> pictures;
-    for (int axis = 0; axis < 3 && !photos.empty(); ++axis)
-        for (const float sign : {1.0f, -1.0f}) {
-            const ParallelView view = look_along(axis, sign, low, high, size);
-            Canvas canvas(view.width, view.height);
-            for (std::size_t t = 0; t < photos.size(); ++t) {
-                const auto corners = g.corners(t);
-                fill(canvas, {view.at(corners[0]), view.at(corners[1]), view.at(corners[2])},
-                     shaded(photos[t], corners, axis));
-            }
-            pictures.push_back({std::string(sign > 0 ? "+" : "-") + "xyz"[axis], std::move(canvas.image)});
+    std::vector<CoveragePicture> pictures(photos.empty() ? 0 : 6);
+    for_each_photo(pictures.size(), 0, [&](std::size_t i) {
+        const int axis = int(i / 2);
+        const float sign = i % 2 ? -1 : 1;
+        const ParallelView view = look_along(axis, sign, low, high, size);
+        Canvas canvas(view.width, view.height);
+        for (std::size_t t = 0; t < photos.size(); ++t) {
+            const auto corners = g.corners(t);
+            fill(canvas, {view.at(corners[0]), view.at(corners[1]), view.at(corners[2])},
+                 shaded(photos[t], corners, axis));
         }
+        pictures[i] = {std::string(sign > 0 ? "+" : "-") + "xyz"[axis], std::move(canvas.image)};
+    });
     return pictures;
 }
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/for_each_photo.h"
 #include "pipeline/join_tiles.h"
 #include "pipeline/provenance.h"
 #include "pipeline/report/coverage_pictures.h"
@@ -148,11 +149,13 @@ std::string photo_figure(const PackageReader& package, std::uint32_t i, const Ph
 std::string photos_part(const PackageReader& package) {
     std::string out =
         "<h2>Photos</h2>\n<p>Below each its masks: angle in red, depth in green, border in blue; grey is "
-        "not "
-        "seen.</p>\n<div class=grid>\n";
+        "not seen.</p>\n<div class=grid>\n";
     const auto photos = package.photos();
-    for (std::uint32_t i = 0; i < photos.size(); ++i)
-        if (photos[i].levels) out += photo_figure(package, i, photos[i]);
+    std::vector<std::string> figures(photos.size());
+    for_each_photo(photos.size(), 0, [&](std::size_t i) {
+        if (photos[i].levels) figures[i] = photo_figure(package, std::uint32_t(i), photos[i]);
+    });
+    for (const std::string& figure : figures) out += figure;
     return out + "</div>\n";
 }
 

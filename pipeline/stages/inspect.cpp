@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "pipeline/stages/undistort.h"
 
@@ -59,23 +61,40 @@ Footprint footprint(const PhotoInput& photo, const Mesh& mesh, std::size_t trian
             std::min(whole, std::abs(a.x() * b.y() - a.y() * b.x()) / 2)};
 }
 
+/// Areas by edge length, in steps of 1/64 octave: as large for many photos as for few.
+class AreaByEdge {
+  public:
+    void add(const Footprint& f) {
+        total_ += f.area;
+        if (!std::isfinite(f.edge)) return;  // counts, and is longer than any
+        const double step = (std::log2(std::max(f.edge, 1e-30)) + octaves / 2) * steps;
+        area_[std::size_t(std::clamp(step, 0.0, double(area_.size() - 1)))] += f.area;
+    }
+    bool empty() const { return !(total_ > 0); }
+    /// The edge length below which this share of the area lies; infinity where there is none.
+    double below(double share) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < area_.size(); ++i)
+            if ((sum += area_[i]) >= share * total_) return std::exp2(double(i + 1) / steps - octaves / 2);
+        return std::numeric_limits<double>::infinity();
+    }
+
+  private:
+    static constexpr int octaves = 48, steps = 64;
+    std::array<double, std::size_t(octaves) * steps> area_{};
+    double total_ = 0;
+};
+
 /// The edge length below which 95 % of the photographed surface lies: by area, so that a few large triangles
 /// behind a dense object count for what they show.
 Measured triangle_size(const SceneInput& scene) {
-    std::vector<Footprint> all;
+    AreaByEdge all;
     const std::size_t step = std::max<std::size_t>(1, scene.mesh.triangles.size() / samples);
     for (const PhotoInput& photo : scene.photos)
         for (std::size_t t = 0; t < scene.mesh.triangles.size(); t += step)
-            if (const Footprint f = footprint(photo, scene.mesh, t); f.area > 0) all.push_back(f);
+            if (const Footprint f = footprint(photo, scene.mesh, t); f.area > 0) all.add(f);
     if (all.empty()) return {std::numeric_limits<double>::infinity(), "no triangle lies inside a photo"};
-    std::sort(all.begin(), all.end(), [](const Footprint& a, const Footprint& b) { return a.edge < b.edge; });
-    double total = 0, below = 0;
-    for (const Footprint& f : all) total += f.area;
-    const auto at = std::find_if(all.begin(), all.end(), [&](const Footprint& f) {
-        below += f.area;
-        return below >= 0.95 * total;
-    });
-    const double edge = at == all.end() ? all.back().edge : at->edge;
+    const double edge = all.below(0.95);
     if (!std::isfinite(edge))
         return {edge, "a large part of the photographed surface reaches behind cameras"};
     return {edge,
