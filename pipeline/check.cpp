@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "pipeline/import/discover.h"
 #include "pipeline/provenance.h"
@@ -138,7 +139,8 @@ void check_structure(const PackageReader& reader, bool deep, Issues& out) {
 }
 
 void check_against(const PackageReader& reader, const CheckDepth& depth, Issues& out) {
-    IdentityCache identities(usual_identity_cache(), depth.rehash);
+    std::optional<IdentityCache> usual;
+    IdentityCache& identities = depth.identities ? *depth.identities : usual.emplace();
     for (const std::string& change : changed_inputs(reader, discover(depth.against), identities))
         out.push_back({Exit::stale, change});
 }

@@ -7,6 +7,8 @@
 
 namespace vantage {
 
+class IdentityCache;
+
 /// One thing that is wrong with a package, and how wrong.
 struct Issue {
     Exit kind;  ///< input (cannot be read), damaged, stale or incomplete
@@ -21,9 +23,9 @@ Exit worst(const std::vector<Issue>& issues);
 
 /// What a check goes into.
 struct CheckDepth {
-    bool deep = false;                ///< every tile's checksum, and what it means
-    std::filesystem::path against{};  ///< the package's input folder, where it is to be compared
-    bool rehash = false;              ///< inputs are read, whatever their sizes and times say
+    bool deep = false;                    ///< every tile's checksum, and what it means
+    std::filesystem::path against{};      ///< the package's input folder, where it is to be compared
+    IdentityCache* identities = nullptr;  ///< what is known of files; null: the user's usual cache
 };
 
 /// Structure, checksums of heads, meaning and completeness; problems of opening are issues as well.

@@ -53,9 +53,9 @@ GeometryRenderer::GeometryRenderer(const PackedModel& model, const std::vector<E
                                    const PrepareSettings& settings)
     : model_(model), normals_(normals), distance_(settings.distance) {
     if (wants_opengl(settings)) gl_ = std::make_unique<OpenGl>();
+    const bool hardware = gl_ && !gl_->thread.device().software;
     if (distance_ == DistanceMethod::automatic)
-        distance_ =
-            gl_ && !gl_->thread.device().software ? DistanceMethod::jfa_squared : DistanceMethod::exact;
+        distance_ = hardware ? DistanceMethod::jfa_squared : DistanceMethod::exact;
     if (!gl_) return;
     gl_->uploaded = gl_->thread
                         .submit([this] {

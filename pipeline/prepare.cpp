@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
-#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "pipeline/for_each_photo.h"
 #include "pipeline/needs.h"
@@ -176,7 +176,8 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
                     scene.files.mesh.string() + ": has points only, expected a mesh with triangles");
     if (run.strict && !scene.left_out.empty())
         throw Error(Exit::input, scene.left_out.front().photo + ": " + scene.left_out.front().why);
-    IdentityCache identities(usual_identity_cache(), run.rehash);
+    std::optional<IdentityCache> usual;
+    IdentityCache& identities = run.identities ? *run.identities : usual.emplace();
     progress({"inspect", "", 0, scene.photos.size()});
     Plan plan{make_model(scene, settings, run.trace), {}, {}, {}, 0};
     const PackedModel& model = plan.model;
@@ -197,7 +198,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
                        bool(model.record.effects >> int(Effect::undistortion) & 1),
                        model_checksum(model, scene.mesh.normals),
                        model.record.reference_density};
-    Tally tally(scene, nlohmann::json::parse(plan.meta)["config"], formers);
+    Tally tally(scene, settings_json(settings), formers);
     const PhotoStages stages{scene,      key,     model,        renderer,   writer,
                              identities, formers, rays.share(), run.strict, run.trace};
     const auto start = std::chrono::steady_clock::now();

@@ -16,6 +16,7 @@
 
 namespace vantage {
 
+class IdentityCache;
 class Trace;
 
 /// What renders the model from the photos' cameras; automatic: a graphics card where there is one.
@@ -59,7 +60,7 @@ struct Needs {
 struct PrepareRun {
     const std::atomic<bool>* stop = nullptr;  ///< set: the photos in hand are finished, and no more begun
     bool strict = false;                      ///< a photo that cannot be used ends the run
-    bool rehash = false;                      ///< read files to know them, whatever their times say
+    IdentityCache* identities = nullptr;      ///< what is known of files; null: the user's usual cache
     Share share{};                            ///< of the photos; all, where it is not given
     Trace* trace = nullptr;                   ///< to be told when what was done
     std::function<void(const Needs&)> needs;  ///< told before the photos are begun

@@ -16,23 +16,6 @@ using nlohmann::json;
 
 constexpr const char* tool = "vantage " VANTAGE_VERSION;
 
-json settings_json(const PrepareSettings& s) {
-    json forced = json::object();
-    for (const auto& [effect, choice] : s.effects)
-        if (choice != EffectChoice::automatic)
-            forced[effect_row(effect).name] = choice == EffectChoice::on ? "on" : "off";
-    return {{"distance", name(s.distance)},
-            {"render_by", name(s.render_by)},
-            {"border_width", s.border_width},
-            {"border_threshold", s.border_threshold},
-            {"thumbnail", s.thumbnail},
-            {"resampling", name(s.resampling)},
-            {"cluster_triangles", s.cluster_triangles},
-            {"photo_size", s.photo_size},
-            {"hold_out", s.hold_out},
-            {"effects", forced}};
-}
-
 json input_json(const fs::path& file, IdentityCache& identities) {
     const FileIdentity id = identities.of(file);
     return {{"name", file.filename().string()}, {"bytes", id.bytes}, {"xxh3", id.checksum}};
@@ -95,6 +78,23 @@ std::vector<std::string> changed_photos(const PackageReader& package, const json
 }
 
 }  // namespace
+
+json settings_json(const PrepareSettings& s) {
+    json forced = json::object();
+    for (const auto& [effect, choice] : s.effects)
+        if (choice != EffectChoice::automatic)
+            forced[effect_row(effect).name] = choice == EffectChoice::on ? "on" : "off";
+    return {{"distance", name(s.distance)},
+            {"render_by", name(s.render_by)},
+            {"border_width", s.border_width},
+            {"border_threshold", s.border_threshold},
+            {"thumbnail", s.thumbnail},
+            {"resampling", name(s.resampling)},
+            {"cluster_triangles", s.cluster_triangles},
+            {"photo_size", s.photo_size},
+            {"hold_out", s.hold_out},
+            {"effects", forced}};
+}
 
 std::string provenance(const SceneInput& scene, const PrepareSettings& settings,
                        const std::vector<EffectDecision>& effects, IdentityCache& identities) {

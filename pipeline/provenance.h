@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "scene/package_reader.h"
 
 namespace vantage {
+
+/// The settings as META names them.
+nlohmann::json settings_json(const PrepareSettings& settings);
 
 /// META: where the package comes from, as JSON: tool, settings, inputs with length and checksum, effects with
 /// their evidence, what was left out at once, warnings, names of scalar layers. Throws Error(input).

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/commands.h"
+#include "pipeline/identity_cache.h"
 #include "scene/junit.h"
 
 namespace vantage {
@@ -17,7 +18,7 @@ struct Options {
     std::vector<std::string> files;
     std::string junit;
     CheckDepth depth;
-    bool json = false;
+    bool json = false, rehash = false;
 };
 
 struct Checked {
@@ -32,9 +33,10 @@ fs::path inputs_of(const Options& o, const fs::path& file) {
     return o.depth.against / file.stem();
 }
 
-Checked check_one(const Options& o, const std::string& file) {
+Checked check_one(const Options& o, IdentityCache& identities, const std::string& file) {
     CheckDepth depth = o.depth;
     depth.against = inputs_of(o, file);
+    depth.identities = &identities;
     const auto start = std::chrono::steady_clock::now();
     std::vector<Issue> issues = check_package(file, depth);
     return {file, std::move(issues),
@@ -65,11 +67,12 @@ void print_json(const std::vector<Checked>& all) {
 }
 
 int run_check(const Options& o) {
+    IdentityCache identities(usual_identity_cache(), o.rehash);
     std::vector<Checked> all;
     std::vector<Issue> issues;
     std::vector<CheckCase> cases;
     for (const std::string& file : o.files) {
-        const Checked& c = all.emplace_back(check_one(o, file));
+        const Checked& c = all.emplace_back(check_one(o, identities, file));
         issues.insert(issues.end(), c.issues.begin(), c.issues.end());
         const Exit kind = worst(c.issues);
         cases.push_back({file, kind == Exit::ok ? "" : kind_name(kind), all_text(c.issues), c.seconds});
@@ -96,7 +99,7 @@ void add_check(CLI::App& app, Run& run) {
     c->add_flag("--deep", o->depth.deep, "read every tile");
     c->add_option("--against", o->depth.against,
                   "the input folder it was prepared from; of several packages, the folder that holds theirs");
-    c->add_flag("--rehash", o->depth.rehash, "read all inputs, not only their sizes and times");
+    c->add_flag("--rehash", o->rehash, "read all inputs, not only their sizes and times");
     c->add_flag("--json", o->json, "machine-readable output");
     c->add_option("--junit", o->junit, "write a JUnit file for CI");
     c->callback([o, &run] { run = [o] { return run_check(*o); }; });

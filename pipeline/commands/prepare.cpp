@@ -73,11 +73,11 @@ Share share(const std::string& text) {
 }
 
 /// What the package there lacks, if it is what this run would make; else nothing.
-std::optional<std::vector<UnusablePhoto>> current(const Options& o, const InputFiles& files) {
+std::optional<std::vector<UnusablePhoto>> current(const Options& o, const InputFiles& files,
+                                                  IdentityCache& identities) {
     if (!std::filesystem::exists(o.out)) return {};
     try {
         const PackageReader package(o.out);
-        IdentityCache identities(usual_identity_cache(), o.rehash);
         if (!changed_settings(package, o.settings).empty() ||
             !changed_inputs(package, files, identities).empty())
             return {};
@@ -122,9 +122,10 @@ void print_needs(const Needs& n) {
     std::fflush(stdout);
 }
 
-PrepareResult prepare_shown(const Options& o, const SceneInput& scene, Trace& trace) {
+PrepareResult prepare_shown(const Options& o, const SceneInput& scene, IdentityCache& identities,
+                            Trace& trace) {
     ProgressLine line(progress_style(o.progress));
-    const PrepareRun run{&stop_on_signals(), o.strict, o.rehash, share(o.share), &trace, print_needs};
+    const PrepareRun run{&stop_on_signals(), o.strict, &identities, share(o.share), &trace, print_needs};
     return prepare(
         scene, o.settings, o.out, [&](const Progress& p) { line.show(p); }, run);
 }
@@ -146,24 +147,26 @@ int run_prepare(Options o) {
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const InputFiles files = input_files(o);
-    if (const auto lacking = current(o, files)) {
+    IdentityCache identities(usual_identity_cache(), o.rehash);
+    if (const auto lacking = current(o, files, identities)) {
         fmt::print("package  {} is current, nothing to do\n", o.out);
         return int(report_left_out(*lacking));
     }
     Trace trace;
     const SceneInput scene = read_traced(files, trace);
     print_scene(scene);
-    const PrepareResult done = prepare_shown(o, scene, trace);
+    const PrepareResult done = prepare_shown(o, scene, identities, trace);
     if (!o.trace.empty()) write_trace(o.trace, trace.spans());
     const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (!o.no_report && o.share.empty())
+    const bool report = !o.no_report && o.share.empty();
+    if (report)
         write_report(report_file(o), PackageReader(o.out),
                      ReportRun{done, trace.spans(), s, double(memory_peak()) / 1e6});
     print_done(done, o.explain);
     fmt::print("package  {} ({:.1f} MB, {:.1f} s)\n", o.out, double(std::filesystem::file_size(o.out)) / 1e6,
                s);
     fmt::print("memory   {:.0f} MB at most\n", double(memory_peak()) / 1e6);
-    if (!o.no_report && o.share.empty()) fmt::print("report   {}\n", report_file(o).string());
+    if (report) fmt::print("report   {}\n", report_file(o).string());
     if (o.explain && o.share.empty())
         for (const std::string& l : explain(o.settings, scene, PackageReader(o.out))) fmt::print("{}\n", l);
     return int(report_left_out(done.left_out));
