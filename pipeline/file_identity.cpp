@@ -8,14 +8,30 @@
 
 namespace vantage {
 
-std::vector<std::byte> read_file(const std::filesystem::path& file, std::size_t most) {
+namespace {
+
+template <class Content>
+Content read(const std::filesystem::path& file, std::size_t most) {
     std::ifstream in(file, std::ios::binary | std::ios::ate);
     if (!in) throw Error(Exit::input, file.string() + ": cannot open");
-    std::vector<std::byte> bytes(std::min(std::size_t(in.tellg()), most));
+    if (std::filesystem::is_directory(file))
+        throw Error(Exit::input, file.string() + ": is a folder, expected a file");
+    Content content;
+    content.resize(std::min(std::size_t(in.tellg()), most));
     in.seekg(0);
-    if (!in.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size())))
+    if (!in.read(reinterpret_cast<char*>(content.data()), std::streamsize(content.size())))
         throw Error(Exit::input, file.string() + ": cannot read");
-    return bytes;
+    return content;
+}
+
+}  // namespace
+
+std::vector<std::byte> read_file(const std::filesystem::path& file, std::size_t most) {
+    return read<std::vector<std::byte>>(file, most);
+}
+
+std::string read_text(const std::filesystem::path& file) {
+    return read<std::string>(file, std::numeric_limits<std::size_t>::max());
 }
 
 FileIdentity identify(std::span<const std::byte> bytes) { return {bytes.size(), checksum(bytes)}; }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace vantage {
@@ -19,6 +20,9 @@ FileIdentity identify(const std::filesystem::path& file);
 /// The bytes of a file, or its first `most`. Throws Error(input).
 std::vector<std::byte> read_file(const std::filesystem::path& file,
                                  std::size_t most = std::numeric_limits<std::size_t>::max());
+
+/// All of a file as characters. Throws Error(input).
+std::string read_text(const std::filesystem::path& file);
 
 /// The camera files behind `cameras`: itself, or for a folder the COLMAP files in it, by name.
 std::vector<std::filesystem::path> camera_files(const std::filesystem::path& cameras);

@@ -8,6 +8,7 @@ namespace vantage {
 struct RgbaImage {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
+    bool opaque = false;  ///< known to have alpha 255 everywhere
 };
 
 }  // namespace vantage

@@ -52,11 +52,7 @@ Camera camera_of(const Model& m, int width, int height, const std::vector<double
 /// A binary file read front to back; every read is checked against what is left.
 class Bytes {
   public:
-    explicit Bytes(std::filesystem::path file) : file_(std::move(file)) {
-        std::ifstream in(file_, std::ios::binary);
-        if (!in) throw Error(Exit::input, file_.string() + ": cannot open");
-        data_.assign(std::istreambuf_iterator<char>(in), {});
-    }
+    explicit Bytes(std::filesystem::path file) : file_(std::move(file)), data_(read_text(file_)) {}
     template <class T>
     T read() {
         need(sizeof(T));

@@ -54,7 +54,7 @@ RgbaImage decode_jpeg(const std::filesystem::path& file, std::span<const std::by
     const JpegHeader h = jpeg_header(bytes);
     if (!h.readable) refuse(file, std::string("not a readable JPEG: ") + tjGetErrorStr2(h.decoder.get()));
     RgbaImage photo{h.width, h.height,
-                    std::vector<std::uint8_t>(std::size_t(h.width) * std::size_t(h.height) * 4)};
+                    std::vector<std::uint8_t>(std::size_t(h.width) * std::size_t(h.height) * 4), true};
     const bool cmyk = h.space == TJCS_CMYK || h.space == TJCS_YCCK;
     if (tjDecompress2(h.decoder.get(), data(bytes), bytes.size(), photo.rgba.data(), h.width, 0, h.height,
                       cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_ACCURATEDCT))
@@ -64,7 +64,7 @@ RgbaImage decode_jpeg(const std::filesystem::path& file, std::span<const std::by
 
 /// Turns by EXIF orientation 5 to 8, those that swap width and height.
 RgbaImage turned(const RgbaImage& p, int orientation) {
-    RgbaImage out{p.height, p.width, std::vector<std::uint8_t>(p.rgba.size())};
+    RgbaImage out{p.height, p.width, std::vector<std::uint8_t>(p.rgba.size()), p.opaque};
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x) {
             const int sx = orientation == 5 || orientation == 6 ? y : p.width - 1 - y;

@@ -1,11 +1,10 @@
 #pragma once
 #include <charconv>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 
+#include "pipeline/file_identity.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -13,12 +12,8 @@ namespace vantage {
 /// Reads white-space separated words and numbers, whatever the locale. Errors name the file and line.
 class Tokens {
   public:
-    explicit Tokens(std::filesystem::path file) : file_(std::move(file)) {
-        std::ifstream in(file_, std::ios::binary);
-        if (!in) throw Error(Exit::input, file_.string() + ": cannot open");
-        text_.assign(std::istreambuf_iterator<char>(in), {});
-        rest_ = text_;
-    }
+    explicit Tokens(std::filesystem::path file)
+        : file_(std::move(file)), text_(read_text(file_)), rest_(text_) {}
 
     bool at_end() {
         skip_blanks(true);

@@ -34,27 +34,38 @@ const SrgbTables& tables() {
     return t;
 }
 
-void average(const std::uint8_t* const (&q)[4], std::uint8_t* out) {
-    const SrgbTables& t = tables();
+void average_opaque(const std::uint8_t* const (&q)[4], std::uint8_t* out, const SrgbTables& t) {
+    for (int c = 0; c < 3; ++c)
+        out[c] = t.srgb[(unsigned(t.linear[q[0][c]]) + t.linear[q[1][c]] + t.linear[q[2][c]] +
+                         t.linear[q[3][c]] + 2) /
+                        4];
+    out[3] = 255;
+}
+
+void average(const std::uint8_t* const (&q)[4], std::uint8_t* out, const SrgbTables& t) {
     const unsigned alpha = unsigned(q[0][3]) + q[1][3] + q[2][3] + q[3][3];
+    if (alpha == 4 * 255) return average_opaque(q, out, t);
     out[3] = std::uint8_t((alpha + 2) / 4);
     for (int c = 0; c < 3; ++c) {
         std::uint32_t sum = 0;
-        if (alpha == 4 * 255) {
-            sum = (std::uint32_t(t.linear[q[0][c]]) + t.linear[q[1][c]] + t.linear[q[2][c]] +
-                   t.linear[q[3][c]] + 2) /
-                  4;
-        } else if (alpha > 0) {
-            for (const std::uint8_t* p : q) sum += std::uint32_t(t.linear[p[c]]) * p[3];
-            sum = (sum + alpha / 2) / alpha;
-        }
-        out[c] = t.srgb[sum];
+        for (const std::uint8_t* p : q) sum += std::uint32_t(t.linear[p[c]]) * p[3];
+        out[c] = t.srgb[alpha ? (sum + alpha / 2) / alpha : 0];
+    }
+}
+
+template <auto Average>
+void halve_row(const std::uint8_t* a, const std::uint8_t* b, int width, int half, std::uint8_t* to) {
+    const SrgbTables& t = tables();
+    for (int x = 0; x < half; ++x) {
+        const int l = 8 * x, r = 2 * x + 1 < width ? l + 4 : l;
+        Average({a + l, a + r, b + l, b + r}, to + 4 * x, t);
     }
 }
 
 }  // namespace
 
 bool is_opaque(const RgbaImage& image) {
+    if (image.opaque) return true;
     std::uint32_t all = ~0u;
     for (std::size_t i = 0; i + 4 <= image.rgba.size(); i += 4) {
         std::uint32_t texel;
@@ -68,17 +79,17 @@ bool is_opaque(const RgbaImage& image) {
 
 RgbaImage halve(const RgbaImage& image) {
     const Level half = level_size(image.width, image.height, 1);
-    RgbaImage out{half.width, half.height, {}};
+    RgbaImage out{half.width, half.height, {}, image.opaque};
     out.rgba.resize(std::size_t(half.width) * std::size_t(half.height) * 4);
     for (int y = 0; y < half.height; ++y) {
         const std::size_t stride = std::size_t(image.width) * 4;
         const std::uint8_t* a = image.rgba.data() + std::size_t(2 * y) * stride;
         const std::uint8_t* b = 2 * y + 1 < image.height ? a + stride : a;
         std::uint8_t* to = out.rgba.data() + std::size_t(y) * std::size_t(half.width) * 4;
-        for (int x = 0; x < half.width; ++x) {
-            const int l = 8 * x, r = 2 * x + 1 < image.width ? l + 4 : l;
-            average({a + l, a + r, b + l, b + r}, to + 4 * x);
-        }
+        if (image.opaque)
+            halve_row<average_opaque>(a, b, image.width, half.width, to);
+        else
+            halve_row<average>(a, b, image.width, half.width, to);
     }
     return out;
 }
@@ -105,7 +116,7 @@ Level thumbnail_size(int width, int height, int longest) {
 }
 
 RgbaImage reduced(const RgbaImage& image, const Level& size) {
-    RgbaImage out{size.width, size.height, {}};
+    RgbaImage out{size.width, size.height, {}, image.opaque};
     out.rgba.resize(std::size_t(size.width) * std::size_t(size.height) * 4);
     const cv::Mat from(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.rgba.data()));
     cv::Mat to(size.height, size.width, CV_8UC4, out.rgba.data());

@@ -1,8 +1,9 @@
 #include "pipeline/stages/subdivide.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <unordered_map>
+#include <vector>
 
 namespace vantage {
 namespace {
@@ -33,13 +34,21 @@ std::uint32_t add_midpoint(Mesh& m, std::uint32_t a, std::uint32_t b) {
     return std::uint32_t(m.positions.size() - 1);
 }
 
+bool longer(const Mesh& m, std::uint32_t a, std::uint32_t b, double longest) {
+    return (m.positions[a] - m.positions[b]).squaredNorm() > longest * longest;
+}
+
+bool has_longer_edge(const Mesh& m, const Triangle& t, double longest) {
+    return longer(m, t[0], t[1], longest) || longer(m, t[1], t[2], longest) || longer(m, t[2], t[0], longest);
+}
+
 /// Midpoints of edges, made once an edge whichever triangle asks first.
 class Midpoints {
   public:
     Midpoints(Mesh& mesh, double longest) : mesh_(mesh), longest_(longest) {}
     /// Of an edge that is too long; `none` for others.
     std::uint32_t of(std::uint32_t a, std::uint32_t b) {
-        if (!((mesh_.positions[a] - mesh_.positions[b]).norm() > longest_)) return none;
+        if (!longer(mesh_, a, b, longest_)) return none;
         const auto [low, high] = std::minmax(a, b);
         const auto [at, fresh] = made_.try_emplace(std::uint64_t(low) << 32 | high, none);
         if (fresh) at->second = add_midpoint(mesh_, low, high);
@@ -70,30 +79,25 @@ void add_pieces(const Triangle& t, const Triangle& m, std::vector<Triangle>& out
     }
 }
 
-/// False where there would be too many; the mesh is then partly divided.
-bool divide(Mesh& mesh, double longest) {
-    const std::size_t most = mesh.triangles.size() + most_added;
-    for (std::size_t before = 0; before != mesh.triangles.size();) {
-        before = mesh.triangles.size();
-        Midpoints midpoints(mesh, longest);
+/// Nothing where there would be too many.
+std::optional<Mesh> divided(const Mesh& mesh, double longest) {
+    Mesh out = mesh;
+    const auto large = std::ranges::stable_partition(
+        out.triangles, [&](const Triangle& t) { return !has_longer_edge(out, t, longest); });
+    std::vector<Triangle> todo(large.begin(), large.end());
+    out.triangles.erase(large.begin(), large.end());
+    Midpoints midpoints(out, longest);
+    while (!todo.empty()) {
         std::vector<Triangle> pieces;
-        pieces.reserve(before);
-        for (const Triangle& t : mesh.triangles) {
+        for (const Triangle& t : todo)
             add_pieces(t, {midpoints.of(t[0], t[1]), midpoints.of(t[1], t[2]), midpoints.of(t[2], t[0])},
                        pieces);
-            if (pieces.size() > most) return false;
-        }
-        mesh.triangles = std::move(pieces);
+        todo.clear();
+        for (const Triangle& t : pieces)
+            (has_longer_edge(out, t, longest) ? todo : out.triangles).push_back(t);
+        if (out.triangles.size() + todo.size() > mesh.triangles.size() + most_added) return std::nullopt;
     }
-    return true;
-}
-
-bool has_longer_edge(const Mesh& mesh, double longest) {
-    return std::ranges::any_of(mesh.triangles, [&](const Triangle& t) {
-        for (std::size_t i = 0; i < 3; ++i)
-            if ((mesh.positions[t[i]] - mesh.positions[t[(i + 1) % 3]]).norm() > longest) return true;
-        return false;
-    });
+    return out;
 }
 
 }  // namespace
@@ -102,10 +106,11 @@ std::size_t subdivide_large_triangles(Mesh& mesh) {
     const std::size_t before = mesh.triangles.size();
     const double all = diagonal(mesh);
     for (double longest = all / 64; longest > 0 && longest < all; longest *= 2) {
-        if (!has_longer_edge(mesh, longest)) break;
-        Mesh divided = mesh;
-        if (!divide(divided, longest)) continue;
-        mesh = std::move(divided);
+        const auto large = [&](const Triangle& t) { return has_longer_edge(mesh, t, longest); };
+        if (std::ranges::none_of(mesh.triangles, large)) break;
+        auto fine = divided(mesh, longest);
+        if (!fine) continue;
+        mesh = std::move(*fine);
         break;
     }
     return mesh.triangles.size() - before;
