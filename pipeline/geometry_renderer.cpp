@@ -69,18 +69,19 @@ GeometryRenderer::~GeometryRenderer() = default;
 
 bool GeometryRenderer::by_opengl() const { return gl_ != nullptr; }
 
-std::future<PhotoGeometry> GeometryRenderer::render(const FrameTriangles& triangles, const Intrinsics& k,
-                                                    const Pose& pose, Eigen::Vector2d near_far, Trace* trace,
+std::future<PhotoGeometry> GeometryRenderer::render(const FrameTriangles& triangles,
+                                                    const PhotoProjection& projection, const Intrinsics& k,
+                                                    Eigen::Vector2d near_far, Trace* trace,
                                                     const std::string& photo) {
     if (!gl_)
-        return std::async(std::launch::deferred, [=, this, &triangles] {
+        return std::async(std::launch::deferred, [=, this, &triangles, &projection] {
             const Traced traced(trace, "render", photo);
-            return rasterise_geometry({model_.positions, normals_}, triangles.indices, k, pose, near_far);
+            return rasterise_geometry(projection, normals_, triangles.indices);
         });
     const ModelBuffers& buffers = gl_->model();
-    return gl_->thread.submit([=, &triangles, &buffers] {
+    return gl_->thread.submit([=, &triangles, &projection, &buffers] {
         const Traced traced(trace, "render", photo);
-        return render_geometry(buffers, triangles.indices, k, pose, near_far);
+        return render_geometry(buffers, triangles.indices, k, projection.cam_from_origin, near_far);
     });
 }
 

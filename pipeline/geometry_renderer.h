@@ -7,6 +7,7 @@
 #include "pipeline/stages/border.h"
 #include "pipeline/stages/clusters.h"
 #include "pipeline/stages/photo_geometry.h"
+#include "pipeline/stages/photo_projection.h"
 
 namespace vantage {
 
@@ -26,9 +27,9 @@ class GeometryRenderer {
     bool by_opengl() const;  ///< else by the processor
     DistanceMethod distance() const { return distance_; }
 
-    /// Arguments as of render_geometry; `triangles` must live until the result is there.
-    std::future<PhotoGeometry> render(const FrameTriangles& triangles, const Intrinsics& intrinsics,
-                                      const Pose& cam_from_origin, Eigen::Vector2d near_far, Trace* trace,
+    /// Arguments as of render_geometry; `triangles` and `projection` must live until the result is there.
+    std::future<PhotoGeometry> render(const FrameTriangles& triangles, const PhotoProjection& projection,
+                                      const Intrinsics& intrinsics, Eigen::Vector2d near_far, Trace* trace,
                                       const std::string& photo);
     /// To the nearest border, +inf where it is farther than `reach` pixels or somewhat beyond.
     std::vector<float> distances(const std::vector<std::uint8_t>& borders, int width, int height, int reach);

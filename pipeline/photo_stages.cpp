@@ -82,14 +82,12 @@ void leave_out(const PhotoStages& s, std::uint32_t i, const Pose& pose, package:
 void make_stages(const PhotoRun& run, const Due& due, std::optional<PhotoFile>& file,
                  package::PhotoRecord& r) {
     const PhotoStages& s = run.s;
-    FrameTriangles triangles;
+    std::optional<PhotoView> view;
     std::future<PhotoGeometry> pending;
-    const Eigen::Vector2d range =
-        due.geometry() ? depth_range(s.model.positions, run.pose) : Eigen::Vector2d(0, 0);
     if (due.geometry()) {
-        const Traced traced(s.trace, "cull", run.photo.name);
-        triangles = triangles_in_frame(s.model.clusters, s.model.indices, run.k, run.pose);
-        pending = s.renderer.render(triangles, run.k, run.pose, range, s.trace, run.photo.name);
+        view = view_of(run);
+        pending = s.renderer.render(view->triangles, view->projection, run.k, view->near_far, s.trace,
+                                    run.photo.name);
     }
     std::vector<std::uint8_t> valid;
     try {
@@ -103,7 +101,7 @@ void make_stages(const PhotoRun& run, const Due& due, std::optional<PhotoFile>& 
         const Traced traced(s.trace, "wait for render", run.photo.name);
         return pending.get();
     }();
-    make_from_geometry(run, due, triangles, std::move(geometry), std::move(valid), r);
+    make_from_geometry(run, due, *view, std::move(geometry), std::move(valid), r);
 }
 
 /// Keeps what can be kept and makes the rest; returns what it made. A photo that cannot be decoded is named

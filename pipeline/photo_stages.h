@@ -5,7 +5,6 @@
 #include "pipeline/geometry_renderer.h"
 #include "pipeline/identity_cache.h"
 #include "pipeline/package_layout.h"
-#include "pipeline/ray_scene.h"
 #include "pipeline/stage_keys.h"
 
 namespace vantage {
@@ -19,7 +18,6 @@ struct PhotoStages {
     PackageWriter& writer;
     IdentityCache& identities;
     const std::vector<std::unique_ptr<Former>>& formers;
-    std::shared_future<RayScene> rays;
     bool strict;   ///< a photo that cannot be read ends it all
     Trace* trace;  ///< may be null
 };

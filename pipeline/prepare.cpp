@@ -182,10 +182,6 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     Plan plan{make_model(scene, settings, run.trace), {}, {}, {}, 0};
     const PackedModel& model = plan.model;
     GeometryRenderer renderer(model, scene.mesh.normals, settings);
-    auto rays = std::async(std::launch::async, [&] {
-        const Traced traced(run.trace, "rays");
-        return RayScene(model.positions, model.indices);
-    });
     complete_plan(plan, scene, settings, run, identities);
     const Needs needs = see_to_needs(plan, scene, settings, run, renderer.by_opengl(), out);
     PackageWriter writer(out, plan.chunks, plan.names, run.share);
@@ -199,8 +195,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
                        model_checksum(model, scene.mesh.normals),
                        model.record.reference_density};
     Tally tally(scene, settings_json(settings), formers);
-    const PhotoStages stages{scene,      key,     model,        renderer,   writer,
-                             identities, formers, rays.share(), run.strict, run.trace};
+    const PhotoStages stages{scene, key, model, renderer, writer, identities, formers, run.strict, run.trace};
     const auto start = std::chrono::steady_clock::now();
     run_photos(stages, plan.photos, needs.in_flight, run, tally, progress);
     if (formers.empty())

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -9,6 +10,7 @@
 #include "gl/context.h"
 #include "pipeline/stages/border.h"
 #include "pipeline/stages/clusters.h"
+#include "pipeline/stages/depth_summary.h"
 #include "pipeline/stages/near_distance.h"
 #include "pipeline/stages/pyramid.h"
 
@@ -182,4 +184,42 @@ TEST(MaskPyramid, KeepsWhatIsSeenAndNothingElse) {
     EXPECT_EQ(int(coarse.masks[3]), 255);
     EXPECT_EQ(coarse.z[1], inf);
     EXPECT_EQ(int(coarse.masks[7]), 0);
+}
+
+TEST(Masks, DepthIsTwelveStepsAnOctave) {
+    std::vector<float> z;
+    for (double exponent = -20; exponent < 20; exponent += 0.0173) z.push_back(float(std::exp2(exponent)));
+    z.push_back(std::numeric_limits<float>::infinity());
+    const std::vector<std::uint8_t> angle(z.size(), 77), border(z.size(), 5);
+    const double focal = 2000, reference = 3000;
+    const auto masks = combine_masks(z, angle, border, focal, reference);
+    for (std::size_t i = 0; i + 1 < z.size(); ++i) {
+        const double code = std::clamp(255 + 12 * std::log2(focal / z[i] / reference), 1.0, 255.0);
+        ASSERT_NEAR(masks[4 * i + 1], code, 0.501) << z[i];
+        ASSERT_EQ(masks[4 * i], 77);
+        ASSERT_EQ(masks[4 * i + 2], 5);
+        ASSERT_EQ(masks[4 * i + 3], 255);
+    }
+    for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(masks[masks.size() - 4 + c], 0) << "nothing is seen there";
+}
+
+TEST(DepthSummary, IsThatOfTheFiniteDepths) {
+    std::mt19937 random(3);
+    std::lognormal_distribution<float> depth(1, 0.7f);
+    for (const std::size_t count : {1u, 2u, 17u, 5000u, 100000u}) {
+        std::vector<float> z(count), finite;
+        for (float& v : z) v = random() % 3 ? depth(random) : std::numeric_limits<float>::infinity();
+        z[count / 2] = 2;
+        for (const float v : z)
+            if (std::isfinite(v)) finite.push_back(v);
+        std::ranges::sort(finite);
+        const auto found = summarise_depths(z);
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->nearest, finite.front());
+        EXPECT_EQ(found->farthest, finite.back());
+        EXPECT_GE(found->median, finite[finite.size() * 45 / 100]);
+        EXPECT_LE(found->median, finite[finite.size() * 55 / 100]);
+    }
+    EXPECT_FALSE(summarise_depths(std::vector<float>(9, std::numeric_limits<float>::infinity())));
+    EXPECT_FALSE(summarise_depths({}));
 }

@@ -9,6 +9,7 @@
 #include "gl/context.h"
 #include "gl/object.h"
 #include "gl/program.h"
+#include "pipeline/stages/wide.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -27,8 +28,8 @@ constexpr Named methods[] = {{DistanceMethod::automatic, "auto"},
 
 /// Which pixels of a row, but for its ends, lie on a depth discontinuity, by their 3x3 neighbourhoods.
 /// Without branches: what is no number compares false, and a neighbour that is not seen decides alone.
-void find_in_row(const float* above, const float* here, const float* below, int width, float threshold,
-                 std::uint8_t* out) {
+VANTAGE_WIDE void find_in_row(const float* above, const float* here, const float* below, int width,
+                              float threshold, std::uint8_t* out) {
     constexpr float unseen = std::numeric_limits<float>::infinity();
     for (int x = 1; x + 1 < width; ++x) {
         const float a = above[x - 1], b = above[x], c = above[x + 1], d = here[x - 1], z = here[x],
@@ -45,6 +46,15 @@ void find_in_row(const float* above, const float* here, const float* below, int 
         const int step =
             int(gx * gx + gy * gy > least * least) & int(std::max(bend_x, bend_y) > threshold / 4);
         out[x] = std::uint8_t(outline | (step & (z < unseen)));
+    }
+}
+
+VANTAGE_WIDE void border_row(const float* distance, int width, int edge, float scale, std::uint8_t* out) {
+    constexpr float mixed = 1;  // pixels next to a border hold the colours of both sides
+    for (int x = 0; x < width; ++x) {
+        const float outline = float(std::min(edge, std::min(x, width - 1 - x))) + 0.5f;
+        const float code = std::min(distance[x] - mixed, outline) * scale;
+        out[x] = std::uint8_t(int(std::min(std::max(code, 0.0f), 255.0f) + 0.5f));
     }
 }
 
@@ -134,17 +144,11 @@ std::vector<float> flood_distance(const gl::Program& jump_flood, const std::vect
 
 std::vector<std::uint8_t> border_mask(const std::vector<float>& distance, int width, int height,
                                       float full_width) {
-    constexpr float mixed = 1;  // pixels next to a border hold the colours of both sides
     std::vector<std::uint8_t> mask(distance.size());
     const float scale = 255 / std::max(full_width, 1e-3f);
     for (int y = 0; y < height; ++y) {
         const std::size_t row = std::size_t(y) * std::size_t(width);
-        const int edge = std::min(y, height - 1 - y);
-        for (int x = 0; x < width; ++x) {
-            const float outline = float(std::min(edge, std::min(x, width - 1 - x))) + 0.5f;
-            const float code = std::min(distance[row + std::size_t(x)] - mixed, outline) * scale;
-            mask[row + std::size_t(x)] = std::uint8_t(std::min(std::max(code, 0.0f), 255.0f) + 0.5f);
-        }
+        border_row(&distance[row], width, std::min(y, height - 1 - y), scale, &mask[row]);
     }
     return mask;
 }

@@ -138,32 +138,38 @@ FrameTriangles triangles_in_frame(const std::vector<package::ClusterRecord>& clu
 
 namespace {
 
-/// Leaves out the points inside the quadrilateral of the extreme ones, which no hull touches (Akl and
-/// Toussaint 1978).
-void drop_inner(std::vector<cv::Point2f>& points) {
-    cv::Point2f extreme[4] = {points[0], points[0], points[0],
-                              points[0]};  // least x, least y, most x, most y
-    for (const cv::Point2f& p : points) {
-        if (p.x < extreme[0].x) extreme[0] = p;
-        if (p.y < extreme[1].y) extreme[1] = p;
-        if (p.x > extreme[2].x) extreme[2] = p;
-        if (p.y > extreme[3].y) extreme[3] = p;
+/// The visible points, without those inside the quadrilateral of the extreme ones, which no hull touches
+/// (Akl and Toussaint 1978).
+std::vector<cv::Point2f> outer_points(const std::vector<Eigen::Vector2f>& coordinates) {
+    const auto seen = [](const Eigen::Vector2f& uv) { return uv.x() >= 0; };
+    const auto first = std::ranges::find_if(coordinates, seen);
+    if (first == coordinates.end()) return {};
+    Eigen::Vector2f extreme[4] = {*first, *first, *first, *first};  // least x, least y, most x, most y
+    for (const Eigen::Vector2f& p : coordinates) {
+        if (!seen(p)) continue;
+        if (p.x() < extreme[0].x()) extreme[0] = p;
+        if (p.y() < extreme[1].y()) extreme[1] = p;
+        if (p.x() > extreme[2].x()) extreme[2] = p;
+        if (p.y() > extreme[3].y()) extreme[3] = p;
     }
-    std::erase_if(points, [&](const cv::Point2f& p) {
-        for (int i = 0; i < 4; ++i)
-            if (!((extreme[(i + 1) % 4] - extreme[i]).cross(p - extreme[i]) > 0)) return false;
-        return true;
-    });
+    std::vector<cv::Point2f> outer;
+    for (const Eigen::Vector2f& p : coordinates) {
+        bool inside = true;
+        for (int i = 0; i < 4; ++i) {
+            const Eigen::Vector2f side = extreme[(i + 1) % 4] - extreme[i], to = p - extreme[i];
+            inside &= side.x() * to.y() - side.y() * to.x() > 0;
+        }
+        if (!inside && seen(p)) outer.emplace_back(p.x(), p.y());
+    }
+    return outer;
 }
 
 }  // namespace
 
 SeenHull seen_hull(const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& k, const Pose& pose) {
-    std::vector<cv::Point2f> points, hull;
-    for (const Eigen::Vector2f& uv : coordinates)
-        if (uv.x() >= 0) points.emplace_back(uv.x(), uv.y());
+    const std::vector<cv::Point2f> points = outer_points(coordinates);
     if (points.empty()) return {pose.direction(), 0};
-    drop_inner(points);
+    std::vector<cv::Point2f> hull;
     cv::convexHull(points, hull);
     const double area = hull.size() >= 3 ? cv::contourArea(hull) : 0;
     Eigen::Vector2d center = Eigen::Vector2d::Zero();

@@ -33,32 +33,59 @@ class Bits {
 std::vector<Extent> add_map(const PhotoGeometry& g, const std::vector<FrameTriangles::Place>& places,
                             std::size_t clusters, Bits part) {
     std::vector<Extent> extents(clusters);
-    std::size_t i = 0;
-    for (int y = 0; y < g.height; ++y)
-        for (int x = 0; x < g.width; ++x, ++i) {
-            if (g.triangles[i] >= places.size()) continue;
-            const FrameTriangles::Place p = places[g.triangles[i]];
+    for (int y = 0; y < g.height; ++y) {
+        const std::uint32_t* row = &g.triangles[std::size_t(y) * std::size_t(g.width)];
+        std::uint32_t cluster = 0, triangle = 0;
+        int first = 0, last = -1;  // of a run of one cluster
+        const auto end_run = [&] {
+            if (last >= first) extents[cluster].add(first, y), extents[cluster].add(last, y);
+        };
+        for (int x = 0; x < g.width; ++x) {
+            if (row[x] >= places.size()) continue;
+            if (last == x - 1 && last >= first && row[x] == triangle) {
+                last = x;
+                continue;
+            }
+            triangle = row[x];
+            const FrameTriangles::Place p = places[triangle];
             part.set(p.triangle);
-            extents[p.cluster].add(x, y);
+            if (p.cluster != cluster || last < first) end_run(), cluster = p.cluster, first = x;
+            last = x;
         }
+        end_run();
+    }
     return extents;
 }
 
-/// Visible vertices count, too: a triangle may lie between the map's pixels.
-void add_vertices(const std::vector<std::uint32_t>& indices, const PhotoGeometry& g, const Intrinsics& k,
+/// Visible vertices count, too: a triangle may lie between the map's pixels. Triangles of a cluster stand
+/// together.
+void add_vertices(const std::vector<std::uint32_t>& indices, const PhotoGeometry& g,
+                  const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& k,
                   const std::vector<FrameTriangles::Place>& places, std::vector<Extent>& extents, Bits whole,
                   Bits part) {
-    for (const FrameTriangles::Place& p : places) {
-        int seen = 0;
-        for (std::size_t v = 0; v < 3; ++v) {
-            const Eigen::Vector2f& uv = g.coordinates[indices[3 * std::size_t(p.triangle) + v]];
-            if (uv.x() < 0) continue;
-            ++seen;
-            extents[p.cluster].add(std::clamp(int(uv.x() * float(k.width)) >> mask_level, 0, g.width - 1),
-                                   std::clamp(int(uv.y() * float(k.height)) >> mask_level, 0, g.height - 1));
+    const Eigen::Vector2f size(float(k.width), float(k.height));
+    const auto add = [&](std::uint32_t cluster, const Eigen::Vector2f& uv) {
+        const Eigen::Vector2i p = uv.cwiseProduct(size).cast<int>() / (1 << mask_level);
+        extents[cluster].add(std::clamp(p.x(), 0, g.width - 1), std::clamp(p.y(), 0, g.height - 1));
+    };
+    for (std::size_t i = 0; i < places.size();) {
+        const std::uint32_t cluster = places[i].cluster;
+        const Eigen::Vector2f nothing(2, 2);
+        Eigen::Vector2f least = nothing, most(-1, -1);
+        for (; i < places.size() && places[i].cluster == cluster; ++i) {
+            const std::uint32_t* corners = &indices[3 * std::size_t(places[i].triangle)];
+            int seen = 0;
+            for (int v = 0; v < 3; ++v) {
+                const Eigen::Vector2f& uv = coordinates[corners[v]];
+                const bool visible = uv.x() >= 0;
+                seen += visible;
+                least = least.cwiseMin(visible ? uv : nothing);
+                most = most.cwiseMax(uv);
+            }
+            if (seen) part.set(places[i].triangle);
+            if (seen == 3) whole.set(places[i].triangle);
         }
-        if (seen) part.set(p.triangle);
-        if (seen == 3) whole.set(p.triangle);
+        if (most.x() >= 0) add(cluster, least), add(cluster, most);
     }
 }
 
@@ -89,12 +116,13 @@ package::CoverageRecord record(const package::ClusterRecord& c, const Extent& e,
 Coverage measure_coverage(const std::vector<package::ClusterRecord>& clusters,
                           const std::vector<std::uint32_t>& indices,
                           const std::vector<FrameTriangles::Place>& places, const PhotoGeometry& g,
-                          const Intrinsics& k, const Pose& pose) {
+                          const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& k,
+                          const Pose& pose) {
     const std::uint64_t words = package::visible_words(indices.size() / 3);
     Coverage out{{}, std::vector<std::uint64_t>(2 * words, 0)};
     Bits whole(out.visible, 0), part(out.visible, words);
     std::vector<Extent> extents = add_map(g, places, clusters.size(), part);
-    add_vertices(indices, g, k, places, extents, whole, part);
+    add_vertices(indices, g, coordinates, k, places, extents, whole, part);
     out.clusters.reserve(clusters.size());
     for (std::size_t c = 0; c < clusters.size(); ++c)
         out.clusters.push_back(record(clusters[c], extents[c], part, k, pose));

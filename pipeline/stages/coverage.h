@@ -16,10 +16,11 @@ struct Coverage {
 };
 
 /// From the triangles under the pixels of the photo's triangle map (`places` tells which those are) and the
-/// visible vertices.
+/// vertices' texture coordinates.
 Coverage measure_coverage(const std::vector<package::ClusterRecord>& clusters,
                           const std::vector<std::uint32_t>& indices,
                           const std::vector<FrameTriangles::Place>& places, const PhotoGeometry& geometry,
-                          const Intrinsics& intrinsics, const Pose& cam_from_origin);
+                          const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& intrinsics,
+                          const Pose& cam_from_origin);
 
 }  // namespace vantage

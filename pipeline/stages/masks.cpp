@@ -1,49 +1,80 @@
 #include "pipeline/stages/masks.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <cstdint>
+#include <cstring>
 #include <limits>
 
+#include "pipeline/stages/wide.h"
 #include "scene/tiling.h"
 
 namespace vantage {
-
 namespace {
 
-/// log2 of positive finite floats, to 1/2048 of an octave: by exponent and the mantissa's first bits.
-class Log2 {
-  public:
-    Log2() {
-        for (std::size_t i = 0; i < table_.size(); ++i)
-            table_[i] = float(std::log2(1 + (double(i) + 0.5) / double(table_.size())));
-    }
-    float operator()(float z) const {
-        const auto bits = std::bit_cast<std::uint32_t>(z);
-        return float(int(bits >> 23) - 127) + table_[bits >> 12 & 2047];
-    }
+static_assert(std::endian::native == std::endian::little);
 
-  private:
-    std::array<float, 2048> table_;
+/// log2 of a positive normal float, to 2e-5: its exponent, and a polynomial of its mantissa, fitted to
+/// log2(1 + m) and exact at both ends.
+inline float log2_of(float z) {
+    const auto bits = std::bit_cast<std::uint32_t>(z);
+    const float m = std::bit_cast<float>((bits & 0x7fffffu) | 0x3f800000u) - 1;
+    const float fraction =
+        m * (1.44191703f + m * (-0.70909640f + m * (0.41560593f + m * (-0.19357557f + m * 0.04514900f))));
+    return float(int(bits >> 23) - 127) + fraction;
+}
+
+/// `top` is 255 + 12 log2(focal / reference).
+VANTAGE_WIDE void combine(const float* z, const std::uint8_t* angle, const std::uint8_t* border, float top,
+                          std::size_t count, std::uint8_t* out) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float code = std::min(std::max(top - 12 * log2_of(z[i]), 1.0f), 255.0f);
+        const std::uint32_t texel = std::uint32_t(angle[i]) | std::uint32_t(int(code + 0.5f)) << 8 |
+                                    std::uint32_t(border[i]) << 16 | 0xff000000u;
+        const bool seen = (z[i] > 0) & (z[i] < std::numeric_limits<float>::infinity());
+        const std::uint32_t kept = seen ? texel : 0;
+        std::memcpy(out + 4 * i, &kept, 4);
+    }
+}
+
+/// Four texels become one.
+struct Quad {
+    std::uint32_t masks[4];
+    float z[4];
+
+    bool all_valid() const { return (masks[0] & masks[1] & masks[2] & masks[3]) >> 31; }
+    bool none_valid() const { return !((masks[0] | masks[1] | masks[2] | masks[3]) >> 31); }
+
+    std::uint32_t mean_of_all() const {
+        std::uint32_t even = 0x20002, odd = 2;
+        for (const std::uint32_t m : masks) even += m & 0xff00ff, odd += m >> 8 & 0xff;
+        return (even >> 2 & 0xff00ff) | (odd >> 2) << 8 | 0xff000000u;
+    }
+    std::uint32_t mean_of_valid() const {
+        std::uint32_t valid = 0, out = 0xff000000u;
+        for (const std::uint32_t m : masks) valid += m >> 31;
+        for (int shift = 0; shift < 24; shift += 8) {
+            std::uint32_t sum = valid / 2;
+            for (const std::uint32_t m : masks) sum += m >> 31 ? m >> shift & 0xff : 0;
+            out |= sum / valid << shift;
+        }
+        return out;
+    }
+    float farthest() const {
+        float far = 0;
+        for (int i = 0; i < 4; ++i) far = std::max(far, masks[i] >> 31 ? z[i] : 0);
+        return far;
+    }
 };
 
 }  // namespace
 
-std::vector<std::uint8_t> combine_masks(const PhotoGeometry& g, const std::vector<std::uint8_t>& border,
-                                        double focal, double reference_density) {
-    static const Log2 log2;
-    std::vector<std::uint8_t> out(g.z.size() * 4, 0);
-    const float top = float(std::log2(focal / reference_density));
-    for (std::size_t i = 0; i < g.z.size(); ++i) {
-        if (!(g.z[i] > 0 && g.z[i] < std::numeric_limits<float>::infinity())) continue;
-        const float code = 255 + 12 * (top - log2(g.z[i]));
-        out[4 * i] = g.angle[i];
-        out[4 * i + 1] = std::uint8_t(std::clamp(code, 1.0f, 255.0f) + 0.5f);
-        out[4 * i + 2] = border[i];
-        out[4 * i + 3] = 255;
-    }
+std::vector<std::uint8_t> combine_masks(const std::vector<float>& z, const std::vector<std::uint8_t>& angle,
+                                        const std::vector<std::uint8_t>& border, double focal,
+                                        double reference_density) {
+    std::vector<std::uint8_t> out(4 * z.size());
+    combine(z.data(), angle.data(), border.data(), float(255 + 12 * std::log2(focal / reference_density)),
+            z.size(), out.data());
     return out;
 }
 
@@ -52,25 +83,24 @@ MaskLevel halve(const MaskLevel& level) {
     const std::size_t texels = std::size_t(half.width) * std::size_t(half.height);
     MaskLevel out{half.width, half.height, std::vector<std::uint8_t>(texels * 4, 0),
                   std::vector<float>(texels, std::numeric_limits<float>::infinity())};
+    const auto width = std::size_t(level.width);
     std::size_t to = 0;
-    for (int y = 0; y < half.height; ++y)
+    for (int y = 0; y < half.height; ++y) {
+        const std::size_t row = std::size_t(2 * y) * width, below = 2 * y + 1 < level.height ? width : 0;
         for (int x = 0; x < half.width; ++x, ++to) {
-            unsigned sum[3]{}, valid = 0;
-            float farthest = 0;
-            for (int j = 2 * y; j <= std::min(2 * y + 1, level.height - 1); ++j)
-                for (int i = 2 * x; i <= std::min(2 * x + 1, level.width - 1); ++i) {
-                    const std::size_t from = std::size_t(j) * std::size_t(level.width) + std::size_t(i);
-                    if (!level.masks[4 * from + 3]) continue;
-                    ++valid;
-                    for (std::size_t c = 0; c < 3; ++c) sum[c] += level.masks[4 * from + c];
-                    farthest = std::max(farthest, level.z[from]);
-                }
-            if (!valid) continue;
-            for (std::size_t c = 0; c < 3; ++c)
-                out.masks[4 * to + c] = std::uint8_t((sum[c] + valid / 2) / valid);
-            out.masks[4 * to + 3] = 255;
-            out.z[to] = farthest;
+            const std::size_t from = row + std::size_t(2 * x), right = 2 * x + 1 < level.width ? 1 : 0;
+            const std::size_t at[4] = {from, from + right, from + below, from + below + right};
+            Quad q;
+            for (int i = 0; i < 4; ++i) {
+                std::memcpy(&q.masks[i], &level.masks[4 * at[i]], 4);
+                q.z[i] = level.z[at[i]];
+            }
+            if (q.none_valid()) continue;
+            const std::uint32_t mean = q.all_valid() ? q.mean_of_all() : q.mean_of_valid();
+            std::memcpy(&out.masks[4 * to], &mean, 4);
+            out.z[to] = q.farthest();
         }
+    }
     return out;
 }
 

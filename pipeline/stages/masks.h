@@ -2,16 +2,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "pipeline/stages/border.h"
-#include "pipeline/stages/photo_geometry.h"
-
 namespace vantage {
 
 /// RGBA8 masks at `mask_level`: angle, depth, border, validity (255 where the photo sees the model).
 /// Depth channel: 255 + 12 log2(density / reference), at least 1, where density = f / z in pixels per unit;
 /// its square is the sampling rate of Callieri et al. 2008, and the logarithm keeps a far photo from becoming
 /// zero.
-std::vector<std::uint8_t> combine_masks(const PhotoGeometry& geometry,
+std::vector<std::uint8_t> combine_masks(const std::vector<float>& z, const std::vector<std::uint8_t>& angle,
                                         const std::vector<std::uint8_t>& border, double focal,
                                         double reference_density);
 

@@ -4,16 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/stages/wide.h"
+
 namespace vantage {
 namespace {
-
-/// Wider vectors where the processor has them.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_THREAD__) && \
-    !defined(__SANITIZE_ADDRESS__)
-#define VANTAGE_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define VANTAGE_WIDE
-#endif
 
 /// Distance within the column, `none` beyond the reach: from above into `to`, given the row before.
 VANTAGE_WIDE void step(const std::uint8_t* border, const std::int16_t* before, std::int16_t* to, int width,

@@ -35,17 +35,13 @@ void draw(const ModelBuffers& model, const Triangles& triangles, const gl::Frame
     glDrawElements(GL_TRIANGLES, GLsizei(triangles.count), GL_UNSIGNED_INT, nullptr);
 }
 
-struct Maps {
-    gl::Texture z, angle, triangles;
-};
-
-Maps render_maps(const ModelBuffers& model, const Triangles& triangles, const Intrinsics& k, const Pose& pose,
+void render_maps(const ModelBuffers& model, const Triangles& triangles, const Intrinsics& k, const Pose& pose,
                  Eigen::Vector2d near_far, PhotoGeometry& out) {
-    Maps maps{gl::make_texture_2d("linear depth", GL_R32F, out.width, out.height),
-              gl::make_texture_2d("angle mask", GL_R8, out.width, out.height),
-              gl::make_texture_2d("triangles", GL_R32UI, out.width, out.height)};
-    const gl::Texture depth = gl::make_texture_2d("depth", GL_DEPTH_COMPONENT32F, out.width, out.height);
-    const std::array colors{maps.z.id(), maps.angle.id(), maps.triangles.id()};
+    const gl::Texture z = gl::make_texture_2d("linear depth", GL_R32F, out.width, out.height),
+                      angle = gl::make_texture_2d("angle mask", GL_R8, out.width, out.height),
+                      seen = gl::make_texture_2d("triangles", GL_R32UI, out.width, out.height),
+                      depth = gl::make_texture_2d("depth", GL_DEPTH_COMPONENT32F, out.width, out.height);
+    const std::array colors{z.id(), angle.id(), seen.id()};
     const gl::Framebuffer target = gl::make_framebuffer("photo geometry", colors, depth.id());
     const float one = 1;
     const std::array nothing{std::numeric_limits<float>::infinity(), 0.0f, 0.0f, 0.0f};
@@ -64,48 +60,10 @@ Maps render_maps(const ModelBuffers& model, const Triangles& triangles, const In
     glUniform4f(2, float(k.fx), float(k.fy), float(k.cx), float(k.cy));
     draw(model, triangles, target, out.width, out.height);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(maps.z.id(), 0, GL_RED, GL_FLOAT, GLsizei(out.z.size() * sizeof(float)), out.z.data());
-    glGetTextureImage(maps.angle.id(), 0, GL_RED, GL_UNSIGNED_BYTE, GLsizei(out.angle.size()),
-                      out.angle.data());
-    glGetTextureImage(maps.triangles.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+    glGetTextureImage(z.id(), 0, GL_RED, GL_FLOAT, GLsizei(out.z.size() * sizeof(float)), out.z.data());
+    glGetTextureImage(angle.id(), 0, GL_RED, GL_UNSIGNED_BYTE, GLsizei(out.angle.size()), out.angle.data());
+    glGetTextureImage(seen.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
                       GLsizei(out.triangles.size() * sizeof(GLuint)), out.triangles.data());
-    return maps;
-}
-
-std::vector<Eigen::Vector2f> capture_coordinates(const ModelBuffers& model, const Intrinsics& k,
-                                                 const Pose& pose, const Triangles& triangles,
-                                                 const gl::Texture& triangle_map) {
-    // Without a surface every draw needs a framebuffer, even one that rasterises nothing.
-    GLuint id = 0;
-    glCreateFramebuffers(1, &id);
-    const gl::Framebuffer nothing(id);
-    glNamedFramebufferParameteri(id, GL_FRAMEBUFFER_DEFAULT_WIDTH, 1);
-    glNamedFramebufferParameteri(id, GL_FRAMEBUFFER_DEFAULT_HEIGHT, 1);
-    glBindFramebuffer(GL_FRAMEBUFFER, id);
-    glUseProgram(model.coordinates.id());
-    const Eigen::Matrix4f cam = cam_from_origin(pose).cast<float>();
-    glUniformMatrix4fv(0, 1, GL_FALSE, cam.data());
-    glUniform4f(1, float(k.fx), float(k.fy), float(k.cx), float(k.cy));
-    glUniform2f(2, float(k.width), float(k.height));
-    const Eigen::Vector3f eye = pose.center().cast<float>();
-    glUniform3fv(3, 1, eye.data());
-    glUniform1f(4, float(1 << mask_level));
-    glBindTextureUnit(0, triangle_map.id());
-    const GLuint buffers[] = {model.positions.id(), triangles.indices.id()};
-    glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, 2, buffers);
-    glBindVertexArray(model.vertices.id());
-    std::vector<Eigen::Vector2f> out(model.vertex_count);
-    const std::size_t bytes = out.size() * sizeof(Eigen::Vector2f);
-    const gl::Buffer captured = gl::make_buffer("texture coordinates", bytes, nullptr, 0);
-    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, captured.id());
-    glEnable(GL_RASTERIZER_DISCARD);
-    glBeginTransformFeedback(GL_POINTS);
-    glDrawArrays(GL_POINTS, 0, GLsizei(model.vertex_count));
-    glEndTransformFeedback();
-    glDisable(GL_RASTERIZER_DISCARD);
-    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
-    glGetNamedBufferSubData(captured.id(), 0, GLsizeiptr(bytes), out.data());
-    return out;
 }
 
 }  // namespace
@@ -120,9 +78,6 @@ ModelBuffers upload_model(std::span<const Eigen::Vector3f> positions,
     gl::attach_floats(m.vertices, 1, m.normals, 3, 12);
     m.geometry = gl::make_program("photo geometry", {{GL_VERTEX_SHADER, "photo_geometry.vert"},
                                                      {GL_FRAGMENT_SHADER, "photo_geometry.frag"}});
-    m.coordinates = gl::make_program("texture coordinates", {{GL_VERTEX_SHADER, "texture_coordinates.vert"}},
-                                     {}, {"coordinate"});
-    m.vertex_count = positions.size();
     gl::check("uploading the model");
     return m;
 }
@@ -140,15 +95,11 @@ Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Po
     return {std::max(nearest * 0.999, farthest * 1e-5), farthest * 1.001};
 }
 
-PhotoGeometry empty_geometry(const Intrinsics& k, std::size_t vertices) {
+PhotoGeometry empty_geometry(const Intrinsics& k) {
     const Level half = level_size(k.width, k.height, mask_level);
     const std::size_t pixels = std::size_t(half.width) * std::size_t(half.height);
-    return {half.width,
-            half.height,
-            std::vector<float>(pixels, std::numeric_limits<float>::infinity()),
-            std::vector<std::uint8_t>(pixels, 0),
-            std::vector<std::uint32_t>(pixels, ~0u),
-            std::vector<Eigen::Vector2f>(vertices, Eigen::Vector2f(-1, -1))};
+    return {half.width, half.height, std::vector<float>(pixels, std::numeric_limits<float>::infinity()),
+            std::vector<std::uint8_t>(pixels, 0), std::vector<std::uint32_t>(pixels, ~0u)};
 }
 
 Intrinsics map_intrinsics(const Intrinsics& k) {
@@ -160,12 +111,11 @@ Intrinsics map_intrinsics(const Intrinsics& k) {
 
 PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::uint32_t> indices,
                               const Intrinsics& k, const Pose& pose, Eigen::Vector2d near_far) {
-    PhotoGeometry out = empty_geometry(k, model.vertex_count);
+    PhotoGeometry out = empty_geometry(k);
     if (!(near_far.y() > 0) || indices.empty()) return out;
     const Triangles triangles{gl::make_buffer("triangles in frame", indices.size_bytes(), indices.data()),
                               indices.size()};
-    const Maps maps = render_maps(model, triangles, map_intrinsics(k), pose, near_far, out);
-    out.coordinates = capture_coordinates(model, k, pose, triangles, maps.triangles);
+    render_maps(model, triangles, map_intrinsics(k), pose, near_far, out);
     gl::check("rendering a photo's geometry");
     return out;
 }

@@ -13,24 +13,22 @@ namespace vantage {
 struct ModelBuffers {
     gl::Buffer positions, normals;
     gl::VertexArray vertices;
-    gl::Program geometry, coordinates;
+    gl::Program geometry;
     gl::Program jump_flood;  ///< empty where border distances are exact
-    std::size_t vertex_count = 0;
 };
 ModelBuffers upload_model(std::span<const Eigen::Vector3f> positions,
                           std::span<const Eigen::Vector3f> normals);
 
 /// What a photo's camera sees of the model.
 struct PhotoGeometry {
-    int width = 0, height = 0;                 ///< of the maps: the photo's at `mask_level`
-    std::vector<float> z;                      ///< linear depth, +inf where nothing is seen
-    std::vector<std::uint8_t> angle;           ///< max(0, n.v), unorm8
-    std::vector<std::uint32_t> triangles;      ///< which of the triangles given; none: 2^32 - 1
-    std::vector<Eigen::Vector2f> coordinates;  ///< a vertex; (-1,-1) where not visible, see settle_visibility
+    int width = 0, height = 0;             ///< of the maps: the photo's at `mask_level`
+    std::vector<float> z;                  ///< linear depth, +inf where nothing is seen
+    std::vector<std::uint8_t> angle;       ///< max(0, n.v), unorm8
+    std::vector<std::uint32_t> triangles;  ///< which of the triangles given; none: 2^32 - 1
 };
 
 /// One in which nothing is seen, and the intrinsics of its maps.
-PhotoGeometry empty_geometry(const Intrinsics& photo, std::size_t vertices);
+PhotoGeometry empty_geometry(const Intrinsics& photo);
 Intrinsics map_intrinsics(const Intrinsics& photo);
 
 /// Near and far plane that hold the model: the range of vertex depths, widened, with a ratio that a float
@@ -38,9 +36,8 @@ Intrinsics map_intrinsics(const Intrinsics& photo);
 /// of it is behind.
 Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& cam_from_origin);
 
-/// Renders depth and angle and captures texture coordinates (METHOD: texture coordinates). On the OpenGL
-/// thread. `indices` are the triangles that may reach into the photo, see triangles_in_frame. Throws
-/// std::runtime_error when OpenGL fails.
+/// Renders depth, angle and triangles. On the OpenGL thread. `indices` are the triangles that may reach into
+/// the photo, see triangles_in_frame. Throws std::runtime_error when OpenGL fails.
 PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::uint32_t> indices,
                               const Intrinsics& intrinsics, const Pose& cam_from_origin,
                               Eigen::Vector2d near_far);

@@ -1,132 +1,174 @@
 #include "pipeline/stages/vertex_coordinates.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 
-#include "pipeline/stages/visibility.h"
-#include "scene/tiling.h"
+#include "pipeline/stages/wide.h"
 
 namespace vantage {
 namespace {
 
-constexpr std::uint32_t nothing = ~0u;
-constexpr float plain = 0.15f;  ///< cosine above which a surface does not hide itself
+/// Positions in triangles of at most this extent are exact in single precision.
+constexpr int small_extent = 62 << position_bits;
+/// Vertices that are tested at once.
+constexpr std::size_t lanes = 8;
+using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
+using Floats = float __attribute__((vector_size(4 * lanes)));
 
-enum class Seen { no, yes, unsettled };
-
-/// Corners from the camera's centre.
-struct Triangle {
-    std::array<std::uint32_t, 3> vertices;
-    Eigen::Vector3f a, b, c;
-
-    bool holds(std::uint32_t vertex) const { return std::ranges::count(vertices, vertex) > 0; }
+/// The vertices in a map's frame, by square bins, row by row; so those in a range of a row's bins stand
+/// together.
+struct Sights {
+    static constexpr int bin_bits = position_bits + 2;  ///< four pixels
+    int columns = 0, rows = 0;
+    std::vector<std::uint32_t> first;  ///< vertex of a bin, and of the one after the last
+    // Each as long as there are vertices, and `lanes` more that nothing hides.
+    std::vector<std::int32_t> x, y, vertex, hidden;
+    std::vector<float> inverse;
 };
 
-class Vertices {
-  public:
-    Vertices(const ModelSpans& model, std::span<const std::uint32_t> indices, const Intrinsics& k,
-             const Pose& pose, const PhotoGeometry& map)
-        : model_(model),
-          indices_(indices),
-          k_(k),
-          pose_(pose),
-          map_(map),
-          eye_(pose.center().cast<float>()),
-          longest_(float(std::max(k.fx, k.fy))),
-          shortest_(float(std::min(k.fx, k.fy))) {}
+Sights bin(const PhotoProjection& p) {
+    constexpr int pixels = 1 << (Sights::bin_bits - position_bits);
+    Sights s;
+    s.columns = (p.intrinsics.width + pixels - 1) / pixels;
+    s.rows = (p.intrinsics.height + pixels - 1) / pixels;
+    const auto in_frame = [&](const ProjectedVertex& v) {
+        return v.inverse > 0 && v.x >= 0 && v.y >= 0 && v.x >> Sights::bin_bits < s.columns &&
+               v.y >> Sights::bin_bits < s.rows;
+    };
+    const auto bin_of = [&](const ProjectedVertex& v) {
+        return std::size_t(v.y >> Sights::bin_bits) * std::size_t(s.columns) +
+               std::size_t(v.x >> Sights::bin_bits);
+    };
+    // Counted two bins on, a bin's first is where the next of its vertices goes, one bin on.
+    s.first.assign(std::size_t(s.columns) * std::size_t(s.rows) + 2, 0);
+    for (const ProjectedVertex& v : p.vertices)
+        if (in_frame(v)) ++s.first[bin_of(v) + 2];
+    for (std::size_t i = 2; i < s.first.size(); ++i) s.first[i] += s.first[i - 1];
+    const std::size_t padded = s.first.back() + lanes;
+    s.x.assign(padded, 0);
+    s.y.assign(padded, 0);
+    s.vertex.assign(padded, -1);
+    s.hidden.assign(padded, 0);
+    s.inverse.assign(padded, std::numeric_limits<float>::infinity());
+    for (std::size_t i = 0; i < p.vertices.size(); ++i) {
+        const ProjectedVertex& v = p.vertices[i];
+        if (!in_frame(v)) continue;
+        const std::size_t at = s.first[bin_of(v) + 1]++;
+        s.x[at] = v.x, s.y[at] = v.y, s.inverse[at] = v.inverse, s.vertex[at] = std::int32_t(i);
+    }
+    s.first.pop_back();
+    return s;
+}
 
-    Eigen::Vector2f coordinate(std::uint32_t vertex) const {
-        const Eigen::Vector2f hidden(-1, -1);
-        const Eigen::Vector3d p = pose_.R * model_.positions[vertex].cast<double>() + pose_.t;
-        if (!(p.z() > 0)) return hidden;
-        const double x = k_.fx * p.x() / p.z() + k_.cx, y = k_.fy * p.y() / p.z() + k_.cy;
-        if (!(x >= 0 && y >= 0 && x < k_.width && y < k_.height)) return hidden;
-        constexpr int texel = 1 << mask_level;
-        const Seen seen = visibility(vertex, int(x) / texel, int(y) / texel);
-        if (seen == Seen::no) return hidden;
-        if (seen == Seen::unsettled) return {unsettled_coordinate, unsettled_coordinate};
-        return {float(x / k_.width), float(y / k_.height)};
-    }
+/// The bins that a range of positions touches.
+template <class Int>
+std::pair<int, int> bins(Int low, Int high, int count) {
+    return {int(std::clamp<Int>(low >> Sights::bin_bits, 0, count)),
+            int(std::clamp<Int>(high >> Sights::bin_bits, -1, count - 1))};
+}
 
-  private:
-    Triangle triangle(std::uint32_t number) const {
-        Triangle t;
-        std::copy_n(indices_.begin() + std::ptrdiff_t(number) * 3, 3, t.vertices.begin());
-        t.a = model_.positions[t.vertices[0]] - eye_;
-        t.b = model_.positions[t.vertices[1]] - eye_;
-        t.c = model_.positions[t.vertices[2]] - eye_;
-        return t;
-    }
-    std::uint32_t seen_at(int x, int y) const {
-        x = std::clamp(x, 0, map_.width - 1);
-        y = std::clamp(y, 0, map_.height - 1);
-        return map_.triangles[std::size_t(y) * std::size_t(map_.width) + std::size_t(x)];
-    }
-    /// The ray crosses the triangle before the vertex, by more than a third of a pixel's footprint (Moeller
-    /// and Trumbore 1997).
-    bool crosses(const Triangle& t, const Eigen::Vector3f& ray) const {
-        const float u = ray.dot(t.c.cross(t.b)), v = ray.dot(t.a.cross(t.c)), w = ray.dot(t.b.cross(t.a)),
-                    sum = u + v + w;
-        if (!((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) || sum == 0) return false;
-        const float share = ((u * t.a + v * t.b + w * t.c) / sum).dot(ray) / ray.squaredNorm();
-        return share > 0 && share < 1 - 0.3f / longest_;
-    }
-    /// The triangle's plane meets the ray within a third of a pixel's footprint of the vertex: one surface
-    /// with it.
-    bool continues(const Triangle& t, const Eigen::Vector3f& ray) const {
-        const Eigen::Vector3f n = (t.b - t.a).cross(t.c - t.a);
-        const float along = n.dot(ray), off = n.dot(t.a) - along;
-        return std::abs(off) * longest_ < 0.3f * std::abs(along);
-    }
-    /// Wholly before the vertex, by more than a texel's footprint along the vertex's slope.
-    bool before(const Triangle& t, float distance, float facing) const {
-        const float footprint = float(1 << mask_level) * distance / shortest_;
-        const float slack = footprint * (1 + 1 / std::max(std::abs(facing), 0.1f));
-        return std::max({t.a.norm(), t.b.norm(), t.c.norm()}) < distance - slack;
-    }
-    /// Hidden behind the triangle at its own texel, or behind those of the texels at its corners, too; seen
-    /// on a surface that goes on through all of them.
-    Seen visibility(std::uint32_t vertex, int x, int y) const {
-        const Eigen::Vector3f ray = model_.positions[vertex] - eye_;
-        const float distance = ray.norm(), facing = -model_.normals[vertex].dot(ray) / distance;
-        bool behind = true, goes_on = facing > plain;
-        std::uint32_t last = nothing;
-        constexpr std::array<std::array<int, 2>, 5> around{{{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
-        for (std::size_t i = 0; i < around.size(); ++i) {
-            const std::uint32_t number = seen_at(x + around[i][0], y + around[i][1]);
-            behind = behind && number != nothing;
-            if (number == nothing || number == last) continue;
-            last = number;
-            const Triangle t = triangle(number);
-            const bool own = t.holds(vertex);
-            if (i == 0 && !own && crosses(t, ray)) return Seen::no;
-            behind = behind && !own && before(t, distance, facing);
-            goes_on = goes_on && (own || continues(t, ray));
-            if (!behind && !goes_on) return Seen::unsettled;
+/// Marks the vertices that small triangles hide: those whose lines of sight meet a triangle before `there` of
+/// the way. Returns the other triangles.
+VANTAGE_WIDE std::vector<std::uint32_t> hide_by_small(std::span<const ProjectedVertex> vertices,
+                                                      std::span<const std::uint32_t> indices, float there,
+                                                      Sights& s) {
+    std::vector<std::uint32_t> others;
+    for (std::size_t t = 0; 3 * t < indices.size(); ++t) {
+        const std::uint32_t* corners = &indices[3 * t];
+        const ProjectedVertex a = vertices[corners[0]], b = vertices[corners[1]], c = vertices[corners[2]];
+        const float least = std::min(std::min(a.inverse, b.inverse), c.inverse),
+                    most = std::max(std::max(a.inverse, b.inverse), c.inverse);
+        const int left = std::min(std::min(a.x, b.x), c.x), right = std::max(std::max(a.x, b.x), c.x),
+                  top = std::min(std::min(a.y, b.y), c.y), bottom = std::max(std::max(a.y, b.y), c.y);
+        if (!(least > 0) || std::int64_t(right) - left > small_extent ||
+            std::int64_t(bottom) - top > small_extent) {
+            others.push_back(std::uint32_t(t));
+            continue;
         }
-        return behind ? Seen::no : goes_on ? Seen::yes : Seen::unsettled;
+        const auto [x0, x1] = bins(left, right, s.columns);
+        const auto [y0, y1] = bins(top, bottom, s.rows);
+        if (x0 > x1 || y0 > y1) continue;
+        // Relative to the first corner; rounding must not open a gap between two triangles.
+        const float bx = float(b.x - a.x), by = float(b.y - a.y), cx = float(c.x - a.x),
+                    cy = float(c.y - a.y), area = bx * cy - by * cx;
+        const float extent = float(std::max(right - left, bottom - top)), slack = 4e-7f * extent * extent;
+        if (!(std::abs(area) > slack)) continue;
+        const float sign = area > 0 ? 1 : -1, share = there / area;
+        for (int y = y0; y <= y1; ++y) {
+            const std::size_t row = std::size_t(y) * std::size_t(s.columns);
+            const std::size_t end = s.first[row + std::size_t(x1) + 1];
+            for (std::size_t i = s.first[row + std::size_t(x0)]; i < end; i += lanes) {
+                Ints x, y_at, vertex, hidden;
+                Floats inverse;
+                std::memcpy(&x, &s.x[i], sizeof x);
+                std::memcpy(&y_at, &s.y[i], sizeof y_at);
+                std::memcpy(&vertex, &s.vertex[i], sizeof vertex);
+                std::memcpy(&hidden, &s.hidden[i], sizeof hidden);
+                std::memcpy(&inverse, &s.inverse[i], sizeof inverse);
+                const Floats px = __builtin_convertvector(x - a.x, Floats),
+                             py = __builtin_convertvector(y_at - a.y, Floats);
+                const Floats of_b = px * cy - py * cx, of_c = py * bx - px * by, of_a = area - of_b - of_c;
+                const Ints inside =
+                    (of_a * sign >= -slack) & (of_b * sign >= -slack) & (of_c * sign >= -slack);
+                const Ints other =
+                    (vertex != int(corners[0])) & (vertex != int(corners[1])) & (vertex != int(corners[2]));
+                Floats nearest = (of_a * a.inverse + of_b * b.inverse + of_c * c.inverse) * share;
+                nearest = nearest > most * there ? Floats{} + most * there : nearest;
+                hidden |= inside & other & (nearest > inverse);
+                std::memcpy(&s.hidden[i], &hidden, sizeof hidden);
+            }
+        }
     }
+    return others;
+}
 
-    const ModelSpans& model_;
-    std::span<const std::uint32_t> indices_;
-    const Intrinsics& k_;
-    const Pose& pose_;
-    const PhotoGeometry& map_;
-    Eigen::Vector3f eye_;
-    float longest_, shortest_;
-};
+/// The same for a triangle, or a piece of one, of any size.
+void hide_by(const ProjectedPiece& p, const std::uint32_t* corners, double there, Sights& s) {
+    const auto edge = [&](std::size_t a, std::size_t b, double x, double y) {
+        return double(p.x[b] - p.x[a]) * (y - double(p.y[a])) -
+               double(p.y[b] - p.y[a]) * (x - double(p.x[a]));
+    };
+    const auto [x0, x1] = bins(std::ranges::min(p.x), std::ranges::max(p.x), s.columns);
+    const auto [y0, y1] = bins(std::ranges::min(p.y), std::ranges::max(p.y), s.rows);
+    if (x0 > x1) return;
+    for (int y = y0; y <= y1; ++y) {
+        const std::size_t row = std::size_t(y) * std::size_t(s.columns);
+        for (std::size_t i = s.first[row + std::size_t(x0)]; i < s.first[row + std::size_t(x1) + 1]; ++i) {
+            const double x_i = s.x[i], y_i = s.y[i];
+            const double u = edge(1, 2, x_i, y_i), v = edge(2, 0, x_i, y_i), w = edge(0, 1, x_i, y_i),
+                         area = u + v + w;
+            if (!((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) || area == 0) continue;
+            if (std::count(corners, corners + 3, std::uint32_t(s.vertex[i]))) continue;
+            const double nearest = p.clamped((u * p.inverse[0] + v * p.inverse[1] + w * p.inverse[2]) / area);
+            if (nearest * there > double(s.inverse[i])) s.hidden[i] = -1;
+        }
+    }
+}
 
 }  // namespace
 
-std::vector<Eigen::Vector2f> vertex_coordinates(const ModelSpans& model,
-                                                std::span<const std::uint32_t> indices, const Intrinsics& k,
-                                                const Pose& pose, const PhotoGeometry& geometry) {
-    const Vertices vertices(model, indices, k, pose, geometry);
-    std::vector<Eigen::Vector2f> out(model.positions.size());
-    for (std::size_t v = 0; v < out.size(); ++v) out[v] = vertices.coordinate(std::uint32_t(v));
+std::vector<Eigen::Vector2f> vertex_coordinates(const PhotoProjection& projection,
+                                                std::span<const std::uint32_t> indices,
+                                                const Intrinsics& photo) {
+    const double there = 1 - 0.3 / std::max(photo.fx, photo.fy);
+    Sights sights = bin(projection);
+    for (const std::uint32_t t : hide_by_small(projection.vertices, indices, float(there), sights)) {
+        const std::uint32_t* corners = &indices[3 * std::size_t(t)];
+        for (const ProjectedPiece& piece : clipped(projection, corners))
+            hide_by(piece, corners, there, sights);
+    }
+    std::vector<Eigen::Vector2f> out(projection.vertices.size(), Eigen::Vector2f(-1, -1));
+    for (std::size_t i = 0; i < sights.first.back(); ++i) {
+        if (sights.hidden[i]) continue;
+        const auto v = std::size_t(sights.vertex[i]);
+        const auto seen = project(photo, projection.cam_from_origin, projection.positions[v].cast<double>());
+        if (seen && in_frame(photo, seen->pixel))
+            out[v] =
+                Eigen::Vector2f(float(seen->pixel.x() / photo.width), float(seen->pixel.y() / photo.height));
+    }
     return out;
 }
 

@@ -1,17 +1,18 @@
 #pragma once
+#include <Eigen/Core>
 #include <span>
 #include <vector>
 
-#include "pipeline/stages/rasterise.h"
+#include "pipeline/stages/photo_projection.h"
 
 namespace vantage {
 
-/// A vertex: its texture coordinate in the photo, (-1,-1) where the photo does not see it,
-/// `unsettled_coordinate` where the triangles that the pixels around it see do not settle that. The same as
-/// texture_coordinates.vert finds, from the map of triangles in `geometry`.
-std::vector<Eigen::Vector2f> vertex_coordinates(const ModelSpans& model,
+/// A vertex: its texture coordinate in the photo, (-1,-1) where the photo does not see it (de Melo 2017,
+/// 4.2): outside the frame, behind the camera, or behind a triangle by more than a third of a pixel's
+/// footprint. Exact: every vertex is held against every triangle that its line of sight meets. `indices` are
+/// the triangles that may reach into the photo, see triangles_in_frame.
+std::vector<Eigen::Vector2f> vertex_coordinates(const PhotoProjection& projection,
                                                 std::span<const std::uint32_t> indices,
-                                                const Intrinsics& intrinsics, const Pose& cam_from_origin,
-                                                const PhotoGeometry& geometry);
+                                                const Intrinsics& photo);
 
 }  // namespace vantage

@@ -1,0 +1,14 @@
+#pragma once
+#include <optional>
+#include <span>
+
+namespace vantage {
+
+/// Of the finite depths of a map; the median is of some 16,000 of them.
+struct DepthSummary {
+    float nearest, farthest, median;
+};
+/// Depths are positive, +inf where nothing is seen; nothing where nothing is.
+std::optional<DepthSummary> summarise_depths(std::span<const float> z);
+
+}  // namespace vantage

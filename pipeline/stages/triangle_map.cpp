@@ -1,0 +1,174 @@
+#include "pipeline/stages/triangle_map.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "pipeline/stages/wide.h"
+
+namespace vantage {
+namespace {
+
+constexpr int subpixel_bits = 8;
+constexpr int subpixels = 1 << subpixel_bits;
+/// Up to this extent, in subpixels, edge functions fit into 32 bits.
+constexpr int small_extent = 62 * subpixels;
+/// Pixels that are filled at once; the maps have as many more than the picture.
+constexpr int lanes = 8;
+using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
+using Floats = float __attribute__((vector_size(4 * lanes)));
+
+/// A corner on the map, in subpixels.
+struct Corner {
+    std::int32_t x, y;
+    float inverse;
+};
+
+template <class Int>
+Int snapped(Int position) {
+    constexpr int shift = position_bits - subpixel_bits;
+    return (position + (Int(1) << (shift - 1))) >> shift;
+}
+
+Corner snapped(const ProjectedVertex& v) { return {snapped(v.x), snapped(v.y), v.inverse}; }
+
+/// The first and the last pixel whose centre lies between, inside the map.
+template <class Int>
+std::pair<int, int> centres(Int low, Int high, int size) {
+    constexpr Int half = subpixels / 2;
+    return {int(std::clamp<Int>((low + half - 1) >> subpixel_bits, 0, size)),
+            int(std::clamp<Int>((high - half) >> subpixel_bits, -1, size - 1))};
+}
+
+/// Fills triangles of few pixels, eight of a row at once; returns the others.
+VANTAGE_WIDE std::vector<std::uint32_t> fill_small(std::span<const ProjectedVertex> vertices,
+                                                   std::span<const std::uint32_t> indices, TriangleMap& map) {
+    constexpr Ints lane{0, 1, 2, 3, 4, 5, 6, 7};
+    constexpr Floats lane_f{0, 1, 2, 3, 4, 5, 6, 7};
+    std::vector<std::uint32_t> others;
+    for (std::size_t t = 0; 3 * t < indices.size(); ++t) {
+        const Corner p[3] = {snapped(vertices[indices[3 * t]]), snapped(vertices[indices[3 * t + 1]]),
+                             snapped(vertices[indices[3 * t + 2]])};
+        const float least = std::min(std::min(p[0].inverse, p[1].inverse), p[2].inverse),
+                    most = std::max(std::max(p[0].inverse, p[1].inverse), p[2].inverse);
+        const int left = std::min(std::min(p[0].x, p[1].x), p[2].x),
+                  right = std::max(std::max(p[0].x, p[1].x), p[2].x),
+                  top = std::min(std::min(p[0].y, p[1].y), p[2].y),
+                  bottom = std::max(std::max(p[0].y, p[1].y), p[2].y);
+        if (!(least > 0) || right - left > small_extent || bottom - top > small_extent) {
+            others.push_back(std::uint32_t(t));
+            continue;
+        }
+        const auto [x0, x1] = centres(left, right, map.width);
+        const auto [y0, y1] = centres(top, bottom, map.height);
+        if (x0 > x1 || y0 > y1) continue;
+        const int area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
+        if (area == 0) continue;
+        // Edge i is across from corner i; within the triangle all three functions are 0 or more, and sum up
+        // to the area.
+        const int sign = area > 0 ? 1 : -1;
+        const int cx = x0 * subpixels + subpixels / 2, cy = y0 * subpixels + subpixels / 2;
+        const double share = 1 / double(std::abs(area));
+        int row[3], step_x[3], step_y[3];
+        double inverse_row = 0, inverse_x = 0, inverse_y = 0;
+        for (int i = 0; i < 3; ++i) {
+            const Corner &a = p[(i + 1) % 3], &b = p[(i + 2) % 3];
+            const int dx = sign * (b.x - a.x), dy = sign * (b.y - a.y);
+            row[i] = dx * (cy - a.y) - dy * (cx - a.x);
+            step_x[i] = -dy * subpixels;
+            step_y[i] = dx * subpixels;
+            const double depth = double(p[i].inverse) * share;
+            inverse_row += row[i] * depth;
+            inverse_x += step_x[i] * depth;
+            inverse_y += step_y[i] * depth;
+        }
+        const Floats slope = lane_f * float(inverse_x);
+        const Ints steps[3] = {lane * step_x[0], lane * step_x[1], lane * step_x[2]};
+        for (int y = y0; y <= y1; ++y) {
+            const std::size_t first = std::size_t(y) * std::size_t(map.width);
+            for (int x = x0; x <= x1; x += lanes) {
+                const int along = x - x0;
+                const Ints a = steps[0] + (row[0] + along * step_x[0]),
+                           b = steps[1] + (row[1] + along * step_x[1]),
+                           c = steps[2] + (row[2] + along * step_x[2]);
+                float* depth_at = &map.inverse_depth[first + std::size_t(x)];
+                std::uint32_t* triangle_at = &map.triangles[first + std::size_t(x)];
+                Floats depth;
+                Ints triangle;
+                std::memcpy(&depth, depth_at, sizeof depth);
+                std::memcpy(&triangle, triangle_at, sizeof triangle);
+                Floats inverse = slope + float(inverse_row + along * inverse_x);
+                // What slivers lose in precision stays between their corners.
+                inverse = inverse < least ? Floats{} + least : inverse;
+                inverse = inverse > most ? Floats{} + most : inverse;
+                const Ints seen = ((a | b | c) >= 0) & (lane <= x1 - x) & (inverse > depth);
+                depth = seen ? inverse : depth;
+                triangle = seen ? Ints{} + int(t) : triangle;
+                std::memcpy(depth_at, &depth, sizeof depth);
+                std::memcpy(triangle_at, &triangle, sizeof triangle);
+            }
+            for (int i = 0; i < 3; ++i) row[i] += step_y[i];
+            inverse_row += inverse_y;
+        }
+    }
+    return others;
+}
+
+/// A triangle of any size.
+void fill(ProjectedPiece p, std::uint32_t number, TriangleMap& map) {
+    for (std::size_t i = 0; i < 3; ++i) p.x[i] = snapped(p.x[i]), p.y[i] = snapped(p.y[i]);
+    const auto [x0, x1] = centres(std::ranges::min(p.x), std::ranges::max(p.x), map.width);
+    const auto [y0, y1] = centres(std::ranges::min(p.y), std::ranges::max(p.y), map.height);
+    if (x0 > x1 || y0 > y1) return;
+    const double area =
+        double(p.x[1] - p.x[0]) * double(p.y[2] - p.y[0]) - double(p.y[1] - p.y[0]) * double(p.x[2] - p.x[0]);
+    if (area == 0) return;
+    const double sign = area > 0 ? 1 : -1;
+    double step_x[3], step_y[3], row[3], inverse_row = 0, inverse_x = 0, inverse_y = 0;
+    const std::int64_t cx = std::int64_t(x0) * subpixels + subpixels / 2,
+                       cy = std::int64_t(y0) * subpixels + subpixels / 2;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
+        const double dx = sign * double(p.x[b] - p.x[a]), dy = sign * double(p.y[b] - p.y[a]);
+        const double share = p.inverse[i] / (sign * area);
+        row[i] = dx * double(cy - p.y[a]) - dy * double(cx - p.x[a]);
+        step_x[i] = -dy * subpixels;
+        step_y[i] = dx * subpixels;
+        inverse_row += row[i] * share;
+        inverse_x += step_x[i] * share;
+        inverse_y += step_y[i] * share;
+    }
+    for (int y = y0; y <= y1; ++y) {
+        double a = row[0], b = row[1], c = row[2], plane = inverse_row;
+        float* depth = &map.inverse_depth[std::size_t(y) * std::size_t(map.width)];
+        std::uint32_t* shown = &map.triangles[std::size_t(y) * std::size_t(map.width)];
+        for (int x = x0; x <= x1; ++x) {
+            const auto inverse = float(p.clamped(plane));
+            if (std::min(std::min(a, b), c) >= 0 && inverse > depth[x]) {
+                depth[x] = inverse;
+                shown[x] = number;
+            }
+            a += step_x[0], b += step_x[1], c += step_x[2];
+            plane += inverse_x;
+        }
+        for (std::size_t i = 0; i < 3; ++i) row[i] += step_y[i];
+        inverse_row += inverse_y;
+    }
+}
+
+}  // namespace
+
+TriangleMap rasterise(const PhotoProjection& projection, std::span<const std::uint32_t> indices) {
+    const Intrinsics& k = projection.intrinsics;
+    const std::size_t pixels = std::size_t(k.width) * std::size_t(k.height);
+    TriangleMap map{k.width, k.height, std::vector<float>(pixels + lanes, 0.0f),
+                    std::vector<std::uint32_t>(pixels + lanes, TriangleMap::none)};
+    for (const std::uint32_t t : fill_small(projection.vertices, indices, map))
+        for (const ProjectedPiece& piece : clipped(projection, &indices[3 * std::size_t(t)]))
+            fill(piece, t, map);
+    map.inverse_depth.resize(pixels);
+    map.triangles.resize(pixels);
+    return map;
+}
+
+}  // namespace vantage
