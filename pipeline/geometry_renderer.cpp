@@ -71,13 +71,14 @@ bool GeometryRenderer::by_opengl() const { return gl_ != nullptr; }
 
 std::future<PhotoGeometry> GeometryRenderer::render(const FrameTriangles& triangles,
                                                     const PhotoProjection& projection, const Intrinsics& k,
-                                                    Eigen::Vector2d near_far, Trace* trace,
+                                                    Eigen::Vector2d near_far, bool spare_core, Trace* trace,
                                                     const std::string& photo) {
     if (!gl_)
-        return std::async(std::launch::deferred, [=, this, &triangles, &projection] {
-            const Traced traced(trace, "render", photo);
-            return rasterise_geometry(projection, normals_, triangles.indices);
-        });
+        return std::async(spare_core ? std::launch::async : std::launch::deferred,
+                          [=, this, &triangles, &projection] {
+                              const Traced traced(trace, "render", photo);
+                              return rasterise_geometry(projection, normals_, triangles.indices);
+                          });
     const ModelBuffers& buffers = gl_->model();
     return gl_->thread.submit([=, &triangles, &projection, &buffers] {
         const Traced traced(trace, "render", photo);

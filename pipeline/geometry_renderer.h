@@ -27,10 +27,11 @@ class GeometryRenderer {
     bool by_opengl() const;  ///< else by the processor
     DistanceMethod distance() const { return distance_; }
 
-    /// Arguments as of render_geometry; `triangles` and `projection` must live until the result is there.
+    /// Arguments as of render_geometry; `triangles` and `projection` must live until the result is there. The
+    /// processor renders when the result is asked for, or at once on a spare core.
     std::future<PhotoGeometry> render(const FrameTriangles& triangles, const PhotoProjection& projection,
-                                      const Intrinsics& intrinsics, Eigen::Vector2d near_far, Trace* trace,
-                                      const std::string& photo);
+                                      const Intrinsics& intrinsics, Eigen::Vector2d near_far, bool spare_core,
+                                      Trace* trace, const std::string& photo);
     /// To the nearest border, +inf where it is farther than `reach` pixels or somewhat beyond.
     std::vector<float> distances(const std::vector<std::uint8_t>& borders, int width, int height, int reach);
 

@@ -64,9 +64,12 @@ std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl) {
 std::uint64_t memory_now() { return status_bytes("VmRSS:"); }
 std::uint64_t memory_peak() { return status_bytes("VmHWM:"); }
 
+unsigned threads_of(const PrepareSettings& settings) {
+    return settings.threads ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
+}
+
 unsigned photos_in_flight(const PrepareSettings& settings, std::uint64_t base, std::uint64_t photo_bytes) {
-    const unsigned threads =
-        settings.threads ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
+    const unsigned threads = threads_of(settings);
     if (settings.memory == 0) return threads;
     if (settings.memory < base + photo_bytes)
         throw Error(Exit::usage, fmt::format("--memory {}M: these photos and this model take {}M at least",

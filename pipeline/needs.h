@@ -17,6 +17,9 @@ std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl);
 std::uint64_t memory_now();
 std::uint64_t memory_peak();
 
+/// As many as the settings ask for, or as there are cores.
+unsigned threads_of(const PrepareSettings& settings);
+
 /// Photos in flight that the settings' threads and memory allow, `base` bytes gone to the scene. Throws
 /// Error(usage) where memory is too little for one.
 unsigned photos_in_flight(const PrepareSettings& settings, std::uint64_t base, std::uint64_t photo_bytes);

@@ -27,7 +27,8 @@ struct PhotoRun {
     std::uint32_t i;
     const PhotoInput& photo;
     Intrinsics k;
-    Pose pose;  ///< relative to the origin
+    Pose pose;        ///< relative to the origin
+    bool spare_core;  ///< that no other photo wants
 };
 
 }  // namespace vantage

@@ -78,7 +78,7 @@ void leave_out(const PhotoStages& s, std::uint32_t i, const Pose& pose, package:
     Eigen::Map<Eigen::Vector3d>(r.corrected_direction) = pose.direction();
 }
 
-/// Makes the stages that are due: a graphics card renders while the photo is decoded and cut.
+/// Makes the stages that are due: a graphics card or a spare core renders while the photo is decoded and cut.
 void make_stages(const PhotoRun& run, const Due& due, std::optional<PhotoFile>& file,
                  package::PhotoRecord& r) {
     const PhotoStages& s = run.s;
@@ -86,8 +86,8 @@ void make_stages(const PhotoRun& run, const Due& due, std::optional<PhotoFile>& 
     std::future<PhotoGeometry> pending;
     if (due.geometry()) {
         view = view_of(run);
-        pending = s.renderer.render(view->triangles, view->projection, run.k, view->near_far, s.trace,
-                                    run.photo.name);
+        pending = s.renderer.render(view->triangles, view->projection, run.k, view->near_far, run.spare_core,
+                                    s.trace, run.photo.name);
     }
     std::vector<std::uint8_t> valid;
     try {
@@ -139,11 +139,12 @@ std::vector<Stage> stages_of(const package::PhotoRecord& r) {
     return {Stage::thumbnail, Stage::tiles, Stage::masks, Stage::coordinates, Stage::coverage};
 }
 
-std::vector<Stage> run_photo(const PhotoStages& s, std::uint32_t i, package::PhotoRecord& r,
+std::vector<Stage> run_photo(const PhotoStages& s, std::uint32_t i, bool spare_core, package::PhotoRecord& r,
                              PhotoState& state) {
     const PhotoInput& photo = s.scene.photos[i];
-    const PhotoRun run{s, i, photo, photo.camera.intrinsics,
-                       photo.camera.cam_from_world.relative_to(s.model.origin)};
+    const PhotoRun run{
+        s,         i, photo, photo.camera.intrinsics, photo.camera.cam_from_world.relative_to(s.model.origin),
+        spare_core};
     std::optional<PhotoFile> file;
     if (r.levels) {
         const Traced traced(s.trace, "read", photo.name);

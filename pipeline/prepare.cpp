@@ -58,14 +58,16 @@ class Tally {
     const std::vector<std::unique_ptr<Former>>& formers_;
 };
 
-void run_photos(const PhotoStages& s, Photos& photos, unsigned in_flight, const PrepareRun& run, Tally& tally,
-                const std::function<void(const Progress&)>& progress) {
+void run_photos(const PhotoStages& s, Photos& photos, unsigned in_flight, unsigned threads,
+                const PrepareRun& run, Tally& tally, const std::function<void(const Progress&)>& progress) {
     std::mutex mutex;
+    std::atomic<std::size_t> begun = 0;
     std::size_t done = 0, total = 0;
     for (std::size_t i = 0; i < photos.records.size(); ++i) total += run.share.holds(i);
     for_each_photo(photos.records.size(), in_flight, [&](std::size_t i) {
         if (!run.share.holds(i) || (run.stop && *run.stop)) return;
-        const auto made = run_photo(s, std::uint32_t(i), photos.records[i], photos.states[i]);
+        const bool spare_core = threads > std::min<std::size_t>(in_flight, total - begun++);
+        const auto made = run_photo(s, std::uint32_t(i), spare_core, photos.records[i], photos.states[i]);
         const std::scoped_lock lock(mutex);
         tally.add(i, photos, made);
         progress({"photos", s.scene.photos[i].name, ++done, total});
@@ -197,7 +199,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     Tally tally(scene, settings_json(settings), formers);
     const PhotoStages stages{scene, key, model, renderer, writer, identities, formers, run.strict, run.trace};
     const auto start = std::chrono::steady_clock::now();
-    run_photos(stages, plan.photos, needs.in_flight, run, tally, progress);
+    run_photos(stages, plan.photos, needs.in_flight, threads_of(settings), run, tally, progress);
     if (formers.empty())
         remember_speed(needs.seconds,
                        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

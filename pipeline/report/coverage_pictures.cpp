@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -35,61 +36,65 @@ struct Geometry {
     }
 };
 
-/// Parallel projection along an axis onto a picture.
+/// Parallel projection along an axis onto a picture, looked at from its positive side.
 struct ParallelView {
     int right, down, depth;  ///< axes of the world
-    float right_sign, down_sign, depth_sign;
+    float right_sign;
     Eigen::Vector3f center;
     float scale;
     int width, height;
 
     Eigen::Vector3f at(const Eigen::Vector3f& p) const {
         const Eigen::Vector3f d = p - center;
-        return {float(width) / 2 + right_sign * d[right] * scale,
-                float(height) / 2 + down_sign * d[down] * scale, depth_sign * d[depth]};
+        return {float(width) / 2 + right_sign * d[right] * scale, float(height) / 2 - d[down] * scale,
+                -d[depth]};
     }
 };
 
-ParallelView look_along(int axis, float sign, const Eigen::Vector3f& low, const Eigen::Vector3f& high,
-                        int size) {
+ParallelView look_along(int axis, const Eigen::Vector3f& low, const Eigen::Vector3f& high, int size) {
     // Upright where z or y is up; a picture from above has y upwards.
     const int right = axis == 0 ? 1 : 0, down = axis == 2 ? 1 : 2;
     const Eigen::Vector3f extent = (high - low).cwiseMax((high - low).maxCoeff() * 1e-3f);
     const float scale = float(size - 8) / std::max(extent[right], extent[down]);
-    ParallelView p{right, down, axis, axis == 1 ? -sign : sign, -1, -sign, (low + high) / 2, scale, 0, 0};
+    ParallelView p{right, down, axis, axis == 1 ? -1.0f : 1.0f, (low + high) / 2, scale, 0, 0};
     p.width = std::max(16, int(extent[right] * scale) + 8);
     p.height = std::max(16, int(extent[down] * scale) + 8);
     return p;
 }
 
+/// The triangle that every pixel shows, and for the opposite view the last behind it.
 struct Canvas {
-    RgbaImage image;
-    std::vector<float> depth;
+    static constexpr std::uint32_t nothing = ~0u;
+    struct Pixel {
+        float nearest = std::numeric_limits<float>::infinity(), farthest = -nearest;
+        std::uint32_t first = nothing, last = nothing;
+    };
+    int width, height;
+    std::vector<Pixel> pixels;
 
-    Canvas(int width, int height)
-        : image{width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4, 255)},
-          depth(std::size_t(width) * std::size_t(height), std::numeric_limits<float>::infinity()) {}
+    explicit Canvas(const ParallelView& view)
+        : width(view.width), height(view.height), pixels(std::size_t(width) * std::size_t(height)) {}
 
-    void put(int x, int y, float z, const std::array<std::uint8_t, 3>& color) {
-        const std::size_t at = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
-        if (!(z < depth[at])) return;
-        depth[at] = z;
-        std::copy_n(color.begin(), 3, image.rgba.begin() + std::ptrdiff_t(4 * at));
+    void put(int x, int y, float z, std::uint32_t number) {
+        Pixel& p = pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+        if (z < p.nearest) p.nearest = z, p.first = number;
+        if (z > p.farthest) p.farthest = z, p.last = number;
     }
 };
 
 /// Every pixel whose centre lies in the triangle; at least the one that holds its first corner.
-void fill(Canvas& canvas, const std::array<Eigen::Vector3f, 3>& p, const std::array<std::uint8_t, 3>& color) {
+void fill(Canvas& canvas, const std::array<Eigen::Vector3f, 3>& p, std::uint32_t number) {
+    const auto pixel = [](float v, int end) { return std::clamp(int(v), 0, end - 1); };
+    const int w = canvas.width, h = canvas.height;
+    canvas.put(pixel(p[0].x(), w), pixel(p[0].y(), h), p[0].z(), number);
+    const int x0 = pixel(std::min({p[0].x(), p[1].x(), p[2].x()}), w),
+              x1 = pixel(std::max({p[0].x(), p[1].x(), p[2].x()}), w);
+    const int y0 = pixel(std::min({p[0].y(), p[1].y(), p[2].y()}), h),
+              y1 = pixel(std::max({p[0].y(), p[1].y(), p[2].y()}), h);
+    if (x0 == x1 && y0 == y1) return;
     const float area =
-        (p[1] - p[0]).head<2>().x() * (p[2] - p[0]).y() - (p[1] - p[0]).y() * (p[2] - p[0]).x();
-    const int w = canvas.image.width, h = canvas.image.height;
-    const auto clamp = [](float v, int end) { return int(std::clamp(v, 0.0f, float(end - 1))); };
-    canvas.put(clamp(p[0].x(), w), clamp(p[0].y(), h), p[0].z(), color);
+        (p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) - (p[1].y() - p[0].y()) * (p[2].x() - p[0].x());
     if (!(std::abs(area) > 1e-12f)) return;
-    const int x0 = clamp(std::min({p[0].x(), p[1].x(), p[2].x()}), w),
-              x1 = clamp(std::max({p[0].x(), p[1].x(), p[2].x()}), w);
-    const int y0 = clamp(std::min({p[0].y(), p[1].y(), p[2].y()}), h),
-              y1 = clamp(std::max({p[0].y(), p[1].y(), p[2].y()}), h);
     for (int y = y0; y <= y1; ++y)
         for (int x = x0; x <= x1; ++x) {
             const Eigen::Vector2f c(float(x) + 0.5f, float(y) + 0.5f);
@@ -98,7 +103,7 @@ void fill(Canvas& canvas, const std::array<Eigen::Vector3f, 3>& p, const std::ar
             };
             const float u = part(p[1], p[2]), v = part(p[2], p[0]), t = part(p[0], p[1]);
             if (u >= 0 && v >= 0 && t >= 0)
-                canvas.put(x, y, u * p[0].z() + v * p[1].z() + t * p[2].z(), color);
+                canvas.put(x, y, u * p[0].z() + v * p[1].z() + t * p[2].z(), number);
         }
 }
 
@@ -110,6 +115,25 @@ std::array<std::uint8_t, 3> shaded(unsigned photos, const std::array<Eigen::Vect
     return color;
 }
 
+/// The opposite view has left and right changed.
+RgbaImage picture(const Canvas& canvas, bool opposite, const Geometry& g, const std::vector<unsigned>& photos,
+                  int axis) {
+    RgbaImage image{canvas.width, canvas.height, std::vector<std::uint8_t>(canvas.pixels.size() * 4, 255),
+                    true};
+    std::uint8_t* to = image.rgba.data();
+    for (int y = 0; y < canvas.height; ++y)
+        for (int x = 0; x < canvas.width; ++x, to += 4) {
+            const int column = opposite ? canvas.width - 1 - x : x;
+            const Canvas::Pixel& p =
+                canvas.pixels[std::size_t(y) * std::size_t(canvas.width) + std::size_t(column)];
+            const std::uint32_t t = opposite ? p.last : p.first;
+            if (t == Canvas::nothing) continue;
+            const auto color = shaded(photos[t], g.corners(t), axis);
+            std::copy_n(color.begin(), 3, to);
+        }
+    return image;
+}
+
 }  // namespace
 
 std::vector<unsigned> photos_a_triangle(const PackageReader& package) {
@@ -119,8 +143,10 @@ std::vector<unsigned> photos_a_triangle(const PackageReader& package) {
         const auto bits = package.records<std::uint64_t>(Type::visible, i, false);
         const std::uint64_t words = package::visible_words(triangles);
         if (bits.size() != 2 * words) continue;
-        for (std::uint64_t t = 0; t < triangles; ++t)
-            count[t] += unsigned(bits[words + t / 64] >> (t % 64) & 1);
+        for (std::uint64_t t = 0; t < triangles; t += 64) {
+            std::uint64_t seen = bits[words + t / 64];
+            for (; seen; seen &= seen - 1) ++count[t + std::uint64_t(std::countr_zero(seen))];
+        }
     }
     return count;
 }
@@ -146,17 +172,17 @@ std::vector<CoveragePicture> coverage_pictures(const PackageReader& package,
     for (const std::uint32_t i : g.indices)
         low = low.cwiseMin(g.positions[i]), high = high.cwiseMax(g.positions[i]);
     std::vector<CoveragePicture> pictures(photos.empty() ? 0 : 6);
-    for_each_photo(pictures.size(), 0, [&](std::size_t i) {
-        const int axis = int(i / 2);
-        const float sign = i % 2 ? -1 : 1;
-        const ParallelView view = look_along(axis, sign, low, high, size);
-        Canvas canvas(view.width, view.height);
+    for_each_photo(pictures.size() / 2, 0, [&](std::size_t i) {
+        const int axis = int(i);
+        const ParallelView view = look_along(axis, low, high, size);
+        Canvas canvas(view);
         for (std::size_t t = 0; t < photos.size(); ++t) {
             const auto corners = g.corners(t);
-            fill(canvas, {view.at(corners[0]), view.at(corners[1]), view.at(corners[2])},
-                 shaded(photos[t], corners, axis));
+            fill(canvas, {view.at(corners[0]), view.at(corners[1]), view.at(corners[2])}, std::uint32_t(t));
         }
-        pictures[i] = {std::string(sign > 0 ? "+" : "-") + "xyz"[axis], std::move(canvas.image)};
+        for (const bool opposite : {false, true})
+            pictures[2 * i + opposite] = {std::string(opposite ? "-" : "+") + "xyz"[axis],
+                                          picture(canvas, opposite, g, photos, axis)};
     });
     return pictures;
 }

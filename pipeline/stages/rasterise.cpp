@@ -36,16 +36,16 @@ class Normals {
 
     /// The weights of the corners are the volumes that the ray spans with the edges across.
     Facing facing(std::uint32_t triangle) const {
-        Eigen::Matrix3f c;  // in units of its distance, so that products neither vanish nor overflow
         const std::uint32_t* v = &indices_[3 * std::size_t(triangle)];
-        for (int i = 0; i < 3; ++i) c.col(i) = positions_[v[i]] - eye_;
-        c /= c.cwiseAbs().maxCoeff();
-        Eigen::Matrix3f m = Eigen::Matrix3f::Zero();
-        for (int i = 0; i < 3; ++i)
-            m += normals_[v[i]] * c.col((i + 1) % 3).cross(c.col((i + 2) % 3)).transpose();
+        Eigen::Vector3f c[3] = {positions_[v[0]] - eye_, positions_[v[1]] - eye_, positions_[v[2]] - eye_};
+        // In units of its distance, so that products neither vanish nor overflow.
+        const float unit = 1 / std::max(c[0].cwiseAbs().maxCoeff(), c[1].cwiseAbs().maxCoeff());
+        for (Eigen::Vector3f& corner : c) corner *= unit;
+        const Eigen::Vector3f across[3] = {c[1].cross(c[2]), c[2].cross(c[0]), c[0].cross(c[1])};
+        const float side = c[0].dot(across[0]) < 0 ? -1 : 1;
         Facing f;
         f.normal.setZero();
-        f.normal.topRows<3>() = c.determinant() < 0 ? -m : m;
+        for (int i = 0; i < 3; ++i) f.normal.topRows<3>() += side * normals_[v[i]] * across[i].transpose();
         f.triangle = triangle;
         return f;
     }
