@@ -1,6 +1,7 @@
 #pragma once
 #include <future>
 
+#include "pipeline/decoded_ahead.h"
 #include "pipeline/former.h"
 #include "pipeline/geometry_renderer.h"
 #include "pipeline/identity_cache.h"
@@ -17,6 +18,7 @@ struct PhotoStages {
     GeometryRenderer& renderer;
     PackageWriter& writer;
     IdentityCache& identities;
+    DecodedAhead& ahead;
     const std::vector<std::unique_ptr<Former>>& formers;
     bool strict;   ///< a photo that cannot be read ends it all
     Trace* trace;  ///< may be null

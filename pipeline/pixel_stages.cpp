@@ -14,16 +14,21 @@ namespace {
 using package::Stage;
 using package::Type;
 
-RgbaImage decode_pixels(const PhotoStages& s, const PhotoInput& photo, std::span<const std::byte> bytes,
-                        package::PhotoRecord& r) {
-    const Traced traced(s.trace, "decode", photo.name);
-    RgbaImage image = decode_photo(photo.file, bytes, photo.decoded);
+RgbaImage decoded(const PhotoRun& run, PhotoFile& file) {
+    if (auto image = run.s.ahead.take(run.i, file.identity())) return std::move(*image);
+    const Traced traced(run.s.trace, "decode", run.photo.name);
+    return decode_photo(run.photo.file, file.bytes(), run.photo.decoded);
+}
+
+RgbaImage decode_pixels(const PhotoRun& run, PhotoFile& file, package::PhotoRecord& r) {
+    RgbaImage image = decoded(run, file);
     const int longest = int(std::max(r.width, r.height));
     if (std::max(image.width, image.height) > longest)
         image = reduced(image, thumbnail_size(image.width, image.height, longest));
-    if (!s.key.undistortion || !photo.camera.lens.distorts()) return image;
+    if (!run.s.key.undistortion || !run.photo.camera.lens.distorts()) return image;
     r.flags |= package::photo_undistorted;
-    return undistort(image, photo.camera, s.key.settings.resampling);
+    const Traced traced(run.s.trace, "undistort", run.photo.name);
+    return undistort(image, run.photo.camera, run.s.key.settings.resampling);
 }
 
 /// Validity of a level's texels, 0 or 1; empty where the photo is opaque.
@@ -63,7 +68,7 @@ std::vector<std::uint8_t> write_pixels(const PhotoStages& s, std::uint32_t i, co
 
 std::vector<std::uint8_t> make_pixels(const PhotoRun& run, const Due& due, PhotoFile& file,
                                       package::PhotoRecord& r) {
-    RgbaImage image = decode_pixels(run.s, run.photo, file.bytes(), r);
+    RgbaImage image = decode_pixels(run, file, r);
     file.release();
     return write_pixels(run.s, run.i, due, std::move(image), r);
 }

@@ -30,39 +30,36 @@ class Bits {
     std::uint64_t first_;
 };
 
-std::vector<Extent> add_map(const PhotoGeometry& g, const std::vector<FrameTriangles::Place>& places,
-                            std::size_t clusters, Bits part) {
-    std::vector<Extent> extents(clusters);
+/// Marks the triangles that the map's pixels see.
+void add_map(const PhotoGeometry& g, const std::vector<FrameTriangles::Place>& places,
+             std::vector<std::uint8_t>& seen, std::vector<Extent>& extents) {
     for (int y = 0; y < g.height; ++y) {
         const std::uint32_t* row = &g.triangles[std::size_t(y) * std::size_t(g.width)];
-        std::uint32_t cluster = 0, triangle = 0;
-        int first = 0, last = -1;  // of a run of one cluster
-        const auto end_run = [&] {
-            if (last >= first) extents[cluster].add(first, y), extents[cluster].add(last, y);
-        };
-        for (int x = 0; x < g.width; ++x) {
-            if (row[x] >= places.size()) continue;
-            if (last == x - 1 && last >= first && row[x] == triangle) {
-                last = x;
+        for (int x = 0, first = 0; x < g.width; first = x) {
+            if (row[x] >= places.size()) {
+                ++x;
                 continue;
             }
-            triangle = row[x];
-            const FrameTriangles::Place p = places[triangle];
-            part.set(p.triangle);
-            if (p.cluster != cluster || last < first) end_run(), cluster = p.cluster, first = x;
-            last = x;
+            const std::uint32_t cluster = places[row[x]].cluster;
+            std::uint32_t last = row[x];
+            do {
+                last = row[x];
+                seen[last] = 1;
+                ++x;
+            } while (x < g.width &&
+                     (row[x] == last || (row[x] < places.size() && places[row[x]].cluster == cluster)));
+            extents[cluster].add(first, y);
+            extents[cluster].add(x - 1, y);
         }
-        end_run();
     }
-    return extents;
 }
 
 /// Visible vertices count, too: a triangle may lie between the map's pixels. Triangles of a cluster stand
 /// together.
 void add_vertices(const std::vector<std::uint32_t>& indices, const PhotoGeometry& g,
                   const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& k,
-                  const std::vector<FrameTriangles::Place>& places, std::vector<Extent>& extents, Bits whole,
-                  Bits part) {
+                  const std::vector<FrameTriangles::Place>& places, const std::vector<std::uint8_t>& on_map,
+                  std::vector<Extent>& extents, Bits whole, Bits part) {
     const Eigen::Vector2f size(float(k.width), float(k.height));
     const auto add = [&](std::uint32_t cluster, const Eigen::Vector2f& uv) {
         const Eigen::Vector2i p = uv.cwiseProduct(size).cast<int>() / (1 << mask_level);
@@ -82,7 +79,7 @@ void add_vertices(const std::vector<std::uint32_t>& indices, const PhotoGeometry
                 least = least.cwiseMin(visible ? uv : nothing);
                 most = most.cwiseMax(uv);
             }
-            if (seen) part.set(places[i].triangle);
+            if (seen || on_map[i]) part.set(places[i].triangle);
             if (seen == 3) whole.set(places[i].triangle);
         }
         if (most.x() >= 0) add(cluster, least), add(cluster, most);
@@ -121,8 +118,10 @@ Coverage measure_coverage(const std::vector<package::ClusterRecord>& clusters,
     const std::uint64_t words = package::visible_words(indices.size() / 3);
     Coverage out{{}, std::vector<std::uint64_t>(2 * words, 0)};
     Bits whole(out.visible, 0), part(out.visible, words);
-    std::vector<Extent> extents = add_map(g, places, clusters.size(), part);
-    add_vertices(indices, g, coordinates, k, places, extents, whole, part);
+    std::vector<Extent> extents(clusters.size());
+    std::vector<std::uint8_t> on_map(places.size(), 0);
+    add_map(g, places, on_map, extents);
+    add_vertices(indices, g, coordinates, k, places, on_map, extents, whole, part);
     out.clusters.reserve(clusters.size());
     for (std::size_t c = 0; c < clusters.size(); ++c)
         out.clusters.push_back(record(clusters[c], extents[c], part, k, pose));

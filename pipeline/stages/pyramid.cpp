@@ -120,7 +120,9 @@ RgbaImage reduced(const RgbaImage& image, const Level& size) {
     out.rgba.resize(std::size_t(size.width) * std::size_t(size.height) * 4);
     const cv::Mat from(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.rgba.data()));
     cv::Mat to(size.height, size.width, CV_8UC4, out.rgba.data());
-    cv::resize(from, to, to.size(), 0, 0, cv::INTER_AREA);
+    // Below half the size neighbours alone would miss what lies between them.
+    const bool little = image.width < 2 * size.width && image.height < 2 * size.height;
+    cv::resize(from, to, to.size(), 0, 0, little ? cv::INTER_LINEAR : cv::INTER_AREA);
     return out;
 }
 

@@ -22,7 +22,7 @@ RgbaImage halve(const RgbaImage& image);
 void cut_tile(std::span<const std::byte> texels, const Level& level, std::size_t number,
               std::span<std::byte> tile);
 
-/// Area average to a size that is no larger.
+/// To a size that is no larger: area average, above half the size linear between texels.
 RgbaImage reduced(const RgbaImage& image, const Level& size);
 /// At most `longest` pixels on the long side, never larger than the photo.
 Level thumbnail_size(int width, int height, int longest);

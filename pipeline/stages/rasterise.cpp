@@ -19,16 +19,15 @@ class Normals {
             std::span<const std::uint32_t> indices, const Eigen::Vector3f& eye)
         : positions_(positions), normals_(normals), indices_(indices), eye_(eye), met_(4096) {}
 
-    /// Where this ray from the camera meets the triangle: towards the camera's side, of any length; 0 as the
-    /// fourth.
-    Eigen::Vector4f normal(std::uint32_t triangle, const Eigen::Vector4f& ray) {
+    /// From a ray from the camera, the normal where it meets the triangle: of any length, by the side that is
+    /// seen; the fourth row is 0. Until the next call.
+    const Eigen::Matrix<float, 4, 3>& of(std::uint32_t triangle) {
         Facing& f = met_[triangle % met_.size()];
         if (f.triangle != triangle) f = facing(triangle);
-        return f.normal * ray.head<3>();
+        return f.normal;
     }
 
   private:
-    /// From a ray, the normal where it meets the triangle.
     struct Facing {
         Eigen::Matrix<float, 4, 3> normal;
         std::uint32_t triangle = TriangleMap::none;
@@ -45,7 +44,11 @@ class Normals {
         const float side = c[0].dot(across[0]) < 0 ? -1 : 1;
         Facing f;
         f.normal.setZero();
-        for (int i = 0; i < 3; ++i) f.normal.topRows<3>() += side * normals_[v[i]] * across[i].transpose();
+        for (int i = 0; i < 3; ++i) {
+            const Eigen::Vector3f& n = normals_[v[i]];
+            const Eigen::Vector4f turned(side * n.x(), side * n.y(), side * n.z(), 0);
+            for (int j = 0; j < 3; ++j) f.normal.col(j) += across[i][j] * turned;
+        }
         f.triangle = triangle;
         return f;
     }
@@ -55,6 +58,26 @@ class Normals {
     Eigen::Vector3f eye_;
     std::vector<Facing> met_;
 };
+
+/// The normals that the pixels of a row see, by their rays; along a triangle they are linear. 0 where nothing
+/// is seen.
+void normals_of_row(const std::uint32_t* triangles, Normals& normals, const Eigen::Vector4f& first,
+                    const Eigen::Vector4f& right, std::vector<Eigen::Vector4f>& row) {
+    for (std::size_t x = 0; x < row.size();) {
+        const std::uint32_t seen = triangles[x];
+        Eigen::Vector4f n = Eigen::Vector4f::Zero(), step = n;
+        if (seen != TriangleMap::none) {
+            const auto& normal = normals.of(seen);
+            const Eigen::Vector4f ray = first + float(x) * right;
+            n = normal.col(0) * ray[0] + normal.col(1) * ray[1] + normal.col(2) * ray[2];
+            step = normal.col(0) * right[0] + normal.col(1) * right[1] + normal.col(2) * right[2];
+        }
+        do {
+            row[x++] = n;
+            n += step;
+        } while (x < row.size() && triangles[x] == seen);
+    }
+}
 
 /// The cosines between normals and the directions to the camera, of rays that are `right` apart (Callieri et
 /// al. 2008).
@@ -84,11 +107,7 @@ std::vector<std::uint8_t> shade(const TriangleMap& map, Normals normals, const I
     for (int y = 0; y < map.height; ++y) {
         first.head<3>() =
             (world * Eigen::Vector3d((0.5 - k.cx) / k.fx, (y + 0.5 - k.cy) / k.fy, 1)).cast<float>();
-        for (int x = 0; x < map.width; ++x) {
-            const std::uint32_t seen = map.triangles[at + std::size_t(x)];
-            row[std::size_t(x)] = seen == TriangleMap::none ? Eigen::Vector4f::Zero().eval()
-                                                            : normals.normal(seen, first + float(x) * right);
-        }
+        normals_of_row(&map.triangles[at], normals, first, right, row);
         shade_row(row.data(), first.data(), right.data(), map.width, &angle[at]);
         at += std::size_t(map.width);
     }

@@ -83,32 +83,32 @@ VANTAGE_WIDE std::vector<std::uint32_t> fill_small(std::span<const ProjectedVert
             inverse_y += step_y[i] * depth;
         }
         const Floats slope = lane_f * float(inverse_x);
-        const Ints steps[3] = {lane * step_x[0], lane * step_x[1], lane * step_x[2]};
-        for (int y = y0; y <= y1; ++y) {
-            const std::size_t first = std::size_t(y) * std::size_t(map.width);
-            for (int x = x0; x <= x1; x += lanes) {
-                const int along = x - x0;
-                const Ints a = steps[0] + (row[0] + along * step_x[0]),
-                           b = steps[1] + (row[1] + along * step_x[1]),
-                           c = steps[2] + (row[2] + along * step_x[2]);
-                float* depth_at = &map.inverse_depth[first + std::size_t(x)];
-                std::uint32_t* triangle_at = &map.triangles[first + std::size_t(x)];
+        const Ints number = Ints{} + int(t);
+        for (int x = x0; x <= x1; x += lanes) {
+            const int along = x - x0;
+            Ints a = lane * step_x[0] + (row[0] + along * step_x[0]),
+                 b = lane * step_x[1] + (row[1] + along * step_x[1]),
+                 c = lane * step_x[2] + (row[2] + along * step_x[2]);
+            const Ints in_bounds = lane <= x1 - x;
+            double plane = inverse_row + along * inverse_x;
+            std::size_t at = std::size_t(y0) * std::size_t(map.width) + std::size_t(x);
+            for (int y = y0; y <= y1; ++y, at += std::size_t(map.width)) {
                 Floats depth;
                 Ints triangle;
-                std::memcpy(&depth, depth_at, sizeof depth);
-                std::memcpy(&triangle, triangle_at, sizeof triangle);
-                Floats inverse = slope + float(inverse_row + along * inverse_x);
+                std::memcpy(&depth, &map.inverse_depth[at], sizeof depth);
+                std::memcpy(&triangle, &map.triangles[at], sizeof triangle);
+                Floats inverse = slope + float(plane);
                 // What slivers lose in precision stays between their corners.
                 inverse = inverse < least ? Floats{} + least : inverse;
                 inverse = inverse > most ? Floats{} + most : inverse;
-                const Ints seen = ((a | b | c) >= 0) & (lane <= x1 - x) & (inverse > depth);
+                const Ints seen = ((a | b | c) >= 0) & in_bounds & (inverse > depth);
                 depth = seen ? inverse : depth;
-                triangle = seen ? Ints{} + int(t) : triangle;
-                std::memcpy(depth_at, &depth, sizeof depth);
-                std::memcpy(triangle_at, &triangle, sizeof triangle);
+                triangle = seen ? number : triangle;
+                std::memcpy(&map.inverse_depth[at], &depth, sizeof depth);
+                std::memcpy(&map.triangles[at], &triangle, sizeof triangle);
+                a += step_y[0], b += step_y[1], c += step_y[2];
+                plane += inverse_y;
             }
-            for (int i = 0; i < 3; ++i) row[i] += step_y[i];
-            inverse_row += inverse_y;
         }
     }
     return others;
