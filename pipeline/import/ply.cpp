@@ -178,13 +178,13 @@ class Values {
     std::span<const char> rest_;
 };
 
-std::vector<double> read_list(Values& values, const Property& p) {
+void read_list(Values& values, const Property& p, std::vector<double>& list) {
     const double n = values.next(p.count_type);
-    if (!(n >= 0)) return {};
+    list.clear();
+    if (!(n >= 0)) return;
     values.expect(std::size_t(n), size_of(p.type));
-    std::vector<double> list(static_cast<std::size_t>(n));
+    list.resize(static_cast<std::size_t>(n));
     for (double& v : list) v = values.next(p.type);
-    return list;
 }
 
 std::size_t least_bytes(const Element& e) {
@@ -200,6 +200,7 @@ Columns read_columns(Values& values, const Element& e) {
     values.expect(e.count, least_bytes(e));
     Columns columns;
     std::vector<std::vector<double>*> to;
+    std::vector<double> unused;
     for (const Property& p : e.properties) {
         to.push_back(p.list ? nullptr : &columns[p.name]);
         if (to.back()) to.back()->reserve(e.count);
@@ -209,7 +210,7 @@ Columns read_columns(Values& values, const Element& e) {
             if (to[i])
                 to[i]->push_back(values.next(e.properties[i].type));
             else
-                read_list(values, e.properties[i]);
+                read_list(values, e.properties[i], unused);
     return columns;
 }
 
@@ -238,13 +239,15 @@ void add_strips(const std::vector<double>& strip, Mesh& mesh) {
 
 void read_faces(Values& values, const Element& e, Mesh& mesh) {
     values.expect(e.count, least_bytes(e));
+    mesh.triangles.reserve(mesh.triangles.size() + e.count);
+    std::vector<double> list;
     for (std::size_t row = 0; row < e.count; ++row)
         for (const Property& p : e.properties) {
             if (!p.list) {
                 values.next(p.type);
                 continue;
             }
-            const std::vector<double> list = read_list(values, p);
+            read_list(values, p, list);
             if (p.name == "vertex_indices" || p.name == "vertex_index")
                 e.name == "tristrips" ? add_strips(list, mesh) : add_fan(list, mesh);
         }

@@ -175,10 +175,12 @@ std::vector<CoveragePicture> coverage_pictures(const PackageReader& package,
     for_each_photo(pictures.size() / 2, 0, [&](std::size_t i) {
         const int axis = int(i);
         const ParallelView view = look_along(axis, low, high, size);
+        std::vector<Eigen::Vector3f> at(g.positions.size());
+        std::ranges::transform(g.positions, at.begin(), [&](const auto& p) { return view.at(p); });
         Canvas canvas(view);
         for (std::size_t t = 0; t < photos.size(); ++t) {
-            const auto corners = g.corners(t);
-            fill(canvas, {view.at(corners[0]), view.at(corners[1]), view.at(corners[2])}, std::uint32_t(t));
+            const std::uint32_t* corners = &g.indices[3 * t];
+            fill(canvas, {at[corners[0]], at[corners[1]], at[corners[2]]}, std::uint32_t(t));
         }
         for (const bool opposite : {false, true})
             pictures[2 * i + opposite] = {std::string(opposite ? "-" : "+") + "xyz"[axis],
