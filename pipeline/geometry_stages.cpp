@@ -7,6 +7,7 @@
 #include "pipeline/stages/coverage.h"
 #include "pipeline/stages/depth_summary.h"
 #include "pipeline/stages/masks.h"
+#include "pipeline/stages/seen_hull.h"
 #include "pipeline/stages/vertex_coordinates.h"
 #include "pipeline/trace.h"
 #include "pipeline/write_tiles.h"

@@ -9,10 +9,10 @@
 
 #include "gl/context.h"
 #include "pipeline/stages/border.h"
-#include "pipeline/stages/clusters.h"
 #include "pipeline/stages/depth_summary.h"
 #include "pipeline/stages/near_distance.h"
 #include "pipeline/stages/pyramid.h"
+#include "pipeline/stages/seen_hull.h"
 
 using namespace vantage;
 

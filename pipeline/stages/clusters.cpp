@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
 namespace vantage {
 namespace {
@@ -134,53 +133,6 @@ FrameTriangles triangles_in_frame(const std::vector<package::ClusterRecord>& clu
         for (std::uint32_t t = 0; t < c.triangles; ++t) out.places.push_back({c.first_triangle + t, number});
     }
     return out;
-}
-
-namespace {
-
-/// The visible points, without those inside the quadrilateral of the extreme ones, which no hull touches
-/// (Akl and Toussaint 1978).
-std::vector<cv::Point2f> outer_points(const std::vector<Eigen::Vector2f>& coordinates) {
-    const auto seen = [](const Eigen::Vector2f& uv) { return uv.x() >= 0; };
-    const auto first = std::ranges::find_if(coordinates, seen);
-    if (first == coordinates.end()) return {};
-    Eigen::Vector2f extreme[4] = {*first, *first, *first, *first};  // least x, least y, most x, most y
-    for (const Eigen::Vector2f& p : coordinates) {
-        if (!seen(p)) continue;
-        if (p.x() < extreme[0].x()) extreme[0] = p;
-        if (p.y() < extreme[1].y()) extreme[1] = p;
-        if (p.x() > extreme[2].x()) extreme[2] = p;
-        if (p.y() > extreme[3].y()) extreme[3] = p;
-    }
-    std::vector<cv::Point2f> outer;
-    for (const Eigen::Vector2f& p : coordinates) {
-        bool inside = true;
-        for (int i = 0; i < 4; ++i) {
-            const Eigen::Vector2f side = extreme[(i + 1) % 4] - extreme[i], to = p - extreme[i];
-            inside &= side.x() * to.y() - side.y() * to.x() > 0;
-        }
-        if (!inside && seen(p)) outer.emplace_back(p.x(), p.y());
-    }
-    return outer;
-}
-
-}  // namespace
-
-SeenHull seen_hull(const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& k, const Pose& pose) {
-    const std::vector<cv::Point2f> points = outer_points(coordinates);
-    if (points.empty()) return {pose.direction(), 0};
-    std::vector<cv::Point2f> hull;
-    cv::convexHull(points, hull);
-    const double area = hull.size() >= 3 ? cv::contourArea(hull) : 0;
-    Eigen::Vector2d center = Eigen::Vector2d::Zero();
-    const cv::Moments m = area > 1e-9 ? cv::moments(hull) : cv::Moments();
-    if (m.m00 > 1e-9) {
-        center = {m.m10 / m.m00, m.m01 / m.m00};
-    } else {
-        for (const cv::Point2f& p : hull) center += Eigen::Vector2d(p.x, p.y) / double(hull.size());
-    }
-    const Eigen::Vector3d ray((center.x() * k.width - k.cx) / k.fx, (center.y() * k.height - k.cy) / k.fy, 1);
-    return {(pose.R.transpose() * ray).normalized(), std::clamp(area, 0.0, 1.0)};
 }
 
 }  // namespace vantage

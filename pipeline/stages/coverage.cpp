@@ -35,22 +35,20 @@ void add_map(const PhotoGeometry& g, const std::vector<FrameTriangles::Place>& p
              std::vector<std::uint8_t>& seen, std::vector<Extent>& extents) {
     for (int y = 0; y < g.height; ++y) {
         const std::uint32_t* row = &g.triangles[std::size_t(y) * std::size_t(g.width)];
-        for (int x = 0, first = 0; x < g.width; first = x) {
-            if (row[x] >= places.size()) {
-                ++x;
-                continue;
-            }
-            const std::uint32_t cluster = places[row[x]].cluster;
-            std::uint32_t last = row[x];
-            do {
-                last = row[x];
-                seen[last] = 1;
-                ++x;
-            } while (x < g.width &&
-                     (row[x] == last || (row[x] < places.size() && places[row[x]].cluster == cluster)));
-            extents[cluster].add(first, y);
-            extents[cluster].add(x - 1, y);
+        std::uint32_t cluster = 0;
+        int first = 0, last = -1;  // pixels that see the cluster, with nothing but it between
+        const auto add = [&] {
+            if (last >= 0) extents[cluster].add(first, y), extents[cluster].add(last, y);
+        };
+        for (int x = 0; x < g.width; ++x) {
+            const std::uint32_t triangle = row[x];
+            if (triangle >= places.size()) continue;
+            seen[triangle] = 1;
+            if (const std::uint32_t c = places[triangle].cluster; c != cluster || last < 0)
+                add(), cluster = c, first = x;
+            last = x;
         }
+        add();
     }
 }
 

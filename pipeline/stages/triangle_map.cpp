@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
+#include <tuple>
 #include <utility>
 
 #include "pipeline/stages/wide.h"
@@ -40,76 +42,107 @@ std::pair<int, int> centres(Int low, Int high, int size) {
             int(std::clamp<Int>((high - half) >> subpixel_bits, -1, size - 1))};
 }
 
-/// Fills triangles of few pixels, eight of a row at once; returns the others.
-VANTAGE_WIDE std::vector<std::uint32_t> fill_small(std::span<const ProjectedVertex> vertices,
-                                                   std::span<const std::uint32_t> indices, TriangleMap& map) {
+/// A triangle of few pixels, ready to be filled. Edge function i, across from corner i, is 0 or more within
+/// the triangle; 1/z and the value times 1/z are planes over the map.
+struct SmallTriangle {
+    int x0, x1, y0, y1;  ///< pixels
+    int row[3], step_x[3], step_y[3];
+    float least, most;  ///< of 1/z
+    double inverse, inverse_x, inverse_y;
+    float value, value_x, value_y;
+    std::uint32_t number;
+};
+
+enum class Size { none, small, large };
+
+VANTAGE_INLINE Size set_up(const Corner (&p)[3], const float (&values)[3], int width, int height,
+                           SmallTriangle& s) {
+    s.least = std::min(std::min(p[0].inverse, p[1].inverse), p[2].inverse);
+    s.most = std::max(std::max(p[0].inverse, p[1].inverse), p[2].inverse);
+    const int left = std::min(std::min(p[0].x, p[1].x), p[2].x),
+              right = std::max(std::max(p[0].x, p[1].x), p[2].x),
+              top = std::min(std::min(p[0].y, p[1].y), p[2].y),
+              bottom = std::max(std::max(p[0].y, p[1].y), p[2].y);
+    if (!(s.least > 0) || right - left > small_extent || bottom - top > small_extent) return Size::large;
+    std::tie(s.x0, s.x1) = centres(left, right, width);
+    std::tie(s.y0, s.y1) = centres(top, bottom, height);
+    const int area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
+    const int sign = area > 0 ? 1 : -1;
+    const int cx = s.x0 * subpixels + subpixels / 2, cy = s.y0 * subpixels + subpixels / 2;
+    const double share = 1 / double(std::max(std::abs(area), 1));
+    s.inverse = s.inverse_x = s.inverse_y = 0;
+    s.value = s.value_x = s.value_y = 0;
+    for (int i = 0; i < 3; ++i) {
+        const Corner &a = p[(i + 1) % 3], &b = p[(i + 2) % 3];
+        const int dx = sign * (b.x - a.x), dy = sign * (b.y - a.y);
+        s.row[i] = dx * (cy - a.y) - dy * (cx - a.x);
+        s.step_x[i] = -dy * subpixels;
+        s.step_y[i] = dx * subpixels;
+        const double depth = double(p[i].inverse) * share;
+        s.inverse += s.row[i] * depth;
+        s.inverse_x += s.step_x[i] * depth;
+        s.inverse_y += s.step_y[i] * depth;
+        const float value = float(depth) * values[i];
+        s.value += float(s.row[i]) * value;
+        s.value_x += float(s.step_x[i]) * value;
+        s.value_y += float(s.step_y[i]) * value;
+    }
+    return (s.x0 <= s.x1) & (s.y0 <= s.y1) & (area != 0) ? Size::small : Size::none;
+}
+
+/// Eight pixels of a row at once.
+VANTAGE_INLINE void fill(const SmallTriangle& s, TriangleMap& map) {
     constexpr Ints lane{0, 1, 2, 3, 4, 5, 6, 7};
     constexpr Floats lane_f{0, 1, 2, 3, 4, 5, 6, 7};
+    const Ints number = Ints{} + int(s.number);
+    const Floats slope = lane_f * float(s.inverse_x);
+    for (int x = s.x0; x <= s.x1; x += lanes) {
+        const int along = x - s.x0;
+        Ints a = lane * s.step_x[0] + (s.row[0] + along * s.step_x[0]),
+             b = lane * s.step_x[1] + (s.row[1] + along * s.step_x[1]),
+             c = lane * s.step_x[2] + (s.row[2] + along * s.step_x[2]);
+        const Ints in_bounds = lane <= s.x1 - x;
+        double plane = s.inverse + along * s.inverse_x;
+        Floats value = lane_f * s.value_x + (s.value + float(along) * s.value_x);
+        std::size_t at = std::size_t(s.y0) * std::size_t(map.width) + std::size_t(x);
+        for (int y = s.y0; y <= s.y1; ++y, at += std::size_t(map.width)) {
+            Floats depth, shown;
+            Ints triangle;
+            std::memcpy(&depth, &map.inverse_depth[at], sizeof depth);
+            std::memcpy(&shown, &map.value[at], sizeof shown);
+            std::memcpy(&triangle, &map.triangles[at], sizeof triangle);
+            Floats inverse = slope + float(plane);
+            // What slivers lose in precision stays between their corners.
+            inverse = inverse < s.least ? Floats{} + s.least : inverse;
+            inverse = inverse > s.most ? Floats{} + s.most : inverse;
+            const Ints seen = ((a | b | c) >= 0) & in_bounds & (inverse > depth);
+            depth = seen ? inverse : depth;
+            shown = seen ? value : shown;
+            triangle = seen ? number : triangle;
+            std::memcpy(&map.inverse_depth[at], &depth, sizeof depth);
+            std::memcpy(&map.value[at], &shown, sizeof shown);
+            std::memcpy(&map.triangles[at], &triangle, sizeof triangle);
+            a += s.step_y[0], b += s.step_y[1], c += s.step_y[2];
+            plane += s.inverse_y;
+            value += s.value_y;
+        }
+    }
+}
+
+/// Fills triangles of few pixels; returns the others.
+VANTAGE_WIDE std::vector<std::uint32_t> fill_small(std::span<const ProjectedVertex> vertices,
+                                                   std::span<const std::uint32_t> indices,
+                                                   std::span<const float> values, TriangleMap& map) {
     std::vector<std::uint32_t> others;
     for (std::size_t t = 0; 3 * t < indices.size(); ++t) {
-        const Corner p[3] = {snapped(vertices[indices[3 * t]]), snapped(vertices[indices[3 * t + 1]]),
-                             snapped(vertices[indices[3 * t + 2]])};
-        const float least = std::min(std::min(p[0].inverse, p[1].inverse), p[2].inverse),
-                    most = std::max(std::max(p[0].inverse, p[1].inverse), p[2].inverse);
-        const int left = std::min(std::min(p[0].x, p[1].x), p[2].x),
-                  right = std::max(std::max(p[0].x, p[1].x), p[2].x),
-                  top = std::min(std::min(p[0].y, p[1].y), p[2].y),
-                  bottom = std::max(std::max(p[0].y, p[1].y), p[2].y);
-        if (!(least > 0) || right - left > small_extent || bottom - top > small_extent) {
-            others.push_back(std::uint32_t(t));
-            continue;
-        }
-        const auto [x0, x1] = centres(left, right, map.width);
-        const auto [y0, y1] = centres(top, bottom, map.height);
-        if (x0 > x1 || y0 > y1) continue;
-        const int area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
-        if (area == 0) continue;
-        // Edge i is across from corner i; within the triangle all three functions are 0 or more, and sum up
-        // to the area.
-        const int sign = area > 0 ? 1 : -1;
-        const int cx = x0 * subpixels + subpixels / 2, cy = y0 * subpixels + subpixels / 2;
-        const double share = 1 / double(std::abs(area));
-        int row[3], step_x[3], step_y[3];
-        double inverse_row = 0, inverse_x = 0, inverse_y = 0;
-        for (int i = 0; i < 3; ++i) {
-            const Corner &a = p[(i + 1) % 3], &b = p[(i + 2) % 3];
-            const int dx = sign * (b.x - a.x), dy = sign * (b.y - a.y);
-            row[i] = dx * (cy - a.y) - dy * (cx - a.x);
-            step_x[i] = -dy * subpixels;
-            step_y[i] = dx * subpixels;
-            const double depth = double(p[i].inverse) * share;
-            inverse_row += row[i] * depth;
-            inverse_x += step_x[i] * depth;
-            inverse_y += step_y[i] * depth;
-        }
-        const Floats slope = lane_f * float(inverse_x);
-        const Ints number = Ints{} + int(t);
-        for (int x = x0; x <= x1; x += lanes) {
-            const int along = x - x0;
-            Ints a = lane * step_x[0] + (row[0] + along * step_x[0]),
-                 b = lane * step_x[1] + (row[1] + along * step_x[1]),
-                 c = lane * step_x[2] + (row[2] + along * step_x[2]);
-            const Ints in_bounds = lane <= x1 - x;
-            double plane = inverse_row + along * inverse_x;
-            std::size_t at = std::size_t(y0) * std::size_t(map.width) + std::size_t(x);
-            for (int y = y0; y <= y1; ++y, at += std::size_t(map.width)) {
-                Floats depth;
-                Ints triangle;
-                std::memcpy(&depth, &map.inverse_depth[at], sizeof depth);
-                std::memcpy(&triangle, &map.triangles[at], sizeof triangle);
-                Floats inverse = slope + float(plane);
-                // What slivers lose in precision stays between their corners.
-                inverse = inverse < least ? Floats{} + least : inverse;
-                inverse = inverse > most ? Floats{} + most : inverse;
-                const Ints seen = ((a | b | c) >= 0) & in_bounds & (inverse > depth);
-                depth = seen ? inverse : depth;
-                triangle = seen ? number : triangle;
-                std::memcpy(&map.inverse_depth[at], &depth, sizeof depth);
-                std::memcpy(&map.triangles[at], &triangle, sizeof triangle);
-                a += step_y[0], b += step_y[1], c += step_y[2];
-                plane += inverse_y;
-            }
-        }
+        const std::uint32_t* v = &indices[3 * t];
+        const Corner corners[3] = {snapped(vertices[v[0]]), snapped(vertices[v[1]]), snapped(vertices[v[2]])};
+        SmallTriangle s;
+        s.number = std::uint32_t(t);
+        const Size size =
+            set_up(corners, {values[v[0]], values[v[1]], values[v[2]]}, map.width, map.height, s);
+        if (size == Size::small) fill(s, map);
+        if (size == Size::large) others.push_back(s.number);
     }
     return others;
 }
@@ -142,11 +175,13 @@ void fill(ProjectedPiece p, std::uint32_t number, TriangleMap& map) {
         double a = row[0], b = row[1], c = row[2], plane = inverse_row;
         float* depth = &map.inverse_depth[std::size_t(y) * std::size_t(map.width)];
         std::uint32_t* shown = &map.triangles[std::size_t(y) * std::size_t(map.width)];
+        float* value = &map.value[std::size_t(y) * std::size_t(map.width)];
         for (int x = x0; x <= x1; ++x) {
             const auto inverse = float(p.clamped(plane));
             if (std::min(std::min(a, b), c) >= 0 && inverse > depth[x]) {
                 depth[x] = inverse;
                 shown[x] = number;
+                value[x] = std::numeric_limits<float>::quiet_NaN();
             }
             a += step_x[0], b += step_x[1], c += step_x[2];
             plane += inverse_x;
@@ -158,16 +193,19 @@ void fill(ProjectedPiece p, std::uint32_t number, TriangleMap& map) {
 
 }  // namespace
 
-TriangleMap rasterise(const PhotoProjection& projection, std::span<const std::uint32_t> indices) {
+TriangleMap rasterise(const PhotoProjection& projection, std::span<const std::uint32_t> indices,
+                      std::span<const float> values) {
     const Intrinsics& k = projection.intrinsics;
     const std::size_t pixels = std::size_t(k.width) * std::size_t(k.height);
     TriangleMap map{k.width, k.height, std::vector<float>(pixels + lanes, 0.0f),
-                    std::vector<std::uint32_t>(pixels + lanes, TriangleMap::none)};
-    for (const std::uint32_t t : fill_small(projection.vertices, indices, map))
+                    std::vector<std::uint32_t>(pixels + lanes, TriangleMap::none),
+                    std::vector<float>(pixels + lanes, 0.0f)};
+    for (const std::uint32_t t : fill_small(projection.vertices, indices, values, map))
         for (const ProjectedPiece& piece : clipped(projection, &indices[3 * std::size_t(t)]))
             fill(piece, t, map);
     map.inverse_depth.resize(pixels);
     map.triangles.resize(pixels);
+    map.value.resize(pixels);
     return map;
 }
 

@@ -8,3 +8,6 @@
 #else
 #define VANTAGE_WIDE
 #endif
+
+/// On a function that such a loop calls: part of it, and as wide.
+#define VANTAGE_INLINE __attribute__((always_inline)) inline
