@@ -1,29 +1,42 @@
 #include "pipeline/decoded_ahead.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "pipeline/import/photos.h"
 #include "scene/error.h"
 
 namespace vantage {
 
-DecodedAhead::DecodedAhead(const SceneInput& scene, const std::vector<std::size_t>& photos, Trace* trace) {
-    for (const std::size_t i : photos)
-        photos_[i] = std::async(std::launch::async, [&photo = scene.photos[i], trace] {
-            const Traced traced(trace, "decode", photo.name);
-            const std::vector<std::byte> bytes = read_file(photo.file);
-            return Decoded{identify(bytes), decode_photo(photo.file, bytes, photo.decoded)};
+DecodedAhead::DecodedAhead(const SceneInput& scene, const std::vector<std::size_t>& photos, unsigned threads,
+                           Trace* trace) {
+    if (threads == 0) return;
+    for (const std::size_t i : photos) photos_.emplace_back().photo = i;
+    for (std::size_t t = 0; t < std::min<std::size_t>(threads, photos.size()); ++t)
+        threads_.emplace_back([this, &scene, trace] {
+            for (std::size_t n; (n = next_++) < photos_.size();)
+                decode(photos_[n], scene.photos[photos_[n].photo], trace);
         });
 }
 
-std::optional<RgbaImage> DecodedAhead::take(std::size_t photo, const FileIdentity& identity) {
-    const auto it = photos_.find(photo);
-    if (it == photos_.end() || !it->second.valid()) return std::nullopt;
+void DecodedAhead::decode(Ahead& ahead, const PhotoInput& photo, Trace* trace) {
     try {
-        Decoded decoded = it->second.get();
-        if (decoded.identity == identity) return std::move(decoded.image);
-    } catch (const Error&) {
+        const Traced traced(trace, "decode", photo.name);
+        const std::vector<std::byte> bytes = read_file(photo.file);
+        ahead.identity = identify(bytes);
+        ahead.image = decode_photo(photo.file, bytes, photo.decoded);
+    } catch (const std::exception&) {
         // What is wrong with it is said when it is decoded in its turn.
     }
-    return std::nullopt;
+    ahead.decoded.set_value();
+}
+
+std::optional<RgbaImage> DecodedAhead::take(std::size_t photo, const FileIdentity& identity) {
+    const auto it = std::ranges::find(photos_, photo, &Ahead::photo);
+    if (it == photos_.end()) return std::nullopt;
+    it->decoded.get_future().wait();
+    if (!(it->identity == identity)) it->image.reset();
+    return std::exchange(it->image, std::nullopt);
 }
 
 }  // namespace vantage

@@ -1,7 +1,10 @@
 #pragma once
+#include <atomic>
+#include <deque>
 #include <future>
-#include <map>
 #include <optional>
+#include <thread>
+#include <vector>
 
 #include "pipeline/file_identity.h"
 #include "pipeline/rgba_image.h"
@@ -10,22 +13,28 @@
 
 namespace vantage {
 
-/// Photos that are read and decoded before their turn, each by a thread of its own: while the model is
-/// prepared, only one core has work.
+/// Photos that are read and decoded before their turn: while the model is prepared, only one core has work.
 class DecodedAhead {
   public:
-    /// Begins; the scene must outlive it, and its photos stay as they are.
-    DecodedAhead(const SceneInput& scene, const std::vector<std::size_t>& photos, Trace* trace);
+    /// Begins with `threads` at a time; the scene must outlive it, and its photos stay as they are.
+    DecodedAhead(const SceneInput& scene, const std::vector<std::size_t>& photos, unsigned threads,
+                 Trace* trace);
 
     /// The photo, once, if it was among them, could be read, and was then the file with this identity.
     std::optional<RgbaImage> take(std::size_t photo, const FileIdentity& identity);
 
   private:
-    struct Decoded {
+    struct Ahead {
+        std::size_t photo;
         FileIdentity identity;
-        RgbaImage image;
+        std::optional<RgbaImage> image;
+        std::promise<void> decoded;
     };
-    std::map<std::size_t, std::future<Decoded>> photos_;
+    void decode(Ahead& ahead, const PhotoInput& photo, Trace* trace);
+
+    std::deque<Ahead> photos_;
+    std::atomic<std::size_t> next_ = 0;
+    std::vector<std::jthread> threads_;
 };
 
 }  // namespace vantage

@@ -162,14 +162,14 @@ Needs see_to_needs(const Plan& plan, const SceneInput& scene, const PrepareSetti
     return needs;
 }
 
-/// The photos to decode while the model is prepared: one for each other core, where nothing can be kept and
-/// memory is not short.
+/// The photos to decode while the model is prepared: one for each core, where nothing can be kept and memory
+/// is not short.
 std::vector<std::size_t> first_photos(const SceneInput& scene, const PrepareSettings& settings,
                                       const Share& share, const std::filesystem::path& out) {
     std::vector<std::size_t> first;
     if (settings.memory || std::filesystem::exists(out) || std::filesystem::exists(part_of(out)))
         return first;
-    for (std::size_t i = 0; i < scene.photos.size() && first.size() + 1 < threads_of(settings); ++i)
+    for (std::size_t i = 0; i < scene.photos.size() && first.size() < threads_of(settings); ++i)
         if (share.holds(i) && !std::ranges::count(settings.hold_out, scene.photos[i].name))
             first.push_back(i);
     return first;
@@ -194,7 +194,8 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     std::optional<IdentityCache> usual;
     IdentityCache& identities = run.identities ? *run.identities : usual.emplace();
     progress({"inspect", "", 0, scene.photos.size()});
-    DecodedAhead ahead(scene, first_photos(scene, settings, run.share, out), run.trace);
+    DecodedAhead ahead(scene, first_photos(scene, settings, run.share, out), threads_of(settings) - 1,
+                       run.trace);
     Plan plan{make_model(scene, settings, run.trace), {}, {}, {}, 0};
     const PackedModel& model = plan.model;
     GeometryRenderer renderer(model, scene.mesh.normals, settings);

@@ -111,12 +111,70 @@ Ply read_header(const std::filesystem::path& file, std::span<const char> bytes) 
     return ply;
 }
 
-/// The values after the header, one by one.
+template <class T>
+void convert_as(const char* from, std::size_t stride, bool swapped, std::span<double> out) {
+    for (double& v : out) {
+        char bytes[sizeof(T)];
+        std::memcpy(bytes, from, sizeof bytes);
+        if (swapped) std::reverse(bytes, bytes + sizeof bytes);
+        v = double(std::bit_cast<T>(bytes));
+        from += stride;
+    }
+}
+
+/// Binary values that stand `stride` bytes apart.
+void convert(Type type, const char* from, std::size_t stride, bool swapped, std::span<double> out) {
+    switch (type) {
+        case Type::i8:
+            return convert_as<std::int8_t>(from, stride, swapped, out);
+        case Type::u8:
+            return convert_as<std::uint8_t>(from, stride, swapped, out);
+        case Type::i16:
+            return convert_as<std::int16_t>(from, stride, swapped, out);
+        case Type::u16:
+            return convert_as<std::uint16_t>(from, stride, swapped, out);
+        case Type::i32:
+            return convert_as<std::int32_t>(from, stride, swapped, out);
+        case Type::u32:
+            return convert_as<std::uint32_t>(from, stride, swapped, out);
+        case Type::f32:
+            return convert_as<float>(from, stride, swapped, out);
+        case Type::f64:
+            return convert_as<double>(from, stride, swapped, out);
+    }
+}
+
+/// The values after the header, in order.
 class Values {
   public:
     explicit Values(const Ply& ply) : ply_(ply), rest_(ply.body) {}
 
-    double next(Type type) { return ply_.format == Format::text ? from_text() : from_binary(type); }
+    double next(Type type) {
+        double value = 0;
+        next(type, {&value, 1});
+        return value;
+    }
+    /// As many of one type.
+    void next(Type type, std::span<double> out) {
+        if (ply_.format == Format::text)
+            for (double& v : out) v = from_text();
+        else
+            convert(type, take(out.size() * size_of(type)), size_of(type), swapped(), out);
+    }
+    /// Rows of values, each row of these types: a column a type.
+    void next_rows(std::span<const Type> types, std::span<const std::span<double>> columns) {
+        const std::size_t rows = columns.empty() ? 0 : columns[0].size();
+        if (ply_.format == Format::text) {
+            for (std::size_t row = 0; row < rows; ++row)
+                for (const auto& column : columns) column[row] = from_text();
+            return;
+        }
+        std::size_t stride = 0;
+        for (const Type type : types) stride += size_of(type);
+        const char* from = take(rows * stride);
+        for (std::size_t i = 0; i < types.size(); from += size_of(types[i++]))
+            convert(types[i], from, stride, swapped(), columns[i]);
+    }
     /// No element of `count` can hold fewer bytes: a count that the file cannot have is refused before it is
     /// used.
     void expect(std::size_t count, std::size_t bytes_each) const {
@@ -139,39 +197,14 @@ class Values {
         rest_ = rest_.subspan(std::size_t(end - rest_.begin()));
         return value;
     }
-    double from_binary(Type type) {
-        const std::size_t n = size_of(type);
-        if (rest_.size() < n) cut();
-        char bytes[8];
-        std::memcpy(bytes, rest_.data(), n);
-        rest_ = rest_.subspan(n);
-        if ((ply_.format == Format::little) != (std::endian::native == std::endian::little))
-            std::reverse(bytes, bytes + n);
-        switch (type) {
-            case Type::i8:
-                return as<std::int8_t>(bytes);
-            case Type::u8:
-                return as<std::uint8_t>(bytes);
-            case Type::i16:
-                return as<std::int16_t>(bytes);
-            case Type::u16:
-                return as<std::uint16_t>(bytes);
-            case Type::i32:
-                return as<std::int32_t>(bytes);
-            case Type::u32:
-                return as<std::uint32_t>(bytes);
-            case Type::f32:
-                return double(as<float>(bytes));
-            case Type::f64:
-                return as<double>(bytes);
-        }
-        return 0;
+    const char* take(std::size_t bytes) {
+        if (rest_.size() < bytes) cut();
+        const char* from = rest_.data();
+        rest_ = rest_.subspan(bytes);
+        return from;
     }
-    template <class T>
-    static T as(const char* bytes) {
-        T value;
-        std::memcpy(&value, bytes, sizeof value);
-        return value;
+    bool swapped() const {
+        return (ply_.format == Format::little) != (std::endian::native == std::endian::little);
     }
 
     const Ply& ply_;
@@ -184,7 +217,7 @@ void read_list(Values& values, const Property& p, std::vector<double>& list) {
     if (!(n >= 0)) return;
     values.expect(std::size_t(n), size_of(p.type));
     list.resize(static_cast<std::size_t>(n));
-    for (double& v : list) v = values.next(p.type);
+    values.next(p.type, list);
 }
 
 std::size_t least_bytes(const Element& e) {
@@ -199,18 +232,28 @@ using Columns = std::map<std::string, std::vector<double>>;
 Columns read_columns(Values& values, const Element& e) {
     values.expect(e.count, least_bytes(e));
     Columns columns;
-    std::vector<std::vector<double>*> to;
-    std::vector<double> unused;
+    std::vector<Type> types;
+    std::vector<std::span<double>> to;
     for (const Property& p : e.properties) {
-        to.push_back(p.list ? nullptr : &columns[p.name]);
-        if (to.back()) to.back()->reserve(e.count);
+        if (p.list) continue;
+        std::vector<double>& column = columns[p.name];
+        column.resize(e.count);
+        types.push_back(p.type);
+        to.push_back(column);
     }
-    for (std::size_t row = 0; row < e.count; ++row)
-        for (std::size_t i = 0; i < to.size(); ++i)
-            if (to[i])
-                to[i]->push_back(values.next(e.properties[i].type));
+    if (to.size() == e.properties.size()) {
+        values.next_rows(types, to);
+        return columns;
+    }
+    std::vector<double> unused;
+    for (std::size_t row = 0; row < e.count; ++row) {
+        auto column = to.begin();
+        for (const Property& p : e.properties)
+            if (p.list)
+                read_list(values, p, unused);
             else
-                read_list(values, e.properties[i], unused);
+                (*column++)[row] = values.next(p.type);
+    }
     return columns;
 }
 
