@@ -24,12 +24,17 @@ VANTAGE_WIDE void step_back(const std::int16_t* below, std::int16_t* to, int wid
         to[x] = std::min(to[x], std::min<std::int16_t>(std::int16_t(below[x] + 1), none));
 }
 
-/// best[x] = min(best[x], squares[x + k] + k * k), for both signs of k.
-VANTAGE_WIDE void widen(const std::int16_t* squares, std::int16_t* best, int width, int k) {
-    const auto square = std::int16_t(k * k);
-    for (int x = 0; x < width; ++x) {
-        const std::int16_t nearer = std::min(squares[x - k], squares[x + k]);
-        best[x] = std::min(best[x], std::int16_t(nearer + square));
+/// Rows are widened in pieces: many have no border within reach.
+constexpr std::size_t block = 128;
+
+/// best[x] = min(best[x], squares[x + k] + k * k), for k of both signs up to the reach.
+VANTAGE_WIDE void widen(const std::int16_t* squares, std::int16_t* best, int width, int reach) {
+    for (int k = 1; k <= reach; ++k) {
+        const auto square = std::int16_t(k * k);
+        for (int x = 0; x < width; ++x) {
+            const std::int16_t nearer = std::min(squares[x - k], squares[x + k]);
+            best[x] = std::min(best[x], std::int16_t(nearer + square));
+        }
     }
 }
 
@@ -55,11 +60,14 @@ std::vector<float> near_distance(const std::vector<std::uint8_t>& borders, int w
     std::vector<std::int16_t> squares(w + 2 * margin, far), best(w);
     for (std::size_t y = 0; y < h; ++y) {
         const std::int16_t* row = &column[y * w];
-        const std::int16_t nearest = *std::min_element(row, row + w);
-        if (nearest > reach) continue;
         for (std::size_t x = 0; x < w; ++x) best[x] = squares[margin + x] = std::int16_t(row[x] * row[x]);
-        for (int k = 1; k <= reach; ++k) widen(&squares[margin], best.data(), width, k);
-        roots(best.data(), &out[y * w], width, std::int16_t(reach * reach));
+        for (std::size_t first = 0; first < w; first += block) {
+            const std::size_t last = std::min(w, first + block);
+            const auto* from = squares.data() + first;  // a margin before the block
+            if (*std::min_element(from, from + (last - first) + 2 * margin) == far) continue;
+            widen(&squares[margin + first], &best[first], int(last - first), reach);
+            roots(&best[first], &out[y * w + first], int(last - first), std::int16_t(reach * reach));
+        }
     }
     return out;
 }
