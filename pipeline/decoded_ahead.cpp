@@ -20,6 +20,7 @@ DecodedAhead::DecodedAhead(const SceneInput& scene, const std::vector<std::size_
 }
 
 void DecodedAhead::decode(Ahead& ahead, const PhotoInput& photo, Trace* trace) {
+    if (ahead.begun.exchange(true)) return;  // its turn has come
     try {
         const Traced traced(trace, "decode", photo.name);
         const std::vector<std::byte> bytes = read_file(photo.file);
@@ -33,7 +34,7 @@ void DecodedAhead::decode(Ahead& ahead, const PhotoInput& photo, Trace* trace) {
 
 std::optional<RgbaImage> DecodedAhead::take(std::size_t photo, const FileIdentity& identity) {
     const auto it = std::ranges::find(photos_, photo, &Ahead::photo);
-    if (it == photos_.end()) return std::nullopt;
+    if (it == photos_.end() || !it->begun.exchange(true)) return std::nullopt;
     it->decoded.get_future().wait();
     if (!(it->identity == identity)) it->image.reset();
     return std::exchange(it->image, std::nullopt);

@@ -20,7 +20,8 @@ class DecodedAhead {
     DecodedAhead(const SceneInput& scene, const std::vector<std::size_t>& photos, unsigned threads,
                  Trace* trace);
 
-    /// The photo, once, if it was among them, could be read, and was then the file with this identity.
+    /// The photo, once, if it was among them, is begun, could be read, and was then the file with this
+    /// identity.
     std::optional<RgbaImage> take(std::size_t photo, const FileIdentity& identity);
 
   private:
@@ -28,6 +29,7 @@ class DecodedAhead {
         std::size_t photo;
         FileIdentity identity;
         std::optional<RgbaImage> image;
+        std::atomic<bool> begun = false;
         std::promise<void> decoded;
     };
     void decode(Ahead& ahead, const PhotoInput& photo, Trace* trace);

@@ -162,14 +162,14 @@ Needs see_to_needs(const Plan& plan, const SceneInput& scene, const PrepareSetti
     return needs;
 }
 
-/// The photos to decode while the model is prepared: one for each core, where nothing can be kept and memory
+/// The photos to decode while the model is prepared, as far as one gets: where nothing can be kept and memory
 /// is not short.
 std::vector<std::size_t> first_photos(const SceneInput& scene, const PrepareSettings& settings,
                                       const Share& share, const std::filesystem::path& out) {
     std::vector<std::size_t> first;
     if (settings.memory || std::filesystem::exists(out) || std::filesystem::exists(part_of(out)))
         return first;
-    for (std::size_t i = 0; i < scene.photos.size() && first.size() < threads_of(settings); ++i)
+    for (std::size_t i = 0; i < scene.photos.size() && first.size() < 2 * threads_of(settings); ++i)
         if (share.holds(i) && !std::ranges::count(settings.hold_out, scene.photos[i].name))
             first.push_back(i);
     return first;

@@ -10,8 +10,9 @@
 
 namespace vantage {
 
-/// Positions on a map are in 1/2^16 of its pixels.
-inline constexpr int position_bits = 16;
+/// Positions on a map are in 1/2^14 of its pixels: finer than a single-precision texture coordinate, and maps
+/// may be 65536 pixels wide.
+inline constexpr int position_bits = 14;
 
 /// A vertex on a photo's map. Before the near plane, or too far aside for 32 bits: `inverse` is 0.
 struct ProjectedVertex {

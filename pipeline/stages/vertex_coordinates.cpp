@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "pipeline/stages/wide.h"
+#include "scene/tiling.h"
 
 namespace vantage {
 namespace {
@@ -161,14 +162,13 @@ std::vector<Eigen::Vector2f> vertex_coordinates(const PhotoProjection& projectio
             hide_by(piece, corners, there, sights);
     }
     std::vector<Eigen::Vector2f> out(projection.vertices.size(), Eigen::Vector2f(-1, -1));
-    for (std::size_t i = 0; i < sights.first.back(); ++i) {
-        if (sights.hidden[i]) continue;
-        const auto v = std::size_t(sights.vertex[i]);
-        const auto seen = project(photo, projection.cam_from_origin, projection.positions[v].cast<double>());
-        if (seen && in_frame(photo, seen->pixel))
-            out[v] =
-                Eigen::Vector2f(float(seen->pixel.x() / photo.width), float(seen->pixel.y() / photo.height));
-    }
+    // Positions are finer than a texture coordinate's last digit.
+    const double pixel = double(1 << mask_level) / (1 << position_bits), x = pixel / photo.width,
+                 y = pixel / photo.height;
+    for (std::size_t i = 0; i < sights.first.back(); ++i)
+        if (const Eigen::Vector2d at(sights.x[i] * x, sights.y[i] * y);
+            !sights.hidden[i] && at.maxCoeff() < 1)
+            out[std::size_t(sights.vertex[i])] = at.cast<float>();
     return out;
 }
 
