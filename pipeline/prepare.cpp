@@ -4,18 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <mutex>
 #include <optional>
 
 #include "pipeline/for_each_photo.h"
 #include "pipeline/needs.h"
 #include "pipeline/photo_stages.h"
+#include "pipeline/prepare_plan.h"
 #include "pipeline/provenance.h"
 #include "pipeline/room.h"
-#include "pipeline/stages/inspect.h"
-#include "pipeline/stages/pyramid.h"
-#include "pipeline/stages/subdivide.h"
 #include "pipeline/trace.h"
 #include "scene/error.h"
 
@@ -24,12 +21,6 @@ namespace {
 
 using package::Type;
 
-/// What is known of the photos while they are prepared, each by its own thread.
-struct Photos {
-    std::vector<package::PhotoRecord> records;
-    std::vector<package::PhotoState> states;
-};
-
 /// Counts stages, and why those that were made had to be.
 class Tally {
   public:
@@ -37,7 +28,7 @@ class Tally {
           const std::vector<std::unique_ptr<Former>>& formers)
         : scene_(scene), settings_(std::move(settings)), formers_(formers) {}
 
-    void add(std::size_t i, const Photos& photos, const std::vector<package::Stage>& made) {
+    void add(std::size_t i, const PhotoTables& photos, const std::vector<package::Stage>& made) {
         if (photos.states[i].left_out[0]) return;
         for (const package::Stage stage : stages_of(photos.records[i])) {
             PrepareResult::Stage& count = result.stages[std::size_t(stage)];
@@ -58,7 +49,7 @@ class Tally {
     const std::vector<std::unique_ptr<Former>>& formers_;
 };
 
-void run_photos(const PhotoStages& s, Photos& photos, unsigned in_flight, unsigned threads,
+void run_photos(const PhotoStages& s, PhotoTables& photos, unsigned in_flight, unsigned threads,
                 const PrepareRun& run, Tally& tally, const std::function<void(const Progress&)>& progress) {
     std::mutex mutex;
     std::atomic<std::size_t> begun = 0;
@@ -80,7 +71,7 @@ void run_photos(const PhotoStages& s, Photos& photos, unsigned in_flight, unsign
 }
 
 /// Throws where no photo is left to show.
-void note_left_out(const SceneInput& scene, const Photos& photos, PrepareResult& result) {
+void note_left_out(const SceneInput& scene, const PhotoTables& photos, PrepareResult& result) {
     result.left_out = scene.left_out;
     std::size_t usable = 0;
     for (std::size_t i = 0; i < photos.records.size(); ++i)
@@ -94,61 +85,8 @@ void note_left_out(const SceneInput& scene, const Photos& photos, PrepareResult&
                                      result.left_out.front().photo + ": " + result.left_out.front().why);
 }
 
-/// Cameras for photos of at most `longest` pixels on the long side.
-void reduce_photos(SceneInput& scene, int longest) {
-    for (PhotoInput& photo : scene.photos) {
-        Intrinsics& k = photo.camera.intrinsics;
-        const Level size = thumbnail_size(k.width, k.height, longest);
-        k = k.scaled(size.width, size.height);
-    }
-}
-
-/// An octave of the depth mask is twelve of its steps: rounded up to the next, the reference does not move
-/// with every photo that comes or goes, and all masks with it.
-double reference_density(const SceneInput& scene) {
-    return std::exp2(std::ceil(std::log2(finest_density(scene))));
-}
-
-void complete_record(package::SceneRecord& record, const SceneInput& scene, const PrepareSettings& settings,
-                     const std::vector<EffectDecision>& effects) {
-    record.photos = scene.photos.size();
-    record.reference_density = reference_density(scene);
-    record.border_width = settings.border_width;
-    record.scalar_layers = scene.mesh.scalars.size();
-    for (const EffectDecision& d : effects) record.effects |= std::uint64_t(d.on) << int(d.effect);
-}
-
-/// All that is settled before the first photo is begun.
-struct Plan {
-    PackedModel model;
-    Photos photos;
-    std::string meta;
-    std::vector<ChunkPlan> chunks;
-    std::uint64_t names;
-};
-
-PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace* trace) {
-    const Traced traced(trace, "model");
-    subdivide_large_triangles(scene.mesh);
-    return pack_model(scene.mesh, settings.cluster_triangles);
-}
-
-/// Fills in the rest of a plan that holds the model.
-void complete_plan(Plan& plan, const SceneInput& scene, const PrepareSettings& settings,
-                   const PrepareRun& run, IdentityCache& identities) {
-    const Traced traced(run.trace, "inspect");
-    const std::vector<EffectDecision> effects = inspect(scene, settings.effects);
-    complete_record(plan.model.record, scene, settings, effects);
-    plan.photos.records = photo_records(scene, settings, plan.model.origin);
-    plan.photos.states.resize(plan.photos.records.size());
-    plan.meta = provenance(scene, settings, effects, identities);
-    plan.chunks = plan_chunks(plan.model.record, {plan.meta.size(), !scene.mesh.colors.empty()},
-                              plan.photos.records, run.share);
-    plan.names = names_checksum(plan.photos.records);
-}
-
 /// Makes room, and says what it will take. Throws where there is too little of something.
-Needs see_to_needs(const Plan& plan, const SceneInput& scene, const PrepareSettings& settings,
+Needs see_to_needs(const PreparePlan& plan, const SceneInput& scene, const PrepareSettings& settings,
                    const PrepareRun& run, bool opengl, const std::filesystem::path& out) {
     const PackageLayout layout = package_layout(plan.chunks, plan.names);
     const std::uint64_t photo = photo_memory(scene, plan.model.record);
@@ -175,7 +113,7 @@ std::vector<std::size_t> first_photos(const SceneInput& scene, const PrepareSett
     return first;
 }
 
-void write_scene(PackageWriter& writer, const Plan& plan, const SceneInput& scene, Trace* trace) {
+void write_scene(PackageWriter& writer, const PreparePlan& plan, const SceneInput& scene, Trace* trace) {
     const Traced traced(trace, "write model");
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(plan.meta)));
     write_model(writer, plan.model, scene.mesh);
@@ -196,7 +134,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     progress({"inspect", "", 0, scene.photos.size()});
     DecodedAhead ahead(scene, first_photos(scene, settings, run.share, out), threads_of(settings) - 1,
                        run.trace);
-    Plan plan{make_model(scene, settings, run.trace), {}, {}, {}, 0};
+    PreparePlan plan{make_model(scene, settings, run.trace), {}, {}, {}, 0};
     const PackedModel& model = plan.model;
     GeometryRenderer renderer(model, scene.mesh.normals, settings);
     complete_plan(plan, scene, settings, run, identities);

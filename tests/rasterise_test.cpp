@@ -11,8 +11,8 @@
 #include "pipeline/import/discover.h"
 #include "pipeline/import/read_scene.h"
 #include "pipeline/package_layout.h"
-#include "pipeline/ray_scene.h"
 #include "pipeline/stages/vertex_coordinates.h"
+#include "pipeline/synth/ray_scene.h"
 #include "pipeline/synth/synthesise.h"
 #include "temporary_folder.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "pipeline/ray_scene.h"
 #include "pipeline/synth/building.h"
+#include "pipeline/synth/ray_scene.h"
 #include "pipeline/synth/synthesise.h"
 #include "scene/error.h"
 

@@ -6,7 +6,7 @@
 
 #include "pipeline/scene_input.h"
 #include "pipeline/synth/building.h"
-#include "pipeline/ray_scene.h"
+#include "pipeline/synth/ray_scene.h"
 #include "pipeline/synth/spec.h"
 
 namespace vantage {

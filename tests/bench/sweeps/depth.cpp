@@ -8,7 +8,7 @@
 #include "gl/context.h"
 #include "pipeline/import/discover.h"
 #include "pipeline/import/read_scene.h"
-#include "pipeline/ray_scene.h"
+#include "pipeline/synth/ray_scene.h"
 #include "scene/tiling.h"
 #include "tests/bench/exhibit.h"
 #include "tests/bench/model.h"
