@@ -172,6 +172,8 @@ void PackageReader::forget(std::span<const std::byte> bytes) const {
     if (first < last) ::madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
 }
 
+void PackageReader::forget_all() const { forget({map_->data, map_->size}); }
+
 bool PackageReader::head_sound(const DirectoryEntry& e) const {
     return checksum({map_->data + e.offset, e.head_length}) == e.checksum;
 }

@@ -46,6 +46,7 @@ class PackageReader {
     int descriptor() const;
     /// Gives the memory of these bytes back to the system until they are read again.
     void forget(std::span<const std::byte> bytes) const;
+    void forget_all() const;
     /// XXH3-64 of the head agrees with the directory.
     bool head_sound(const package::DirectoryEntry& entry) const;
     /// Head and every block agree with their checksums.

@@ -147,6 +147,7 @@ std::vector<unsigned> photos_a_triangle(const PackageReader& package) {
             std::uint64_t seen = bits[words + t / 64];
             for (; seen; seen &= seen - 1) ++count[t + std::uint64_t(std::countr_zero(seen))];
         }
+        package.forget(std::as_bytes(bits));
     }
     return count;
 }

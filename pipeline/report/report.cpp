@@ -121,6 +121,7 @@ RgbaImage mask_picture(const PackageReader& package, std::uint32_t i, const Phot
     RgbaImage image{size.width, size.height, {}};
     if (!chunk) return {1, 1, {0, 0, 0, 0}};
     const std::vector<std::byte> texels = join_tiles(package, *chunk, size);
+    package.forget(package.raw(*chunk));
     image.rgba.resize(texels.size());
     std::memcpy(image.rgba.data(), texels.data(), texels.size());
     return image;
@@ -146,17 +147,21 @@ std::string photo_figure(const PackageReader& package, std::uint32_t i, const Ph
                escaped(p.name), p.width, p.height, flags, 100 * p.visible_vertices, p.z_min, p.z_max);
 }
 
-std::string photos_part(const PackageReader& package) {
-    std::string out =
-        "<h2>Photos</h2>\n<p>Below each its masks: angle in red, depth in green, border in blue; grey is "
-        "not seen.</p>\n<div class=grid>\n";
+void write_photos_part(std::ofstream& out, const PackageReader& package) {
+    out << "<h2>Photos</h2>\n<p>Below each its masks: angle in red, depth in green, border in blue; grey is "
+           "not seen.</p>\n<div class=grid>\n";
     const auto photos = package.photos();
-    std::vector<std::string> figures(photos.size());
-    for_each_photo(photos.size(), 0, [&](std::size_t i) {
-        if (photos[i].levels) figures[i] = photo_figure(package, std::uint32_t(i), photos[i]);
-    });
-    for (const std::string& figure : figures) out += figure;
-    return out + "</div>\n";
+    constexpr std::size_t batch = 16;  // the page is not held in memory
+    for (std::size_t first = 0; first < photos.size(); first += batch) {
+        std::vector<std::string> figures(std::min(batch, photos.size() - first));
+        for_each_photo(figures.size(), 0, [&](std::size_t n) {
+            const std::size_t i = first + n;
+            if (photos[i].levels) figures[n] = photo_figure(package, std::uint32_t(i), photos[i]);
+        });
+        for (const std::string& figure : figures) out << figure;
+        package.forget_all();  // what lies beside the chunks read was mapped, too
+    }
+    out << "</div>\n";
 }
 
 std::string run_part(const ReportRun& run) {
@@ -187,13 +192,13 @@ void write_report(const fs::path& file, const PackageReader& package, const std:
     const json meta = json::parse(package.meta(), nullptr, false);
     if (!meta.is_object()) throw Error(Exit::damaged, package.path().string() + ": META: not readable");
     const std::vector<UnusablePhoto> left_out = left_out_of(package);
-    std::string page = std::string("<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>") + style +
-                       "</style>\n" + heading(package, meta, left_out, run) + left_out_part(left_out) +
-                       warnings_part(meta) + effects_part(meta) + coverage_part(package) +
-                       photos_part(package);
-    if (run) page += run_part(*run);
     std::ofstream out(file, std::ios::binary);
-    out << page << "</html>\n";
+    out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << style << "</style>\n"
+        << heading(package, meta, left_out, run) << left_out_part(left_out) << warnings_part(meta)
+        << effects_part(meta) << coverage_part(package);
+    write_photos_part(out, package);
+    if (run) out << run_part(*run);
+    out << "</html>\n";
     out.flush();
     if (!out) throw Error(Exit::storage, file.string() + ": cannot write");
 }
