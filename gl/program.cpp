@@ -56,18 +56,13 @@ GLuint compile(const Stage& stage, const std::vector<std::string>& defines) {
 }  // namespace
 
 Program make_program(const std::string& label, const std::vector<Stage>& stages,
-                     const std::vector<std::string>& defines, const std::vector<std::string>& feedback) {
+                     const std::vector<std::string>& defines) {
     Program program(glCreateProgram());
     for (const Stage& stage : stages) {
         const GLuint shader = compile(stage, defines);
         glAttachShader(program.id(), shader);
         glDeleteShader(shader);  // lives on as long as the program does
     }
-    std::vector<const char*> names;
-    for (const std::string& f : feedback) names.push_back(f.c_str());
-    if (!names.empty())
-        glTransformFeedbackVaryings(program.id(), GLsizei(names.size()), names.data(),
-                                    GL_INTERLEAVED_ATTRIBS);
     glLinkProgram(program.id());
     GLint ok = 0;
     glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
