@@ -59,7 +59,8 @@ RgbaImage decode_jpeg(const std::filesystem::path& file, std::span<const std::by
     if (tjDecompress2(h.decoder.get(), data(bytes), bytes.size(), photo.rgba.data(), h.width, 0, h.height,
                       cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_ACCURATEDCT))
         refuse(file, std::string("JPEG is damaged or cut short: ") + tjGetErrorStr2(h.decoder.get()));
-    return cmyk ? from_cmyk(photo) : photo;
+    if (cmyk) return from_cmyk(photo);
+    return photo;
 }
 
 /// Turns by EXIF orientation 5 to 8, those that swap width and height.
