@@ -69,20 +69,19 @@ GeometryRenderer::~GeometryRenderer() = default;
 
 bool GeometryRenderer::by_opengl() const { return gl_ != nullptr; }
 
-std::future<PhotoGeometry> GeometryRenderer::render(const FrameTriangles& triangles,
-                                                    const PhotoProjection& projection, const Intrinsics& k,
-                                                    Eigen::Vector2d near_far, bool spare_core, Trace* trace,
+std::future<PhotoGeometry> GeometryRenderer::render(std::shared_ptr<const PhotoView> view,
+                                                    const Intrinsics& k, Trace* trace,
                                                     const std::string& photo) {
     if (!gl_)
-        return std::async(spare_core ? std::launch::async : std::launch::deferred,
-                          [=, this, &triangles, &projection] {
-                              const Traced traced(trace, "render", photo);
-                              return rasterise_geometry(projection, normals_, triangles.indices);
-                          });
+        return std::async(std::launch::deferred, [=, this] {
+            const Traced traced(trace, "render", photo);
+            return rasterise_geometry(view->projection, normals_, view->triangles.indices);
+        });
     const ModelBuffers& buffers = gl_->model();
-    return gl_->thread.submit([=, &triangles, &projection, &buffers] {
+    return gl_->thread.submit([=, &buffers] {
         const Traced traced(trace, "render", photo);
-        return render_geometry(buffers, triangles.indices, k, projection.cam_from_origin, near_far);
+        return render_geometry(buffers, view->triangles.indices, k, view->projection.cam_from_origin,
+                               view->near_far);
     });
 }
 

@@ -11,6 +11,13 @@
 
 namespace vantage {
 
+/// What a photo's camera looks at.
+struct PhotoView {
+    FrameTriangles triangles;
+    Eigen::Vector2d near_far;
+    PhotoProjection projection;
+};
+
 /// Renders what photos' cameras see of the model: on the graphics card, by a thread of its own, or by the
 /// processor in the caller's thread. Thread-safe.
 class GeometryRenderer {
@@ -27,10 +34,8 @@ class GeometryRenderer {
     bool by_opengl() const;  ///< else by the processor
     DistanceMethod distance() const { return distance_; }
 
-    /// Arguments as of render_geometry; `triangles` and `projection` must live until the result is there. The
-    /// processor renders when the result is asked for, or at once on a spare core.
-    std::future<PhotoGeometry> render(const FrameTriangles& triangles, const PhotoProjection& projection,
-                                      const Intrinsics& intrinsics, Eigen::Vector2d near_far, bool spare_core,
+    /// The processor renders when the result is asked for.
+    std::future<PhotoGeometry> render(std::shared_ptr<const PhotoView> view, const Intrinsics& intrinsics,
                                       Trace* trace, const std::string& photo);
     /// To the nearest border, +inf where it is farther than `reach` pixels or somewhat beyond.
     std::vector<float> distances(const std::vector<std::uint8_t>& borders, int width, int height, int reach);

@@ -74,7 +74,7 @@ PhotoView view_of(const PhotoRun& run) {
 }
 
 void make_from_geometry(const PhotoRun& run, const Due& due, const PhotoView& view, PhotoGeometry geometry,
-                        std::vector<std::uint8_t> valid, package::PhotoRecord& r) {
+                        std::future<std::vector<std::uint8_t>> valid, package::PhotoRecord& r) {
     const PhotoStages& s = run.s;
     if (due[Stage::coordinates] || due[Stage::coverage]) {
         const auto coordinates = [&] {
@@ -87,7 +87,7 @@ void make_from_geometry(const PhotoRun& run, const Due& due, const PhotoView& vi
         }
         if (due[Stage::coverage]) write_coverage(run, view.triangles, geometry, coordinates);
     }
-    if (due[Stage::masks]) write_masks(s, run.i, std::move(geometry), std::move(valid), run.k, int(r.levels));
+    if (due[Stage::masks]) write_masks(s, run.i, std::move(geometry), valid.get(), run.k, int(r.levels));
 }
 
 }  // namespace vantage

@@ -78,30 +78,30 @@ void leave_out(const PhotoStages& s, std::uint32_t i, const Pose& pose, package:
     Eigen::Map<Eigen::Vector3d>(r.corrected_direction) = pose.direction();
 }
 
-/// Makes the stages that are due: a graphics card or a spare core renders while the photo is decoded and cut.
+/// Makes the stages that come from the model, at once on a spare core, else when they are waited for; a
+/// graphics card begins at once.
+std::future<void> make_geometry(const PhotoRun& run, const Due& due,
+                                std::future<std::vector<std::uint8_t>> valid, package::PhotoRecord& r) {
+    const auto view = std::make_shared<const PhotoView>(view_of(run));
+    auto pending = run.s.renderer.render(view, run.k, run.s.trace, run.photo.name);
+    return std::async(
+        run.spare_core ? std::launch::async : std::launch::deferred,
+        [&run, &due, &r, view, pending = std::move(pending), valid = std::move(valid)]() mutable {
+            make_from_geometry(run, due, *view, pending.get(), std::move(valid), r);
+        });
+}
+
+/// Makes the stages that are due.
 void make_stages(const PhotoRun& run, const Due& due, std::optional<PhotoFile>& file,
                  package::PhotoRecord& r) {
-    const PhotoStages& s = run.s;
-    std::optional<PhotoView> view;
-    std::future<PhotoGeometry> pending;
-    if (due.geometry()) {
-        view = view_of(run);
-        pending = s.renderer.render(view->triangles, view->projection, run.k, view->near_far, run.spare_core,
-                                    s.trace, run.photo.name);
-    }
-    std::vector<std::uint8_t> valid;
-    try {
-        if (due.pixels(r)) valid = make_pixels(run, due, *file, r);
-    } catch (...) {
-        if (pending.valid()) pending.wait();  // it refers to this frame
-        throw;
-    }
-    if (!due.geometry()) return;
-    PhotoGeometry geometry = [&] {
-        const Traced traced(s.trace, "wait for render", run.photo.name);
-        return pending.get();
-    }();
-    make_from_geometry(run, due, *view, std::move(geometry), std::move(valid), r);
+    std::future<void> geometry;
+    std::promise<std::vector<std::uint8_t>> valid;  // goes first if it throws, and so ends the wait for it
+    if (due.geometry()) geometry = make_geometry(run, due, valid.get_future(), r);
+    if (due.pixels(r))
+        make_pixels(run, due, *file, r, valid);
+    else
+        valid.set_value({});
+    if (geometry.valid()) geometry.get();
 }
 
 /// Keeps what can be kept and makes the rest; returns what it made. A photo that cannot be decoded is named

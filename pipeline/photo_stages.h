@@ -25,9 +25,9 @@ struct PhotoStages {
 };
 
 /// Brings photo `i` through all stages into the package and completes its record and state: what earlier runs
-/// left is kept where it was made from the same, the rest is made; what OpenGL or a spare core renders, while
-/// the photo is decoded and cut. A photo that cannot be decoded is left out, and its state says why. Returns
-/// the stages that were made. Thread-safe for different photos. Throws Error.
+/// left is kept where it was made from the same, the rest is made; on a spare core what comes from the model,
+/// while the photo is decoded and cut. A photo that cannot be decoded is left out, and its state says why.
+/// Returns the stages that were made. Thread-safe for different photos. Throws Error.
 std::vector<package::Stage> run_photo(const PhotoStages& stages, std::uint32_t i, bool spare_core,
                                       package::PhotoRecord& record, package::PhotoState& state);
 

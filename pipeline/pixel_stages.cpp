@@ -38,17 +38,19 @@ std::vector<std::uint8_t> validity(const RgbaImage& level) {
     return valid;
 }
 
-/// Thumbnail and tile pyramid. Returns the photo's validity at `mask_level`, empty where it is opaque.
-std::vector<std::uint8_t> write_pixels(const PhotoStages& s, std::uint32_t i, const Due& due, RgbaImage level,
-                                       package::PhotoRecord& r) {
+/// Thumbnail and tile pyramid.
+void write_pixels(const PhotoStages& s, std::uint32_t i, const Due& due, RgbaImage level,
+                  package::PhotoRecord& r, std::promise<std::vector<std::uint8_t>>& valid) {
     const Traced traced(s.trace, "tiles", r.name);
     const bool opaque = is_opaque(level);
-    if (!opaque) r.flags |= package::photo_has_alpha;
-    std::vector<std::uint8_t> valid;
+    if (opaque)
+        valid.set_value({});
+    else
+        r.flags |= package::photo_has_alpha;
     bool thumbnail_due = due[Stage::thumbnail];
     const std::uint32_t last = std::max(r.levels, std::uint32_t(mask_level) + 1);
     for (std::uint32_t l = 0; l < last; ++l) {
-        if (l == std::uint32_t(mask_level) && !opaque) valid = validity(level);
+        if (l == std::uint32_t(mask_level) && !opaque) valid.set_value(validity(level));
         if (l < r.levels && due[Stage::tiles])
             write_tiles(s.writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height});
         RgbaImage next = halve(level);
@@ -61,16 +63,15 @@ std::vector<std::uint8_t> write_pixels(const PhotoStages& s, std::uint32_t i, co
         }
         level = std::move(next);
     }
-    return valid;
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> make_pixels(const PhotoRun& run, const Due& due, PhotoFile& file,
-                                      package::PhotoRecord& r) {
+void make_pixels(const PhotoRun& run, const Due& due, PhotoFile& file, package::PhotoRecord& r,
+                 std::promise<std::vector<std::uint8_t>>& valid) {
     RgbaImage image = decode_pixels(run, file, r);
     file.release();
-    return write_pixels(run.s, run.i, due, std::move(image), r);
+    write_pixels(run.s, run.i, due, std::move(image), r, valid);
 }
 
 }  // namespace vantage
