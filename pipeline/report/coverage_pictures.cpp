@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <thread>
 
 #include "pipeline/for_each_photo.h"
 
@@ -79,6 +80,15 @@ struct Canvas {
         Pixel& p = pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
         if (z < p.nearest) p.nearest = z, p.first = number;
         if (z > p.farthest) p.farthest = z, p.last = number;
+    }
+    /// Of the same view, with triangles of higher numbers.
+    void add(const Canvas& others) {
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            Pixel& p = pixels[i];
+            const Pixel& o = others.pixels[i];
+            if (o.nearest < p.nearest) p.nearest = o.nearest, p.first = o.first;
+            if (o.farthest > p.farthest) p.farthest = o.farthest, p.last = o.last;
+        }
     }
 };
 
@@ -166,26 +176,46 @@ std::array<double, 5> covered_area(const PackageReader& package, const std::vect
     return area;
 }
 
-std::vector<CoveragePicture> coverage_pictures(const PackageReader& package,
-                                               const std::vector<unsigned>& photos, int size) {
-    const Geometry g(package);
+namespace {
+
+std::array<ParallelView, 3> views(const Geometry& g, int size) {
     Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
     for (const std::uint32_t i : g.indices)
         low = low.cwiseMin(g.positions[i]), high = high.cwiseMax(g.positions[i]);
-    std::vector<CoveragePicture> pictures(photos.empty() ? 0 : 6);
-    for_each_photo(pictures.size() / 2, 0, [&](std::size_t i) {
-        const int axis = int(i);
-        const ParallelView view = look_along(axis, low, high, size);
-        std::vector<Eigen::Vector3f> at(g.positions.size());
-        std::ranges::transform(g.positions, at.begin(), [&](const auto& p) { return view.at(p); });
-        Canvas canvas(view);
-        for (std::size_t t = 0; t < photos.size(); ++t) {
-            const std::uint32_t* corners = &g.indices[3 * t];
-            fill(canvas, {at[corners[0]], at[corners[1]], at[corners[2]]}, std::uint32_t(t));
+    return {look_along(0, low, high, size), look_along(1, low, high, size), look_along(2, low, high, size)};
+}
+
+/// All triangles in all views, a share of them on each core.
+std::vector<Canvas> draw(const Geometry& g, const std::array<ParallelView, 3>& views) {
+    const std::size_t triangles = g.indices.size() / 3;
+    const std::size_t shares = std::clamp(std::thread::hardware_concurrency(), 1u, 8u);
+    std::vector<std::vector<Canvas>> canvases(shares, std::vector<Canvas>(views.begin(), views.end()));
+    for_each_photo(shares, 0, [&](std::size_t s) {
+        for (std::size_t t = triangles * s / shares; t < triangles * (s + 1) / shares; ++t) {
+            const auto p = g.corners(t);
+            for (std::size_t axis = 0; axis < views.size(); ++axis)
+                fill(canvases[s][axis], {views[axis].at(p[0]), views[axis].at(p[1]), views[axis].at(p[2])},
+                     std::uint32_t(t));
         }
-        for (const bool opposite : {false, true})
-            pictures[2 * i + opposite] = {std::string(opposite ? "-" : "+") + "xyz"[axis],
-                                          picture(canvas, opposite, g, photos, axis)};
+    });
+    for (std::size_t s = 1; s < shares; ++s)
+        for (std::size_t axis = 0; axis < views.size(); ++axis) canvases[0][axis].add(canvases[s][axis]);
+    return std::move(canvases[0]);
+}
+
+}  // namespace
+
+std::vector<CoveragePicture> coverage_pictures(const PackageReader& package,
+                                               const std::vector<unsigned>& photos, int size) {
+    if (photos.empty()) return {};
+    const Geometry g(package);
+    const std::vector<Canvas> canvases = draw(g, views(g, size));
+    std::vector<CoveragePicture> pictures(2 * canvases.size());
+    for_each_photo(pictures.size(), 0, [&](std::size_t i) {
+        const std::size_t axis = i / 2;
+        const bool opposite = i % 2;
+        pictures[i] = {std::string(opposite ? "-" : "+") + "xyz"[axis],
+                       picture(canvases[axis], opposite, g, photos, int(axis))};
     });
     return pictures;
 }
