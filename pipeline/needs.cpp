@@ -27,9 +27,8 @@ std::uint64_t status_bytes(const char* key) {
 
 double pixels(const PhotoInput& photo) { return double(photo.decoded.width) * photo.decoded.height; }
 
-/// Work of one thread on two cores of a server of 2023 with a software renderer; the machine's own speed
-/// comes on top.
-constexpr double second_a_pixel = 24e-9, second_a_triangle = 0.6e-6;
+/// Work of one thread of a server of 2023; the machine's own speed comes on top.
+constexpr double second_a_pixel = 15e-9, second_a_triangle = 0.12e-6;
 
 fs::path speed_file() {
     const fs::path cache = usual_identity_cache();
@@ -48,17 +47,15 @@ std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& 
     double most = 0;
     for (const PhotoInput& photo : scene.photos) {
         const double lens = photo.camera.lens.distorts() ? 12 : 0;  // a copy, and where each pixel comes from
-        // RGBA with its halves 6, the file 1, and at a quarter of the pixels maps, masks and their
-        // targets 40.
-        most = std::max(most, pixels(photo) * (17 + lens));
+        // RGBA with its halves 6, the file 1, and at a quarter of the pixels maps, distances and masks 28.
+        most = std::max(most, pixels(photo) * (14 + lens));
     }
-    return std::uint64_t(most + 24.0 * double(model.vertices) + 24.0 * double(model.triangles));
+    return std::uint64_t(most + 44.0 * double(model.vertices) + 28.0 * double(model.triangles));
 }
 
 std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl) {
-    // The tree for rays and its building; a software renderer with its shaders, buffers and bins of
-    // triangles.
-    return std::uint64_t(150.0 * double(model.triangles) + (opengl ? 160e6 : 0));
+    // The views of the report; a software renderer with its shaders, buffers and bins of triangles.
+    return std::uint64_t(18e6 + (opengl ? 160e6 + 150.0 * double(model.triangles) : 0));
 }
 
 std::uint64_t memory_now() { return status_bytes("VmRSS:"); }
@@ -89,9 +86,10 @@ double expected_seconds(const SceneInput& scene, const package::SceneRecord& mod
 void remember_speed(double expected, double took) {
     const fs::path file = speed_file();
     if (file.empty() || !(expected > 0) || !(took > 0)) return;
+    const double speed = machine_speed() * took / expected;
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
-    std::ofstream(file) << machine_speed() * took / expected << '\n';
+    std::ofstream(file) << speed << '\n';
 }
 
 }  // namespace vantage

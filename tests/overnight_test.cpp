@@ -156,6 +156,26 @@ TEST_F(Overnight, MemoryTooSmallIsRefusedAtOnce) {
     EXPECT_EQ(prepare_program("--memory 2G").code, 0);
 }
 
+TEST_F(Overnight, MemoryStaysBelowWhatWasSaidAndAllowed) {
+#ifdef VANTAGE_SANITIZED
+    GTEST_SKIP() << "a sanitizer takes memory of its own";
+#endif
+    const auto megabytes = [](const std::string& text, const std::string& before) {
+        const std::size_t at = text.find(before);
+        return at == std::string::npos ? -1 : std::atoi(text.c_str() + at + before.size());
+    };
+    // The last allows fewer photos at a time than threads.
+    for (const std::string options : {"--threads 1", "--threads 6", "--threads 6 --memory 45M"}) {
+        fs::remove(file);
+        const Outcome done = prepare_program(options);
+        ASSERT_EQ(done.code, 0) << done.err;
+        const int said = megabytes(done.out, "s, at most "), taken = megabytes(done.out, "memory   ");
+        EXPECT_GT(taken, 0) << done.out;
+        EXPECT_LE(taken, said) << options << '\n' << done.out;
+        EXPECT_LE(said, options.ends_with("45M") ? 48 : 1000) << done.out;
+    }
+}
+
 TEST_F(Overnight, NothingChangedIsNothingDone) {
     prepare_here();
     const auto written = fs::last_write_time(file);
