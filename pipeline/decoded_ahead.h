@@ -19,6 +19,8 @@ class DecodedAhead {
     /// Begins with `threads` at a time; the scene must outlive it, and its photos stay as they are.
     DecodedAhead(const SceneInput& scene, const std::vector<std::size_t>& photos, unsigned threads,
                  Trace* trace);
+    /// Begins no more of them.
+    ~DecodedAhead() { next_ = photos_.size(); }
 
     /// The photo, once, if it was among them, is begun, could be read, and was then the file with this
     /// identity.

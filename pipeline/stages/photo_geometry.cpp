@@ -66,6 +66,14 @@ void render_maps(const ModelBuffers& model, const Triangles& triangles, const In
                       GLsizei(out.triangles.size() * sizeof(GLuint)), out.triangles.data());
 }
 
+/// One in which nothing is seen.
+PhotoGeometry empty_geometry(const Intrinsics& k) {
+    const Level half = level_size(k.width, k.height, mask_level);
+    const std::size_t pixels = std::size_t(half.width) * std::size_t(half.height);
+    return {half.width, half.height, std::vector<float>(pixels, std::numeric_limits<float>::infinity()),
+            std::vector<std::uint8_t>(pixels, 0), std::vector<std::uint32_t>(pixels, ~0u)};
+}
+
 }  // namespace
 
 ModelBuffers upload_model(std::span<const Eigen::Vector3f> positions,
@@ -93,13 +101,6 @@ Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Po
     }
     if (!(farthest > 0)) return {0, 0};
     return {std::max(nearest * 0.999, farthest * 1e-5), farthest * 1.001};
-}
-
-PhotoGeometry empty_geometry(const Intrinsics& k) {
-    const Level half = level_size(k.width, k.height, mask_level);
-    const std::size_t pixels = std::size_t(half.width) * std::size_t(half.height);
-    return {half.width, half.height, std::vector<float>(pixels, std::numeric_limits<float>::infinity()),
-            std::vector<std::uint8_t>(pixels, 0), std::vector<std::uint32_t>(pixels, ~0u)};
 }
 
 Intrinsics map_intrinsics(const Intrinsics& k) {

@@ -27,8 +27,7 @@ struct PhotoGeometry {
     std::vector<std::uint32_t> triangles;  ///< which of the triangles given; none: 2^32 - 1
 };
 
-/// One in which nothing is seen, and the intrinsics of its maps.
-PhotoGeometry empty_geometry(const Intrinsics& photo);
+/// The intrinsics of a photo's maps.
 Intrinsics map_intrinsics(const Intrinsics& photo);
 
 /// Near and far plane that hold the model: the range of vertex depths, widened, with a ratio that a float

@@ -14,7 +14,7 @@ namespace vantage {
 /// may be 65536 pixels wide.
 inline constexpr int position_bits = 14;
 
-/// A vertex on a photo's map. Before the near plane, or too far aside for 32 bits: `inverse` is 0.
+/// A vertex on a photo's map. Nearer than the near plane, or too far aside for 32 bits: `inverse` is 0.
 struct ProjectedVertex {
     std::int32_t x, y;
     float inverse;  ///< 1/z
@@ -36,7 +36,7 @@ struct PhotoProjection {
 PhotoProjection project_model(std::span<const Eigen::Vector3f> positions, const Intrinsics& map,
                               const Pose& cam_from_origin, double near);
 
-/// A triangle, or a piece of one, of any size, wholly before the near plane.
+/// A triangle, or a piece of one, of any size, wholly beyond the near plane.
 struct ProjectedPiece {
     std::array<std::int64_t, 3> x, y;
     std::array<double, 3> inverse;
@@ -45,7 +45,7 @@ struct ProjectedPiece {
     double clamped(double plane) const;
 };
 
-/// What of a triangle is before the near plane.
+/// What of a triangle is beyond the near plane.
 struct ProjectedPieces {
     std::array<ProjectedPiece, 2> piece;
     int count = 0;

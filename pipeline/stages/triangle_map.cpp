@@ -15,10 +15,6 @@ constexpr int subpixel_bits = 8;
 constexpr int subpixels = 1 << subpixel_bits;
 /// Up to this extent, in subpixels, edge functions fit into 32 bits.
 constexpr int small_extent = 62 * subpixels;
-/// Pixels that are filled at once; the maps have as many more than the picture.
-constexpr int lanes = 8;
-using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
-using Floats = float __attribute__((vector_size(4 * lanes)));
 
 /// A corner on the map, in subpixels.
 struct Corner {
@@ -196,10 +192,10 @@ void fill(ProjectedPiece p, std::uint32_t number, TriangleMap& map) {
 TriangleMap rasterise(const PhotoProjection& projection, std::span<const std::uint32_t> indices,
                       std::span<const float> values) {
     const Intrinsics& k = projection.intrinsics;
-    const std::size_t pixels = std::size_t(k.width) * std::size_t(k.height);
-    TriangleMap map{k.width, k.height, std::vector<float>(pixels + lanes, 0.0f),
-                    std::vector<std::uint32_t>(pixels + lanes, TriangleMap::none),
-                    std::vector<float>(pixels + lanes, 0.0f)};
+    // The last row may be filled past its end.
+    const std::size_t pixels = std::size_t(k.width) * std::size_t(k.height), padded = pixels + lanes;
+    TriangleMap map{k.width, k.height, std::vector<float>(padded, 0.0f),
+                    std::vector<std::uint32_t>(padded, TriangleMap::none), std::vector<float>(padded, 0.0f)};
     for (const std::uint32_t t : fill_small(projection.vertices, indices, values, map))
         for (const ProjectedPiece& piece : clipped(projection, &indices[3 * std::size_t(t)]))
             fill(piece, t, map);

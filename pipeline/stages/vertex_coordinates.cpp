@@ -14,10 +14,6 @@ namespace {
 
 /// Positions in triangles of at most this extent are exact in single precision.
 constexpr int small_extent = 62 << position_bits;
-/// Vertices that are tested at once.
-constexpr std::size_t lanes = 8;
-using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
-using Floats = float __attribute__((vector_size(4 * lanes)));
 
 /// The vertices in a map's frame, by square bins, row by row; so those in a range of a row's bins stand
 /// together.
@@ -48,7 +44,7 @@ Sights bin(const PhotoProjection& p) {
     for (const ProjectedVertex& v : p.vertices)
         if (in_frame(v)) ++s.first[bin_of(v) + 2];
     for (std::size_t i = 2; i < s.first.size(); ++i) s.first[i] += s.first[i - 1];
-    const std::size_t padded = s.first.back() + lanes;
+    const std::size_t padded = s.first.back() + std::size_t(lanes);
     s.x.assign(padded, 0);
     s.y.assign(padded, 0);
     s.vertex.assign(padded, -1);
@@ -101,7 +97,7 @@ VANTAGE_WIDE std::vector<std::uint32_t> hide_by_small(std::span<const ProjectedV
         for (int y = y0; y <= y1; ++y) {
             const std::size_t row = std::size_t(y) * std::size_t(s.columns);
             const std::size_t end = s.first[row + std::size_t(x1) + 1];
-            for (std::size_t i = s.first[row + std::size_t(x0)]; i < end; i += lanes) {
+            for (std::size_t i = s.first[row + std::size_t(x0)]; i < end; i += std::size_t(lanes)) {
                 Ints x, y_at, vertex, hidden;
                 Floats inverse;
                 std::memcpy(&x, &s.x[i], sizeof x);

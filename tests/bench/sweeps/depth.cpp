@@ -132,7 +132,7 @@ bool seen(const Map& map, const Tolerance& tolerance, const Tested& point) {
     return p.z() <= farthest + slack;
 }
 
-/// A third of a pixel's footprint, as settle_visibility() has it: what is closer to the point than that is
+/// A third of a pixel's footprint, as vertex_coordinates() has it: what is closer to the point than that is
 /// the surface itself. As a share of the distance.
 double near_enough(const Intrinsics& k) { return 0.3 / std::max(k.fx, k.fy); }
 
