@@ -11,6 +11,7 @@
 #include "pipeline/import/discover.h"
 #include "pipeline/provenance.h"
 #include "pipeline/stage_keys.h"
+#include "pipeline/stages/surface_samples.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
 
@@ -96,6 +97,8 @@ void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std
     if (reader.records<std::uint64_t>(Type::visible, i).size() !=
         2 * package::visible_words(reader.scene().triangles))
         damaged(out, fmt::format("{}: VISB has not two bits a triangle", p.name));
+    if (reader.records<package::SampleRecord>(Type::samples, i).size() != surface_discs)
+        damaged(out, fmt::format("{}: SAMP has not {} discs", p.name, surface_discs));
 }
 
 /// Depth is positive or +inf, and a mask says "valid" exactly where depth is finite.

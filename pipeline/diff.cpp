@@ -161,6 +161,10 @@ void diff_photo(const PackageReader& a, const PackageReader& b, std::uint32_t i,
     if (std::memcmp(&p.fx, &q.fx, offsetof(PhotoRecord, corrected_direction) - offsetof(PhotoRecord, fx)) !=
         0)
         out.push_back({p.name, "camera", "not the same"});
+    if (!std::ranges::equal(p.gain, q.gain) || !std::ranges::equal(p.falloff, q.falloff))
+        out.push_back({p.name, "exposure",
+                       fmt::format("gains {:.4f} {:.4f} {:.4f} against {:.4f} {:.4f} {:.4f}", p.gain[0],
+                                   p.gain[1], p.gain[2], q.gain[0], q.gain[1], q.gain[2])});
     for (std::size_t s = 0; s < stage_count; ++s) {
         std::set<Type> told;
         for (const auto& [type, level] : chunks_of(Stage(s), int(std::max(p.levels, q.levels))))

@@ -112,7 +112,8 @@ std::string why_made(Stage stage, const std::string& photo, const PhotoState& wa
         const auto i = former->photo(photo);
         if (!i) continue;
         const PhotoState& had = former->state(*i);
-        const bool pixels = stage == Stage::tiles || stage == Stage::thumbnail || stage == Stage::masks;
+        const bool pixels = stage == Stage::tiles || stage == Stage::thumbnail || stage == Stage::masks ||
+                            stage == Stage::samples;
         const bool geometry = stage != Stage::tiles && stage != Stage::thumbnail;
         const std::size_t s = std::size_t(stage);
         if (pixels && had.photo != wanted.photo) return "the photo's file has changed";

@@ -8,6 +8,7 @@
 #include "pipeline/stages/depth_summary.h"
 #include "pipeline/stages/masks.h"
 #include "pipeline/stages/seen_hull.h"
+#include "pipeline/stages/surface_samples.h"
 #include "pipeline/stages/vertex_coordinates.h"
 #include "pipeline/trace.h"
 #include "pipeline/write_tiles.h"
@@ -48,6 +49,12 @@ void write_coverage(const PhotoRun& run, const FrameTriangles& triangles, const 
     s.writer.write(Type::visible, run.i, bytes_of(coverage.visible));
 }
 
+void write_samples(const PhotoRun& run, const PhotoGeometry& g, RgbaImage photo) {
+    const Traced traced(run.s.trace, "samples", run.photo.name);
+    const auto samples = sample_discs(run.s.discs, std::move(photo), g, run.k, run.pose);
+    run.s.writer.write(Type::samples, run.i, bytes_of(samples));
+}
+
 void record_findings(const PhotoGeometry& g, const std::vector<Eigen::Vector2f>& coordinates,
                      const Intrinsics& k, const Pose& pose, package::PhotoRecord& r) {
     const SeenHull hull = seen_hull(coordinates, k, pose);
@@ -74,7 +81,7 @@ PhotoView view_of(const PhotoRun& run) {
 }
 
 void make_from_geometry(const PhotoRun& run, const Due& due, const PhotoView& view, PhotoGeometry geometry,
-                        std::future<std::vector<std::uint8_t>> valid, package::PhotoRecord& r) {
+                        std::future<CoarsePixels> pixels, package::PhotoRecord& r) {
     const PhotoStages& s = run.s;
     if (due[Stage::coordinates] || due[Stage::coverage]) {
         const auto coordinates = [&] {
@@ -87,7 +94,11 @@ void make_from_geometry(const PhotoRun& run, const Due& due, const PhotoView& vi
         }
         if (due[Stage::coverage]) write_coverage(run, view.triangles, geometry, coordinates);
     }
-    if (due[Stage::masks]) write_masks(s, run.i, std::move(geometry), valid.get(), run.k, int(r.levels));
+    if (!due[Stage::masks] && !due[Stage::samples]) return;
+    CoarsePixels coarse = pixels.get();
+    if (due[Stage::samples]) write_samples(run, geometry, std::move(coarse.samples));
+    if (due[Stage::masks])
+        write_masks(s, run.i, std::move(geometry), std::move(coarse.valid), run.k, int(r.levels));
 }
 
 }  // namespace vantage

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "pipeline/finish_package.h"
 #include "pipeline/former.h"
 #include "pipeline/package_layout.h"
 #include "pipeline/photo_stages.h"
@@ -90,8 +91,8 @@ void merge(const std::vector<fs::path>& files, const fs::path& out) {
     const PackageReader& first = shares.front();
     for (const PackageReader& share : shares) expect_same_scene(first, share);
     const auto planned = first.records<PhotoRecord>(Type::photos);
-    std::vector<PhotoRecord> records(planned.begin(), planned.end());
-    std::vector<PhotoState> states(records.size());
+    PhotoTables photos{{planned.begin(), planned.end()}, std::vector<PhotoState>(planned.size())};
+    auto& [records, states] = photos;
     const LayoutSizes sizes{first.meta().size(), first.find(Type::colors) != nullptr};
     PackageWriter writer(out, plan_chunks(first.scene(), sizes, records), names_checksum(records));
     std::vector<std::unique_ptr<Former>> formers;
@@ -106,9 +107,7 @@ void merge(const std::vector<fs::path>& files, const fs::path& out) {
             writer.copy(first, e, package::scene_wide);
         }
     for (std::uint32_t i = 0; i < records.size(); ++i) merge_photo(i, formers, writer, records[i], states[i]);
-    writer.write(Type::photos, package::scene_wide, bytes_of(records));
-    writer.write(Type::states, package::scene_wide, bytes_of(states));
-    writer.finish();
+    finish_package(writer, std::string(first.meta()), first.scene(), photos);
 }
 
 }  // namespace vantage

@@ -6,6 +6,7 @@
 
 #include "pipeline/stages/clusters.h"
 #include "pipeline/stages/pyramid.h"
+#include "pipeline/stages/surface_samples.h"
 #include "scene/checksum.h"
 #include "scene/error.h"
 
@@ -161,6 +162,9 @@ std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const Layo
     });
     each([&](std::uint32_t i, const auto&, int) {
         plan.push_back({Type::visible, i, 0, 16 * package::visible_words(scene.triangles)});
+    });
+    each([&](std::uint32_t i, const auto&, int) {
+        plan.push_back({Type::samples, i, 0, surface_discs * sizeof(package::SampleRecord)});
     });
     each([&](std::uint32_t i, const auto&, int) {
         plan.push_back({Type::coordinates, i, 0, scene.vertices * 8});

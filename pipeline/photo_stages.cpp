@@ -70,7 +70,8 @@ void note_reason(PhotoState& state, const PhotoInput& photo, const Error& error)
 /// Its camera stays; that these inputs were tried is kept, too.
 void leave_out(const PhotoStages& s, std::uint32_t i, const Pose& pose, package::PhotoRecord& r,
                PhotoState& state) {
-    for (const Stage stage : {Stage::thumbnail, Stage::masks, Stage::coordinates, Stage::coverage})
+    for (const Stage stage :
+         {Stage::thumbnail, Stage::masks, Stage::coordinates, Stage::coverage, Stage::samples})
         state.stages[std::size_t(stage)] = {};
     s.writer.leave_out(i);
     r.flags = package::photo_left_out;
@@ -80,14 +81,14 @@ void leave_out(const PhotoStages& s, std::uint32_t i, const Pose& pose, package:
 
 /// Makes the stages that come from the model, at once on a spare core, else when they are waited for; a
 /// graphics card begins at once.
-std::future<void> make_geometry(const PhotoRun& run, const Due& due,
-                                std::future<std::vector<std::uint8_t>> valid, package::PhotoRecord& r) {
+std::future<void> make_geometry(const PhotoRun& run, const Due& due, std::future<CoarsePixels> pixels,
+                                package::PhotoRecord& r) {
     const auto view = std::make_shared<const PhotoView>(view_of(run));
     auto pending = run.s.renderer.render(view, run.k, run.s.trace, run.photo.name);
     return std::async(
         run.spare_core ? std::launch::async : std::launch::deferred,
-        [&run, &due, &r, view, pending = std::move(pending), valid = std::move(valid)]() mutable {
-            make_from_geometry(run, due, *view, pending.get(), std::move(valid), r);
+        [&run, &due, &r, view, pending = std::move(pending), pixels = std::move(pixels)]() mutable {
+            make_from_geometry(run, due, *view, pending.get(), std::move(pixels), r);
         });
 }
 
@@ -95,12 +96,12 @@ std::future<void> make_geometry(const PhotoRun& run, const Due& due,
 void make_stages(const PhotoRun& run, const Due& due, std::optional<PhotoFile>& file,
                  package::PhotoRecord& r) {
     std::future<void> geometry;
-    std::promise<std::vector<std::uint8_t>> valid;  // goes first if it throws, and so ends the wait for it
-    if (due.geometry()) geometry = make_geometry(run, due, valid.get_future(), r);
+    std::promise<CoarsePixels> pixels;  // goes first if it throws, and so ends the wait for it
+    if (due.geometry()) geometry = make_geometry(run, due, pixels.get_future(), r);
     if (due.pixels(r))
-        make_pixels(run, due, *file, r, valid);
+        make_pixels(run, due, *file, r, pixels);
     else
-        valid.set_value({});
+        pixels.set_value({});
     if (geometry.valid()) geometry.get();
 }
 
@@ -136,7 +137,8 @@ std::vector<Stage> make_missing(const PhotoRun& run, std::optional<PhotoFile>& f
 
 std::vector<Stage> stages_of(const package::PhotoRecord& r) {
     if (r.flags & package::photo_held_out) return {Stage::coordinates};
-    return {Stage::thumbnail, Stage::tiles, Stage::masks, Stage::coordinates, Stage::coverage};
+    return {Stage::thumbnail,   Stage::tiles,    Stage::masks,
+            Stage::coordinates, Stage::coverage, Stage::samples};
 }
 
 std::vector<Stage> run_photo(const PhotoStages& s, std::uint32_t i, bool spare_core, package::PhotoRecord& r,

@@ -7,6 +7,7 @@
 #include "pipeline/identity_cache.h"
 #include "pipeline/package_layout.h"
 #include "pipeline/stage_keys.h"
+#include "pipeline/stages/surface_samples.h"
 
 namespace vantage {
 
@@ -15,6 +16,7 @@ struct PhotoStages {
     const SceneInput& scene;
     const SceneKey& key;
     const PackedModel& model;
+    const std::vector<SurfaceDisc>& discs;
     GeometryRenderer& renderer;
     PackageWriter& writer;
     IdentityCache& identities;

@@ -4,6 +4,7 @@
 
 #include "pipeline/import/photos.h"
 #include "pipeline/stages/pyramid.h"
+#include "pipeline/stages/surface_samples.h"
 #include "pipeline/stages/undistort.h"
 #include "pipeline/trace.h"
 #include "pipeline/write_tiles.h"
@@ -40,17 +41,19 @@ std::vector<std::uint8_t> validity(const RgbaImage& level) {
 
 /// Thumbnail and tile pyramid.
 void write_pixels(const PhotoStages& s, std::uint32_t i, const Due& due, RgbaImage level,
-                  package::PhotoRecord& r, std::promise<std::vector<std::uint8_t>>& valid) {
+                  package::PhotoRecord& r, std::promise<CoarsePixels>& found) {
     const Traced traced(s.trace, "tiles", r.name);
     const bool opaque = is_opaque(level);
-    if (opaque)
-        valid.set_value({});
-    else
-        r.flags |= package::photo_has_alpha;
+    if (!opaque) r.flags |= package::photo_has_alpha;
+    CoarsePixels coarse;
     bool thumbnail_due = due[Stage::thumbnail];
-    const std::uint32_t last = std::max(r.levels, std::uint32_t(mask_level) + 1);
+    const std::uint32_t last = std::max(r.levels, std::uint32_t(sample_level) + 1);
     for (std::uint32_t l = 0; l < last; ++l) {
-        if (l == std::uint32_t(mask_level) && !opaque) valid.set_value(validity(level));
+        if (l == std::uint32_t(mask_level) && !opaque) coarse.valid = validity(level);
+        if (l == std::uint32_t(sample_level)) {
+            coarse.samples = level;
+            found.set_value(std::move(coarse));
+        }
         if (l < r.levels && due[Stage::tiles])
             write_tiles(s.writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height});
         RgbaImage next = halve(level);
@@ -68,10 +71,10 @@ void write_pixels(const PhotoStages& s, std::uint32_t i, const Due& due, RgbaIma
 }  // namespace
 
 void make_pixels(const PhotoRun& run, const Due& due, PhotoFile& file, package::PhotoRecord& r,
-                 std::promise<std::vector<std::uint8_t>>& valid) {
+                 std::promise<CoarsePixels>& coarse) {
     RgbaImage image = decode_pixels(run, file, r);
     file.release();
-    write_pixels(run.s, run.i, due, std::move(image), r, valid);
+    write_pixels(run.s, run.i, due, std::move(image), r, coarse);
 }
 
 }  // namespace vantage

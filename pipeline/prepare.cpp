@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 
+#include "pipeline/finish_package.h"
 #include "pipeline/for_each_photo.h"
 #include "pipeline/needs.h"
 #include "pipeline/photo_stages.h"
@@ -119,6 +120,15 @@ void write_scene(PackageWriter& writer, const PreparePlan& plan, const SceneInpu
     write_model(writer, plan.model, scene.mesh);
 }
 
+/// A share tells nothing of the photos together: they are described when it is merged.
+void finish(PackageWriter& writer, PreparePlan& plan, const PrepareRun& run) {
+    const Traced traced(run.trace, "finish");
+    if (run.share.shares == 0) return finish_package(writer, plan.meta, plan.model.record, plan.photos);
+    writer.write(Type::photos, package::scene_wide, bytes_of(plan.photos.records));
+    writer.write(Type::states, package::scene_wide, bytes_of(plan.photos.states));
+    writer.finish();
+}
+
 }  // namespace
 
 PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const std::filesystem::path& out,
@@ -150,7 +160,8 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
                        model_checksum(model, scene.mesh.normals),
                        model.record.reference_density};
     Tally tally(scene, settings_json(settings), formers);
-    const PhotoStages stages{scene,      key,   model,   renderer,   writer,
+    const auto discs = surface_disc_set(model.positions, model.indices, model.record.reference_density);
+    const PhotoStages stages{scene,      key,   model,   discs,      renderer, writer,
                              identities, ahead, formers, run.strict, run.trace};
     const auto start = std::chrono::steady_clock::now();
     run_photos(stages, plan.photos, needs.in_flight, threads_of(settings), run, tally, progress);
@@ -158,11 +169,8 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
         remember_speed(needs.seconds,
                        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     note_left_out(scene, plan.photos, tally.result);
-    writer.write(Type::photos, package::scene_wide, bytes_of(plan.photos.records));
-    writer.write(Type::states, package::scene_wide, bytes_of(plan.photos.states));
     progress({"pack", "", plan.photos.records.size(), plan.photos.records.size()});
-    const Traced traced(run.trace, "flush");
-    writer.finish();
+    finish(writer, plan, run);
     return tally.result;
 }
 

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <stdexcept>
 
 #include "pipeline/import/discover.h"
 #include "scene/error.h"
@@ -15,6 +16,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr const char* tool = "vantage " VANTAGE_VERSION;
+/// Bytes of META for what is found out last.
+constexpr std::size_t room = 1024;
 
 json input_json(const fs::path& file, IdentityCache& identities) {
     const FileIdentity id = identities.of(file);
@@ -114,7 +117,26 @@ std::string provenance(const SceneInput& scene, const PrepareSettings& settings,
         meta["left_out"].push_back(
             {{"name", l.photo}, {"why", l.why}, {"there", fs::exists(scene.files.photos / l.photo)}});
     meta["warnings"] = scene.warnings;
-    return meta.dump(1);
+    return meta.dump(1) + std::string(room, ' ');
+}
+
+std::string with_effects(const std::string& meta, std::span<const EffectDecision> decisions) {
+    json changed = json::parse(meta);
+    for (json& row : changed.at("effects"))
+        for (const EffectDecision& d : decisions)
+            if (row.at("name") == effect_row(d.effect).name) row = effect_json(d);
+    std::string out = changed.dump(1);
+    if (out.size() > meta.size()) throw std::logic_error("META has too little room for its effects");
+    out.resize(meta.size(), ' ');
+    return out;
+}
+
+std::map<Effect, EffectChoice> forced_effects(const std::string& meta) {
+    std::map<Effect, EffectChoice> out;
+    const json forced = json::parse(meta).at("config").at("effects");
+    for (const auto& [name, choice] : forced.items())
+        out[effect_row(name).effect] = choice == "on" ? EffectChoice::on : EffectChoice::off;
+    return out;
 }
 
 std::vector<std::string> changed_inputs(const PackageReader& package, const InputFiles& files,

@@ -1,6 +1,8 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,12 @@ nlohmann::json settings_json(const PrepareSettings& settings);
 /// their evidence, what was left out at once, warnings, names of scalar layers. Throws Error(input).
 std::string provenance(const SceneInput& scene, const PrepareSettings& settings,
                        const std::vector<EffectDecision>& effects, IdentityCache& identities);
+
+/// META with these effects' rows instead of those it has, as long as before: it ends in room for them.
+std::string with_effects(const std::string& meta, std::span<const EffectDecision> decisions);
+
+/// The effects that META's settings force.
+std::map<Effect, EffectChoice> forced_effects(const std::string& meta);
 
 /// What distinguishes a package from one that these inputs would give now, a line each: "mesh.ply: has
 /// changed since the package was prepared". Nothing where it is current. Throws Error(damaged) for an

@@ -16,7 +16,7 @@ using package::Stage;
 using package::Type;
 
 /// How each stage works: a number goes up where a change of ours changes what the stage makes.
-constexpr std::array<std::uint32_t, stage_count> versions{1, 1, 3, 2, 2};
+constexpr std::array<std::uint32_t, stage_count> versions{1, 1, 3, 2, 2, 1};
 
 /// XXH3-64 over values, each by its bytes; so only types without padding.
 class Fingerprint {
@@ -72,7 +72,7 @@ std::uint64_t checksum_of(const std::vector<T>& values) {
 }  // namespace
 
 const char* name(Stage stage) {
-    static constexpr std::array names{"thumbnail", "tiles", "masks", "coordinates", "coverage"};
+    static constexpr std::array names{"thumbnail", "tiles", "masks", "coordinates", "coverage", "samples"};
     static_assert(names.size() == stage_count);
     return names[std::size_t(stage)];
 }
@@ -108,6 +108,13 @@ PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Eige
                             .add(scene.settings.border_threshold)
                             .add(scene.reference_density)
                             .value();
+    key(Stage::samples) = start(Stage::samples)
+                              .add(key(Stage::tiles))
+                              .add(s.camera)
+                              .add(s.model)
+                              .add(scene.opengl)
+                              .add(scene.reference_density)
+                              .value();
     return s;
 }
 
@@ -123,6 +130,8 @@ std::vector<std::string> settings_of(Stage stage) {
         case Stage::coordinates:
         case Stage::coverage:
             return {"photo_size", "render_by", "cluster_triangles"};
+        case Stage::samples:
+            return {"photo_size", "resampling", "render_by", "cluster_triangles"};
         case Stage::count:
             break;
     }
@@ -147,6 +156,8 @@ std::vector<std::pair<Type, std::uint32_t>> chunks_of(Stage stage, int levels) {
             return {{Type::coordinates, 0}};
         case Stage::coverage:
             return {{Type::coverage, 0}, {Type::visible, 0}};
+        case Stage::samples:
+            return {{Type::samples, 0}};
         case Stage::count:
             break;
     }

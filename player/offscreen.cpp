@@ -61,6 +61,7 @@ RenderSettings render_settings(const PackageReader& package, const Options& o) {
                                       ? effect_on(package.scene(), Effect::fov_normalisation)
                                       : o.fov_normalisation == "on";
     r.photos = o.photos_blended >= 0 ? o.photos_blended : (o.offscreen ? 0 : window_photos);
+    if (!o.exposure.empty()) r.exposure = named_photos(package, {o.exposure}).front();
     r.fill_holes = o.holes == "shade" || (o.holes.empty() && !o.offscreen);
     return r;
 }

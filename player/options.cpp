@@ -46,6 +46,9 @@ void add_blending(CLI::App& app, RenderSettings& r) {
         ->check(CLI::Range(0.005, 3.0))
         ->capture_default_str()
         ->group(group);
+    app.add_flag("!--original-colors", r.refined_colors,
+                 "photos as they were exposed, not made to agree; to compare")
+        ->group(group);
     app.add_flag("--consensus", r.consensus, "what disagrees with the mean of all counts less")->group(group);
     app.add_option(
            "--choose", r.choice,
@@ -96,6 +99,9 @@ void add_options(CLI::App& app, Options& o) {
                    "compare distances as if all fields of view were one: auto, on, off")
         ->check(CLI::IsMember({"auto", "on", "off"}))
         ->capture_default_str();
+    app.add_option("--exposure", o.exposure,
+                   "show colours as this photo was exposed (else as the mean photo, and from a photo's own "
+                   "camera as that one)");
     const std::string pictures = "Pictures without a display";
     app.add_flag("--offscreen", o.offscreen, "render to PNG instead of opening a window")->group(pictures);
     app.add_option("--photo", o.photos, "from this photo's own camera; several, or 'all'")

@@ -21,7 +21,7 @@ struct Options {
     int frames = 0;               ///< 0: until the window is closed
     int photos_blended = -1;      ///< -1: by what is shown; 0: all
     unsigned graphics_mib = 0, ring_mib = 32, upload_kib = 8192;
-    std::string holes, fov_normalisation = "auto";
+    std::string holes, fov_normalisation = "auto", exposure;
     RenderSettings render;
 };
 

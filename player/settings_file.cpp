@@ -16,6 +16,7 @@ void for_fields(R& r, const Field& field) {
     field("width", r.window.width);
     field("height", r.window.height);
     field("consensus", s.consensus);
+    field("refined_colors", s.refined_colors);
     field("photos", s.photos);
     field("photos_per_pass", s.photos_per_pass);
     field("angle_limit", s.angle_limit);

@@ -9,9 +9,19 @@
 
 namespace vantage {
 
+Exposure exposure_of(const package::PhotoRecord& photo) {
+    Exposure e;
+    for (std::size_t c = 0; c < 3; ++c) {
+        e.gain[c] = float(1 / photo.gain[c]);
+        e.falloff[c] = photo.falloff[c];
+    }
+    return e;
+}
+
 View view_of_photo(const package::PhotoRecord& photo, double scale) {
     const auto size = [&](std::uint32_t n) { return std::max(1, int(std::lround(n * scale))); };
-    return {intrinsics(photo).scaled(size(photo.width), size(photo.height)), cam_from_origin(photo)};
+    return {intrinsics(photo).scaled(size(photo.width), size(photo.height)), cam_from_origin(photo),
+            exposure_of(photo)};
 }
 
 View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up,

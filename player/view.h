@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <span>
 
 #include "scene/camera.h"
@@ -7,13 +8,23 @@
 
 namespace vantage {
 
+/// How a view shows colours: times `gain` of the mean photo's exposure, and darker towards the corner by a
+/// lens's falloff, as PhotoRecord has it.
+struct Exposure {
+    std::array<float, 3> gain{1, 1, 1}, falloff{0, 0, 0};
+};
+/// As the photo was exposed, through its lens.
+Exposure exposure_of(const package::PhotoRecord& photo);
+
 /// A camera to render from; positions are relative to the package's origin.
 struct View {
     Intrinsics intrinsics;
     Pose cam_from_origin;
+    Exposure exposure{};
 };
 
-/// The photo's own camera, its frame resized to `scale` times the photo (rounded, at least one pixel).
+/// The photo's own camera and exposure, its frame resized to `scale` times the photo (rounded, at least one
+/// pixel).
 View view_of_photo(const package::PhotoRecord& photo, double scale);
 
 /// From `eye` towards `target`, with `up` on top; vertical field of view in degrees. Looking along `up` picks

@@ -18,6 +18,10 @@ constexpr std::array table{
               "compare distances as if all photos had one field of view"},
     EffectRow{Effect::vertex_colors, "vertex-colors", "share of vertices with a colour that no photo sees",
               "", 0.001, "VERTEX_COLORS", "show the mesh's own colours where no photo sees"},
+    EffectRow{Effect::exposure, "exposure", "how far photos of one surface differ, median |ln ratio|", "",
+              0.02, "PHOTO_GAIN", "give all photos one exposure and white balance"},
+    EffectRow{Effect::falloff, "falloff", "light that a lens loses in the corner", "", 0.05, "PHOTO_FALLOFF",
+              "take the lens's falloff out"},
 };
 static_assert(table.size() == std::size_t(Effect::count));
 

@@ -7,7 +7,15 @@ namespace vantage {
 
 /// What a scene may call for. One row a kind in effects.cpp; adding an effect adds a row there, its stage
 /// and its shader file.
-enum class Effect : int { undistortion, per_fragment, fov_normalisation, vertex_colors, count };
+enum class Effect : int {
+    undistortion,
+    per_fragment,
+    fov_normalisation,
+    vertex_colors,
+    exposure,
+    falloff,
+    count
+};
 
 /// The fixed part of the table: name on the command line, what is measured, the threshold it is held
 /// against ("on" above it), and the shader symbol it defines ("" where no shader depends on it).

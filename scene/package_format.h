@@ -8,7 +8,7 @@ namespace vantage::package {
 
 inline constexpr char magic[8] = {'V', 'A', 'N', 'T', 'A', 'G', 'E', '\n'};
 inline constexpr char part_magic[8] = {'V', 'N', 'T', 'G', 'P', 'A', 'R', 'T'};  ///< of one being prepared
-inline constexpr std::uint32_t version = 1;
+inline constexpr std::uint32_t version = 2;
 inline constexpr std::uint64_t alignment = 4096;  ///< of every chunk and every block
 inline constexpr std::uint32_t scene_wide = 0xffffffffu;
 
@@ -31,6 +31,7 @@ enum class Type : std::uint32_t {
     thumbnail = fourcc("THMB"),    ///< RGBA8, 512 px on the long side at most
     coverage = fourcc("COVR"),     ///< CoverageRecord[clusters], a photo
     visible = fourcc("VISB"),      ///< u64 words, a photo: a bit a triangle seen whole, then seen in part
+    samples = fourcc("SAMP"),      ///< SampleRecord a disc of the surface, a photo
     coordinates = fourcc("TEXC"),  ///< float[2][vertices], a photo; (-1,-1) where not visible
     tiles = fourcc("TILE"),        ///< blocks of RGBA8 tiles, a photo and level
     masks = fourcc("MASK"),        ///< blocks of RGBA8 tiles: angle, depth, border, validity
@@ -96,13 +97,14 @@ struct PhotoRecord {
     double seen_distance;           ///< median linear depth of what the photo sees; 0 where it sees nothing
     double z_min, z_max;            ///< range of the depth map; 0, 0 where it sees nothing
     double visible_vertices;        ///< share of vertices this photo sees, [0,1]
-    double gain[3];                 ///< colour gain, linear light; 1 where not estimated
+    double gain[3];                 ///< times which its colours are those of the mean photo, linear light
     std::uint64_t source_bytes, source_checksum;  ///< length and XXH3-64 of the photo's file
-    std::uint64_t reserved[2];
+    float falloff[3];  ///< ln of what the lens loses at r: f0 r^2 + f1 r^4 + f2 r^6; see SampleRecord
+    std::uint32_t reserved;
 };
 
 /// The stages that a photo goes through.
-enum class Stage : std::uint32_t { thumbnail, tiles, masks, coordinates, coverage, count };
+enum class Stage : std::uint32_t { thumbnail, tiles, masks, coordinates, coverage, samples, count };
 
 /// What a photo's artefacts were made from, so that a later run knows which it may keep.
 struct PhotoState {
@@ -130,12 +132,20 @@ struct CoverageRecord {
     std::int16_t log2_density;     ///< log2(pixels per unit at the centre) * 256
 };
 
+/// The mean colour of a disc of the surface in a photo, linear light, unorm16; all 0 where the photo does not
+/// show it well. Radius: from the principal point, over half the photo's diagonal, unorm16.
+struct SampleRecord {
+    std::uint16_t linear[3];
+    std::uint16_t radius;
+};
+
 /// Words of one of VISB's two bit sets.
 inline constexpr std::uint64_t visible_words(std::uint64_t triangles) { return (triangles + 63) / 64; }
 
 static_assert(sizeof(Header) == 64 && sizeof(DirectoryEntry) == 64 && sizeof(ClusterRecord) == 40);
-static_assert(sizeof(PhotoState) == 312 && std::is_trivially_copyable_v<PhotoState>);
-static_assert(sizeof(CoverageRecord) == 12 && sizeof(SceneRecord) == 136 && sizeof(PhotoRecord) % 8 == 0);
+static_assert(sizeof(PhotoState) == 328 && std::is_trivially_copyable_v<PhotoState>);
+static_assert(sizeof(CoverageRecord) == 12 && sizeof(SampleRecord) == 8 && sizeof(SceneRecord) == 136 &&
+              sizeof(PhotoRecord) % 8 == 0);
 static_assert(std::is_trivially_copyable_v<PhotoRecord> && std::numeric_limits<float>::is_iec559);
 
 }  // namespace vantage::package

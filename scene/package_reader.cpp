@@ -221,6 +221,9 @@ std::span<const package::PhotoRecord> PackageReader::photos() const {
             map_->damaged(who + ": size is out of range");
         if (!(p.fx > 0) || !(p.fy > 0) || !std::isfinite(p.fx + p.fy + p.cx + p.cy))
             map_->damaged(who + ": intrinsics are out of range");
+        for (int i = 0; i < 3; ++i)
+            if (!(p.gain[i] >= 1e-3 && p.gain[i] <= 1e3) || !(std::abs(p.falloff[i]) <= 100))
+                map_->damaged(who + ": gain or falloff is out of range");
     }
     return photos;
 }

@@ -350,6 +350,19 @@ void PackageWriter::leave_out(std::uint32_t photo) {
     }
 }
 
+std::vector<std::byte> PackageWriter::read(package::Type type, std::uint32_t photo) const {
+    const State& s = *state_;
+    const DirectoryEntry& e = s.layout.directory[s.find(type, photo, 0)];
+    std::vector<std::byte> bytes(e.length);
+    for (std::size_t at = 0; at < bytes.size();) {
+        const ssize_t n = ::pread(s.fd, bytes.data() + at, bytes.size() - at, off_t(e.offset + at));
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) s.fail("read");
+        at += std::size_t(n);
+    }
+    return bytes;
+}
+
 std::uint64_t PackageWriter::checksum_of(package::Type type, std::uint32_t photo, std::uint32_t level) const {
     const State& s = *state_;
     const std::size_t i = s.find(type, photo, level);

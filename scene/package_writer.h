@@ -78,6 +78,8 @@ class PackageWriter {
     /// holes in files.
     void leave_out(std::uint32_t photo);
 
+    /// A sealed chunk without blocks, as it lies in the file. Throws Error(storage).
+    std::vector<std::byte> read(package::Type type, std::uint32_t photo) const;
     /// XXH3-64 of a sealed chunk's head.
     std::uint64_t checksum_of(package::Type type, std::uint32_t photo, std::uint32_t level = 0) const;
     std::uint64_t size() const;

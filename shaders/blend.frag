@@ -129,8 +129,23 @@ vec4 filtered(uint photo, vec2 pixel, Footprint f) {
 #endif
 }
 
+// In the mean photo's exposure, without the lens's falloff.
+vec3 refined(uint photo, vec2 pixel, vec3 c) {
+#ifdef PHOTO_GAIN
+    c *= photos[photo].gain.rgb;
+#endif
+#ifdef PHOTO_FALLOFF
+    vec2 off = (pixel - photos[photo].focal_center.zw) * photos[photo].gain.w;
+    vec3 f = photos[photo].falloff.xyz;
+    float r2 = dot(off, off);
+    c *= exp(r2 * (f.x + r2 * (f.y + r2 * f.z)));
+#endif
+    return c;
+}
+
 vec4 shown_color(uint photo, vec2 pixel, Footprint footprint) {
     vec4 c = filtered(photo, pixel, footprint);
+    c.rgb = refined(photo, pixel, c.rgb);
     return show == 0u ? c : vec4(show == 1u ? photos[photo].false_color.rgb : vec3(1.0), c.a);
 }
 

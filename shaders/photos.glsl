@@ -7,6 +7,8 @@ struct Photo {
     vec4 direction;        // corrected viewing direction [P]; presence, 0 to 1
     vec4 thumbnail;        // layer (-1: none), share of the layer's width and height, pixels wide
     vec4 false_color;
+    vec4 gain;     // a channel, to the mean photo's exposure, linear light; 1 over half the diagonal, pixels
+    vec4 falloff;  // of the lens: ln of what it loses, times r^2, r^4, r^6
     uint color_base[12];   // in `pages`, of each level
     uint mask_base[12];
 };

@@ -333,6 +333,42 @@ TEST_F(EndToEnd, PhotosAreReducedAsAsked) {
     EXPECT_GE(psnr(small, reduced(photo, thumbnail_size(photo.width, photo.height, 166)).rgba), 40);
 }
 
+TEST_F(EndToEnd, PhotosOfAllExposuresAgree) {
+    SynthSpec spec = tiny();
+    spec.photos.width = 662, spec.photos.height = 500;
+    spec.photos.arc = 50;
+    spec.exposure = {0.7, 0.2, 0.3};
+    Prepared p = prepared(make(spec));
+    ASSERT_TRUE(effect_on(p.package->scene(), Effect::exposure));
+    ASSERT_TRUE(effect_on(p.package->scene(), Effect::falloff));
+    for (const std::uint32_t i : {1u, 2u, 3u}) {
+        const auto photo = read_photo(p.scene.photos[i].file, {662, 500}).rgba;
+        EXPECT_GE(psnr(p.own_view(i, Blend::best), photo), 40) << "through its own lens, as it was exposed";
+        std::vector<std::uint32_t> others = p.photos;
+        std::erase(others, i);
+        const View view = view_of_photo(p.package->photos()[i], 1);
+        RenderSettings settings;
+        const double agreeing = psnr(take_picture(*p.renderer, view, settings, others, 1), photo);
+        settings.refined_colors = false;
+        const double original = psnr(take_picture(*p.renderer, view, settings, others, 1), photo);
+        std::printf("photo %u from the others: %.1f dB, as they were exposed %.1f dB\n", i, agreeing,
+                    original);
+        EXPECT_GT(agreeing, original + 5);
+    }
+    // In the mean photo's exposure, and in another's.
+    RenderSettings settings;
+    View view = view_of_photo(p.package->photos()[1], 1);
+    view.exposure = {};
+    const Picture mean = p.picture(view, settings);
+    settings.exposure = 2;
+    const Picture as_second = p.picture(view, settings);
+    const std::size_t middle = 4 * (std::size_t(250) * 662 + 331);
+    const auto linear = [](std::uint8_t v) { return std::pow((v / 255.0 + 0.055) / 1.055, 2.4); };
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(linear(mean.rgba[middle + c]) / linear(as_second.rgba[middle + c]),
+                    p.package->photos()[2].gain[c], 0.03);
+}
+
 TEST_F(EndToEnd, ALensIsTakenOut) {
     // The truth is the same scene photographed without the lens.
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/hard.toml");

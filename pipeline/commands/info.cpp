@@ -29,6 +29,8 @@ nlohmann::json describe_package(const PackageReader& reader) {
                                  {"undistorted", bool(p.flags & package::photo_undistorted)},
                                  {"focal", {p.fx, p.fy}},
                                  {"visible_vertices", p.visible_vertices},
+                                 {"gain", p.gain},
+                                 {"falloff", p.falloff},
                                  {"hull_area", p.hull_area},
                                  {"depth", {p.z_min, p.z_max}}});
     return out;

@@ -29,7 +29,7 @@ namespace {
 struct Options {
     std::string input, mesh, cameras, photos, out, distance = "auto", resampling = "cubic",
                                                    render_by = "auto", config;
-    std::string progress = "auto", share, trace, report;
+    std::string progress = "auto", share, trace, report, refine = "auto";
     std::vector<std::string> effects;
     PrepareSettings settings;
     bool explain = false, strict = false, rehash = false, no_report = false;
@@ -144,6 +144,8 @@ int run_prepare(Options o) {
     o.settings.distance = distance_method(o.distance);
     o.settings.resampling = resampling(o.resampling);
     o.settings.render_by = render_by(o.render_by);
+    if (o.refine == "off")
+        for (const char* e : {"exposure=off", "falloff=off"}) force_effect(e, o.settings.effects);
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const InputFiles files = input_files(o);
@@ -209,6 +211,10 @@ void add_prepare(CLI::App& app, Run& run) {
         ->capture_default_str();
     c->add_option("--resampling", o->resampling,
                   "of photos whose lens bends lines: nearest, linear, cubic, lanczos")
+        ->capture_default_str();
+    c->add_option("--refine", o->refine,
+                  "auto: make the photos' exposures agree where they do not; off: leave them as they are")
+        ->check(CLI::IsMember({"auto", "off"}))
         ->capture_default_str();
     c->add_option("--render-by", o->render_by,
                   "what renders the model from the photos' cameras: auto (a graphics card where there is "

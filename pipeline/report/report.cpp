@@ -10,6 +10,7 @@
 #include "pipeline/for_each_photo.h"
 #include "pipeline/join_tiles.h"
 #include "pipeline/provenance.h"
+#include "pipeline/report/colors_part.h"
 #include "pipeline/report/coverage_pictures.h"
 #include "pipeline/report/embedded_picture.h"
 #include "pipeline/report/timeline.h"
@@ -195,7 +196,7 @@ void write_report(const fs::path& file, const PackageReader& package, const std:
     std::ofstream out(file, std::ios::binary);
     out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << style << "</style>\n"
         << heading(package, meta, left_out, run) << left_out_part(left_out) << warnings_part(meta)
-        << effects_part(meta) << coverage_part(package);
+        << effects_part(meta) << coverage_part(package) << colors_part(package);
     write_photos_part(out, package);
     if (run) out << run_part(*run);
     out << "</html>\n";

@@ -138,6 +138,9 @@ Measured measure(Effect effect, const SceneInput& scene) {
             return focal_spread(scene);
         case Effect::vertex_colors:
             return unseen_colors(scene);
+        case Effect::exposure:
+        case Effect::falloff:
+            return {0, "is told by all photos together, when they are there"};
         case Effect::count:
             break;
     }

@@ -63,11 +63,13 @@ std::uint8_t encode(float linear) {
 }  // namespace
 
 std::vector<std::uint8_t> cast_photo(const SynthModel& model, const RayScene& rays, const Camera& camera,
-                                     int samples, double gain) {
+                                     int samples, const PhotoExposure& exposure) {
     const Lit scene{model, rays};
     const Intrinsics& k = camera.intrinsics;
     const Vector3d eye = camera.cam_from_world.center();
     const Eigen::Matrix3d world_from_cam = camera.cam_from_world.R.transpose();
+    const double half_diagonal = 0.5 * std::hypot(k.width, k.height),
+                 a = 1 / std::sqrt(1 - exposure.falloff) - 1;
     std::vector<std::uint8_t> rgb(std::size_t(k.width) * std::size_t(k.height) * 3);
     for (int y = 0; y < k.height; ++y)
         for (int x = 0; x < k.width; ++x) {
@@ -78,10 +80,11 @@ std::vector<std::uint8_t> cast_photo(const SynthModel& model, const RayScene& ra
                 const auto ray = camera.lens.distorts() ? undrawn(camera.lens, drawn) : std::optional(drawn);
                 if (ray) sum += scene.color(eye, world_from_cam * Vector3d(ray->x(), ray->y(), 1));
             }
-            const Vector3f mean = sum * float(gain / (samples * samples));
-            for (int c = 0; c < 3; ++c)
-                rgb[(std::size_t(y) * std::size_t(k.width) + std::size_t(x)) * 3 + std::size_t(c)] =
-                    encode(mean[c]);
+            const double r = std::hypot(x + 0.5 - k.cx, y + 0.5 - k.cy) / half_diagonal;
+            const double light = 1 / std::pow(1 + a * r * r, 2) / (samples * samples);
+            for (std::size_t c = 0; c < 3; ++c)
+                rgb[(std::size_t(y) * std::size_t(k.width) + std::size_t(x)) * 3 + c] =
+                    encode(sum[Eigen::Index(c)] * float(light * exposure.gain[c]));
         }
     return rgb;
 }

@@ -102,7 +102,12 @@ SynthSpec read_spec(const std::filesystem::path& file) {
         t.read("k1", s.lens.k1, -0.5, 0.5);
         t.read("k2", s.lens.k2, -0.5, 0.5);
     }
-    Table(file, root, "exposure").read("stops", s.exposure.stops, 0, 4);
+    {
+        Table t(file, root, "exposure");
+        t.read("stops", s.exposure.stops, 0, 4);
+        t.read("white_balance", s.exposure.white_balance, 0, 4);
+        t.read("falloff", s.exposure.falloff, 0, 0.9);
+    }
     Table(file, root, "error").read("pixels", s.error.pixels, 0, 1000);
     return s;
 }

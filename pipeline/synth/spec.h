@@ -28,7 +28,9 @@ struct SynthSpec {
         double k1 = 0, k2 = 0;  ///< radial, OpenCV
     } lens;
     struct Exposure {
-        double stops = 0;  ///< photos differ by up to this much to either side
+        double stops = 0;          ///< photos differ by up to this much to either side
+        double white_balance = 0;  ///< stops, a channel, on top of it
+        double falloff = 0;        ///< share of the light that the lens loses in the corner
     } exposure;
     struct Error {
         double pixels = 0;  ///< by how much each written camera is off, at the facade

@@ -50,19 +50,26 @@ Camera disturbed(Camera camera, double pixels, double distance, std::mt19937& en
     return camera;
 }
 
-std::vector<double> exposures(const SynthSpec& spec) {
-    std::mt19937 engine(spec.seed + 2);
-    std::vector<double> gains;
-    for (int i = 0; i < spec.photos.count; ++i)
-        gains.push_back(std::exp2(spec.exposure.stops * signed_unit(engine)));
-    return gains;
+std::vector<PhotoExposure> exposures(const SynthSpec& spec) {
+    std::mt19937 engine(spec.seed + 2), balance(spec.seed + 3);
+    std::vector<PhotoExposure> out;
+    for (int i = 0; i < spec.photos.count; ++i) {
+        const double stops = spec.exposure.stops * signed_unit(engine);
+        PhotoExposure& e = out.emplace_back();
+        for (double& g : e.gain) g = std::exp2(stops + spec.exposure.white_balance * signed_unit(balance));
+        e.falloff = spec.exposure.falloff;
+    }
+    return out;
 }
 
 void write_gains(const std::filesystem::path& file, std::span<const PhotoInput> photos,
-                 std::span<const double> gains) {
+                 std::span<const PhotoExposure> exposures) {
     std::ofstream out(file);
-    out << "photo,gain\n";
-    for (std::size_t i = 0; i < photos.size(); ++i) out << fmt::format("{},{}\n", photos[i].name, gains[i]);
+    out << "photo,red,green,blue\n";
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        const auto& g = exposures[i].gain;
+        out << fmt::format("{},{},{},{}\n", photos[i].name, g[0], g[1], g[2]);
+    }
     if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot write");
 }
 
@@ -102,7 +109,7 @@ void synthesise(const SynthSpec& spec, const std::filesystem::path& folder,
     const SynthModel model = build_model(spec);
     const RayScene rays(model.mesh);
     const std::vector<PhotoInput> photos = place_cameras(spec);
-    const std::vector<double> gains = exposures(spec);
+    const std::vector<PhotoExposure> exposed = exposures(spec);
     std::vector<PhotoInput> written = photos;
     std::mt19937 engine(spec.seed + 1);
     for (PhotoInput& photo : written)
@@ -112,13 +119,13 @@ void synthesise(const SynthSpec& spec, const std::filesystem::path& folder,
     std::filesystem::create_directories(folder / "truth" / "depth");
     write_colmap_text(folder / "sparse", written);
     write_colmap_text(folder / "truth" / "sparse", photos);
-    write_gains(folder / "truth" / "exposure.csv", photos, gains);
+    write_gains(folder / "truth" / "exposure.csv", photos, exposed);
     write_model(model, folder / "mesh.ply");
     std::atomic<std::size_t> done{0};
     for_each_photo(photos.size(), 0, [&](std::size_t i) {
         const Camera& camera = photos[i].camera;
         const Intrinsics& k = camera.intrinsics;
-        const auto rgb = cast_photo(model, rays, camera, spec.photos.samples, gains[i]);
+        const auto rgb = cast_photo(model, rays, camera, spec.photos.samples, exposed[i]);
         image_files().write(folder / "images" / photos[i].name, k.width, k.height, 3, Sample::u8,
                             std::as_bytes(std::span(rgb)));
         const auto z = cast_depth(rays, camera);

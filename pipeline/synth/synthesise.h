@@ -15,7 +15,7 @@ namespace vantage {
 std::vector<PhotoInput> place_cameras(const SynthSpec& spec);
 
 /// Writes into `folder` what a user would have (images/NAME.jpg, sparse/ in COLMAP text, mesh.ply) and beside
-/// it the truth: truth/sparse/ (the cameras that took the photos), truth/exposure.csv (linear gain a photo)
+/// it the truth: truth/sparse/ (the cameras that took the photos), truth/exposure.csv (linear gains a photo)
 /// and truth/depth/NAME.exr (linear z at pixel centres of the pinhole camera, +inf beside the model).
 /// Rendered by ray casting; the same specification gives the same files. Throws Error(storage).
 void synthesise(const SynthSpec& spec, const std::filesystem::path& folder,

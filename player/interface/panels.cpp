@@ -81,8 +81,21 @@ void photo_section(Session& s, const Renderer& renderer) {
     choice("Coordinates", r.coordinates, coordinates, 3);
 }
 
-void show_section(Session& s) {
+/// Only where the photos' exposures were made to agree.
+void exposure_section(Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
+    const package::SceneRecord& scene = renderer.package().scene();
+    if (!effect_on(scene, Effect::exposure) && !effect_on(scene, Effect::falloff)) return;
+    checkbox("Equal exposure", &r.refined_colors);
+    ImGui::SameLine(150);
+    bool own = r.exposure.has_value();
+    if (checkbox("This photo's", &own)) r.exposure.reset();
+    if (own) r.exposure = s.standing_at;
+}
+
+void show_section(Session& s, const Renderer& renderer) {
+    RenderSettings& r = s.settings;
+    exposure_section(s, renderer);
     static const char* const shows[] = {"photos", "which photo", "how many photos"};
     choice("Show", r.show, shows, 3);
     static const char* const compares[] = {"nothing", "side by side", "wiper", "difference"};
@@ -179,7 +192,7 @@ void blending_panel(Session& s, const Renderer& renderer) {
         section("Photos");
         photo_section(s, renderer);
         section("Show");
-        show_section(s);
+        show_section(s, renderer);
         ImGui::PopItemWidth();
     }
     ImGui::End();

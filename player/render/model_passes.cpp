@@ -125,11 +125,15 @@ const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bo
     const Blend blend = settings.show == Show::coverage ? Blend::average : settings.blend;
     // Only per-vertex coordinates have a size of their own for each number of photos.
     const int photos = fragment ? most_photos_per_pass : settings.photos_per_pass;
-    gl::Program& program = blend_programs_[{photos, fragment, blend, consensus, trace_ != 0,
-                                            settings.trilinear, settings.anisotropy}];
+    gl::Program& program =
+        blend_programs_[{photos, fragment, blend, consensus, trace_ != 0, settings.trilinear,
+                         settings.anisotropy, settings.refined_colors}];
     if (program) return program;
     std::vector<std::string> defines{"PASS_PHOTOS " + std::to_string(photos)};
     if (fragment) defines.emplace_back(effect_row(Effect::per_fragment).shader_symbol);
+    for (const Effect e : {Effect::exposure, Effect::falloff})
+        if (settings.refined_colors && effect_on(package_->scene(), e))
+            defines.emplace_back(effect_row(e).shader_symbol);
     if (blend == Blend::best) defines.emplace_back("BLEND_BEST");
     if (blend == Blend::lumigraph) defines.emplace_back("BLEND_LUMIGRAPH");
     if (consensus) defines.emplace_back("CONSENSUS");

@@ -64,7 +64,7 @@ class ModelPasses {
     std::vector<PhotoBlock> blocks_;
     FrameRing ring_;
     gl::Program surface_program_;
-    std::map<std::tuple<int, bool, Blend, bool, bool, bool, int>, gl::Program> blend_programs_;
+    std::map<std::tuple<int, bool, Blend, bool, bool, bool, int, bool>, gl::Program> blend_programs_;
     std::vector<std::uint32_t> cluster_photos_;  ///< of a pass, a cluster: a bit a photo
     GLuint trace_ = 0;
 };

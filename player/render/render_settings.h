@@ -39,10 +39,12 @@ struct RenderSettings {
     Show show = Show::colors;
     Compare compare = Compare::nothing;
     std::uint32_t compare_photo = 0;
-    std::optional<View> weights_from;  ///< weights as from there, frozen [M]
-    double wiper = 0.5;                ///< share of the width
-    bool complete = true;              ///< wait for all that the view needs, or show what is there
-    bool whole_photos = false;         ///< upload a photo whole, at once (to compare with)
+    std::optional<View> weights_from;       ///< weights as from there, frozen [M]
+    double wiper = 0.5;                     ///< share of the width
+    bool refined_colors = true;             ///< gains and falloff where the package's effects are on
+    std::optional<std::uint32_t> exposure;  ///< of this photo, instead of the view's
+    bool complete = true;                   ///< wait for all that the view needs, or show what is there
+    bool whole_photos = false;              ///< upload a photo whole, at once (to compare with)
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< a frame
     float background[3] = {0.012f, 0.014f, 0.018f};                      ///< linear
 };

@@ -231,10 +231,24 @@ void Renderer::resolve(int sums, const Frame& frame) {
     glUniform1i(1, frame.drawn.settings.fill_holes);
     glUniform3fv(2, 1, frame.drawn.settings.background);
     glUniform1f(3, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
+    expose(frame.drawn);
     glBindTextureUnit(4, targets_.sums[sums].id());
     glBindTextureUnit(5, targets_.surface.id());
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/// Colours are summed up in the mean photo's exposure and shown in the view's.
+void Renderer::expose(const DrawnView& drawn) const {
+    const RenderSettings& settings = drawn.settings;
+    Exposure e;
+    if (settings.refined_colors && settings.show == Show::colors) e = drawn.view.exposure;
+    if (settings.refined_colors && settings.exposure)
+        e.gain = exposure_of(scene_.photos[*settings.exposure]).gain;
+    const Intrinsics& k = drawn.view.intrinsics;
+    glUniform3fv(4, 1, e.gain.data());
+    glUniform3fv(5, 1, e.falloff.data());
+    glUniform3f(6, float(k.cx), float(k.cy), float(2 / std::hypot(k.width, k.height)));
 }
 
 std::uint64_t Renderer::touched_bytes(const View& view, const RenderSettings& settings,

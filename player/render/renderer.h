@@ -72,6 +72,7 @@ class Renderer {
     std::size_t pass_length(Pass rest, const RenderSettings& settings) const;
     void draw_passes(Pass photos, Frame& frame, bool consensus, int& into);
     void resolve(int sums, const Frame& frame);
+    void expose(const DrawnView& drawn) const;
 
     const PackageReader* package_;
     MemoryBudget budget_;

@@ -31,7 +31,12 @@ PhotoBlock make_photo_block(const package::PhotoRecord& p, std::uint32_t index) 
     b.thumbnail[3] = float(p.thumbnail_width);
     const FalseColor c = false_color(index);
     const float linear[] = {std::pow(c.r, 2.2f), std::pow(c.g, 2.2f), std::pow(c.b, 2.2f)};
-    for (int i = 0; i < 3; ++i) b.false_color[i] = linear[i];
+    for (int i = 0; i < 3; ++i) {
+        b.false_color[i] = linear[i];
+        b.gain[i] = float(p.gain[i]);
+        b.falloff[i] = p.falloff[i];
+    }
+    b.gain[3] = float(2 / std::hypot(p.width, p.height));
     return b;
 }
 

@@ -15,9 +15,11 @@ struct PhotoBlock {
     float direction_presence[4];
     float thumbnail[4];
     float false_color[4];
+    float gain[4];
+    float falloff[4];
     std::uint32_t color_base[most_levels], mask_base[most_levels];
 };
-static_assert(sizeof(PhotoBlock) == 256);
+static_assert(sizeof(PhotoBlock) == 288);
 
 /// What of a photo does not change from frame to frame; no thumbnail, nothing resident, presence 1.
 PhotoBlock make_photo_block(const package::PhotoRecord& photo, std::uint32_t index);

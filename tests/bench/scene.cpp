@@ -187,7 +187,7 @@ std::vector<TrueView> cast_views(const PackageReader& package, const SynthSpec& 
                       {camera.intrinsics.width, camera.intrinsics.height, {}, {}},
                       {},
                       {}};
-        const auto rgb = cast_photo(model, rays, camera, 4, 1);
+        const auto rgb = cast_photo(model, rays, camera, 4);
         for (std::size_t i = 0; i < rgb.size(); i += 3)
             view.truth.rgba.insert(view.truth.rgba.end(), {rgb[i], rgb[i + 1], rgb[i + 2], 255});
         view.photos.resize(package.photos().size());

@@ -41,7 +41,7 @@ std::vector<Camera> cameras(const SynthSpec& spec, std::size_t count, int width)
 }
 
 RgbaImage cast(const SynthModel& model, const RayScene& rays, const Camera& camera, int samples) {
-    const std::vector<std::uint8_t> rgb = cast_photo(model, rays, camera, samples, 1);
+    const std::vector<std::uint8_t> rgb = cast_photo(model, rays, camera, samples);
     RgbaImage out{camera.intrinsics.width, camera.intrinsics.height, {}};
     out.rgba.reserve(rgb.size() / 3 * 4);
     for (std::size_t i = 0; i + 2 < rgb.size(); i += 3)

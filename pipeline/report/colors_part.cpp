@@ -1,0 +1,89 @@
+#include "pipeline/report/colors_part.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/provenance.h"
+#include "pipeline/refine/refine.h"
+#include "scene/markup.h"
+
+namespace vantage {
+namespace {
+
+ColorRefinement refinement_of(const PackageReader& package) {
+    const auto read = [&](std::uint32_t photo) {
+        const auto bytes = package.bytes(package.find(package::Type::samples, photo));
+        return std::vector<std::byte>(bytes.begin(), bytes.end());
+    };
+    return refine_colors(package.photos(), read, forced_effects(std::string(package.meta())));
+}
+
+double percent(double ln) { return 100 * std::expm1(ln); }
+
+/// A grey card as this photo had it, beside the mean photo's.
+std::string card(const std::array<double, 3>& ln_gain) {
+    std::string channels;
+    for (const double g : ln_gain)
+        channels += fmt::format("{}{:.0f}", channels.empty() ? "" : ",",
+                                255 * std::pow(std::clamp(0.25 * std::exp(-g), 0.0, 1.0), 1 / 2.2));
+    return fmt::format(
+        "<i style=\"display:inline-block;width:2.4rem;height:1rem;border-right:1.2rem solid "
+        "rgb(136,136,136);background:rgb({})\"></i>",
+        channels);
+}
+
+std::string row(const package::PhotoRecord& photo, const ColorFit& fit, std::size_t i) {
+    const auto& g = fit.ln_gain[i];
+    if (fit.samples[i] == 0)
+        return fmt::format("<tr><td>{}<td><td class=n colspan=5>shares too little surface with others</tr>\n",
+                           escaped(photo.name));
+    const double stops = -(g[0] + g[1] + g[2]) / 3 / std::log(2.0);
+    return fmt::format(
+        "<tr><td>{}<td>{}<td class=n>{:+.2f}<td class=n>{:.3f} {:.3f} {:.3f}<td class=n>{:.1f} %<td "
+        "class=n>{:.1f} %<td class=n>{}</tr>\n",
+        escaped(photo.name), card(g), stops, std::exp(g[0]), std::exp(g[1]), std::exp(g[2]),
+        percent(fit.photo_before[i]), percent(fit.photo_after[i]), fit.samples[i]);
+}
+
+/// Light from the middle to the corner, a line a lens.
+std::string falloff_curves(const ColorFit& fit) {
+    constexpr int width = 320, height = 130;
+    std::string lines;
+    for (const Falloff& f : fit.falloff) {
+        if (log_falloff(f, 1) == 0) continue;
+        std::string points;
+        for (int i = 0; i <= 32; ++i)
+            points += fmt::format("{:.1f},{:.1f} ", 30 + (width - 40) * i / 32.0,
+                                  10 + (height - 30) * (1 - std::exp(-log_falloff(f, i / 32.0))));
+        lines += "<polyline fill=none stroke=#117733 stroke-width=2 points=\"" + points + "\"/>";
+    }
+    if (lines.empty()) return {};
+    return fmt::format(
+        "<p>What the lens leaves of the light, from the middle (left) to the corner:</p>\n<svg width={0} "
+        "height={1} font-size=11><path d=\"M30 10V{2}H{3}\" fill=none stroke=#999 /><text x=2 y=14>100 "
+        "%</text><text x=8 y={4}>0 %</text>{5}</svg>\n",
+        width, height, height - 20, width - 10, height - 16, lines);
+}
+
+}  // namespace
+
+std::string colors_part(const PackageReader& package) {
+    const ColorRefinement r = refinement_of(package);
+    const auto photos = package.photos();
+    if (std::ranges::count(r.fit.samples, 0u) == std::ptrdiff_t(photos.size())) return {};
+    std::string out =
+        "<h2>Exposure</h2>\n<p>" + escaped(r.exposure.evidence) +
+        (r.exposure.on ? ": they are shown in the mean photo's exposure." : ": they are shown as they are.") +
+        "</p>\n";
+    if (r.falloff.on) out += falloff_curves(r.fit);
+    out +=
+        "<table><tr><th>photo<th>a grey card in it, and in the mean photo<th class=n>stops<th class=n>gain, "
+        "red green blue<th class=n>differs by<th class=n>with gains<th class=n>discs shared</tr>\n";
+    for (std::size_t i = 0; i < photos.size(); ++i)
+        if (photos[i].levels) out += row(photos[i], r.fit, i);
+    return out + "</table>\n";
+}
+
+}  // namespace vantage

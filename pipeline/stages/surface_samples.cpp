@@ -1,0 +1,187 @@
+#include "pipeline/stages/surface_samples.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "pipeline/stages/pyramid.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+namespace {
+
+constexpr double disc_pixels = 48;  ///< radius in the finest photo
+constexpr double least_pixels = 6;  ///< radius in a photo that is still sampled, foreshortened
+constexpr double least_cosine = 0.2;
+
+double srgb_to_linear(double s) { return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4); }
+
+const std::array<float, 256>& linear_of_byte() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> t;
+        for (std::size_t i = 0; i < t.size(); ++i) t[i] = float(srgb_to_linear(double(i) / 255));
+        return t;
+    }();
+    return table;
+}
+
+/// A point of a triangle, different for each number: the R2 sequence (Roberts 2018), folded.
+Eigen::Vector3f point_in(const std::array<Eigen::Vector3f, 3>& p, std::size_t number) {
+    float u = float(std::fmod(0.7548776662466927 * double(number), 1.0)),
+          v = float(std::fmod(0.5698402909980532 * double(number), 1.0));
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    return p[0] + u * (p[1] - p[0]) + v * (p[2] - p[0]);
+}
+
+/// Where a disc is looked at: its centre, and points on three rings, each standing for about as much of it.
+constexpr std::size_t disc_points = 1 + 6 + 12 + 18;
+std::array<Eigen::Vector2f, disc_points> make_disc() {
+    std::array<Eigen::Vector2f, disc_points> out;
+    out[0] = {0, 0};
+    std::size_t at = 1;
+    for (int ring = 1; ring <= 3; ++ring)
+        for (int i = 0; i < 6 * ring; ++i) {
+            const float angle = 6.2831853f * float(i) / float(6 * ring);
+            out[at++] = float(ring) / 3.5f * Eigen::Vector2f(std::cos(angle), std::sin(angle));
+        }
+    return out;
+}
+
+/// A photo's coarser levels, from `sample_level` on.
+std::vector<RgbaImage> levels_from(RgbaImage photo) {
+    std::vector<RgbaImage> levels{std::move(photo)};
+    while (levels.size() < 6 && std::min(levels.back().width, levels.back().height) > 1)
+        levels.push_back(halve(levels.back()));
+    return levels;
+}
+
+/// The texel at a position; nothing where it is not opaque.
+std::optional<Eigen::Vector3f> color_at(const RgbaImage& level, const Eigen::Vector2f& at) {
+    const auto& linear = linear_of_byte();
+    const int x = std::min(int(at.x()), level.width - 1), y = std::min(int(at.y()), level.height - 1);
+    const std::uint8_t* t = &level.rgba[4 * (std::size_t(y) * std::size_t(level.width) + std::size_t(x))];
+    if (t[3] != 255) return {};
+    return Eigen::Vector3f(linear[t[0]], linear[t[1]], linear[t[2]]);
+}
+
+/// One photo, as discs are looked up in it.
+class DiscSampler {
+  public:
+    DiscSampler(RgbaImage photo, const PhotoGeometry& geometry, const Intrinsics& k, const Pose& pose)
+        : levels_(levels_from(std::move(photo))), geometry_(geometry), k_(k), pose_(pose) {
+        for (std::size_t l = 0; l < levels_.size(); ++l)
+            scale_.push_back(std::exp2(-float(sample_level) - float(l)));
+    }
+
+    package::SampleRecord sample(const SurfaceDisc& disc) const {
+        const Eigen::Vector3d n = pose_.R * disc.normal.cast<double>(),
+                              center = pose_.R * disc.center.cast<double>() + pose_.t;
+        const double cosine = std::abs(n.dot(center)) / std::max(center.norm(), 1e-300);
+        if (!(center.z() > 0) || !(cosine > least_cosine)) return {};
+        // Foreshortened, so that texels do not reach beyond the disc.
+        const double size = cosine * std::sqrt(k_.fx * k_.fy) * disc.radius / center.z();
+        if (!(size >= least_pixels) || !(size < k_.width)) return {};
+        const double texel = std::log2(0.3 * size) - sample_level;
+        const auto level = std::size_t(std::clamp(std::lround(texel), 0l, long(levels_.size()) - 1));
+        const Eigen::Vector3d along = n.unitOrthogonal() * double(disc.radius), across = n.cross(along);
+        // The map may be off by a pixel of its own.
+        const double pixel_size = (1 << mask_level) * center.z() / std::min(k_.fx, k_.fy);
+        const Look look{center.cast<float>(), along.cast<float>(), across.cast<float>(),
+                        float(std::max(0.004 * center.z(), pixel_size / cosine)), level};
+        static const auto points = make_disc();
+        Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+        int seen = 0;
+        for (const Eigen::Vector2f& d : points)
+            if (const auto c = seen_color(look, d)) sum += *c, ++seen;
+        if (6 * seen < 5 * int(disc_points)) return {};
+        return record(sum / float(seen), pixel(center));
+    }
+
+  private:
+    /// A disc in the camera's frame.
+    struct Look {
+        Eigen::Vector3f center, along, across;
+        float slack;  ///< of z
+        std::size_t level;
+    };
+    Eigen::Vector2d pixel(const Eigen::Vector3d& p) const {
+        return {k_.fx * p.x() / p.z() + k_.cx, k_.fy * p.y() / p.z() + k_.cy};
+    }
+    /// A point of the surface, where the photo sees it.
+    std::optional<Eigen::Vector3f> seen_color(const Look& look, const Eigen::Vector2f& d) const {
+        const Eigen::Vector3f p = look.center + d.x() * look.along + d.y() * look.across;
+        if (!(p.z() > 0)) return {};
+        const float inverse = 1 / p.z();
+        const Eigen::Vector2f at(fx_ * p.x() * inverse + cx_, fy_ * p.y() * inverse + cy_);
+        if (!(at.x() >= 0 && at.y() >= 0 && at.x() < width_ && at.y() < height_)) return {};
+        const std::size_t x = std::size_t(at.x()) >> mask_level, y = std::size_t(at.y()) >> mask_level;
+        if (!(std::abs(geometry_.z[y * std::size_t(geometry_.width) + x] - p.z()) <= look.slack)) return {};
+        return color_at(levels_[look.level], at * scale_[look.level]);
+    }
+    package::SampleRecord record(const Eigen::Vector3f& linear, const Eigen::Vector2d& at) const {
+        static const auto dark = float(srgb_to_linear(15 / 255.0)),
+                          bright = float(srgb_to_linear(240 / 255.0));
+        if (linear.minCoeff() < dark || linear.maxCoeff() > bright) return {};
+        package::SampleRecord r{};
+        for (int c = 0; c < 3; ++c) r.linear[c] = std::uint16_t(std::lround(linear[c] * 65535));
+        r.radius = std::uint16_t(std::lround(std::min(falloff_radius(k_, at), 1.0) * 65535));
+        return r;
+    }
+
+    std::vector<RgbaImage> levels_;
+    std::vector<float> scale_;  ///< of each level
+    const PhotoGeometry& geometry_;
+    const Intrinsics& k_;
+    const Pose& pose_;
+    const float fx_ = float(k_.fx), fy_ = float(k_.fy), cx_ = float(k_.cx), cy_ = float(k_.cy),
+                width_ = float(k_.width), height_ = float(k_.height);
+};
+
+}  // namespace
+
+std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> positions,
+                                          std::span<const std::uint32_t> indices, double density) {
+    const std::size_t triangles = indices.size() / 3;
+    const auto corners = [&](std::size_t t) {
+        return std::array{positions[indices[3 * t]], positions[indices[3 * t + 1]],
+                          positions[indices[3 * t + 2]]};
+    };
+    std::vector<double> area(triangles);
+    double whole = 0;
+    for (std::size_t t = 0; t < triangles; ++t) {
+        const auto p = corners(t);
+        area[t] = double((p[1] - p[0]).cross(p[2] - p[0]).norm());
+        whole += area[t];
+    }
+    std::vector<SurfaceDisc> discs;
+    const auto radius = float(disc_pixels / density);
+    double passed = 0;
+    for (std::size_t t = 0; t < triangles; ++t) {
+        const double share = 0.5 * (whole > 0 ? area[t] / whole : 0) + 0.5 / double(triangles);
+        passed += share * double(surface_discs);
+        const auto p = corners(t);
+        // Its rounding must not cost the last disc.
+        const double until = t + 1 == triangles ? double(surface_discs) : passed;
+        while (discs.size() < surface_discs && double(discs.size()) + 0.5 < until)
+            discs.push_back(
+                {point_in(p, discs.size()), (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized(), radius});
+    }
+    return discs;
+}
+
+std::vector<package::SampleRecord> sample_discs(std::span<const SurfaceDisc> discs, RgbaImage photo,
+                                                const PhotoGeometry& geometry, const Intrinsics& k,
+                                                const Pose& pose) {
+    const DiscSampler sampler(std::move(photo), geometry, k, pose);
+    std::vector<package::SampleRecord> out(surface_discs, package::SampleRecord{});
+    std::ranges::transform(discs, out.begin(), [&](const SurfaceDisc& d) { return sampler.sample(d); });
+    return out;
+}
+
+double falloff_radius(const Intrinsics& k, const Eigen::Vector2d& pixel) {
+    return (pixel - Eigen::Vector2d(k.cx, k.cy)).norm() / (0.5 * std::hypot(k.width, k.height));
+}
+
+}  // namespace vantage
