@@ -169,34 +169,52 @@ Weighted weighted(const Observation& o, double weight, const Model& m) {
     return w;
 }
 
+/// The features of a disc's photos that one lens took.
+struct LensSum {
+    Eigen::Index lens;
+    Eigen::Vector3d features;
+};
+
+void add(std::vector<LensSum>& lenses, const Weighted& w) {
+    const auto it = std::ranges::find(lenses, w.lens, &LensSum::lens);
+    if (it == lenses.end())
+        lenses.push_back({w.lens, w.features});
+    else
+        it->features += w.features;
+}
+
 Normal normal_equations(const Observations& obs, const Model& m, const std::vector<double>& weights) {
     const Eigen::Index photos = m.gain.rows(), terms = m.falloff.size();
     Normal n{Eigen::MatrixXd::Zero(photos, photos), Eigen::MatrixXd::Zero(photos, terms),
              Eigen::MatrixXd::Zero(terms, terms), Eigen::MatrixXd::Zero(photos, 3),
              Eigen::MatrixXd::Zero(terms, 3)};
     std::vector<Weighted> ws;
+    std::vector<LensSum> lenses;
     obs.each_disc([&](std::span<const Observation> disc, std::size_t at) {
         ws.clear();
+        lenses.clear();
         double sum = 0;
+        Eigen::RowVector3d ln = Eigen::RowVector3d::Zero();
         for (std::size_t i = 0; i < disc.size(); ++i) {
-            ws.push_back(weighted(disc[i], weights[at + i], m));
-            sum += ws.back().weight;
+            const Weighted& w = ws.emplace_back(weighted(disc[i], weights[at + i], m));
+            sum += w.weight;
+            ln += w.ln;
+            add(lenses, w);
         }
+        ln /= sum;
         for (const Weighted& a : ws) {
             n.A(a.photo, a.photo) += a.weight;
+            for (const Weighted& b : ws) n.A(a.photo, b.photo) -= a.weight * b.weight / sum;
+            n.b.row(a.photo) += a.weight * ln - a.ln;
             n.B.block<1, 3>(a.photo, a.lens) += a.features.transpose();
+            for (const LensSum& l : lenses)
+                n.B.block<1, 3>(a.photo, l.lens) -= a.weight / sum * l.features.transpose();
             n.C.block<3, 3>(a.lens, a.lens) += a.features * a.features.transpose() / a.weight;
-            n.b.row(a.photo) -= a.ln;
-            n.d.block<3, 3>(a.lens, 0) -= a.features * a.ln / a.weight;
-            for (const Weighted& b : ws) {
-                const double share = 1 / sum;
-                n.A(a.photo, b.photo) -= a.weight * b.weight * share;
-                n.B.block<1, 3>(a.photo, b.lens) -= a.weight * share * b.features.transpose();
-                n.C.block<3, 3>(a.lens, b.lens) -= share * a.features * b.features.transpose();
-                n.b.row(a.photo) += a.weight * share * b.ln;
-                n.d.block<3, 3>(a.lens, 0) += share * a.features * b.ln;
-            }
+            n.d.block<3, 3>(a.lens, 0) += a.features * (ln - a.ln / a.weight);
         }
+        for (const LensSum& k : lenses)
+            for (const LensSum& l : lenses)
+                n.C.block<3, 3>(k.lens, l.lens) -= k.features * l.features.transpose() / sum;
     });
     return n;
 }
