@@ -6,10 +6,14 @@
 #include <cmath>
 #include <cstring>
 
+#include "pipeline/stages/surface_samples.h"
+
 namespace vantage {
 namespace {
 
 constexpr double least_use = 0.1;  ///< share of the disagreement that gains must take away
+/// Of all photos together: of very many, fewer discs each are enough, and memory does not grow with them.
+constexpr std::size_t most_samples = std::size_t(1) << 20;
 
 EffectChoice choice(const std::map<Effect, EffectChoice>& choices, Effect effect) {
     const auto it = choices.find(effect);
@@ -56,12 +60,16 @@ ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos,
 ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos,
                               const std::function<std::vector<std::byte>(std::uint32_t photo)>& read,
                               const std::map<Effect, EffectChoice>& choices) {
+    const std::size_t step = 1 + photos.size() * surface_discs / most_samples;
     std::vector<std::vector<package::SampleRecord>> all(photos.size());
     for (std::uint32_t i = 0; i < photos.size(); ++i) {
         if (photos[i].levels == 0) continue;
         const std::vector<std::byte> bytes = read(i);
-        all[i].resize(bytes.size() / sizeof(package::SampleRecord));
-        std::memcpy(all[i].data(), bytes.data(), all[i].size() * sizeof(package::SampleRecord));
+        const std::size_t discs = bytes.size() / sizeof(package::SampleRecord);
+        all[i].resize((discs + step - 1) / step);
+        for (std::size_t d = 0; d < all[i].size(); ++d)
+            std::memcpy(&all[i][d], &bytes[d * step * sizeof(package::SampleRecord)],
+                        sizeof(package::SampleRecord));
     }
     const std::vector<std::span<const package::SampleRecord>> spans(all.begin(), all.end());
     return refine_colors(photos, spans, choices);

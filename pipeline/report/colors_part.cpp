@@ -15,7 +15,9 @@ namespace {
 ColorRefinement refinement_of(const PackageReader& package) {
     const auto read = [&](std::uint32_t photo) {
         const auto bytes = package.bytes(package.find(package::Type::samples, photo));
-        return std::vector<std::byte>(bytes.begin(), bytes.end());
+        std::vector<std::byte> copy(bytes.begin(), bytes.end());
+        package.forget(bytes);
+        return copy;
     };
     return refine_colors(package.photos(), read, forced_effects(std::string(package.meta())));
 }
