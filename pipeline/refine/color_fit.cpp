@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace vantage {
 namespace {
@@ -13,88 +12,9 @@ constexpr double scale = 0.12;       ///< of the robust weights, in ln of linear
 constexpr double first_scale = 0.6;  ///< from which it comes down
 constexpr int iterations = 5;        ///< weights and solutions
 constexpr int least_photos = 3;      ///< of a lens, to tell its falloff from what is photographed
-constexpr std::size_t least_samples = 30;
 constexpr double most_gain = 4;
 constexpr double least_corner = 0.05, most_corner = 0.6;  ///< share of the light that a corner loses
 constexpr double least_use = 0.02;                        ///< share of the cost that a falloff must take away
-
-/// A disc in a photo: ln of its colour, and r^2 there.
-struct Observation {
-    std::uint32_t photo;
-    float ln[3], radius2;
-};
-
-/// Discs that several photos show.
-struct Observations {
-    std::vector<Observation> all;
-    std::vector<std::size_t> first;  ///< observation of each disc, and the end
-    template <class Visit>
-    void each_disc(const Visit& visit) const {
-        for (std::size_t d = 0; d + 1 < first.size(); ++d)
-            visit(std::span(all).subspan(first[d], first[d + 1] - first[d]), first[d]);
-    }
-};
-
-using Samples = std::span<const std::span<const package::SampleRecord>>;
-
-Observations shared(Samples samples, const std::vector<bool>& use) {
-    Observations out;
-    std::size_t discs = 0;
-    for (const auto& s : samples) discs = std::max(discs, s.size());
-    for (std::size_t d = 0; d < discs; ++d) {
-        const std::size_t start = out.all.size();
-        for (std::uint32_t i = 0; i < samples.size(); ++i) {
-            if (!use[i] || d >= samples[i].size() || samples[i][d].linear[0] == 0) continue;
-            const package::SampleRecord& s = samples[i][d];
-            const float r = float(s.radius) / 65535;
-            Observation o{i, {}, r * r};
-            for (int c = 0; c < 3; ++c) o.ln[c] = std::log(float(std::max<std::uint16_t>(s.linear[c], 1)));
-            out.all.push_back(o);
-        }
-        if (out.all.size() - start < 2)
-            out.all.resize(start);
-        else
-            out.first.push_back(start);
-    }
-    out.first.push_back(out.all.size());
-    return out;
-}
-
-std::vector<std::size_t> counted(const Observations& obs, std::size_t photos) {
-    std::vector<std::size_t> count(photos, 0);
-    for (const Observation& o : obs.all) ++count[o.photo];
-    return count;
-}
-
-/// Leaves out photos that share too little, which others may then share too little with.
-Observations well_shared(Samples samples, std::vector<std::size_t>& count) {
-    std::vector<bool> use(samples.size(), true);
-    for (;;) {
-        Observations obs = shared(samples, use);
-        count = counted(obs, samples.size());
-        bool all_well = true;
-        for (std::size_t i = 0; i < use.size(); ++i)
-            if (use[i] && count[i] < least_samples) use[i] = all_well = false;
-        if (all_well) return obs;
-    }
-}
-
-std::vector<std::uint32_t> components(const Observations& obs, std::size_t photos) {
-    std::vector<std::uint32_t> of(photos);
-    std::iota(of.begin(), of.end(), 0u);
-    const auto root = [&](std::uint32_t i) {
-        while (of[i] != i) i = of[i] = of[of[i]];
-        return i;
-    };
-    obs.each_disc([&](std::span<const Observation> disc, std::size_t) {
-        for (const Observation& o : disc) {
-            const std::uint32_t a = root(disc.front().photo), b = root(o.photo);
-            of[std::max(a, b)] = std::min(a, b);
-        }
-    });
-    for (std::uint32_t i = 0; i < photos; ++i) of[i] = root(i);
-    return of;
-}
 
 /// The unknowns, and how many terms of its falloff each lens has.
 struct Model {
@@ -116,7 +36,7 @@ struct Model {
 
 /// Of each observation, after the disc's own colour is taken off, under the weights.
 template <class Visit>
-void each_residual(const Observations& obs, const Model& m, const std::vector<double>& weights,
+void each_residual(const SharedDiscs& obs, const Model& m, const std::vector<double>& weights,
                    const Visit& visit) {
     obs.each_disc([&](std::span<const Observation> disc, std::size_t at) {
         Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -136,7 +56,7 @@ void each_residual(const Observations& obs, const Model& m, const std::vector<do
 }
 
 /// Cauchy's cost of a model, at the last scale.
-double cost(const Observations& obs, const Model& m, const std::vector<double>& weights) {
+double cost(const SharedDiscs& obs, const Model& m, const std::vector<double>& weights) {
     double sum = 0;
     each_residual(obs, m, weights, [&](std::size_t, double e2) { sum += std::log1p(e2 / (scale * scale)); });
     return sum;
@@ -183,7 +103,7 @@ void add(std::vector<LensSum>& lenses, const Weighted& w) {
         it->features += w.features;
 }
 
-Normal normal_equations(const Observations& obs, const Model& m, const std::vector<double>& weights) {
+Normal normal_equations(const SharedDiscs& obs, const Model& m, const std::vector<double>& weights) {
     const Eigen::Index photos = m.gain.rows(), terms = m.falloff.size();
     Normal n{Eigen::MatrixXd::Zero(photos, photos), Eigen::MatrixXd::Zero(photos, terms),
              Eigen::MatrixXd::Zero(terms, terms), Eigen::MatrixXd::Zero(photos, 3),
@@ -219,7 +139,7 @@ Normal normal_equations(const Observations& obs, const Model& m, const std::vect
     return n;
 }
 
-void solve(const Observations& obs, const std::vector<double>& weights, Model& m) {
+void solve(const SharedDiscs& obs, const std::vector<double>& weights, Model& m) {
     Normal n = normal_equations(obs, m, weights);
     // Fixes what nothing else does: each component's mean, photos and lenses without observations.
     const double ridge = 1e-7 * (n.A.trace() / double(n.A.rows()) + 1);
@@ -234,7 +154,7 @@ void solve(const Observations& obs, const std::vector<double>& weights, Model& m
 }
 
 /// The weights that a model gives, at a scale; under those before, each disc's own colour.
-std::vector<double> robust_weights(const Observations& obs, const Model& m, const std::vector<double>& before,
+std::vector<double> robust_weights(const SharedDiscs& obs, const Model& m, const std::vector<double>& before,
                                    double at) {
     std::vector<double> weights(before.size());
     each_residual(obs, m, before, [&](std::size_t o, double e2) { weights[o] = 1 / (1 + e2 / (at * at)); });
@@ -242,7 +162,7 @@ std::vector<double> robust_weights(const Observations& obs, const Model& m, cons
 }
 
 /// Weights that follow the solution, solutions that follow the weights.
-void iterate(const Observations& obs, Model& m, std::vector<double>& weights, double from) {
+void iterate(const SharedDiscs& obs, Model& m, std::vector<double>& weights, double from) {
     for (int i = 0; i < iterations; ++i) {
         const double at = std::max(scale, from * std::pow(0.5, i));
         solve(obs, weights, m);
@@ -268,7 +188,7 @@ std::vector<int> photos_of(std::span<const std::uint32_t> lens, std::size_t lens
 }
 
 /// The most terms with which every lens's falloff is one that a lens can have.
-void fit_falloff(const Observations& obs, Model& m, std::vector<double>& weights) {
+void fit_falloff(const SharedDiscs& obs, Model& m, std::vector<double>& weights) {
     const Model without = m;
     const double cost_without = cost(obs, m, weights);
     const std::vector<int> photos = photos_of(m.lens, m.terms.size());
@@ -304,7 +224,7 @@ double median(std::vector<float>& values) {
 }
 
 /// Each photo of a disc against the next.
-void measure(const Observations& obs, const Model& m, double& all, std::vector<double>& of_photo) {
+void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<double>& of_photo) {
     std::vector<float> differences;
     std::vector<std::vector<float>> by_photo(of_photo.size());
     obs.each_disc([&](std::span<const Observation> disc, std::size_t) {
@@ -353,7 +273,7 @@ ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool w
     fit.falloff.resize(lenses, {});
     fit.photo_before.resize(photos, 0);
     fit.photo_after.resize(photos, 0);
-    const Observations obs = well_shared(samples, fit.samples);
+    const SharedDiscs obs = shared_discs(samples, fit.samples);
     fit.component = components(obs, photos);
     if (obs.all.empty()) return fit;
     Model m{Eigen::MatrixXd::Zero(Eigen::Index(photos), 3), Eigen::VectorXd::Zero(3 * Eigen::Index(lenses)),

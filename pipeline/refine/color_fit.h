@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/refine/shared_discs.h"
 #include "scene/package_format.h"
 
 namespace vantage {
@@ -31,7 +32,6 @@ std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photo
 /// with fewer than 30 such discs keeps gain 1; gains are within 4. A lens of three photos or more has a
 /// falloff only where it grows outwards, is 5 to 60 % in the corner, and lowers the cost by 2 %. `samples`: a
 /// photo's discs, or none.
-ColorFit fit_colors(std::span<const std::span<const package::SampleRecord>> samples,
-                    std::span<const std::uint32_t> lens, bool with_falloff);
+ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool with_falloff);
 
 }  // namespace vantage
