@@ -33,7 +33,8 @@ int main(int argc, char** argv) {
         "Exit codes: 0 well, 2 usage, 3 input, 4 damaged package, 5 stale package, 6 storage, 7 graphics,\n"
         "8 interrupted, 9 incomplete, 10 different.");
     Run run;
-    for (const auto add : {add_prepare, add_merge, add_info, add_check, add_diff, add_extract, add_synth})
+    for (const auto add :
+         {add_prepare, add_merge, add_refine, add_info, add_check, add_diff, add_extract, add_synth})
         add(app, run);
     try {
         app.parse(argc, argv);

@@ -62,7 +62,8 @@ void merge_photo(std::uint32_t i, const std::vector<std::unique_ptr<Former>>& fo
                  PhotoRecord& record, PhotoState& state) {
     const auto holder =
         std::ranges::find_if(formers, [&](const auto& f) { return bool(f->photo(record.name)); });
-    if (holder == formers.end()) throw Error(Exit::damaged, std::string(record.name) + ": no share holds it");
+    if (holder == formers.end())
+        throw Error(Exit::damaged, std::string(record.name) + ": none of the parts holds it");
     const std::uint32_t at = *(*holder)->photo(record.name);
     record = (*holder)->record(at);
     state = (*holder)->state(at);
@@ -76,8 +77,7 @@ void merge_photo(std::uint32_t i, const std::vector<std::unique_ptr<Former>>& fo
                                          writer);
             });
             if (!taken)
-                throw Error(Exit::damaged,
-                            std::string(record.name) + ": its " + name(stage) + " in the share is damaged");
+                throw Error(Exit::damaged, std::string(record.name) + ": its " + name(stage) + " is damaged");
         }
     }
     writer.note(Type::photos, i, bytes_of_one(record));
@@ -90,15 +90,20 @@ void merge(const std::vector<fs::path>& files, const fs::path& out) {
     const std::vector<PackageReader> shares = open_shares(files);
     const PackageReader& first = shares.front();
     for (const PackageReader& share : shares) expect_same_scene(first, share);
+    join(shares, std::string(first.meta()), first.scene(), out);
+}
+
+void join(std::span<const PackageReader> parts, const std::string& meta, const package::SceneRecord& scene,
+          const fs::path& out) {
+    const PackageReader& first = parts.front();
     const auto planned = first.records<PhotoRecord>(Type::photos);
     PhotoTables photos{{planned.begin(), planned.end()}, std::vector<PhotoState>(planned.size())};
     auto& [records, states] = photos;
-    const LayoutSizes sizes{first.meta().size(), first.find(Type::colors) != nullptr};
-    PackageWriter writer(out, plan_chunks(first.scene(), sizes, records), names_checksum(records));
+    const LayoutSizes sizes{meta.size(), first.find(Type::colors) != nullptr};
+    PackageWriter writer(out, plan_chunks(scene, sizes, records), names_checksum(records));
     std::vector<std::unique_ptr<Former>> formers;
     if (writer.resumed()) formers.push_back(std::make_unique<Former>(part_of(out), true));
-    for (const PackageReader& share : shares)
-        formers.push_back(std::make_unique<Former>(share.path(), false));
+    for (const PackageReader& part : parts) formers.push_back(std::make_unique<Former>(part.path(), false));
     for (const DirectoryEntry& e : first.directory())
         if (e.photo == package::scene_wide && e.type != std::uint32_t(Type::photos) &&
             e.type != std::uint32_t(Type::states)) {
@@ -107,7 +112,7 @@ void merge(const std::vector<fs::path>& files, const fs::path& out) {
             writer.copy(first, e, package::scene_wide);
         }
     for (std::uint32_t i = 0; i < records.size(); ++i) merge_photo(i, formers, writer, records[i], states[i]);
-    finish_package(writer, std::string(first.meta()), first.scene(), photos);
+    finish_package(writer, meta, scene, photos);
 }
 
 }  // namespace vantage

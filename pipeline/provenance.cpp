@@ -82,11 +82,26 @@ std::vector<std::string> changed_photos(const PackageReader& package, const json
 
 }  // namespace
 
-json settings_json(const PrepareSettings& s) {
+namespace {
+
+json forced_json(const std::map<Effect, EffectChoice>& choices) {
     json forced = json::object();
-    for (const auto& [effect, choice] : s.effects)
+    for (const auto& [effect, choice] : choices)
         if (choice != EffectChoice::automatic)
             forced[effect_row(effect).name] = choice == EffectChoice::on ? "on" : "off";
+    return forced;
+}
+
+std::string fitted(const json& meta, std::size_t bytes) {
+    std::string out = meta.dump(1);
+    if (out.size() > bytes) throw std::logic_error("META has too little room for its effects");
+    out.resize(bytes, ' ');
+    return out;
+}
+
+}  // namespace
+
+json settings_json(const PrepareSettings& s) {
     return {{"distance", name(s.distance)},
             {"render_by", name(s.render_by)},
             {"border_width", s.border_width},
@@ -96,7 +111,7 @@ json settings_json(const PrepareSettings& s) {
             {"cluster_triangles", s.cluster_triangles},
             {"photo_size", s.photo_size},
             {"hold_out", s.hold_out},
-            {"effects", forced}};
+            {"effects", forced_json(s.effects)}};
 }
 
 std::string provenance(const SceneInput& scene, const PrepareSettings& settings,
@@ -125,10 +140,13 @@ std::string with_effects(const std::string& meta, std::span<const EffectDecision
     for (json& row : changed.at("effects"))
         for (const EffectDecision& d : decisions)
             if (row.at("name") == effect_row(d.effect).name) row = effect_json(d);
-    std::string out = changed.dump(1);
-    if (out.size() > meta.size()) throw std::logic_error("META has too little room for its effects");
-    out.resize(meta.size(), ' ');
-    return out;
+    return fitted(changed, meta.size());
+}
+
+std::string with_forced(const std::string& meta, const std::map<Effect, EffectChoice>& choices) {
+    json changed = json::parse(meta);
+    changed.at("config").at("effects") = forced_json(choices);
+    return fitted(changed, meta.size());
 }
 
 std::map<Effect, EffectChoice> forced_effects(const std::string& meta) {

@@ -26,6 +26,9 @@ std::string with_effects(const std::string& meta, std::span<const EffectDecision
 /// The effects that META's settings force.
 std::map<Effect, EffectChoice> forced_effects(const std::string& meta);
 
+/// META with other effects forced, as long as before.
+std::string with_forced(const std::string& meta, const std::map<Effect, EffectChoice>& choices);
+
 /// What distinguishes a package from one that these inputs would give now, a line each: "mesh.ply: has
 /// changed since the package was prepared". Nothing where it is current. Throws Error(damaged) for an
 /// unreadable META.

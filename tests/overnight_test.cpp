@@ -156,6 +156,26 @@ TEST_F(Overnight, MemoryTooSmallIsRefusedAtOnce) {
     EXPECT_EQ(prepare_program("--memory 2G").code, 0);
 }
 
+TEST_F(Overnight, RefinedAfterwardsIsAsIfPreparedSo) {
+    fs::remove_all(scene);
+    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    spec.exposure = {0.7, 0.2, 0.3};
+    synthesise(spec, scene, {});
+    prepare_here();
+    const std::string agreeing = slurp(file);
+    PrepareSettings off;
+    off.effects = {{Effect::exposure, EffectChoice::off}, {Effect::falloff, EffectChoice::off}};
+    const Outcome refined =
+        run("refine " + file.string() + " --exposure off --falloff off -o " + (dir / "off.vantage").string());
+    EXPECT_EQ(refined.code, 0) << refined.err;
+    undisturbed(off);
+    const Outcome diff =
+        run("diff " + (dir / "off.vantage").string() + " " + (dir / "undisturbed.vantage").string());
+    EXPECT_EQ(diff.code, 0) << diff.out;
+    EXPECT_EQ(run("refine " + (dir / "off.vantage").string()).code, 0);
+    EXPECT_TRUE(slurp(dir / "off.vantage") == agreeing) << "in place, by the evidence again";
+}
+
 TEST_F(Overnight, MemoryStaysBelowWhatWasSaidAndAllowed) {
 #ifdef VANTAGE_SANITIZED
     GTEST_SKIP() << "a sanitizer takes memory of its own";

@@ -8,6 +8,7 @@ namespace vantage {
 using Run = std::function<int()>;
 void add_prepare(CLI::App& app, Run& run);
 void add_merge(CLI::App& app, Run& run);
+void add_refine(CLI::App& app, Run& run);
 void add_info(CLI::App& app, Run& run);
 void add_check(CLI::App& app, Run& run);
 void add_diff(CLI::App& app, Run& run);

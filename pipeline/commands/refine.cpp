@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
+
+#include "pipeline/commands/commands.h"
+#include "pipeline/refine_package.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+namespace {
+
+struct Options {
+    std::string file, out, exposure = "auto", falloff = "auto";
+};
+
+EffectChoice choice(const std::string& text) {
+    return text == "on" ? EffectChoice::on : text == "off" ? EffectChoice::off : EffectChoice::automatic;
+}
+
+int run_refine(const Options& o) {
+    const std::string out = o.out.empty() ? o.file : o.out;
+    refine_package(o.file, {{Effect::exposure, choice(o.exposure)}, {Effect::falloff, choice(o.falloff)}},
+                   out);
+    const PackageReader package(out);
+    for (const Effect e : {Effect::exposure, Effect::falloff})
+        fmt::print("{:<8} {}\n", effect_row(e).name, effect_on(package.scene(), e) ? "on" : "off");
+    fmt::print("package  {}\n", out);
+    return 0;
+}
+
+}  // namespace
+
+void add_refine(CLI::App& app, Run& run) {
+    auto o = std::make_shared<Options>();
+    CLI::App* c = app.add_subcommand("refine", "Settle anew how the photos of a package agree");
+    c->footer(
+        "Nothing is prepared again: tiles and masks are copied, and photos compared by the samples in the "
+        "package.\n"
+        "Examples:\n  vantage refine chapel.vantage --exposure off -o as-taken.vantage\n"
+        "  vantage refine chapel.vantage");
+    c->add_option("FILE", o->file, "the package")->required();
+    c->add_option("-o,--output", o->out, "the package to write (default FILE itself)");
+    for (auto [name, value] : {std::pair{"--exposure", &o->exposure}, {"--falloff", &o->falloff}})
+        c->add_option(name, *value, "auto (by the evidence), on or off")
+            ->check(CLI::IsMember({"auto", "on", "off"}))
+            ->capture_default_str();
+    c->callback([o, &run] { run = [o] { return run_refine(*o); }; });
+}
+
+}  // namespace vantage

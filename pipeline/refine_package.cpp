@@ -1,0 +1,26 @@
+#include "pipeline/refine_package.h"
+
+#include <span>
+#include <string>
+
+#include "pipeline/merge.h"
+#include "pipeline/provenance.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+
+void refine_package(const std::filesystem::path& file, const std::map<Effect, EffectChoice>& choices,
+                    const std::filesystem::path& out) {
+    const PackageReader package(file);
+    const std::string meta(package.meta());
+    std::map<Effect, EffectChoice> forced = forced_effects(meta);
+    package::SceneRecord scene = package.scene();
+    for (const Effect e : {Effect::exposure, Effect::falloff}) {
+        scene.effects &= ~(std::uint64_t(1) << int(e));
+        const auto wanted = choices.find(e);
+        forced[e] = wanted == choices.end() ? EffectChoice::automatic : wanted->second;
+    }
+    join(std::span(&package, 1), with_forced(meta, forced), scene, out);
+}
+
+}  // namespace vantage
