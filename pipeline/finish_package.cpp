@@ -10,10 +10,10 @@ namespace vantage {
 
 using package::Type;
 
-void finish_package(PackageWriter& writer, const std::string& meta, package::SceneRecord scene,
-                    PhotoTables& photos) {
+ColorRefinement finish_package(PackageWriter& writer, const std::string& meta, package::SceneRecord scene,
+                               PhotoTables& photos) {
     const auto read = [&](std::uint32_t photo) { return writer.read(Type::samples, photo); };
-    const ColorRefinement colors = refine_colors(photos.records, read, forced_effects(meta));
+    ColorRefinement colors = refine_colors(photos.records, read, forced_effects(meta));
     apply_colors(colors, photos.records);
     for (std::size_t i = 0; i < photos.records.size(); ++i) seal(photos.states[i], photos.records[i]);
     for (const EffectDecision& d : {colors.exposure, colors.falloff})
@@ -24,6 +24,7 @@ void finish_package(PackageWriter& writer, const std::string& meta, package::Sce
     writer.write(Type::photos, package::scene_wide, bytes_of(photos.records));
     writer.write(Type::states, package::scene_wide, bytes_of(photos.states));
     writer.finish();
+    return colors;
 }
 
 }  // namespace vantage

@@ -88,7 +88,11 @@ std::future<void> make_geometry(const PhotoRun& run, const Due& due, std::future
     return std::async(
         run.spare_core ? std::launch::async : std::launch::deferred,
         [&run, &due, &r, view, pending = std::move(pending), pixels = std::move(pixels)]() mutable {
-            make_from_geometry(run, due, *view, pending.get(), std::move(pixels), r);
+            PhotoGeometry geometry = [&] {
+                const Traced traced(run.s.trace, "wait for render", run.photo.name);
+                return pending.get();
+            }();
+            make_from_geometry(run, due, *view, std::move(geometry), std::move(pixels), r);
         });
 }
 

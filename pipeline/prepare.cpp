@@ -121,12 +121,13 @@ void write_scene(PackageWriter& writer, const PreparePlan& plan, const SceneInpu
 }
 
 /// A share tells nothing of the photos together: they are described when it is merged.
-void finish(PackageWriter& writer, PreparePlan& plan, const PrepareRun& run) {
+std::optional<ColorRefinement> finish(PackageWriter& writer, PreparePlan& plan, const PrepareRun& run) {
     const Traced traced(run.trace, "finish");
     if (run.share.shares == 0) return finish_package(writer, plan.meta, plan.model.record, plan.photos);
     writer.write(Type::photos, package::scene_wide, bytes_of(plan.photos.records));
     writer.write(Type::states, package::scene_wide, bytes_of(plan.photos.states));
     writer.finish();
+    return {};
 }
 
 }  // namespace
@@ -170,7 +171,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
                        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     note_left_out(scene, plan.photos, tally.result);
     progress({"pack", "", plan.photos.records.size(), plan.photos.records.size()});
-    finish(writer, plan, run);
+    tally.result.colors = finish(writer, plan, run);
     return tally.result;
 }
 

@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "pipeline/refine/refine.h"
 #include "pipeline/scene_input.h"
 #include "pipeline/stages/border.h"
 #include "pipeline/stages/undistort.h"
@@ -74,6 +76,7 @@ struct PrepareResult {
     };
     std::array<Stage, std::size_t(package::Stage::count)> stages;
     std::vector<UnusablePhoto> left_out;
+    std::optional<ColorRefinement> colors;  ///< not of a share
 };
 
 /// Prepares the package `out` from `scene`. Work is per photo: at most `threads` photos are in memory. The

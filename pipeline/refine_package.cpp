@@ -17,8 +17,7 @@ void refine_package(const std::filesystem::path& file, const std::map<Effect, Ef
     package::SceneRecord scene = package.scene();
     for (const Effect e : {Effect::exposure, Effect::falloff}) {
         scene.effects &= ~(std::uint64_t(1) << int(e));
-        const auto wanted = choices.find(e);
-        forced[e] = wanted == choices.end() ? EffectChoice::automatic : wanted->second;
+        forced[e] = choice_of(choices, e);
     }
     join(std::span(&package, 1), with_forced(meta, forced), scene, out);
 }

@@ -98,23 +98,16 @@ PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Eige
         start(Stage::thumbnail).add(key(Stage::tiles)).add(scene.settings.thumbnail).value();
     for (const Stage stage : {Stage::coordinates, Stage::coverage})
         key(stage) = start(stage).add(s.camera).add(s.model).add(scene.opengl).value();
-    key(Stage::masks) = start(Stage::masks)
-                            .add(key(Stage::tiles))
-                            .add(s.camera)
-                            .add(s.model)
-                            .add(scene.opengl)
+    const auto from_photo_and_model = [&](Stage stage) {
+        return start(stage).add(key(Stage::tiles)).add(s.camera).add(s.model).add(scene.opengl);
+    };
+    key(Stage::masks) = from_photo_and_model(Stage::masks)
                             .add(scene.distance)
                             .add(scene.settings.border_width)
                             .add(scene.settings.border_threshold)
                             .add(scene.reference_density)
                             .value();
-    key(Stage::samples) = start(Stage::samples)
-                              .add(key(Stage::tiles))
-                              .add(s.camera)
-                              .add(s.model)
-                              .add(scene.opengl)
-                              .add(scene.reference_density)
-                              .value();
+    key(Stage::samples) = from_photo_and_model(Stage::samples).add(scene.reference_density).value();
     return s;
 }
 

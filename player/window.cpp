@@ -383,6 +383,8 @@ int run_window(const PackageReader& first, const Options& o) {
             PackageReader reader(wanted);
             Options plain = o;
             plain.photos.clear();
+            plain.exposure.clear();  // of a photo of the other package
+            remembered.settings.exposure.reset();
             session = start(reader, plain, remembered);
             other.emplace(std::move(reader));
             package = &*other;

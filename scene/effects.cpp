@@ -29,6 +29,11 @@ static_assert(table.size() == std::size_t(Effect::count));
 
 std::span<const EffectRow> effect_table() { return table; }
 
+EffectChoice choice_of(const std::map<Effect, EffectChoice>& choices, Effect effect) {
+    const auto it = choices.find(effect);
+    return it == choices.end() ? EffectChoice::automatic : it->second;
+}
+
 EffectDecision decide(Effect effect, EffectChoice choice, double measured, std::string evidence) {
     EffectDecision d{effect, false, choice != EffectChoice::automatic, measured, std::move(evidence)};
     d.on = d.forced ? choice == EffectChoice::on

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,6 +41,8 @@ struct EffectDecision {
 };
 
 enum class EffectChoice { automatic, on, off };
+/// Automatic where nothing was chosen.
+EffectChoice choice_of(const std::map<Effect, EffectChoice>& choices, Effect effect);
 
 /// Decides one effect. `measured` not finite counts as "not called for".
 EffectDecision decide(Effect effect, EffectChoice choice, double measured, std::string evidence);

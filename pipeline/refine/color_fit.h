@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,6 +16,9 @@ namespace vantage {
 using Falloff = std::array<double, 3>;
 double log_falloff(const Falloff& falloff, double radius);
 
+/// A difference of logarithms as people read it.
+inline double percent(double ln) { return 100 * std::expm1(ln); }
+
 /// What makes the photos of one surface agree: ln I + ln_gain[photo][channel] + log_falloff(lens, r).
 struct ColorFit {
     std::vector<std::array<double, 3>> ln_gain;  ///< a photo; their mean over a component is 0
@@ -21,6 +26,10 @@ struct ColorFit {
     std::vector<std::uint32_t> component;        ///< a photo: photos that share surface have one number
     std::vector<std::size_t> samples;            ///< a photo: discs that another photo shows, too
     double before = 0, after = 0;  ///< median of |ln ratio| between photos of one disc, mean of channels
+    /// Some photos show enough of one surface.
+    bool shares_surface() const {
+        return std::ranges::any_of(samples, [](std::size_t n) { return n > 0; });
+    }
     std::vector<double> photo_before, photo_after;  ///< the same of pairs with one photo; 0 without any
 };
 

@@ -15,15 +15,8 @@ constexpr double least_use = 0.1;  ///< share of the disagreement that gains mus
 /// Of all photos together: of very many, fewer discs each are enough, and memory does not grow with them.
 constexpr std::size_t most_samples = std::size_t(1) << 20;
 
-EffectChoice choice(const std::map<Effect, EffectChoice>& choices, Effect effect) {
-    const auto it = choices.find(effect);
-    return it == choices.end() ? EffectChoice::automatic : it->second;
-}
-
-double percent(double ln) { return 100 * std::expm1(ln); }
-
 EffectDecision decide_exposure(const ColorFit& fit, EffectChoice wanted) {
-    if (std::ranges::max(fit.samples, {}, [](std::size_t n) { return n; }) == 0)
+    if (!fit.shares_surface())
         return decide(Effect::exposure, wanted, 0, "no two photos show enough of the same surface");
     const bool helps = fit.after <= (1 - least_use) * fit.before;
     const std::string found = fmt::format("photos of one surface differ by {:.1f} %, with gains by {:.1f} %",
@@ -43,12 +36,11 @@ EffectDecision decide_falloff(const ColorFit& fit, EffectChoice wanted) {
 
 }  // namespace
 
-ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos,
-                              std::span<const std::span<const package::SampleRecord>> samples,
+ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samples samples,
                               const std::map<Effect, EffectChoice>& choices) {
     const std::vector<std::uint32_t> lens = lenses_of(photos);
-    const EffectChoice falloff = choice(choices, Effect::falloff),
-                       exposure = choice(choices, Effect::exposure);
+    const EffectChoice falloff = choice_of(choices, Effect::falloff),
+                       exposure = choice_of(choices, Effect::exposure);
     ColorRefinement out{fit_colors(samples, lens, falloff != EffectChoice::off), lens, {}, {}};
     out.exposure = decide_exposure(out.fit, exposure);
     out.falloff = decide_falloff(out.fit, falloff);

@@ -20,8 +20,7 @@ struct ColorRefinement {
 
 /// `samples`: a photo's discs, or none. Gains and falloff count only where photos disagree (by the effects'
 /// thresholds) and a tenth of it goes away, or where they are forced.
-ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos,
-                              std::span<const std::span<const package::SampleRecord>> samples,
+ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samples samples,
                               const std::map<Effect, EffectChoice>& choices);
 
 /// The same for photos whose samples `read` returns as bytes.

@@ -5,24 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/provenance.h"
-#include "pipeline/refine/refine.h"
 #include "scene/markup.h"
 
 namespace vantage {
 namespace {
-
-ColorRefinement refinement_of(const PackageReader& package) {
-    const auto read = [&](std::uint32_t photo) {
-        const auto bytes = package.bytes(package.find(package::Type::samples, photo));
-        std::vector<std::byte> copy(bytes.begin(), bytes.end());
-        package.forget(bytes);
-        return copy;
-    };
-    return refine_colors(package.photos(), read, forced_effects(std::string(package.meta())));
-}
-
-double percent(double ln) { return 100 * std::expm1(ln); }
 
 /// A grey card as this photo had it, beside the mean photo's.
 std::string card(const std::array<double, 3>& ln_gain) {
@@ -71,10 +57,8 @@ std::string falloff_curves(const ColorFit& fit) {
 
 }  // namespace
 
-std::string colors_part(const PackageReader& package) {
-    const ColorRefinement r = refinement_of(package);
-    const auto photos = package.photos();
-    if (std::ranges::count(r.fit.samples, 0u) == std::ptrdiff_t(photos.size())) return {};
+std::string colors_part(std::span<const package::PhotoRecord> photos, const ColorRefinement& r) {
+    if (!r.fit.shares_surface()) return {};
     std::string out =
         "<h2>Exposure</h2>\n<p>" + escaped(r.exposure.evidence) +
         (r.exposure.on ? ": they are shown in the mean photo's exposure." : ": they are shown as they are.") +

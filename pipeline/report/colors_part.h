@@ -1,12 +1,14 @@
 #pragma once
+#include <span>
 #include <string>
 
-#include "scene/package_reader.h"
+#include "pipeline/refine/refine.h"
+#include "scene/package_format.h"
 
 namespace vantage {
 
 /// HTML: how far the photos' colours disagree, what makes them agree, photo by photo, and the lenses'
-/// falloff. Throws Error(damaged).
-std::string colors_part(const PackageReader& package);
+/// falloff.
+std::string colors_part(std::span<const package::PhotoRecord> photos, const ColorRefinement& refinement);
 
 }  // namespace vantage

@@ -196,7 +196,8 @@ void write_report(const fs::path& file, const PackageReader& package, const std:
     std::ofstream out(file, std::ios::binary);
     out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << style << "</style>\n"
         << heading(package, meta, left_out, run) << left_out_part(left_out) << warnings_part(meta)
-        << effects_part(meta) << coverage_part(package) << colors_part(package);
+        << effects_part(meta) << coverage_part(package);
+    if (run && run->prepared.colors) out << colors_part(package.photos(), *run->prepared.colors);
     write_photos_part(out, package);
     if (run) out << run_part(*run);
     out << "</html>\n";

@@ -153,9 +153,7 @@ std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effe
     std::vector<EffectDecision> decisions;
     for (const EffectRow& row : effect_table()) {
         const Measured m = measure(row.effect, scene);
-        const auto forced = choices.find(row.effect);
-        decisions.push_back(decide(row.effect,
-                                   forced == choices.end() ? EffectChoice::automatic : forced->second,
+        decisions.push_back(decide(row.effect, choice_of(choices, row.effect),
                                    std::isfinite(m.value) ? m.value : 1e9, m.evidence));
     }
     return decisions;

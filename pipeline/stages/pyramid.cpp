@@ -6,6 +6,8 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
+#include "pipeline/stages/srgb.h"
+
 namespace vantage {
 namespace {
 
@@ -17,16 +19,10 @@ struct SrgbTables {
     std::vector<std::uint8_t> srgb;
     SrgbTables() : srgb((1 << linear_bits) + 1) {
         const double top = 1 << linear_bits;
-        for (int i = 0; i < 256; ++i) {
-            const double s = i / 255.0;
-            linear[std::size_t(i)] = std::uint16_t(
-                std::lround(top * (s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4))));
-        }
-        for (std::size_t i = 0; i < srgb.size(); ++i) {
-            const double l = double(i) / top;
-            srgb[i] = std::uint8_t(
-                std::lround(255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055)));
-        }
+        for (int i = 0; i < 256; ++i)
+            linear[std::size_t(i)] = std::uint16_t(std::lround(top * linear_from_srgb(i / 255.0)));
+        for (std::size_t i = 0; i < srgb.size(); ++i)
+            srgb[i] = std::uint8_t(std::lround(255 * srgb_from_linear(double(i) / top)));
     }
 };
 const SrgbTables& tables() {

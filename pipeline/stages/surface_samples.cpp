@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "pipeline/stages/pyramid.h"
+#include "pipeline/stages/srgb.h"
 #include "scene/tiling.h"
 
 namespace vantage {
@@ -16,12 +17,10 @@ constexpr double disc_pixels = 48;  ///< radius in the finest photo
 constexpr double least_pixels = 6;  ///< radius in a photo that is still sampled, foreshortened
 constexpr double least_cosine = 0.2;
 
-double srgb_to_linear(double s) { return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4); }
-
 const std::array<float, 256>& linear_of_byte() {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> t;
-        for (std::size_t i = 0; i < t.size(); ++i) t[i] = float(srgb_to_linear(double(i) / 255));
+        for (std::size_t i = 0; i < t.size(); ++i) t[i] = float(linear_from_srgb(double(i) / 255));
         return t;
     }();
     return table;
@@ -121,8 +120,8 @@ class DiscSampler {
         return color_at(levels_[look.level], at * scale_[look.level]);
     }
     package::SampleRecord record(const Eigen::Vector3f& linear, const Eigen::Vector2d& at) const {
-        static const auto dark = float(srgb_to_linear(15 / 255.0)),
-                          bright = float(srgb_to_linear(240 / 255.0));
+        static const auto dark = float(linear_from_srgb(15 / 255.0)),
+                          bright = float(linear_from_srgb(240 / 255.0));
         if (linear.minCoeff() < dark || linear.maxCoeff() > bright) return {};
         package::SampleRecord r{};
         for (int c = 0; c < 3; ++c) r.linear[c] = std::uint16_t(std::lround(linear[c] * 65535));

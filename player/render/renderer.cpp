@@ -242,9 +242,10 @@ void Renderer::resolve(int sums, const Frame& frame) {
 void Renderer::expose(const DrawnView& drawn) const {
     const RenderSettings& settings = drawn.settings;
     Exposure e;
-    if (settings.refined_colors && settings.show == Show::colors) e = drawn.view.exposure;
-    if (settings.refined_colors && settings.exposure)
-        e.gain = exposure_of(scene_.photos[*settings.exposure]).gain;
+    if (settings.refined_colors && settings.show == Show::colors) {
+        e = drawn.view.exposure;
+        if (settings.exposure) e.gain = exposure_of(scene_.photos[*settings.exposure]).gain;
+    }
     const Intrinsics& k = drawn.view.intrinsics;
     glUniform3fv(4, 1, e.gain.data());
     glUniform3fv(5, 1, e.falloff.data());

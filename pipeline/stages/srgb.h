@@ -1,0 +1,14 @@
+#pragma once
+#include <cmath>
+
+namespace vantage {
+
+/// sRGB and linear light, both in [0, 1] (IEC 61966-2-1).
+inline double linear_from_srgb(double s) {
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+inline double srgb_from_linear(double l) {
+    return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
+}
+
+}  // namespace vantage
