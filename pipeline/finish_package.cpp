@@ -1,30 +1,92 @@
 #include "pipeline/finish_package.h"
 
 #include <array>
+#include <map>
 
+#include "pipeline/for_each_photo.h"
 #include "pipeline/provenance.h"
-#include "pipeline/refine/refine.h"
+#include "pipeline/registered.h"
 #include "pipeline/stage_keys.h"
+#include "pipeline/trace.h"
 
 namespace vantage {
+namespace {
 
 using package::Type;
 
-ColorRefinement finish_package(PackageWriter& writer, const std::string& meta, package::SceneRecord scene,
-                               PhotoTables& photos) {
-    const auto read = [&](std::uint32_t photo) { return writer.read(Type::samples, photo); };
-    ColorRefinement colors = refine_colors(photos.records, read, forced_effects(meta));
-    apply_colors(colors, photos.records);
+/// Every `step`-th.
+std::vector<SurfaceDisc> thinned(std::span<const SurfaceDisc> discs, std::size_t step) {
+    std::vector<SurfaceDisc> out;
+    for (std::size_t d = 0; d < discs.size(); d += step) out.push_back(discs[d]);
+    return out;
+}
+
+Registration find_registration(const FinishInput& in, const PackageReader& part, const PhotoTables& photos,
+                               const PhotoSamples& samples, std::span<const std::uint64_t> fingerprints,
+                               EffectChoice choice) {
+    const Traced traced(in.geometry.trace, "register");
+    std::map<std::uint64_t, const package::PairRecord*> known;
+    for (const package::PairRecord& p : in.known_pairs) known[p.key] = &p;
+    const auto spans = samples.spans();
+    const std::vector<SurfaceDisc> discs = thinned(in.geometry.discs, samples.step);
+    const RegistrationInput input{part,
+                                  photos.records,
+                                  spans,
+                                  discs,
+                                  fingerprints,
+                                  [&](std::uint64_t key) -> const package::PairRecord* {
+                                      const auto it = known.find(key);
+                                      return it == known.end() ? nullptr : it->second;
+                                  },
+                                  in.threads};
+    return register_photos(input, choice);
+}
+
+/// Settles the photos' cameras, and makes anew what comes from those that move.
+Registration settle_cameras(const FinishInput& in, const PhotoSamples& samples, PhotoTables& photos) {
+    const auto fingerprints =
+        registration_fingerprints(photos.states, in.given, in.geometry.renderer.by_opengl());
+    const EffectChoice choice = choice_of(forced_effects(in.meta), Effect::registration);
+    const PackageReader part(part_of(in.out), PackageReader::Expect::part);
+    const Registration found =
+        in.known ? *in.known : find_registration(in, part, photos, samples, fingerprints, choice);
+    for_each_photo(photos.records.size(), in.threads, [&](std::size_t i) {
+        const auto& pose = found.photos[i].pose;
+        if (pose) photos.records[i].flags |= package::photo_registered;
+        if (pose && !in.known)
+            move_photo(in.geometry, part, std::uint32_t(i), *pose, photos.records[i], photos.states[i]);
+    });
+    write_registration(in.geometry.writer, found, in.given, registration_key(fingerprints, choice));
+    return found;
+}
+
+void write_last(const FinishInput& in, const Agreement& agreement, PhotoTables& photos) {
+    PackageWriter& writer = in.geometry.writer;
+    const std::array decisions{agreement.registration.decision, agreement.colors.exposure,
+                               agreement.colors.falloff};
+    package::SceneRecord scene = in.scene;
+    for (const EffectDecision& d : decisions) scene.effects |= std::uint64_t(d.on) << int(d.effect);
+    const std::string described = with_findings(in.meta, decisions, agreement.registration.warnings);
     for (std::size_t i = 0; i < photos.records.size(); ++i) seal(photos.states[i], photos.records[i]);
-    for (const EffectDecision& d : {colors.exposure, colors.falloff})
-        scene.effects |= std::uint64_t(d.on) << int(d.effect);
-    const std::string described = with_effects(meta, std::array{colors.exposure, colors.falloff});
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(described)));
     writer.write(Type::scene, package::scene_wide, bytes_of_one(scene));
     writer.write(Type::photos, package::scene_wide, bytes_of(photos.records));
     writer.write(Type::states, package::scene_wide, bytes_of(photos.states));
     writer.finish();
-    return colors;
+}
+
+}  // namespace
+
+Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
+    const auto read = [&](std::uint32_t photo) { return in.geometry.writer.read(Type::samples, photo); };
+    PhotoSamples samples = read_samples(photos.records, read);
+    Agreement out{settle_cameras(in, samples, photos), {}};
+    if (out.registration.decision.on && !in.known) samples = read_samples(photos.records, read);
+    const Traced traced(in.geometry.trace, "colours");
+    out.colors = refine_colors(photos.records, samples.spans(), forced_effects(in.meta));
+    apply_colors(out.colors, photos.records);
+    write_last(in, out, photos);
+    return out;
 }
 
 }  // namespace vantage

@@ -1,16 +1,36 @@
 #pragma once
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "pipeline/geometry_stages.h"
 #include "pipeline/prepare_plan.h"
 #include "pipeline/refine/refine.h"
-#include "scene/package_writer.h"
+#include "pipeline/refine/registration.h"
 
 namespace vantage {
 
-/// Settles what only all photos together tell, their colours, and finishes the package: META, SCEN, PHOT and
-/// STAT. `meta` as provenance() has it; every photo's chunks are there. Returns what it found about the
-/// colours. Throws Error(storage).
-ColorRefinement finish_package(PackageWriter& writer, const std::string& meta, package::SceneRecord scene,
-                               PhotoTables& photos);
+/// A package all of whose photos are written.
+struct FinishInput {
+    const GeometryStages& geometry;
+    std::filesystem::path out;  ///< what the writer writes
+    std::string meta;           ///< as provenance() has it
+    package::SceneRecord scene;
+    std::vector<Pose> given;  ///< relative to the origin; records have others where `known` moved them
+    std::optional<Registration> known;             ///< what an earlier package found for just this
+    std::vector<package::PairRecord> known_pairs;  ///< that an earlier package measured
+    unsigned threads;
+};
+
+/// What only all photos together tell.
+struct Agreement {
+    Registration registration;
+    ColorRefinement colors;
+};
+
+/// Settles what only all photos together tell, their cameras and colours, and finishes the package: META,
+/// SCEN, PHOT, STAT, REGI and PAIR, and anew what comes from cameras that were moved. Throws Error(storage).
+Agreement finish_package(const FinishInput& input, PhotoTables& photos);
 
 }  // namespace vantage

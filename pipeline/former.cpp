@@ -55,10 +55,12 @@ std::optional<std::uint32_t> Former::photo(const std::string& name) const {
 const PhotoRecord& Former::record(std::uint32_t photo) const { return records_[photo]; }
 const PhotoState& Former::state(std::uint32_t photo) const { return states_[photo]; }
 
-bool Former::hand_over(Stage stage, std::uint32_t from, std::uint32_t to, int levels, PhotoState::Made& made,
+bool Former::hand_over(Stage stage, std::uint32_t from, std::uint32_t to, int levels, PhotoState& wanted,
                        PackageWriter& writer) const {
     const PhotoState::Made& had = states_[from].stages[std::size_t(stage)];
+    PhotoState::Made& made = wanted.stages[std::size_t(stage)];
     if (had.key == 0 || had.key != made.key || int(records_[from].levels) != levels) return false;
+    if (depends_on_pose(stage) && states_[from].pose != wanted.pose) return false;
     std::vector<const DirectoryEntry*> entries;
     std::vector<std::uint64_t> checksums;
     if (levels > 0)
@@ -114,10 +116,11 @@ std::string why_made(Stage stage, const std::string& photo, const PhotoState& wa
         const PhotoState& had = former->state(*i);
         const bool pixels = stage == Stage::tiles || stage == Stage::thumbnail || stage == Stage::masks ||
                             stage == Stage::samples;
-        const bool geometry = stage != Stage::tiles && stage != Stage::thumbnail;
+        const bool geometry = depends_on_pose(stage);
         const std::size_t s = std::size_t(stage);
         if (pixels && had.photo != wanted.photo) return "the photo's file has changed";
         if (had.stages[s].key == 0) return "it was not made before";
+        if (geometry && had.pose != wanted.pose) return "the photo's camera has changed";
         if (had.stages[s].key == wanted.stages[s].key) return "what was there is damaged";
         for (const std::string& setting : settings_of(stage))
             if (former->settings().is_object() && former->settings().value(setting, nlohmann::json{}) !=

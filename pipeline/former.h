@@ -21,13 +21,18 @@ class Former {
     std::optional<std::uint32_t> photo(const std::string& name) const;
     const package::PhotoRecord& record(std::uint32_t photo) const;
     const package::PhotoState& state(std::uint32_t photo) const;
+    /// A whole package, not a part of one.
+    bool finished() const {
+        return !in_place_ && reader_.header().shares == 0 && reader_.find(package::Type::registration);
+    }
+    const PackageReader& reader() const { return reader_; }
     /// The settings it was prepared with, as META names them; null where META is not there.
     const nlohmann::json& settings() const { return settings_; }
 
-    /// Hands the chunks of a stage to the writer, where they are all there and sound, were made with `made`'s
-    /// key from a photo of as many levels; completes `made`. Thread-safe.
+    /// Hands the chunks of a stage to the writer, where they are all there and sound, were made with the key
+    /// and from the pose that `wanted` has, from a photo of as many levels; completes `wanted`. Thread-safe.
     bool hand_over(package::Stage stage, std::uint32_t from, std::uint32_t to, int levels,
-                   package::PhotoState::Made& made, PackageWriter& writer) const;
+                   package::PhotoState& wanted, PackageWriter& writer) const;
 
   private:
     PackageReader reader_;

@@ -19,40 +19,41 @@ namespace {
 using package::Stage;
 using package::Type;
 
-void write_masks(const PhotoStages& s, std::uint32_t i, PhotoGeometry g, std::vector<std::uint8_t> valid,
-                 const Intrinsics& k, int levels) {
-    const Traced traced(s.trace, "masks", s.scene.photos[i].name);
+void write_masks(const GeometryStages& s, const PhotoAtModel& photo, PhotoGeometry g,
+                 std::vector<std::uint8_t> valid, int levels) {
+    const Traced traced(s.trace, "masks", photo.name);
     DepthMap depth{g.width, g.height, std::move(g.z), std::move(valid)};
     const double scale = 1.0 / (1 << mask_level);
-    const double full = s.key.settings.border_width * k.width / 3072 * scale;
-    const auto borders = find_borders(depth, float(s.key.settings.border_threshold));
+    const double full = s.border_width * photo.k.width / 3072 * scale;
+    const auto borders = find_borders(depth, float(s.border_threshold));
     const auto border = border_mask(s.renderer.distances(borders, g.width, g.height, int(full) + 3), g.width,
                                     g.height, float(full));
-    auto combined = combine_masks(depth.z, g.angle, border, std::sqrt(k.fx * k.fy), s.key.reference_density);
+    auto combined = combine_masks(depth.z, g.angle, border, std::sqrt(photo.k.fx * photo.k.fy),
+                                  s.model.record.reference_density);
     MaskLevel masks{g.width, g.height, std::move(combined), std::move(depth.z)};
     for (int l = mask_level;; ++l) {
         const Level size{masks.width, masks.height};
-        write_tiles(s.writer, Type::masks, i, std::uint32_t(l), bytes_of(masks.masks), size);
-        write_tiles(s.writer, Type::depth, i, std::uint32_t(l), bytes_of(masks.z), size);
+        write_tiles(s.writer, Type::masks, photo.i, std::uint32_t(l), bytes_of(masks.masks), size);
+        write_tiles(s.writer, Type::depth, photo.i, std::uint32_t(l), bytes_of(masks.z), size);
         if (l + 1 == mask_levels_end(levels)) return;
         masks = halve(masks);
     }
 }
 
-void write_coverage(const PhotoRun& run, const FrameTriangles& triangles, const PhotoGeometry& g,
-                    const std::vector<Eigen::Vector2f>& coordinates) {
-    const PhotoStages& s = run.s;
-    const Traced traced(s.trace, "coverage", run.photo.name);
+void write_coverage(const GeometryStages& s, const PhotoAtModel& photo, const FrameTriangles& triangles,
+                    const PhotoGeometry& g, const std::vector<Eigen::Vector2f>& coordinates) {
+    const Traced traced(s.trace, "coverage", photo.name);
     const Coverage coverage = measure_coverage(s.model.clusters, s.model.indices, triangles.places, g,
-                                               coordinates, run.k, run.pose);
-    s.writer.write(Type::coverage, run.i, bytes_of(coverage.clusters));
-    s.writer.write(Type::visible, run.i, bytes_of(coverage.visible));
+                                               coordinates, photo.k, photo.pose);
+    s.writer.write(Type::coverage, photo.i, bytes_of(coverage.clusters));
+    s.writer.write(Type::visible, photo.i, bytes_of(coverage.visible));
 }
 
-void write_samples(const PhotoRun& run, const PhotoGeometry& g, RgbaImage photo) {
-    const Traced traced(run.s.trace, "samples", run.photo.name);
-    const auto samples = sample_discs(run.s.discs, std::move(photo), g, run.k, run.pose);
-    run.s.writer.write(Type::samples, run.i, bytes_of(samples));
+void write_samples(const GeometryStages& s, const PhotoAtModel& photo, const PhotoGeometry& g,
+                   RgbaImage pixels) {
+    const Traced traced(s.trace, "samples", photo.name);
+    s.writer.write(Type::samples, photo.i,
+                   bytes_of(sample_discs(s.discs, std::move(pixels), g, photo.k, photo.pose)));
 }
 
 void record_findings(const PhotoGeometry& g, const std::vector<Eigen::Vector2f>& coordinates,
@@ -72,33 +73,37 @@ void record_findings(const PhotoGeometry& g, const std::vector<Eigen::Vector2f>&
 
 }  // namespace
 
-PhotoView view_of(const PhotoRun& run) {
-    const PackedModel& model = run.s.model;
-    const Traced traced(run.s.trace, "project", run.photo.name);
-    const Eigen::Vector2d near_far = depth_range(model.positions, run.pose);
-    return {triangles_in_frame(model.clusters, model.indices, run.k, run.pose), near_far,
-            project_model(model.positions, map_intrinsics(run.k), run.pose, near_far.x())};
+std::vector<std::uint8_t> validity(const RgbaImage& level) {
+    std::vector<std::uint8_t> valid(level.rgba.size() / 4);
+    for (std::size_t p = 0; p < valid.size(); ++p) valid[p] = level.rgba[4 * p + 3] == 255;
+    return valid;
 }
 
-void make_from_geometry(const PhotoRun& run, const Due& due, const PhotoView& view, PhotoGeometry geometry,
-                        std::future<CoarsePixels> pixels, package::PhotoRecord& r) {
-    const PhotoStages& s = run.s;
+PhotoView view_of(const GeometryStages& s, const PhotoAtModel& photo) {
+    const Traced traced(s.trace, "project", photo.name);
+    const Eigen::Vector2d near_far = depth_range(s.model.positions, photo.pose);
+    return {triangles_in_frame(s.model.clusters, s.model.indices, photo.k, photo.pose), near_far,
+            project_model(s.model.positions, map_intrinsics(photo.k), photo.pose, near_far.x())};
+}
+
+void make_from_geometry(const GeometryStages& s, const PhotoAtModel& photo, const Due& due,
+                        const PhotoView& view, PhotoGeometry geometry, std::future<CoarsePixels> pixels,
+                        package::PhotoRecord& r) {
     if (due[Stage::coordinates] || due[Stage::coverage]) {
         const auto coordinates = [&] {
-            const Traced traced(s.trace, "coordinates", run.photo.name);
-            return vertex_coordinates(view.projection, view.triangles.indices, run.k);
+            const Traced traced(s.trace, "coordinates", photo.name);
+            return vertex_coordinates(view.projection, view.triangles.indices, photo.k);
         }();
         if (due[Stage::coordinates]) {
-            record_findings(geometry, coordinates, run.k, run.pose, r);
-            if (r.levels) s.writer.write(Type::coordinates, run.i, bytes_of(coordinates));
+            record_findings(geometry, coordinates, photo.k, photo.pose, r);
+            if (r.levels) s.writer.write(Type::coordinates, photo.i, bytes_of(coordinates));
         }
-        if (due[Stage::coverage]) write_coverage(run, view.triangles, geometry, coordinates);
+        if (due[Stage::coverage]) write_coverage(s, photo, view.triangles, geometry, coordinates);
     }
     if (!due[Stage::masks] && !due[Stage::samples]) return;
     CoarsePixels coarse = pixels.get();
-    if (due[Stage::samples]) write_samples(run, geometry, std::move(coarse.samples));
-    if (due[Stage::masks])
-        write_masks(s, run.i, std::move(geometry), std::move(coarse.valid), run.k, int(r.levels));
+    if (due[Stage::samples]) write_samples(s, photo, geometry, std::move(coarse.samples));
+    if (due[Stage::masks]) write_masks(s, photo, std::move(geometry), std::move(coarse.valid), int(r.levels));
 }
 
 }  // namespace vantage

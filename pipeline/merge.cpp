@@ -7,6 +7,8 @@
 #include "pipeline/former.h"
 #include "pipeline/package_layout.h"
 #include "pipeline/photo_stages.h"
+#include "pipeline/provenance.h"
+#include "pipeline/registered.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -73,8 +75,7 @@ void merge_photo(std::uint32_t i, const std::vector<std::unique_ptr<Former>>& fo
         for (const package::Stage stage : stages_of(record)) {
             const bool taken = std::ranges::any_of(formers, [&](const auto& f) {
                 const auto j = f->photo(record.name);
-                return j && f->hand_over(stage, *j, i, int(record.levels), state.stages[std::size_t(stage)],
-                                         writer);
+                return j && f->hand_over(stage, *j, i, int(record.levels), state, writer);
             });
             if (!taken)
                 throw Error(Exit::damaged, std::string(record.name) + ": its " + name(stage) + " is damaged");
@@ -82,6 +83,45 @@ void merge_photo(std::uint32_t i, const std::vector<std::unique_ptr<Former>>& fo
     }
     writer.note(Type::photos, i, bytes_of_one(record));
     writer.note(Type::states, i, bytes_of_one(state));
+}
+
+/// The model as a package holds it; normals beside it.
+PackedModel model_of(const PackageReader& package) {
+    const auto copy = [&]<class T>(std::vector<T>& to, Type type) {
+        const auto records = package.records<T>(type);
+        to.assign(records.begin(), records.end());
+    };
+    PackedModel m;
+    m.record = package.scene();
+    m.origin = Eigen::Map<const Eigen::Vector3d>(m.record.origin);
+    copy(m.positions, Type::positions);
+    copy(m.indices, Type::indices);
+    copy(m.clusters, Type::clusters);
+    return m;
+}
+
+bool is_written_last(const DirectoryEntry& e) {
+    const Type type{e.type};
+    return type == Type::photos || type == Type::states || type == Type::registration || type == Type::pairs;
+}
+
+void copy_scene(const PackageReader& from, PackageWriter& writer) {
+    for (const DirectoryEntry& e : from.directory()) {
+        if (e.photo != package::scene_wide || is_written_last(e)) continue;
+        if (!from.sound(e)) throw Error(Exit::damaged, from.path().string() + ": " + describe(e, from));
+        writer.copy(from, e, package::scene_wide);
+    }
+}
+
+/// Where an earlier finish moved cameras for other reasons than these, they go back first.
+void move_back(const FinishInput& in, PhotoTables& photos) {
+    const PackageReader part(part_of(in.out), PackageReader::Expect::part);
+    for (std::uint32_t i = 0; i < photos.records.size(); ++i) {
+        PhotoRecord& r = photos.records[i];
+        if (!(r.flags & package::photo_registered)) continue;
+        r.flags &= ~std::uint32_t(package::photo_registered);
+        move_photo(in.geometry, part, i, in.given[i], r, photos.states[i]);
+    }
 }
 
 }  // namespace
@@ -104,15 +144,23 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
     std::vector<std::unique_ptr<Former>> formers;
     if (writer.resumed()) formers.push_back(std::make_unique<Former>(part_of(out), true));
     for (const PackageReader& part : parts) formers.push_back(std::make_unique<Former>(part.path(), false));
-    for (const DirectoryEntry& e : first.directory())
-        if (e.photo == package::scene_wide && e.type != std::uint32_t(Type::photos) &&
-            e.type != std::uint32_t(Type::states)) {
-            if (!first.sound(e))
-                throw Error(Exit::damaged, first.path().string() + ": " + describe(e, first));
-            writer.copy(first, e, package::scene_wide);
-        }
+    copy_scene(first, writer);
     for (std::uint32_t i = 0; i < records.size(); ++i) merge_photo(i, formers, writer, records[i], states[i]);
-    finish_package(writer, meta, scene, photos);
+
+    const PackedModel model = model_of(first);
+    const auto from = first.records<Eigen::Vector3f>(Type::normals);
+    const std::vector<Eigen::Vector3f> normals(from.begin(), from.end());
+    const PrepareSettings settings = geometry_settings(meta);
+    GeometryRenderer renderer(model, normals, settings);
+    const auto discs = surface_disc_set(model.positions, model.indices, scene.reference_density);
+    const GeometryStages geometry{model,  discs,  renderer, settings.border_width, settings.border_threshold,
+                                  writer, nullptr};
+    FinishInput in{geometry, out, meta, scene, given_poses(first), {}, pairs_of(first), 0};
+    const EffectChoice choice = choice_of(forced_effects(meta), Effect::registration);
+    in.known = registration_of(
+        first, registration_key(registration_fingerprints(states, in.given, renderer.by_opengl()), choice));
+    if (!in.known) move_back(in, photos);
+    finish_package(in, photos);
 }
 
 }  // namespace vantage

@@ -125,7 +125,8 @@ int planned_levels(const package::PhotoRecord& p) {
     return p.flags & package::photo_held_out ? 0 : level_count(int(p.width), int(p.height));
 }
 
-std::vector<ChunkPlan> plan_scene(const package::SceneRecord& s, const LayoutSizes& sizes) {
+/// A share knows nothing of photos together.
+std::vector<ChunkPlan> plan_scene(const package::SceneRecord& s, const LayoutSizes& sizes, bool share) {
     const auto whole = [](Type type, std::uint64_t bytes) {
         return ChunkPlan{type, package::scene_wide, 0, bytes};
     };
@@ -137,6 +138,10 @@ std::vector<ChunkPlan> plan_scene(const package::SceneRecord& s, const LayoutSiz
                                 whole(Type::normals, s.vertices * 12),
                                 whole(Type::indices, s.triangles * 12),
                                 whole(Type::clusters, s.clusters * sizeof(package::ClusterRecord))};
+    if (!share) {
+        plan.push_back(whole(Type::registration, s.photos * sizeof(package::RegistrationRecord)));
+        plan.push_back(whole(Type::pairs, s.photos * package::pairs_a_photo * sizeof(package::PairRecord)));
+    }
     if (sizes.colors) plan.push_back(whole(Type::colors, s.vertices * 4));
     if (s.scalar_layers) plan.push_back(whole(Type::scalars, s.vertices * 4 * s.scalar_layers));
     return plan;
@@ -146,7 +151,7 @@ std::vector<ChunkPlan> plan_scene(const package::SceneRecord& s, const LayoutSiz
 
 std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const LayoutSizes& sizes,
                                    std::span<const package::PhotoRecord> photos, Share share) {
-    std::vector<ChunkPlan> plan = plan_scene(scene, sizes);
+    std::vector<ChunkPlan> plan = plan_scene(scene, sizes, share.shares > 0);
     int top = 0;
     const auto each = [&](const auto& add) {
         for (std::uint32_t i = 0; i < photos.size(); ++i)

@@ -35,11 +35,10 @@ void adopt(Stage stage, const package::PhotoRecord& from, package::PhotoRecord& 
 
 bool hand_over(const PhotoStages& s, Stage stage, std::uint32_t i, package::PhotoRecord& r,
                PhotoState& state) {
-    const Traced traced(s.formers.empty() ? nullptr : s.trace, "keep", r.name);
+    const Traced traced(s.formers.empty() ? nullptr : s.geometry.trace, "keep", r.name);
     for (const auto& former : s.formers) {
         const auto j = former->photo(r.name);
-        if (!j || !former->hand_over(stage, *j, i, int(r.levels), state.stages[std::size_t(stage)], s.writer))
-            continue;
+        if (!j || !former->hand_over(stage, *j, i, int(r.levels), state, s.geometry.writer)) continue;
         adopt(stage, former->record(*j), r);
         return true;
     }
@@ -73,7 +72,7 @@ void leave_out(const PhotoStages& s, std::uint32_t i, const Pose& pose, package:
     for (const Stage stage :
          {Stage::thumbnail, Stage::masks, Stage::coordinates, Stage::coverage, Stage::samples})
         state.stages[std::size_t(stage)] = {};
-    s.writer.leave_out(i);
+    s.geometry.writer.leave_out(i);
     r.flags = package::photo_left_out;
     r.levels = 0;
     Eigen::Map<Eigen::Vector3d>(r.corrected_direction) = pose.direction();
@@ -83,16 +82,16 @@ void leave_out(const PhotoStages& s, std::uint32_t i, const Pose& pose, package:
 /// graphics card begins at once.
 std::future<void> make_geometry(const PhotoRun& run, const Due& due, std::future<CoarsePixels> pixels,
                                 package::PhotoRecord& r) {
-    const auto view = std::make_shared<const PhotoView>(view_of(run));
-    auto pending = run.s.renderer.render(view, run.k, run.s.trace, run.photo.name);
+    const auto view = std::make_shared<const PhotoView>(view_of(run.s.geometry, run.at));
+    auto pending = run.s.geometry.renderer.render(view, run.at.k, run.s.geometry.trace, run.photo.name);
     return std::async(
         run.spare_core ? std::launch::async : std::launch::deferred,
         [&run, &due, &r, view, pending = std::move(pending), pixels = std::move(pixels)]() mutable {
             PhotoGeometry geometry = [&] {
-                const Traced traced(run.s.trace, "wait for render", run.photo.name);
+                const Traced traced(run.s.geometry.trace, "wait for render", run.photo.name);
                 return pending.get();
             }();
-            make_from_geometry(run, due, *view, std::move(geometry), std::move(pixels), r);
+            make_from_geometry(run.s.geometry, run.at, due, *view, std::move(geometry), std::move(pixels), r);
         });
 }
 
@@ -120,7 +119,7 @@ std::vector<Stage> make_missing(const PhotoRun& run, std::optional<PhotoFile>& f
         const Stage stage{std::uint32_t(n)};
         if (std::ranges::count(stages, stage) == 0)
             state.stages[n] = {};
-        else if (!hand_over(run.s, stage, run.i, r, state))
+        else if (!hand_over(run.s, stage, run.at.i, r, state))
             made.push_back(stage), due.stage[n] = true;
     }
     // A file that cannot be read now is the disk's fault, one that cannot be decoded its own.
@@ -133,7 +132,8 @@ std::vector<Stage> make_missing(const PhotoRun& run, std::optional<PhotoFile>& f
         return {};
     }
     for (const Stage stage : made)
-        state.stages[std::size_t(stage)].content = content_of(stage, run.i, int(r.levels), run.s.writer);
+        state.stages[std::size_t(stage)].content =
+            content_of(stage, run.at.i, int(r.levels), run.s.geometry.writer);
     return made;
 }
 
@@ -148,29 +148,27 @@ std::vector<Stage> stages_of(const package::PhotoRecord& r) {
 std::vector<Stage> run_photo(const PhotoStages& s, std::uint32_t i, bool spare_core, package::PhotoRecord& r,
                              PhotoState& state) {
     const PhotoInput& photo = s.scene.photos[i];
-    const PhotoRun run{
-        s,         i, photo, photo.camera.intrinsics, photo.camera.cam_from_world.relative_to(s.model.origin),
-        spare_core};
+    const PhotoRun run{s, photo, {i, photo.name, photo.camera.intrinsics, s.poses[i]}, spare_core};
     std::optional<PhotoFile> file;
     if (r.levels) {
-        const Traced traced(s.trace, "read", photo.name);
+        const Traced traced(s.geometry.trace, "read", photo.name);
         file.emplace(s.identities, photo.file);
     }
     const FileIdentity id = file ? file->identity() : FileIdentity{};
     r.source_bytes = id.bytes;
     r.source_checksum = id.checksum;
-    state = stage_keys(s.key, photo, s.model.origin, id);
+    state = stage_keys(s.key, photo, s.poses[i], id);
     const package::PhotoRecord planned = r;
     std::vector<Stage> made;
     if (!known_unreadable(s, r.name, state)) made = make_missing(run, file, r, state);
     if (state.left_out[0]) {
         if (s.strict) throw Error(Exit::input, photo.file.string() + ": " + state.left_out);
         r = planned;
-        leave_out(s, i, run.pose, r, state);
+        leave_out(s, i, run.at.pose, r, state);
     }
     seal(state, r);
-    s.writer.note(Type::photos, i, bytes_of_one(r));
-    s.writer.note(Type::states, i, bytes_of_one(state));
+    s.geometry.writer.note(Type::photos, i, bytes_of_one(r));
+    s.geometry.writer.note(Type::states, i, bytes_of_one(state));
     return made;
 }
 

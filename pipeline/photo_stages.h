@@ -3,11 +3,9 @@
 
 #include "pipeline/decoded_ahead.h"
 #include "pipeline/former.h"
-#include "pipeline/geometry_renderer.h"
+#include "pipeline/geometry_stages.h"
 #include "pipeline/identity_cache.h"
-#include "pipeline/package_layout.h"
 #include "pipeline/stage_keys.h"
-#include "pipeline/stages/surface_samples.h"
 
 namespace vantage {
 
@@ -15,15 +13,12 @@ namespace vantage {
 struct PhotoStages {
     const SceneInput& scene;
     const SceneKey& key;
-    const PackedModel& model;
-    const std::vector<SurfaceDisc>& discs;
-    GeometryRenderer& renderer;
-    PackageWriter& writer;
+    const GeometryStages& geometry;
+    std::span<const Pose> poses;  ///< relative to the origin: as given, or registered
     IdentityCache& identities;
     DecodedAhead& ahead;
     const std::vector<std::unique_ptr<Former>>& formers;
-    bool strict;   ///< a photo that cannot be read ends it all
-    Trace* trace;  ///< may be null
+    bool strict;  ///< a photo that cannot be read ends it all
 };
 
 /// Brings photo `i` through all stages into the package and completes its record and state: what earlier runs

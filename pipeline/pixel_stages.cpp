@@ -16,8 +16,8 @@ using package::Stage;
 using package::Type;
 
 RgbaImage decoded(const PhotoRun& run, PhotoFile& file) {
-    if (auto image = run.s.ahead.take(run.i, file.identity())) return std::move(*image);
-    const Traced traced(run.s.trace, "decode", run.photo.name);
+    if (auto image = run.s.ahead.take(run.at.i, file.identity())) return std::move(*image);
+    const Traced traced(run.s.geometry.trace, "decode", run.photo.name);
     return decode_photo(run.photo.file, file.bytes(), run.photo.decoded);
 }
 
@@ -28,21 +28,14 @@ RgbaImage decode_pixels(const PhotoRun& run, PhotoFile& file, package::PhotoReco
         image = reduced(image, thumbnail_size(image.width, image.height, longest));
     if (!run.s.key.undistortion || !run.photo.camera.lens.distorts()) return image;
     r.flags |= package::photo_undistorted;
-    const Traced traced(run.s.trace, "undistort", run.photo.name);
+    const Traced traced(run.s.geometry.trace, "undistort", run.photo.name);
     return undistort(image, run.photo.camera, run.s.key.settings.resampling);
-}
-
-/// Validity of a level's texels, 0 or 1; empty where the photo is opaque.
-std::vector<std::uint8_t> validity(const RgbaImage& level) {
-    std::vector<std::uint8_t> valid(level.rgba.size() / 4);
-    for (std::size_t p = 0; p < valid.size(); ++p) valid[p] = level.rgba[4 * p + 3] == 255;
-    return valid;
 }
 
 /// Thumbnail and tile pyramid.
 void write_pixels(const PhotoStages& s, std::uint32_t i, const Due& due, RgbaImage level,
                   package::PhotoRecord& r, std::promise<CoarsePixels>& found) {
-    const Traced traced(s.trace, "tiles", r.name);
+    const Traced traced(s.geometry.trace, "tiles", r.name);
     const bool opaque = is_opaque(level);
     if (!opaque) r.flags |= package::photo_has_alpha;
     CoarsePixels coarse;
@@ -55,13 +48,14 @@ void write_pixels(const PhotoStages& s, std::uint32_t i, const Due& due, RgbaIma
             found.set_value(std::move(coarse));
         }
         if (l < r.levels && due[Stage::tiles])
-            write_tiles(s.writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height});
+            write_tiles(s.geometry.writer, Type::tiles, i, l, bytes_of(level.rgba),
+                        {level.width, level.height});
         RgbaImage next = halve(level);
         // The coarsest level that still has the thumbnail's detail is the cheapest to reduce.
         const int wanted = int(std::max(r.thumbnail_width, r.thumbnail_height));
         if (thumbnail_due && (std::max(next.width, next.height) < wanted || l + 1 == last)) {
             const RgbaImage small = reduced(level, {int(r.thumbnail_width), int(r.thumbnail_height)});
-            s.writer.write(Type::thumbnail, i, std::as_bytes(std::span(small.rgba)));
+            s.geometry.writer.write(Type::thumbnail, i, std::as_bytes(std::span(small.rgba)));
             thumbnail_due = false;
         }
         level = std::move(next);
@@ -74,7 +68,7 @@ void make_pixels(const PhotoRun& run, const Due& due, PhotoFile& file, package::
                  std::promise<CoarsePixels>& coarse) {
     RgbaImage image = decode_pixels(run, file, r);
     file.release();
-    write_pixels(run.s, run.i, due, std::move(image), r, coarse);
+    write_pixels(run.s, run.at.i, due, std::move(image), r, coarse);
 }
 
 }  // namespace vantage

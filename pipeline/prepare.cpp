@@ -13,6 +13,7 @@
 #include "pipeline/photo_stages.h"
 #include "pipeline/prepare_plan.h"
 #include "pipeline/provenance.h"
+#include "pipeline/registered.h"
 #include "pipeline/room.h"
 #include "pipeline/trace.h"
 #include "scene/error.h"
@@ -120,14 +121,50 @@ void write_scene(PackageWriter& writer, const PreparePlan& plan, const SceneInpu
     write_model(writer, plan.model, scene.mesh);
 }
 
-/// A share tells nothing of the photos together: they are described when it is merged.
-std::optional<ColorRefinement> finish(PackageWriter& writer, PreparePlan& plan, const PrepareRun& run) {
-    const Traced traced(run.trace, "finish");
-    if (run.share.shares == 0) return finish_package(writer, plan.meta, plan.model.record, plan.photos);
-    writer.write(Type::photos, package::scene_wide, bytes_of(plan.photos.records));
-    writer.write(Type::states, package::scene_wide, bytes_of(plan.photos.states));
-    writer.finish();
+std::vector<Pose> given_poses(const SceneInput& scene, const Eigen::Vector3d& origin) {
+    std::vector<Pose> out;
+    for (const PhotoInput& p : scene.photos) out.push_back(p.camera.cam_from_world.relative_to(origin));
+    return out;
+}
+
+/// What a finished package there found about all photos together, where it was made of the very same.
+std::optional<Registration> known_registration(const SceneKey& key, const SceneInput& scene,
+                                               std::span<const package::PhotoRecord> records,
+                                               std::span<const Pose> given, IdentityCache& identities,
+                                               const std::vector<std::unique_ptr<Former>>& formers) {
+    if (std::ranges::none_of(formers, [](const auto& f) { return f->finished(); })) return {};
+    std::vector<package::PhotoState> states;
+    for (std::size_t i = 0; i < scene.photos.size(); ++i) {
+        const PhotoInput& photo = scene.photos[i];
+        if (!std::filesystem::exists(photo.file)) return {};
+        states.push_back(stage_keys(key, photo, given[i], identities.of(photo.file)));
+        if (records[i].flags & package::photo_held_out)
+            states.back().stages[std::size_t(package::Stage::tiles)] = {};
+    }
+    const EffectChoice choice = choice_of(key.settings.effects, Effect::registration);
+    const std::uint64_t wanted =
+        registration_key(registration_fingerprints(states, given, key.opengl), choice);
+    for (const auto& former : formers)
+        if (former->finished())
+            if (auto found = registration_of(former->reader(), wanted)) return found;
     return {};
+}
+
+std::vector<package::PairRecord> pairs_of_formers(const std::vector<std::unique_ptr<Former>>& formers) {
+    std::vector<package::PairRecord> out;
+    for (const auto& former : formers)
+        if (former->finished()) {
+            const auto pairs = pairs_of(former->reader());
+            out.insert(out.end(), pairs.begin(), pairs.end());
+        }
+    return out;
+}
+
+/// A share tells nothing of the photos together: they are described when it is merged.
+void finish_share(PackageWriter& writer, const PhotoTables& photos) {
+    writer.write(Type::photos, package::scene_wide, bytes_of(photos.records));
+    writer.write(Type::states, package::scene_wide, bytes_of(photos.states));
+    writer.finish();
 }
 
 }  // namespace
@@ -160,18 +197,33 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
                        bool(model.record.effects >> int(Effect::undistortion) & 1),
                        model_checksum(model, scene.mesh.normals),
                        model.record.reference_density};
+    const std::vector<Pose> given = given_poses(scene, model.origin);
+    std::vector<Pose> poses = given;
+    const auto known = run.share.shares
+                           ? std::nullopt
+                           : known_registration(key, scene, plan.photos.records, given, identities, formers);
+    for (std::size_t i = 0; known && i < poses.size(); ++i)
+        if (known->photos[i].pose) set_pose(poses[i] = *known->photos[i].pose, plan.photos.records[i]);
     Tally tally(scene, settings_json(settings), formers);
     const auto discs = surface_disc_set(model.positions, model.indices, model.record.reference_density);
-    const PhotoStages stages{scene,      key,   model,   discs,      renderer, writer,
-                             identities, ahead, formers, run.strict, run.trace};
+    const GeometryStages geometry{
+        model, discs, renderer, settings.border_width, settings.border_threshold, writer, run.trace};
+    const PhotoStages stages{scene, key, geometry, poses, identities, ahead, formers, run.strict};
     const auto start = std::chrono::steady_clock::now();
     run_photos(stages, plan.photos, needs.in_flight, threads_of(settings), run, tally, progress);
     if (formers.empty())
         remember_speed(needs.seconds,
                        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     note_left_out(scene, plan.photos, tally.result);
-    progress({"pack", "", plan.photos.records.size(), plan.photos.records.size()});
-    tally.result.colors = finish(writer, plan, run);
+    progress({"agree", "", plan.photos.records.size(), plan.photos.records.size()});
+    const Traced traced(run.trace, "finish");
+    if (run.share.shares)
+        finish_share(writer, plan.photos);
+    else
+        tally.result.agreement = std::make_shared<const Agreement>(
+            finish_package({geometry, out, plan.meta, model.record, given, known, pairs_of_formers(formers),
+                            threads_of(settings)},
+                           plan.photos));
     return tally.result;
 }
 

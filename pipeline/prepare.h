@@ -4,11 +4,10 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "pipeline/refine/refine.h"
 #include "pipeline/scene_input.h"
 #include "pipeline/stages/border.h"
 #include "pipeline/stages/undistort.h"
@@ -20,6 +19,7 @@ namespace vantage {
 
 class IdentityCache;
 class Trace;
+struct Agreement;
 
 /// What renders the model from the photos' cameras; automatic: a graphics card where there is one.
 enum class RenderBy { automatic, opengl, processor };
@@ -76,7 +76,7 @@ struct PrepareResult {
     };
     std::array<Stage, std::size_t(package::Stage::count)> stages;
     std::vector<UnusablePhoto> left_out;
-    std::optional<ColorRefinement> colors;  ///< not of a share
+    std::shared_ptr<const Agreement> agreement;  ///< of all photos; none of a share
 };
 
 /// Prepares the package `out` from `scene`. Work is per photo: at most `threads` photos are in memory. The

@@ -17,7 +17,9 @@ using nlohmann::json;
 
 constexpr const char* tool = "vantage " VANTAGE_VERSION;
 /// Bytes of META for what is found out last.
-constexpr std::size_t room = 1024;
+constexpr std::size_t room = 8192;
+/// Lines of findings; each names two photos at most, whose names have 191 bytes at most.
+constexpr std::size_t most_findings = 8;
 
 json input_json(const fs::path& file, IdentityCache& identities) {
     const FileIdentity id = identities.of(file);
@@ -135,12 +137,36 @@ std::string provenance(const SceneInput& scene, const PrepareSettings& settings,
     return meta.dump(1) + std::string(room, ' ');
 }
 
-std::string with_effects(const std::string& meta, std::span<const EffectDecision> decisions) {
+std::string with_findings(const std::string& meta, std::span<const EffectDecision> decisions,
+                          std::span<const std::string> findings) {
     json changed = json::parse(meta);
+    const std::size_t shown = std::min(findings.size(), most_findings);
+    changed["findings"] =
+        std::vector<std::string>(findings.begin(), findings.begin() + std::ptrdiff_t(shown));
+    if (shown < findings.size())
+        changed["findings"].push_back("and " + std::to_string(findings.size() - shown) + " more");
     for (json& row : changed.at("effects"))
         for (const EffectDecision& d : decisions)
             if (row.at("name") == effect_row(d.effect).name) row = effect_json(d);
     return fitted(changed, meta.size());
+}
+
+EffectDecision decision_of(const std::string& meta, Effect effect) {
+    EffectDecision d{};
+    d.effect = effect;
+    const json all = json::parse(meta);
+    for (const json& row : all.at("effects"))
+        if (row.at("name") == effect_row(effect).name) {
+            d.on = row.at("on");
+            d.forced = row.at("forced");
+            d.measured = row.at("measured");
+            d.evidence = row.at("evidence");
+        }
+    return d;
+}
+
+std::vector<std::string> findings_of(const std::string& meta) {
+    return json::parse(meta).value("findings", std::vector<std::string>{});
 }
 
 std::string with_forced(const std::string& meta, const std::map<Effect, EffectChoice>& choices) {
@@ -155,6 +181,16 @@ std::map<Effect, EffectChoice> forced_effects(const std::string& meta) {
     for (const auto& [name, choice] : forced.items())
         out[effect_row(name).effect] = choice == "on" ? EffectChoice::on : EffectChoice::off;
     return out;
+}
+
+PrepareSettings geometry_settings(const std::string& meta) {
+    const json config = json::parse(meta).at("config");
+    PrepareSettings s;
+    s.distance = distance_method(config.at("distance"));
+    s.render_by = render_by(config.at("render_by"));
+    s.border_width = config.at("border_width");
+    s.border_threshold = config.at("border_threshold");
+    return s;
 }
 
 std::vector<std::string> changed_inputs(const PackageReader& package, const InputFiles& files,

@@ -20,11 +20,19 @@ nlohmann::json settings_json(const PrepareSettings& settings);
 std::string provenance(const SceneInput& scene, const PrepareSettings& settings,
                        const std::vector<EffectDecision>& effects, IdentityCache& identities);
 
-/// META with these effects' rows instead of those it has, as long as before: it ends in room for them.
-std::string with_effects(const std::string& meta, std::span<const EffectDecision> decisions);
+/// META with these effects' rows instead of those it has, and what was found out last, a line each; as long
+/// as before: it ends in room for them.
+std::string with_findings(const std::string& meta, std::span<const EffectDecision> decisions,
+                          std::span<const std::string> findings);
+/// An effect as META tells it, and what was found out last.
+EffectDecision decision_of(const std::string& meta, Effect effect);
+std::vector<std::string> findings_of(const std::string& meta);
 
 /// The effects that META's settings force.
 std::map<Effect, EffectChoice> forced_effects(const std::string& meta);
+
+/// The settings that the stages which look at the model read, as META names them.
+PrepareSettings geometry_settings(const std::string& meta);
 
 /// META with other effects forced, as long as before.
 std::string with_forced(const std::string& meta, const std::map<Effect, EffectChoice>& choices);

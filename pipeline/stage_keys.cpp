@@ -16,7 +16,7 @@ using package::Stage;
 using package::Type;
 
 /// How each stage works: a number goes up where a change of ours changes what the stage makes.
-constexpr std::array<std::uint32_t, stage_count> versions{1, 1, 3, 2, 2, 1};
+constexpr std::array<std::uint32_t, stage_count> versions{1, 1, 4, 3, 3, 2};
 
 /// XXH3-64 over values, each by its bytes; so only types without padding.
 class Fingerprint {
@@ -59,11 +59,6 @@ std::uint64_t tiles_key(const SceneKey& scene, const PhotoInput& photo, std::uin
     return f.value();
 }
 
-std::uint64_t camera_checksum(const PhotoInput& photo, const Eigen::Vector3d& origin) {
-    const Pose pose = photo.camera.cam_from_world.relative_to(origin);
-    return Fingerprint().add(photo.camera.intrinsics).add(pose.R).add(pose.t).value();
-}
-
 template <class T>
 std::uint64_t checksum_of(const std::vector<T>& values) {
     return checksum(bytes_of(values));
@@ -86,11 +81,14 @@ std::uint64_t model_checksum(const PackedModel& model, const std::vector<Eigen::
         .value();
 }
 
-PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Eigen::Vector3d& origin,
+std::uint64_t pose_checksum(const Pose& pose) { return Fingerprint().add(pose.R).add(pose.t).value(); }
+
+PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Pose& pose,
                       const FileIdentity& file) {
     PhotoState s{};
     s.photo = Fingerprint().add(file.bytes).add(file.checksum).value();
-    s.camera = camera_checksum(photo, origin);
+    s.camera = Fingerprint().add(photo.camera.intrinsics).value();
+    s.pose = pose_checksum(pose);
     s.model = scene.model;
     const auto key = [&](Stage stage) -> std::uint64_t& { return s.stages[std::size_t(stage)].key; };
     key(Stage::tiles) = tiles_key(scene, photo, s.photo);
@@ -110,6 +108,8 @@ PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Eige
     key(Stage::samples) = from_photo_and_model(Stage::samples).add(scene.reference_density).value();
     return s;
 }
+
+bool depends_on_pose(Stage stage) { return stage != Stage::tiles && stage != Stage::thumbnail; }
 
 std::vector<std::string> settings_of(Stage stage) {
     switch (stage) {

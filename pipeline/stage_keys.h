@@ -24,12 +24,19 @@ struct SceneKey {
     double reference_density = 1;  ///< of the depth mask
 };
 
+/// XXH3-64 of a pose relative to the origin.
+std::uint64_t pose_checksum(const Pose& cam_from_origin);
+
+/// The stage looks at the model from the photo's pose. Its key leaves the pose out, PhotoState has it apart:
+/// registration changes it after everything else is known.
+bool depends_on_pose(package::Stage stage);
+
 /// XXH3-64 of what the photos' stages read of the model.
 std::uint64_t model_checksum(const PackedModel& model, const std::vector<Eigen::Vector3f>& normals);
 
 /// What the stages of one photo are made from: a key a stage, over all its inputs, the settings that it reads
 /// and its own version, and the inputs' checksums besides. `left_out`, `record` and contents are left empty.
-package::PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Eigen::Vector3d& origin,
+package::PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Pose& cam_from_origin,
                                const FileIdentity& file);
 
 /// The settings that a stage reads, named as META's configuration names them.

@@ -22,6 +22,9 @@ constexpr std::array table{
               0.02, "PHOTO_GAIN", "give all photos one exposure and white balance"},
     EffectRow{Effect::falloff, "falloff", "light that a lens loses in the corner", "", 0.05, "PHOTO_FALLOFF",
               "take the lens's falloff out"},
+    EffectRow{Effect::registration, "registration",
+              "how far photos lie from each other on the model, over what is usual (1 px, 1.5 px a pair)", "", 1,
+              "", "move cameras so that photos of one surface fit"},
 };
 static_assert(table.size() == std::size_t(Effect::count));
 

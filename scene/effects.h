@@ -15,6 +15,7 @@ enum class Effect : int {
     vertex_colors,
     exposure,
     falloff,
+    registration,
     count
 };
 

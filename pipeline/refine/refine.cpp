@@ -4,16 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-
-#include "pipeline/stages/surface_samples.h"
 
 namespace vantage {
 namespace {
 
 constexpr double least_use = 0.1;  ///< share of the disagreement that gains must take away
-/// Of all photos together: of very many, fewer discs each are enough, and memory does not grow with them.
-constexpr std::size_t most_samples = std::size_t(1) << 20;
 
 EffectDecision decide_exposure(const ColorFit& fit, EffectChoice wanted) {
     if (!fit.shares_surface())
@@ -47,24 +42,6 @@ ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samp
     // Where colours agree as they are, nothing is done about the lens either.
     if (!out.exposure.on && falloff == EffectChoice::automatic) out.falloff.on = false;
     return out;
-}
-
-ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos,
-                              const std::function<std::vector<std::byte>(std::uint32_t photo)>& read,
-                              const std::map<Effect, EffectChoice>& choices) {
-    const std::size_t step = 1 + photos.size() * surface_discs / most_samples;
-    std::vector<std::vector<package::SampleRecord>> all(photos.size());
-    for (std::uint32_t i = 0; i < photos.size(); ++i) {
-        if (photos[i].levels == 0) continue;
-        const std::vector<std::byte> bytes = read(i);
-        const std::size_t discs = bytes.size() / sizeof(package::SampleRecord);
-        all[i].resize((discs + step - 1) / step);
-        for (std::size_t d = 0; d < all[i].size(); ++d)
-            std::memcpy(&all[i][d], &bytes[d * step * sizeof(package::SampleRecord)],
-                        sizeof(package::SampleRecord));
-    }
-    const std::vector<std::span<const package::SampleRecord>> spans(all.begin(), all.end());
-    return refine_colors(photos, spans, choices);
 }
 
 void apply_colors(const ColorRefinement& r, std::span<package::PhotoRecord> photos) {

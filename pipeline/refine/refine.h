@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -21,11 +20,6 @@ struct ColorRefinement {
 /// `samples`: a photo's discs, or none. Gains and falloff count only where photos disagree (by the effects'
 /// thresholds) and a tenth of it goes away, or where they are forced.
 ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samples samples,
-                              const std::map<Effect, EffectChoice>& choices);
-
-/// The same for photos whose samples `read` returns as bytes.
-ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos,
-                              const std::function<std::vector<std::byte>(std::uint32_t photo)>& read,
                               const std::map<Effect, EffectChoice>& choices);
 
 /// Into the records of the photos that are shown: gain and falloff, as far as their effects are on.

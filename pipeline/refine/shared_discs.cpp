@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
+
+#include "pipeline/stages/surface_samples.h"
 
 namespace vantage {
 namespace {
 
 constexpr std::size_t least_samples = 30;
+constexpr std::size_t most_samples = std::size_t(1) << 20;  ///< of all photos together
 
 SharedDiscs shared(Samples samples, const std::vector<bool>& use) {
     SharedDiscs out;
@@ -67,6 +71,23 @@ std::vector<std::uint32_t> components(const SharedDiscs& obs, std::size_t photos
     });
     for (std::uint32_t i = 0; i < photos; ++i) of[i] = root(i);
     return of;
+}
+
+PhotoSamples read_samples(std::span<const package::PhotoRecord> photos,
+                          const std::function<std::vector<std::byte>(std::uint32_t photo)>& read) {
+    PhotoSamples out;
+    out.step = 1 + photos.size() * surface_discs / most_samples;
+    out.of_photo.resize(photos.size());
+    for (std::uint32_t i = 0; i < photos.size(); ++i) {
+        if (photos[i].levels == 0) continue;
+        const std::vector<std::byte> bytes = read(i);
+        const std::size_t discs = bytes.size() / sizeof(package::SampleRecord);
+        auto& samples = out.of_photo[i];
+        samples.resize((discs + out.step - 1) / out.step);
+        for (std::size_t d = 0; d < samples.size(); ++d)
+            std::memcpy(&samples[d], &bytes[d * out.step * sizeof(package::SampleRecord)], sizeof samples[d]);
+    }
+    return out;
 }
 
 }  // namespace vantage

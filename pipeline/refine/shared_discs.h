@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,19 @@ namespace vantage {
 
 /// A photo's discs of the surface, or none; of all photos.
 using Samples = std::span<const std::span<const package::SampleRecord>>;
+
+/// The samples of all photos; of very many photos every `step`-th disc only, so that memory does not grow
+/// with them.
+struct PhotoSamples {
+    std::vector<std::vector<package::SampleRecord>> of_photo;  ///< none where a photo has none
+    std::size_t step = 1;
+    std::vector<std::span<const package::SampleRecord>> spans() const {
+        return {of_photo.begin(), of_photo.end()};
+    }
+};
+/// From the bytes of SAMP, which `read` returns.
+PhotoSamples read_samples(std::span<const package::PhotoRecord> photos,
+                          const std::function<std::vector<std::byte>(std::uint32_t photo)>& read);
 
 /// A disc in a photo: ln of its colour, and r^2 there.
 struct Observation {

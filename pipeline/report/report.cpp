@@ -7,12 +7,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/finish_package.h"
 #include "pipeline/for_each_photo.h"
 #include "pipeline/join_tiles.h"
 #include "pipeline/provenance.h"
 #include "pipeline/report/colors_part.h"
 #include "pipeline/report/coverage_pictures.h"
 #include "pipeline/report/embedded_picture.h"
+#include "pipeline/report/registration_part.h"
 #include "pipeline/report/timeline.h"
 #include "pipeline/stage_keys.h"
 #include "pipeline/stages/pyramid.h"
@@ -197,7 +199,10 @@ void write_report(const fs::path& file, const PackageReader& package, const std:
     out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << style << "</style>\n"
         << heading(package, meta, left_out, run) << left_out_part(left_out) << warnings_part(meta)
         << effects_part(meta) << coverage_part(package);
-    if (run && run->prepared.colors) out << colors_part(package.photos(), *run->prepared.colors);
+    if (run && run->prepared.agreement) {
+        out << registration_part(package.photos(), run->prepared.agreement->registration)
+            << colors_part(package.photos(), run->prepared.agreement->colors);
+    }
     write_photos_part(out, package);
     if (run) out << run_part(*run);
     out << "</html>\n";

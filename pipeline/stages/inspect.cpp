@@ -140,6 +140,7 @@ Measured measure(Effect effect, const SceneInput& scene) {
             return unseen_colors(scene);
         case Effect::exposure:
         case Effect::falloff:
+        case Effect::registration:
             return {0, "is told by all photos together, when they are there"};
         case Effect::count:
             break;

@@ -1,7 +1,7 @@
 #pragma once
-#include <algorithm>
-#include <cstddef>
 #include <vector>
+
+#include "scene/quantile.h"
 
 namespace vantage::bench {
 
@@ -13,13 +13,6 @@ double mean(const std::vector<T>& values) {
     return values.empty() ? 0 : sum / double(values.size());
 }
 
-/// The value that the share `share` of all is below; 0 for none.
-template <class T>
-double quantile(std::vector<T> values, double share) {
-    if (values.empty()) return 0;
-    const auto at = values.begin() + std::ptrdiff_t(std::clamp(share, 0.0, 1.0) * double(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return double(*at);
-}
+using vantage::quantile;
 
 }  // namespace vantage::bench

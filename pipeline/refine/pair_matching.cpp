@@ -1,0 +1,159 @@
+#include "pipeline/refine/pair_matching.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "pipeline/for_each_photo.h"
+#include "scene/quantile.h"
+
+namespace vantage {
+namespace {
+
+/// Photos as they are read for matching; those that were wanted last stay.
+class MatchViews {
+  public:
+    MatchViews(const PackageReader& package, std::span<const package::PhotoRecord> photos, int level)
+        : package_(package), photos_(photos), level_(level) {}
+
+    std::shared_ptr<const MatchView> view(std::uint32_t photo) {
+        {
+            const std::scoped_lock lock(mutex_);
+            const auto known = std::ranges::find(recent_, photo, &Entry::first);
+            if (known != recent_.end()) {
+                recent_.splice(recent_.begin(), recent_, known);
+                return recent_.front().second;
+            }
+        }
+        const auto read =
+            std::make_shared<const MatchView>(read_match_view(package_, photos_[photo], photo, level_));
+        const std::scoped_lock lock(mutex_);
+        recent_.emplace_front(photo, read);
+        if (recent_.size() > most) recent_.pop_back();
+        return read;
+    }
+
+  private:
+    static constexpr std::size_t most = 12;
+    using Entry = std::pair<std::uint32_t, std::shared_ptr<const MatchView>>;
+    const PackageReader& package_;
+    std::span<const package::PhotoRecord> photos_;
+    int level_;
+    std::mutex mutex_;
+    std::list<Entry> recent_;
+};
+
+constexpr std::uint32_t least_matches = 20;
+
+std::int16_t in_64ths(double pixels) {
+    return std::int16_t(std::clamp(std::lround(64 * pixels), -32767l, 32767l));
+}
+
+/// Displacements of one pair: all of them, and by the part of the photo that they are in.
+class Displacements {
+  public:
+    Displacements(std::span<const Star> stars, std::uint32_t other, const Intrinsics& k) {
+        for (const Star& s : stars)
+            for (const Match& m : s.matches)
+                if (m.photo == other) {
+                    all_.add(m.moved);
+                    cells_[cell(s.pixel, k)].add(m.moved);
+                }
+    }
+    void summarise(package::PairRecord& r) const {
+        r.matches = std::uint32_t(all_.x.size());
+        r.median = float(quantile(all_.length, 0.5));
+        r.p90 = float(quantile(all_.length, 0.9));
+        r.shift[0] = float(quantile(all_.x, 0.5));
+        r.shift[1] = float(quantile(all_.y, 0.5));
+        for (std::size_t c = 0; c < cells_.size(); ++c)
+            r.cells[c] = {{in_64ths(quantile(cells_[c].x, 0.5)), in_64ths(quantile(cells_[c].y, 0.5))},
+                          std::uint16_t(cells_[c].x.size())};
+    }
+
+  private:
+    struct List {
+        std::vector<double> x, y, length;
+        void add(const Eigen::Vector2d& d) {
+            x.push_back(d.x());
+            y.push_back(d.y());
+            length.push_back(d.norm());
+        }
+    };
+    static std::size_t cell(const Eigen::Vector2d& pixel, const Intrinsics& k) {
+        const int column = std::clamp(int(pixel.x() * package::pair_columns / k.width), 0,
+                                      package::pair_columns - 1),
+                  row = std::clamp(int(pixel.y() * package::pair_rows / k.height), 0, package::pair_rows - 1);
+        return std::size_t(row * package::pair_columns + column);
+    }
+    List all_;
+    std::array<List, package::pair_columns * package::pair_rows> cells_;
+};
+
+package::PairRecord record_of(const PhotoPair& p) {
+    package::PairRecord r{};
+    r.a = p.a;
+    r.b = p.b;
+    r.shared = p.shared;
+    r.angle = float(p.angle);
+    r.color = float(p.color);
+    return r;
+}
+
+template <class Wanted>
+double median_of(std::span<const package::PairRecord> pairs, const Wanted& wanted) {
+    std::vector<double> medians;
+    for (const package::PairRecord& p : pairs)
+        if (trusted(p) && wanted(p)) medians.push_back(double(p.median));
+    return quantile(std::move(medians), 0.5);
+}
+
+}  // namespace
+
+Matching match_pairs(const PackageReader& package, std::span<const package::PhotoRecord> photos,
+                     std::span<const Pose> poses, std::span<const PhotoPair> pairs,
+                     const MatchSettings& how) {
+    Matching out;
+    std::vector<std::pair<std::size_t, std::size_t>> charts;  // pairs of one first photo
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+        out.pairs.push_back(record_of(pairs[p]));
+        if (charts.empty() || pairs[charts.back().first].a != pairs[p].a) charts.emplace_back(p, p);
+        charts.back().second = p + 1;
+    }
+    MatchViews views(package, photos, how.level);
+    std::vector<std::vector<Star>> stars(charts.size());
+    for_each_photo(charts.size(), how.threads, [&](std::size_t c) {
+        const std::uint32_t a = pairs[charts[c].first].a;
+        const auto own = views.view(a);
+        SurfaceChart chart(*own, poses[a], a, how.corners);
+        for (std::size_t p = charts[c].first; p < charts[c].second; ++p) {
+            const std::uint32_t b = pairs[p].b;
+            out.pairs[p].corners = std::uint32_t(chart.match(*views.view(b), poses[b], b));
+            Displacements(chart.stars(), b, intrinsics(photos[a])).summarise(out.pairs[p]);
+        }
+        stars[c] = chart.stars();
+        std::erase_if(stars[c], [](const Star& s) { return s.matches.empty(); });
+    });
+    for (std::vector<Star>& s : stars) out.stars.insert(out.stars.end(), s.begin(), s.end());
+    return out;
+}
+
+bool trusted(const package::PairRecord& p) { return p.matches >= least_matches && !contradicts(p); }
+
+bool contradicts(const package::PairRecord& p) {
+    return p.corners >= least_matches && 4 * p.matches < p.corners;
+}
+
+double median_displacement(std::span<const package::PairRecord> pairs) {
+    return median_of(pairs, [](const package::PairRecord&) { return true; });
+}
+
+double median_displacement(std::span<const package::PairRecord> pairs, std::uint32_t photo) {
+    return median_of(pairs, [&](const package::PairRecord& p) { return p.a == photo || p.b == photo; });
+}
+
+}  // namespace vantage

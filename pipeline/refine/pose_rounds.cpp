@@ -1,0 +1,121 @@
+#include "pipeline/refine/pose_rounds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "pipeline/refine/common_motion.h"
+#include "scene/quantile.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::size_t pairs_a_photo = 6;
+constexpr int corners = 500;
+constexpr int coarse = 2, fine = 1;
+/// Against the anchor stand thousands of corners, whose errors (the mesh's) are not independent, though.
+constexpr double anchor = 20;
+/// The common motion stays where without it corners lie half as far off again.
+constexpr double worth_common = 1.5;
+constexpr int attempts = 3;
+
+/// Every fifth star is not solved for, so that it may judge.
+std::vector<Star> stars_that(bool judge, std::span<const Star> stars) {
+    std::vector<Star> out;
+    for (std::size_t s = 0; s < stars.size(); ++s)
+        if ((s % 5 == 4) == judge) out.push_back(stars[s]);
+    return out;
+}
+
+/// Median displacement of the judging stars' matches with each photo, and of all (last); 0 without any.
+std::vector<double> judged(const Matching& m, std::size_t photos) {
+    std::vector<std::vector<double>> of(photos + 1);
+    for (const Star& s : stars_that(true, m.stars))
+        for (const Match& match : s.matches)
+            for (const std::size_t i : {std::size_t(s.photo), std::size_t(match.photo), photos})
+                of[i].push_back(match.moved.norm());
+    std::vector<double> out;
+    for (std::vector<double>& d : of) out.push_back(quantile(std::move(d), 0.5));
+    return out;
+}
+
+std::vector<Pose> poses_of(std::span<const FittedCamera> cameras, std::span<const PoseChange> change) {
+    std::vector<Pose> out;
+    for (std::size_t i = 0; i < cameras.size(); ++i) out.push_back(changed(cameras[i], change[i]));
+    return out;
+}
+
+}  // namespace
+
+PoseRounds::PoseRounds(const RegistrationInput& in)
+    : in_(in), pairs_(photo_pairs(in.photos, in.samples, in.discs, pairs_a_photo)) {
+    for (const package::PhotoRecord& p : in.photos) {
+        intrinsics_.push_back(intrinsics(p));
+        given_.push_back(cam_from_origin(p));
+        cameras_.push_back({intrinsics_.back(), given_.back(), p.seen_distance > 0 ? p.seen_distance : 1});
+    }
+    before_ = match(given_, fine);
+    sigma_ = std::max(3 * judged(before_, in.photos.size()).back(), 0.1);
+}
+
+Matching PoseRounds::match(const Poses& poses, int level) const {
+    return match_pairs(in_.package, in_.photos, poses, pairs_, {level, corners, in_.threads});
+}
+
+std::vector<PoseChange> PoseRounds::solve(const std::vector<FittedCamera>& cameras,
+                                          std::vector<PoseChange> change, std::span<const int> levels) const {
+    for (const int level : levels) {
+        const Matching m = match(poses_of(cameras, change), level);
+        if (!fit_poses(cameras, stars_that(false, m.stars), anchor, sigma_, change).usable) break;
+    }
+    return change;
+}
+
+PoseRounds::Poses PoseRounds::without_common_motion(const Poses& now, double& taken_back) const {
+    const Matching after = match(now, fine);
+    const Similarity back = inverse(common_motion(intrinsics_, given_, now, after.stars));
+    Poses without;
+    for (const Pose& p : now) without.push_back(moved_with(p, back));
+    taken_back = median_motion(intrinsics_, now, without, after.stars);
+    const std::size_t n = in_.photos.size();
+    if (judged(match(without, fine), n).back() <= worth_common * judged(after, n).back()) return without;
+    taken_back = -taken_back;
+    return now;
+}
+
+std::vector<PhotoRegistration> PoseRounds::registered(std::string& evidence) const {
+    const std::size_t n = in_.photos.size();
+    constexpr std::array from_coarse{coarse, fine, fine};
+    constexpr std::array once_more{fine};
+    std::vector<FittedCamera> cameras = cameras_;
+    std::vector<PoseChange> change = solve(cameras, std::vector<PoseChange>(n, PoseChange{}), from_coarse);
+    double common = 0;
+    Poses now = without_common_motion(poses_of(cameras, change), common);
+    evidence += fmt::format("; what all cameras moved together, {:.2f} px, was {}", std::abs(common),
+                            common < 0 ? "kept: without it photos agree much less" : "taken back");
+    const std::vector<double> before = judged(before_, n);
+    for (int attempt = 1;; ++attempt) {
+        const Matching m = match(now, fine);
+        const std::vector<double> after = judged(m, n);
+        std::vector<PhotoRegistration> out(n);
+        bool worse = false;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (cameras[i].fixed) continue;
+            const double by = median_motion(intrinsics_, given_, now, m.stars, std::uint32_t(i));
+            if (by > 0 && before[i] > 0 && after[i] > 0 && after[i] < before[i]) {
+                out[i] = {now[i], by, before[i], after[i]};
+            } else {
+                worse |= by > 0;
+                cameras[i].fixed = true;
+                change[i] = {};
+            }
+        }
+        if (!worse) return out;
+        if (attempt == attempts) return std::vector<PhotoRegistration>(n);
+        change = solve(cameras, change, once_more);
+        now = poses_of(cameras, change);
+    }
+}
+
+}  // namespace vantage

@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pipeline/refine/pose_fit.h"
+#include "pipeline/refine/registration.h"
+
+namespace vantage {
+
+/// Solves for cameras: matching, fitting, and matching again with what was found.
+class PoseRounds {
+  public:
+    explicit PoseRounds(const RegistrationInput& input);
+    /// A photo's new pose, where it makes others agree better with it; adds to `evidence` what all cameras
+    /// did together.
+    std::vector<PhotoRegistration> registered(std::string& evidence) const;
+
+  private:
+    using Poses = std::vector<Pose>;
+    Matching match(const Poses& poses, int level) const;
+    std::vector<PoseChange> solve(const std::vector<FittedCamera>& cameras, std::vector<PoseChange> change,
+                                  std::span<const int> levels) const;
+    Poses without_common_motion(const Poses& now, double& taken_back) const;
+
+    const RegistrationInput& in_;
+    std::vector<PhotoPair> pairs_;
+    std::vector<Intrinsics> intrinsics_;
+    std::vector<FittedCamera> cameras_;
+    Poses given_;
+    Matching before_;
+    double sigma_;  ///< px, how far cameras may well be off
+};
+
+}  // namespace vantage

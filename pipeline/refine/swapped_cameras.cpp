@@ -1,0 +1,80 @@
+#include "pipeline/refine/swapped_cameras.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace vantage {
+namespace {
+
+using package::PairRecord;
+
+constexpr int level = 2, corners = 300;
+constexpr std::size_t most_tried = 12;  ///< photos that may have each other's cameras
+
+/// Photos all of whose pairs contradict, although others agree.
+std::vector<std::uint32_t> lost_photos(const RegistrationInput& in, std::span<const PairRecord> pairs) {
+    std::vector<std::uint32_t> lost;
+    if (std::ranges::none_of(pairs, trusted)) return lost;
+    for (std::uint32_t i = 0; i < in.photos.size(); ++i) {
+        std::size_t against = 0, with = 0;
+        for (const PairRecord& p : pairs)
+            if (p.a == i || p.b == i) ++(contradicts(p) ? against : with);
+        if (against > 0 && with == 0) lost.push_back(i);
+    }
+    return lost;
+}
+
+/// The share of corners of a photo's neighbour that are found again in `pixels`, taken for what the camera of
+/// `camera` saw; nothing where it has no sound neighbour.
+std::optional<double> fit(const RegistrationInput& in, std::span<const PhotoPair> pairs,
+                          std::span<const std::uint32_t> lost, std::uint32_t pixels, std::uint32_t camera) {
+    const auto is_lost = [&](std::uint32_t i) { return std::ranges::count(lost, i) > 0; };
+    const auto near = std::ranges::find_if(pairs, [&](const PhotoPair& p) {
+        return (p.a == camera && !is_lost(p.b)) || (p.b == camera && !is_lost(p.a));
+    });
+    if (near == pairs.end()) return {};
+    const std::uint32_t neighbour = near->a == camera ? near->b : near->a;
+    const MatchView from = read_match_view(in.package, in.photos[neighbour], neighbour, level);
+    MatchView other = read_match_view(in.package, in.photos[camera], camera, level);
+    other.grey = read_match_view(in.package, in.photos[pixels], pixels, level).grey;
+    SurfaceChart chart(from, from.pose, neighbour, corners);
+    const std::size_t compared = chart.match(other, other.pose, camera);
+    std::size_t found = 0;
+    for (const Star& s : chart.stars()) found += s.matches.size();
+    return compared < 20 ? 0 : double(found) / double(compared);
+}
+
+}  // namespace
+
+std::vector<std::string> misplaced_photos(const RegistrationInput& in, std::span<const PairRecord> pairs) {
+    std::vector<std::uint32_t> lost = lost_photos(in, pairs);
+    std::vector<std::string> out;
+    // More neighbours than were measured, for those whose nearest are lost, too.
+    const std::vector<PhotoPair> near =
+        lost.empty() ? std::vector<PhotoPair>{} : photo_pairs(in.photos, in.samples, in.discs, 8);
+    std::vector<bool> named(in.photos.size());
+    for (std::size_t i = 0; i < std::min(lost.size(), most_tried); ++i)
+        for (std::size_t j = i + 1; j < std::min(lost.size(), most_tried) && !named[lost[i]]; ++j) {
+            const std::uint32_t a = lost[i], b = lost[j];
+            if (named[b] || in.photos[a].width != in.photos[b].width ||
+                in.photos[a].height != in.photos[b].height)
+                continue;
+            const auto there = fit(in, near, lost, a, b), back = fit(in, near, lost, b, a);
+            if (!there || !back || std::min(*there, *back) < 0.5) continue;
+            named[a] = named[b] = true;
+            out.push_back(fmt::format(
+                "the cameras of {} and {} are swapped, it seems: each photo fits the other's ({:.0f} "
+                "and {:.0f} % of the corners are found again)",
+                in.photos[a].name, in.photos[b].name, 100 * *there, 100 * *back));
+        }
+    for (const std::uint32_t i : lost)
+        if (!named[i])
+            out.push_back(
+                fmt::format("{} does not show what the others show through the model: is its camera right?",
+                            in.photos[i].name));
+    return out;
+}
+
+}  // namespace vantage
