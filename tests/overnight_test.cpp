@@ -9,6 +9,7 @@
 #include <random>
 
 #include "pipeline/check.h"
+#include "pipeline/finish_package.h"
 #include "pipeline/import/discover.h"
 #include "pipeline/import/read_scene.h"
 #include "pipeline/merge.h"
@@ -174,6 +175,34 @@ TEST_F(Overnight, RefinedAfterwardsIsAsIfPreparedSo) {
     EXPECT_EQ(diff.code, 0) << diff.out;
     EXPECT_EQ(run("refine " + (dir / "off.vantage").string()).code, 0);
     EXPECT_TRUE(slurp(dir / "off.vantage") == agreeing) << "in place, by the evidence again";
+}
+
+TEST_F(Overnight, RegisteredAfterwardsOrByMergingIsAsIfPreparedSo) {
+    fs::remove_all(scene);
+    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
+    spec.photos.count = 5;
+    spec.photos.samples = 1;
+    spec.error.pixels = 4;
+    synthesise(spec, scene, {});
+    const PrepareResult one = prepare_here();
+    ASSERT_TRUE(one.agreement->registration.decision.on);
+    const std::string registered = slurp(file);
+    const std::string a = (dir / "a.share").string(), b = (dir / "b.share").string(),
+                      merged = (dir / "merged.vantage").string();
+    ASSERT_EQ(run("prepare --progress none " + scene.string() + " --shard 1/2 -o " + a).code +
+                  run("prepare --progress none " + scene.string() + " --shard 2/2 -o " + b).code,
+              0);
+    ASSERT_EQ(run("merge " + a + " " + b + " -o " + merged).code, 0);
+    EXPECT_TRUE(slurp(merged) == registered);
+
+    PrepareSettings off;
+    off.effects = {{Effect::registration, EffectChoice::off}};
+    EXPECT_EQ(run("refine " + merged + " --registration off").code, 0);
+    undisturbed(off);
+    const Outcome diff = run("diff " + merged + " " + (dir / "undisturbed.vantage").string());
+    EXPECT_EQ(diff.code, 0) << diff.out;
+    EXPECT_EQ(run("refine " + merged).code, 0);
+    EXPECT_TRUE(slurp(merged) == registered) << "in place, by the evidence again";
 }
 
 TEST_F(Overnight, MemoryStaysBelowWhatWasSaidAndAllowed) {

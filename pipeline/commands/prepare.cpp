@@ -14,6 +14,7 @@
 #include "pipeline/commands/stop_signals.h"
 #include "pipeline/config_file.h"
 #include "pipeline/explain.h"
+#include "pipeline/finish_package.h"
 #include "pipeline/import/discover.h"
 #include "pipeline/import/read_scene.h"
 #include "pipeline/needs.h"
@@ -29,7 +30,7 @@ namespace {
 struct Options {
     std::string input, mesh, cameras, photos, out, distance = "auto", resampling = "cubic",
                                                    render_by = "auto", config;
-    std::string progress = "auto", share, trace, report, refine = "auto";
+    std::string progress = "auto", share, trace, report, refine = "full";
     std::vector<std::string> effects;
     PrepareSettings settings;
     bool explain = false, strict = false, rehash = false, no_report = false;
@@ -144,8 +145,9 @@ int run_prepare(Options o) {
     o.settings.distance = distance_method(o.distance);
     o.settings.resampling = resampling(o.resampling);
     o.settings.render_by = render_by(o.render_by);
+    if (o.refine != "full") o.settings.effects[Effect::registration] = EffectChoice::off;
     if (o.refine == "off")
-        for (const char* e : {"exposure=off", "falloff=off"}) force_effect(e, o.settings.effects);
+        for (const Effect e : {Effect::exposure, Effect::falloff}) o.settings.effects[e] = EffectChoice::off;
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const InputFiles files = input_files(o);
@@ -164,6 +166,8 @@ int run_prepare(Options o) {
     if (report)
         write_report(report_file(o), PackageReader(o.out),
                      ReportRun{done, trace.spans(), s, double(memory_peak()) / 1e6});
+    if (done.agreement)
+        for (const std::string& w : done.agreement->registration.warnings) fmt::print("warning  {}\n", w);
     print_done(done, o.explain);
     fmt::print("package  {} ({:.1f} MB, {:.1f} s)\n", o.out, double(std::filesystem::file_size(o.out)) / 1e6,
                s);
@@ -213,8 +217,9 @@ void add_prepare(CLI::App& app, Run& run) {
                   "of photos whose lens bends lines: nearest, linear, cubic, lanczos")
         ->capture_default_str();
     c->add_option("--refine", o->refine,
-                  "auto: make the photos' exposures agree where they do not; off: leave them as they are")
-        ->check(CLI::IsMember({"auto", "off"}))
+                  "full: make photos agree where they do not, their cameras and their colours; colour: their "
+                  "colours only; off: leave them as they are")
+        ->check(CLI::IsMember({"off", "colour", "full"}))
         ->capture_default_str();
     c->add_option("--render-by", o->render_by,
                   "what renders the model from the photos' cameras: auto (a graphics card where there is "

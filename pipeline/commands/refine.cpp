@@ -4,6 +4,7 @@
 #include <string>
 
 #include "pipeline/commands/commands.h"
+#include "pipeline/provenance.h"
 #include "pipeline/refine_package.h"
 #include "scene/package_reader.h"
 
@@ -11,7 +12,7 @@ namespace vantage {
 namespace {
 
 struct Options {
-    std::string file, out, exposure = "auto", falloff = "auto";
+    std::string file, out, registration = "auto", exposure = "auto", falloff = "auto";
 };
 
 EffectChoice choice(const std::string& text) {
@@ -20,12 +21,18 @@ EffectChoice choice(const std::string& text) {
 
 int run_refine(const Options& o) {
     const std::string out = o.out.empty() ? o.file : o.out;
-    refine_package(o.file, {{Effect::exposure, choice(o.exposure)}, {Effect::falloff, choice(o.falloff)}},
+    refine_package(o.file,
+                   {{Effect::registration, choice(o.registration)},
+                    {Effect::exposure, choice(o.exposure)},
+                    {Effect::falloff, choice(o.falloff)}},
                    out);
     const PackageReader package(out);
-    for (const Effect e : {Effect::exposure, Effect::falloff})
-        fmt::print("{:<8} {}\n", effect_row(e).name, effect_on(package.scene(), e) ? "on" : "off");
-    fmt::print("package  {}\n", out);
+    const std::string meta(package.meta());
+    for (const Effect e : {Effect::registration, Effect::exposure, Effect::falloff})
+        fmt::print("{:<13} {:<4} {}\n", effect_row(e).name, effect_on(package.scene(), e) ? "on" : "off",
+                   decision_of(meta, e).evidence);
+    for (const std::string& w : findings_of(meta)) fmt::print("warning       {}\n", w);
+    fmt::print("package       {}\n", out);
     return 0;
 }
 
@@ -35,13 +42,17 @@ void add_refine(CLI::App& app, Run& run) {
     auto o = std::make_shared<Options>();
     CLI::App* c = app.add_subcommand("refine", "Settle anew how the photos of a package agree");
     c->footer(
-        "Nothing is prepared again: tiles and masks are copied, and photos compared by the samples in the "
-        "package.\n"
+        "Tiles are copied, and photos compared by what the package holds of them; only what comes from "
+        "cameras "
+        "that move is made anew.\n"
         "Examples:\n  vantage refine chapel.vantage --exposure off -o as-taken.vantage\n"
+        "  vantage refine chapel.vantage --registration on\n"
         "  vantage refine chapel.vantage");
     c->add_option("FILE", o->file, "the package")->required();
     c->add_option("-o,--output", o->out, "the package to write (default FILE itself)");
-    for (auto [name, value] : {std::pair{"--exposure", &o->exposure}, {"--falloff", &o->falloff}})
+    for (auto [name, value] : {std::pair{"--registration", &o->registration},
+                               {"--exposure", &o->exposure},
+                               {"--falloff", &o->falloff}})
         c->add_option(name, *value, "auto (by the evidence), on or off")
             ->check(CLI::IsMember({"auto", "on", "off"}))
             ->capture_default_str();

@@ -16,7 +16,8 @@ struct MatchView {
     cv::Mat depth;  ///< f32, linear z; +inf where the photo does not see the model
 };
 
-/// From the photo's tiles and depth. `level` is lowered to what the photo has. Throws Error(damaged).
+/// From the photo's tiles and depth. `level` is lowered to what the photo has, and for small
+/// photos so that 400 pixels are left. Throws Error(damaged).
 MatchView read_match_view(const PackageReader& package, const package::PhotoRecord& record,
                           std::uint32_t photo, int level);
 

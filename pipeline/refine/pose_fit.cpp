@@ -91,8 +91,8 @@ PoseFit fit_poses(std::span<const FittedCamera> cameras, std::span<const Star> s
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::SPARSE_SCHUR;
     options.linear_solver_ordering = order;
-    options.max_num_iterations = 30;
-    options.function_tolerance = 1e-5;
+    options.max_num_iterations = 100;
+    options.function_tolerance = 1e-9;
     options.logging_type = ceres::SILENT;
     options.num_threads = 1;  // sums in one order, so that the same input gives the same bytes
     ceres::Solver::Summary summary;

@@ -16,8 +16,8 @@ constexpr int corners = 500;
 constexpr int coarse = 2, fine = 1;
 /// Against the anchor stand thousands of corners, whose errors (the mesh's) are not independent, though.
 constexpr double anchor = 20;
-/// The common motion stays where without it corners lie half as far off again.
-constexpr double worth_common = 1.5;
+/// The common motion stays where photos notice: where without it corners lie farther off by this share of it.
+constexpr double noticed = 0.15;
 constexpr int attempts = 3;
 
 /// Every fifth star is not solved for, so that it may judge.
@@ -79,7 +79,8 @@ PoseRounds::Poses PoseRounds::without_common_motion(const Poses& now, double& ta
     for (const Pose& p : now) without.push_back(moved_with(p, back));
     taken_back = median_motion(intrinsics_, now, without, after.stars);
     const std::size_t n = in_.photos.size();
-    if (judged(match(without, fine), n).back() <= worth_common * judged(after, n).back()) return without;
+    const double worse = judged(match(without, fine), n).back() - judged(after, n).back();
+    if (worse < noticed * taken_back) return without;
     taken_back = -taken_back;
     return now;
 }
@@ -93,7 +94,7 @@ std::vector<PhotoRegistration> PoseRounds::registered(std::string& evidence) con
     double common = 0;
     Poses now = without_common_motion(poses_of(cameras, change), common);
     evidence += fmt::format("; what all cameras moved together, {:.2f} px, was {}", std::abs(common),
-                            common < 0 ? "kept: without it photos agree much less" : "taken back");
+                            common < 0 ? "kept, because photos notice it" : "taken back");
     const std::vector<double> before = judged(before_, n);
     for (int attempt = 1;; ++attempt) {
         const Matching m = match(now, fine);

@@ -43,7 +43,7 @@ struct Registration {
 /// as a whole, or one photo lies twice as far off as the others.
 ///
 /// Then cameras are solved for, coarse to fine. What all of them did together is taken back, unless photos
-/// then agree much less: a whole frame can slide along the model with no pair noticing. A photo keeps its new
+/// notice: a whole frame can slide along the model with no pair disagreeing. A photo keeps its new
 /// camera only where corners that were not solved for lie nearer each other than before. Throws
 /// Error(damaged).
 Registration register_photos(const RegistrationInput& input, EffectChoice choice);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 namespace vantage {
 namespace {
@@ -11,6 +10,8 @@ namespace {
 using package::PairRecord;
 
 constexpr int level = 2, corners = 300;
+constexpr double least_fit = 0.4;
+constexpr int neighbours_tried = 4;
 constexpr std::size_t most_tried = 12;  ///< photos that may have each other's cameras
 
 /// Photos all of whose pairs contradict, although others agree.
@@ -26,16 +27,10 @@ std::vector<std::uint32_t> lost_photos(const RegistrationInput& in, std::span<co
     return lost;
 }
 
-/// The share of corners of a photo's neighbour that are found again in `pixels`, taken for what the camera of
-/// `camera` saw; nothing where it has no sound neighbour.
-std::optional<double> fit(const RegistrationInput& in, std::span<const PhotoPair> pairs,
-                          std::span<const std::uint32_t> lost, std::uint32_t pixels, std::uint32_t camera) {
-    const auto is_lost = [&](std::uint32_t i) { return std::ranges::count(lost, i) > 0; };
-    const auto near = std::ranges::find_if(pairs, [&](const PhotoPair& p) {
-        return (p.a == camera && !is_lost(p.b)) || (p.b == camera && !is_lost(p.a));
-    });
-    if (near == pairs.end()) return {};
-    const std::uint32_t neighbour = near->a == camera ? near->b : near->a;
+/// The share of a photo's corners that are found again in `pixels`, taken for what the camera of `camera`
+/// saw.
+double fit_with(const RegistrationInput& in, std::uint32_t neighbour, std::uint32_t pixels,
+                std::uint32_t camera) {
     const MatchView from = read_match_view(in.package, in.photos[neighbour], neighbour, level);
     MatchView other = read_match_view(in.package, in.photos[camera], camera, level);
     other.grey = read_match_view(in.package, in.photos[pixels], pixels, level).grey;
@@ -44,6 +39,21 @@ std::optional<double> fit(const RegistrationInput& in, std::span<const PhotoPair
     std::size_t found = 0;
     for (const Star& s : chart.stars()) found += s.matches.size();
     return compared < 20 ? 0 : double(found) / double(compared);
+}
+
+/// The best of a few neighbours that are not lost themselves; 0 without any.
+double fit(const RegistrationInput& in, std::span<const PhotoPair> pairs, std::span<const std::uint32_t> lost,
+           std::uint32_t pixels, std::uint32_t camera) {
+    double best = 0;
+    int tried = 0;
+    for (const PhotoPair& p : pairs) {
+        if ((p.a != camera && p.b != camera) || tried == neighbours_tried) continue;
+        const std::uint32_t neighbour = p.a == camera ? p.b : p.a;
+        if (std::ranges::count(lost, neighbour)) continue;
+        best = std::max(best, fit_with(in, neighbour, pixels, camera));
+        ++tried;
+    }
+    return best;
 }
 
 }  // namespace
@@ -61,13 +71,13 @@ std::vector<std::string> misplaced_photos(const RegistrationInput& in, std::span
             if (named[b] || in.photos[a].width != in.photos[b].width ||
                 in.photos[a].height != in.photos[b].height)
                 continue;
-            const auto there = fit(in, near, lost, a, b), back = fit(in, near, lost, b, a);
-            if (!there || !back || std::min(*there, *back) < 0.5) continue;
+            const double there = fit(in, near, lost, a, b), back = fit(in, near, lost, b, a);
+            if (std::min(there, back) < least_fit) continue;
             named[a] = named[b] = true;
             out.push_back(fmt::format(
                 "the cameras of {} and {} are swapped, it seems: each photo fits the other's ({:.0f} "
                 "and {:.0f} % of the corners are found again)",
-                in.photos[a].name, in.photos[b].name, 100 * *there, 100 * *back));
+                in.photos[a].name, in.photos[b].name, 100 * there, 100 * back));
         }
     for (const std::uint32_t i : lost)
         if (!named[i])

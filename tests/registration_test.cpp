@@ -1,0 +1,306 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <fstream>
+#include <random>
+
+#include "datasets.h"
+#include "pipeline/export/colmap.h"
+#include "pipeline/finish_package.h"
+#include "pipeline/images/image_files.h"
+#include "pipeline/import/discover.h"
+#include "pipeline/import/read_scene.h"
+#include "pipeline/prepare.h"
+#include "pipeline/synth/synthesise.h"
+#include "scene/package_reader.h"
+#include "scene/quantile.h"
+#include "temporary_folder.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+SceneInput scene_with_cameras(const fs::path& folder, const fs::path& cameras) {
+    InputFiles files = discover(folder);
+    files.cameras = cameras;
+    return read_scene(files);
+}
+
+/// How far what a photo shows lies from where the true camera shows it, in pixels: of each photo, the median
+/// over the model's vertices that it sees.
+std::vector<double> errors(const PackageReader& package, const SceneInput& truth) {
+    const auto vertices = package.records<Eigen::Vector3f>(package::Type::positions);
+    const Eigen::Vector3d origin(package.scene().origin);
+    std::vector<double> out;
+    for (const PhotoInput& photo : truth.photos) {
+        const std::uint32_t i = *package.photo_index(photo.name);
+        const Intrinsics k = intrinsics(package.photos()[i]);
+        const Pose now = cam_from_origin(package.photos()[i]),
+                   right = photo.camera.cam_from_world.relative_to(origin);
+        const auto seen = package.records<std::array<float, 2>>(package::Type::coordinates, i);
+        std::vector<double> off;
+        for (std::size_t v = 0; v < vertices.size(); ++v) {
+            if (seen[v][0] < 0) continue;
+            const Eigen::Vector3d x = vertices[v].cast<double>();
+            const auto a = project(k, now, x), b = project(k, right, x);
+            if (a && b) off.push_back((a->pixel - b->pixel).norm());
+        }
+        out.push_back(quantile(std::move(off), 0.5));
+    }
+    return out;
+}
+
+/// Turns and moves each camera at random, by so many pixels each at a distance.
+void disturb(SceneInput& scene, double pixels, double distance) {
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    const auto direction = [&] {
+        return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+    };
+    for (PhotoInput& p : scene.photos) {
+        const double angle = pixels / p.camera.intrinsics.fx / std::sqrt(2);
+        Pose& pose = p.camera.cam_from_world;
+        const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, direction()).toRotationMatrix();
+        pose = {turn * pose.R, turn * pose.t + direction() * angle * distance};
+    }
+}
+
+double median(const std::vector<double>& v) { return quantile(v, 0.5); }
+double worst(const std::vector<double>& v) { return quantile(v, 1); }
+
+/// A synthetic scene, prepared with or without its cameras disturbed.
+class RegistrationOfTruth : public TemporaryFolder {
+  protected:
+    const fs::path scene = dir / "scene", file = dir / "scene.vantage";
+
+    static SynthSpec spec() {
+        SynthSpec s = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
+        s.photos.count = 8;
+        return s;
+    }
+    SceneInput truth() const { return scene_with_cameras(scene, scene / "truth" / "sparse"); }
+    PrepareResult prepare_as(const SceneInput& input, EffectChoice choice = EffectChoice::automatic) const {
+        PrepareSettings settings;
+        if (choice != EffectChoice::automatic) settings.effects[Effect::registration] = choice;
+        fs::remove(file);
+        return prepare(input, settings, file, [](const Progress&) {});
+    }
+    PrepareResult prepare_folder(EffectChoice choice = EffectChoice::automatic) const {
+        return prepare_as(scene_with_cameras(scene, scene / "sparse"), choice);
+    }
+    static const Registration& registration(const PrepareResult& r) { return r.agreement->registration; }
+    void expect_unchanged(const SceneInput& given) const {
+        const PackageReader package(file);
+        EXPECT_EQ(worst(errors(package, given)), 0);
+        for (const auto& p : package.photos()) EXPECT_EQ(p.flags & package::photo_registered, 0u);
+    }
+};
+
+TEST_F(RegistrationOfTruth, DisturbedCamerasComeBack) {
+    synthesise(read_spec(VANTAGE_SOURCE_DIR "/data/demo.toml"), scene, {});
+    for (const double pixels : {0.5, 2.0, 5.0}) {
+        SceneInput given = truth();
+        disturb(given, pixels, 12);
+        // Half a pixel does not call for it.
+        const auto done = prepare_as(given, pixels > 1 ? EffectChoice::automatic : EffectChoice::on);
+        EXPECT_TRUE(registration(done).decision.on) << registration(done).decision.evidence;
+        const auto off = errors(PackageReader(file), truth());
+        EXPECT_LT(median(off), 0.2) << pixels << " px; " << registration(done).decision.evidence;
+        EXPECT_LT(worst(off), 1) << pixels;
+        EXPECT_GT(median(errors(PackageReader(file), given)), 0.4 * pixels);
+    }
+}
+
+TEST_F(RegistrationOfTruth, UndisturbedCamerasStay) {
+    synthesise(spec(), scene, {});
+    EXPECT_FALSE(registration(prepare_folder()).decision.on);
+    expect_unchanged(truth());
+    prepare_folder(EffectChoice::on);
+    EXPECT_LT(worst(errors(PackageReader(file), truth())), 0.1) << "forced on";
+}
+
+TEST_F(RegistrationOfTruth, WhatIsFoundOfAPairIsWhatItsCamerasAreOff) {
+    synthesise(spec(), scene, {});
+    SceneInput input = truth();
+    // One photo turned about its vertical axis, so that all it shows is 3 px to the side of where it should
+    // be.
+    Camera& camera = input.photos[4].camera;
+    camera.cam_from_world.R =
+        Eigen::AngleAxisd(3 / camera.intrinsics.fx, Eigen::Vector3d::UnitY()).toRotationMatrix() *
+        camera.cam_from_world.R;
+    camera.cam_from_world.t =
+        Eigen::AngleAxisd(3 / camera.intrinsics.fx, Eigen::Vector3d::UnitY()).toRotationMatrix() *
+        camera.cam_from_world.t;
+    const auto done = prepare_as(input, EffectChoice::on);
+    EXPECT_GT(registration(done).decision.measured, 1);
+    int with_it = 0;
+    for (const package::PairRecord& p : registration(done).pairs) {
+        const bool with = p.a == 4 || p.b == 4;
+        with_it += with;
+        // A turn moves the edges of the picture somewhat more than its middle.
+        EXPECT_NEAR(std::hypot(p.shift[0], p.shift[1]), with ? 3.2 : 0, with ? 0.5 : 0.2)
+            << p.a << ' ' << p.b;
+        EXPECT_NEAR(std::abs(p.shift[1]), 0, 0.4);
+    }
+    EXPECT_GE(with_it, 2);
+    EXPECT_LT(worst(errors(PackageReader(file), truth())), 0.5) << "one alone is seen and mended";
+}
+
+TEST_F(RegistrationOfTruth, SwappedCamerasAreFoundAndNamedAndStay) {
+    synthesise(spec(), scene, {});
+    SceneInput input = truth();
+    std::swap(input.photos[2].camera, input.photos[5].camera);
+    const auto done = prepare_as(input);
+    ASSERT_EQ(registration(done).warnings.size(), 1u) << registration(done).warnings.back();
+    EXPECT_NE(registration(done).warnings[0].find("cameras of 0002.jpg and 0005.jpg are swapped"),
+              std::string::npos)
+        << registration(done).warnings[0];
+    expect_unchanged(input);
+}
+
+TEST_F(RegistrationOfTruth, ACameraThatIsWrongIsNamed) {
+    synthesise(spec(), scene, {});
+    SceneInput input = truth();
+    Pose& pose = input.photos[3].camera.cam_from_world;
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.12, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    pose = {turn * pose.R, turn * pose.t};
+    const auto done = prepare_as(input);
+    ASSERT_EQ(registration(done).warnings.size(), 1u);
+    EXPECT_TRUE(registration(done).warnings[0].starts_with("0003.jpg does not show"))
+        << registration(done).warnings[0];
+}
+
+/// Each ends in one line that says why, and cameras as they were given.
+TEST_F(RegistrationOfTruth, DegenerateInputsAreSaidAndLeftAlone) {
+    SynthSpec s = spec();
+    s.photos.count = 4;
+    synthesise(s, scene, {});
+    const auto expect = [&](const SceneInput& input, const std::string& said) {
+        const auto done = prepare_as(input, EffectChoice::on);
+        EXPECT_FALSE(registration(done).decision.on) << said;
+        EXPECT_NE(registration(done).decision.evidence.find(said), std::string::npos)
+            << registration(done).decision.evidence;
+        expect_unchanged(input);
+    };
+    const SceneInput whole = truth();
+    SceneInput one = whole;
+    one.photos.resize(1);
+    expect(one, "one photo alone");
+
+    SceneInput apart = whole;  // the second looks the other way
+    apart.photos.resize(2);
+    const Eigen::Matrix3d about = Eigen::AngleAxisd(3.14159, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    Pose& turned = apart.photos[1].camera.cam_from_world;
+    turned = {about * turned.R, about * turned.t};
+    expect(apart, "no two photos show enough of the same surface");
+
+    SceneInput other = whole;  // another building, of the same size
+    s.seed = 77;
+    s.building.bays = 2;
+    s.building.floors = 1;
+    s.object.distance = 1.7;
+    synthesise(s, dir / "other", {});
+    other.mesh = read_scene(discover(dir / "other")).mesh;
+    for (auto& p : other.mesh.positions) p = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()) * p;
+    expect(other, "wrong mesh, or wrong cameras?");
+
+    SceneInput white = whole;
+    fs::create_directories(dir / "white");
+    const std::vector<std::uint8_t> pixels(std::size_t(1000 * 750 * 3), 255);
+    for (PhotoInput& p : white.photos) {
+        p.file = dir / "white" / p.name;
+        image_files().write(p.file, 1000, 750, 3, Sample::u8, std::as_bytes(std::span(pixels)));
+    }
+    expect(white, "neither black nor white");
+}
+
+TEST_F(RegistrationOfTruth, IdenticalPhotosStay) {
+    SynthSpec s = spec();
+    s.photos.count = 2;
+    synthesise(s, scene, {});
+    SceneInput input = truth();
+    fs::copy_file(input.photos[0].file, input.photos[1].file, fs::copy_options::overwrite_existing);
+    input.photos[1].camera = input.photos[0].camera;
+    const auto done = prepare_as(input, EffectChoice::on);
+    ASSERT_EQ(registration(done).pairs.size(), 1u);
+    EXPECT_LT(registration(done).pairs[0].p90, 0.05f);
+    EXPECT_LT(worst(errors(PackageReader(file), input)), 0.02);
+}
+
+/// A flat surface says nothing about cameras sliding along it.
+TEST_F(RegistrationOfTruth, AFlatSurfaceHoldsNoCamera) {
+    SynthSpec s = spec();
+    s.photos.count = 3;
+    s.building.recess = 0.01;
+    s.error.pixels = 3;
+    synthesise(s, scene, {});
+    SceneInput input = scene_with_cameras(scene, scene / "sparse");
+    Mesh& mesh = input.mesh;
+    mesh = {};
+    for (const auto& [x, z] : {std::pair{-4.0, 0.5}, {4.0, 0.5}, {4.0, 6.0}, {-4.0, 6.0}})
+        mesh.positions.emplace_back(x, 0.0, z);
+    mesh.normals.assign(4, Eigen::Vector3f(0, -1, 0));
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    const auto done = prepare_as(input, EffectChoice::on);
+    EXPECT_FALSE(registration(done).decision.on);
+    EXPECT_NE(registration(done).decision.evidence.find("flat"), std::string::npos)
+        << registration(done).decision.evidence;
+    expect_unchanged(input);
+}
+
+/// Only what its changed photos touch is measured again, with the same result.
+TEST_F(RegistrationOfTruth, GoesOnFromWhatWasFound) {
+    SynthSpec s = spec();
+    s.error.pixels = 3;
+    synthesise(s, scene, {});
+    const SceneInput input = scene_with_cameras(scene, scene / "sparse");
+    prepare_as(input);
+    const std::string fresh = slurp(file);
+    PrepareSettings bare;
+    bare.effects[Effect::exposure] = EffectChoice::on;
+    const auto again = prepare(input, bare, file, [](const Progress&) {});
+    for (const auto& stage : again.stages) EXPECT_EQ(stage.made, 0u);
+    prepare(input, {}, file, [](const Progress&) {});
+    EXPECT_TRUE(slurp(file) == fresh) << "there and back";
+
+    bare.effects = {{Effect::registration, EffectChoice::off}};
+    prepare(input, bare, file, [](const Progress&) {});
+    expect_unchanged(input);
+    prepare(input, {}, file, [](const Progress&) {});
+    EXPECT_TRUE(slurp(file) == fresh) << "off and on again";
+}
+
+TEST(RegistrationOfPhotos, IsNotCalledForOnRealScenes) {
+    for (const char* name : {"sceaux", "fountain-P11"}) {
+        VANTAGE_DATASET(dataset, name);
+        const fs::path file = fs::temp_directory_path() / (std::string(name) + ".registration.vantage");
+        const auto done = prepare(read_scene(discover(dataset)), {}, file, [](const Progress&) {});
+        const Registration& r = done.agreement->registration;
+        EXPECT_FALSE(r.decision.on) << r.decision.evidence;
+        EXPECT_TRUE(r.warnings.empty()) << r.warnings.front();
+        // By dense flow: 0.42 and 0.61 px.
+        EXPECT_NEAR(median_displacement(r.pairs), 0.5, 0.15) << name;
+        fs::remove(file);
+    }
+}
+
+/// Cameras 3 px off come back, but for what no photo can tell: how the whole frame lies on the model.
+TEST(RegistrationOfPhotos, BringsDisturbedCamerasBack) {
+    VANTAGE_DATASET(dataset, "fountain-P11");
+    SceneInput input = read_scene(discover(dataset));
+    disturb(input, 3 * std::sqrt(2), 10);
+    const fs::path file = fs::temp_directory_path() / "disturbed.registration.vantage";
+    const auto done = prepare(std::move(input), {}, file, [](const Progress&) {});
+    const Registration& r = done.agreement->registration;
+    EXPECT_TRUE(r.decision.on) << r.decision.evidence;
+    for (const PhotoRegistration& p : r.photos) {
+        EXPECT_TRUE(p.pose);
+        EXPECT_LT(p.after, 1.3);
+        EXPECT_LT(p.after, 0.5 * p.before);
+    }
+    fs::remove(file);
+}
+
+}  // namespace
