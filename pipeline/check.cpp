@@ -111,7 +111,7 @@ void check_mask_meaning(const PackageReader& reader, std::uint32_t i, std::uint3
         for (std::size_t t = 0; t < tile_bytes; t += 4) {
             float z;
             std::memcpy(&z, d.data() + t, 4);
-            if (!(z > 0) || (std::isfinite(z) != (std::to_integer<int>(m[t + 3]) == 255))) {
+            if (!(z > 0) || (std::isfinite(z) != (std::to_integer<int>(m[t + 3]) > 0))) {
                 damaged(out, describe(*masks, reader) + fmt::format(": tile {} disagrees with the depth", b));
                 return;
             }

@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 
+#include "pipeline/consensus_masks.h"
 #include "pipeline/for_each_photo.h"
 #include "pipeline/provenance.h"
 #include "pipeline/registered.h"
@@ -13,13 +14,6 @@ namespace vantage {
 namespace {
 
 using package::Type;
-
-/// Every `step`-th.
-std::vector<SurfaceDisc> thinned(std::span<const SurfaceDisc> discs, std::size_t step) {
-    std::vector<SurfaceDisc> out;
-    for (std::size_t d = 0; d < discs.size(); d += step) out.push_back(discs[d]);
-    return out;
-}
 
 Registration find_registration(const FinishInput& in, const PackageReader& part, const PhotoTables& photos,
                                const PhotoSamples& samples, std::span<const std::uint64_t> fingerprints,
@@ -43,11 +37,11 @@ Registration find_registration(const FinishInput& in, const PackageReader& part,
 }
 
 /// Settles the photos' cameras, and makes anew what comes from those that move.
-Registration settle_cameras(const FinishInput& in, const PhotoSamples& samples, PhotoTables& photos) {
+Registration settle_cameras(const FinishInput& in, const PackageReader& part, const PhotoSamples& samples,
+                            PhotoTables& photos) {
     const auto fingerprints =
         registration_fingerprints(photos.states, in.given, in.geometry.renderer.by_opengl());
     const EffectChoice choice = choice_of(forced_effects(in.meta), Effect::registration);
-    const PackageReader part(part_of(in.out), PackageReader::Expect::part);
     const Registration found =
         in.known ? *in.known : find_registration(in, part, photos, samples, fingerprints, choice);
     for_each_photo(photos.records.size(), in.threads, [&](std::size_t i) {
@@ -63,7 +57,7 @@ Registration settle_cameras(const FinishInput& in, const PhotoSamples& samples, 
 void write_last(const FinishInput& in, const Agreement& agreement, PhotoTables& photos) {
     PackageWriter& writer = in.geometry.writer;
     const std::array decisions{agreement.registration.decision, agreement.colors.exposure,
-                               agreement.colors.falloff};
+                               agreement.colors.falloff, agreement.consensus.decision};
     package::SceneRecord scene = in.scene;
     for (const EffectDecision& d : decisions) scene.effects |= std::uint64_t(d.on) << int(d.effect);
     const std::string described = with_findings(in.meta, decisions, agreement.registration.warnings);
@@ -77,14 +71,37 @@ void write_last(const FinishInput& in, const Agreement& agreement, PhotoTables& 
 
 }  // namespace
 
+std::vector<SurfaceDisc> thinned(std::span<const SurfaceDisc> discs, std::size_t step) {
+    std::vector<SurfaceDisc> out;
+    for (std::size_t d = 0; d < discs.size(); d += step) out.push_back(discs[d]);
+    return out;
+}
+
+namespace {
+
+/// Records with gains and falloff as they were found, whether or not they are on.
+std::vector<package::PhotoRecord> as_if_agreeing(ColorRefinement colors,
+                                                 std::vector<package::PhotoRecord> photos) {
+    colors.exposure.on = colors.falloff.on = true;
+    apply_colors(colors, photos);
+    return photos;
+}
+
+}  // namespace
+
 Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     const auto read = [&](std::uint32_t photo) { return in.geometry.writer.read(Type::samples, photo); };
+    const PackageReader part(part_of(in.out), PackageReader::Expect::part);
     PhotoSamples samples = read_samples(photos.records, read);
-    Agreement out{settle_cameras(in, samples, photos), {}};
+    Agreement out;
+    out.registration = settle_cameras(in, part, samples, photos);
     if (out.registration.decision.on && !in.known) samples = read_samples(photos.records, read);
-    const Traced traced(in.geometry.trace, "colours");
-    out.colors = refine_colors(photos.records, samples.spans(), forced_effects(in.meta));
-    apply_colors(out.colors, photos.records);
+    {
+        const Traced traced(in.geometry.trace, "colours");
+        out.colors = refine_colors(photos.records, samples.spans(), forced_effects(in.meta));
+        apply_colors(out.colors, photos.records);
+    }
+    out.consensus = settle_consensus(in, part, samples, as_if_agreeing(out.colors, photos.records), photos);
     write_last(in, out, photos);
     return out;
 }

@@ -23,11 +23,21 @@ struct FinishInput {
     unsigned threads;
 };
 
+/// What single photos show that others agree is not there.
+struct Consensus {
+    EffectDecision decision;
+    std::vector<double> disagreeing;  ///< share of the surface in each photo
+};
+
 /// What only all photos together tell.
 struct Agreement {
     Registration registration;
     ColorRefinement colors;
+    Consensus consensus;
 };
+
+/// Every `step`-th.
+std::vector<SurfaceDisc> thinned(std::span<const SurfaceDisc> discs, std::size_t step);
 
 /// Settles what only all photos together tell, their cameras and colours, and finishes the package: META,
 /// SCEN, PHOT, STAT, REGI and PAIR, and anew what comes from cameras that were moved. Throws Error(storage).

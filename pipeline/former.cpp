@@ -81,6 +81,7 @@ bool Former::hand_over(Stage stage, std::uint32_t from, std::uint32_t to, int le
         reader_.forget(reader_.raw(*e));
     }
     made.content = had.content;
+    if (stage == Stage::masks) wanted.consensus = states_[from].consensus;
     return true;
 }
 

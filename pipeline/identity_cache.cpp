@@ -100,4 +100,8 @@ std::pair<std::vector<std::byte>, FileIdentity> IdentityCache::read(const fs::pa
     return {std::move(bytes), id};
 }
 
+FileIdentity stencil_identity(const PhotoInput& photo, IdentityCache& identities) {
+    return photo.stencil.empty() ? FileIdentity{} : identities.of(photo.stencil);
+}
+
 }  // namespace vantage

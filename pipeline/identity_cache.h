@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/file_identity.h"
+#include "pipeline/scene_input.h"
 
 namespace vantage {
 
@@ -42,5 +43,8 @@ class IdentityCache {
     mutable std::mutex mutex_;
     std::map<std::string, FileIdentity> known_, learned_;
 };
+
+/// Of a photo's stencil; all 0 where it has none. Throws Error(input).
+FileIdentity stencil_identity(const PhotoInput& photo, IdentityCache& identities);
 
 }  // namespace vantage

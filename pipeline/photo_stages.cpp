@@ -157,7 +157,7 @@ std::vector<Stage> run_photo(const PhotoStages& s, std::uint32_t i, bool spare_c
     const FileIdentity id = file ? file->identity() : FileIdentity{};
     r.source_bytes = id.bytes;
     r.source_checksum = id.checksum;
-    state = stage_keys(s.key, photo, s.poses[i], id);
+    state = stage_keys(s.key, photo, s.poses[i], id, stencil_identity(photo, s.identities));
     const package::PhotoRecord planned = r;
     std::vector<Stage> made;
     if (!known_unreadable(s, r.name, state)) made = make_missing(run, file, r, state);

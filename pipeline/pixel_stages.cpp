@@ -8,6 +8,7 @@
 #include "pipeline/stages/undistort.h"
 #include "pipeline/trace.h"
 #include "pipeline/write_tiles.h"
+#include "scene/error.h"
 
 namespace vantage {
 namespace {
@@ -21,8 +22,25 @@ RgbaImage decoded(const PhotoRun& run, PhotoFile& file) {
     return decode_photo(run.photo.file, file.bytes(), run.photo.decoded);
 }
 
+/// Throws Error(input) where it is of another size.
+RgbaImage read_stencil(const std::filesystem::path& file, const RgbaImage& photo) {
+    try {
+        return read_photo(file, {photo.width, photo.height});
+    } catch (const Error& e) {
+        throw Error(e.code(), "its stencil " + file.filename().string() + ": " + reason_of(e, file));
+    }
+}
+
+/// Transparent where the stencil is black (below half) or transparent itself.
+void cut_out(RgbaImage& image, const RgbaImage& stencil) {
+    for (std::size_t p = 0; p < image.rgba.size(); p += 4)
+        if (stencil.rgba[p] < 128 || stencil.rgba[p + 3] < 128) image.rgba[p + 3] = 0;
+    image.opaque = false;
+}
+
 RgbaImage decode_pixels(const PhotoRun& run, PhotoFile& file, package::PhotoRecord& r) {
     RgbaImage image = decoded(run, file);
+    if (!run.photo.stencil.empty()) cut_out(image, read_stencil(run.photo.stencil, image));
     const int longest = int(std::max(r.width, r.height));
     if (std::max(image.width, image.height) > longest)
         image = reduced(image, thumbnail_size(image.width, image.height, longest));

@@ -9,6 +9,7 @@
 
 #include "pipeline/finish_package.h"
 #include "pipeline/for_each_photo.h"
+#include "pipeline/known_registration.h"
 #include "pipeline/needs.h"
 #include "pipeline/photo_stages.h"
 #include "pipeline/prepare_plan.h"
@@ -121,45 +122,6 @@ void write_scene(PackageWriter& writer, const PreparePlan& plan, const SceneInpu
     write_model(writer, plan.model, scene.mesh);
 }
 
-std::vector<Pose> given_poses(const SceneInput& scene, const Eigen::Vector3d& origin) {
-    std::vector<Pose> out;
-    for (const PhotoInput& p : scene.photos) out.push_back(p.camera.cam_from_world.relative_to(origin));
-    return out;
-}
-
-/// What a finished package there found about all photos together, where it was made of the very same.
-std::optional<Registration> known_registration(const SceneKey& key, const SceneInput& scene,
-                                               std::span<const package::PhotoRecord> records,
-                                               std::span<const Pose> given, IdentityCache& identities,
-                                               const std::vector<std::unique_ptr<Former>>& formers) {
-    if (std::ranges::none_of(formers, [](const auto& f) { return f->finished(); })) return {};
-    std::vector<package::PhotoState> states;
-    for (std::size_t i = 0; i < scene.photos.size(); ++i) {
-        const PhotoInput& photo = scene.photos[i];
-        if (!std::filesystem::exists(photo.file)) return {};
-        states.push_back(stage_keys(key, photo, given[i], identities.of(photo.file)));
-        if (records[i].flags & package::photo_held_out)
-            states.back().stages[std::size_t(package::Stage::tiles)] = {};
-    }
-    const EffectChoice choice = choice_of(key.settings.effects, Effect::registration);
-    const std::uint64_t wanted =
-        registration_key(registration_fingerprints(states, given, key.opengl), choice);
-    for (const auto& former : formers)
-        if (former->finished())
-            if (auto found = registration_of(former->reader(), wanted)) return found;
-    return {};
-}
-
-std::vector<package::PairRecord> pairs_of_formers(const std::vector<std::unique_ptr<Former>>& formers) {
-    std::vector<package::PairRecord> out;
-    for (const auto& former : formers)
-        if (former->finished()) {
-            const auto pairs = pairs_of(former->reader());
-            out.insert(out.end(), pairs.begin(), pairs.end());
-        }
-    return out;
-}
-
 /// A share tells nothing of the photos together: they are described when it is merged.
 void finish_share(PackageWriter& writer, const PhotoTables& photos) {
     writer.write(Type::photos, package::scene_wide, bytes_of(photos.records));
@@ -167,16 +129,30 @@ void finish_share(PackageWriter& writer, const PhotoTables& photos) {
     writer.finish();
 }
 
+void expect_usable(const SceneInput& scene, bool strict) {
+    if (scene.mesh.points_only())
+        throw Error(Exit::input,
+                    scene.files.mesh.string() + ": has points only, expected a mesh with triangles");
+    if (strict && !scene.left_out.empty())
+        throw Error(Exit::input, scene.left_out.front().photo + ": " + scene.left_out.front().why);
+}
+
+SceneKey scene_key(const SceneInput& scene, const PrepareSettings& settings, const PackedModel& model,
+                   const GeometryRenderer& renderer) {
+    return {settings,
+            renderer.distance(),
+            renderer.by_opengl(),
+            bool(model.record.effects >> int(Effect::undistortion) & 1),
+            model_checksum(model, scene.mesh.normals),
+            model.record.reference_density};
+}
+
 }  // namespace
 
 PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const std::filesystem::path& out,
                       const std::function<void(const Progress&)>& progress, const PrepareRun& run) {
+    expect_usable(scene, run.strict);
     if (settings.photo_size > 0) reduce_photos(scene, settings.photo_size);
-    if (scene.mesh.points_only())
-        throw Error(Exit::input,
-                    scene.files.mesh.string() + ": has points only, expected a mesh with triangles");
-    if (run.strict && !scene.left_out.empty())
-        throw Error(Exit::input, scene.left_out.front().photo + ": " + scene.left_out.front().why);
     std::optional<IdentityCache> usual;
     IdentityCache& identities = run.identities ? *run.identities : usual.emplace();
     progress({"inspect", "", 0, scene.photos.size()});
@@ -191,12 +167,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     const auto formers = formers_of(out, writer.resumed());
     write_scene(writer, plan, scene, run.trace);
 
-    const SceneKey key{settings,
-                       renderer.distance(),
-                       renderer.by_opengl(),
-                       bool(model.record.effects >> int(Effect::undistortion) & 1),
-                       model_checksum(model, scene.mesh.normals),
-                       model.record.reference_density};
+    const SceneKey key = scene_key(scene, settings, model, renderer);
     const std::vector<Pose> given = given_poses(scene, model.origin);
     std::vector<Pose> poses = given;
     const auto known = run.share.shares

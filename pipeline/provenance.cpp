@@ -73,6 +73,16 @@ std::vector<std::string> changed_photos(const PackageReader& package, const json
         const json was{{"bytes", photos[i].source_bytes}, {"xxh3", photos[i].source_checksum}};
         out.push_back(change_of(folder / files[i].get<std::string>(), was, identities));
     }
+    const json stencils = meta.at("inputs").value("stencils", json::object());
+    for (std::size_t i = 0; i < photos.size() && i < files.size(); ++i) {
+        const fs::path stencil = find_stencil(folder / files[i].get<std::string>());
+        const json was = stencils.value(photos[i].name, json{});
+        if (was.is_object())
+            out.push_back(stencil.empty() ? was.at("name").get<std::string>() + ": is gone"
+                                          : change_of(stencil, was, identities));
+        else if (!stencil.empty())
+            out.push_back(stencil.string() + ": is new since the package was prepared");
+    }
     for (const json& l : meta.at("left_out"))
         if (const bool there = fs::exists(folder / l.at("name").get<std::string>());
             there != l.at("there").get<bool>())
@@ -126,6 +136,9 @@ std::string provenance(const SceneInput& scene, const PrepareSettings& settings,
         inputs["cameras"].push_back(input_json(file, identities));
     for (const PhotoInput& photo : scene.photos)
         inputs["photos"].push_back(photo.file.lexically_relative(scene.files.photos).generic_string());
+    inputs["stencils"] = json::object();
+    for (const PhotoInput& photo : scene.photos)
+        if (!photo.stencil.empty()) inputs["stencils"][photo.name] = input_json(photo.stencil, identities);
     for (const EffectDecision& d : effects) meta["effects"].push_back(effect_json(d));
     meta["scalars"] = json::array();
     for (const ScalarLayer& layer : scene.mesh.scalars) meta["scalars"].push_back(layer.name);

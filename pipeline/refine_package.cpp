@@ -15,7 +15,7 @@ void refine_package(const std::filesystem::path& file, const std::map<Effect, Ef
     const std::string meta(package.meta());
     std::map<Effect, EffectChoice> forced = forced_effects(meta);
     package::SceneRecord scene = package.scene();
-    for (const Effect e : {Effect::exposure, Effect::falloff, Effect::registration}) {
+    for (const Effect e : {Effect::exposure, Effect::falloff, Effect::registration, Effect::consensus}) {
         scene.effects &= ~(std::uint64_t(1) << int(e));
         forced[e] = choice_of(choices, e);
     }

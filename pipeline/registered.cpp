@@ -142,6 +142,7 @@ void move_photo(const GeometryStages& s, const PackageReader& part, std::uint32_
     PhotoGeometry geometry = s.renderer.render(view, photo.k, s.trace, photo.name).get();
     make_from_geometry(s, photo, due, *view, std::move(geometry), pixels.get_future(), r);
     state.pose = pose_checksum(pose);
+    state.consensus = 0;
     for (std::size_t n = 0; n < stage_count; ++n)
         if (due.stage[n]) state.stages[n].content = content_of(Stage(n), i, int(r.levels), s.writer);
     seal(state, r);

@@ -19,6 +19,7 @@ struct PhotoInput {
     std::filesystem::path file;
     Camera camera;
     PhotoSize decoded{};  ///< of the file as the camera sees it; larger than the camera's where reduced
+    std::filesystem::path stencil{};  ///< black where the photo is not to be shown; empty where it has none
 };
 
 /// The files an input was found to consist of.

@@ -84,9 +84,10 @@ std::uint64_t model_checksum(const PackedModel& model, const std::vector<Eigen::
 std::uint64_t pose_checksum(const Pose& pose) { return Fingerprint().add(pose.R).add(pose.t).value(); }
 
 PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Pose& pose,
-                      const FileIdentity& file) {
+                      const FileIdentity& file, const FileIdentity& stencil) {
     PhotoState s{};
-    s.photo = Fingerprint().add(file.bytes).add(file.checksum).value();
+    s.photo =
+        Fingerprint().add(file.bytes).add(file.checksum).add(stencil.bytes).add(stencil.checksum).value();
     s.camera = Fingerprint().add(photo.camera.intrinsics).value();
     s.pose = pose_checksum(pose);
     s.model = scene.model;

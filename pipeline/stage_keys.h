@@ -35,9 +35,10 @@ bool depends_on_pose(package::Stage stage);
 std::uint64_t model_checksum(const PackedModel& model, const std::vector<Eigen::Vector3f>& normals);
 
 /// What the stages of one photo are made from: a key a stage, over all its inputs, the settings that it reads
-/// and its own version, and the inputs' checksums besides. `left_out`, `record` and contents are left empty.
+/// and its own version, and the inputs' checksums besides. `stencil`: all 0 where the photo has none.
+/// `left_out`, `record` and contents are left empty.
 package::PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Pose& cam_from_origin,
-                               const FileIdentity& file);
+                               const FileIdentity& file, const FileIdentity& stencil);
 
 /// The settings that a stage reads, named as META's configuration names them.
 std::vector<std::string> settings_of(package::Stage stage);

@@ -23,8 +23,10 @@ constexpr std::array table{
     EffectRow{Effect::falloff, "falloff", "light that a lens loses in the corner", "", 0.05, "PHOTO_FALLOFF",
               "take the lens's falloff out"},
     EffectRow{Effect::registration, "registration",
-              "how far photos lie from each other on the model, over what is usual (1 px, 1.5 px a pair)", "", 1,
-              "", "move cameras so that photos of one surface fit"},
+              "how far photos lie from each other on the model, over what is usual (1 px, 1.5 px a pair)", "",
+              1, "", "move cameras so that photos of one surface fit"},
+    EffectRow{Effect::consensus, "consensus", "largest share of a photo that others contradict", "", 0.005,
+              "PHOTO_CONSENSUS", "leave out what single photos show and others agree is not there"},
 };
 static_assert(table.size() == std::size_t(Effect::count));
 

@@ -16,6 +16,7 @@ enum class Effect : int {
     exposure,
     falloff,
     registration,
+    consensus,
     count
 };
 

@@ -18,26 +18,26 @@ constexpr std::uint32_t fourcc(const char (&s)[5]) {
 }
 
 enum class Type : std::uint32_t {
-    meta = fourcc("META"),         ///< JSON: tool, configuration, effects with evidence, inputs, names
-    scene = fourcc("SCEN"),        ///< one SceneRecord
-    photos = fourcc("PHOT"),       ///< PhotoRecord[photos]
-    states = fourcc("STAT"),       ///< PhotoState[photos]: what each photo's artefacts were made from
-    registration = fourcc("REGI"), ///< RegistrationRecord[photos]: cameras as given, and what was found
-    pairs = fourcc("PAIR"),        ///< PairRecord[]: how well photos of one surface fit each other
-    positions = fourcc("VPOS"),    ///< float[3][vertices], relative to the origin
-    normals = fourcc("VNRM"),      ///< float[3][vertices], unit length
-    colors = fourcc("VCOL"),       ///< u8[4][vertices], sRGB and alpha; optional
-    scalars = fourcc("VSCL"),      ///< float[vertices] a layer, names in META; optional
-    indices = fourcc("INDX"),      ///< u32[3][triangles], ordered by cluster
-    clusters = fourcc("CLUS"),     ///< ClusterRecord[clusters]
-    thumbnail = fourcc("THMB"),    ///< RGBA8, 512 px on the long side at most
-    coverage = fourcc("COVR"),     ///< CoverageRecord[clusters], a photo
-    visible = fourcc("VISB"),      ///< u64 words, a photo: a bit a triangle seen whole, then seen in part
-    samples = fourcc("SAMP"),      ///< SampleRecord a disc of the surface, a photo
-    coordinates = fourcc("TEXC"),  ///< float[2][vertices], a photo; (-1,-1) where not visible
-    tiles = fourcc("TILE"),        ///< blocks of RGBA8 tiles, a photo and level
-    masks = fourcc("MASK"),        ///< blocks of RGBA8 tiles: angle, depth, border, validity
-    depth = fourcc("DPTH"),        ///< blocks of R32F tiles: linear z, +inf where nothing is seen
+    meta = fourcc("META"),          ///< JSON: tool, configuration, effects with evidence, inputs, names
+    scene = fourcc("SCEN"),         ///< one SceneRecord
+    photos = fourcc("PHOT"),        ///< PhotoRecord[photos]
+    states = fourcc("STAT"),        ///< PhotoState[photos]: what each photo's artefacts were made from
+    registration = fourcc("REGI"),  ///< RegistrationRecord[photos]: cameras as given, and what was found
+    pairs = fourcc("PAIR"),         ///< PairRecord[]: how well photos of one surface fit each other
+    positions = fourcc("VPOS"),     ///< float[3][vertices], relative to the origin
+    normals = fourcc("VNRM"),       ///< float[3][vertices], unit length
+    colors = fourcc("VCOL"),        ///< u8[4][vertices], sRGB and alpha; optional
+    scalars = fourcc("VSCL"),       ///< float[vertices] a layer, names in META; optional
+    indices = fourcc("INDX"),       ///< u32[3][triangles], ordered by cluster
+    clusters = fourcc("CLUS"),      ///< ClusterRecord[clusters]
+    thumbnail = fourcc("THMB"),     ///< RGBA8, 512 px on the long side at most
+    coverage = fourcc("COVR"),      ///< CoverageRecord[clusters], a photo
+    visible = fourcc("VISB"),       ///< u64 words, a photo: a bit a triangle seen whole, then seen in part
+    samples = fourcc("SAMP"),       ///< SampleRecord a disc of the surface, a photo
+    coordinates = fourcc("TEXC"),   ///< float[2][vertices], a photo; (-1,-1) where not visible
+    tiles = fourcc("TILE"),         ///< blocks of RGBA8 tiles, a photo and level
+    masks = fourcc("MASK"),         ///< blocks of RGBA8 tiles: angle, depth, border, consensus
+    depth = fourcc("DPTH"),         ///< blocks of R32F tiles: linear z, +inf where nothing is seen
 };
 
 struct Header {
@@ -81,7 +81,7 @@ enum PhotoFlags : std::uint32_t {
     photo_held_out = 1,
     photo_undistorted = 2,
     photo_has_alpha = 4,
-    photo_left_out = 8,   ///< it could not be read: camera only, the reason in its PhotoState
+    photo_left_out = 8,    ///< it could not be read: camera only, the reason in its PhotoState
     photo_registered = 16  ///< its pose is not the one given, which stands in REGI
 };
 
@@ -118,6 +118,7 @@ struct PhotoState {
     Made stages[std::size_t(Stage::count)];
     std::uint64_t photo, camera, model;  ///< XXH3-64 of these inputs, to say which of them has changed
     std::uint64_t pose;                  ///< XXH3-64 of the pose that the model was looked at from
+    std::uint64_t consensus;             ///< XXH3-64 of the weights in the masks; 0 where all are 255
     char left_out[192];                  ///< why the photo could not be read; else empty
     std::uint64_t record;                ///< XXH3-64 of the photo's PhotoRecord
     std::uint64_t checksum;              ///< XXH3-64 of the bytes before
@@ -156,18 +157,18 @@ inline constexpr std::uint64_t pairs_a_photo = 2;
 /// Cells of a pair's map of displacements.
 inline constexpr int pair_columns = 12, pair_rows = 8;
 
-/// How far two photos that see the same surface disagree, matched through the model with the cameras as given.
-/// Pixels are full-size ones of photo `a`.
+/// How far two photos that see the same surface disagree, matched through the model with the cameras as
+/// given. Pixels are full-size ones of photo `a`.
 struct PairRecord {
-    std::uint32_t a, b;      ///< a < b; both 0: no pair
-    std::uint32_t shared;    ///< discs that both show
+    std::uint32_t a, b;              ///< a < b; both 0: no pair
+    std::uint32_t shared;            ///< discs that both show
     std::uint32_t corners, matches;  ///< that could be compared, and that were found again
-    float angle;             ///< between their directions to that surface, radians, median
-    float color;             ///< median |ln ratio| of the discs' linear light, mean of the channels
-    float median, p90;       ///< px by which matches lie from where the cameras expect them
-    float shift[2];          ///< median a coordinate: what all matches have in common
+    float angle;                     ///< between their directions to that surface, radians, median
+    float color;                     ///< median |ln ratio| of the discs' linear light, mean of the channels
+    float median, p90;               ///< px by which matches lie from where the cameras expect them
+    float shift[2];                  ///< median a coordinate: what all matches have in common
     std::uint32_t reserved;
-    std::uint64_t key;       ///< XXH3-64 of all that went in
+    std::uint64_t key;  ///< XXH3-64 of all that went in
     struct Cell {
         std::int16_t moved[2];  ///< median displacement in this part of photo `a`, 1/64 px
         std::uint16_t matches;
@@ -178,7 +179,7 @@ struct PairRecord {
 inline constexpr std::uint64_t visible_words(std::uint64_t triangles) { return (triangles + 63) / 64; }
 
 static_assert(sizeof(Header) == 64 && sizeof(DirectoryEntry) == 64 && sizeof(ClusterRecord) == 40);
-static_assert(sizeof(PhotoState) == 336 && std::is_trivially_copyable_v<PhotoState>);
+static_assert(sizeof(PhotoState) == 344 && std::is_trivially_copyable_v<PhotoState>);
 static_assert(sizeof(CoverageRecord) == 12 && sizeof(SampleRecord) == 8 && sizeof(SceneRecord) == 136 &&
               sizeof(PhotoRecord) % 8 == 0);
 static_assert(sizeof(RegistrationRecord) == 128 && sizeof(PairRecord) == 56 + 6 * pair_columns * pair_rows);

@@ -184,7 +184,11 @@ void main() {
         w *= seen(photo, p, at);
 #endif
         if (!(w > 0.0)) continue;
-        w *= weight_of(photo, pixel, masks_at(at));
+        vec4 masks = masks_at(at);
+        w *= weight_of(photo, pixel, masks);
+#ifdef PHOTO_CONSENSUS
+        w *= (max(masks.a * 255.0, 1.0) - 1.0) / 254.0;  // 1 of 255: seen, and contradicted by others
+#endif
         if (!(w > 0.0)) continue;
 #ifdef BLEND_BEST
         if (w > accumulated.a) {

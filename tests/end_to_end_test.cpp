@@ -369,6 +369,98 @@ TEST_F(EndToEnd, PhotosOfAllExposuresAgree) {
                     p.package->photos()[2].gain[c], 0.03);
 }
 
+/// Paints into a photo's file: red where `inside` says so, or white.
+template <class Inside>
+void paint(const PhotoInput& photo, const std::array<std::uint8_t, 3>& color, const Inside& inside) {
+    const Intrinsics& k = photo.camera.intrinsics;
+    const auto rgba = read_photo(photo.file, {k.width, k.height}).rgba;
+    std::vector<std::uint8_t> rgb;
+    for (int y = 0; y < k.height; ++y)
+        for (int x = 0; x < k.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                rgb.push_back(inside(x, y)
+                                  ? color[c]
+                                  : rgba[4 * (std::size_t(y) * std::size_t(k.width) + std::size_t(x)) + c]);
+    image_files().write(photo.file, k.width, k.height, 3, Sample::u8, std::as_bytes(std::span(rgb)));
+}
+
+TEST_F(EndToEnd, StrangersAndHighlightsInSinglePhotosVanish) {
+    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
+    spec.photos.count = 7;
+    spec.photos.arc = 60;
+    const fs::path folder = make(spec);
+    const SceneInput scene = read_scene(discover(folder));
+    const auto untouched = read_photo(scene.photos[3].file, {1000, 750}).rgba;
+    {
+        PrepareSettings never;
+        never.effects[Effect::consensus] = EffectChoice::off;
+        Prepared clean(folder, dir / "clean.vantage"), off(folder, dir / "off.vantage", never);
+        EXPECT_FALSE(effect_on(clean.package->scene(), Effect::consensus));
+        for (std::uint32_t i = 0; i < clean.photos.size(); ++i)
+            EXPECT_EQ(clean.package->find(package::Type::masks, i, mask_level)->checksum,
+                      off.package->find(package::Type::masks, i, mask_level)->checksum)
+                << "a consistent scene stays untouched";
+    }
+    // Someone stands before the wall, and a flash is reflected.
+    const auto stranger = [](int x, int y) { return std::hypot((x - 420) / 45.0, (y - 380) / 110.0) < 1; };
+    const auto flash = [](int x, int y) { return std::hypot(x - 640, y - 300) < 40; };
+    paint(scene.photos[2], {190, 30, 25}, stranger);
+    paint(scene.photos[4], {255, 255, 255}, flash);
+    Prepared p = prepared(folder);
+    ASSERT_TRUE(effect_on(p.package->scene(), Effect::consensus));
+    // The photo between them, from the others.
+    std::vector<std::uint32_t> others = p.photos;
+    std::erase(others, 3u);
+    const View view = view_of_photo(p.package->photos()[3], 1);
+    const double without = psnr(take_picture(*p.renderer, view, {}, others, 1), untouched);
+    PrepareSettings off;
+    off.effects[Effect::consensus] = EffectChoice::off;
+    Prepared painted(folder, dir / "painted.vantage", off);
+    const double with = psnr(take_picture(*painted.renderer, view, {}, others, 1), untouched);
+    // What the same photos give where nobody was painted.
+    fs::remove_all(folder);
+    Prepared clean = Prepared(make(spec), dir / "again.vantage");
+    const double best = psnr(take_picture(*clean.renderer, view, {}, others, 1), untouched);
+    std::printf("with strangers %.1f dB, without them %.1f dB, never painted %.1f dB\n", with, without, best);
+    EXPECT_GT(without, with + 1);
+    EXPECT_GT(without, best - 0.1);
+    // From its own camera, too: nobody stands there.
+    const Picture own = p.own_view(2, Blend::average);
+    const std::size_t middle = 4 * (std::size_t(380) * 1000 + 420);
+    EXPECT_LT(int(own.rgba[middle]) - int(own.rgba[middle + 1]), 100);
+}
+
+TEST_F(EndToEnd, AStencilLeavesOutWhatItCovers) {
+    SynthSpec spec = tiny();
+    const fs::path folder = make(spec);
+    const PhotoInput photo = read_scene(discover(folder)).photos[2];
+    std::vector<std::uint8_t> stencil(331 * 250, 255);
+    for (std::size_t y = 100; y < 150; ++y)
+        for (std::size_t x = 120; x < 200; ++x) stencil[y * 331 + x] = 0;
+    const fs::path file = folder / "images" / "0002.mask.png";
+    image_files().write(file, 331, 250, 1, Sample::u8, std::as_bytes(std::span(stencil)));
+    Prepared p = prepared(folder);
+    EXPECT_EQ(p.photos.size(), 5u) << "the stencil is no photo";
+    EXPECT_TRUE(p.package->photos()[2].flags & package::photo_has_alpha);
+    const View view = view_of_photo(p.package->photos()[2], 1);
+    const Picture alone = take_picture(*p.renderer, view, {}, std::array{2u}, 1);
+    const auto coloured = [&](std::size_t x, std::size_t y) {
+        return alone.rgba[4 * (y * 331 + x) + 3] == 255;
+    };
+    EXPECT_FALSE(coloured(160, 125));
+    EXPECT_TRUE(coloured(160, 90));
+    // Another stencil is another input, and one of another size is no stencil.
+    stencil.assign(stencil.size(), 255);
+    image_files().write(file, 331, 250, 1, Sample::u8, std::as_bytes(std::span(stencil)));
+    const PrepareResult again = prepare(read_scene(discover(folder)), {}, p.file, [](const Progress&) {});
+    EXPECT_EQ(again.stages[std::size_t(package::Stage::tiles)].made, 1u);
+    image_files().write(file, 33, 25, 1, Sample::u8, std::as_bytes(std::span(stencil).first(33 * 25)));
+    const PrepareResult small = prepare(read_scene(discover(folder)), {}, p.file, [](const Progress&) {});
+    ASSERT_EQ(small.left_out.size(), 1u);
+    EXPECT_NE(small.left_out[0].why.find("its stencil 0002.mask.png"), std::string::npos)
+        << small.left_out[0].why;
+}
+
 TEST_F(EndToEnd, ALensIsTakenOut) {
     // The truth is the same scene photographed without the lens.
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/hard.toml");

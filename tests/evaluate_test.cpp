@@ -35,7 +35,9 @@ class Evaluate : public TemporaryFolder {
         scene = read_scene(discover(dir / "scene"));
     }
     std::vector<LeftOut> evaluate() {
-        prepare(scene, {}, file, [](const Progress&) {});
+        PrepareSettings as_given;
+        as_given.effects[Effect::registration] = EffectChoice::off;
+        prepare(scene, as_given, file, [](const Progress&) {});
         const PackageReader package(file);
         const gl::HeadlessContext context;
         Renderer renderer(package, {});

@@ -145,7 +145,9 @@ int run_prepare(Options o) {
     o.settings.distance = distance_method(o.distance);
     o.settings.resampling = resampling(o.resampling);
     o.settings.render_by = render_by(o.render_by);
-    if (o.refine != "full") o.settings.effects[Effect::registration] = EffectChoice::off;
+    if (o.refine != "full")
+        for (const Effect e : {Effect::registration, Effect::consensus})
+            o.settings.effects[e] = EffectChoice::off;
     if (o.refine == "off")
         for (const Effect e : {Effect::exposure, Effect::falloff}) o.settings.effects[e] = EffectChoice::off;
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
@@ -217,8 +219,8 @@ void add_prepare(CLI::App& app, Run& run) {
                   "of photos whose lens bends lines: nearest, linear, cubic, lanczos")
         ->capture_default_str();
     c->add_option("--refine", o->refine,
-                  "full: make photos agree where they do not, their cameras and their colours; colour: their "
-                  "colours only; off: leave them as they are")
+                  "full: make photos agree where they do not, their cameras, colours, and what passes before "
+                  "them; colour: their colours only; off: leave them as they are")
         ->check(CLI::IsMember({"off", "colour", "full"}))
         ->capture_default_str();
     c->add_option("--render-by", o->render_by,

@@ -12,7 +12,7 @@ namespace vantage {
 namespace {
 
 struct Options {
-    std::string file, out, registration = "auto", exposure = "auto", falloff = "auto";
+    std::string file, out, registration = "auto", exposure = "auto", falloff = "auto", consensus = "auto";
 };
 
 EffectChoice choice(const std::string& text) {
@@ -24,11 +24,12 @@ int run_refine(const Options& o) {
     refine_package(o.file,
                    {{Effect::registration, choice(o.registration)},
                     {Effect::exposure, choice(o.exposure)},
-                    {Effect::falloff, choice(o.falloff)}},
+                    {Effect::falloff, choice(o.falloff)},
+                    {Effect::consensus, choice(o.consensus)}},
                    out);
     const PackageReader package(out);
     const std::string meta(package.meta());
-    for (const Effect e : {Effect::registration, Effect::exposure, Effect::falloff})
+    for (const Effect e : {Effect::registration, Effect::exposure, Effect::falloff, Effect::consensus})
         fmt::print("{:<13} {:<4} {}\n", effect_row(e).name, effect_on(package.scene(), e) ? "on" : "off",
                    decision_of(meta, e).evidence);
     for (const std::string& w : findings_of(meta)) fmt::print("warning       {}\n", w);
@@ -52,7 +53,8 @@ void add_refine(CLI::App& app, Run& run) {
     c->add_option("-o,--output", o->out, "the package to write (default FILE itself)");
     for (auto [name, value] : {std::pair{"--registration", &o->registration},
                                {"--exposure", &o->exposure},
-                               {"--falloff", &o->falloff}})
+                               {"--falloff", &o->falloff},
+                               {"--consensus", &o->consensus}})
         c->add_option(name, *value, "auto (by the evidence), on or off")
             ->check(CLI::IsMember({"auto", "on", "off"}))
             ->capture_default_str();

@@ -11,6 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* stencil_ending = ".mask.png";
+
 std::string extension(const fs::path& file) {
     std::string e = file.extension().string();
     std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return char(std::tolower(c)); });
@@ -72,7 +74,17 @@ fs::path find_photos(const std::vector<fs::path>& files) {
 
 }  // namespace
 
+fs::path find_stencil(const fs::path& photo) {
+    const fs::path folder = photo.parent_path(), masks = folder.parent_path() / "masks";
+    for (const fs::path& name : {photo.filename(), photo.stem()})
+        for (const fs::path& candidate :
+             {folder / (name.string() + stencil_ending), masks / (name.string() + ".png")})
+            if (fs::is_regular_file(candidate)) return candidate;
+    return {};
+}
+
 bool is_photo(const fs::path& file) {
+    if (file.filename().string().ends_with(stencil_ending)) return false;
     return one_of(extension(file), {".jpg", ".jpeg", ".png", ".tif", ".tiff", ".exr", ".webp", ".bmp", ".jp2",
                                     ".cr2", ".nef", ".arw", ".dng", ".ppm", ".hdr"});
 }

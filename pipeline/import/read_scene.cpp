@@ -55,6 +55,7 @@ PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file,
     PhotoInput photo{file.filename().string(), file, entry.camera};
     fit_to_photo(photo, entry.size_known, scene);
     photo.decoded = {photo.camera.intrinsics.width, photo.camera.intrinsics.height};
+    photo.stencil = find_stencil(file);
     validate(photo.camera, photo.name);
     return photo;
 }

@@ -13,8 +13,6 @@ namespace {
 
 using package::Type;
 
-constexpr int least_pixels = 400;  ///< on the long side: with fewer there is nothing to match
-
 cv::Mat joined(const PackageReader& package, Type type, std::uint32_t photo, int level, const Level& size,
                int cv_type) {
     const package::DirectoryEntry* e = package.find(type, photo, std::uint32_t(level));
@@ -48,9 +46,9 @@ cv::Mat normalised(const cv::Mat& grey) {
 }  // namespace
 
 MatchView read_match_view(const PackageReader& package, const package::PhotoRecord& r, std::uint32_t photo,
-                          int level) {
-    int l = std::clamp(level, mask_level, std::max(int(r.levels) - 1, mask_level));
-    while (l > mask_level && int(std::max(r.width, r.height)) >> l < least_pixels) --l;
+                          int long_side) {
+    int l = mask_level;
+    while (l + 1 < int(r.levels) && int(std::max(r.width, r.height)) >> l > long_side) ++l;
     const Level size = level_size(int(r.width), int(r.height), l);
     const Intrinsics full = intrinsics(r);
     const double s = 1.0 / (1 << l);

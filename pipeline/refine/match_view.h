@@ -16,10 +16,10 @@ struct MatchView {
     cv::Mat depth;  ///< f32, linear z; +inf where the photo does not see the model
 };
 
-/// From the photo's tiles and depth. `level` is lowered to what the photo has, and for small
-/// photos so that 400 pixels are left. Throws Error(damaged).
+/// From the photo's tiles and depth: the finest level that has depth and at most `long_side` pixels along its
+/// longer side, or the coarsest. Throws Error(damaged).
 MatchView read_match_view(const PackageReader& package, const package::PhotoRecord& record,
-                          std::uint32_t photo, int level);
+                          std::uint32_t photo, int long_side);
 
 /// Full pixels for pixels of a level: centres stay centres.
 inline Eigen::Vector2d at_full_size(const Eigen::Vector2d& pixel, int level) { return pixel * (1 << level); }

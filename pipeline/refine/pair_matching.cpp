@@ -3,49 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <list>
-#include <map>
-#include <memory>
-#include <mutex>
 
 #include "pipeline/for_each_photo.h"
+#include "pipeline/refine/recent.h"
 #include "scene/quantile.h"
 
 namespace vantage {
 namespace {
-
-/// Photos as they are read for matching; those that were wanted last stay.
-class MatchViews {
-  public:
-    MatchViews(const PackageReader& package, std::span<const package::PhotoRecord> photos, int level)
-        : package_(package), photos_(photos), level_(level) {}
-
-    std::shared_ptr<const MatchView> view(std::uint32_t photo) {
-        {
-            const std::scoped_lock lock(mutex_);
-            const auto known = std::ranges::find(recent_, photo, &Entry::first);
-            if (known != recent_.end()) {
-                recent_.splice(recent_.begin(), recent_, known);
-                return recent_.front().second;
-            }
-        }
-        const auto read =
-            std::make_shared<const MatchView>(read_match_view(package_, photos_[photo], photo, level_));
-        const std::scoped_lock lock(mutex_);
-        recent_.emplace_front(photo, read);
-        if (recent_.size() > most) recent_.pop_back();
-        return read;
-    }
-
-  private:
-    static constexpr std::size_t most = 12;
-    using Entry = std::pair<std::uint32_t, std::shared_ptr<const MatchView>>;
-    const PackageReader& package_;
-    std::span<const package::PhotoRecord> photos_;
-    int level_;
-    std::mutex mutex_;
-    std::list<Entry> recent_;
-};
 
 constexpr std::uint32_t least_matches = 20;
 
@@ -124,15 +88,17 @@ Matching match_pairs(const PackageReader& package, std::span<const package::Phot
         if (charts.empty() || pairs[charts.back().first].a != pairs[p].a) charts.emplace_back(p, p);
         charts.back().second = p + 1;
     }
-    MatchViews views(package, photos, how.level);
+    Recent<MatchView> views(12, [&](std::uint32_t photo) {
+        return read_match_view(package, photos[photo], photo, how.long_side);
+    });
     std::vector<std::vector<Star>> stars(charts.size());
     for_each_photo(charts.size(), how.threads, [&](std::size_t c) {
         const std::uint32_t a = pairs[charts[c].first].a;
-        const auto own = views.view(a);
+        const auto own = views.get(a);
         SurfaceChart chart(*own, poses[a], a, how.corners);
         for (std::size_t p = charts[c].first; p < charts[c].second; ++p) {
             const std::uint32_t b = pairs[p].b;
-            out.pairs[p].corners = std::uint32_t(chart.match(*views.view(b), poses[b], b));
+            out.pairs[p].corners = std::uint32_t(chart.match(*views.get(b), poses[b], b));
             Displacements(chart.stars(), b, intrinsics(photos[a])).summarise(out.pairs[p]);
         }
         stars[c] = chart.stars();

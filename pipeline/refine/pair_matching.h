@@ -11,8 +11,8 @@ namespace vantage {
 
 /// How photos are matched.
 struct MatchSettings {
-    int level;    ///< of the pyramid
-    int corners;  ///< a photo, at most
+    int long_side;  ///< px that photos are reduced to
+    int corners;    ///< a photo, at most
     unsigned threads;
 };
 

@@ -13,11 +13,12 @@ namespace {
 
 constexpr std::size_t pairs_a_photo = 6;
 constexpr int corners = 500;
-constexpr int coarse = 2, fine = 1;
+constexpr int coarse = 800, fine = 1600;  ///< px along photos' longer side
 /// Against the anchor stand thousands of corners, whose errors (the mesh's) are not independent, though.
-constexpr double anchor = 20;
+constexpr double anchor = 5;
 /// The common motion stays where photos notice: where without it corners lie farther off by this share of it.
-constexpr double noticed = 0.15;
+constexpr double noticed = 0.05;
+constexpr double settled = 0.05;  ///< px
 constexpr int attempts = 3;
 
 /// Every fifth star is not solved for, so that it may judge.
@@ -59,15 +60,20 @@ PoseRounds::PoseRounds(const RegistrationInput& in)
     sigma_ = std::max(3 * judged(before_, in.photos.size()).back(), 0.1);
 }
 
-Matching PoseRounds::match(const Poses& poses, int level) const {
-    return match_pairs(in_.package, in_.photos, poses, pairs_, {level, corners, in_.threads});
+Matching PoseRounds::match(const Poses& poses, int long_side) const {
+    return match_pairs(in_.package, in_.photos, poses, pairs_, {long_side, corners, in_.threads});
 }
 
 std::vector<PoseChange> PoseRounds::solve(const std::vector<FittedCamera>& cameras,
-                                          std::vector<PoseChange> change, std::span<const int> levels) const {
-    for (const int level : levels) {
-        const Matching m = match(poses_of(cameras, change), level);
+                                          std::vector<PoseChange> change,
+                                          std::span<const int> long_sides) const {
+    for (const int long_side : long_sides) {
+        const Poses before = poses_of(cameras, change);
+        const Matching m = match(before, long_side);
         if (!fit_poses(cameras, stars_that(false, m.stars), anchor, sigma_, change).usable) break;
+        if (long_side == fine &&
+            median_motion(intrinsics_, before, poses_of(cameras, change), m.stars) < settled)
+            break;
     }
     return change;
 }
@@ -87,7 +93,7 @@ PoseRounds::Poses PoseRounds::without_common_motion(const Poses& now, double& ta
 
 std::vector<PhotoRegistration> PoseRounds::registered(std::string& evidence) const {
     const std::size_t n = in_.photos.size();
-    constexpr std::array from_coarse{coarse, fine, fine};
+    constexpr std::array from_coarse{coarse, fine, fine, fine, fine};
     constexpr std::array once_more{fine};
     std::vector<FittedCamera> cameras = cameras_;
     std::vector<PoseChange> change = solve(cameras, std::vector<PoseChange>(n, PoseChange{}), from_coarse);

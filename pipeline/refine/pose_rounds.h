@@ -17,9 +17,9 @@ class PoseRounds {
 
   private:
     using Poses = std::vector<Pose>;
-    Matching match(const Poses& poses, int level) const;
+    Matching match(const Poses& poses, int long_side) const;
     std::vector<PoseChange> solve(const std::vector<FittedCamera>& cameras, std::vector<PoseChange> change,
-                                  std::span<const int> levels) const;
+                                  std::span<const int> long_sides) const;
     Poses without_common_motion(const Poses& now, double& taken_back) const;
 
     const RegistrationInput& in_;

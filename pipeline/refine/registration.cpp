@@ -19,7 +19,7 @@ namespace {
 using package::PairRecord;
 using package::PhotoRecord;
 
-constexpr MatchSettings evidence{2, 300, 0};
+constexpr MatchSettings evidence{800, 300, 0};
 constexpr double usual = 1, usual_shift = 1.5;     ///< px: more calls for registration
 constexpr double odd_photo = 2, least_odd = 0.75;  ///< times what is usual among the others, and px
 

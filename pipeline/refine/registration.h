@@ -38,9 +38,9 @@ struct Registration {
     std::vector<std::string> warnings;  ///< a line each: photos that do not fit, cameras that are swapped
 };
 
-/// Measures, always: each photo with the two that are most alike, at a quarter of the size. Registration is
-/// called for where corners lie 1 px (median) from where the cameras expect them, a pair is shifted by 1.5 px
-/// as a whole, or one photo lies twice as far off as the others.
+/// Measures, always: each photo with the two that are most alike, at 800 pixels along the longer side.
+/// Registration is called for where corners lie 1 px (median) from where the cameras expect them, a pair is
+/// shifted by 1.5 px as a whole, or one photo lies twice as far off as the others.
 ///
 /// Then cameras are solved for, coarse to fine. What all of them did together is taken back, unless photos
 /// notice: a whole frame can slide along the model with no pair disagreeing. A photo keeps its new

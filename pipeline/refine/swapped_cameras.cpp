@@ -9,7 +9,7 @@ namespace {
 
 using package::PairRecord;
 
-constexpr int level = 2, corners = 300;
+constexpr int long_side = 800, corners = 300;
 constexpr double least_fit = 0.4;
 constexpr int neighbours_tried = 4;
 constexpr std::size_t most_tried = 12;  ///< photos that may have each other's cameras
@@ -31,9 +31,9 @@ std::vector<std::uint32_t> lost_photos(const RegistrationInput& in, std::span<co
 /// saw.
 double fit_with(const RegistrationInput& in, std::uint32_t neighbour, std::uint32_t pixels,
                 std::uint32_t camera) {
-    const MatchView from = read_match_view(in.package, in.photos[neighbour], neighbour, level);
-    MatchView other = read_match_view(in.package, in.photos[camera], camera, level);
-    other.grey = read_match_view(in.package, in.photos[pixels], pixels, level).grey;
+    const MatchView from = read_match_view(in.package, in.photos[neighbour], neighbour, long_side);
+    MatchView other = read_match_view(in.package, in.photos[camera], camera, long_side);
+    other.grey = read_match_view(in.package, in.photos[pixels], pixels, long_side).grey;
     SurfaceChart chart(from, from.pose, neighbour, corners);
     const std::size_t compared = chart.match(other, other.pose, camera);
     std::size_t found = 0;

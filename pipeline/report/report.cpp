@@ -12,6 +12,7 @@
 #include "pipeline/join_tiles.h"
 #include "pipeline/provenance.h"
 #include "pipeline/report/colors_part.h"
+#include "pipeline/report/consensus_part.h"
 #include "pipeline/report/coverage_pictures.h"
 #include "pipeline/report/embedded_picture.h"
 #include "pipeline/report/registration_part.h"
@@ -201,7 +202,8 @@ void write_report(const fs::path& file, const PackageReader& package, const std:
         << effects_part(meta) << coverage_part(package);
     if (run && run->prepared.agreement) {
         out << registration_part(package.photos(), run->prepared.agreement->registration)
-            << colors_part(package.photos(), run->prepared.agreement->colors);
+            << colors_part(package.photos(), run->prepared.agreement->colors)
+            << consensus_part(package.photos(), run->prepared.agreement->consensus);
     }
     write_photos_part(out, package);
     if (run) out << run_part(*run);

@@ -141,6 +141,7 @@ Measured measure(Effect effect, const SceneInput& scene) {
         case Effect::exposure:
         case Effect::falloff:
         case Effect::registration:
+        case Effect::consensus:
             return {0, "is told by all photos together, when they are there"};
         case Effect::count:
             break;

@@ -25,11 +25,12 @@ void write_pictures(const std::filesystem::path& folder, const LeftOut& r, const
 void write_photos(const std::filesystem::path& file, const std::vector<LeftOut>& results) {
     std::ofstream out(file);
     out << "photo,pixels,psnr,psnr_gain,ssim,over_nearest,coloured,gain_red,gain_green,gain_blue,shift_right,"
-           "shift_down\n";
+           "shift_down,sharpness\n";
     for (const LeftOut& r : results)
         out << r.name << ',' << r.score.pixels << ',' << r.score.psnr << ',' << r.score.psnr_gain << ','
             << r.score.ssim << ',' << r.over_nearest << ',' << r.coloured << ',' << r.score.gain[0] << ','
-            << r.score.gain[1] << ',' << r.score.gain[2] << ',' << r.shift[0] << ',' << r.shift[1] << '\n';
+            << r.score.gain[1] << ',' << r.score.gain[2] << ',' << r.shift[0] << ',' << r.shift[1] << ','
+            << r.score.sharpness << '\n';
     if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
 }
 
@@ -80,9 +81,9 @@ void write_model(const std::filesystem::path& file, const PackageReader& package
 }
 
 void print(const LeftOut& r) {
-    std::printf("%-20s %7.2f %7.2f %7.4f %+7.2f %7.1f %+7.2f %+6.2f %+6.2f\n", r.name.c_str(), r.score.psnr,
-                r.score.psnr_gain, r.score.ssim, r.over_nearest, 100 * r.coloured, r.stops, r.shift[0],
-                r.shift[1]);
+    std::printf("%-20s %7.2f %7.2f %7.4f %+7.2f %7.1f %+7.2f %+6.2f %+6.2f %7.2f\n", r.name.c_str(),
+                r.score.psnr, r.score.psnr_gain, r.score.ssim, r.over_nearest, 100 * r.coloured, r.stops,
+                r.shift[0], r.shift[1], r.score.sharpness);
     std::fflush(stdout);
 }
 
@@ -95,13 +96,14 @@ void print_means(const std::vector<LeftOut>& results) {
         mean.score.psnr += r.score.psnr;
         mean.score.psnr_gain += r.score.psnr_gain;
         mean.score.ssim += r.score.ssim;
+        mean.score.sharpness += r.score.sharpness;
         mean.over_nearest += r.over_nearest;
         mean.coloured += r.coloured;
     }
     if (n == 0) return;
-    std::printf("%-20s %7.2f %7.2f %7.4f %+7.2f %7.1f\n", "mean", mean.score.psnr / n,
-                mean.score.psnr_gain / n, mean.score.ssim / n, mean.over_nearest / n,
-                100 * mean.coloured / n);
+    std::printf("%-20s %7.2f %7.2f %7.4f %+7.2f %7.1f %29.2f\n", "mean", mean.score.psnr / n,
+                mean.score.psnr_gain / n, mean.score.ssim / n, mean.over_nearest / n, 100 * mean.coloured / n,
+                mean.score.sharpness / n);
 }
 
 void print_remarks(const std::vector<LeftOut>& results) {
@@ -145,7 +147,7 @@ void add_evaluate_options(CLI::App& app, EvaluateOptions& o) {
         "alone;\n"
         "per cent of the photo's surface that the others colour; stops brighter than the others; content "
         "lies\n"
-        "px to the right and down of the others' (full size).\n"
+        "px to the right and down of the others' (full size); energy of the finest detail over the photo's.\n"
         "Examples:\n"
         "  vantage-player evaluate chapel.vantage\n"
         "  vantage-player evaluate chapel.vantage --every 10 --level 2 -o quick\n"
@@ -164,8 +166,8 @@ int run_evaluate(const PackageReader& package, EvaluateOptions o) {
     Renderer renderer(package, memory_budget(o.player));
     std::vector<LeftOut> results;
     std::vector<RegionError> regions(renderer.scene().clusters.size());
-    std::printf("%-20s %7s %7s %7s %7s %7s %7s %6s %6s\n", "photo", "PSNR", "gain", "SSIM", "nearest",
-                "colour%", "stops", "right", "down");
+    std::printf("%-20s %7s %7s %7s %7s %7s %7s %6s %6s %7s\n", "photo", "PSNR", "gain", "SSIM", "nearest",
+                "colour%", "stops", "right", "down", "sharp");
     for (const std::uint32_t p : left_out) {
         LeftOutPictures pictures;
         const int level = std::min(o.level, int(package.photos()[p].levels) - 1);

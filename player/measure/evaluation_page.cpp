@@ -40,7 +40,7 @@ void row(std::ostream& out, const LeftOut& r) {
     for (const std::string& cell :
          {number("%.2f", r.score.psnr), number("%.2f", r.score.psnr_gain), number("%.4f", r.score.ssim),
           number("%+.2f", r.over_nearest), number("%.1f %%", 100 * r.coloured), number("%+.2f", r.stops),
-          number("%+.2f", r.shift[0]), number("%+.2f", r.shift[1])})
+          number("%+.2f", r.shift[0]), number("%+.2f", r.shift[1]), number("%.2f", r.score.sharpness)})
         out << "<td>" << cell << "</td>";
     out << "<td>" << remarks(r) << "</td></tr>\n";
 }
@@ -76,7 +76,7 @@ void write_evaluation_page(const std::filesystem::path& folder, const std::strin
            "none, "
            "white: a quarter of the range, grey: nothing shown).</p>\n"
            "<table><tr><th>photo<th>PSNR, dB<th>after gain<th>SSIM<th>over nearest, dB<th>coloured<th>stops"
-           "<th>right, px<th>down, px<th></tr>\n";
+           "<th>right, px<th>down, px<th>sharp<th></tr>\n";
     for (const LeftOut& r : results) row(out, r);
     out << "</table>\n<h2>The worst</h2>\n";
     const std::vector<std::size_t> order = worst_first(results);

@@ -75,6 +75,29 @@ double mean_ssim(const Picture& photo, const Picture& picture, const std::vector
     return sum / double(pixels);
 }
 
+/// Detail finer than half the Nyquist frequency: what the half-band filter of Deslauriers and Dubuc (1989)
+/// does not let through, along rows or columns.
+double fine_energy(const Plane& p, const std::vector<bool>& scored) {
+    constexpr std::array<double, 4> half{16 / 32.0, 9 / 32.0, 0, -1 / 32.0};
+    constexpr int reach = int(half.size()) - 1;
+    const auto row = [&](int y) { return std::size_t(y) * std::size_t(p.width); };
+    double energy = 0;
+    for (int y = reach; y < p.height - reach; ++y)
+        for (int x = reach; x < p.width - reach; ++x) {
+            bool all = true;
+            double coarse_x = half[0] * p.at(x, y), coarse_y = coarse_x;
+            for (int i = -reach; i <= reach; ++i)
+                all = all && scored[row(y) + std::size_t(x + i)] && scored[row(y + i) + std::size_t(x)];
+            if (!all) continue;
+            for (int i = 1; i <= reach; ++i) {
+                coarse_x += half[std::size_t(i)] * (p.at(x - i, y) + p.at(x + i, y));
+                coarse_y += half[std::size_t(i)] * (p.at(x, y - i) + p.at(x, y + i));
+            }
+            energy += std::pow(p.at(x, y) - coarse_x, 2) + std::pow(p.at(x, y) - coarse_y, 2);
+        }
+    return energy;
+}
+
 /// The least of the worst thousandth of the pixels' differences in their worst channel.
 double worst_thousandth(const Picture& photo, const Picture& picture, const std::vector<bool>& scored,
                         const std::array<double, 3>& gain) {
@@ -134,6 +157,8 @@ PictureScore score(const Picture& photo, const Picture& picture, const std::vect
     s.psnr_gain = psnr(gained, s.pixels);
     s.worst = worst_thousandth(photo, picture, scored, s.gain);
     s.ssim = mean_ssim(photo, picture, scored, s.pixels);
+    const double detail = fine_energy(luminance(photo), scored);
+    if (detail > 0) s.sharpness = fine_energy(luminance(picture, s.gain), scored) / detail;
     return s;
 }
 

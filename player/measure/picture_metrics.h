@@ -15,7 +15,9 @@ struct PictureScore {
     double psnr = 0;         ///< dB, 10 log10(255^2 / mean squared difference) over three channels
     double psnr_gain =
         0;  ///< the same, the picture times the gain a channel that fits best: exposure does not count
-    double ssim = 0;   ///< of luminance (Wang et al. 2004), windows normalised to the scored pixels
+    double ssim = 0;  ///< of luminance (Wang et al. 2004), windows normalised to the scored pixels
+    double sharpness =
+        0;  ///< energy of luminance above half the Nyquist frequency, over the photo's; 0 without any
     double worst = 0;  ///< grey levels by which the worst 0.1 % of the pixels are off, or more; after gains
     std::array<double, 3> gain{1, 1, 1};
 };

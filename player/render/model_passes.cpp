@@ -134,6 +134,8 @@ const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bo
     for (const Effect e : {Effect::exposure, Effect::falloff})
         if (settings.refined_colors && effect_on(package_->scene(), e))
             defines.emplace_back(effect_row(e).shader_symbol);
+    if (effect_on(package_->scene(), Effect::consensus))
+        defines.emplace_back(effect_row(Effect::consensus).shader_symbol);
     if (blend == Blend::best) defines.emplace_back("BLEND_BEST");
     if (blend == Blend::lumigraph) defines.emplace_back("BLEND_LUMIGRAPH");
     if (consensus) defines.emplace_back("CONSENSUS");

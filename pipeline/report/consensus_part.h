@@ -1,0 +1,13 @@
+#pragma once
+#include <span>
+#include <string>
+
+#include "pipeline/finish_package.h"
+#include "scene/package_format.h"
+
+namespace vantage {
+
+/// HTML: which photos show what others agree is not there, the worst first.
+std::string consensus_part(std::span<const package::PhotoRecord> photos, const Consensus& consensus);
+
+}  // namespace vantage
