@@ -54,6 +54,14 @@ Registration settle_cameras(const FinishInput& in, const PackageReader& part, co
     return found;
 }
 
+/// Records with gains and falloff as they were found, whether or not they are on.
+std::vector<package::PhotoRecord> as_if_agreeing(ColorRefinement colors,
+                                                 std::vector<package::PhotoRecord> photos) {
+    colors.exposure.on = colors.falloff.on = true;
+    apply_colors(colors, photos);
+    return photos;
+}
+
 void write_last(const FinishInput& in, const Agreement& agreement, PhotoTables& photos) {
     PackageWriter& writer = in.geometry.writer;
     const std::array decisions{agreement.registration.decision, agreement.colors.exposure,
@@ -76,18 +84,6 @@ std::vector<SurfaceDisc> thinned(std::span<const SurfaceDisc> discs, std::size_t
     for (std::size_t d = 0; d < discs.size(); d += step) out.push_back(discs[d]);
     return out;
 }
-
-namespace {
-
-/// Records with gains and falloff as they were found, whether or not they are on.
-std::vector<package::PhotoRecord> as_if_agreeing(ColorRefinement colors,
-                                                 std::vector<package::PhotoRecord> photos) {
-    colors.exposure.on = colors.falloff.on = true;
-    apply_colors(colors, photos);
-    return photos;
-}
-
-}  // namespace
 
 Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     const auto read = [&](std::uint32_t photo) { return in.geometry.writer.read(Type::samples, photo); };

@@ -193,7 +193,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     else
         tally.result.agreement = std::make_shared<const Agreement>(
             finish_package({geometry, out, plan.meta, model.record, given, known, pairs_of_formers(formers),
-                            threads_of(settings)},
+                            needs.in_flight},
                            plan.photos));
     return tally.result;
 }

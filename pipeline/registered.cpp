@@ -96,7 +96,8 @@ std::optional<Registration> registration_of(const PackageReader& package, std::u
 
 std::vector<PairRecord> pairs_of(const PackageReader& package) {
     std::vector<PairRecord> out = sound_records<PairRecord>(package, Type::pairs);
-    std::erase_if(out, [](const PairRecord& p) { return p.a >= p.b; });
+    const auto photos = sound_records<PhotoRecord>(package, Type::photos).size();
+    std::erase_if(out, [&](const PairRecord& p) { return p.a >= p.b || p.b >= photos; });
     return out;
 }
 

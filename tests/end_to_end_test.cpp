@@ -487,7 +487,9 @@ TEST_F(EndToEnd, VisibilityIsThatOfRaysOnTheDemoScene) {
 
 TEST_F(EndToEnd, OwnViewsAreThePhotosOnSceaux) {
     VANTAGE_DATASET(set, "sceaux");
-    Prepared p = prepared(set);
+    PrepareSettings with_trees;  // which stand in single photos
+    with_trees.effects[Effect::consensus] = EffectChoice::off;
+    Prepared p(set, dir / "scene.vantage", with_trees);
     expect_own_views_are_the_photos(p, 6);
     expect_visibility_is_that_of_rays(p);
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/commands.h"
+#include "pipeline/registered.h"
 #include "scene/package_reader.h"
 
 namespace vantage {
@@ -27,12 +28,22 @@ nlohmann::json describe_package(const PackageReader& reader) {
                                  {"height", p.height},
                                  {"held_out", bool(p.flags & package::photo_held_out)},
                                  {"undistorted", bool(p.flags & package::photo_undistorted)},
+                                 {"registered", bool(p.flags & package::photo_registered)},
                                  {"focal", {p.fx, p.fy}},
                                  {"visible_vertices", p.visible_vertices},
                                  {"gain", p.gain},
                                  {"falloff", p.falloff},
                                  {"hull_area", p.hull_area},
                                  {"depth", {p.z_min, p.z_max}}});
+    for (const package::PairRecord& p : pairs_of(reader))
+        out["pairs"].push_back({{"photos", {reader.photos()[p.a].name, reader.photos()[p.b].name}},
+                                {"corners", p.corners},
+                                {"found", p.matches},
+                                {"median_px", p.median},
+                                {"p90_px", p.p90},
+                                {"shift_px", p.shift},
+                                {"angle", p.angle},
+                                {"ln_color_ratio", p.color}});
     return out;
 }
 
@@ -48,8 +59,12 @@ void print(const nlohmann::json& j) {
     for (const auto& p : j["photos"])
         fmt::print("  {:<24} {}x{}  sees {:.1f} % of the vertices{}\n", p["name"].get<std::string>(),
                    p["width"].get<int>(), p["height"].get<int>(), 100 * p["visible_vertices"].get<double>(),
-                   p["held_out"].get<bool>() ? ", held out" : "");
-    for (const auto& w : j["warnings"]) fmt::print("warning  {}\n", w.get<std::string>());
+                   p["held_out"].get<bool>()     ? ", held out"
+                   : p["registered"].get<bool>() ? ", camera registered"
+                                                 : "");
+    for (const char* kind : {"warnings", "findings"})
+        for (const auto& w : j.value(kind, nlohmann::json::array()))
+            fmt::print("warning  {}\n", w.get<std::string>());
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ std::string map(const PairRecord& p) {
 double shift(const PairRecord& p) { return std::hypot(double(p.shift[0]), double(p.shift[1])); }
 
 std::string maps(std::span<const PhotoRecord> photos, std::vector<PairRecord> pairs) {
-    std::erase_if(pairs, [](const PairRecord& p) { return p.matches == 0; });
+    std::erase_if(pairs, [](const PairRecord& p) { return !trusted(p); });
     std::ranges::stable_sort(pairs, std::greater{}, &PairRecord::median);
     pairs.resize(std::min(pairs.size(), most_maps));
     std::string out =
