@@ -189,6 +189,7 @@ std::vector<ConsensusMap> consensus_maps(const PackageReader& package,
         std::vector<const ConsensusView*> others;
         for (const auto& h : held) others.push_back(h.get());
         out[i] = consensus_of(*views.get(std::uint32_t(i)), others);
+        package.forget_all();
     });
     return out;
 }

@@ -103,6 +103,7 @@ Matching match_pairs(const PackageReader& package, std::span<const package::Phot
         }
         stars[c] = chart.stars();
         std::erase_if(stars[c], [](const Star& s) { return s.matches.empty(); });
+        package.forget_all();
     });
     for (std::vector<Star>& s : stars) out.stars.insert(out.stars.end(), s.begin(), s.end());
     return out;
