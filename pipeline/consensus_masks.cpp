@@ -37,21 +37,12 @@ double weight_at(const ConsensusMap& map, double x, double y) {
            v * ((1 - u) * texel(i, j + 1) + u * texel(i + 1, j + 1));
 }
 
-std::vector<std::byte> joined(const PackageReader& part, Type type, std::uint32_t photo, int level,
-                              const Level& size) {
-    const package::DirectoryEntry* e = part.find(type, photo, std::uint32_t(level));
-    if (!e) throw Error(Exit::damaged, part.path().string() + ": a photo's masks are missing");
-    std::vector<std::byte> texels = join_tiles(part, *e, size);
-    part.forget(part.raw(*e));
-    return texels;
-}
-
 /// The masks' fourth channel at all levels: 255 without a map; never 0 where the photo sees the model.
 void write_weights(const PackageReader& part, PackageWriter& writer, std::uint32_t photo,
                    const PhotoRecord& r, const ConsensusMap* map) {
     for (int l = mask_level; l < mask_levels_end(int(r.levels)); ++l) {
         const Level size = level_size(int(r.width), int(r.height), l);
-        std::vector<std::byte> masks = joined(part, Type::masks, photo, l, size);
+        std::vector<std::byte> masks = read_level(part, r, photo, Type::masks, l);
         const double across = map ? double(map->width) / size.width : 0,
                      down = map ? double(map->height) / size.height : 0;
         for (int y = 0; y < size.height; ++y)

@@ -1,7 +1,6 @@
 #include "pipeline/finish_package.h"
 
 #include <array>
-#include <map>
 
 #include "pipeline/consensus_masks.h"
 #include "pipeline/for_each_photo.h"
@@ -19,20 +18,10 @@ Registration find_registration(const FinishInput& in, const PackageReader& part,
                                const PhotoSamples& samples, std::span<const std::uint64_t> fingerprints,
                                EffectChoice choice) {
     const Traced traced(in.geometry.trace, "register");
-    std::map<std::uint64_t, const package::PairRecord*> known;
-    for (const package::PairRecord& p : in.known_pairs) known[p.key] = &p;
     const auto spans = samples.spans();
     const std::vector<SurfaceDisc> discs = thinned(in.geometry.discs, samples.step);
-    const RegistrationInput input{part,
-                                  photos.records,
-                                  spans,
-                                  discs,
-                                  fingerprints,
-                                  [&](std::uint64_t key) -> const package::PairRecord* {
-                                      const auto it = known.find(key);
-                                      return it == known.end() ? nullptr : it->second;
-                                  },
-                                  in.threads};
+    const RegistrationInput input{part,         photos.records, spans,     discs,
+                                  fingerprints, in.known_pairs, in.threads};
     return register_photos(input, choice);
 }
 

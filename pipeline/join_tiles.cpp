@@ -25,4 +25,23 @@ std::vector<std::byte> join_tiles(const PackageReader& reader, const package::Di
     return out;
 }
 
+std::vector<std::byte> read_level(const PackageReader& reader, const package::PhotoRecord& r,
+                                  std::uint32_t photo, package::Type type, int level) {
+    const package::DirectoryEntry* e = reader.find(type, photo, std::uint32_t(level));
+    if (!e) throw Error(Exit::damaged, reader.path().string() + ": " + r.name + ": a level is missing");
+    std::vector<std::byte> texels = join_tiles(reader, *e, level_size(int(r.width), int(r.height), level));
+    reader.forget(reader.raw(*e));
+    return texels;
+}
+
+RgbaImage read_level_image(const PackageReader& reader, const package::PhotoRecord& r, std::uint32_t photo,
+                           package::Type type, int level) {
+    const Level size = level_size(int(r.width), int(r.height), level);
+    const std::vector<std::byte> texels = read_level(reader, r, photo, type, level);
+    RgbaImage image{size.width, size.height, {}};
+    image.rgba.resize(texels.size());
+    std::memcpy(image.rgba.data(), texels.data(), texels.size());
+    return image;
+}
+
 }  // namespace vantage

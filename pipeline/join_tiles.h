@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "pipeline/rgba_image.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
 
@@ -11,5 +12,13 @@ namespace vantage {
 /// the chunk has not the tiles of that size.
 std::vector<std::byte> join_tiles(const PackageReader& reader, const package::DirectoryEntry& chunk,
                                   const Level& level);
+
+/// The same of a photo's TILE, MASK or DPTH; their memory goes back to the system. Throws Error(damaged)
+/// where they are missing, too.
+std::vector<std::byte> read_level(const PackageReader& reader, const package::PhotoRecord& record,
+                                  std::uint32_t photo, package::Type type, int level);
+/// Colours or masks.
+RgbaImage read_level_image(const PackageReader& reader, const package::PhotoRecord& record,
+                           std::uint32_t photo, package::Type type, int level);
 
 }  // namespace vantage

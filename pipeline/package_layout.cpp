@@ -93,11 +93,7 @@ package::PhotoRecord photo_record(const PhotoInput& photo, const Eigen::Vector3d
     r.mask_width = std::uint32_t(half.width);
     r.mask_height = std::uint32_t(half.height);
     r.fx = k.fx, r.fy = k.fy, r.cx = k.cx, r.cy = k.cy;
-    const Pose pose = photo.camera.cam_from_world.relative_to(origin);
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R(r.R);
-    R = pose.R;
-    Eigen::Map<Eigen::Vector3d> t(r.t);
-    t = pose.t;
+    set_pose(photo.camera.cam_from_world.relative_to(origin), r);
     for (double& g : r.gain) g = 1;
     return r;
 }

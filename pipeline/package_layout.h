@@ -22,6 +22,13 @@ struct PackedModel {
 /// them (so that neighbours lie together in memory), unused ones last.
 PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles);
 
+/// Into a photo's or a registration's record: a pose relative to the origin.
+template <class Record>
+void set_pose(const Pose& pose, Record& r) {
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(r.R) = pose.R;
+    Eigen::Map<Eigen::Vector3d>(r.t) = pose.t;
+}
+
 /// A record a photo, in the scene's order; what the photos' stages find out is left empty. Throws
 /// Error(usage) for a photo to hold out that the scene has not.
 std::vector<package::PhotoRecord> photo_records(const SceneInput& scene, const PrepareSettings& settings,

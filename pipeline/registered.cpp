@@ -38,23 +38,9 @@ std::vector<T> sound_records(const PackageReader& package, Type type) {
     return out;
 }
 
-Pose pose_of(const RegistrationRecord& r) {
-    Pose pose;
-    pose.R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(r.R);
-    pose.t = Eigen::Map<const Eigen::Vector3d>(r.t);
-    return pose;
-}
-
 RgbaImage tiles_at(const PackageReader& part, std::uint32_t photo, const PhotoRecord& r, int level) {
     const int stored = std::min(level, int(r.levels) - 1);
-    const Level size = level_size(int(r.width), int(r.height), stored);
-    const package::DirectoryEntry* e = part.find(Type::tiles, photo, std::uint32_t(stored));
-    if (!e) throw Error(Exit::damaged, std::string(r.name) + ": its tiles are missing");
-    const std::vector<std::byte> texels = join_tiles(part, *e, size);
-    part.forget(part.raw(*e));
-    RgbaImage image{size.width, size.height, {}};
-    image.rgba.resize(texels.size());
-    std::memcpy(image.rgba.data(), texels.data(), texels.size());
+    RgbaImage image = read_level_image(part, r, photo, Type::tiles, stored);
     for (int l = stored; l < level; ++l) image = halve(image);
     return image;
 }
@@ -106,7 +92,7 @@ std::vector<Pose> given_poses(const PackageReader& package) {
     const auto given = sound_records<RegistrationRecord>(package, Type::registration);
     const auto photos = sound_records<PhotoRecord>(package, Type::photos);
     for (std::size_t i = 0; i < photos.size(); ++i)
-        out.push_back(i < given.size() ? pose_of(given[i]) : cam_from_origin(photos[i]));
+        out.push_back(i < given.size() ? cam_from_origin(given[i]) : cam_from_origin(photos[i]));
     return out;
 }
 
@@ -115,8 +101,7 @@ void write_registration(PackageWriter& writer, const Registration& found, std::s
     std::vector<RegistrationRecord> records;
     for (std::size_t i = 0; i < given.size(); ++i) {
         RegistrationRecord& r = records.emplace_back();
-        Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(r.R) = given[i].R;
-        Eigen::Map<Eigen::Vector3d>(r.t) = given[i].t;
+        set_pose(given[i], r);
         const PhotoRegistration& p = found.photos[i];
         r.by = p.by;
         r.before = p.before;
@@ -149,11 +134,6 @@ void move_photo(const GeometryStages& s, const PackageReader& part, std::uint32_
     seal(state, r);
     s.writer.note(Type::photos, i, bytes_of_one(r));
     s.writer.note(Type::states, i, bytes_of_one(state));
-}
-
-void set_pose(const Pose& pose, PhotoRecord& r) {
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(r.R) = pose.R;
-    Eigen::Map<Eigen::Vector3d>(r.t) = pose.t;
 }
 
 }  // namespace vantage

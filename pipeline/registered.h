@@ -35,7 +35,4 @@ void write_registration(PackageWriter& writer, const Registration& found, std::s
 void move_photo(const GeometryStages& stages, const PackageReader& part, std::uint32_t photo,
                 const Pose& pose, package::PhotoRecord& record, package::PhotoState& state);
 
-/// Into a record: a pose relative to the origin.
-void set_pose(const Pose& pose, package::PhotoRecord& record);
-
 }  // namespace vantage

@@ -5,12 +5,19 @@
 #include <string>
 
 #include "scene/error.h"
+#include "scene/tiling.h"
 
 namespace vantage {
 
 Intrinsics Intrinsics::scaled(int new_width, int new_height) const {
     const double sx = double(new_width) / width, sy = double(new_height) / height;
     return {new_width, new_height, fx * sx, fy * sy, cx * sx, cy * sy};
+}
+
+Intrinsics Intrinsics::at_level(int level) const {
+    const Level size = level_size(width, height, level);
+    const double s = 1.0 / (1 << level);
+    return {size.width, size.height, fx * s, fy * s, cx * s, cy * s};
 }
 
 std::optional<Projection> project(const Intrinsics& k, const Pose& pose, const Eigen::Vector3d& point) {

@@ -13,6 +13,9 @@ struct Intrinsics {
 
     /// The same camera with pixels `s` times as many along each side.
     Intrinsics scaled(int new_width, int new_height) const;
+    /// The same camera at a level of the photo's pyramid: a level's pixel is 2^level pixels wide even where
+    /// the size is odd, so the frame grows by the rounding.
+    Intrinsics at_level(int level) const;
 };
 
 /// Rigid transform `x_cam = R * x_world + t`; the camera looks along +z, x right, y down.

@@ -246,12 +246,20 @@ Intrinsics intrinsics(const package::PhotoRecord& p) {
     return {int(p.width), int(p.height), p.fx, p.fy, p.cx, p.cy};
 }
 
-Pose cam_from_origin(const package::PhotoRecord& p) {
+namespace {
+
+template <class Record>
+Pose pose_of(const Record& r) {
     Pose pose;
-    pose.R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(p.R);
-    pose.t = Eigen::Map<const Eigen::Vector3d>(p.t);
+    pose.R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(r.R);
+    pose.t = Eigen::Map<const Eigen::Vector3d>(r.t);
     return pose;
 }
+
+}  // namespace
+
+Pose cam_from_origin(const package::PhotoRecord& photo) { return pose_of(photo); }
+Pose cam_from_origin(const package::RegistrationRecord& given) { return pose_of(given); }
 
 bool effect_on(const package::SceneRecord& scene, Effect effect) { return scene.effects >> int(effect) & 1; }
 

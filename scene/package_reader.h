@@ -79,6 +79,7 @@ class PackageReader {
 /// A photo's pinhole camera, for positions relative to the origin.
 Intrinsics intrinsics(const package::PhotoRecord& photo);
 Pose cam_from_origin(const package::PhotoRecord& photo);
+Pose cam_from_origin(const package::RegistrationRecord& given);
 bool effect_on(const package::SceneRecord& scene, Effect effect);
 
 /// "TILE of 00003.jpg, level 2": the name people read in messages.

@@ -26,15 +26,6 @@ constexpr float depth_step = 0.02f;
 constexpr std::size_t most_others = 6;
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 
-std::vector<std::byte> joined(const PackageReader& package, Type type, std::uint32_t photo, int level,
-                              const Level& size) {
-    const package::DirectoryEntry* e = package.find(type, photo, std::uint32_t(level));
-    if (!e) throw Error(Exit::damaged, package.path().string() + ": a photo's pixels are missing");
-    std::vector<std::byte> texels = join_tiles(package, *e, size);
-    package.forget(package.raw(*e));
-    return texels;
-}
-
 const std::array<float, 256>& ln_of_byte() {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> t;
@@ -113,15 +104,9 @@ ConsensusView read_consensus_view(const PackageReader& package, const package::P
     const int l = std::clamp(level, 0, std::max(int(r.levels) - 1, 0)), zl = std::max(l, mask_level);
     const Level size = level_size(int(r.width), int(r.height), l),
                 deep = level_size(int(r.width), int(r.height), zl);
-    const Intrinsics full = intrinsics(r);
-    const double s = 1.0 / (1 << l);
-    ConsensusView v{size.width,
-                    size.height,
-                    {size.width, size.height, full.fx * s, full.fy * s, full.cx * s, full.cy * s},
-                    cam_from_origin(r),
-                    {}};
-    const auto rgba = joined(package, Type::tiles, photo, l, size),
-               z = joined(package, Type::depth, photo, zl, deep);
+    ConsensusView v{size.width, size.height, intrinsics(r).at_level(l), cam_from_origin(r), {}};
+    const auto rgba = read_level(package, r, photo, Type::tiles, l),
+               z = read_level(package, r, photo, Type::depth, zl);
     v.texels.resize(std::size_t(size.width) * std::size_t(size.height));
     const Falloff falloff{double(r.falloff[0]), double(r.falloff[1]), double(r.falloff[2])};
     const float gain[3] = {float(std::log(r.gain[0])), float(std::log(r.gain[1])),

@@ -13,12 +13,10 @@ namespace {
 
 using package::Type;
 
-cv::Mat joined(const PackageReader& package, Type type, std::uint32_t photo, int level, const Level& size,
-               int cv_type) {
-    const package::DirectoryEntry* e = package.find(type, photo, std::uint32_t(level));
-    if (!e) throw Error(Exit::damaged, package.path().string() + ": a photo's pixels are missing");
-    const std::vector<std::byte> texels = join_tiles(package, *e, size);
-    package.forget(package.raw(*e));
+cv::Mat level_of(const PackageReader& package, const package::PhotoRecord& r, std::uint32_t photo, Type type,
+                 int level, int cv_type) {
+    const Level size = level_size(int(r.width), int(r.height), level);
+    const std::vector<std::byte> texels = read_level(package, r, photo, type, level);
     cv::Mat out(size.height, size.width, cv_type);
     std::memcpy(out.data, texels.data(), texels.size());
     return out;
@@ -50,20 +48,17 @@ MatchView read_match_view(const PackageReader& package, const package::PhotoReco
     int l = mask_level;
     while (l + 1 < int(r.levels) && int(std::max(r.width, r.height)) >> l > long_side) ++l;
     const Level size = level_size(int(r.width), int(r.height), l);
-    const Intrinsics full = intrinsics(r);
-    const double s = 1.0 / (1 << l);
     MatchView out{l,
-                  {size.width, size.height, full.fx * s, full.fy * s, full.cx * s, full.cy * s},
+                  intrinsics(r).at_level(l),
                   cam_from_origin(r),
                   {},
-                  joined(package, Type::depth, photo, l, size, CV_32F)};
+                  level_of(package, r, photo, Type::depth, l, CV_32F)};
     cv::Mat grey;
     if (l < int(r.levels)) {
-        cv::cvtColor(joined(package, Type::tiles, photo, l, size, CV_8UC4), grey, cv::COLOR_RGBA2GRAY);
+        cv::cvtColor(level_of(package, r, photo, Type::tiles, l, CV_8UC4), grey, cv::COLOR_RGBA2GRAY);
     } else {
         cv::Mat finer;
-        const Level whole{int(r.width), int(r.height)};
-        cv::cvtColor(joined(package, Type::tiles, photo, 0, whole, CV_8UC4), finer, cv::COLOR_RGBA2GRAY);
+        cv::cvtColor(level_of(package, r, photo, Type::tiles, 0, CV_8UC4), finer, cv::COLOR_RGBA2GRAY);
         cv::resize(finer, grey, {size.width, size.height}, 0, 0, cv::INTER_AREA);
     }
     out.grey = normalised(grey);

@@ -123,4 +123,8 @@ double median_displacement(std::span<const package::PairRecord> pairs, std::uint
     return median_of(pairs, [&](const package::PairRecord& p) { return p.a == photo || p.b == photo; });
 }
 
+double median_displacement_beside(std::span<const package::PairRecord> pairs, std::uint32_t photo) {
+    return median_of(pairs, [&](const package::PairRecord& p) { return p.a != photo && p.b != photo; });
+}
+
 }  // namespace vantage

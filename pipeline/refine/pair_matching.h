@@ -32,8 +32,9 @@ bool trusted(const package::PairRecord& pair);
 /// Corners could be compared, and were not found again: these photos do not show one surface.
 bool contradicts(const package::PairRecord& pair);
 
-/// Median displacement of trusted pairs, or of those with one photo; 0 without any.
+/// Median displacement of trusted pairs, of those with one photo, or of those without it; 0 without any.
 double median_displacement(std::span<const package::PairRecord> pairs);
 double median_displacement(std::span<const package::PairRecord> pairs, std::uint32_t photo);
+double median_displacement_beside(std::span<const package::PairRecord> pairs, std::uint32_t photo);
 
 }  // namespace vantage

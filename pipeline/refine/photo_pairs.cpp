@@ -19,10 +19,8 @@ using Bits = std::vector<std::uint64_t>;
 
 Bits seen_discs(std::span<const package::SampleRecord> samples) {
     Bits bits((samples.size() + 63) / 64);
-    for (std::size_t d = 0; d < samples.size(); ++d) {
-        const package::SampleRecord& s = samples[d];
-        if (s.linear[0] | s.linear[1] | s.linear[2]) bits[d / 64] |= std::uint64_t(1) << d % 64;
-    }
+    for (std::size_t d = 0; d < samples.size(); ++d)
+        if (shown(samples[d])) bits[d / 64] |= std::uint64_t(1) << d % 64;
     return bits;
 }
 

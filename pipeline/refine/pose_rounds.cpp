@@ -78,17 +78,17 @@ std::vector<PoseChange> PoseRounds::solve(const std::vector<FittedCamera>& camer
     return change;
 }
 
-PoseRounds::Poses PoseRounds::without_common_motion(const Poses& now, double& taken_back) const {
-    const Matching after = match(now, fine);
+PoseRounds::Placed PoseRounds::without_common_motion(const Poses& now) const {
+    Matching after = match(now, fine);
     const Similarity back = inverse(common_motion(intrinsics_, given_, now, after.stars));
     Poses without;
     for (const Pose& p : now) without.push_back(moved_with(p, back));
-    taken_back = median_motion(intrinsics_, now, without, after.stars);
+    const double common = median_motion(intrinsics_, now, without, after.stars);
+    Matching without_it = match(without, fine);
     const std::size_t n = in_.photos.size();
-    const double worse = judged(match(without, fine), n).back() - judged(after, n).back();
-    if (worse < noticed * taken_back) return without;
-    taken_back = -taken_back;
-    return now;
+    const double worse = judged(without_it, n).back() - judged(after, n).back();
+    if (worse < noticed * common) return {std::move(without), std::move(without_it), common, false};
+    return {now, std::move(after), common, true};
 }
 
 std::vector<PhotoRegistration> PoseRounds::registered(std::string& evidence) const {
@@ -97,21 +97,20 @@ std::vector<PhotoRegistration> PoseRounds::registered(std::string& evidence) con
     constexpr std::array once_more{fine};
     std::vector<FittedCamera> cameras = cameras_;
     std::vector<PoseChange> change = solve(cameras, std::vector<PoseChange>(n, PoseChange{}), from_coarse);
-    double common = 0;
-    Poses now = without_common_motion(poses_of(cameras, change), common);
-    evidence += fmt::format("; what all cameras moved together, {:.2f} px, was {}", std::abs(common),
-                            common < 0 ? "kept, because photos notice it" : "taken back");
+    Placed now = without_common_motion(poses_of(cameras, change));
+    evidence += fmt::format("; what all cameras moved together, {:.2f} px, was {}", now.common,
+                            now.common_kept ? "kept, because photos notice it" : "taken back");
     const std::vector<double> before = judged(before_, n);
     for (int attempt = 1;; ++attempt) {
-        const Matching m = match(now, fine);
-        const std::vector<double> after = judged(m, n);
+        const std::vector<double> after = judged(now.matched, n);
         std::vector<PhotoRegistration> out(n);
         bool worse = false;
         for (std::size_t i = 0; i < n; ++i) {
             if (cameras[i].fixed) continue;
-            const double by = median_motion(intrinsics_, given_, now, m.stars, std::uint32_t(i));
+            const double by =
+                median_motion(intrinsics_, given_, now.poses, now.matched.stars, std::uint32_t(i));
             if (by > 0 && before[i] > 0 && after[i] > 0 && after[i] < before[i]) {
-                out[i] = {now[i], by, before[i], after[i]};
+                out[i] = {now.poses[i], by, before[i], after[i]};
             } else {
                 worse |= by > 0;
                 cameras[i].fixed = true;
@@ -121,7 +120,8 @@ std::vector<PhotoRegistration> PoseRounds::registered(std::string& evidence) con
         if (!worse) return out;
         if (attempt == attempts) return std::vector<PhotoRegistration>(n);
         change = solve(cameras, change, once_more);
-        now = poses_of(cameras, change);
+        now.poses = poses_of(cameras, change);
+        now.matched = match(now.poses, fine);
     }
 }
 

@@ -20,7 +20,14 @@ class PoseRounds {
     Matching match(const Poses& poses, int long_side) const;
     std::vector<PoseChange> solve(const std::vector<FittedCamera>& cameras, std::vector<PoseChange> change,
                                   std::span<const int> long_sides) const;
-    Poses without_common_motion(const Poses& now, double& taken_back) const;
+    /// Cameras, what matching finds under them, and the slide along the model that was or was not taken back.
+    struct Placed {
+        Poses poses;
+        Matching matched;
+        double common;  ///< px, median
+        bool common_kept;
+    };
+    Placed without_common_motion(const Poses& now) const;
 
     const RegistrationInput& in_;
     std::vector<PhotoPair> pairs_;

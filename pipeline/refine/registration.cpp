@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "pipeline/refine/pose_rounds.h"
 #include "pipeline/refine/swapped_cameras.h"
@@ -23,24 +24,30 @@ constexpr MatchSettings evidence{800, 300, 0};
 constexpr double usual = 1, usual_shift = 1.5;     ///< px: more calls for registration
 constexpr double odd_photo = 2, least_odd = 0.75;  ///< times what is usual among the others, and px
 
+/// Of all that the measuring of a pair depends on.
+std::uint64_t key_of(const RegistrationInput& in, const PhotoPair& pair) {
+    const std::array parts{in.fingerprints[pair.a], in.fingerprints[pair.b]};
+    return checksum(std::as_bytes(std::span(parts)));
+}
+
 /// Pairs as they were measured before, where nothing about them has changed; the others are matched.
 std::vector<PairRecord> measure_pairs(const RegistrationInput& in) {
     const std::vector<PhotoPair> pairs = photo_pairs(in.photos, in.samples, in.discs, package::pairs_a_photo);
+    std::map<std::uint64_t, const PairRecord*> known;
+    for (const PairRecord& p : in.known) known[p.key] = &p;
     std::vector<PairRecord> out(pairs.size());
     std::vector<PhotoPair> unknown;
     std::vector<std::size_t> places;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
-        const std::array parts{in.fingerprints[pairs[p].a], in.fingerprints[pairs[p].b]};
-        const std::uint64_t key = checksum(std::as_bytes(std::span(parts)));
-        if (const PairRecord* known = in.known ? in.known(key) : nullptr) {
-            out[p] = *known;
-            out[p].a = pairs[p].a;
-            out[p].b = pairs[p].b;
-        } else {
+        const auto it = known.find(key_of(in, pairs[p]));
+        if (it == known.end()) {
             unknown.push_back(pairs[p]);
             places.push_back(p);
+        } else {
+            out[p] = *it->second;
+            out[p].a = pairs[p].a;
+            out[p].b = pairs[p].b;
         }
-        out[p].key = key;
     }
     std::vector<Pose> given;
     for (const PhotoRecord& p : in.photos) given.push_back(cam_from_origin(p));
@@ -48,9 +55,8 @@ std::vector<PairRecord> measure_pairs(const RegistrationInput& in) {
     how.threads = in.threads;
     const Matching m = match_pairs(in.package, in.photos, given, unknown, how);
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const std::uint64_t key = out[places[i]].key;
         out[places[i]] = m.pairs[i];
-        out[places[i]].key = key;
+        out[places[i]].key = key_of(in, unknown[i]);
     }
     return out;
 }
@@ -87,10 +93,7 @@ double disagreement(const RegistrationInput& in, std::span<const PairRecord> pai
         all, quantile(p90, 0.5), name_of(in, worst->a), name_of(in, worst->b), worst_shift);
     double most = std::max(all / usual, worst_shift / usual_shift);
     for (std::uint32_t i = 0; i < in.photos.size(); ++i) {
-        std::vector<PairRecord> others;
-        for (const PairRecord& p : pairs)
-            if (p.a != i && p.b != i) others.push_back(p);
-        const double own = median_displacement(pairs, i), usual_one = median_displacement(others);
+        const double own = median_displacement(pairs, i), usual_one = median_displacement_beside(pairs, i);
         if (usual_one == 0 || own < least_odd || own / (odd_photo * usual_one) <= most) continue;
         most = own / (odd_photo * usual_one);
         found = fmt::format("{} lies {:.2f} px from the others, they {:.2f} px from each other",
@@ -107,7 +110,7 @@ bool is_flat(const RegistrationInput& in) {
     const auto each = [&](const auto& visit) {
         for (std::size_t d = 0; d < in.discs.size(); ++d)
             for (const auto& s : in.samples)
-                if (d < s.size() && (s[d].linear[0] | s[d].linear[1] | s[d].linear[2])) {
+                if (d < s.size() && shown(s[d])) {
                     visit(in.discs[d].center.template cast<double>());
                     break;
                 }

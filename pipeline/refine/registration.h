@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,8 +17,7 @@ struct RegistrationInput {
     Samples samples;
     std::span<const SurfaceDisc> discs;           ///< as many as samples a photo
     std::span<const std::uint64_t> fingerprints;  ///< of what each photo shows, and from where
-    /// What is known of a pair from before, by its key; may be empty.
-    std::function<const package::PairRecord*(std::uint64_t key)> known;
+    std::span<const package::PairRecord> known;   ///< pairs that were measured before, by their keys
     unsigned threads = 0;
 };
 

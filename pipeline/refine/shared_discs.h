@@ -12,6 +12,9 @@ namespace vantage {
 /// A photo's discs of the surface, or none; of all photos.
 using Samples = std::span<const std::span<const package::SampleRecord>>;
 
+/// The photo shows the disc.
+inline bool shown(const package::SampleRecord& s) { return s.linear[0] | s.linear[1] | s.linear[2]; }
+
 /// The samples of all photos; of very many photos every `step`-th disc only, so that memory does not grow
 /// with them.
 struct PhotoSamples {

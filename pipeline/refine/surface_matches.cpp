@@ -84,16 +84,11 @@ SurfaceChart::SurfaceChart(const MatchView& view, const Pose& pose, std::uint32_
         if (!smooth(vector_of(c))) continue;
         const Vector3d x = lifted(vector_of(c)), right = lifted(vector_of(c) + Vector2d(2, 0)),
                        down = lifted(vector_of(c) + Vector2d(0, 2));
-        const Vector3d normal = (right - x).cross(down - x).stableNormalized(), p = pose.R * x + pose.t;
-        if (!(normal.squaredNorm() > 0.5) || !(p.z() > 0)) continue;
+        const Vector3d normal = (right - x).cross(down - x).stableNormalized();
+        const auto seen = project(view.k, pose, x);
+        if (!(normal.squaredNorm() > 0.5) || !seen) continue;
         corners_.push_back(c);
-        stars_.push_back(
-            {photo,
-             at_full_size({view.k.fx * p.x() / p.z() + view.k.cx, view.k.fy * p.y() / p.z() + view.k.cy},
-                          view.level),
-             x,
-             normal,
-             {}});
+        stars_.push_back({photo, at_full_size(seen->pixel, view.level), x, normal, {}});
     }
 }
 
@@ -150,13 +145,10 @@ std::size_t SurfaceChart::match(const MatchView& other, const Pose& other_pose, 
             !shown.at<std::uint8_t>(int(std::lround(to[i].y)), int(std::lround(to[i].x))) ||
             !(correlation(grey_, from[i], there, to[i]) >= least_correlation))
             continue;
-        const Vector3d p = other_pose.R * lifted(vector_of(to[i])) + other_pose.t;
-        if (!(p.z() > 0)) continue;
-        stars_[which[i]].matches.push_back(
-            {other_photo,
-             at_full_size({other.k.fx * p.x() / p.z() + other.k.cx, other.k.fy * p.y() / p.z() + other.k.cy},
-                          other.level),
-             at_full_size(vector_of(to[i] - from[i]), view_.level)});
+        const auto seen = project(other.k, other_pose, lifted(vector_of(to[i])));
+        if (!seen) continue;
+        stars_[which[i]].matches.push_back({other_photo, at_full_size(seen->pixel, other.level),
+                                            at_full_size(vector_of(to[i] - from[i]), view_.level)});
     }
     return from.size();
 }

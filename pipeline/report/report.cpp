@@ -120,15 +120,8 @@ std::string coverage_part(const PackageReader& package) {
 RgbaImage mask_picture(const PackageReader& package, std::uint32_t i, const PhotoRecord& p) {
     int l = mask_level;
     while (l + 1 < mask_levels_end(int(p.levels)) && std::max(p.width, p.height) >> l > 320) ++l;
-    const Level size = level_size(int(p.width), int(p.height), l);
-    const auto* chunk = package.find(Type::masks, i, std::uint32_t(l));
-    RgbaImage image{size.width, size.height, {}};
-    if (!chunk) return {1, 1, {0, 0, 0, 0}};
-    const std::vector<std::byte> texels = join_tiles(package, *chunk, size);
-    package.forget(package.raw(*chunk));
-    image.rgba.resize(texels.size());
-    std::memcpy(image.rgba.data(), texels.data(), texels.size());
-    return image;
+    if (!package.find(Type::masks, i, std::uint32_t(l))) return {1, 1, {0, 0, 0, 0}};
+    return read_level_image(package, p, i, Type::masks, l);
 }
 
 RgbaImage thumbnail(const PackageReader& package, std::uint32_t i, const PhotoRecord& p) {

@@ -103,12 +103,7 @@ Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Po
     return {std::max(nearest * 0.999, farthest * 1e-5), farthest * 1.001};
 }
 
-Intrinsics map_intrinsics(const Intrinsics& k) {
-    // A level's pixel is 2^level pixels wide even where the size is odd, so the frame grows by the rounding.
-    const Level half = level_size(k.width, k.height, mask_level);
-    const double s = 1.0 / (1 << mask_level);
-    return {half.width, half.height, k.fx * s, k.fy * s, k.cx * s, k.cy * s};
-}
+Intrinsics map_intrinsics(const Intrinsics& k) { return k.at_level(mask_level); }
 
 PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::uint32_t> indices,
                               const Intrinsics& k, const Pose& pose, Eigen::Vector2d near_far) {
