@@ -20,8 +20,8 @@ Registration find_registration(const FinishInput& in, const PackageReader& part,
     const Traced traced(in.geometry.trace, "register");
     const auto spans = samples.spans();
     const std::vector<SurfaceDisc> discs = thinned(in.geometry.discs, samples.step);
-    const RegistrationInput input{part,         photos.records, spans,     discs,
-                                  fingerprints, in.known_pairs, in.threads};
+    const RegistrationInput input{part,         photos.records, spans,      discs,
+                                  fingerprints, in.known_pairs, in.threads, in.progress};
     return register_photos(input, choice);
 }
 

@@ -21,6 +21,7 @@ struct FinishInput {
     std::optional<Registration> known;             ///< what an earlier package found for just this
     std::vector<package::PairRecord> known_pairs;  ///< that an earlier package measured
     unsigned threads;
+    OnProgress progress;  ///< may be empty
 };
 
 /// What single photos show that others agree is not there.
@@ -40,7 +41,8 @@ struct Agreement {
 std::vector<SurfaceDisc> thinned(std::span<const SurfaceDisc> discs, std::size_t step);
 
 /// Settles what only all photos together tell, their cameras and colours, and finishes the package: META,
-/// SCEN, PHOT, STAT, REGI and PAIR, and anew what comes from cameras that were moved. Throws Error(storage).
+/// SCEN, PHOT, STAT, REGI and PAIR, and anew what comes from cameras that were moved. Throws Error(storage),
+/// and what `progress` throws.
 Agreement finish_package(const FinishInput& input, PhotoTables& photos);
 
 }  // namespace vantage

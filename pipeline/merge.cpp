@@ -126,15 +126,15 @@ void move_back(const FinishInput& in, PhotoTables& photos) {
 
 }  // namespace
 
-void merge(const std::vector<fs::path>& files, const fs::path& out) {
+void merge(const std::vector<fs::path>& files, const fs::path& out, const OnProgress& progress) {
     const std::vector<PackageReader> shares = open_shares(files);
     const PackageReader& first = shares.front();
     for (const PackageReader& share : shares) expect_same_scene(first, share);
-    join(shares, std::string(first.meta()), first.scene(), out);
+    join(shares, std::string(first.meta()), first.scene(), out, progress);
 }
 
 void join(std::span<const PackageReader> parts, const std::string& meta, const package::SceneRecord& scene,
-          const fs::path& out) {
+          const fs::path& out, const OnProgress& progress) {
     const PackageReader& first = parts.front();
     const auto planned = first.records<PhotoRecord>(Type::photos);
     PhotoTables photos{{planned.begin(), planned.end()}, std::vector<PhotoState>(planned.size())};
@@ -145,7 +145,10 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
     if (writer.resumed()) formers.push_back(std::make_unique<Former>(part_of(out), true));
     for (const PackageReader& part : parts) formers.push_back(std::make_unique<Former>(part.path(), false));
     copy_scene(first, writer);
-    for (std::uint32_t i = 0; i < records.size(); ++i) merge_photo(i, formers, writer, records[i], states[i]);
+    for (std::uint32_t i = 0; i < records.size(); ++i) {
+        merge_photo(i, formers, writer, records[i], states[i]);
+        if (progress) progress({"copy", records[i].name, i + 1, records.size()});
+    }
 
     const PackedModel model = model_of(first);
     const auto from = first.records<Eigen::Vector3f>(Type::normals);
@@ -155,7 +158,7 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
     const auto discs = surface_disc_set(model.positions, model.indices, scene.reference_density);
     const GeometryStages geometry{model,  discs,  renderer, settings.border_width, settings.border_threshold,
                                   writer, nullptr};
-    FinishInput in{geometry, out, meta, scene, given_poses(first), {}, pairs_of(first), 0};
+    FinishInput in{geometry, out, meta, scene, given_poses(first), {}, pairs_of(first), 0, progress};
     const EffectChoice choice = choice_of(forced_effects(meta), Effect::registration);
     in.known = registration_of(
         first, registration_key(registration_fingerprints(states, in.given, renderer.by_opengl()), choice));

@@ -191,10 +191,11 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     if (run.share.shares)
         finish_share(writer, plan.photos);
     else
-        tally.result.agreement = std::make_shared<const Agreement>(
-            finish_package({geometry, out, plan.meta, model.record, given, known, pairs_of_formers(formers),
-                            needs.in_flight},
-                           plan.photos));
+        tally.result.agreement = std::make_shared<const Agreement>(finish_package(
+            {geometry, out, plan.meta, model.record, given, known, pairs_of_formers(formers), needs.in_flight,
+             until_stopped(run.stop, "stopped: all photos are done and kept; run the same again to go on",
+                           progress)},
+            plan.photos));
     return tally.result;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/progress.h"
 #include "pipeline/scene_input.h"
 #include "pipeline/stages/border.h"
 #include "pipeline/stages/undistort.h"
@@ -41,13 +42,6 @@ struct PrepareSettings {
     std::uint64_t memory = 0;  ///< bytes that must do, by having fewer photos in flight; 0: any
     std::vector<std::string> hold_out;
     std::map<Effect, EffectChoice> effects;
-};
-
-/// What is going on, for a progress line.
-struct Progress {
-    const char* stage;
-    std::string photo;
-    std::size_t done, total;
 };
 
 /// What a preparation will take, known before its photos are begun.

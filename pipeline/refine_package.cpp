@@ -10,7 +10,7 @@
 namespace vantage {
 
 void refine_package(const std::filesystem::path& file, const std::map<Effect, EffectChoice>& choices,
-                    const std::filesystem::path& out) {
+                    const std::filesystem::path& out, const OnProgress& progress) {
     const PackageReader package(file);
     const std::string meta(package.meta());
     std::map<Effect, EffectChoice> forced = forced_effects(meta);
@@ -19,7 +19,7 @@ void refine_package(const std::filesystem::path& file, const std::map<Effect, Ef
         scene.effects &= ~(std::uint64_t(1) << int(e));
         forced[e] = choice_of(choices, e);
     }
-    join(std::span(&package, 1), with_forced(meta, forced), scene, out);
+    join(std::span(&package, 1), with_forced(meta, forced), scene, out, progress);
 }
 
 }  // namespace vantage

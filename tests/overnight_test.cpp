@@ -3,6 +3,7 @@
 #include "overnight.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -184,6 +185,18 @@ TEST_F(Overnight, RegisteredAfterwardsOrByMergingIsAsIfPreparedSo) {
     spec.photos.samples = 1;
     spec.error.pixels = 4;
     synthesise(spec, scene, {});
+    // Whoever is told to stop while cameras are solved for goes on later.
+    std::atomic<bool> stop{false};
+    PrepareRun stopped;
+    stopped.stop = &stop;
+    const auto stop_at_matching = [&](const Progress& p) { stop = std::string_view(p.stage) == "match"; };
+    try {
+        prepare(read_scene(discover(scene)), {}, file, stop_at_matching, stopped);
+        FAIL() << "it went on";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.code(), Exit::interrupted) << e.what();
+    }
+    EXPECT_FALSE(fs::exists(file));
     const PrepareResult one = prepare_here();
     ASSERT_TRUE(one.agreement->registration.decision.on);
     const std::string registered = slurp(file);

@@ -4,18 +4,26 @@
 
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
+#include "pipeline/commands/progress_line.h"
+#include "pipeline/commands/stop_signals.h"
 
 namespace vantage {
 namespace {
 
 struct Options {
     std::vector<std::string> shares;
-    std::string out;
+    std::string out, progress = "auto";
     bool remove = false;
 };
 
 int run_merge(const Options& o) {
-    merge({o.shares.begin(), o.shares.end()}, o.out);
+    {
+        ProgressLine line(progress_style(o.progress));
+        merge(
+            {o.shares.begin(), o.shares.end()}, o.out,
+            until_stopped(&stop_on_signals(), "stopped: what was copied is kept; run the same again to go on",
+                          [&](const Progress& p) { line.show(p); }));
+    }
     if (o.remove)
         for (const std::string& share : o.shares) std::filesystem::remove(share);
     fmt::print("package  {} ({:.1f} MB of {} shares)\n", o.out,
@@ -35,6 +43,7 @@ void add_merge(CLI::App& app, Run& run) {
         "Example:\n  vantage merge chapel-*.share -o chapel.vantage --remove");
     c->add_option("SHARES", o->shares, "all shares of one preparation, in any order")->required();
     c->add_option("-o,--output", o->out, "the package to write")->required();
+    c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();
     c->add_flag("--remove", o->remove, "remove the shares once the package is whole");
     c->callback([o, &run] { run = [o] { return run_merge(*o); }; });
 }

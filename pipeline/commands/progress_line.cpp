@@ -54,6 +54,10 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(const Progress& p) {
+    if (p.stage != stage_) {
+        stage_ = p.stage;
+        start_ = std::chrono::steady_clock::now();
+    }
     const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     shown_ = true;
     if (style_ == ProgressStyle::bar)

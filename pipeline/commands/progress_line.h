@@ -2,7 +2,7 @@
 #include <chrono>
 #include <string>
 
-#include "pipeline/prepare.h"
+#include "pipeline/progress.h"
 
 namespace vantage {
 
@@ -11,7 +11,7 @@ enum class ProgressStyle { bar, lines, json, none };
 /// "auto" is a bar on a terminal and lines elsewhere. Throws Error(usage).
 ProgressStyle progress_style(const std::string& name);
 
-/// What is done, how fast and how long it will take, on the error stream.
+/// What is done, and for each stage how fast and how long it will take, on the error stream.
 class ProgressLine {
   public:
     explicit ProgressLine(ProgressStyle style) : style_(style) {}
@@ -24,6 +24,7 @@ class ProgressLine {
   private:
     ProgressStyle style_;
     bool shown_ = false;
+    std::string stage_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

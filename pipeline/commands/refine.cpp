@@ -4,6 +4,8 @@
 #include <string>
 
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/progress_line.h"
+#include "pipeline/commands/stop_signals.h"
 #include "pipeline/provenance.h"
 #include "pipeline/refine_package.h"
 #include "scene/package_reader.h"
@@ -12,7 +14,8 @@ namespace vantage {
 namespace {
 
 struct Options {
-    std::string file, out, registration = "auto", exposure = "auto", falloff = "auto", consensus = "auto";
+    std::string file, out, progress = "auto", registration = "auto", exposure = "auto", falloff = "auto",
+                           consensus = "auto";
 };
 
 EffectChoice choice(const std::string& text) {
@@ -21,12 +24,18 @@ EffectChoice choice(const std::string& text) {
 
 int run_refine(const Options& o) {
     const std::string out = o.out.empty() ? o.file : o.out;
-    refine_package(o.file,
-                   {{Effect::registration, choice(o.registration)},
-                    {Effect::exposure, choice(o.exposure)},
-                    {Effect::falloff, choice(o.falloff)},
-                    {Effect::consensus, choice(o.consensus)}},
-                   out);
+    {
+        ProgressLine line(progress_style(o.progress));
+        refine_package(
+            o.file,
+            {{Effect::registration, choice(o.registration)},
+             {Effect::exposure, choice(o.exposure)},
+             {Effect::falloff, choice(o.falloff)},
+             {Effect::consensus, choice(o.consensus)}},
+            out,
+            until_stopped(&stop_on_signals(), "stopped: what was copied is kept; run the same again to go on",
+                          [&](const Progress& p) { line.show(p); }));
+    }
     const PackageReader package(out);
     const std::string meta(package.meta());
     for (const Effect e : {Effect::registration, Effect::exposure, Effect::falloff, Effect::consensus})
@@ -58,6 +67,7 @@ void add_refine(CLI::App& app, Run& run) {
         c->add_option(name, *value, "auto (by the evidence), on or off")
             ->check(CLI::IsMember({"auto", "on", "off"}))
             ->capture_default_str();
+    c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();
     c->callback([o, &run] { run = [o] { return run_refine(*o); }; });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 
 #include "pipeline/for_each_photo.h"
 #include "pipeline/refine/recent.h"
@@ -92,6 +93,8 @@ Matching match_pairs(const PackageReader& package, std::span<const package::Phot
         return read_match_view(package, photos[photo], photo, how.long_side);
     });
     std::vector<std::vector<Star>> stars(charts.size());
+    std::mutex mutex;
+    std::size_t done = 0;
     for_each_photo(charts.size(), how.threads, [&](std::size_t c) {
         const std::uint32_t a = pairs[charts[c].first].a;
         const auto own = views.get(a);
@@ -104,6 +107,8 @@ Matching match_pairs(const PackageReader& package, std::span<const package::Phot
         stars[c] = chart.stars();
         std::erase_if(stars[c], [](const Star& s) { return s.matches.empty(); });
         package.forget_all();
+        const std::scoped_lock lock(mutex);
+        if (how.progress) how.progress({"match", photos[a].name, ++done, charts.size()});
     });
     for (std::vector<Star>& s : stars) out.stars.insert(out.stars.end(), s.begin(), s.end());
     return out;

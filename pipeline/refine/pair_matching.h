@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/progress.h"
 #include "pipeline/refine/photo_pairs.h"
 #include "pipeline/refine/surface_matches.h"
 #include "scene/package_reader.h"
@@ -14,6 +15,7 @@ struct MatchSettings {
     int long_side;  ///< px that photos are reduced to
     int corners;    ///< a photo, at most
     unsigned threads;
+    OnProgress progress{};  ///< by photos; may be empty
 };
 
 /// What matching found: pairs in order, and the stars of all photos.

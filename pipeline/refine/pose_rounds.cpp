@@ -61,7 +61,8 @@ PoseRounds::PoseRounds(const RegistrationInput& in)
 }
 
 Matching PoseRounds::match(const Poses& poses, int long_side) const {
-    return match_pairs(in_.package, in_.photos, poses, pairs_, {long_side, corners, in_.threads});
+    return match_pairs(in_.package, in_.photos, poses, pairs_,
+                       {long_side, corners, in_.threads, in_.progress});
 }
 
 std::vector<PoseChange> PoseRounds::solve(const std::vector<FittedCamera>& cameras,

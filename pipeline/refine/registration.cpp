@@ -20,9 +20,9 @@ namespace {
 using package::PairRecord;
 using package::PhotoRecord;
 
-constexpr MatchSettings evidence{800, 300, 0};
-constexpr double usual = 1, usual_shift = 1.5;     ///< px: more calls for registration
-constexpr double odd_photo = 2, least_odd = 0.75;  ///< times what is usual among the others, and px
+constexpr int evidence_size = 800, evidence_corners = 300;  ///< px along the longer side; a photo
+constexpr double usual = 1, usual_shift = 1.5;              ///< px: more calls for registration
+constexpr double odd_photo = 2, least_odd = 0.75;           ///< times what is usual among the others, and px
 
 /// Of all that the measuring of a pair depends on.
 std::uint64_t key_of(const RegistrationInput& in, const PhotoPair& pair) {
@@ -51,9 +51,8 @@ std::vector<PairRecord> measure_pairs(const RegistrationInput& in) {
     }
     std::vector<Pose> given;
     for (const PhotoRecord& p : in.photos) given.push_back(cam_from_origin(p));
-    MatchSettings how = evidence;
-    how.threads = in.threads;
-    const Matching m = match_pairs(in.package, in.photos, given, unknown, how);
+    const Matching m = match_pairs(in.package, in.photos, given, unknown,
+                                   {evidence_size, evidence_corners, in.threads, in.progress});
     for (std::size_t i = 0; i < places.size(); ++i) {
         out[places[i]] = m.pairs[i];
         out[places[i]].key = key_of(in, unknown[i]);

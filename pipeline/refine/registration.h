@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/progress.h"
 #include "pipeline/refine/pair_matching.h"
 #include "scene/effects.h"
 
@@ -19,6 +20,7 @@ struct RegistrationInput {
     std::span<const std::uint64_t> fingerprints;  ///< of what each photo shows, and from where
     std::span<const package::PairRecord> known;   ///< pairs that were measured before, by their keys
     unsigned threads = 0;
+    OnProgress progress{};  ///< of every matching; may be empty
 };
 
 /// What registration made of one photo's camera.
