@@ -79,6 +79,8 @@ void add_blending(CLI::App& app, RenderSettings& r) {
     off("--no-angle-mask", r.weights.angle_mask, "switch the angle mask off");
     off("--no-depth-mask", r.weights.depth_mask, "switch the depth mask off");
     off("--no-border-mask", r.weights.border_mask, "switch the border mask off");
+    off("--no-consensus-mask", r.weights.consensus_mask,
+        "switch the consensus mask off: show what single photos show and others contradict");
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ void for_fields(R& r, const Field& field) {
     field("angle_mask", w.angle_mask);
     field("depth_mask", w.depth_mask);
     field("border_mask", w.border_mask);
+    field("consensus_mask", w.consensus_mask);
     field("corrected_directions", w.corrected_directions);
     field("exponent", w.exponent);
     field("sharpness", w.sharpness);

@@ -14,7 +14,7 @@ layout(location = 2) uniform uint pass_count;
 layout(location = 3) uniform vec3 eye;             // relative to the origin
 layout(location = 11) uniform vec3 weight_eye;     // from where weights count; elsewhere when they are frozen
 layout(location = 4) uniform vec3 view_direction;  // [P]: to the model from outside, the camera's own from inside
-layout(location = 5) uniform uint switches;        // bit 0 angle mask, 1 depth mask, 2 border mask, 3 angle weight
+layout(location = 5) uniform uint switches;        // bit 0 angle mask, 1 depth, 2 border, 3 angle weight, 4 consensus mask
 layout(location = 6) uniform float border_width;   // pixels of a photo 3072 wide at which the border mask is 1
 layout(location = 7) uniform float sharpness;      // radians
 layout(location = 8) uniform float lod_bias;
@@ -187,7 +187,8 @@ void main() {
         vec4 masks = masks_at(at);
         w *= weight_of(photo, pixel, masks);
 #ifdef PHOTO_CONSENSUS
-        w *= (max(masks.a * 255.0, 1.0) - 1.0) / 254.0;  // 1 of 255: seen, and contradicted by others
+        // 1 of 255: seen, and contradicted by others
+        if ((switches & 16u) != 0u) w *= (max(masks.a * 255.0, 1.0) - 1.0) / 254.0;
 #endif
         if (!(w > 0.0)) continue;
 #ifdef BLEND_BEST

@@ -413,10 +413,9 @@ TEST_F(EndToEnd, StrangersAndHighlightsInSinglePhotosVanish) {
     std::erase(others, 3u);
     const View view = view_of_photo(p.package->photos()[3], 1);
     const double without = psnr(take_picture(*p.renderer, view, {}, others, 1), untouched);
-    PrepareSettings off;
-    off.effects[Effect::consensus] = EffectChoice::off;
-    Prepared painted(folder, dir / "painted.vantage", off);
-    const double with = psnr(take_picture(*painted.renderer, view, {}, others, 1), untouched);
+    RenderSettings all;
+    all.weights.consensus_mask = false;
+    const double with = psnr(take_picture(*p.renderer, view, all, others, 1), untouched);
     // What the same photos give where nobody was painted.
     fs::remove_all(folder);
     Prepared clean = Prepared(make(spec), dir / "again.vantage");

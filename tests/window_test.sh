@@ -69,7 +69,7 @@ press "Best photo"
 press "Lumigraph"
 press "Sharpness" 0.6
 press "Exponent" 0.3
-for box in "Consensus" "Fill holes" "Distance" "Angle" "Angle mask" "Depth mask" "Border mask" "Angle by photo" \
+for box in "Consensus" "Fill holes" "Distance" "Angle" "Angle mask" "Depth mask" "Border mask" "Consensus mask" "Angle by photo" \
   "Field of view" "Corrected" "Freeze weights"; do press "$box"; done
 press "Freeze weights"
 press "Choose"; press "nearest"

@@ -49,7 +49,7 @@ void blend_section(RenderSettings& r) {
     checkbox("Fill holes", &r.fill_holes);
 }
 
-void weight_section(Session& s) {
+void weight_section(Session& s, const Renderer& renderer) {
     WeightSettings& w = s.settings.weights;
     checkbox("Distance", &w.distance);
     ImGui::SameLine(150);
@@ -59,9 +59,12 @@ void weight_section(Session& s) {
     checkbox("Depth mask", &w.depth_mask);
     checkbox("Border mask", &w.border_mask);
     ImGui::SameLine(150);
+    ImGui::BeginDisabled(!effect_on(renderer.package().scene(), Effect::consensus));
+    checkbox("Consensus mask", &w.consensus_mask);
+    ImGui::EndDisabled();
     checkbox("Angle by photo", &w.angle_per_photo);
-    checkbox("Field of view", &w.fov_normalisation);
     ImGui::SameLine(150);
+    checkbox("Field of view", &w.fov_normalisation);
     checkbox("Corrected", &w.corrected_directions);
     if (checkbox("Freeze weights", &s.freeze)) {
         s.settings.weights_from.reset();
@@ -188,7 +191,7 @@ void blending_panel(Session& s, const Renderer& renderer) {
         ImGui::PushItemWidth(190);
         blend_section(s.settings);
         section("Weights");
-        weight_section(s);
+        weight_section(s, renderer);
         section("Photos");
         photo_section(s, renderer);
         section("Show");

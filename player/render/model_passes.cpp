@@ -20,7 +20,7 @@ Eigen::Vector3d overall_direction(const View& view, const package::SceneRecord& 
 
 GLuint switches(const WeightSettings& w) {
     return GLuint(w.angle_mask) | GLuint(w.depth_mask) << 1 | GLuint(w.border_mask) << 2 |
-           GLuint(w.angle && !w.angle_per_photo) << 3;
+           GLuint(w.angle && !w.angle_per_photo) << 3 | GLuint(w.consensus_mask) << 4;
 }
 
 void uniform(GLint location, const Eigen::Vector3d& v) {

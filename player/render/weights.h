@@ -11,7 +11,7 @@ struct WeightSettings {
     bool distance = true;  ///< [M]: viewpoint to camera centre, over the photos
     bool angle = true;     ///< between rays at the surface, or with `angle_per_photo` between view directions
     bool angle_per_photo = false;
-    bool angle_mask = true, depth_mask = true, border_mask = true;
+    bool angle_mask = true, depth_mask = true, border_mask = true, consensus_mask = true;
     bool fov_normalisation = false;     ///< [M] 4.1 to 4.3
     bool corrected_directions = false;  ///< [P]: photos look at the middle of what they see
     double exponent = 2;                ///< of distance and per-photo angle
