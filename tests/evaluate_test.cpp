@@ -13,6 +13,7 @@
 #include "pipeline/prepare.h"
 #include "pipeline/synth/synthesise.h"
 #include "player/measure/left_out.h"
+#include "scene/error.h"
 #include "temporary_folder.h"
 
 using namespace vantage;
@@ -110,4 +111,29 @@ TEST_F(Evaluate, WritesWhatItFound) {
         if (line == "end_header") header = lines;
     }
     EXPECT_EQ(lines, header + package.scene().vertices + package.scene().triangles);
+}
+
+TEST_F(Evaluate, AgainstAnEarlierOneShowsWhatHasChanged) {
+    prepare(scene, {}, file, [](const Progress&) {});
+    const PackageReader package(file);
+    EvaluateOptions options;
+    options.folder = dir / "before";
+    options.level = 2;
+    options.player.photos = {"0002"};
+    ASSERT_EQ(run_evaluate(package, options), 0);
+    options.against = options.folder;
+    EXPECT_THROW(run_evaluate(package, options), Error) << "it would be overwritten";
+    options.folder = dir / "same";
+    ASSERT_EQ(run_evaluate(package, options), 0);
+    EXPECT_NE(slurp(options.folder / "index.html").find("<td>+0.00</td>"), std::string::npos);
+    EXPECT_FALSE(fs::exists(options.folder / "0002-better.png") ||
+                 fs::exists(options.folder / "0002-worse.png"));
+    options.folder = dir / "average";
+    options.player.render.blend = Blend::average;
+    ASSERT_EQ(run_evaluate(package, options), 0);
+    EXPECT_TRUE(fs::exists(options.folder / "0002-worse.png")) << "an average of all is blurred somewhere";
+    options.level = 1;
+    EXPECT_THROW(run_evaluate(package, options), Error) << "of another size";
+    options.against = dir / "nowhere";
+    EXPECT_THROW(run_evaluate(package, options), Error);
 }

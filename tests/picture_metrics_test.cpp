@@ -1,12 +1,13 @@
-#include "player/measure/picture_metrics.h"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <opencv2/imgproc.hpp>
 #include <random>
+#include <span>
 
+#include "player/measure/change.h"
 #include "temporary_folder.h"
 
 using namespace vantage;
@@ -134,6 +135,40 @@ TEST(PictureMetrics, NothingToGoBy) {
     EXPECT_GT(score(flat, flat, scored_pixels(flat)).psnr, 100);
     const Picture black{20, 10, std::vector<std::uint8_t>(800, 0), {}};
     EXPECT_TRUE(std::isfinite(score(flat, black, std::vector<bool>(200, true)).psnr_gain));
+}
+
+TEST(PictureMetrics, ChangesAreFoundWhereTheyWereMade) {
+    const Picture photo = random_picture(400, 300, 11, true);
+    const auto spoiled = [&](int left, int top) {
+        Picture p = photo;
+        for (int y = top; y < top + 40; ++y)
+            for (int x = left; x < left + 40; ++x)
+                for (int c = 0; c < 3; ++c) p.rgba[std::size_t(4 * (y * p.width + x) + c)] ^= 0x40;
+        return p;
+    };
+    const auto holds = [](const Place& p, int x, int y) {
+        return p.x <= x && x < p.x + p.width && p.y <= y && y < p.y + p.height;
+    };
+    const Picture before = spoiled(30, 200), after = spoiled(310, 20);
+    const std::vector<bool> scored = scored_pixels(photo);
+    const Change c = change_of(photo, before, after, scored);
+    ASSERT_TRUE(c.better && c.worse);
+    EXPECT_TRUE(holds(*c.better, 50, 220)) << c.better->x << ' ' << c.better->y;
+    EXPECT_TRUE(holds(*c.worse, 330, 40)) << c.worse->x << ' ' << c.worse->y;
+    EXPECT_EQ(c.before.psnr_gain, score(photo, before, scored).psnr_gain);
+    EXPECT_EQ(c.after.ssim, score(photo, after, scored).ssim);
+
+    const Picture crop = side_by_side(photo, before, after, *c.worse);
+    EXPECT_EQ(crop.height, c.worse->height);
+    const auto texel = [&](int column) {  // of the spoiled block's middle
+        const int y = 40 - c.worse->y, x = 330 - c.worse->x + column * (c.worse->width + 4);
+        return std::span(crop.rgba).subspan(std::size_t(4 * (y * crop.width + x)), 3);
+    };
+    EXPECT_TRUE(std::ranges::equal(texel(0), texel(1))) << "not yet spoiled there before";
+    EXPECT_FALSE(std::ranges::equal(texel(0), texel(2))) << "now it is";
+
+    const Change none = change_of(photo, before, before, scored);
+    EXPECT_FALSE(none.better || none.worse);
 }
 
 // The measuring kit beside the datasets has software of its own.

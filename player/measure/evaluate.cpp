@@ -22,6 +22,26 @@ void write_pictures(const std::filesystem::path& folder, const LeftOut& r, const
     write_png(folder / (r.name + "-difference.png"), p.difference);
 }
 
+/// What has changed since an earlier evaluation, where that one has the photo.
+void compare(const EvaluateOptions& o, LeftOut& r, const LeftOutPictures& p) {
+    const std::filesystem::path file = o.against / (r.name + "-rendered.png");
+    if (!std::filesystem::exists(file)) return;
+    const Picture before = read_png(file);
+    if (before.width != p.photo.width || before.height != p.photo.height)
+        throw Error(Exit::input, file.string() + ": is " + std::to_string(before.width) + "x" +
+                                     std::to_string(before.height) + ", expected " +
+                                     std::to_string(p.photo.width) + "x" + std::to_string(p.photo.height) +
+                                     " as with this --level");
+    std::vector<bool> both = scored_pixels(p.rendered);
+    const std::vector<bool> earlier = scored_pixels(before);
+    for (std::size_t i = 0; i < both.size(); ++i)
+        both[i] = both[i] && earlier[i] && p.photo.rgba[4 * i + 3] >= 128;
+    r.change = change_of(p.photo, before, p.rendered, both);
+    for (const auto& [place, kind] :
+         {std::pair{r.change->better, "-better.png"}, std::pair{r.change->worse, "-worse.png"}})
+        if (place) write_png(o.folder / (r.name + kind), side_by_side(p.photo, before, p.rendered, *place));
+}
+
 void write_photos(const std::filesystem::path& file, const std::vector<LeftOut>& results) {
     std::ofstream out(file);
     out << "photo,pixels,psnr,psnr_gain,ssim,over_nearest,coloured,gain_red,gain_green,gain_blue,shift_right,"
@@ -106,6 +126,28 @@ void print_means(const std::vector<LeftOut>& results) {
                 mean.score.sharpness / n);
 }
 
+void print_changes(const std::filesystem::path& against, const std::vector<LeftOut>& results) {
+    double decibels = 0, ssim = 0, sharp_before = 0, sharp_after = 0, n = 0;
+    std::printf("\n%-20s %7s %7s %7s %8s %7s %7s\n", "against", "gain", "now", "change", "SSIM", "sharp",
+                "now");
+    for (const std::size_t i : by_change(results)) {
+        const auto& [before, after, better, worse] = *results[i].change;
+        std::printf("%-20s %7.2f %7.2f %+7.2f %+8.4f %7.2f %7.2f\n", results[i].name.c_str(),
+                    before.psnr_gain, after.psnr_gain, after.psnr_gain - before.psnr_gain,
+                    after.ssim - before.ssim, before.sharpness, after.sharpness);
+        ++n;
+        decibels += after.psnr_gain - before.psnr_gain;
+        ssim += after.ssim - before.ssim;
+        sharp_before += before.sharpness;
+        sharp_after += after.sharpness;
+    }
+    if (n == 0)
+        std::printf("%s has none of these photos\n", against.c_str());
+    else
+        std::printf("%-20s %23.2f %+8.4f %7.2f %7.2f\n", "mean", decibels / n, ssim / n, sharp_before / n,
+                    sharp_after / n);
+}
+
 void print_remarks(const std::vector<LeftOut>& results) {
     for (const std::size_t i : worst_first(results))
         for (const std::string& s : results[i].remarks)
@@ -120,6 +162,17 @@ std::vector<std::uint32_t> photos_to_leave_out(const PackageReader& package, con
         for (std::size_t i = 0; i < in_use.size(); i += std::size_t(o.every)) out.push_back(in_use[i]);
     std::erase_if(out, [&](std::uint32_t p) { return package.photos()[p].levels == 0; });
     return out;
+}
+
+void expect_earlier(const EvaluateOptions& o) {
+    if (o.against.empty()) return;
+    if (!std::filesystem::is_directory(o.against))
+        throw Error(Exit::input,
+                    o.against.string() + ": is not a folder, expected that of an earlier evaluation");
+    std::error_code none;
+    if (std::filesystem::equivalent(o.against, o.folder, none))
+        throw Error(Exit::usage,
+                    o.against.string() + ": would be overwritten, expected another folder for -o");
 }
 
 }  // namespace
@@ -139,6 +192,9 @@ void add_evaluate_options(CLI::App& app, EvaluateOptions& o) {
         ->check(CLI::Range(0, 1 << 20))
         ->capture_default_str()
         ->group(group);
+    app.add_option("--against", o.against,
+                   "folder of an earlier evaluation: shows what has changed, photo by photo, and where most")
+        ->group(group);
     app.footer(
         "Writes index.html, photos.csv, regions.csv, regions.ply and pictures into the folder given by -o "
         "(default\n"
@@ -151,7 +207,9 @@ void add_evaluate_options(CLI::App& app, EvaluateOptions& o) {
         "Examples:\n"
         "  vantage-player evaluate chapel.vantage\n"
         "  vantage-player evaluate chapel.vantage --every 10 --level 2 -o quick\n"
-        "  vantage-player evaluate chapel.vantage --blend average --photo 0003 0007");
+        "  vantage-player evaluate chapel.vantage --blend average --photo 0003 0007\n"
+        "  vantage-player evaluate chapel.vantage --original-colors -o before\n"
+        "  vantage-player evaluate chapel.vantage -o after --against before");
 }
 
 int run_evaluate(const PackageReader& package, EvaluateOptions o) {
@@ -160,6 +218,7 @@ int run_evaluate(const PackageReader& package, EvaluateOptions o) {
     const std::vector<std::uint32_t> photos = photos_in_use(package, o.player);
     const std::vector<std::uint32_t> left_out = photos_to_leave_out(package, o, photos);
     if (left_out.empty()) throw Error(Exit::input, package.path().string() + ": no photo to leave out");
+    expect_earlier(o);
     make_folder(o.folder);
     const RenderSettings settings = render_settings(package, o.player);
     const gl::HeadlessContext context;
@@ -173,11 +232,13 @@ int run_evaluate(const PackageReader& package, EvaluateOptions o) {
         const int level = std::min(o.level, int(package.photos()[p].levels) - 1);
         results.push_back(leave_out(renderer, settings, photos, p, level, regions, pictures));
         write_pictures(o.folder, results.back(), pictures);
+        if (!o.against.empty()) compare(o, results.back(), pictures);
         print(results.back());
     }
     remark(results);
     print_means(results);
     print_remarks(results);
+    if (!o.against.empty()) print_changes(o.against, results);
     write_photos(o.folder / "photos.csv", results);
     write_regions(o.folder / "regions.csv", package, regions);
     write_model(o.folder / "regions.ply", package, regions);

@@ -21,6 +21,7 @@ td:last-child { white-space: normal; }
 figure { margin: 0 0 2rem; } figure div { display: grid; grid-template-columns: repeat(3, 1fr); gap: .5rem; }
 img { width: 100%; background: #ccc; } figcaption { margin: .3rem 0; }
 .rest { display: grid; grid-template-columns: repeat(2, 1fr); gap: 1rem; } .rest figure { margin: 0; }
+img.crop { image-rendering: pixelated; background: none; }
 )";
 
 std::string number(const char* format, double value) {
@@ -56,7 +57,50 @@ void figure(std::ostream& out, const LeftOut& r) {
     out << "</div></figure>\n";
 }
 
+void crop(std::ostream& out, const std::string& name, const char* kind, const char* what) {
+    out << "<figure><figcaption>" << what << "</figcaption><img class=crop loading=lazy alt='" << name << ' '
+        << kind << "' src='" << name << '-' << kind << ".png'></figure>\n";
+}
+
+/// What has changed since an earlier evaluation; "" without one.
+void changes(std::ostream& out, const std::vector<LeftOut>& results) {
+    const std::vector<std::size_t> order = by_change(results);
+    if (order.empty()) return;
+    out << "<h2>Against the earlier evaluation</h2>\n<p>After gains, over the pixels that both colour; the "
+           "greatest loss first. Crops: the photo, before, now.</p>\n<table><tr><th>photo<th>before, "
+           "dB<th>now"
+           "<th>change<th>SSIM<th>sharp before<th>now<th></tr>\n";
+    for (const std::size_t i : order) {
+        const auto& [before, after, better, worse] = *results[i].change;
+        out << "<tr><td>" << escaped(results[i].name) << "</td>";
+        for (const std::string& cell :
+             {number("%.2f", before.psnr_gain), number("%.2f", after.psnr_gain),
+              number("%+.2f", after.psnr_gain - before.psnr_gain), number("%+.4f", after.ssim - before.ssim),
+              number("%.2f", before.sharpness), number("%.2f", after.sharpness)})
+            out << "<td>" << cell << "</td>";
+        out << "<td></td></tr>\n";
+    }
+    out << "</table>\n<div class=rest>\n";
+    for (const std::size_t i : order) {
+        const Change& c = *results[i].change;
+        const std::string name = escaped(results[i].name);
+        if (c.worse) crop(out, name, "worse", ("<b>" + name + "</b> where it lost most").c_str());
+        if (c.better) crop(out, name, "better", ("<b>" + name + "</b> where it gained most").c_str());
+    }
+    out << "</div>\n";
+}
+
 }  // namespace
+
+std::vector<std::size_t> by_change(const std::vector<LeftOut>& results) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < results.size(); ++i)
+        if (results[i].change && results[i].change->after.pixels > 0) order.push_back(i);
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+        return results[i].change->after.psnr_gain - results[i].change->before.psnr_gain;
+    });
+    return order;
+}
 
 std::vector<std::size_t> worst_first(const std::vector<LeftOut>& results) {
     std::vector<std::size_t> order(results.size());
@@ -78,7 +122,9 @@ void write_evaluation_page(const std::filesystem::path& folder, const std::strin
            "<table><tr><th>photo<th>PSNR, dB<th>after gain<th>SSIM<th>over nearest, dB<th>coloured<th>stops"
            "<th>right, px<th>down, px<th>sharp<th></tr>\n";
     for (const LeftOut& r : results) row(out, r);
-    out << "</table>\n<h2>The worst</h2>\n";
+    out << "</table>\n";
+    changes(out, results);
+    out << "<h2>The worst</h2>\n";
     const std::vector<std::size_t> order = worst_first(results);
     const std::size_t first = std::min(order.size(), std::size_t(std::max(worst, 0)));
     for (std::size_t i = 0; i < first; ++i) figure(out, results[order[i]]);

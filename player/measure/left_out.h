@@ -1,9 +1,10 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "player/measure/picture_metrics.h"
+#include "player/measure/change.h"
 #include "player/render/renderer.h"
 
 namespace vantage {
@@ -19,6 +20,7 @@ struct LeftOut {
     std::array<double, 2> shift{0, 0};  ///< photo pixels at full size, see shift_of
     double stops = 0;                   ///< log2 of the photo's brightness over the picture's
     std::vector<std::string> remarks;   ///< what is wrong with it, in words
+    std::optional<Change> change;       ///< since an earlier evaluation of the same photo
 };
 
 /// What photos say of a part of the model.
