@@ -4,4 +4,4 @@ set -euo pipefail
 cd "$(dirname "$0")"
 ./setup.sh
 export VANTAGE_DATASETS="${VANTAGE_DATASETS:-$PWD/../shared/datasets}"
-ctest --test-dir build --output-on-failure "$@"
+ctest --test-dir build -j "$(nproc)" --output-on-failure "$@"

@@ -64,6 +64,10 @@ window=$(xdotool search --name Vantage | tail -1)
 xdotool windowfocus "$window"
 sleep 0.3
 
+# From far away the model is small, and frames in software are quick.
+xdotool mousemove 500 400
+for _ in $(seq 40); do xdotool click 5; done
+frames 5
 press "Average"
 press "Best photo"
 press "Lumigraph"
