@@ -13,6 +13,7 @@
 #include "pipeline/stage_keys.h"
 #include "pipeline/stages/surface_samples.h"
 #include "scene/package_reader.h"
+#include "scene/package_shape.h"
 #include "scene/tiling.h"
 
 namespace vantage {
@@ -38,7 +39,6 @@ void check_checksums(const PackageReader& reader, bool deep, Issues& out) {
 }
 
 void check_model(const PackageReader& reader, Issues& out) {
-    const package::SceneRecord& scene = reader.scene();
     for (const auto& p : reader.records<std::array<float, 3>>(Type::positions))
         if (!std::isfinite(p[0] + p[1] + p[2])) {
             damaged(out, "VPOS: a position is not finite");
@@ -49,42 +49,13 @@ void check_model(const PackageReader& reader, Issues& out) {
             damaged(out, "VNRM: a normal is not of unit length");
             break;
         }
-    for (const std::uint32_t i : reader.records<std::uint32_t>(Type::indices))
-        if (i >= scene.vertices) {
-            damaged(out, fmt::format("INDX: index {} with {} vertices", i, scene.vertices));
-            break;
-        }
-    std::uint64_t next = 0;
-    for (const auto& c : reader.records<package::ClusterRecord>(Type::clusters)) {
-        if (c.first_triangle != next) damaged(out, "CLUS: clusters do not cover the triangles");
-        next = std::uint64_t(c.first_triangle) + c.triangles;
-    }
-    if (next != scene.triangles) damaged(out, "CLUS: clusters do not cover the triangles");
-}
-
-void check_blocks(const PackageReader& reader, Type type, std::uint32_t i, std::uint32_t level,
-                  const Level& size, Issues& out) {
-    const package::DirectoryEntry* e = reader.find(type, i, level);
-    if (!e) {
-        damaged(out, fmt::format("photo {}: level {} is missing", i, level));
-    } else if (reader.blocks(*e) != std::size_t(size.tiles()) || e->block_length != tile_bytes) {
-        damaged(out, describe(*e, reader) + ": has " + std::to_string(reader.blocks(*e)) +
-                         " tiles, expected " + std::to_string(size.tiles()));
-    }
 }
 
 void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std::uint32_t i, Issues& out) {
     const bool without_pixels = p.flags & (package::photo_held_out | package::photo_left_out);
     if (without_pixels != (p.levels == 0)) damaged(out, fmt::format("{}: flags and levels disagree", p.name));
     if (without_pixels) return;
-    for (std::uint32_t l = 0; l < p.levels; ++l)
-        check_blocks(reader, Type::tiles, i, l, level_size(int(p.width), int(p.height), int(l)), out);
-    for (int l = mask_level; l < mask_levels_end(int(p.levels)); ++l)
-        for (const Type type : {Type::masks, Type::depth})
-            check_blocks(reader, type, i, std::uint32_t(l), level_size(int(p.width), int(p.height), l), out);
     const auto uvs = reader.records<std::array<float, 2>>(Type::coordinates, i);
-    if (uvs.size() != reader.scene().vertices)
-        damaged(out, fmt::format("{}: TEXC has not one entry a vertex", p.name));
     for (const auto& uv : uvs) {
         const bool marked = uv[0] == -1 && uv[1] == -1;
         if (!marked && !(uv[0] >= 0 && uv[0] <= 1 && uv[1] >= 0 && uv[1] <= 1)) {
@@ -92,11 +63,6 @@ void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std
             break;
         }
     }
-    if (reader.records<package::CoverageRecord>(Type::coverage, i).size() != reader.scene().clusters)
-        damaged(out, fmt::format("{}: COVR has not one entry a cluster", p.name));
-    if (reader.records<std::uint64_t>(Type::visible, i).size() !=
-        2 * package::visible_words(reader.scene().triangles))
-        damaged(out, fmt::format("{}: VISB has not two bits a triangle", p.name));
     if (reader.records<package::SampleRecord>(Type::samples, i).size() != surface_discs)
         damaged(out, fmt::format("{}: SAMP has not {} discs", p.name, surface_discs));
 }
@@ -130,6 +96,8 @@ void check_states(const PackageReader& reader, Issues& out) {
 
 void check_structure(const PackageReader& reader, bool deep, Issues& out) {
     check_checksums(reader, deep, out);
+    if (!out.empty()) return;
+    for (std::string& line : misshapen(reader)) damaged(out, std::move(line));
     if (!out.empty()) return;
     check_model(reader, out);
     check_states(reader, out);

@@ -6,6 +6,7 @@
 
 #include "pipeline/commands/commands.h"
 #include "scene/error.h"
+#include "scene/lost_package.h"
 
 namespace {
 
@@ -24,6 +25,7 @@ void keep_freed_memory() {
 int main(int argc, char** argv) {
     using namespace vantage;
     keep_freed_memory();
+    name_lost_packages("vantage");
     CLI::App app{
         "vantage prepares a scanned mesh and its calibrated photos into one package for vantage-player."};
     app.set_version_flag("--version", "vantage " VANTAGE_VERSION);

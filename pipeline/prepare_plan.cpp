@@ -11,10 +11,22 @@
 namespace vantage {
 namespace {
 
+/// How far vertices lie from their mean (root of the mean square): the same however the model is turned.
+double spread(const Mesh& mesh) {
+    const auto n = double(mesh.positions.size());
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& p : mesh.positions) mean += p / n;
+    double squares = 0;
+    for (const Eigen::Vector3d& p : mesh.positions) squares += (p - mean).squaredNorm() / n;
+    return squares > 0 ? std::sqrt(squares) : 1;
+}
+
 /// An octave of the depth mask is twelve of its steps: rounded up to the next, the reference does not move
-/// with every photo that comes or goes, and all masks with it.
+/// with every photo that comes or goes, and all masks with it. Octaves of the model's size, not of its units,
+/// which would round the masks differently.
 double reference_density(const SceneInput& scene) {
-    return std::exp2(std::ceil(std::log2(finest_density(scene))));
+    const double size = spread(scene.mesh);
+    return std::exp2(std::ceil(std::log2(finest_density(scene) * size))) / size;
 }
 
 void complete_record(package::SceneRecord& record, const SceneInput& scene, const PrepareSettings& settings,

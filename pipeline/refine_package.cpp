@@ -6,12 +6,14 @@
 #include "pipeline/merge.h"
 #include "pipeline/provenance.h"
 #include "scene/package_reader.h"
+#include "scene/package_shape.h"
 
 namespace vantage {
 
 void refine_package(const std::filesystem::path& file, const std::map<Effect, EffectChoice>& choices,
                     const std::filesystem::path& out, const OnProgress& progress) {
     const PackageReader package(file);
+    expect_shape(package);
     const std::string meta(package.meta());
     std::map<Effect, EffectChoice> forced = forced_effects(meta);
     package::SceneRecord scene = package.scene();

@@ -9,6 +9,7 @@
 #include "player/verify/verify.h"
 #include "player/window.h"
 #include "scene/error.h"
+#include "scene/lost_package.h"
 
 namespace {
 
@@ -76,6 +77,7 @@ int play(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     using vantage::Exit;
+    vantage::name_lost_packages("vantage-player");
     const std::string_view command = argc > 1 ? argv[1] : "";
     try {
         if (command == "bench") return bench(argc - 1, argv + 1);

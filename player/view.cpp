@@ -27,8 +27,8 @@ View view_of_photo(const package::PhotoRecord& photo, double scale) {
 View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up,
                   double fov, int width, int height) {
     const Eigen::Vector3d ahead = target - eye;
-    if (!ahead.allFinite() || !(ahead.norm() > 0))
-        throw Error(Exit::usage, "a view's eye and target must differ");
+    if (!std::isfinite(ahead.norm()) || !(ahead.norm() > 0))
+        throw Error(Exit::usage, "a view's eye and target must differ, and not by more than can be counted");
     const Eigen::Vector3d z = ahead.normalized();
     Eigen::Vector3d x = z.cross(up);
     if (x.norm() < 1e-6 * up.norm() || !(up.norm() > 0)) x = z.unitOrthogonal();

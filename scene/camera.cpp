@@ -35,8 +35,8 @@ Eigen::Matrix4d clip_from_cam(const Intrinsics& k, double near, double far) {
     m(0, 2) = 2 * k.cx / k.width - 1;
     m(1, 1) = 2 * k.fy / k.height;
     m(1, 2) = 2 * k.cy / k.height - 1;
-    m(2, 2) = (far + near) / (far - near);
-    m(2, 3) = -2 * far * near / (far - near);
+    m(2, 2) = -near / (far - near);
+    m(2, 3) = far * near / (far - near);
     m(3, 2) = 1;
     return m;
 }
@@ -48,6 +48,8 @@ void validate(Camera& camera, const std::string& who) {
     if (!(k.fx > 0 && k.fy > 0 && std::isfinite(k.fx) && std::isfinite(k.fy)))
         fail("focal length must be positive and finite");
     if (!std::isfinite(k.cx) || !std::isfinite(k.cy)) fail("principal point is not finite");
+    for (const double p : camera.lens.p)
+        if (!std::isfinite(p)) fail("a lens parameter is not finite");
     Pose& pose = camera.cam_from_world;
     if (!pose.R.allFinite() || !pose.t.allFinite()) fail("pose is not finite");
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(pose.R, Eigen::ComputeFullU | Eigen::ComputeFullV);

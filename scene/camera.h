@@ -51,11 +51,12 @@ inline bool in_frame(const Intrinsics& k, const Eigen::Vector2d& pixel) {
 }
 
 /// OpenGL clip-from-camera matrix whose pixels are exactly those of `intrinsics` (principal point
-/// included), row 0 of the framebuffer being the photo's top row. Depth range [near, far], both > 0.
+/// included), row 0 of the framebuffer being the photo's top row. Depth from 1 at `near` to 0 at `far`, both
+/// > 0, for a clip range from 0 to 1: so floats tell all depths apart to their last digits.
 Eigen::Matrix4d clip_from_cam(const Intrinsics& intrinsics, double near, double far);
 
-/// Throws Error(input) naming `who` unless sizes are positive, focal lengths positive, all finite and
-/// R orthonormal with determinant +1 (to 1e-3; smaller errors are removed).
+/// Throws Error(input) naming `who` unless sizes are positive, focal lengths positive, all (the lens, too)
+/// finite and R orthonormal with determinant +1 (to 1e-3; smaller errors are removed).
 void validate(Camera& camera, const std::string& who);
 
 }  // namespace vantage

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace vantage {
 namespace {
@@ -41,7 +43,39 @@ Eigen::Vector2d thin_prism(const std::array<double, 8>& p, const Eigen::Vector2d
             y * radial + 2 * p[3] * x * y + p[2] * (r2 + 2 * y * y) + p[7] * r2};
 }
 
+/// How far from the axis the lens draws a ray of radius tan(theta), tangential terms aside.
+double drawn_radius(const Lens& lens, double theta) {
+    Lens radial = lens;
+    if (lens.model == LensModel::opencv || lens.model == LensModel::thin_prism) radial.p[2] = radial.p[3] = 0;
+    if (lens.model == LensModel::thin_prism) radial.p[6] = radial.p[7] = 0;
+    return distort(radial, {std::tan(theta), 0}).x();
+}
+
 }  // namespace
+
+double lens_range(const Lens& lens) {
+    if (!lens.distorts()) return std::numeric_limits<double>::infinity();
+    constexpr int steps = 4096;
+    constexpr double last = std::numbers::pi / 2 * (1 - 1e-6);
+    double before = 0;
+    int i = 1;
+    for (; i <= steps; ++i) {
+        const double now = drawn_radius(lens, last * i / steps);
+        if (!(now > before)) break;
+        before = now;
+    }
+    if (i > steps) return std::numeric_limits<double>::infinity();
+    // The greatest radius lies in one of two steps.
+    double low = last * std::max(i - 2, 0) / steps, high = last * i / steps;
+    while (high - low > 1e-9) {
+        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+        if (drawn_radius(lens, a) < drawn_radius(lens, b))
+            low = a;
+        else
+            high = b;
+    }
+    return std::tan(std::max(low - 1e-7, 0.0));
+}
 
 bool Lens::distorts() const {
     if (model == LensModel::none) return false;

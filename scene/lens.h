@@ -24,6 +24,11 @@ struct Lens {
 
 std::string_view name(LensModel model);
 
+/// The largest normalised pinhole radius up to which farther from the axis is farther in the photo,
+/// tangential terms aside: beyond it a lens's polynomial folds back, and says nothing. Infinite where it
+/// never does.
+double lens_range(const Lens& lens);
+
 /// Normalised pinhole coordinates (x/z, y/z) -> normalised coordinates as the lens draws them.
 /// Continuous at the centre for every model. Finite input gives finite output within the lens' range.
 Eigen::Vector2d distort(const Lens& lens, const Eigen::Vector2d& xy);

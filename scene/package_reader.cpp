@@ -15,12 +15,19 @@
 
 #include "scene/checksum.h"
 #include "scene/error.h"
+#include "scene/lost_package.h"
 #include "scene/tiling.h"
 
 namespace vantage {
 
 using package::DirectoryEntry;
 using package::Type;
+
+namespace {
+
+constexpr std::uint32_t largest_thumbnail = 4096;  ///< px along a side
+
+}  // namespace
 
 struct PackageReader::Mapping {
     std::filesystem::path path;
@@ -31,7 +38,10 @@ struct PackageReader::Mapping {
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, const DirectoryEntry*> index;
 
     ~Mapping() {
-        if (data) ::munmap(const_cast<std::byte*>(data), size);
+        if (data) {
+            withdraw_mapping({data, size});
+            ::munmap(const_cast<std::byte*>(data), size);
+        }
         if (fd >= 0) ::close(fd);
     }
 
@@ -54,6 +64,7 @@ struct PackageReader::Mapping {
         if (p == MAP_FAILED)
             throw Error(Exit::input, path.string() + ": cannot map: " + std::strerror(errno));
         data = static_cast<const std::byte*>(p);
+        announce_mapping({data, size}, path.c_str());
     }
 
     const package::Header& header() const { return *reinterpret_cast<const package::Header*>(data); }
@@ -214,13 +225,25 @@ const package::SceneRecord& PackageReader::scene() const {
 
 std::span<const package::PhotoRecord> PackageReader::photos() const {
     const auto photos = records<package::PhotoRecord>(Type::photos);
+    const auto finite = [](const auto& values) {
+        return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+    };
     for (const package::PhotoRecord& p : photos) {
         const std::string who = "PHOT " + std::to_string(&p - photos.data());
         if (std::memchr(p.name, 0, sizeof p.name) == nullptr) map_->damaged(who + ": name is not terminated");
+        const std::string_view name =
+            p.name;  // of a file that is written by extract, so of nothing but a file
+        if (name.empty() || name == "." || name == ".." || name.find('/') != name.npos)
+            map_->damaged(who + ": its name is not that of a file");
         if (p.width == 0 || p.height == 0 || p.width > 1u << 20 || p.height > 1u << 20 || p.levels > 24)
             map_->damaged(who + ": size is out of range");
         if (!(p.fx > 0) || !(p.fy > 0) || !std::isfinite(p.fx + p.fy + p.cx + p.cy))
             map_->damaged(who + ": intrinsics are out of range");
+        if (!finite(p.R) || !finite(p.t) || !finite(p.corrected_direction) ||
+            !std::isfinite(p.seen_distance + p.z_min + p.z_max + p.hull_area))
+            map_->damaged(who + ": its camera is not finite");
+        if (p.thumbnail_width > largest_thumbnail || p.thumbnail_height > largest_thumbnail)
+            map_->damaged(who + ": its thumbnail is out of range");
         for (int i = 0; i < 3; ++i)
             if (!(p.gain[i] >= 1e-3 && p.gain[i] <= 1e3) || !(std::abs(p.falloff[i]) <= 100))
                 map_->damaged(who + ": gain or falloff is out of range");

@@ -19,6 +19,7 @@ layout(location = 6) uniform float border_width;   // pixels of a photo 3072 wid
 layout(location = 7) uniform float sharpness;      // radians
 layout(location = 8) uniform float lod_bias;
 layout(location = 9) uniform uint show;            // 0 colours, 1 false colour of the photo, 2 how many see it
+layout(location = 12) uniform float half_scale;    // of a pass's sums where they are kept in half floats; else 0
 #ifdef BLEND_BEST
 layout(binding = 4) uniform sampler2D best_so_far;
 #endif
@@ -28,6 +29,7 @@ layout(binding = 5) uniform sampler2D first_sums;
 
 const float least = 0.001;  // no visible photo is ever worth nothing
 const float beside = 0.03;  // what a photo is worth where its pixel may show something nearer
+const float half_least = 1.0 / 16384.0;  // below, a half float loses digits
 
 // Angle between the rays from the surface to the viewer and to the photo; exact for small angles.
 float ray_angle(uint photo) {
@@ -192,6 +194,7 @@ void main() {
 #endif
         if (!(w > 0.0)) continue;
 #ifdef BLEND_BEST
+        w = sqrt(sqrt(w));  // 22 orders of magnitude become 6, which half floats can hold
         if (w > accumulated.a) {
             accumulated.a = w;
             chosen = int(photo);
@@ -213,5 +216,9 @@ void main() {
         vec4 c = shown_color(uint(chosen), chosen_pixel, chosen_footprint);
         accumulated = c.a > 0.5 ? vec4(c.rgb, accumulated.a) : before;
     }
+#else
+    // A pass that is worth too little for half floats is lifted as a whole: its photos keep their proportions.
+    if (half_scale > 0.0 && show != 2u && accumulated.a > 0.0)
+        accumulated *= max(half_scale, half_least / accumulated.a);
 #endif
 }

@@ -14,7 +14,7 @@ void main() {
     float light = 0.12 + 0.35 * abs(dot(n, v));
     vec3 base = vec3(1.0);
 #ifdef VERTEX_COLORS
-    base = pow(surface_color.rgb, vec3(2.2));
+    base = pow(max(surface_color.rgb, vec3(0.0)), vec3(2.2));  // interpolated black may come out below 0
 #endif
     shaded = vec4(base * light, 1.0);
     triangle = draw_first + uint(gl_PrimitiveID) + 1u;

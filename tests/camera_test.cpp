@@ -42,8 +42,8 @@ TEST(Camera, ClipMatrixAgreesWithProjectionOnEveryPixel) {
         EXPECT_NEAR((c.x() / c.w() + 1) / 2 * photo.width, p->pixel.x(), 1e-9);
         EXPECT_NEAR((c.y() / c.w() + 1) / 2 * photo.height, p->pixel.y(), 1e-9);
     }
-    EXPECT_NEAR((clip * Eigen::Vector4d(0, 0, 0.5, 1)).hnormalized().z(), -1, 1e-12);
-    EXPECT_NEAR((clip * Eigen::Vector4d(0, 0, 50, 1)).hnormalized().z(), 1, 1e-12);
+    EXPECT_NEAR((clip * Eigen::Vector4d(0, 0, 0.5, 1)).hnormalized().z(), 1, 1e-12);
+    EXPECT_NEAR((clip * Eigen::Vector4d(0, 0, 50, 1)).hnormalized().z(), 0, 1e-12);
 }
 
 TEST(Camera, SurvivesAnOriginAMillionUnitsAway) {

@@ -10,7 +10,7 @@ namespace vantage {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
-    throw Error(Exit::input, file.string() + ": " + why);
+    throw Error(Exit::input, file.string() + ": " + why.substr(0, why.find('\n')));
 }
 
 PhotoHeader read_header(const std::filesystem::path& file) {

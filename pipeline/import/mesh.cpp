@@ -115,26 +115,36 @@ void weld(Mesh& mesh) {
     mesh = std::move(welded);
 }
 
-/// Drops triangles with a missing or repeated vertex or one that is not finite; such vertices move to the
-/// first finite one, unused. Returns how many triangles went.
+/// A position whose square is a number in single precision, too.
+bool usable(const Eigen::Vector3d& p) { return p.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < 1e18; }
+
+/// Drops triangles with a missing or repeated vertex or one that is not usable. Vertices that then belong to
+/// no triangle move to one that does: where they are must not count as the model's extent. Without triangles,
+/// unusable ones move to the first usable one. Returns how many triangles went.
 std::size_t drop_broken(Mesh& mesh) {
-    const auto bad = [&](std::uint32_t v) { return v == no_vertex || !mesh.positions[v].allFinite(); };
+    const auto bad = [&](std::uint32_t v) { return v == no_vertex || !usable(mesh.positions[v]); };
     const std::size_t dropped = std::erase_if(mesh.triangles, [&](const auto& t) {
         return bad(t[0]) || bad(t[1]) || bad(t[2]) || t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
     });
-    const auto finite = std::find_if(mesh.positions.begin(), mesh.positions.end(),
-                                     [](const auto& p) { return p.allFinite(); });
+    std::vector<bool> used(mesh.positions.size(), false);
+    for (const auto& t : mesh.triangles)
+        for (const std::uint32_t v : t) used[v] = true;
+    for (std::size_t v = 0; mesh.triangles.empty() && v < used.size(); ++v)
+        used[v] = usable(mesh.positions[v]);
+    const auto first = std::ranges::find(used, true) - used.begin();
     const Eigen::Vector3d stand_in =
-        finite == mesh.positions.end() ? Eigen::Vector3d::Zero().eval() : *finite;
-    for (Eigen::Vector3d& p : mesh.positions)
-        if (!p.allFinite()) p = stand_in;
+        first == std::ssize(used) ? Eigen::Vector3d::Zero().eval() : mesh.positions[std::size_t(first)];
+    for (std::size_t v = 0; v < used.size(); ++v)
+        if (!used[v]) mesh.positions[v] = stand_in;
     return dropped;
 }
 
 void complete_normals(Mesh& mesh) {
     mesh.normals.resize(mesh.positions.size(), Eigen::Vector3f::Zero());
-    const auto usable = [](const Eigen::Vector3f& n) { return n.allFinite() && n.squaredNorm() > 1e-12f; };
-    if (!std::all_of(mesh.normals.begin(), mesh.normals.end(), usable)) {
+    const auto has_direction = [](const Eigen::Vector3f& n) {
+        return n.allFinite() && n.squaredNorm() > 1e-12f;
+    };
+    if (!std::all_of(mesh.normals.begin(), mesh.normals.end(), has_direction)) {
         std::vector<Eigen::Vector3d> sum(mesh.positions.size(), Eigen::Vector3d::Zero());
         for (const auto& t : mesh.triangles) {
             const Eigen::Vector3d n = (mesh.positions[t[1]] - mesh.positions[t[0]])
@@ -142,13 +152,13 @@ void complete_normals(Mesh& mesh) {
             for (const std::uint32_t v : t) sum[v] += n;
         }
         for (std::size_t v = 0; v < sum.size(); ++v) {
-            if (usable(mesh.normals[v])) continue;
+            if (has_direction(mesh.normals[v])) continue;
             const double length = sum[v].norm();  // zero for a vertex of no triangle: any unit vector will do
             mesh.normals[v] =
                 length > 0 ? (sum[v] / length).cast<float>().eval() : Eigen::Vector3f::UnitZ().eval();
         }
     }
-    for (Eigen::Vector3f& n : mesh.normals) n.normalize();
+    for (Eigen::Vector3f& n : mesh.normals) n.stableNormalize();
 }
 
 Mesh read_by_openmesh(const std::filesystem::path& file) {

@@ -30,6 +30,9 @@ CameraSet::Entry read_raster(const std::filesystem::path& file, const pugi::xml_
     const auto viewport = read("ViewportPx", 2), millimetres = read("PixelSizeMm", 2),
                focal = read("FocalMm", 1), center = read("CenterPx", 2),
                rotation = read("RotationMatrix", 16), translation = read("TranslationVector", 3);
+    for (const double v : viewport)
+        if (!(v >= 1 && v <= 1 << 20))
+            throw Error(Exit::input, file.string() + ": " + label + ": ViewportPx is no photo's size");
     CameraSet::Entry entry{plane ? plane.attribute("fileName").value() : label, {}, true};
     entry.camera.intrinsics = {int(viewport[0]),          int(viewport[1]), focal[0] / millimetres[0],
                                focal[0] / millimetres[1], center[0],        center[1]};

@@ -50,9 +50,24 @@ JpegHeader jpeg_header(std::span<const std::byte> bytes) {
     return h;
 }
 
-RgbaImage decode_jpeg(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+[[noreturn]] void refuse_size(const std::filesystem::path& file, PhotoSize is, PhotoSize expected) {
+    refuse(file, "is " + std::to_string(is.width) + "x" + std::to_string(is.height) +
+                     ", its camera expects " + std::to_string(expected.width) + "x" +
+                     std::to_string(expected.height));
+}
+
+/// One is the other, perhaps turned.
+bool fits(PhotoSize is, PhotoSize expected) {
+    return (is.width == expected.width && is.height == expected.height) ||
+           (is.width == expected.height && is.height == expected.width);
+}
+
+RgbaImage decode_jpeg(const std::filesystem::path& file, std::span<const std::byte> bytes,
+                      PhotoSize expected) {
     const JpegHeader h = jpeg_header(bytes);
     if (!h.readable) refuse(file, std::string("not a readable JPEG: ") + tjGetErrorStr2(h.decoder.get()));
+    // Before memory is taken for what a broken header says.
+    if (!fits({h.width, h.height}, expected)) refuse_size(file, {h.width, h.height}, expected);
     RgbaImage photo{h.width, h.height,
                     std::vector<std::uint8_t>(std::size_t(h.width) * std::size_t(h.height) * 4), true};
     const bool cmyk = h.space == TJCS_CMYK || h.space == TJCS_YCCK;
@@ -95,13 +110,11 @@ RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected) {
 
 RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
                        PhotoSize expected) {
-    RgbaImage photo = is_jpeg(bytes) ? decode_jpeg(file, bytes) : image_files().read(file);
+    RgbaImage photo = is_jpeg(bytes) ? decode_jpeg(file, bytes, expected) : image_files().read(file);
     if (photo.width == expected.height && photo.height == expected.width && photo.width != photo.height)
         if (const int o = image_files().header(file).orientation; o >= 5 && o <= 8) photo = turned(photo, o);
     if (photo.width != expected.width || photo.height != expected.height)
-        refuse(file, "is " + std::to_string(photo.width) + "x" + std::to_string(photo.height) +
-                         ", its camera expects " + std::to_string(expected.width) + "x" +
-                         std::to_string(expected.height));
+        refuse_size(file, {photo.width, photo.height}, expected);
     return photo;
 }
 

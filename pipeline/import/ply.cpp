@@ -175,16 +175,16 @@ class Values {
         for (std::size_t i = 0; i < types.size(); from += size_of(types[i++]))
             convert(types[i], from, stride, swapped(), columns[i]);
     }
-    /// No element of `count` can hold fewer bytes: a count that the file cannot have is refused before it is
-    /// used.
-    void expect(std::size_t count, std::size_t bytes_each) const {
-        if (count > rest_.size() / std::max<std::size_t>(1, ply_.format == Format::text ? 1 : bytes_each))
-            cut();
+    /// No element of `count` can hold fewer bytes (as text, a digit and a blank a value): a count that the
+    /// file cannot have is refused before it is used.
+    void expect(std::size_t count, std::size_t bytes_each, std::size_t values_each) const {
+        const std::size_t each = ply_.format == Format::text ? 2 * values_each : bytes_each;
+        if (count > (rest_.size() + 1) / std::max<std::size_t>(1, each)) cut();
     }
 
-  private:
     [[noreturn]] void cut() const { ply_.fail("more values than the file holds: it is cut short"); }
 
+  private:
     double from_text() {
         const auto blank = [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; };
         const auto begin = std::find_if_not(rest_.begin(), rest_.end(), blank);
@@ -215,7 +215,8 @@ void read_list(Values& values, const Property& p, std::vector<double>& list) {
     const double n = values.next(p.count_type);
     list.clear();
     if (!(n >= 0)) return;
-    values.expect(std::size_t(n), size_of(p.type));
+    if (!(n < 1e15)) values.cut();
+    values.expect(std::size_t(n), size_of(p.type), 1);
     list.resize(static_cast<std::size_t>(n));
     values.next(p.type, list);
 }
@@ -230,7 +231,7 @@ std::size_t least_bytes(const Element& e) {
 using Columns = std::map<std::string, std::vector<double>>;
 
 Columns read_columns(Values& values, const Element& e) {
-    values.expect(e.count, least_bytes(e));
+    values.expect(e.count, least_bytes(e), e.properties.size());
     Columns columns;
     std::vector<Type> types;
     std::vector<std::span<double>> to;
@@ -281,7 +282,7 @@ void add_strips(const std::vector<double>& strip, Mesh& mesh) {
 }
 
 void read_faces(Values& values, const Element& e, Mesh& mesh) {
-    values.expect(e.count, least_bytes(e));
+    values.expect(e.count, least_bytes(e), e.properties.size());
     mesh.triangles.reserve(mesh.triangles.size() + e.count);
     std::vector<double> list;
     for (std::size_t row = 0; row < e.count; ++row)

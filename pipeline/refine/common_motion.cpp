@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "scene/quantile.h"
 
@@ -54,7 +55,9 @@ Similarity common_motion(std::span<const Intrinsics> intrinsics, std::span<const
     for (const Star& s : stars) middle += s.point / double(stars.size());
     double size = 0;
     for (const Star& s : stars) size += (s.point - middle).norm() / double(stars.size());
-    size = std::max(size, 1e-300);
+    // Of a point, and no surface, neither turns nor scale can be told.
+    const Pose& first = given[stars.front().photo];
+    if (!(size > 1e-9 * (first.R * middle + first.t).norm())) return {};
     Matrix7 normal = Matrix7::Zero();
     Vector7 right = Vector7::Zero();
     for (const Star& s : stars)
@@ -68,7 +71,7 @@ Similarity common_motion(std::span<const Intrinsics> intrinsics, std::span<const
         });
     normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff() + 1e-300;
     const Vector7 d = normal.ldlt().solve(right);
-    if (!d.allFinite()) return {};
+    if (!d.allFinite() || std::abs(d(6)) > 1) return {};
     const Vector3d turn = d.head<3>();
     Similarity out;
     if (turn.norm() > 0) out.R = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();

@@ -55,6 +55,22 @@ void add_star(ceres::Problem& problem, std::span<const FittedCamera> cameras, co
     for (const Match& m : star.matches) add(m.photo, m.pixel);
 }
 
+bool in_front(const FittedCamera& camera, const PoseChange& change, const Eigen::Vector3d& point,
+              const Eigen::Vector2d& pixel) {
+    return pixel.allFinite() && project(camera.k, changed(camera, change), point);
+}
+
+/// Without the matches that can be no residual, or empty where the star's own photo has none.
+Star usable(const Star& star, std::span<const FittedCamera> cameras, std::span<const PoseChange> change) {
+    Star out = star;
+    const auto shows = [&](std::uint32_t photo, const Eigen::Vector2d& pixel) {
+        return in_front(cameras[photo], change[photo], star.point, pixel);
+    };
+    std::erase_if(out.matches, [&](const Match& m) { return !shows(m.photo, m.pixel); });
+    if (!shows(star.photo, star.pixel) || !star.normal.allFinite()) out.matches.clear();
+    return out;
+}
+
 }  // namespace
 
 Pose changed(const FittedCamera& camera, const PoseChange& c) {
@@ -76,8 +92,9 @@ PoseFit fit_poses(std::span<const FittedCamera> cameras, std::span<const Star> s
     std::vector<PoseChange> found = change;
     auto order = std::make_shared<ceres::ParameterBlockOrdering>();
     for (std::size_t s = 0; s < stars.size(); ++s) {
-        if (stars[s].matches.empty()) continue;
-        add_star(problem, cameras, stars[s], slides[s].data(), &loss, found);
+        const Star star = usable(stars[s], cameras, change);
+        if (star.matches.empty()) continue;
+        add_star(problem, cameras, star, slides[s].data(), &loss, found);
         order->AddElementToGroup(slides[s].data(), 0);
     }
     for (std::size_t i = 0; i < cameras.size(); ++i) {

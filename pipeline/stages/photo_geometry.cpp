@@ -28,7 +28,8 @@ void draw(const ModelBuffers& model, const Triangles& triangles, const gl::Frame
     glBindFramebuffer(GL_FRAMEBUFFER, target.id());
     glViewport(0, 0, width, height);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glDepthFunc(GL_GREATER);
     glDisable(GL_CULL_FACE);
     glVertexArrayElementBuffer(model.vertices.id(), triangles.indices.id());
     glBindVertexArray(model.vertices.id());
@@ -43,11 +44,11 @@ void render_maps(const ModelBuffers& model, const Triangles& triangles, const In
                       depth = gl::make_texture_2d("depth", GL_DEPTH_COMPONENT32F, out.width, out.height);
     const std::array colors{z.id(), angle.id(), seen.id()};
     const gl::Framebuffer target = gl::make_framebuffer("photo geometry", colors, depth.id());
-    const float one = 1;
+    const float farthest = 0;
     const std::array nothing{std::numeric_limits<float>::infinity(), 0.0f, 0.0f, 0.0f};
     const std::array<float, 4> zero{};
     const std::array<GLuint, 4> no_triangle{~0u, 0, 0, 0};
-    glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &one);
+    glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
     glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, nothing.data());
     glClearNamedFramebufferfv(target.id(), GL_COLOR, 1, zero.data());
     glClearNamedFramebufferuiv(target.id(), GL_COLOR, 2, no_triangle.data());
@@ -100,7 +101,7 @@ Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Po
         farthest = std::max(farthest, z);
     }
     if (!(farthest > 0)) return {0, 0};
-    return {std::max(nearest * 0.999, farthest * 1e-5), farthest * 1.001};
+    return {std::max(nearest * 0.999, farthest * 1e-7), farthest * 1.001};
 }
 
 Intrinsics map_intrinsics(const Intrinsics& k) { return k.at_level(mask_level); }

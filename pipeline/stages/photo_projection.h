@@ -28,8 +28,8 @@ struct PhotoProjection {
     float near;
     std::vector<ProjectedVertex> vertices;
 
-    Eigen::Vector3f in_camera(std::uint32_t vertex) const {
-        return (cam_from_origin.R * positions[vertex].cast<double>() + cam_from_origin.t).cast<float>();
+    Eigen::Vector3d in_camera(std::uint32_t vertex) const {
+        return cam_from_origin.R * positions[vertex].cast<double>() + cam_from_origin.t;
     }
 };
 

@@ -151,7 +151,7 @@ std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> posit
     double whole = 0;
     for (std::size_t t = 0; t < triangles; ++t) {
         const auto p = corners(t);
-        area[t] = double((p[1] - p[0]).cross(p[2] - p[0]).norm());
+        area[t] = (p[1] - p[0]).cast<double>().cross((p[2] - p[0]).cast<double>()).norm();
         whole += area[t];
     }
     std::vector<SurfaceDisc> discs;

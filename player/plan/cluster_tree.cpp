@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace vantage {
 namespace {
 
 constexpr std::uint32_t leaf_clusters = 8;
+constexpr double rounding = 1e-12;  // of a distance from a plane, beside the lengths that it is made of
 
 Eigen::Vector3d center(const package::ClusterRecord& c) { return {c.center[0], c.center[1], c.center[2]}; }
 
@@ -61,7 +63,8 @@ Side side_of(const ClusterTree::Node& node, const std::array<Plane, 5>& planes) 
     Side side = Side::inside;
     for (const Plane& p : planes) {
         const double distance = p.normal.dot(middle) + p.offset,
-                     reach = p.normal.cwiseAbs().dot(half) * (1 + 1e-5);
+                     reach = p.normal.cwiseAbs().dot(half) * (1 + 1e-5) +
+                             rounding * (middle.norm() + std::abs(p.offset));
         if (distance < -reach) return Side::outside;
         if (distance < reach) side = Side::across;
     }
@@ -71,7 +74,8 @@ Side side_of(const ClusterTree::Node& node, const std::array<Plane, 5>& planes) 
 bool reaches_in(const package::ClusterRecord& c, const std::array<Plane, 5>& planes) {
     const Eigen::Vector3d p = center(c);
     return std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
-        return plane.normal.dot(p) + plane.offset >= -c.radius * (1 + 1e-5);
+        const double reach = c.radius * (1 + 1e-5) + rounding * (p.norm() + std::abs(plane.offset));
+        return plane.normal.dot(p) + plane.offset >= -reach;
     });
 }
 
@@ -116,7 +120,7 @@ Eigen::Vector2d depth_range(std::span<const package::ClusterRecord> clusters,
         farthest = std::max(farthest, z + c.radius);
     }
     if (!(farthest > 0)) return {0, 0};
-    return {std::max(nearest * 0.999, farthest * 1e-5), farthest * 1.001};
+    return {std::max(nearest * 0.999, farthest * 1e-7), farthest * 1.001};
 }
 
 }  // namespace vantage

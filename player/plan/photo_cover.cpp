@@ -43,6 +43,7 @@ Open all_open(const CoverProblem& problem) {
 }
 
 double open_area(const CoverProblem& problem, const Open& open) {
+    if (open.part.empty()) return 0;  // no sets: nothing that could be covered
     double area = 0;
     for (const CoverProblem::Run& run : problem.runs)
         for_words(run.first, run.count, [&](std::uint32_t w, std::uint64_t mask) {

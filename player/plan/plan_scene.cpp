@@ -1,18 +1,27 @@
 #include "player/plan/plan_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "scene/error.h"
+#include "scene/package_shape.h"
 
 namespace vantage {
 
 PlanScene make_plan_scene(const PackageReader& package) {
     using package::Type;
     const package::SceneRecord& record = package.scene();
+    expect_shape(package);
     PlanScene s;
     s.photos = package.photos();
     s.clusters = package.records<package::ClusterRecord>(Type::clusters);
+    for (const package::ClusterRecord& c : s.clusters)
+        if (!std::isfinite(c.center[0] + c.center[1] + c.center[2]) || !(c.radius >= 0) ||
+            std::isinf(c.radius))
+            throw Error(Exit::damaged, package.path().string() + ": CLUS " +
+                                           std::to_string(&c - s.clusters.data()) +
+                                           ": its sphere is out of range");
     s.tree = make_cluster_tree(s.clusters);
     s.triangles = record.triangles;
     s.positions = package.records<Eigen::Vector3f>(Type::positions);
@@ -25,11 +34,6 @@ PlanScene make_plan_scene(const PackageReader& package) {
         if (!s.photos[i].levels) continue;
         s.coverage.back() = package.records<package::CoverageRecord>(Type::coverage, i);
         s.visible.back() = package.records<std::uint64_t>(Type::visible, i);
-        if (s.coverage.back().size() != s.clusters.size() ||
-            s.visible.back().size() != 2 * package::visible_words(s.triangles))
-            throw Error(Exit::damaged, package.path().string() + ": COVR or VISB of " +
-                                           std::string(s.photos[i].name) +
-                                           ": length does not fit the scene's counts");
     }
     return s;
 }

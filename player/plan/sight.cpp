@@ -10,12 +10,12 @@ namespace {
 
 constexpr double agreement_angle = 0.35;  ///< radians; wider than the blend's, to rank the far ones, too
 
-/// Pixels that a cluster's sphere fills, at most the frame.
+/// Pixels that a cluster's sphere fills, at most the frame; the frame, too, where that is no number.
 double area_in_view(const package::ClusterRecord& c, const View& view) {
     const Intrinsics& k = view.intrinsics;
     const double z = (view.cam_from_origin.R * center(c) + view.cam_from_origin.t).z();
     const double reach = std::max(z, double(c.radius)), r = c.radius / reach;
-    return std::min(std::numbers::pi * r * r * k.fx * k.fy, double(k.width) * k.height);
+    return std::min(double(k.width) * k.height, std::numbers::pi * r * r * k.fx * k.fy);
 }
 
 /// Points of the triangles, spread over each by the plastic ratio's sequence (Roberts 2018).

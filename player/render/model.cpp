@@ -14,8 +14,6 @@ Model load_model(const PackageReader& package) {
     const auto positions = package.records<float>(Type::positions),
                normals = package.records<float>(Type::normals);
     const auto indices = package.records<std::uint32_t>(Type::indices);
-    if (std::any_of(indices.begin(), indices.end(), [&](std::uint32_t i) { return i >= scene.vertices; }))
-        throw Error(Exit::damaged, package.path().string() + ": INDX names a vertex that does not exist");
     if (indices.size() > std::size_t(std::numeric_limits<GLsizei>::max()))
         throw Error(Exit::damaged, package.path().string() + ": INDX has more triangles than can be drawn");
     Model m;

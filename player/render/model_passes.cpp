@@ -73,17 +73,18 @@ bool ModelPasses::per_fragment(const RenderSettings& settings) const {
 
 void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targets) {
     const std::array<float, 4> zero{};
-    const float one = 1;
+    const float farthest = 0;
     const std::array<GLuint, 4> no_triangle{};
     glClearNamedFramebufferfv(targets.surface_target.id(), GL_COLOR, 0, zero.data());
     glClearNamedFramebufferuiv(targets.surface_target.id(), GL_COLOR, 1, no_triangle.data());
     glDepthMask(GL_TRUE);
-    glClearNamedFramebufferfv(targets.surface_target.id(), GL_DEPTH, 0, &one);
+    glClearNamedFramebufferfv(targets.surface_target.id(), GL_DEPTH, 0, &farthest);
     bind_target(targets.surface_target, targets);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glDepthFunc(GL_GREATER);
     glUseProgram(surface_program_.id());
     glUniformMatrix4fv(0, 1, GL_FALSE, drawn.clip_from_origin.data());
     uniform(1, drawn.view.cam_from_origin.center());
@@ -191,6 +192,8 @@ void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
     glUniform1f(7, float(settings.weights.sharpness));
     glUniform1f(8, float(settings.lod_bias - std::log2(drawn.side)));
     glUniform1ui(9, GLuint(settings.show));
+    // All photos of the scene at full weight, in colours eight times as bright as white, stay below 65504.
+    glUniform1f(12, settings.half_sums ? 8000 / float(scene_->photos.size()) : 0.0f);
     if (trace_) {
         const ResidencyLayout& layout = store_->residency().layout();
         glUniform2ui(10, layout.color, layout.color + layout.masks);

@@ -38,6 +38,22 @@ View sampled(View view, PixelSample s) {
     return view;
 }
 
+/// Nothing that is no number, or whose square is none in single precision, reaches the shaders. Throws
+/// Error(usage).
+void check_view(const View& view) {
+    const Intrinsics& k = view.intrinsics;
+    const Pose& pose = view.cam_from_origin;
+    const bool turns = (pose.R * pose.R.transpose()).isIdentity(1e-3);
+    const bool stands = pose.t.norm() < 1e18;
+    const bool lens = k.fx > 0 && k.fy > 0 && std::isfinite(float(k.fx) + float(k.fy)) &&
+                      std::isfinite(float(k.cx) + float(k.cy));
+    if (k.width < 1 || k.height < 1)
+        throw Error(Exit::usage, "a picture of " + std::to_string(k.width) + "x" + std::to_string(k.height) +
+                                     ", expected at least 1x1");
+    if (!turns || !stands || !lens)
+        throw Error(Exit::usage, "a view's place, direction or field of view is no number");
+}
+
 }  // namespace
 
 Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
@@ -74,6 +90,8 @@ void Renderer::fit(int width, int height, const RenderSettings& settings) {
 FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
                            std::span<const std::uint32_t> photos, PixelSample sample, double now,
                            const View* next) {
+    check_view(view);
+    if (settings.weights_from) check_view(*settings.weights_from);
     fit(view.intrinsics.width, view.intrinsics.height, settings);
     store_.begin_frame(now, !settings.complete);
     if (settings.complete && settings.photos > 0 && sample.index == 0)

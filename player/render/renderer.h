@@ -27,7 +27,7 @@ class Renderer {
 
     /// Draws one sample of each pixel of `view` from `photos` (indices; held-out ones are left out), and adds
     /// it to the samples since the last one of index 0. `now` in seconds, for what fades; `next` is where the
-    /// view is about to be, to fetch ahead.
+    /// view is about to be, to fetch ahead. Throws Error(usage) for a view that cannot be drawn.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
     /// Shows what was drawn in the framebuffer `target`, whose whole size is the view's. `flip` where the
@@ -41,6 +41,9 @@ class Renderer {
 
     /// The triangle at each pixel of the last draw(), from 1, first row on top; 0 where there is none. Waits.
     std::vector<std::uint32_t> triangles() const;
+
+    /// As the last draw() left them.
+    const FrameTargets& targets() const { return targets_; }
 
     const PackageReader& package() const { return *package_; }
     const PlanScene& scene() const { return scene_; }

@@ -24,11 +24,11 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 }  // namespace
 
-std::vector<double> nearest_is_one(const std::vector<double>& values, double floor) {
+std::vector<double> nearest_is_one(const std::vector<double>& values, double floor, double indistinct) {
     std::vector<double> weights(values.size(), 1);
     if (values.empty()) return weights;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    const double range = *high - *low;
+    const double range = std::max(*high - *low, indistinct);
     if (!(range > 0)) return weights;
     for (std::size_t i = 0; i < values.size(); ++i)
         weights[i] = std::max(floor, 1 - (values[i] - *low) / range);
@@ -48,7 +48,10 @@ ViewWeights view_weights(const View& view, std::span<const package::PhotoRecord>
         distances.push_back((center - eye).norm());
         angles.push_back(angle_between(view.cam_from_origin.direction(), direction));
     }
-    return {nearest_is_one(distances), nearest_is_one(angles)};
+    // Beside the coordinates that distances are taken of, and the unit vectors that angles are between.
+    double reach = eye.norm();
+    for (const double d : distances) reach = std::max(reach, d);
+    return {nearest_is_one(distances, 1e-3, 1e-9 * reach), nearest_is_one(angles, 1e-3, 1e-9)};
 }
 
 std::vector<double> dynamic_weights(const View& view, std::span<const package::PhotoRecord> photos,

@@ -19,7 +19,9 @@ struct WeightSettings {
 };
 
 /// 1 for the least value, falling linearly to `floor` for the greatest; all equal: all 1. Values finite.
-std::vector<double> nearest_is_one(const std::vector<double>& values, double floor = 1e-3);
+/// Differences that are small beside `indistinct` are rounding and hardly count.
+std::vector<double> nearest_is_one(const std::vector<double>& values, double floor = 1e-3,
+                                   double indistinct = 0);
 
 /// What a photo's dynamic weight is made of, each in (0, 1]: 1 for the nearest, and for the one that looks
 /// the same way.

@@ -38,8 +38,8 @@ class PhotoStore {
     std::size_t missing(std::uint32_t photo, const TileNeeds& needs) const;
     void need_thumbnail(std::uint32_t photo);
 
-    /// Uploads of what arrives at most `budget` bytes, and asks for what this frame misses. Returns the
-    /// bytes.
+    /// Uploads of what arrives at most `budget` bytes, or one piece that is larger, and asks for what this
+    /// frame misses. Returns the bytes.
     std::size_t stream(std::size_t budget);
     /// Waits for all that was needed since the last call, or the frame began.
     void load();

@@ -146,7 +146,8 @@ bool Residency::need_coordinates(std::uint32_t photo, std::vector<StreamRequest>
 
 std::size_t Residency::upload(TileStream& stream, std::size_t budget) {
     std::size_t uploaded = 0;
-    while (const auto fetched = stream.take(budget - uploaded)) {
+    // Budget or not, a frame takes one piece: what is larger than the budget would hold up all behind it.
+    while (const auto fetched = stream.take(uploaded == 0 ? SIZE_MAX : budget - std::min(budget, uploaded))) {
         if (!fetched->sound) {
             damaged_.insert(fetched->request.identity());
         } else if (store(fetched->request, reinterpret_cast<const std::byte*>(fetched->piece.offset),
@@ -231,7 +232,9 @@ std::uint32_t Residency::entry(const LayerPool& pool, const std::vector<double>&
                                std::uint32_t page) const {
     const auto layer = pool.layer_of(page);
     if (!layer) return not_resident;
-    const double age = fades_ ? std::clamp((now_ - births[*layer]) / fade_seconds, 0.0, 1.0) : 1;
+    // Nothing is born later than now, unless the clock was set back.
+    const bool fading = fades_ && births[*layer] <= now_;
+    const double age = fading ? std::clamp((now_ - births[*layer]) / fade_seconds, 0.0, 1.0) : 1;
     return *layer | std::uint32_t(std::lround(255 * age)) << 16;
 }
 

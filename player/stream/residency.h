@@ -39,7 +39,8 @@ class Residency {
     bool need(const StreamRequest& request, std::vector<StreamRequest>& missing);
     /// The same for all of a photo's texture coordinates.
     bool need_coordinates(std::uint32_t photo, std::vector<StreamRequest>& missing);
-    /// Uploads what is fetched, at most `budget` bytes. Returns the bytes uploaded.
+    /// Uploads what is fetched, at most `budget` bytes, or one piece that is larger. Returns the bytes
+    /// uploaded.
     std::size_t upload(TileStream& stream, std::size_t budget);
     /// Uploads at once all that a photo has, straight from the mapped package. Returns the bytes uploaded.
     std::size_t upload_whole(std::uint32_t photo, std::uint32_t levels);
@@ -57,7 +58,7 @@ class Residency {
     bool damaged(const StreamRequest& r) const { return damaged_.contains(r.identity()); }
     std::size_t damaged_count() const { return damaged_.size(); }
     /// Nothing is fading in.
-    bool settled() const { return now_ >= last_birth_ + fade_seconds; }
+    bool settled() const { return now_ < last_birth_ || now_ >= last_birth_ + fade_seconds; }
 
     const ResidencyLayout& layout() const { return layout_; }
     std::uint32_t color_held() const { return color_pool_.held(); }

@@ -7,6 +7,7 @@
 
 #include "gl/context.h"
 #include "player/offscreen.h"
+#include "player/verify/finite_targets.h"
 #include "player/verify/golden.h"
 #include "scene/error.h"
 #include "scene/junit.h"
@@ -85,6 +86,8 @@ void verify_package(const VerifyOptions& o, Verified& out) {
         if (now.report.tiles_damaged)
             return out.wrong(Exit::damaged,
                              std::to_string(now.report.tiles_damaged) + " tiles have a wrong checksum");
+        if (const NonFinite wrong = count_non_finite(renderer.targets()); wrong.all() > 0)
+            out.wrong(Exit::different, shot.name + ": " + words(wrong));
         verify_view(o, folder, shot, now, out);
     }
 }

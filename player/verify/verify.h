@@ -18,8 +18,8 @@ struct VerifyOptions {
 void add_verify_options(CLI::App& app, VerifyOptions& options);
 
 /// Renders each package's recorded views without a display and compares them with the stored pictures, or
-/// with `update` stores them. Says what differs, writes pictures of it; returns the worst of all packages'
-/// exit codes. Throws Error(storage) and Error(graphics).
+/// with `update` stores them. Says what differs, writes pictures of it, and says where arithmetic gave no
+/// number; returns the worst of all packages' exit codes. Throws Error(storage) and Error(graphics).
 int run_verify(const VerifyOptions& options);
 
 }  // namespace vantage

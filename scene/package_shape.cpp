@@ -1,0 +1,81 @@
+#include "scene/package_shape.h"
+
+#include <algorithm>
+
+#include "scene/error.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+namespace {
+
+using package::DirectoryEntry;
+using package::PhotoRecord;
+using package::Type;
+using Lines = std::vector<std::string>;
+
+void model_shape(const PackageReader& reader, const package::SceneRecord& scene, Lines& out) {
+    const auto indices = reader.records<std::uint32_t>(Type::indices);
+    const auto beyond = std::ranges::find_if(indices, [&](std::uint32_t i) { return i >= scene.vertices; });
+    if (beyond != indices.end())
+        out.push_back("INDX: index " + std::to_string(*beyond) + " with " + std::to_string(scene.vertices) +
+                      " vertices");
+    std::uint64_t next = 0;
+    bool covered = true;
+    for (const auto& c : reader.records<package::ClusterRecord>(Type::clusters)) {
+        covered &= c.first_triangle == next;
+        next = std::uint64_t(c.first_triangle) + c.triangles;
+    }
+    if (!covered || next != scene.triangles) out.emplace_back("CLUS: clusters do not cover the triangles");
+}
+
+void blocks_shape(const PackageReader& reader, Type type, std::uint32_t i, std::uint32_t level,
+                  const Level& size, Lines& out) {
+    const DirectoryEntry* e = reader.find(type, i, level);
+    if (!e)
+        out.push_back("photo " + std::to_string(i) + ": level " + std::to_string(level) + " is missing");
+    else if (reader.blocks(*e) != std::size_t(size.tiles()) || e->block_length != tile_bytes)
+        out.push_back(describe(*e, reader) + ": has " + std::to_string(reader.blocks(*e)) +
+                      " tiles, expected " + std::to_string(size.tiles()));
+}
+
+void chunk_shape(const PackageReader& reader, Type type, std::uint32_t i, std::uint64_t bytes,
+                 const std::string& what, Lines& out) {
+    const DirectoryEntry* e = reader.find(type, i);
+    if (!e || e->head_length != bytes) out.push_back(std::string(reader.photos()[i].name) + ": " + what);
+}
+
+void photo_shape(const PackageReader& reader, const package::SceneRecord& scene, const PhotoRecord& p,
+                 std::uint32_t i, Lines& out) {
+    const auto size = [&](int level) { return level_size(int(p.width), int(p.height), level); };
+    for (int l = 0; l < int(p.levels); ++l)
+        blocks_shape(reader, Type::tiles, i, std::uint32_t(l), size(l), out);
+    for (int l = mask_level; l < mask_levels_end(int(p.levels)); ++l)
+        for (const Type type : {Type::masks, Type::depth})
+            blocks_shape(reader, type, i, std::uint32_t(l), size(l), out);
+    chunk_shape(reader, Type::thumbnail, i, std::uint64_t(p.thumbnail_width) * p.thumbnail_height * 4,
+                "THMB does not have the size of its record", out);
+    chunk_shape(reader, Type::coordinates, i, scene.vertices * 8, "TEXC has not one entry a vertex", out);
+    chunk_shape(reader, Type::coverage, i, scene.clusters * sizeof(package::CoverageRecord),
+                "COVR has not one entry a cluster", out);
+    chunk_shape(reader, Type::visible, i, 16 * package::visible_words(scene.triangles),
+                "VISB has not two bits a triangle", out);
+}
+
+}  // namespace
+
+std::vector<std::string> misshapen(const PackageReader& reader) {
+    Lines out;
+    const package::SceneRecord& scene = reader.scene();
+    model_shape(reader, scene, out);
+    const auto photos = reader.photos();
+    for (std::uint32_t i = 0; i < photos.size(); ++i)
+        if (photos[i].levels > 0) photo_shape(reader, scene, photos[i], i, out);
+    return out;
+}
+
+void expect_shape(const PackageReader& package) {
+    if (const Lines lines = misshapen(package); !lines.empty())
+        throw Error(Exit::damaged, package.path().string() + ": " + lines.front());
+}
+
+}  // namespace vantage

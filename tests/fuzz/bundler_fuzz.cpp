@@ -1,0 +1,18 @@
+// Cameras of Bundler: list.txt and the .out file, divided by a line of "----".
+#include "pipeline/import/cameras.h"
+#include "scene/error.h"
+#include "tests/fuzz/memory_file.h"
+
+using namespace vantage;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const fuzz::MemoryFolder folder;
+    const auto [list, cameras] = fuzz::divided(fuzz::text_of(data, size));
+    folder.set("list.txt", list);
+    folder.set("bundle.out", cameras);
+    try {
+        read_bundler(folder.path() / "bundle.out");
+    } catch (const Error&) {
+    }
+    return 0;
+}

@@ -1,0 +1,22 @@
+// Meshes: PLY, text and binary. Every index of what comes out is a vertex.
+#include <cstdlib>
+
+#include "pipeline/import/mesh.h"
+#include "scene/error.h"
+#include "tests/fuzz/memory_file.h"
+
+using namespace vantage;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const fuzz::MemoryFolder folder;
+    folder.set("mesh.ply", fuzz::text_of(data, size));
+    try {
+        std::vector<std::string> warnings;
+        const Mesh mesh = read_mesh(folder.path() / "mesh.ply", warnings);
+        for (const auto& t : mesh.triangles)
+            for (const std::uint32_t v : t)
+                if (v >= mesh.positions.size()) std::abort();
+    } catch (const Error&) {
+    }
+    return 0;
+}

@@ -1,0 +1,221 @@
+// Photos of every shape and sort, whole, cut short, and not what they say.
+#include "pipeline/import/photos.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+#include <turbojpeg.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "pipeline/check.h"
+#include "pipeline/file_identity.h"
+#include "pipeline/import/discover.h"
+#include "pipeline/import/read_scene.h"
+#include "pipeline/join_tiles.h"
+#include "pipeline/prepare.h"
+#include "pipeline/stages/pyramid.h"
+#include "pipeline/synth/synthesise.h"
+#include "scene/error.h"
+#include "tests/temporary_folder.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+class HardPhotos : public TemporaryFolder {
+  protected:
+    template <class T>
+    fs::path write(const std::string& name, int width, int height, int channels, const std::vector<T>& pixels,
+                   int orientation = 1) {
+        OIIO::ImageSpec spec(width, height, channels, OIIO::BaseTypeFromC<T>::value);
+        spec.attribute("Orientation", orientation);
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+        const fs::path file = dir / name;
+        const auto out = OIIO::ImageOutput::create(file.string());
+        EXPECT_TRUE(out && out->open(file.string(), spec) &&
+                    out->write_image(OIIO::BaseTypeFromC<T>::value, pixels.data()) && out->close())
+            << file;
+        return file;
+    }
+    static std::vector<std::uint8_t> noise(int width, int height, int channels) {
+        std::mt19937 random(8);
+        std::vector<std::uint8_t> out(std::size_t(width) * std::size_t(height) * std::size_t(channels));
+        for (auto& v : out) v = std::uint8_t(random());
+        return out;
+    }
+    /// What the decoder says of it, without the file's place; "" where it takes it.
+    static std::string refusal(const fs::path& file, PhotoSize expected) {
+        try {
+            const RgbaImage p = read_photo(file, expected);
+            EXPECT_EQ(p.rgba.size(), std::size_t(p.width) * std::size_t(p.height) * 4);
+            return {};
+        } catch (const Error& e) {
+            EXPECT_EQ(e.code(), Exit::input);
+            EXPECT_TRUE(std::string(e.what()).starts_with(file.string() + ": ")) << e.what();
+            EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
+            return reason_of(e, file);
+        }
+    }
+    fs::path put(const std::string& name, const std::string& bytes) {
+        std::ofstream(dir / name, std::ios::binary) << bytes;
+        return dir / name;
+    }
+};
+
+}  // namespace
+
+TEST_F(HardPhotos, CutAtEveryPercentIsRefusedOrWhole) {
+    for (const char* name : {"p.jpg", "p.png", "p.tif"}) {
+        const fs::path whole = write(name, 64, 48, 3, noise(64, 48, 3));
+        const std::string bytes = slurp(whole);
+        ASSERT_EQ(refusal(whole, {64, 48}), "");
+        const RgbaImage truth = read_photo(whole, {64, 48});
+        for (int percent = 0; percent < 100; ++percent) {
+            const fs::path cut =
+                put(std::string("cut-") + name, bytes.substr(0, bytes.size() * std::size_t(percent) / 100));
+            // Taken only where nothing of the picture is missing.
+            EXPECT_TRUE(!refusal(cut, {64, 48}).empty() || read_photo(cut, {64, 48}).rgba == truth.rgba)
+                << name << " at " << percent << " %";
+        }
+    }
+}
+
+TEST_F(HardPhotos, AFlippedBitNeverEndsTheProgram) {
+    std::mt19937 random(4);
+    for (const char* name : {"p.jpg", "p.png", "p.tif"}) {
+        const std::string bytes = slurp(write(name, 40, 30, 3, noise(40, 30, 3)));
+        for (int trial = 0; trial < 300; ++trial) {
+            std::string broken = bytes;
+            for (int n = 0; n < 1 + trial % 5; ++n)
+                broken[random() % broken.size()] ^= char(1 << random() % 8);
+            refusal(put(std::string("flipped-") + name, broken),
+                    {40, 30});  // refused, or a picture of that size
+        }
+    }
+}
+
+TEST_F(HardPhotos, AnotherSizeThanItsCamerasIsRefusedBeforeMemoryIsTaken) {
+    std::string bytes = slurp(write("p.jpg", 64, 48, 3, noise(64, 48, 3)));
+    // The frame header: marker, length, precision, height, width.
+    const std::size_t at = bytes.find("\xff\xc0");
+    ASSERT_NE(at, std::string::npos);
+    for (std::size_t i = 5; i < 9; i += 2) bytes[at + i] = char(0xfd), bytes[at + i + 1] = char(0xe8);
+    const std::string why = refusal(put("huge.jpg", bytes), {64, 48});  // 17 GB, if it were believed
+    EXPECT_NE(why.find("65000x65000, its camera expects 64x48"), std::string::npos) << why;
+}
+
+TEST_F(HardPhotos, ByWhateverExtensionAPhotoIsWhatItHolds) {
+    const std::string jpeg = slurp(write("p.jpg", 20, 10, 3, noise(20, 10, 3)));
+    const std::string png = slurp(write("p.png", 20, 10, 3, noise(20, 10, 3)));
+    EXPECT_EQ(refusal(put("jpeg.png", jpeg), {20, 10}), "");
+    EXPECT_EQ(refusal(put("png.jpg", png), {20, 10}), "");
+    const RgbaImage p = read_photo(put("png.jpg", png), {20, 10});
+    EXPECT_EQ(p.rgba, read_photo(dir / "p.png", {20, 10}).rgba);
+    EXPECT_NE(refusal(put("text.jpg", "hello"), {20, 10}), "");
+    EXPECT_NE(refusal(put("empty.jpg", ""), {20, 10}), "");
+    EXPECT_NE(refusal(put("marker.jpg", "\xff\xd8"), {20, 10}), "");
+}
+
+TEST_F(HardPhotos, EveryExifOrientationKeepsOrTurnsTheFirstPixel) {
+    std::vector<std::uint8_t> pixels(3 * 2 * 3, 200);
+    std::fill_n(pixels.begin(), 3, std::uint8_t(0));
+    for (int o = 1; o <= 8; ++o) {
+        const fs::path file = write("o.tif", 3, 2, 3, pixels, o);
+        const RgbaImage stored = read_photo(file, {3, 2});
+        EXPECT_EQ(int(stored.rgba[0]), 0) << "cameras are calibrated on stored pixels; orientation " << o;
+        if (o < 5)
+            EXPECT_NE(refusal(file, {2, 3}), "") << "orientation " << o << " turns nothing on its side";
+        // 5 to 8: Photos.AreTurnedWhereTheirCameraExpectsThemTurned
+    }
+}
+
+TEST_F(HardPhotos, FloatsBeyondAllBoundsBecomeBytes) {
+    const float inf = std::numeric_limits<float>::infinity(), nan = std::nanf("");
+    std::vector<float> pixels(4 * 2 * 3, 0.5f);
+    const float odd[] = {inf, -inf, nan, 1e30f, -1e30f, 1e-40f};
+    std::copy(std::begin(odd), std::end(odd), pixels.begin());
+    for (const char* name : {"f.exr", "f.tif"}) {
+        const RgbaImage p = read_photo(write(name, 4, 2, 3, pixels), {4, 2});
+        EXPECT_EQ(int(p.rgba[0]), 255) << name;
+        EXPECT_EQ(int(p.rgba[1]), 0) << name;
+        EXPECT_EQ(int(p.rgba[4]), 255) << name;
+        EXPECT_EQ(int(p.rgba[5]), 0) << name;
+        EXPECT_EQ(int(p.rgba[6]), 0) << name;
+        EXPECT_EQ(int(p.rgba[3]), 255) << name;
+    }
+}
+
+TEST_F(HardPhotos, OnePixelARowOrAColumnHaveAPyramid) {
+    for (const auto& [width, height] : {std::pair(1, 1), {1, 700}, {700, 1}, {2, 513}, {505, 505}}) {
+        RgbaImage p{width, height, noise(width, height, 4)};
+        for (std::size_t i = 3; i < p.rgba.size(); i += 4) p.rgba[i] = 255;
+        double mean = 0;
+        for (std::size_t i = 0; i < p.rgba.size(); i += 4) mean += p.rgba[i];
+        mean /= double(p.rgba.size() / 4);
+        while (p.width > 1 || p.height > 1) {
+            const RgbaImage half = halve(p);
+            ASSERT_EQ(half.width, (p.width + 1) / 2);
+            ASSERT_EQ(half.height, (p.height + 1) / 2);
+            p = half;
+        }
+        EXPECT_NEAR(p.rgba[0], mean, 80) << "light is averaged, codes are not";
+        EXPECT_EQ(int(p.rgba[3]), 255);
+    }
+}
+
+// 100,000 pixels wide: beyond what a JPEG can say and what a texture can hold; tiles do not care.
+TEST_F(HardPhotos, AsWideAsNoTextureIsPrepared) {
+    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    spec.photos.count = 1;
+    spec.photos.samples = 1;
+    const int width = 100000, height = 3;
+    spec.photos.width = 1000;  // of which the photo below is a strip, stretched
+    spec.photos.height = 3;
+    synthesise(spec, dir / "scene", {});
+    fs::remove_all(dir / "scene" / "images");
+    fs::create_directories(dir / "scene" / "images");
+    std::vector<std::uint8_t> pixels(std::size_t(width) * height * 3);
+    for (std::size_t i = 0; i < pixels.size(); i += 3) {
+        const auto x = i / 3 % std::size_t(width);
+        pixels[i] = std::uint8_t(x >> 9);
+        pixels[i + 1] = std::uint8_t(x >> 1);
+    }
+    write("scene/images/0000.png", width, height, 3, pixels);
+    SceneInput scene = read_scene([&] {
+        std::ofstream(dir / "scene" / "sparse" / "cameras.txt")
+            << "1 PINHOLE 100000 3 100000 100000 50000 1.5\n";
+        std::ofstream(dir / "scene" / "sparse" / "images.txt") << "1 1 0 0 0 0 0 20 1 0000.png\n\n";
+        return discover(dir / "scene");
+    }());
+    ASSERT_EQ(scene.photos.size(), 1u);
+    const fs::path file = dir / "wide.vantage";
+    prepare(scene, {}, file, [](const Progress&) {});
+    for (const Issue& i : check_package(file, {.deep = true})) ADD_FAILURE() << i.text;
+    const PackageReader package(file);
+    const RgbaImage level = read_level_image(package, package.photos()[0], 0, package::Type::tiles, 0);
+    ASSERT_EQ(level.width, width);
+    for (const int x : {0, 1, 503, 504, 505, 65535, 65536, 99999}) {
+        EXPECT_EQ(int(level.rgba[4 * std::size_t(x)]), (x >> 9) & 255) << x;
+        EXPECT_EQ(int(level.rgba[4 * std::size_t(x) + 1]), (x >> 1) & 255) << x;
+    }
+}
+
+TEST_F(HardPhotos, APhotoOfAnotherShapeThanItsCameraIsLeftOutAndNamed) {
+    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    spec.photos.count = 3;
+    spec.photos.samples = 1;
+    synthesise(spec, dir / "scene", {});
+    const fs::path second = dir / "scene" / "images" / "0001.jpg";
+    fs::remove(second);
+    write("scene/images/0001.jpg", 50, 70, 3, noise(50, 70, 3));
+    const PrepareResult result =
+        prepare(read_scene(discover(dir / "scene")), {}, dir / "a.vantage", [](const Progress&) {});
+    ASSERT_EQ(result.left_out.size(), 1u);
+    EXPECT_EQ(result.left_out[0].photo, "0001.jpg");
+    EXPECT_NE(result.left_out[0].why.find("50x70"), std::string::npos) << result.left_out[0].why;
+}

@@ -1,0 +1,279 @@
+// What happens to a player in a long life: windows of all sizes, paths of nonsense, no memory, no graphics, a
+// package that vanishes, and clocks that are far on or go back.
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+#include <random>
+
+#include "player/shots.h"
+#include "player/stream/layer_pool.h"
+#include "prepared_scene.h"
+#include "scene/error.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+bool one_line(const std::string& text) {
+    return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n';
+}
+
+class PlayerLife : public PreparedScene {
+  protected:
+    RenderSettings streamed() const {
+        RenderSettings s;
+        s.complete = false;
+        s.photos = 4;
+        return s;
+    }
+    /// Draws every thirtieth of a second from `now` on until nothing changes; empty where that never comes.
+    std::optional<FrameReport> settle(Renderer& r, const View& view, const RenderSettings& s, double now,
+                                      int frames = 300) {
+        for (int i = 0; i < frames; ++i) {
+            const FrameReport report = r.draw(view, s, photos, {}, now + i / 30.0);
+            if (report.settled && report.photos > 0) return report;
+            ::usleep(1000);  // for the threads that read
+        }
+        return std::nullopt;
+    }
+    std::vector<std::uint8_t> shown(Renderer& r, const View& view, const RenderSettings& s) const {
+        const int w = view.intrinsics.width, h = view.intrinsics.height;
+        const gl::Texture color = gl::make_texture_2d("picture", GL_RGBA8, w, h);
+        const gl::Framebuffer target = gl::make_framebuffer("picture", std::array{color.id()}, 0);
+        r.show(view, s, target.id(), false);
+        std::vector<std::uint8_t> rgba(std::size_t(w) * std::size_t(h) * 4);
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glGetTextureImage(color.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(rgba.size()), rgba.data());
+        return rgba;
+    }
+
+    struct Outcome {
+        int code;
+        std::string says;
+    };
+    Outcome play(const std::string& options, const std::string& environment = "") const {
+        const fs::path says = dir / "says";
+        const std::string command = "env " + environment + " " VANTAGE_PLAYER " " + file.string() + " " +
+                                    options + " >/dev/null 2>" + says.string();
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(says)};
+    }
+
+    /// Shows many views and has `happen` happen to the package once the first is written.
+    template <class Happen>
+    Outcome play_while(const Happen& happen) const {
+        const fs::path path = dir / "many.path", says = dir / "says", out = dir / "pictures";
+        {
+            std::ofstream views(path);
+            for (int i = 0; i < 40; ++i) views << "0 -12 " << 1 + 0.01 * i << "  0 0 1\n";
+        }
+        int ends[2];
+        if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
+        const pid_t child = ::fork();
+        if (child == 0) {
+            ::dup2(ends[1], STDOUT_FILENO);
+            ::dup2(::open(says.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+            ::close(ends[0]);
+            ::execl(VANTAGE_PLAYER, VANTAGE_PLAYER, file.c_str(), "--offscreen", "--size", "64x48",
+                    "--samples", "1", "--path", path.c_str(), "-o", out.c_str(), nullptr);
+            ::_exit(127);
+        }
+        ::close(ends[1]);
+        char byte = 0;
+        bool happened = false;
+        while (::read(ends[0], &byte, 1) == 1)
+            if (byte == '\n' && !happened) happened = (happen(), true);
+        ::close(ends[0]);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        EXPECT_TRUE(happened) << slurp(says);
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), slurp(says)};
+    }
+};
+
+}  // namespace
+
+TEST_F(PlayerLife, AWindowOfAnotherSizeInEveryFrame) {
+    std::mt19937 random(1);
+    Renderer fresh(*package, MemoryBudget{});
+    for (int frame = 0; frame < 20; ++frame) {
+        const int w = frame == 7 ? 1 : 1 + int(random() % 90), h = frame == 7 ? 1 : 1 + int(random() % 90);
+        RenderSettings s = streamed();
+        s.half_sums = frame % 3 == 0;
+        renderer->draw(between(0, 1, w, h), s, photos, {}, frame / 30.0);
+        s.complete = true;
+        s.photos = 0;
+        if (frame % 5 != 2) continue;
+        EXPECT_EQ(picture(between(0, 1, w, h), s).rgba,
+                  take_picture(fresh, between(0, 1, w, h), s, photos, 1).rgba)
+            << w << 'x' << h << ", frame " << frame;
+    }
+}
+
+TEST_F(PlayerLife, AWindowOfOnePixelShowsAllThereIsToCompare) {
+    for (const int width : {1, 2, 3, 5})
+        for (const Compare compare :
+             {Compare::nothing, Compare::side_by_side, Compare::wiper, Compare::difference}) {
+            RenderSettings s;
+            s.compare = compare;
+            s.compare_photo = 2;
+            const Picture p = picture(own_view(2, width / 331.0), s);
+            ASSERT_EQ(p.width, width);
+            EXPECT_TRUE(compare == Compare::nothing || p.rgba[3] == 255) << width << ' ' << int(compare);
+        }
+}
+
+TEST_F(PlayerLife, AWindowAsWideOrHighAsATextureGoesAndNoLarger) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    RenderSettings s;
+    s.thumbnails = true;
+    for (const auto& [w, h] : {std::pair(int(most), 2), {2, int(most)}}) {
+        View view = own_view(2, 1);
+        view.intrinsics = {w, h, 300, 300, w / 2.0, h / 2.0};
+        const Picture p = picture(view, s);
+        const std::size_t middle = 4 * (std::size_t(h / 2) * std::size_t(w) + std::size_t(w / 2));
+        EXPECT_EQ(p.rgba[middle + 3], 255) << w << 'x' << h;
+    }
+    for (const auto& [w, h] :
+         {std::pair(int(most) + 1, 1), {1, int(most) + 1}, {0, 0}, {0, 0}, {0, 5}, {-3, 4}}) {
+        View view = own_view(2, 1);
+        view.intrinsics.width = w;
+        view.intrinsics.height = h;
+        try {
+            renderer->draw(view, s, photos, {}, 0);
+            ADD_FAILURE() << w << 'x' << h;
+        } catch (const Error& e) {
+            EXPECT_EQ(e.code(), Exit::usage);
+            EXPECT_NE(std::string(e.what()).find("picture of"), std::string::npos) << e.what();
+        }
+    }
+    Renderer fresh(*package, MemoryBudget{});  // minimised before it has drawn anything
+    View none = own_view(2, 1);
+    none.intrinsics.width = none.intrinsics.height = 0;
+    EXPECT_THROW(fresh.draw(none, s, photos, {}, 0), Error);
+    EXPECT_GT(picture(own_view(2, 0.1), s).rgba.size(), 0u) << "and it goes on";
+}
+
+TEST_F(PlayerLife, APathOrASizeOfNonsenseIsRefusedInOneLine) {
+    const fs::path path = dir / "odd.path";
+    for (const char* line :
+         {"nan 0 0 1 1 1", "0 0 0 inf 1 1", "1e400 0 0 1 1 1", "0 0 0 0 0 0", "1e300 0 0 -1e300 0 0",
+          "0 0 0 1 1 1 nan", "0 0 0 1 1 1 0", "0 0 0 1 1 1 180", "0 0 0 1 1 1 -45", "0 0 0 1 1",
+          "0 0 0 1 1 1 45 7", "a view", "0x", "\xff\xfe"}) {
+        std::ofstream(path) << "# a path\n\n0 -12 1 0 0 1\n" << line << '\n';
+        try {
+            read_path(path.string(), *package, {64, 48});
+            ADD_FAILURE() << line;
+        } catch (const Error& e) {
+            EXPECT_EQ(e.code(), Exit::input);
+            EXPECT_TRUE(std::string(e.what()).starts_with(path.string() + ":4: ")) << e.what();
+        }
+    }
+    for (const char* text : {"", "\n\n", "# nothing\n"}) {
+        std::ofstream(path) << text;
+        EXPECT_THROW(read_path(path.string(), *package, {64, 48}), Error);
+    }
+    std::ofstream(path) << "0 -12 1 0 0 1\n1e20 0 0 0 0 1\n";
+    EXPECT_EQ(read_path(path.string(), *package, {64, 48}).size(), 2u);
+    const Outcome far = play("--offscreen --size 64x48 --path " + path.string() + " -o " + dir.string());
+    EXPECT_EQ(far.code, int(Exit::usage)) << "farther off than a float counts";
+    EXPECT_TRUE(one_line(far.says)) << far.says;
+    const Outcome wide = play("--offscreen --photo 0002 --size 100000x2 -o " + (dir / "wide.png").string());
+    EXPECT_EQ(wide.code, int(Exit::usage)) << wide.says;
+    EXPECT_TRUE(one_line(wide.says) && wide.says.find("100000x2, expected") != std::string::npos)
+        << wide.says;
+}
+
+TEST_F(PlayerLife, ABudgetSmallerThanATileIsRefusedOrStillShowsThePicture) {
+    const View view = own_view(2, 0.3);
+    for (const std::uint64_t bytes : {std::uint64_t(1), std::uint64_t(100'000), std::uint64_t(1) << 20}) {
+        Renderer small(*package, {bytes, 1});
+        for (int i = 0; i < 2; ++i) try {
+                small.draw(view, streamed(), photos, {}, 0);
+                ADD_FAILURE() << bytes;
+            } catch (const Error& e) {
+                EXPECT_EQ(e.code(), Exit::usage);
+                EXPECT_NE(std::string(e.what()).find("--graphics-memory"), std::string::npos) << e.what();
+            }
+    }
+    // A ring and an upload of a byte a frame let one piece through at a time.
+    Renderer slow(*package, {0, 1});
+    RenderSettings s = streamed();
+    for (const std::size_t budget : {std::size_t(1), std::size_t(256) << 10}) {
+        s.upload_bytes = budget;
+        ASSERT_TRUE(settle(slow, view, s, 10)) << budget;
+    }
+    const auto picture_then = shown(slow, view, s);
+    RenderSettings usual = streamed();
+    ASSERT_TRUE(settle(*renderer, view, usual, 10));
+    EXPECT_EQ(picture_then, shown(*renderer, view, usual));
+}
+
+TEST_F(PlayerLife, AClockFarOnOrSetBackChangesNoPicture) {
+    const View view = own_view(2, 0.3);
+    const RenderSettings s = streamed();
+    ASSERT_TRUE(settle(*renderer, view, s, 0));
+    const auto usual = shown(*renderer, view, s);
+    for (const double now : {1e9, 1e15, -1e9}) {
+        Renderer other(*package, MemoryBudget{});
+        ASSERT_TRUE(settle(other, view, s, now)) << now;
+        EXPECT_EQ(shown(other, view, s), usual) << now;
+        // Back to the beginning, with all there is already there.
+        ASSERT_TRUE(settle(other, view, s, 0)) << "after " << now;
+        EXPECT_EQ(shown(other, view, s), usual) << "after " << now;
+        // And with what is read only then.
+        ASSERT_TRUE(settle(other, own_view(0, 0.3), s, 1)) << "after " << now;
+    }
+}
+
+TEST(LayerPoolLife, FramesAreToldApartToTheLastNumber) {
+    constexpr std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
+    LayerPool pool(2, 5);
+    ASSERT_TRUE(pool.place(0, last - 1) && pool.place(1, last - 1));
+    EXPECT_FALSE(pool.place(2, last - 1)) << "both are in use";
+    EXPECT_EQ(pool.room(last), 2u);
+    ASSERT_TRUE(pool.place(2, last));
+    EXPECT_FALSE(pool.layer_of(0).has_value()) << "the older gave way";
+    ASSERT_TRUE(pool.place(3, 0)) << "after the last number comes the first";
+    EXPECT_FALSE(pool.layer_of(1).has_value());
+    EXPECT_TRUE(pool.layer_of(2) && pool.layer_of(3));
+}
+
+TEST_F(PlayerLife, APackageThatIsCutShortWhileItIsShownIsNamed) {
+    const Outcome cut = play_while([&] { fs::resize_file(file, 4096); });
+    EXPECT_EQ(cut.code, int(Exit::damaged)) << cut.says;
+    EXPECT_TRUE(one_line(cut.says)) << cut.says;
+    EXPECT_TRUE(cut.says.starts_with("vantage-player: " + file.string() + ": cannot be read any more"))
+        << cut.says;
+}
+
+TEST_F(PlayerLife, APackageThatIsDeletedWhileItIsShownGoesOn) {
+    const Outcome gone = play_while([&] { fs::remove(file); });
+    EXPECT_EQ(gone.code, 0) << gone.says;
+    EXPECT_TRUE(gone.says.empty()) << gone.says;
+    EXPECT_TRUE(fs::exists(dir / "pictures" / "0039.png"));
+}
+
+TEST_F(PlayerLife, WithoutGraphicsItSaysSoInOneLine) {
+    const std::string none =
+        "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent/egl.json "
+        "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent LIBGL_DRIVERS_PATH=/nonexistent";
+    for (const std::string& options : {"--offscreen --photo 0002 -o " + (dir / "a.png").string(),
+                                       "--offscreen --view 0,-12,1,0,0,1 -o " + (dir / "b.png").string()}) {
+        const Outcome outcome = play(options, none);
+        EXPECT_EQ(outcome.code, int(Exit::graphics)) << outcome.says;
+        EXPECT_TRUE(one_line(outcome.says)) << outcome.says;
+        EXPECT_NE(outcome.says.find("OpenGL 4.5"), std::string::npos) << outcome.says;
+    }
+    const Outcome window = play("--fresh --frames 1", "-u DISPLAY -u WAYLAND_DISPLAY " + none);
+    EXPECT_EQ(window.code, int(Exit::graphics)) << window.says;
+    EXPECT_TRUE(one_line(window.says)) << window.says;
+    EXPECT_EQ(play("--list", none).code, 0) << "names need no graphics";
+}

@@ -1,0 +1,62 @@
+#pragma once
+#include <memory>
+#include <numeric>
+
+#include "../temporary_folder.h"
+#include "gl/context.h"
+#include "pipeline/import/discover.h"
+#include "pipeline/import/read_scene.h"
+#include "pipeline/prepare.h"
+#include "pipeline/synth/synthesise.h"
+#include "player/render/picture.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+
+/// A package of five small photos, and what renders it.
+class PreparedScene : public TemporaryFolder {
+  protected:
+    std::filesystem::path file = dir / "scene.vantage";
+    std::unique_ptr<PackageReader> package;
+    std::unique_ptr<gl::HeadlessContext> context;
+    std::unique_ptr<Renderer> renderer;
+    std::vector<std::uint32_t> photos;
+
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        synthesise(spec(), dir / "scene", {});
+        change(dir / "scene");
+        prepare(read_scene(discover(dir / "scene")), settings(), file, [](const Progress&) {});
+        package = std::make_unique<PackageReader>(file);
+        context = std::make_unique<gl::HeadlessContext>();
+        renderer = std::make_unique<Renderer>(*package, MemoryBudget{});
+        photos.resize(package->photos().size());
+        std::iota(photos.begin(), photos.end(), 0u);
+    }
+    void TearDown() override {
+        renderer.reset();
+        context.reset();
+        package.reset();
+        TemporaryFolder::TearDown();
+    }
+    virtual SynthSpec spec() const { return read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"); }
+    virtual PrepareSettings settings() const { return {}; }
+    /// The scene's files, before they are prepared.
+    virtual void change(const std::filesystem::path&) const {}
+
+    Picture picture(const View& view, const RenderSettings& s, int side = 1) {
+        return take_picture(*renderer, view, s, photos, side);
+    }
+    View own_view(std::uint32_t photo, double scale) const {
+        return view_of_photo(package->photos()[photo], scale);
+    }
+    /// Between two photos, where several are blended.
+    View between(std::uint32_t a, std::uint32_t b, int width, int height, double fov = 45) const {
+        const Eigen::Vector3d eye = (cam_from_origin(package->photos()[a]).center() +
+                                     cam_from_origin(package->photos()[b]).center()) /
+                                    2;
+        return view_towards(eye, {0, 0, 0}, mean_up(package->photos()), fov, width, height);
+    }
+};
+
+}  // namespace vantage

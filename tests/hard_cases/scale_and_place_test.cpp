@@ -1,0 +1,242 @@
+// A scene in other units, turned and far from the origin is the same scene: masks, coordinates and pictures,
+// too.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+#include "gl/context.h"
+#include "pipeline/check.h"
+#include "pipeline/import/discover.h"
+#include "pipeline/import/read_scene.h"
+#include "pipeline/prepare.h"
+#include "pipeline/stages/subdivide.h"
+#include "pipeline/synth/synthesise.h"
+#include "player/render/picture.h"
+#include "scene/package_reader.h"
+#include "scene/tiling.h"
+#include "tests/temporary_folder.h"
+
+using namespace vantage;
+using package::Type;
+
+namespace {
+
+/// x' = scale * turn * x + move.
+struct Similarity {
+    double scale = 1;
+    Eigen::Vector3d move = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+
+    /// The camera that sees the moved point where `pose` saw it, as many times as far away.
+    Pose moved(const Pose& pose) const {
+        const Eigen::Matrix3d R = pose.R * turn.transpose();
+        return {R, scale * pose.t - R * move};
+    }
+    SceneInput moved(SceneInput scene) const {
+        for (Eigen::Vector3d& p : scene.mesh.positions) p = (scale * (turn * p) + move).eval();
+        for (Eigen::Vector3f& n : scene.mesh.normals)
+            n = (turn * n.cast<double>()).normalized().cast<float>();
+        for (PhotoInput& photo : scene.photos)
+            photo.camera.cam_from_world = moved(photo.camera.cam_from_world);
+        return scene;
+    }
+};
+
+/// A package open in the player.
+struct Opened {
+    PackageReader package;
+    Renderer renderer;
+    std::vector<std::uint32_t> photos;
+
+    explicit Opened(const std::filesystem::path& file) : package(file), renderer(package, {}) {
+        photos.resize(package.photos().size());
+        std::iota(photos.begin(), photos.end(), 0u);
+    }
+    Eigen::Vector3d origin() const { return Eigen::Map<const Eigen::Vector3d>(package.scene().origin); }
+    Picture picture(const View& view, Blend blend) {
+        RenderSettings s;
+        s.blend = blend;
+        return take_picture(renderer, view, s, photos, 1);
+    }
+    /// Which vertices of the input the triangles have, in their order.
+    std::vector<float> order() const {
+        const auto number = package.records<float>(Type::scalars);
+        std::vector<float> out;
+        for (const std::uint32_t v : package.records<std::uint32_t>(Type::indices)) out.push_back(number[v]);
+        return out;
+    }
+    /// A photo's texture coordinates by the number that each vertex has in the input.
+    std::vector<Eigen::Vector2f> coordinates(std::uint32_t photo) const {
+        const auto uv = package.records<Eigen::Vector2f>(Type::coordinates, photo);
+        const auto number = package.records<float>(Type::scalars);
+        std::vector<Eigen::Vector2f> out(uv.size());
+        for (std::size_t v = 0; v < uv.size(); ++v) out[std::size_t(number[v])] = uv[v];
+        return out;
+    }
+    /// The texels of all tiles of a photo's level.
+    std::vector<std::uint8_t> texels(Type type, std::uint32_t photo, int level) const {
+        const auto* entry = package.find(type, photo, std::uint32_t(level));
+        std::vector<std::uint8_t> out;
+        for (std::size_t b = 0; b < package.blocks(*entry); ++b) {
+            const auto block = package.block(*entry, b);
+            const std::size_t at = out.size();
+            out.resize(at + block.size());
+            std::memcpy(out.data() + at, block.data(), block.size());
+        }
+        return out;
+    }
+};
+
+class ScaleAndPlace : public TemporaryFolder {
+  protected:
+    const gl::HeadlessContext context;
+    SceneInput scene;
+    std::unique_ptr<Opened> given;
+
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+        spec.photos.count = 3;
+        spec.photos.arc = 50;
+        spec.photos.samples = 2;
+        synthesise(spec, dir / "scene", {});
+        scene = read_scene(discover(dir / "scene"));
+        subdivide_large_triangles(
+            scene.mesh);  // so that preparing adds none, and vertices keep their numbers
+        ScalarLayer number{"number", {}};
+        for (std::size_t v = 0; v < scene.mesh.positions.size(); ++v) number.values.push_back(float(v));
+        scene.mesh.scalars.push_back(number);
+        given = opened({}, "given");
+    }
+    std::unique_ptr<Opened> opened(const Similarity& by, const char* name) const {
+        const std::filesystem::path file = dir / name;
+        prepare(by.moved(scene), {}, file, [](const Progress&) {});
+        for (const Issue& i : check_package(file, {.deep = true})) ADD_FAILURE() << name << ": " << i.text;
+        return std::make_unique<Opened>(file);
+    }
+
+    void expect_same_coordinates(const Opened& other) const {
+        std::size_t flipped = 0, all = 0;
+        for (const std::uint32_t photo : given->photos) {
+            const package::PhotoRecord& record = given->package.photos()[photo];
+            const Eigen::Vector2f size(float(record.width), float(record.height));
+            const auto a = given->coordinates(photo), b = other.coordinates(photo);
+            ASSERT_EQ(a.size(), b.size());
+            for (std::size_t v = 0; v < a.size(); ++v, ++all)
+                if ((a[v].x() < 0) != (b[v].x() < 0)) {
+                    ++flipped;
+                } else if (a[v].x() >= 0) {
+                    ASSERT_LT((a[v] - b[v]).cwiseProduct(size).norm(), 0.05f)
+                        << "photo " << photo << " vertex " << v;
+                }
+            const package::PhotoRecord& theirs = other.package.photos()[photo];
+            EXPECT_NEAR(record.hull_area, theirs.hull_area, 1e-4);
+        }
+        EXPECT_LE(double(flipped), 1e-4 * double(all)) << "vertices seen in one and not in the other";
+    }
+
+    /// Angle and border agree; depth, and the density that the depth mask tells, in the other's units.
+    /// Corners snap to 1/256 of a pixel: where rounding decides to which side, a texel on an edge may see
+    /// another surface.
+    void expect_same_masks(const Opened& other, double scale) const {
+        const double reference = given->package.scene().reference_density,
+                     theirs = other.package.scene().reference_density * scale;
+        std::size_t differ = 0, all = 0;
+        for (const std::uint32_t photo : given->photos) {
+            const auto a = given->texels(Type::masks, photo, mask_level),
+                       b = other.texels(Type::masks, photo, mask_level);
+            const auto z = given->texels(Type::depth, photo, mask_level),
+                       far = other.texels(Type::depth, photo, mask_level);
+            ASSERT_EQ(a.size(), b.size());
+            for (std::size_t t = 0; t < a.size(); t += 4, ++all) {
+                bool same = a[t + 3] == b[t + 3];
+                if (a[t + 3] && b[t + 3]) {
+                    float depth, theirs_depth;
+                    std::memcpy(&depth, &z[t], 4);
+                    std::memcpy(&theirs_depth, &far[t], 4);
+                    same =
+                        same && std::abs(double(theirs_depth) / scale - double(depth)) < 1e-3 * double(depth);
+                    const double code = a[t + 1] + 12 * std::log2(reference / theirs);
+                    same = same && std::abs(a[t] - b[t]) <= 1 && std::abs(a[t + 2] - b[t + 2]) <= 1 &&
+                           std::abs(code - b[t + 1]) <= 1;
+                }
+                differ += !same;
+            }
+        }
+        EXPECT_LE(double(differ), 1e-4 * double(all)) << "texels";
+    }
+
+    /// No byte is off by more than 2. Where triangles came into another order, so that others make up a
+    /// cluster, photos that a cluster of which a better one sees all does without may be others: this shows
+    /// in single pixels at outlines, where the better one's masks fall to nothing.
+    void expect_same_pictures(Opened& other, const Similarity& by) const {
+        const double most = given->order() == other.order() ? 0 : 3e-3;
+        const Eigen::Vector3d origin = given->origin();
+        const View views[] = {view_of_photo(given->package.photos()[1], 1),
+                              view_towards(Eigen::Vector3d(1.5, -7.5, 3.1) - origin,
+                                           Eigen::Vector3d(-0.3, 0, 2.2) - origin, {0, 0, 1}, 50, 331, 250)};
+        for (std::size_t i = 0; i < std::size(views); ++i) {
+            View view = views[i];
+            view.cam_from_origin =
+                by.moved(view.cam_from_origin.relative_to(-origin)).relative_to(other.origin());
+            for (const Blend blend : {Blend::lumigraph, Blend::average, Blend::best}) {
+                const Picture a = given->picture(views[i], blend), b = other.picture(view, blend);
+                std::size_t off = 0;
+                for (std::size_t p = 0; p < a.rgba.size(); p += 4) {
+                    int worst = 0;
+                    for (std::size_t c = p; c < p + 4; ++c)
+                        worst = std::max(worst, std::abs(int(a.rgba[c]) - int(b.rgba[c])));
+                    off += worst > 2;
+                }
+                EXPECT_LE(double(off), most * double(a.rgba.size()) / 4)
+                    << "view " << i << " blend " << int(blend) << ": " << off << " pixels";
+            }
+        }
+    }
+
+    void expect_same(const Similarity& by) const {
+        const auto other = opened(by, "other");
+        EXPECT_EQ(given->package.scene().effects, other->package.scene().effects);
+        expect_same_coordinates(*other);
+        expect_same_masks(*other, by.scale);
+        expect_same_pictures(*other, by);
+    }
+};
+
+Eigen::Matrix3d turned(double angle, const Eigen::Vector3d& axis) {
+    return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+}
+
+}  // namespace
+
+TEST_F(ScaleAndPlace, NeitherUnitsNorPlaceNorDirectionChangeTheScene) {
+    const Eigen::Matrix3d none = Eigen::Matrix3d::Identity();
+    const Eigen::Vector3d here = Eigen::Vector3d::Zero();
+    const Similarity cases[] = {{1e-4, here, none},
+                                {1e4, here, none},
+                                {1, here, turned(2.1, {0.3, -1, 0.7})},
+                                {1, {5e5, 5e6, 120}, none},
+                                {1e-4, {-5e5, 5e5, 5e5}, turned(1.3, {1, 0.2, 0.4})},
+                                {1e4, {5e6, -5e6, 5e6}, turned(-2.8, {0.1, 0.9, -0.3})}};
+    for (const Similarity& by : cases) {
+        SCOPED_TRACE("scale " + std::to_string(by.scale) + ", moved by " + std::to_string(by.move.norm()) +
+                     ", turned by " + std::to_string(Eigen::AngleAxisd(by.turn).angle()));
+        expect_same(by);
+    }
+}
+
+TEST_F(ScaleAndPlace, EightThousandTimesAsLargeIsTheSameToTheLastBit) {
+    const auto other = opened({.scale = 0x1p13}, "other");
+    for (const std::uint32_t photo : given->photos) {
+        EXPECT_EQ(given->texels(Type::masks, photo, mask_level),
+                  other->texels(Type::masks, photo, mask_level));
+        EXPECT_EQ(given->coordinates(photo), other->coordinates(photo));
+    }
+    const View a = view_of_photo(given->package.photos()[1], 1),
+               b = view_of_photo(other->package.photos()[1], 1);
+    EXPECT_EQ(given->picture(a, Blend::lumigraph).rgba, other->picture(b, Blend::lumigraph).rgba);
+}

@@ -1,0 +1,273 @@
+// What the solvers make of equations that hold too little, too much, or nonsense: the cost never rises, and
+// what comes out is finite and within bounds.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "pipeline/refine/color_fit.h"
+#include "pipeline/refine/common_motion.h"
+#include "pipeline/refine/pose_fit.h"
+
+using namespace vantage;
+using package::SampleRecord;
+
+namespace {
+
+const Intrinsics k{1200, 900, 1100, 1100, 600, 450};
+constexpr double distance = 10;
+
+/// Cameras side by side before a wavy wall, and corners on it that each sees where they are.
+struct Rig {
+    std::vector<FittedCamera> cameras;
+    std::vector<Star> stars;
+    std::vector<PoseChange> change;
+};
+
+Pose at(double x) {
+    Pose p;
+    p.R = Eigen::AngleAxisd(0.05 * x, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    p.t = -p.R * Eigen::Vector3d(x, 0, -distance);
+    return p;
+}
+
+/// `groups`: how many sets of cameras that share no star.
+Rig rig(int cameras, int stars, int groups = 1) {
+    Rig r;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (int i = 0; i < cameras; ++i) r.cameras.push_back({k, at(i - 0.5 * cameras), distance, false});
+    for (int s = 0; s < stars; ++s) {
+        Star star;
+        const int group = s % groups;
+        star.point = {4 * unit(random), 3 * unit(random), unit(random)};
+        star.normal = Eigen::Vector3d(0.3 * unit(random), 0.3 * unit(random), -1).normalized();
+        bool first = true;
+        for (int i = group; i < cameras; i += groups) {
+            const auto seen = project(k, r.cameras[std::size_t(i)].given, star.point);
+            if (first) {
+                star.photo = std::uint32_t(i);
+                star.pixel = seen->pixel;
+                first = false;
+            } else {
+                star.matches.push_back({std::uint32_t(i), seen->pixel, Eigen::Vector2d::Zero()});
+            }
+        }
+        r.stars.push_back(star);
+    }
+    r.change.assign(std::size_t(cameras), PoseChange{});
+    return r;
+}
+
+/// Cameras off by some pixels, one way or the other.
+void disturb(Rig& r, double pixels) {
+    std::mt19937 random(4);
+    std::normal_distribution<double> normal(0, pixels);
+    for (FittedCamera& c : r.cameras) {
+        PoseChange by{};
+        for (double& v : by) v = normal(random) / std::sqrt(6);
+        c.given = changed(c, by);
+    }
+}
+
+double largest(const Rig& r) {
+    double most = 0;
+    for (const PoseChange& c : r.change)
+        for (const double v : c) {
+            if (!std::isfinite(v)) return std::numeric_limits<double>::infinity();
+            most = std::max(most, std::abs(v));
+        }
+    return most;
+}
+
+PoseFit solve(Rig& r, double anchor = 5, double sigma = 3) {
+    const PoseFit fit = fit_poses(r.cameras, r.stars, anchor, sigma, r.change);
+    EXPECT_TRUE(std::isfinite(fit.before) && std::isfinite(fit.after));
+    EXPECT_TRUE(!fit.usable || fit.after <= fit.before);
+    return fit;
+}
+
+}  // namespace
+
+TEST(PoseSolver, NothingToSolveChangesNothing) {
+    Rig empty = rig(3, 0);
+    EXPECT_FALSE(solve(empty).usable);
+    EXPECT_EQ(largest(empty), 0);
+    Rig lonely = rig(1, 20);  // stars that nobody else sees
+    EXPECT_FALSE(solve(lonely).usable);
+    EXPECT_EQ(largest(lonely), 0);
+}
+
+TEST(PoseSolver, WithoutAnAnchorTheFrameIsFreeAndStaysFinite) {
+    Rig r = rig(4, 200);
+    disturb(r, 3);
+    // Held by next to nothing, all cameras may slide together: six directions without a curvature.
+    const PoseFit fit = solve(r, 1e-12, 1);
+    EXPECT_TRUE(fit.usable);
+    EXPECT_LT(largest(r), 200);
+}
+
+TEST(PoseSolver, TooFewStarsForACamerasSixNumbersAreHeldByTheAnchor) {
+    Rig r = rig(2, 2);  // two corners: four equations, twelve unknowns
+    disturb(r, 2);
+    EXPECT_TRUE(solve(r).usable);
+    EXPECT_LT(largest(r), 20);
+}
+
+TEST(PoseSolver, GroupsThatShareNothingAreSolvedApart) {
+    Rig together = rig(6, 300, 2);
+    disturb(together, 2);
+    solve(together);
+    EXPECT_LT(largest(together), 20);
+    // One group alone comes to the same.
+    Rig alone = rig(6, 300, 2);
+    disturb(alone, 2);
+    std::erase_if(alone.stars, [](const Star& s) { return s.photo != 0; });
+    solve(alone);
+    for (const std::size_t i : {0u, 2u, 4u})
+        for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(together.change[i][c], alone.change[i][c], 1e-3);
+}
+
+TEST(PoseSolver, AnOutlierFarAwayMovesNothing) {
+    Rig clean = rig(4, 200), with = rig(4, 200);
+    disturb(clean, 2);
+    disturb(with, 2);
+    with.stars[7].matches[0].pixel = {1e9, -1e9};
+    solve(clean);
+    solve(with);
+    for (std::size_t i = 0; i < clean.change.size(); ++i)
+        for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(with.change[i][c], clean.change[i][c], 0.2);
+}
+
+TEST(PoseSolver, WhatIsNoNumberOrBehindACameraIsLeftOut) {
+    Rig clean = rig(4, 200), with = rig(4, 200);
+    disturb(clean, 2);
+    disturb(with, 2);
+    const double infinite = std::numeric_limits<double>::infinity();
+    with.stars[7].matches[0].pixel = {infinite, 0};
+    with.stars[8].pixel = {std::nan(""), 0};
+    with.stars[9].point = {0, 0, -3 * distance};
+    with.stars[10].point.x() = std::nan("");
+    with.stars[11].normal.setConstant(std::nan(""));
+    EXPECT_TRUE(solve(clean).usable);
+    EXPECT_TRUE(solve(with).usable);
+    for (std::size_t i = 0; i < clean.change.size(); ++i)
+        for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(with.change[i][c], clean.change[i][c], 0.3);
+    Rig nothing = rig(4, 50);
+    for (Star& s : nothing.stars) s.pixel.setConstant(infinite);
+    EXPECT_FALSE(solve(nothing).usable);
+    EXPECT_EQ(largest(nothing), 0);
+}
+
+TEST(PoseSolver, OnlyOutliersStayWithinTheAnchorsReach) {
+    Rig r = rig(5, 150);
+    std::mt19937 random(9);
+    for (Star& s : r.stars)
+        for (Match& m : s.matches) m.pixel = {double(random() % 1200), double(random() % 900)};
+    solve(r);
+    EXPECT_LT(largest(r), 1000);
+    EXPECT_TRUE(std::isfinite(largest(r)));
+}
+
+TEST(CommonMotion, OfNothingAPointOrALineIsFinite) {
+    const std::vector<Intrinsics> ks(3, k);
+    const std::vector<Pose> given{at(-1), at(0), at(1)};
+    std::vector<Pose> now = given;
+    for (Pose& p : now) p.t += Eigen::Vector3d(0.01, 0, 0);
+    const auto star = [](const Eigen::Vector3d& x) {
+        Star s;
+        s.photo = 0;
+        s.point = x;
+        s.normal = -Eigen::Vector3d::UnitZ();
+        const auto seen = project(k, at(-1), x);
+        s.pixel = seen->pixel;
+        s.matches.push_back({1, project(k, at(0), x)->pixel, Eigen::Vector2d::Zero()});
+        return s;
+    };
+    std::vector<Star> none, point, line;
+    for (int i = 0; i < 20; ++i) {
+        point.push_back(star({1, 1, 0}));
+        line.push_back(star({0.1 * i, 0, 0}));
+    }
+    for (const auto* stars : {&none, &point, &line}) {
+        const Similarity s = common_motion(ks, given, now, *stars);
+        const Pose moved = moved_with(now[0], inverse(s));
+        EXPECT_TRUE(moved.R.allFinite() && moved.t.allFinite()) << stars->size();
+        EXPECT_NEAR(moved.R.determinant(), 1, 1e-6);
+    }
+}
+
+namespace {
+
+using Photos = std::vector<std::vector<SampleRecord>>;
+
+ColorFit fit(const Photos& photos) {
+    const std::vector<std::span<const SampleRecord>> spans(photos.begin(), photos.end());
+    const std::vector<std::uint32_t> lens(photos.size(), 0);
+    ColorFit f = fit_colors(spans, lens, true);
+    for (const auto& g : f.ln_gain)
+        for (const double v : g) {
+            EXPECT_TRUE(std::isfinite(v));
+            EXPECT_LE(std::abs(v), std::log(4) + 1e-9);
+        }
+    for (const Falloff& l : f.falloff)
+        for (const double v : l) EXPECT_TRUE(std::isfinite(v));
+    EXPECT_TRUE(std::isfinite(f.before) && std::isfinite(f.after));
+    EXPECT_LE(f.after, f.before + 1e-3);  // a thousandth of the light
+    return f;
+}
+
+SampleRecord sample(double light, double radius) {
+    const auto u = std::uint16_t(std::lround(65535 * light));
+    return {{u, u, u}, std::uint16_t(std::lround(65535 * radius))};
+}
+
+}  // namespace
+
+TEST(ColorSolver, EveryDiscAtOneRadiusLeavesTheFalloffOpen) {
+    Photos photos(4);
+    for (std::size_t i = 0; i < photos.size(); ++i)
+        for (int d = 0; d < 200; ++d) photos[i].push_back(sample(0.1 * std::exp2(0.3 * double(i)), 0.5));
+    const ColorFit f = fit(photos);
+    for (const double v : f.falloff[0]) EXPECT_EQ(v, 0);
+    EXPECT_LT(f.after, 1e-3);
+}
+
+TEST(ColorSolver, ACameraOneWithEachOfTwoGroupsJoinsThem) {
+    // 0-1 and 2-3 share discs, and 1-2 share barely enough.
+    Photos photos(4, std::vector<SampleRecord>(400, SampleRecord{}));
+    for (int d = 0; d < 180; ++d)
+        for (const std::size_t i : {0u, 1u}) photos[i][std::size_t(d)] = sample(i ? 0.2 : 0.1, 0.3);
+    for (int d = 180; d < 360; ++d)
+        for (const std::size_t i : {2u, 3u}) photos[i][std::size_t(d)] = sample(i == 2 ? 0.3 : 0.6, 0.3);
+    for (int d = 360; d < 395; ++d)
+        for (const std::size_t i : {1u, 2u}) photos[i][std::size_t(d)] = sample(i == 1 ? 0.2 : 0.1, 0.3);
+    const ColorFit f = fit(photos);
+    EXPECT_NEAR(f.ln_gain[0][0] - f.ln_gain[1][0], std::log(2), 0.01);
+    EXPECT_NEAR(f.ln_gain[2][0] - f.ln_gain[3][0], std::log(2), 0.01);
+    EXPECT_NEAR(f.ln_gain[2][0] - f.ln_gain[1][0], std::log(2), 0.01);
+}
+
+TEST(ColorSolver, OneDiscOfAMillionTimesTheLightIsAnOutlier) {
+    Photos photos(3, std::vector<SampleRecord>(300, sample(0.2, 0.4)));
+    photos[1][17] = SampleRecord{{1, 1, 1}, 100};
+    photos[2][90] = SampleRecord{{65535, 65535, 65535}, 65535};
+    const ColorFit f = fit(photos);
+    for (const auto& g : f.ln_gain) EXPECT_LT(std::abs(g[0]), 0.01);
+}
+
+TEST(ColorSolver, PhotosThatAgreeOnNothingStayWithinBounds) {
+    std::mt19937 random(2);
+    Photos photos(6);
+    for (auto& p : photos)
+        for (int d = 0; d < 300; ++d)
+            p.push_back({{std::uint16_t(1 + random() % 65535), std::uint16_t(1 + random() % 65535),
+                          std::uint16_t(1 + random() % 65535)},
+                         std::uint16_t(random() % 65536)});
+    const std::vector<std::span<const SampleRecord>> spans(photos.begin(), photos.end());
+    const ColorFit f = fit_colors(spans, std::vector<std::uint32_t>(6, 0), true);
+    for (const auto& g : f.ln_gain)
+        for (const double v : g) EXPECT_LE(std::abs(v), std::log(4) + 1e-9);
+}

@@ -1,0 +1,364 @@
+// Weights that are equal but for rounding, that reach over twelve orders of magnitude, and that half floats
+// cannot hold.
+#include "player/render/weights.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "prepared_scene.h"
+
+using namespace vantage;
+
+namespace {
+
+package::PhotoRecord photo_at(const Eigen::Vector3d& center, const Eigen::Matrix3d& R, double fov = 60) {
+    package::PhotoRecord p{};
+    p.width = 1600, p.height = 1200;
+    p.fx = p.fy = p.width / (2 * std::tan(fov * std::numbers::pi / 360));
+    p.cx = 800, p.cy = 600;
+    p.levels = 4;
+    p.seen_distance = 10;
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(p.R) = R;
+    Eigen::Map<Eigen::Vector3d>(p.t) = -R * center;
+    Eigen::Map<Eigen::Vector3d>(p.corrected_direction) = R.row(2);
+    return p;
+}
+
+View view_at(const Eigen::Vector3d& eye, const Eigen::Matrix3d& R, double fov = 60) {
+    const package::PhotoRecord p = photo_at(eye, R, fov);
+    return view_of_photo(p, 1);
+}
+
+Eigen::Matrix3d turned(double x, double y, double z) {
+    return (Eigen::AngleAxisd(x, Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(y, Eigen::Vector3d::UnitY()) *
+            Eigen::AngleAxisd(z, Eigen::Vector3d::UnitZ()))
+        .toRotationMatrix();
+}
+
+Eigen::Vector3d random_unit(std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+}
+
+/// [M]'s weights, written down once more in long double.
+std::vector<double> reference(const View& view, const std::vector<package::PhotoRecord>& photos,
+                              const WeightSettings& s) {
+    const auto ramp = [&](const std::vector<long double>& values) {
+        const auto [low, high] = std::ranges::minmax(values);
+        std::vector<long double> out;
+        for (const long double v : values)
+            out.push_back(high > low ? std::max(1e-3L, 1 - (v - low) / (high - low)) : 1);
+        return out;
+    };
+    std::vector<long double> distances, angles;
+    for (const package::PhotoRecord& p : photos) {
+        const Pose pose = cam_from_origin(p);
+        distances.push_back((pose.center() - view.cam_from_origin.center()).cast<long double>().norm());
+        const auto a = pose.direction().cast<long double>().eval(),
+                   b = view.cam_from_origin.direction().cast<long double>().eval();
+        angles.push_back(std::acos(std::clamp(a.dot(b) / (a.norm() * b.norm()), -1.0L, 1.0L)));
+    }
+    const auto near = ramp(distances), alike = ramp(angles);
+    std::vector<double> out;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        long double w = 1;
+        if (s.distance) w *= std::pow(near[i], (long double)s.exponent);
+        if (s.angle && s.angle_per_photo) w *= std::pow(alike[i], (long double)s.exponent);
+        out.push_back(double(std::max(w, 1e-9L)));
+    }
+    return out;
+}
+
+/// Pixels that are coloured in one picture and not in the other, and how those in both differ.
+struct Compared {
+    std::size_t lost = 0, coloured = 0, off = 0;
+    int worst = 0;
+};
+Compared compare(const Picture& before, const Picture& after) {
+    Compared c;
+    for (std::size_t i = 0; i < before.rgba.size(); i += 4) {
+        if (before.rgba[i + 3] != 255) continue;
+        ++c.coloured;
+        c.lost += after.rgba[i + 3] != 255;
+        int off = 0;
+        for (std::size_t k = i; k < i + 3; ++k)
+            off = std::max(off, std::abs(int(before.rgba[k]) - int(after.rgba[k])));
+        c.off += off > 2;
+        c.worst = std::max(c.worst, off);
+    }
+    return c;
+}
+
+class BlendedWeights : public PreparedScene {};
+
+}  // namespace
+
+TEST(DynamicWeights, OfAllZeroOneOrManyEqualValuesAreOne) {
+    for (const std::size_t n : {1u, 2u, 500u})
+        for (const double v : {0.0, 1e-300, 1.0, 1e300})
+            for (const double w : nearest_is_one(std::vector<double>(n, v))) EXPECT_EQ(w, 1) << n << ' ' << v;
+    const std::vector<double> one_only = nearest_is_one({7, 7, 0, 7});
+    EXPECT_EQ(one_only, (std::vector<double>{1e-3, 1e-3, 1, 1e-3}));
+}
+
+TEST(DynamicWeights, ReachOverTwelveOrdersOfMagnitude) {
+    std::vector<double> values;
+    for (int i = 0; i <= 12; ++i) values.push_back(std::pow(10, i));
+    const std::vector<double> w = nearest_is_one(values);
+    for (std::size_t i = 0; i < w.size(); ++i) {
+        EXPECT_NEAR(w[i], std::max(1e-3, 1 - (values[i] - 1) / (1e12 - 1)), 1e-12);
+        EXPECT_TRUE(w[i] > 0 && w[i] <= 1);
+    }
+}
+
+TEST(DynamicWeights, EqualDistancesThatDifferByRoundingCountTheSame) {
+    std::mt19937 random(1);
+    for (int trial = 0; trial < 100; ++trial) {
+        const Eigen::Vector3d eye = random_unit(random) * std::pow(10, double(random() % 5));
+        std::vector<package::PhotoRecord> photos;
+        for (int i = 0; i < 40; ++i)  // on a sphere about the viewer, or all where the viewer is
+            photos.push_back(photo_at(eye + (trial % 2 ? 5.0 : 0.0) * random_unit(random),
+                                      turned(0.1 * i, 0.2 * i, 0.3 * i)));
+        WeightSettings s;
+        s.exponent = 64;
+        for (const double w : dynamic_weights(view_at(eye, turned(0, 0, 0)), photos, s))
+            ASSERT_NEAR(w, 1, 1e-3) << "trial " << trial;
+    }
+}
+
+TEST(DynamicWeights, EqualAnglesThatDifferByRoundingCountTheSame) {
+    std::mt19937 random(2);
+    for (const double away : {0.0, 0.4, std::numbers::pi / 2, std::numbers::pi}) {
+        const Eigen::Matrix3d R = turned(0.3, 0.2, 0.1);
+        std::vector<package::PhotoRecord> photos;
+        for (int i = 0; i < 40; ++i)  // directions on a cone about the viewer's, each rolled somehow
+            photos.push_back(photo_at(5 * random_unit(random), turned(0, 0, 0.37 * i) * turned(away, 0, 0) *
+                                                                   turned(0, 0, 0.61 * i) * R));
+        WeightSettings s;
+        s.distance = false;
+        s.angle_per_photo = true;
+        s.exponent = 64;
+        for (const double w : dynamic_weights(view_at({0, 0, 0}, R), photos, s))
+            ASSERT_NEAR(w, 1, 1e-3) << "away by " << away;
+    }
+}
+
+TEST(DynamicWeights, AreThoseOfTheEquationsForOneTwoAndManyPhotos) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> angle(-3, 3);
+    for (int trial = 0; trial < 60; ++trial) {
+        const std::size_t n = trial % 3 == 0 ? 1 : trial % 3 == 1 ? 2 : 500;
+        std::vector<package::PhotoRecord> photos;
+        for (std::size_t i = 0; i < n; ++i)
+            photos.push_back(
+                photo_at(9 * random_unit(random), turned(angle(random), angle(random), angle(random))));
+        const View view = view_at(3 * random_unit(random), turned(angle(random), angle(random), 0));
+        for (const double exponent : {0.0, 1.0, 2.0, 64.0})
+            for (const bool per_photo : {false, true}) {
+                WeightSettings s;
+                s.exponent = exponent;
+                s.angle_per_photo = per_photo;
+                const auto w = dynamic_weights(view, photos, s), truth = reference(view, photos, s);
+                for (std::size_t i = 0; i < n; ++i)
+                    ASSERT_NEAR(w[i], truth[i], 1e-6 * truth[i] * (1 + exponent)) << "trial " << trial;
+            }
+    }
+}
+
+TEST(DynamicWeights, OppositeDirectionsAndTheViewpointAtACameraAreDefined) {
+    const Eigen::Matrix3d ahead = turned(0, 0, 0), back = turned(0, std::numbers::pi, 0);
+    const std::vector photos{photo_at({0, 0, 0}, ahead), photo_at({0, 0, 0}, back),
+                             photo_at({3, 0, 0}, ahead)};
+    WeightSettings s;
+    s.angle_per_photo = true;
+    s.exponent = 1;
+    const auto w = dynamic_weights(view_at({0, 0, 0}, ahead), photos, s);
+    EXPECT_DOUBLE_EQ(w[0], 1) << "stands here and looks the same way";
+    EXPECT_NEAR(w[1], 1e-3, 1e-12) << "stands here and looks back";
+    EXPECT_NEAR(w[2], 1e-3, 1e-12) << "looks the same way from farthest off";
+}
+
+TEST(DynamicWeights, FieldsOfViewOfATenthAndAHundredAndSeventyDegreesAreFinite) {
+    for (const double own : {0.1, 60.0, 170.0})
+        for (const double wanted : {0.1, 60.0, 170.0}) {
+            // Before what it sees, at the centre of the model, and looking away from it at nothing.
+            std::vector<package::PhotoRecord> photos{photo_at({0, 0, -10}, turned(0, 0, 0), own),
+                                                     photo_at({0, 0, 0}, turned(0, 0, 0), own),
+                                                     photo_at({0, 0, -10}, turned(0, 3.1, 0), own)};
+            photos[2].seen_distance = 0;
+            const View view = view_at({0, 0, -10}, turned(0, 0, 0), wanted);
+            WeightSettings s;
+            s.fov_normalisation = true;
+            s.exponent = 1;
+            const auto w = dynamic_weights(view, photos, s);
+            for (const double x : w) EXPECT_TRUE(x > 0 && x <= 1) << own << ' ' << wanted << ' ' << x;
+            EXPECT_EQ(w[2], 1) << "sees nothing, so it stays where it is: at the viewpoint";
+            // [M] 4.1 to 4.3: w = 2 d tan(f / 2), d' = w / (2 tan(f' / 2)), with d = 10.
+            const double rad = std::numbers::pi / 360;
+            const double moved = 10 * (1 - std::tan(own * rad) / std::tan(wanted * rad));
+            const std::vector<double> truth =
+                nearest_is_one({std::abs(moved), std::abs(10 + moved), 0}, 1e-3, 1e-8);
+            for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(w[i], truth[i], 1e-6) << own << ' ' << wanted;
+        }
+}
+
+namespace {
+
+struct Extreme {
+    const char* name;
+    RenderSettings settings;
+};
+
+std::vector<Extreme> extremes() {
+    std::vector<Extreme> out;
+    for (const Blend blend : {Blend::lumigraph, Blend::average, Blend::best}) {
+        RenderSettings s;
+        s.blend = blend;
+        out.push_back({"usual", s});
+        s.weights.sharpness = 0.005;
+        out.push_back({"sharpness 0.005", s});
+        s.weights.exponent = 64;
+        s.weights.angle_per_photo = true;
+        out.push_back({"exponent 64, angle by photo", s});
+        s.weights.angle_per_photo = false;
+        out.push_back({"exponent 64, sharpness 0.005", s});
+        s.consensus = true;
+        out.push_back({"exponent 64, sharpness 0.005, consensus", s});
+        s = {};
+        s.blend = blend;
+        s.weights.sharpness = 3;
+        s.weights.exponent = 0;
+        out.push_back({"exponent 0, sharpness 3", s});
+        WeightSettings& w = s.weights;
+        w.angle_mask = w.depth_mask = w.border_mask = w.consensus_mask = w.distance = w.angle = false;
+        out.push_back({"all weights off", s});
+    }
+    return out;
+}
+
+}  // namespace
+
+TEST_F(BlendedWeights, NoSettingTakesAPixelsColourAndHalfFloatsGiveThatOfFloats) {
+    for (const View& view : {own_view(2, 0.3), between(0, 1, 120, 90)}) {
+        const Picture usual = picture(view, {});
+        for (Extreme e : extremes()) {
+            const Picture floats = picture(view, e.settings);
+            e.settings.half_sums = true;
+            const Picture halves = picture(view, e.settings);
+            ASSERT_GT(compare(usual, floats).coloured, 3000u);
+            EXPECT_EQ(compare(usual, floats).lost, 0u) << e.name << ", blend " << int(e.settings.blend);
+            EXPECT_EQ(compare(usual, halves).lost, 0u) << e.name << ", blend " << int(e.settings.blend);
+            EXPECT_LE(compare(floats, halves).worst, 2) << e.name << ", blend " << int(e.settings.blend);
+        }
+    }
+}
+
+// Half floats cannot hold what a pass is worth over all orders of magnitude: passes that are worth next to
+// nothing count alike. Nothing is lost by that, and where a photo is worth something nothing changes.
+TEST_F(BlendedWeights, PhotosInPassesOfTheirOwnLoseNoColourInHalfFloats) {
+    for (const Blend blend : {Blend::lumigraph, Blend::average, Blend::best})
+        for (const double sharpness : {0.055, 0.005}) {
+            RenderSettings s;
+            s.blend = blend;
+            s.photos_per_pass = 1;
+            s.weights.sharpness = sharpness;
+            const View view = between(0, 1, 120, 90);
+            const Picture floats = picture(view, s);
+            s.half_sums = true;
+            const Compared c = compare(floats, picture(view, s));
+            EXPECT_EQ(c.lost, 0u) << int(blend) << ' ' << sharpness;
+            if (sharpness == 0.055) {
+                EXPECT_LT(double(c.off), 0.05 * double(c.coloured)) << int(blend);
+            }
+        }
+}
+
+// Half floats end at 65504; from a photo's own camera its weight is a thousand times that.
+TEST_F(BlendedWeights, WhatTheBestPhotoIsWorthFitsHalfFloats) {
+    RenderSettings s;
+    s.blend = Blend::best;
+    const View view = own_view(2, 0.3);
+    const auto worth = [&](bool half) {
+        s.half_sums = half;
+        picture(view, s);
+        std::vector<float> sums(std::size_t(view.intrinsics.width) * std::size_t(view.intrinsics.height) * 4);
+        for (const gl::Texture& t : renderer->targets().sums)
+            if (std::ranges::all_of(sums, [](float v) { return v == 0; }))
+                glGetTextureImage(t.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(sums.size() * 4), sums.data());
+        return sums;
+    };
+    const auto floats = worth(false), halves = worth(true);
+    EXPECT_GT(*std::ranges::max_element(floats), 10);
+    for (std::size_t i = 3; i < floats.size(); i += 4)
+        ASSERT_NEAR(halves[i], floats[i], 1e-3 * double(floats[i])) << "pixel " << i / 4;
+}
+
+namespace {
+
+/// Sums `weights` of `colors`, one a pass, as resolve does with what blend.frag wrote.
+double summed(const std::vector<double>& weights, const std::vector<double>& colors, bool half) {
+    FrameTargets t = make_frame_targets(1, 1, half);
+    const std::array<float, 4> zero{};
+    glClearNamedFramebufferfv(t.sums_target[0].id(), GL_COLOR, 0, zero.data());
+    const gl::Texture one = gl::make_texture_2d("a pass", GL_RGBA32F, 1, 1);
+    const gl::Program add =
+        gl::make_program("add", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "resolve.frag"}});
+    const gl::VertexArray none = gl::make_vertex_array("none");
+    glBindFramebuffer(GL_FRAMEBUFFER, t.sums_target[0].id());
+    glViewport(0, 0, 1, 1);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glUseProgram(add.id());
+    glUniform1i(0, GL_FALSE);
+    glUniform1f(3, 0);
+    glUniform3f(5, 0, 0, 0);
+    glUniform3f(6, 0, 0, 0);
+    glBindVertexArray(none.id());
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        // resolve gives (color, 1); blending by a constant makes it (color * weight, weight).
+        const auto c = float(colors[i]), w = float(weights[i]);
+        const std::array<float, 4> texel{c, c, c, 1};
+        glTextureSubImage2D(one.id(), 0, 0, 0, 1, 1, GL_RGBA, GL_FLOAT, texel.data());
+        glUniform3f(4, w, w, w);
+        glBindTextureUnit(4, one.id());
+        glBindTextureUnit(5, one.id());
+        // Colour by the uniform, alpha by the constant: constants are clamped to 1, and weights are below.
+        glBlendFuncSeparate(GL_ONE, GL_ONE, GL_CONSTANT_ALPHA, GL_ONE);
+        glBlendColor(0, 0, 0, w);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    std::array<float, 4> sum{};
+    glGetTextureImage(t.sums[0].id(), 0, GL_RGBA, GL_FLOAT, sizeof sum, sum.data());
+    gl::check("adding");
+    return double(sum[0]) / double(sum[3]);
+}
+
+}  // namespace
+
+TEST_F(BlendedWeights, SumsOverTwelveOrdersOfMagnitudeAreThoseOfDoubles) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> orders(-12, 0), color(0.02, 1);
+    double worst_float = 0, worst_half = 0;
+    for (int trial = 0; trial < 12; ++trial) {
+        std::vector<double> weights, colors;
+        for (int i = 0; i < (trial < 8 ? 8 : 500); ++i) {
+            weights.push_back(std::pow(10, orders(random)));
+            colors.push_back(color(random));
+        }
+        double sum = 0, all = 0;
+        for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * colors[i], all += weights[i];
+        const double truth = sum / all;
+        worst_float = std::max(worst_float, std::abs(summed(weights, colors, false) / truth - 1));
+        // As blend.frag scales and lifts a pass.
+        std::vector<double> held;
+        const double scale = 8000 / double(weights.size());
+        for (const double w : weights) held.push_back(std::max(w * scale, 1 / 16384.0) / scale);
+        worst_half = std::max(worst_half, std::abs(summed(held, colors, true) / truth - 1));
+    }
+    std::printf("off by at most %.2g in floats, %.2g in half floats\n", worst_float, worst_half);
+    EXPECT_LT(worst_float, 1e-4);
+    EXPECT_LT(worst_half, 0.1);
+}
