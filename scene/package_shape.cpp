@@ -38,12 +38,6 @@ void blocks_shape(const PackageReader& reader, Type type, std::uint32_t i, std::
                       " tiles, expected " + std::to_string(size.tiles()));
 }
 
-void chunk_shape(const PackageReader& reader, Type type, std::uint32_t i, std::uint64_t bytes,
-                 const std::string& what, Lines& out) {
-    const DirectoryEntry* e = reader.find(type, i);
-    if (!e || e->head_length != bytes) out.push_back(std::string(reader.photos()[i].name) + ": " + what);
-}
-
 void photo_shape(const PackageReader& reader, const package::SceneRecord& scene, const PhotoRecord& p,
                  std::uint32_t i, Lines& out) {
     const auto size = [&](int level) { return level_size(int(p.width), int(p.height), level); };
@@ -52,13 +46,16 @@ void photo_shape(const PackageReader& reader, const package::SceneRecord& scene,
     for (int l = mask_level; l < mask_levels_end(int(p.levels)); ++l)
         for (const Type type : {Type::masks, Type::depth})
             blocks_shape(reader, type, i, std::uint32_t(l), size(l), out);
-    chunk_shape(reader, Type::thumbnail, i, std::uint64_t(p.thumbnail_width) * p.thumbnail_height * 4,
-                "THMB does not have the size of its record", out);
-    chunk_shape(reader, Type::coordinates, i, scene.vertices * 8, "TEXC has not one entry a vertex", out);
-    chunk_shape(reader, Type::coverage, i, scene.clusters * sizeof(package::CoverageRecord),
-                "COVR has not one entry a cluster", out);
-    chunk_shape(reader, Type::visible, i, 16 * package::visible_words(scene.triangles),
-                "VISB has not two bits a triangle", out);
+    const auto expect = [&](Type type, std::uint64_t bytes, const char* otherwise) {
+        const DirectoryEntry* e = reader.find(type, i);
+        if (!e || e->head_length != bytes) out.push_back(std::string(p.name) + ": " + otherwise);
+    };
+    expect(Type::thumbnail, std::uint64_t(p.thumbnail_width) * p.thumbnail_height * 4,
+           "THMB does not have the size of its record");
+    expect(Type::coordinates, scene.vertices * 8, "TEXC has not one entry a vertex");
+    expect(Type::coverage, scene.clusters * sizeof(package::CoverageRecord),
+           "COVR has not one entry a cluster");
+    expect(Type::visible, 16 * package::visible_words(scene.triangles), "VISB has not two bits a triangle");
 }
 
 }  // namespace

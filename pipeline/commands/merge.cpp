@@ -5,7 +5,6 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
 #include "pipeline/commands/progress_line.h"
-#include "pipeline/commands/stop_signals.h"
 
 namespace vantage {
 namespace {
@@ -19,10 +18,7 @@ struct Options {
 int run_merge(const Options& o) {
     {
         ProgressLine line(progress_style(o.progress));
-        merge(
-            {o.shares.begin(), o.shares.end()}, o.out,
-            until_stopped(&stop_on_signals(), "stopped: what was copied is kept; run the same again to go on",
-                          [&](const Progress& p) { line.show(p); }));
+        merge({o.shares.begin(), o.shares.end()}, o.out, shown_until_signal(line));
     }
     if (o.remove)
         for (const std::string& share : o.shares) std::filesystem::remove(share);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/commands/stop_signals.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -67,6 +68,11 @@ void ProgressLine::show(const Progress& p) {
     else if (style_ == ProgressStyle::lines)
         std::fputs(fmt::format("{:>8}  {}/{}  {}{}\n", p.stage, p.done, p.total, p.photo, rate(p, s)).c_str(),
                    stderr);
+}
+
+OnProgress shown_until_signal(ProgressLine& line) {
+    return until_stopped(&stop_on_signals(), "stopped: what was copied is kept; run the same again to go on",
+                         [&line](const Progress& p) { line.show(p); });
 }
 
 }  // namespace vantage

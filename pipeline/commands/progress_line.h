@@ -28,4 +28,8 @@ class ProgressLine {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// Shows on the line, which must live as long; after a signal to stop throws Error(interrupted), for work
+/// that copies and goes on where it was.
+OnProgress shown_until_signal(ProgressLine& line);
+
 }  // namespace vantage

@@ -5,7 +5,6 @@
 
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/progress_line.h"
-#include "pipeline/commands/stop_signals.h"
 #include "pipeline/provenance.h"
 #include "pipeline/refine_package.h"
 #include "scene/package_reader.h"
@@ -26,15 +25,12 @@ int run_refine(const Options& o) {
     const std::string out = o.out.empty() ? o.file : o.out;
     {
         ProgressLine line(progress_style(o.progress));
-        refine_package(
-            o.file,
-            {{Effect::registration, choice(o.registration)},
-             {Effect::exposure, choice(o.exposure)},
-             {Effect::falloff, choice(o.falloff)},
-             {Effect::consensus, choice(o.consensus)}},
-            out,
-            until_stopped(&stop_on_signals(), "stopped: what was copied is kept; run the same again to go on",
-                          [&](const Progress& p) { line.show(p); }));
+        refine_package(o.file,
+                       {{Effect::registration, choice(o.registration)},
+                        {Effect::exposure, choice(o.exposure)},
+                        {Effect::falloff, choice(o.falloff)},
+                        {Effect::consensus, choice(o.consensus)}},
+                       out, shown_until_signal(line));
     }
     const PackageReader package(out);
     const std::string meta(package.meta());

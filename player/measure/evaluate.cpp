@@ -32,10 +32,8 @@ void compare(const EvaluateOptions& o, LeftOut& r, const LeftOutPictures& p) {
                                      std::to_string(before.height) + ", expected " +
                                      std::to_string(p.photo.width) + "x" + std::to_string(p.photo.height) +
                                      " as with this --level");
-    std::vector<bool> both = scored_pixels(p.rendered);
-    const std::vector<bool> earlier = scored_pixels(before);
-    for (std::size_t i = 0; i < both.size(); ++i)
-        both[i] = both[i] && earlier[i] && p.photo.rgba[4 * i + 3] >= 128;
+    std::vector<bool> both = scored_pixels(before);
+    for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] && p.scored[i];
     r.change = change_of(p.photo, before, p.rendered, both);
     for (const auto& [place, kind] :
          {std::pair{r.change->better, "-better.png"}, std::pair{r.change->worse, "-worse.png"}})

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <initializer_list>
 #include <numeric>
 
 #include "scene/error.h"
@@ -36,14 +37,19 @@ std::string remarks(const LeftOut& r) {
     return escaped(out);
 }
 
-void row(std::ostream& out, const LeftOut& r) {
+void row(std::ostream& out, const LeftOut& r, std::initializer_list<std::string> cells,
+         const std::string& last) {
     out << "<tr><td>" << escaped(r.name) << "</td>";
-    for (const std::string& cell :
-         {number("%.2f", r.score.psnr), number("%.2f", r.score.psnr_gain), number("%.4f", r.score.ssim),
-          number("%+.2f", r.over_nearest), number("%.1f %%", 100 * r.coloured), number("%+.2f", r.stops),
-          number("%+.2f", r.shift[0]), number("%+.2f", r.shift[1]), number("%.2f", r.score.sharpness)})
-        out << "<td>" << cell << "</td>";
-    out << "<td>" << remarks(r) << "</td></tr>\n";
+    for (const std::string& cell : cells) out << "<td>" << cell << "</td>";
+    out << "<td>" << last << "</td></tr>\n";
+}
+
+void row(std::ostream& out, const LeftOut& r) {
+    row(out, r,
+        {number("%.2f", r.score.psnr), number("%.2f", r.score.psnr_gain), number("%.4f", r.score.ssim),
+         number("%+.2f", r.over_nearest), number("%.1f %%", 100 * r.coloured), number("%+.2f", r.stops),
+         number("%+.2f", r.shift[0]), number("%+.2f", r.shift[1]), number("%.2f", r.score.sharpness)},
+        remarks(r));
 }
 
 void figure(std::ostream& out, const LeftOut& r) {
@@ -57,9 +63,10 @@ void figure(std::ostream& out, const LeftOut& r) {
     out << "</div></figure>\n";
 }
 
-void crop(std::ostream& out, const std::string& name, const char* kind, const char* what) {
-    out << "<figure><figcaption>" << what << "</figcaption><img class=crop loading=lazy alt='" << name << ' '
-        << kind << "' src='" << name << '-' << kind << ".png'></figure>\n";
+void crop(std::ostream& out, const std::string& name, const char* kind, const char* where) {
+    out << "<figure><figcaption><b>" << name << "</b> " << where
+        << "</figcaption><img class=crop loading=lazy alt='" << name << ' ' << kind << "' src='" << name
+        << '-' << kind << ".png'></figure>\n";
 }
 
 /// What has changed since an earlier evaluation; "" without one.
@@ -72,20 +79,18 @@ void changes(std::ostream& out, const std::vector<LeftOut>& results) {
            "<th>change<th>SSIM<th>sharp before<th>now<th></tr>\n";
     for (const std::size_t i : order) {
         const auto& [before, after, better, worse] = *results[i].change;
-        out << "<tr><td>" << escaped(results[i].name) << "</td>";
-        for (const std::string& cell :
-             {number("%.2f", before.psnr_gain), number("%.2f", after.psnr_gain),
-              number("%+.2f", after.psnr_gain - before.psnr_gain), number("%+.4f", after.ssim - before.ssim),
-              number("%.2f", before.sharpness), number("%.2f", after.sharpness)})
-            out << "<td>" << cell << "</td>";
-        out << "<td></td></tr>\n";
+        row(out, results[i],
+            {number("%.2f", before.psnr_gain), number("%.2f", after.psnr_gain),
+             number("%+.2f", after.psnr_gain - before.psnr_gain), number("%+.4f", after.ssim - before.ssim),
+             number("%.2f", before.sharpness), number("%.2f", after.sharpness)},
+            "");
     }
     out << "</table>\n<div class=rest>\n";
     for (const std::size_t i : order) {
         const Change& c = *results[i].change;
         const std::string name = escaped(results[i].name);
-        if (c.worse) crop(out, name, "worse", ("<b>" + name + "</b> where it lost most").c_str());
-        if (c.better) crop(out, name, "better", ("<b>" + name + "</b> where it gained most").c_str());
+        if (c.worse) crop(out, name, "worse", "where it lost most");
+        if (c.better) crop(out, name, "better", "where it gained most");
     }
     out << "</div>\n";
 }

@@ -55,12 +55,12 @@ void add_regions(const PlanScene& scene, std::span<const std::uint32_t> triangle
 }
 
 double over_nearest(Renderer& renderer, RenderSettings settings, std::span<const std::uint32_t> others,
-                    const View& view, const LeftOutPictures& p, const std::vector<bool>& scored) {
+                    const View& view, const LeftOutPictures& p) {
     settings.choice = Choice::nearest;
     settings.photos = 1;
     const Picture nearest = take_picture(renderer, view, settings, others, 2);
     std::vector<bool> both = scored_pixels(nearest);
-    for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] && scored[i];
+    for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] && p.scored[i];
     const PictureScore a = score(p.photo, p.rendered, both), b = score(p.photo, nearest, both);
     return a.psnr_gain - b.psnr_gain;
 }
@@ -95,17 +95,18 @@ LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<
     p.photo = level_of_photo(package, package::Type::tiles, photo, level);
     p.rendered = take_picture(renderer, view, settings, others, 2);
     const std::vector<std::uint32_t> triangles = renderer.triangles();
-    std::vector<bool> scored = scored_pixels(p.rendered);
-    for (std::size_t i = 0; i < scored.size(); ++i) scored[i] = scored[i] && p.photo.rgba[4 * i + 3] >= 128;
+    p.scored = scored_pixels(p.rendered);
+    for (std::size_t i = 0; i < p.scored.size(); ++i)
+        p.scored[i] = p.scored[i] && p.photo.rgba[4 * i + 3] >= 128;
     LeftOut out;
     out.photo = photo;
     out.name = record.name;
     out.name = out.name.substr(0, out.name.rfind('.'));
-    out.score = score(p.photo, p.rendered, scored);
+    out.score = score(p.photo, p.rendered, p.scored);
     out.coloured = coloured_share(p.rendered, surface_pixels(package, photo, level, p.rendered));
     if (out.score.pixels > 0) {
-        out.over_nearest = over_nearest(renderer, settings, others, view, p, scored);
-        out.shift = shift_of(p.photo, p.rendered, scored);
+        out.over_nearest = over_nearest(renderer, settings, others, view, p);
+        out.shift = shift_of(p.photo, p.rendered, p.scored);
         for (double& s : out.shift) s *= 1 << level;
         const auto& g = out.score.gain;
         out.stops = std::log2(std::max(1e-6, (g[0] + g[1] + g[2]) / 3)) * 2.2;  // of light, not of codes

@@ -32,6 +32,7 @@ struct RegionError {
 
 struct LeftOutPictures {
     Picture photo, rendered, difference;
+    std::vector<bool> scored;  ///< pixels that both photo and rendered picture show
 };
 
 /// Compares a photo with what the others (`photos` without it) make of its view, at a pyramid level, 2x2

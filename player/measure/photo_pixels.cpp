@@ -33,13 +33,7 @@ Picture level_of_photo(const PackageReader& package, package::Type type, std::ui
 }
 
 View view_of_level(const package::PhotoRecord& photo, int level) {
-    View view{intrinsics(photo), cam_from_origin(photo), exposure_of(photo)};
-    Intrinsics& k = view.intrinsics;
-    const Level size = level_size(int(photo.width), int(photo.height), level);
-    const double s = 1.0 / (1 << level);
-    k.width = size.width, k.height = size.height;
-    k.fx *= s, k.fy *= s, k.cx *= s, k.cy *= s;
-    return view;
+    return {intrinsics(photo).at_level(level), cam_from_origin(photo), exposure_of(photo)};
 }
 
 }  // namespace vantage

@@ -1,6 +1,5 @@
 #include "player/render/model.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "scene/error.h"

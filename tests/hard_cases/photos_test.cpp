@@ -128,8 +128,9 @@ TEST_F(HardPhotos, EveryExifOrientationKeepsOrTurnsTheFirstPixel) {
         const fs::path file = write("o.tif", 3, 2, 3, pixels, o);
         const RgbaImage stored = read_photo(file, {3, 2});
         EXPECT_EQ(int(stored.rgba[0]), 0) << "cameras are calibrated on stored pixels; orientation " << o;
-        if (o < 5)
+        if (o < 5) {
             EXPECT_NE(refusal(file, {2, 3}), "") << "orientation " << o << " turns nothing on its side";
+        }
         // 5 to 8: Photos.AreTurnedWhereTheirCameraExpectsThemTurned
     }
 }
