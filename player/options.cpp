@@ -1,5 +1,7 @@
 #include "player/options.h"
 
+#include "scene/real_range.h"
+
 namespace vantage {
 namespace {
 
@@ -21,7 +23,7 @@ void add_blending(CLI::App& app, RenderSettings& r) {
         ->default_str("auto")
         ->group(group);
     app.add_option("--lod-bias", r.lod_bias, "levels of detail coarser, or finer where negative")
-        ->check(CLI::Range(-8.0, 16.0))
+        ->check(real_range(-8.0, 16.0))
         ->capture_default_str()
         ->group(group);
     app.add_flag("!--bilinear", r.trilinear, "each sample from one level of detail instead of two")
@@ -38,12 +40,12 @@ void add_blending(CLI::App& app, RenderSettings& r) {
         ->capture_default_str()
         ->group(group);
     app.add_option("--exponent", r.weights.exponent, "how strongly near photos are preferred")
-        ->check(CLI::Range(0.0, 64.0))
+        ->check(real_range(0.0, 64.0))
         ->capture_default_str()
         ->group(group);
     app.add_option("--sharpness", r.weights.sharpness,
                    "radians between rays at which a photo counts 1/e; smaller is sharper")
-        ->check(CLI::Range(0.005, 3.0))
+        ->check(real_range(0.005, 3.0))
         ->capture_default_str()
         ->group(group);
     app.add_flag("!--original-colors", r.refined_colors,
@@ -113,7 +115,7 @@ void add_options(CLI::App& app, Options& o) {
         ->group(pictures);
     app.add_option("--path", o.path, "a file of views, one a line as for --view")->group(pictures);
     app.add_option("--scale", o.scale, "picture size as a share of the photo's")
-        ->check(CLI::Range(0.001, 8.0))
+        ->check(real_range(0.001, 8.0))
         ->capture_default_str()
         ->group(pictures);
     app.add_option("-o,--output", o.out, "PNG file, or folder for several pictures")->group(pictures);

@@ -6,6 +6,10 @@
 
 #include "pipeline/commands/commands.h"
 #include "pipeline/config_file.h"
+#include "player/measure/bench.h"
+#include "player/measure/evaluate.h"
+#include "player/options.h"
+#include "player/verify/verify.h"
 #include "scene/error.h"
 #include "temporary_folder.h"
 
@@ -64,4 +68,31 @@ TEST_F(Config, EveryPresetFitsPrepare) {
         EXPECT_NO_THROW(app.parse("prepare scene -o out --config " + preset.path().string()))
             << preset.path();
     }
+}
+
+/// "nan" is neither below nor above any bound.
+void expect_nan_refused(CLI::App& app) {
+    for (CLI::Option* option : app.get_options())
+        if (option->get_type_name().starts_with("FLOAT")) {
+            option->add_result("nan");
+            EXPECT_THROW(option->run_callback(), CLI::ParseError) << option->get_name();
+        }
+    for (CLI::App* sub : app.get_subcommands({})) expect_nan_refused(*sub);
+}
+
+TEST(Options, NoNumberMayBeNan) {
+    CLI::App app, player, bench, evaluate, verify;
+    vantage::Run run;
+    for (const auto add :
+         {add_prepare, add_merge, add_refine, add_info, add_check, add_diff, add_extract, add_synth})
+        add(app, run);
+    vantage::Options options;
+    BenchOptions b;
+    EvaluateOptions e;
+    VerifyOptions v;
+    add_options(player, options);
+    add_bench_options(bench, b);
+    add_evaluate_options(evaluate, e);
+    add_verify_options(verify, v);
+    for (CLI::App* a : {&app, &player, &bench, &evaluate, &verify}) expect_nan_refused(*a);
 }

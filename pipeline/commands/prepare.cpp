@@ -23,6 +23,7 @@
 #include "pipeline/stage_keys.h"
 #include "pipeline/trace.h"
 #include "scene/error.h"
+#include "scene/real_range.h"
 
 namespace vantage {
 namespace {
@@ -203,10 +204,10 @@ void add_prepare(CLI::App& app, Run& run) {
         ->capture_default_str();
     c->add_option("--border-width", o->settings.border_width,
                   "px at 3072 px width where the border mask reaches 1")
-        ->check(CLI::Range(1.0, 4096.0))
+        ->check(real_range(1.0, 4096.0))
         ->capture_default_str();
     c->add_option("--border-threshold", o->settings.border_threshold, "relative depth step of a border")
-        ->check(CLI::Range(1e-6, 10.0))
+        ->check(real_range(1e-6, 10.0))
         ->capture_default_str();
     c->add_option("--thumbnail", o->settings.thumbnail, "px on the thumbnail's long side")
         ->check(CLI::Range(16, 4096))

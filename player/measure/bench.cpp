@@ -21,6 +21,7 @@
 #include "player/shots.h"
 #include "scene/error.h"
 #include "scene/make_folder.h"
+#include "scene/real_range.h"
 
 namespace vantage {
 namespace {
@@ -144,6 +145,7 @@ Flight fly_path(const PackageReader& package, const BenchOptions& o, const Camer
     Renderer renderer(package, memory_budget(o.player));
     if (mode == "resident") preload(renderer, path, size, settings, photos);
     Flight flight{path.name, mode, repeat, {}};
+    flight.frames.reserve(path.frames.size());
     FrameTimer timer(software);
     const auto begin = Clock::now();
     std::uint64_t before_jump = 0;
@@ -161,7 +163,10 @@ Flight fly_path(const PackageReader& package, const BenchOptions& o, const Camer
         const FrameReport report = renderer.draw(view, settings, photos, {}, 1 + i * frame_seconds,
                                                  i == 0 || i == jump ? nullptr : &next);
         renderer.show(view, settings, target.framebuffer.id(), false);
-        flight.frames.push_back({timer.end(), report, gl::memory_held(), process_bytes()});
+        const double ms = timer.end();
+        gl::check("drawing a frame");
+        const std::uint64_t kept = flight.frames.size() * sizeof(FrameRecord);  // by measuring itself
+        flight.frames.push_back({ms, report, gl::memory_held(), process_bytes() - kept});
         if (repeat == 0 && pictured(i, int(path.frames.size()), o.pictures)) {
             char number[16];
             std::snprintf(number, sizeof number, "-%05d.png", i);
@@ -181,15 +186,15 @@ Flight fly_path(const PackageReader& package, const BenchOptions& o, const Camer
 
 void write_frames(const std::filesystem::path& file, const std::vector<Flight>& flights) {
     std::ofstream out(file);
-    out << "path,mode,repeat,frame,ms,uploaded_bytes,tiles,tiles_missing,photos,passes,draws,graphics_bytes,"
-           "process_bytes\n";
+    out << "path,mode,repeat,frame,ms,uploaded_bytes,tiles,tiles_missing,tiles_damaged,photos,passes,draws,"
+           "graphics_bytes,process_bytes\n";
     for (const Flight& f : flights)
         for (std::size_t i = 0; i < f.frames.size(); ++i) {
             const FrameRecord& r = f.frames[i];
             out << f.path << ',' << f.mode << ',' << f.repeat << ',' << i << ',' << r.ms << ','
                 << r.report.uploaded << ',' << r.report.tiles << ',' << r.report.tiles_missing << ','
-                << r.report.photos << ',' << r.report.passes << ',' << r.report.draws << ',' << r.graphics
-                << ',' << r.resident << '\n';
+                << r.report.tiles_damaged << ',' << r.report.photos << ',' << r.report.passes << ','
+                << r.report.draws << ',' << r.graphics << ',' << r.resident << '\n';
         }
     if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
 }
@@ -318,7 +323,9 @@ void add_bench_options(CLI::App& app, BenchOptions& o) {
         ->check(CLI::Range(2, 1 << 20))
         ->capture_default_str()
         ->group(group);
-    app.add_option("--minutes", o.minutes, "fly each path for so long instead")->group(group);
+    app.add_option("--minutes", o.minutes, "fly each path for so long instead")
+        ->check(real_range(0, 1e4))
+        ->group(group);
     app.add_option("--repeats", o.repeats, "times each is flown")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str()

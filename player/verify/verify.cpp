@@ -12,6 +12,7 @@
 #include "scene/error.h"
 #include "scene/junit.h"
 #include "scene/make_folder.h"
+#include "scene/real_range.h"
 
 namespace vantage {
 namespace {
@@ -170,7 +171,7 @@ void add_verify_options(CLI::App& app, VerifyOptions& o) {
         ->check(CLI::Range(0, 255))
         ->capture_default_str();
     app.add_option("--share", o.share, "of the pixels that may be off by more")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(real_range(0.0, 1.0))
         ->capture_default_str();
     app.add_option("-o,--output", o.differences, "folder for pictures of the differences")
         ->capture_default_str();
