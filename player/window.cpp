@@ -205,6 +205,7 @@ class Scene {
 
   private:
     static constexpr int rest_side = 2;
+    static constexpr double look_again_seconds = 6;  ///< for damage, when Residency does
 
     void interface(const View& view, double now) {
         Session& s = session_;
@@ -248,7 +249,10 @@ class Scene {
     /// one a frame; then nothing.
     void draw(const View& view, bool still, double now) {
         Session& s = session_;
+        // A package may be restored while it is shown.
+        if (s.report.tiles_damaged > 0 && now > drawn_at_ + look_again_seconds) samples_ = 0;
         if (still && idle()) return;
+        drawn_at_ = now;
         const bool rests = still && s.report.settled;
         RenderSettings settings = s.settings;
         settings.lod_bias = rests ? 0 : -0.5;
@@ -285,7 +289,7 @@ class Scene {
     std::optional<Navigation> before_;
     int samples_ = 0;
     bool drawn_ = false, was_recording_ = false;
-    double record_at_ = 0;
+    double record_at_ = 0, drawn_at_ = 0;
 };
 
 Session start(const PackageReader& package, const Options& o, const Remembered& remembered) {

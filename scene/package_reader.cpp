@@ -11,7 +11,9 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <mutex>
 #include <tuple>
+#include <vector>
 
 #include "scene/checksum.h"
 #include "scene/error.h"
@@ -27,6 +29,30 @@ namespace {
 
 constexpr std::uint32_t largest_thumbnail = 4096;  ///< px along a side
 
+/// What makes a photo's record one that nothing may be computed from; null where it is sound.
+const char* wrong_with(const package::PhotoRecord& p) {
+    const auto finite = [](const auto& values) {
+        return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+    };
+    if (std::memchr(p.name, 0, sizeof p.name) == nullptr) return "name is not terminated";
+    const std::string_view name = p.name;  // under which extract writes: of a file, without folders
+    if (name.empty() || name == "." || name == ".." || name.find('/') != name.npos)
+        return "its name is not that of a file";
+    if (p.width == 0 || p.height == 0 || p.width > 1u << 20 || p.height > 1u << 20 || p.levels > 24)
+        return "size is out of range";
+    if (!(p.fx > 0) || !(p.fy > 0) || !std::isfinite(p.fx + p.fy + p.cx + p.cy))
+        return "intrinsics are out of range";
+    if (!finite(p.R) || !finite(p.t) || !finite(p.corrected_direction) ||
+        !std::isfinite(p.seen_distance + p.z_min + p.z_max + p.hull_area))
+        return "its camera is not finite";
+    if (p.thumbnail_width > largest_thumbnail || p.thumbnail_height > largest_thumbnail)
+        return "its thumbnail is out of range";
+    for (int i = 0; i < 3; ++i)
+        if (!(p.gain[i] >= 1e-3 && p.gain[i] <= 1e3) || !(std::abs(p.falloff[i]) <= 100))
+            return "gain or falloff is out of range";
+    return nullptr;
+}
+
 }  // namespace
 
 struct PackageReader::Mapping {
@@ -36,6 +62,10 @@ struct PackageReader::Mapping {
     int fd = -1;
     std::vector<DirectoryEntry> directory;  ///< a part's changes while it is written, so: as it was
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, const DirectoryEntry*> index;
+    // Checked when first asked for, and kept as they were then: a file may be overwritten while it is shown.
+    std::once_flag scene_read, photos_read;
+    package::SceneRecord scene{};
+    std::vector<package::PhotoRecord> photos;
 
     ~Mapping() {
         if (data) {
@@ -203,10 +233,10 @@ std::span<const std::byte> PackageReader::checked(Type type, std::uint32_t photo
     return bytes(e);
 }
 
-const package::SceneRecord& PackageReader::scene() const {
+package::SceneRecord PackageReader::checked_scene() const {
     const auto records = this->records<package::SceneRecord>(Type::scene);
     if (records.size() != 1) map_->damaged("SCEN: expected one record");
-    const package::SceneRecord& s = records[0];
+    const package::SceneRecord s = records[0];
     for (int i = 0; i < 3; ++i)
         if (!std::isfinite(s.origin[i]) || !(s.bounds_min[i] <= s.bounds_max[i]))
             map_->damaged("SCEN: origin or bounds are not finite");
@@ -223,32 +253,21 @@ const package::SceneRecord& PackageReader::scene() const {
     return s;
 }
 
+const package::SceneRecord& PackageReader::scene() const {
+    std::call_once(map_->scene_read, [this] { map_->scene = checked_scene(); });
+    return map_->scene;
+}
+
 std::span<const package::PhotoRecord> PackageReader::photos() const {
-    const auto photos = records<package::PhotoRecord>(Type::photos);
-    const auto finite = [](const auto& values) {
-        return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
-    };
-    for (const package::PhotoRecord& p : photos) {
-        const std::string who = "PHOT " + std::to_string(&p - photos.data());
-        if (std::memchr(p.name, 0, sizeof p.name) == nullptr) map_->damaged(who + ": name is not terminated");
-        const std::string_view name =
-            p.name;  // of a file that is written by extract, so of nothing but a file
-        if (name.empty() || name == "." || name == ".." || name.find('/') != name.npos)
-            map_->damaged(who + ": its name is not that of a file");
-        if (p.width == 0 || p.height == 0 || p.width > 1u << 20 || p.height > 1u << 20 || p.levels > 24)
-            map_->damaged(who + ": size is out of range");
-        if (!(p.fx > 0) || !(p.fy > 0) || !std::isfinite(p.fx + p.fy + p.cx + p.cy))
-            map_->damaged(who + ": intrinsics are out of range");
-        if (!finite(p.R) || !finite(p.t) || !finite(p.corrected_direction) ||
-            !std::isfinite(p.seen_distance + p.z_min + p.z_max + p.hull_area))
-            map_->damaged(who + ": its camera is not finite");
-        if (p.thumbnail_width > largest_thumbnail || p.thumbnail_height > largest_thumbnail)
-            map_->damaged(who + ": its thumbnail is out of range");
-        for (int i = 0; i < 3; ++i)
-            if (!(p.gain[i] >= 1e-3 && p.gain[i] <= 1e3) || !(std::abs(p.falloff[i]) <= 100))
-                map_->damaged(who + ": gain or falloff is out of range");
-    }
-    return photos;
+    std::call_once(map_->photos_read, [this] {
+        const auto given = records<package::PhotoRecord>(Type::photos);
+        std::vector<package::PhotoRecord> photos(given.begin(), given.end());
+        for (std::size_t i = 0; i < photos.size(); ++i)
+            if (const char* wrong = wrong_with(photos[i]))
+                map_->damaged("PHOT " + std::to_string(i) + ": " + wrong);
+        map_->photos = std::move(photos);
+    });
+    return map_->photos;
 }
 
 std::string_view PackageReader::meta() const {

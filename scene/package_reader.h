@@ -61,7 +61,8 @@ class PackageReader {
         return {reinterpret_cast<const T*>(raw.data()), raw.size() / sizeof(T)};
     }
 
-    /// The scene record and photo records, their counts and values checked. Throws Error(damaged).
+    /// The scene record and photo records, their counts and values checked when first asked for, and kept.
+    /// Throws Error(damaged).
     const package::SceneRecord& scene() const;
     std::span<const package::PhotoRecord> photos() const;
     std::string_view meta() const;
@@ -73,6 +74,7 @@ class PackageReader {
     struct Mapping;
     std::span<const std::byte> checked(package::Type type, std::uint32_t photo, std::size_t record,
                                        bool required) const;
+    package::SceneRecord checked_scene() const;
     std::unique_ptr<Mapping> map_;
 };
 

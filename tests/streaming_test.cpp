@@ -146,30 +146,52 @@ TEST_F(Streaming, GraphicsMemoryIsKeptOnAFlightOverMoreThanItHolds) {
         Error);
 }
 
-TEST_F(Streaming, ADamagedTileIsCountedAndACoarserOneShown) {
-    {
-        const PackageReader package(file);
-        const auto* tiles = package.find(package::Type::tiles, 2, 0);
+TEST_F(Streaming, ADamagedTileIsCountedAndACoarserOneShownUntilItIsRestored) {
+    const PackageReader package(file);
+    const auto* tiles = package.find(package::Type::tiles, 2, 0);
+    const auto invert_tiles = [&] {
         std::fstream f(file, std::ios::in | std::ios::out | std::ios::binary);
         for (std::size_t t = 0; t < package.blocks(*tiles); ++t) {
-            f.seekp(std::streamoff(tiles->offset + tiles->head_length + t * tile_bytes + 100));
-            f.put('!');
+            const auto at = std::streamoff(tiles->offset + tiles->head_length + t * tile_bytes + 100);
+            f.seekg(at);
+            const int byte = f.get();
+            f.seekp(at);
+            f.put(char(~byte));
         }
-    }
-    const PackageReader package(file);
+    };
+    invert_tiles();
     const gl::HeadlessContext context;
     Renderer renderer(package, {});
     const std::vector<std::uint32_t> only{2};
     const View view = view_of_photo(package.photos()[2], 1);
-    RenderSettings settings = streamed();
-    FrameReport report;
-    for (int frame = 0; frame < 200 && !report.settled; ++frame)
-        report = renderer.draw(view, settings, only, {}, frame / 30.0);
-    EXPECT_GT(report.tiles_damaged, 0u);
-    const auto rgba = shown(renderer, view, settings);
+    const RenderSettings settings = streamed();
+    double now = 0;
+    const auto settle = [&] {
+        FrameReport report;
+        for (int frame = 0; frame < 200 && !report.settled; ++frame, now += 1 / 30.0)
+            report = renderer.draw(view, settings, only, {}, now);
+        EXPECT_TRUE(report.settled);
+        return report;
+    };
+    EXPECT_GT(settle().tiles_damaged, 0u);
+    const auto coarse = shown(renderer, view, settings);
     std::size_t colored = 0;
-    for (std::size_t i = 3; i < rgba.size(); i += 4) colored += rgba[i] == 255;
-    EXPECT_GT(colored, rgba.size() / 4 / 3) << "coarser levels stand in";
+    for (std::size_t i = 3; i < coarse.size(); i += 4) colored += coarse[i] == 255;
+    EXPECT_GT(colored, coarse.size() / 4 / 3) << "coarser levels stand in";
+    now += 6;
+    EXPECT_GT(settle().tiles_damaged, 0u) << "still damaged when looked at again";
+    EXPECT_EQ(shown(renderer, view, settings), coarse);
+    invert_tiles();
+    now += 6;
+    settle();
+    now += 11;  // what was under way as they were restored, or is not needed any more
+    EXPECT_EQ(settle().tiles_damaged, 0u);
+    Renderer fresh(package, {});
+    fresh.draw(view, settings, only, {}, 0);
+    RenderSettings complete = settings;
+    complete.complete = true;
+    fresh.draw(view, complete, only, {}, 1);
+    EXPECT_LT(mean_difference(shown(renderer, view, settings), shown(fresh, view, complete)), 0.1);
 }
 
 TEST_F(Streaming, APlanCoversWhatIsSeenAndHoldsOnToItsPhotos) {

@@ -15,7 +15,8 @@ PlanScene make_plan_scene(const PackageReader& package) {
     expect_shape(package);
     PlanScene s;
     s.photos = package.photos();
-    s.clusters = package.records<package::ClusterRecord>(Type::clusters);
+    const auto clusters = package.records<package::ClusterRecord>(Type::clusters);
+    s.clusters.assign(clusters.begin(), clusters.end());
     for (const package::ClusterRecord& c : s.clusters)
         if (!std::isfinite(c.center[0] + c.center[1] + c.center[2]) || !(c.radius >= 0) ||
             std::isinf(c.radius))

@@ -9,10 +9,10 @@
 namespace vantage {
 
 /// What plans are made of: the package's photos and clusters, and what each photo sees. Spans live as long as
-/// the package.
+/// the package; as it may be overwritten while it is shown, what they point to can be any number.
 struct PlanScene {
     std::span<const package::PhotoRecord> photos;
-    std::span<const package::ClusterRecord> clusters;
+    std::vector<package::ClusterRecord> clusters;
     ClusterTree tree;
     std::vector<Intrinsics> intrinsics;                              ///< a photo
     std::vector<Pose> poses;                                         ///< a photo, cam_from_origin

@@ -26,8 +26,10 @@ Sight::Surface surface_of(const PlanScene& scene, const View& view, std::span<co
     const std::size_t step = std::max<std::size_t>(1, triangles.size() / most);
     for (std::size_t i = 0; i < triangles.size(); i += step) {
         Eigen::Vector3d corner[3];
-        for (std::size_t v = 0; v < 3; ++v)
-            corner[v] = scene.positions[scene.indices[3 * std::size_t(triangles[i]) + v]].cast<double>();
+        for (std::size_t v = 0; v < 3; ++v) {
+            const std::size_t vertex = scene.indices[3 * std::size_t(triangles[i]) + v];
+            corner[v] = scene.positions[std::min(vertex, scene.positions.size() - 1)].cast<double>();
+        }
         double a = std::fmod(double(i) * 0.7548776662466927, 1.0),
                b = std::fmod(double(i) * 0.5698402909980532, 1.0);
         if (a + b > 1) a = 1 - a, b = 1 - b;

@@ -98,6 +98,7 @@ void Residency::begin_frame(double now, bool fade) {
     ++frame_;
     now_ = now;
     fades_ = fade;
+    std::erase_if(damaged_, [&](const auto& d) { return std::abs(now_ - d.second) > 2 * retry_seconds; });
 }
 
 const LayerPool& Residency::pool_of(Resource resource) const {
@@ -121,9 +122,14 @@ bool Residency::holds(const StreamRequest& r) const {
     return slot && slots_[*slot].arrived[r.key % pieces];
 }
 
+bool Residency::given_up(const StreamRequest& r) const {
+    const auto it = damaged_.find(r.identity());
+    return it != damaged_.end() && std::abs(now_ - it->second) < retry_seconds;  // the clock may be set back
+}
+
 bool Residency::need(const StreamRequest& r, std::vector<StreamRequest>& missing) {
     if (const_cast<LayerPool&>(pool_of(r.resource)).use(r.key, frame_)) return true;
-    if (!damaged_.contains(r.identity())) missing.push_back(r);
+    if (!given_up(r)) missing.push_back(r);
     return false;
 }
 
@@ -135,7 +141,7 @@ bool Residency::need_coordinates(std::uint32_t photo, std::vector<StreamRequest>
     const auto* chunk = package_->find(Type::coordinates, photo);
     for (std::uint32_t i = 0; i < pieces; ++i) {
         StreamRequest r{Resource::coordinates, photo * pieces + i, chunk};
-        if (damaged_.contains(r.identity())) return false;
+        if (given_up(r)) return false;
         if (slot && slot->arrived[i]) continue;
         r.first = i * piece_bytes;
         r.bytes = std::min(piece_bytes, std::uint64_t(layout_.vertices) * 8 - r.first);
@@ -144,15 +150,24 @@ bool Residency::need_coordinates(std::uint32_t photo, std::vector<StreamRequest>
     return false;
 }
 
+void Residency::doubt(const StreamRequest& r) {
+    if (r.resource != Resource::coordinates) return;
+    const std::uint32_t pieces = pieces_of(layout_.vertices), photo = r.key / pieces;
+    if (const auto index = slot_pool_.layer_of(photo))
+        slots_[*index] = {photo, std::vector<bool>(pieces, false), pieces};
+}
+
 std::size_t Residency::upload(TileStream& stream, std::size_t budget) {
     std::size_t uploaded = 0;
     // Budget or not, a frame takes one piece: what is larger than the budget would hold up all behind it.
     while (const auto fetched = stream.take(uploaded == 0 ? SIZE_MAX : budget - std::min(budget, uploaded))) {
         if (!fetched->sound) {
-            damaged_.insert(fetched->request.identity());
-        } else if (store(fetched->request, reinterpret_cast<const std::byte*>(fetched->piece.offset),
-                         stream.buffer())) {
-            uploaded += fetched->piece.bytes;
+            damaged_[fetched->request.identity()] = now_;
+        } else {
+            if (damaged_.erase(fetched->request.identity()) > 0) doubt(fetched->request);
+            if (store(fetched->request, reinterpret_cast<const std::byte*>(fetched->piece.offset),
+                      stream.buffer()))
+                uploaded += fetched->piece.bytes;
         }
         stream.release(*fetched);
     }

@@ -1,6 +1,6 @@
 #pragma once
 #include <cstdint>
-#include <unordered_set>
+#include <unordered_map>
 #include <vector>
 
 #include "gl/object.h"
@@ -34,8 +34,8 @@ class Residency {
 
     /// Begins a frame at `now` seconds; without `fade`, what arrives is there at once.
     void begin_frame(double now, bool fade);
-    /// Marks a resource as used in this frame. Where it is not resident (and not damaged), it is appended to
-    /// `missing` and false returned.
+    /// Marks a resource as used in this frame. Where it is not resident (nor lately damaged), it is appended
+    /// to `missing` and false returned.
     bool need(const StreamRequest& request, std::vector<StreamRequest>& missing);
     /// The same for all of a photo's texture coordinates.
     bool need_coordinates(std::uint32_t photo, std::vector<StreamRequest>& missing);
@@ -70,8 +70,12 @@ class Residency {
     GLuint coordinates() const { return coordinates_.id(); }
 
   private:
-    static constexpr double fade_seconds = 0.25;
+    static constexpr double fade_seconds = 0.25, retry_seconds = 5;
     const LayerPool& pool_of(Resource resource) const;
+    /// Damaged, and too lately to look again: a package may be restored while it is shown.
+    bool given_up(const StreamRequest& request) const;
+    /// A restored piece of texture coordinates answers for its chunk: its others came while that was damaged.
+    void doubt(const StreamRequest& restored);
     std::uint32_t entry(const LayerPool& pool, const std::vector<double>& births, std::uint32_t page) const;
     /// Copies from the bound unpack buffer at `source`, or from memory where none is bound. False where
     /// nothing can give way.
@@ -90,7 +94,7 @@ class Residency {
         std::uint32_t missing = 0;
     };
     std::vector<Slot> slots_;
-    std::unordered_set<std::uint64_t> damaged_;
+    std::unordered_map<std::uint64_t, double> damaged_;  ///< by identity: when last found so; while needed
     std::uint64_t frame_ = 0;
     double now_ = 0, last_birth_ = -1e9;
     bool fades_ = true;
