@@ -38,9 +38,22 @@ void for_fields(R& r, const Field& field) {
     field("panel_radar", r.panels.radar);
 }
 
+/// What the file says of a field, if it is of the field's kind.
+template <class T>
+void read(const nlohmann::json& j, const char* name, T& value) {
+    const auto it = j.find(name);
+    if (it == j.end()) return;
+    if (std::is_same_v<T, bool> ? it->is_boolean()
+        : std::is_integral_v<T> ? it->is_number_integer()
+                                : it->is_number())
+        value = it->get<T>();
+}
+
 template <class Enum>
-Enum within(int value, Enum last, Enum otherwise) {
-    return value >= 0 && value <= int(last) ? Enum(value) : otherwise;
+void read_enum(const nlohmann::json& j, const char* name, Enum last, Enum& value) {
+    int number = -1;
+    read(j, name, number);
+    if (number >= 0 && number <= int(last)) value = Enum(number);
 }
 
 }  // namespace
@@ -56,19 +69,15 @@ Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
     std::ifstream in(folder / "player.json");
     const nlohmann::json j = nlohmann::json::parse(in, nullptr, false);
     if (!j.is_object()) return r;
-    for_fields(r, [&](const char* name, auto& value) {
-        using T = std::remove_reference_t<decltype(value)>;
-        const auto it = j.find(name);
-        if (it != j.end() && (std::is_same_v<T, bool> ? it->is_boolean() : it->is_number()))
-            value = it->get<T>();
-    });
-    r.settings.blend = within(j.value("blend", -1), Blend::best, r.settings.blend);
-    r.settings.choice = within(j.value("choice", -1), Choice::normals, r.settings.choice);
+    for_fields(r, [&](const char* name, auto& value) { read(j, name, value); });
+    read_enum(j, "blend", Blend::best, r.settings.blend);
+    read_enum(j, "choice", Choice::normals, r.settings.choice);
     // The file may have been edited.
     r.window.width = std::clamp(r.window.width, 320, 16384);
     r.window.height = std::clamp(r.window.height, 240, 16384);
     r.settings.photos = std::clamp(r.settings.photos, 0, 1 << 20);
     r.settings.photos_per_pass = std::clamp(r.settings.photos_per_pass, 1, most_photos_per_pass);
+    r.settings.angle_limit = std::clamp(r.settings.angle_limit, 10.0, 180.0);
     r.settings.weights.sharpness = std::clamp(r.settings.weights.sharpness, 0.005, 3.0);
     r.settings.weights.exponent = std::clamp(r.settings.weights.exponent, 0.0, 64.0);
     return r;

@@ -5,8 +5,12 @@
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <map>
+#include <span>
+#include <stdexcept>
 
+#include "pipeline/import/in_child.h"
 #include "pipeline/import/ply.h"
 #include "scene/error.h"
 
@@ -17,21 +21,24 @@ using namespace OpenMesh;
 
 std::uint8_t to_byte(float v) { return std::uint8_t(std::clamp(v, 0.0f, 1.0f) * 255 + 0.5f); }
 
-/// Collects what OpenMesh's readers find, as it is in the file.
+/// Collects what OpenMesh's readers find, as it is in the file of `bytes`. They believe its counts and go on
+/// when it has ended, so for more than it has room for std::length_error is thrown.
 class Collector : public IO::BaseImporter {
   public:
     Mesh mesh;
 
-    VertexHandle add_vertex(const Vec3f& p) override {
-        mesh.positions.emplace_back(double(p[0]), double(p[1]), double(p[2]));
-        return VertexHandle(int(mesh.positions.size()) - 1);
-    }
+    explicit Collector(std::uint64_t bytes) : most_(bytes / 2) {}  // numbers: "0 " is the shortest
+
+    VertexHandle add_vertex(const Vec3f& p) override { return add_vertex(Vec3d(p)); }
     VertexHandle add_vertex(const Vec3d& p) override {
+        if (mesh.positions.size() >= most_ / 3) throw std::length_error("vertices");
         mesh.positions.emplace_back(p[0], p[1], p[2]);
         return VertexHandle(int(mesh.positions.size()) - 1);
     }
-    VertexHandle add_vertex() override { return add_vertex(Vec3f(0, 0, 0)); }
+    VertexHandle add_vertex() override { return add_vertex(Vec3d(0, 0, 0)); }
     FaceHandle add_face(const VHandles& corners) override {
+        if (faces_ >= most_ || corners.size() > most_ - mesh.triangles.size())
+            throw std::length_error("corners");
         const auto at = [&](std::size_t i) {
             return known(corners[i]) ? std::uint32_t(corners[i].idx()) : no_vertex;
         };
@@ -93,10 +100,11 @@ class Collector : public IO::BaseImporter {
 
   private:
     bool known(VertexHandle v) const { return v.idx() >= 0 && std::size_t(v.idx()) < mesh.positions.size(); }
-    std::size_t faces_ = 0;
+    std::uint64_t most_, faces_ = 0;
 };
 
-/// STL repeats every corner: equal positions become one vertex.
+/// STL repeats every corner: equal positions become one vertex. Positions must be numbers, or they have no
+/// order.
 void weld(Mesh& mesh) {
     std::map<std::array<double, 3>, std::uint32_t> first;
     std::vector<std::uint32_t> to(mesh.positions.size());
@@ -161,13 +169,58 @@ void complete_normals(Mesh& mesh) {
     for (Eigen::Vector3f& n : mesh.normals) n.stableNormalize();
 }
 
+template <class T>
+void append(std::vector<std::byte>& out, const std::vector<T>& values) {
+    const std::uint64_t bytes = values.size() * sizeof(T);
+    const auto* count = reinterpret_cast<const std::byte*>(&bytes);
+    out.insert(out.end(), count, count + sizeof bytes);
+    const auto* first = reinterpret_cast<const std::byte*>(values.data());
+    out.insert(out.end(), first, first + bytes);
+}
+
+template <class T>
+void take(std::span<const std::byte>& from, std::vector<T>& values) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, from.data(), sizeof bytes);
+    values.resize(bytes / sizeof(T));
+    std::ranges::copy(from.subspan(sizeof bytes, bytes), reinterpret_cast<std::byte*>(values.data()));
+    from = from.subspan(sizeof bytes + bytes);
+}
+
+std::vector<std::byte> bytes_of(const Mesh& mesh) {
+    std::vector<std::byte> out;
+    append(out, mesh.positions);
+    append(out, mesh.normals);
+    append(out, mesh.colors);
+    append(out, mesh.triangles);
+    return out;
+}
+
+Mesh mesh_of(std::span<const std::byte> bytes) {
+    Mesh mesh;
+    take(bytes, mesh.positions);
+    take(bytes, mesh.normals);
+    take(bytes, mesh.colors);
+    take(bytes, mesh.triangles);
+    return mesh;
+}
+
+/// In a process of its own: some files end OpenMesh by an assertion, or make it want all memory there is.
 Mesh read_by_openmesh(const std::filesystem::path& file) {
-    Collector in;
-    IO::Options options = IO::Options::VertexNormal | IO::Options::VertexColor;
-    if (!IO::IOManager().read(file.string(), in, options))
+    const std::uint64_t size = std::filesystem::file_size(file);
+    const ChildLimits limits{.bytes = (std::uint64_t(32) << 20) + 64 * size,
+                             .seconds = 60 + unsigned(size / 100'000)};
+    const auto bytes = in_child(limits, [&] {
+        Collector in(size);
+        IO::Options options = IO::Options::VertexNormal | IO::Options::VertexColor;
+        if (!IO::IOManager().read(file.string(), in, options)) return std::vector<std::byte>();
+        return bytes_of(in.mesh);
+    });
+    if (bytes.empty())
         throw Error(Exit::input, file.string() + ": not a readable mesh, expected PLY, OBJ, STL or OFF");
-    if (!in.mesh.colors.empty()) in.mesh.colors.resize(in.mesh.positions.size(), {255, 255, 255, 255});
-    return std::move(in.mesh);
+    Mesh mesh = mesh_of(bytes);
+    if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), {255, 255, 255, 255});
+    return mesh;
 }
 
 }  // namespace
@@ -179,10 +232,10 @@ Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warn
                    [](unsigned char c) { return char(std::tolower(c)); });
     Mesh mesh = extension == ".ply" ? read_ply(file) : read_by_openmesh(file);
     if (mesh.positions.empty()) throw Error(Exit::input, file.string() + ": has no vertices");
-    if (extension == ".stl") weld(mesh);
     if (const std::size_t n = drop_broken(mesh))
         warnings.push_back(file.filename().string() + ": " + std::to_string(n) +
                            " broken triangles left out");
+    if (extension == ".stl") weld(mesh);
     complete_normals(mesh);
     return mesh;
 }

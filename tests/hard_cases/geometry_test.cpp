@@ -235,6 +235,25 @@ TEST_F(Geometry, TrianglesOfVerticesThatAreNoPlaceAreLeftOut) {
     EXPECT_NE(with.warnings[0].find("15 broken triangles"), std::string::npos) << with.warnings[0];
 }
 
+TEST_F(Geometry, CornersThatAreNoPlaceDoNotTakeTheirNeighboursInStl) {
+    std::ofstream out(dir / "mesh.stl");
+    out << "solid\n";
+    const auto facet = [&](const char* a, const char* b, const char* c) {
+        out << "facet normal 0 0 1\nouter loop\n";
+        for (const char* corner : {a, b, c}) out << "vertex " << corner << '\n';
+        out << "endloop\nendfacet\n";
+    };
+    facet("nan 2 3", "nan 0 0", "nan 1 0");
+    facet("1 2 3", "0 0 0", "0 1 0");
+    facet("1 2 3", "0 1 0", "5 2 3");
+    out << "endsolid\n";
+    out.close();
+    std::vector<std::string> warnings;
+    const Mesh mesh = read_mesh(dir / "mesh.stl", warnings);
+    EXPECT_EQ(mesh.triangles.size(), 2u);
+    EXPECT_EQ(mesh.positions.size(), 4u) << "and what they share is one vertex";
+}
+
 TEST_F(Geometry, NormalsThatAreNoneAreMade) {
     Mesh mesh = scene.mesh;
     const float bad[] = {0, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),

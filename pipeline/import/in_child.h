@@ -1,0 +1,20 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace vantage {
+
+struct ChildLimits {
+    std::uint64_t bytes;  ///< of memory more than this process has
+    unsigned seconds;     ///< of processor time
+};
+
+/// Runs code that a file from strangers may bring down in a process of its own, and returns what it returned;
+/// nothing where it threw, died or went beyond the limits, or no process could be made. Whatever it prints is
+/// lost.
+std::vector<std::byte> in_child(const ChildLimits& limits,
+                                const std::function<std::vector<std::byte>()>& work);
+
+}  // namespace vantage

@@ -1,0 +1,36 @@
+// Files of camera paths. Every view that comes out can be drawn.
+#include <cstdlib>
+
+#include "player/camera_path.h"
+#include "player/shots.h"
+#include "scene/error.h"
+#include "tests/fuzz/memory_file.h"
+#include "tests/fuzz/sound_package.h"
+
+using namespace vantage;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const fuzz::SoundPackage sound;
+    static fuzz::MemoryFile file;
+    static const PackageReader package = [] {
+        std::vector<std::uint8_t> bytes = sound.bytes;
+        fuzz::make_right(bytes);
+        file.set(bytes);
+        return PackageReader(file.path());
+    }();
+    static const fuzz::MemoryFolder folder;
+    folder.set("path.txt", fuzz::text_of(data, size));
+    const std::string path = folder.path() / "path.txt";
+    try {
+        for (const Shot& shot : read_path(path, package, {64, 48})) {
+            const View& v = shot.view;
+            if (!v.cam_from_origin.R.allFinite() || !v.cam_from_origin.t.allFinite() ||
+                !(v.intrinsics.fx > 0) || !(v.intrinsics.fy > 0))
+                std::abort();
+        }
+        for (const Navigation& n : recorded_path(path, package, 7).frames)
+            if (!n.R.allFinite() || !n.eye.allFinite() || !(n.fov > 0)) std::abort();
+    } catch (const Error&) {
+    }
+    return 0;
+}

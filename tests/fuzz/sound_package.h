@@ -1,0 +1,119 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "scene/checksum.h"
+#include "scene/package_writer.h"
+#include "scene/tiling.h"
+
+namespace vantage::fuzz {
+
+/// Two triangles, one cluster and one photo of 40 x 30 pixels that sees them. Only what a player reads, and
+/// without checksums of heads, directory and header, which make_right gives.
+class SoundPackage {
+  public:
+    SoundPackage() {
+        using package::Type;
+        package::SceneRecord s{};
+        for (int i = 0; i < 3; ++i) s.bounds_min[i] = -1, s.bounds_max[i] = 1;
+        s.vertices = 4, s.triangles = 2, s.clusters = 1, s.photos = 1, s.reference_density = 20;
+        s.border_width = 8;
+        package::PhotoRecord p{};
+        std::strcpy(p.name, "a.jpg");
+        p.width = 40, p.height = 30, p.levels = 1, p.thumbnail_width = 4, p.thumbnail_height = 3;
+        p.mask_width = 20, p.mask_height = 15;
+        p.fx = p.fy = 40, p.cx = 20, p.cy = 15, p.t[2] = 3, p.corrected_direction[2] = 1, p.hull_area = 0.5;
+        p.R[0] = p.R[4] = p.R[8] = 1, p.seen_distance = 3, p.z_min = 2, p.z_max = 4;
+        for (double& g : p.gain) g = 1;
+        package::ClusterRecord c{};
+        c.radius = 1.5f, c.triangles = 2;
+        const float positions[4][3] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+        const std::uint32_t indices[6] = {0, 1, 2, 0, 2, 3};
+        const float normals[4][3] = {{0, 0, -1}, {0, 0, -1}, {0, 0, -1}, {0, 0, -1}};
+        const float coordinates[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+        package::CoverageRecord seen{};
+        seen.u1 = seen.v1 = 65535;
+        const std::uint64_t bits[2] = {3, 3};
+        const std::byte thumbnail[48]{};
+        add(Type::scene, package::scene_wide, 0, bytes_of_one(s));
+        add(Type::photos, package::scene_wide, 0, bytes_of_one(p));
+        add(Type::clusters, package::scene_wide, 0, bytes_of_one(c));
+        add(Type::positions, package::scene_wide, 0, std::as_bytes(std::span(positions)));
+        add(Type::normals, package::scene_wide, 0, std::as_bytes(std::span(normals)));
+        add(Type::indices, package::scene_wide, 0, std::as_bytes(std::span(indices)));
+        add(Type::coordinates, 0, 0, std::as_bytes(std::span(coordinates)));
+        add(Type::coverage, 0, 0, bytes_of_one(seen));
+        add(Type::visible, 0, 0, std::as_bytes(std::span(bits)));
+        add(Type::thumbnail, 0, 0, thumbnail);
+        add_tile(Type::tiles, 0);
+        add_tile(Type::masks, 1);
+        add_tile(Type::depth, 1);
+        const std::size_t directory = bytes.size();
+        bytes.resize(directory + entries.size() * sizeof(package::DirectoryEntry));
+        std::memcpy(header.magic, package::magic, sizeof header.magic);
+        header.version = package::version;
+        header.directory_count = std::uint32_t(entries.size());
+        header.directory_offset = directory;
+        header.file_size = bytes.size();
+        std::memcpy(bytes.data() + directory, entries.data(),
+                    entries.size() * sizeof(package::DirectoryEntry));
+        std::memcpy(bytes.data(), &header, sizeof header);
+        parts = {{0, sizeof header}, {directory, entries.size() * sizeof(package::DirectoryEntry)}};
+        for (const package::DirectoryEntry& e : entries) parts.emplace_back(e.offset, e.head_length);
+    }
+    std::vector<std::uint8_t> bytes = std::vector<std::uint8_t>(package::alignment);
+    std::vector<package::DirectoryEntry> entries;
+    package::Header header{};
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> parts;  ///< place and length of all but tiles
+
+  private:
+    package::DirectoryEntry& add(package::Type type, std::uint32_t photo, std::uint32_t level,
+                                 std::span<const std::byte> head) {
+        package::DirectoryEntry e{};
+        e.type = std::uint32_t(type), e.photo = photo, e.level = level;
+        e.offset = bytes.size(), e.length = e.head_length = head.size();
+        bytes.resize((bytes.size() + head.size() + package::alignment - 1) / package::alignment *
+                     package::alignment);
+        std::memcpy(bytes.data() + e.offset, head.data(), head.size());
+        return entries.emplace_back(e);
+    }
+    void add_tile(package::Type type, std::uint32_t level) {
+        const std::vector<std::byte> head(package::alignment), tile(tile_bytes);
+        package::DirectoryEntry& e = add(type, 0, level, head);
+        const std::uint64_t sum = checksum(tile);
+        std::memcpy(bytes.data() + e.offset, &sum, sizeof sum);
+        bytes.insert(bytes.end(), tile_bytes, 0);
+        e.length += tile_bytes, e.block_length = tile_bytes;
+    }
+};
+
+/// Heads', directory's and header's checksums, as far as what they cover lies within the file.
+inline void make_right(std::vector<std::uint8_t>& b) {
+    package::Header h;
+    std::memcpy(&h, b.data(), sizeof h);
+    const auto sum = [&](std::uint64_t at, std::uint64_t length) {
+        return checksum(std::as_bytes(std::span(b).subspan(at, length)));
+    };
+    if (h.directory_offset <= b.size() &&
+        h.directory_count <= (b.size() - h.directory_offset) / sizeof(package::DirectoryEntry)) {
+        for (std::uint32_t i = 0; i < h.directory_count; ++i) {
+            std::uint8_t* at = b.data() + h.directory_offset + i * sizeof(package::DirectoryEntry);
+            package::DirectoryEntry e;
+            std::memcpy(&e, at, sizeof e);
+            if (e.offset > b.size() || e.head_length > b.size() - e.offset) continue;
+            e.checksum = sum(e.offset, e.head_length);
+            std::memcpy(at, &e, sizeof e);
+        }
+        h.directory_checksum = sum(h.directory_offset, h.directory_count * sizeof(package::DirectoryEntry));
+    }
+    std::memcpy(b.data(), &h, sizeof h);
+    h.header_checksum = sum(0, offsetof(package::Header, header_checksum));
+    std::memcpy(b.data(), &h, sizeof h);
+}
+
+}  // namespace vantage::fuzz
