@@ -4,12 +4,15 @@
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <fstream>
+#include <string>
+#include <system_error>
+
+#include "pipeline/file_identity.h"
 
 namespace vantage {
 namespace {
@@ -27,28 +30,7 @@ void limit(int resource, std::uint64_t most) {
     ::setrlimit(resource, &r);
 }
 
-bool write_all(int file, const std::vector<std::byte>& bytes) {
-    for (std::size_t at = 0; at < bytes.size();) {
-        const ssize_t n = ::write(file, bytes.data() + at, bytes.size() - at);
-        if (n <= 0) return false;
-        at += std::size_t(n);
-    }
-    return true;
-}
-
-std::vector<std::byte> read_all(int file) {
-    struct stat s {};
-    if (::fstat(file, &s) != 0) return {};
-    std::vector<std::byte> bytes(std::size_t(s.st_size));
-    for (std::size_t at = 0; at < bytes.size();) {
-        const ssize_t n = ::pread(file, bytes.data() + at, bytes.size() - at, off_t(at));
-        if (n <= 0) return {};
-        at += std::size_t(n);
-    }
-    return bytes;
-}
-
-[[noreturn]] void be_the_child(const ChildLimits& limits, int out,
+[[noreturn]] void be_the_child(const ChildLimits& limits, const std::string& out,
                                const std::function<std::vector<std::byte>()>& work) {
     const int nowhere = ::open("/dev/null", O_RDWR);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
@@ -57,7 +39,10 @@ std::vector<std::byte> read_all(int file) {
     limit(RLIMIT_CPU, limits.seconds);
     limit(RLIMIT_DATA, writable_bytes() + limits.bytes);
     try {
-        ::_exit(write_all(out, work()) ? 0 : 1);
+        const std::vector<std::byte> bytes = work();
+        std::ofstream file(out, std::ios::binary);
+        file.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+        ::_exit(file.flush() ? 0 : 1);
     } catch (...) {
         ::_exit(1);
     }
@@ -67,16 +52,21 @@ std::vector<std::byte> read_all(int file) {
 
 std::vector<std::byte> in_child(const ChildLimits& limits,
                                 const std::function<std::vector<std::byte>()>& work) {
-    const int out = ::memfd_create("vantage", MFD_CLOEXEC);
-    if (out < 0) return {};
+    const int memory = ::memfd_create("vantage", MFD_CLOEXEC);
+    if (memory < 0) throw std::system_error(errno, std::generic_category(), "memfd_create");
+    const std::string out = "/proc/self/fd/" + std::to_string(memory);
     const pid_t child = ::fork();
     if (child == 0) be_the_child(limits, out, work);
+    if (child < 0) {
+        ::close(memory);
+        throw std::system_error(errno, std::generic_category(), "fork");
+    }
     int status = 1;
-    while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
     std::vector<std::byte> bytes;
-    if (child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0) bytes = read_all(out);
-    ::close(out);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) bytes = read_file(out);
+    ::close(memory);
     return bytes;
 }
 

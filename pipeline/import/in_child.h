@@ -12,8 +12,8 @@ struct ChildLimits {
 };
 
 /// Runs code that a file from strangers may bring down in a process of its own, and returns what it returned;
-/// nothing where it threw, died or went beyond the limits, or no process could be made. Whatever it prints is
-/// lost.
+/// nothing where it threw, died or went beyond the limits. Whatever it prints is lost. Throws
+/// std::system_error where no process can be made.
 std::vector<std::byte> in_child(const ChildLimits& limits,
                                 const std::function<std::vector<std::byte>()>& work);
 

@@ -85,8 +85,8 @@ std::vector<PhotoPair> photo_pairs(std::span<const package::PhotoRecord> photos,
     }
     const auto order = [](const PhotoPair& p) { return std::pair(p.a, p.b); };
     std::ranges::sort(chosen, {}, order);
-    const auto twice = std::ranges::unique(chosen, {}, order);
-    chosen.erase(twice.begin(), twice.end());
+    const auto same = [&](const PhotoPair& p, const PhotoPair& q) { return order(p) == order(q); };
+    chosen.erase(std::unique(chosen.begin(), chosen.end(), same), chosen.end());
     return chosen;
 }
 

@@ -82,10 +82,11 @@ void add_pieces(const Triangle& t, const Triangle& m, std::vector<Triangle>& out
 /// Nothing where there would be too many.
 std::optional<Mesh> divided(const Mesh& mesh, double longest) {
     Mesh out = mesh;
-    const auto large = std::ranges::stable_partition(
-        out.triangles, [&](const Triangle& t) { return !has_longer_edge(out, t, longest); });
-    std::vector<Triangle> todo(large.begin(), large.end());
-    out.triangles.erase(large.begin(), large.end());
+    const auto large =
+        std::stable_partition(out.triangles.begin(), out.triangles.end(),
+                              [&](const Triangle& t) { return !has_longer_edge(out, t, longest); });
+    std::vector<Triangle> todo(large, out.triangles.end());
+    out.triangles.erase(large, out.triangles.end());
     Midpoints midpoints(out, longest);
     while (!todo.empty()) {
         std::vector<Triangle> pieces;

@@ -29,10 +29,15 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr double frame_seconds = 1.0 / 30;  // on the paths' own clock
 
+struct ProcessMemory {
+    std::uint64_t resident, anonymous;  ///< bytes; what no file holds is of it
+};
+
 struct FrameRecord {
     double ms;
     FrameReport report;
-    std::uint64_t graphics, resident;  ///< bytes: of OpenGL objects, of the process
+    std::uint64_t graphics;  ///< bytes of OpenGL objects
+    ProcessMemory process;
 };
 
 /// A path flown once.
@@ -46,11 +51,12 @@ struct Flight {
     std::uint64_t jump_bytes = 0, touched_bytes = 0;
 };
 
-std::uint64_t process_bytes() {
+ProcessMemory process_memory() {
     std::ifstream statm("/proc/self/statm");
-    std::uint64_t all = 0, resident = 0;
-    statm >> all >> resident;
-    return resident * std::uint64_t(::sysconf(_SC_PAGESIZE));
+    std::uint64_t all = 0, resident = 0, of_files = 0;
+    statm >> all >> resident >> of_files;
+    const auto page = std::uint64_t(::sysconf(_SC_PAGESIZE));
+    return {resident * page, (resident - std::min(resident, of_files)) * page};
 }
 
 /// Lets the system forget what it has read of the package.
@@ -165,8 +171,10 @@ Flight fly_path(const PackageReader& package, const BenchOptions& o, const Camer
         renderer.show(view, settings, target.framebuffer.id(), false);
         const double ms = timer.end();
         gl::check("drawing a frame");
+        ProcessMemory memory = process_memory();
         const std::uint64_t kept = flight.frames.size() * sizeof(FrameRecord);  // by measuring itself
-        flight.frames.push_back({ms, report, gl::memory_held(), process_bytes() - kept});
+        memory.resident -= kept, memory.anonymous -= kept;
+        flight.frames.push_back({ms, report, gl::memory_held(), memory});
         if (repeat == 0 && pictured(i, int(path.frames.size()), o.pictures)) {
             char number[16];
             std::snprintf(number, sizeof number, "-%05d.png", i);
@@ -187,14 +195,15 @@ Flight fly_path(const PackageReader& package, const BenchOptions& o, const Camer
 void write_frames(const std::filesystem::path& file, const std::vector<Flight>& flights) {
     std::ofstream out(file);
     out << "path,mode,repeat,frame,ms,uploaded_bytes,tiles,tiles_missing,tiles_damaged,photos,passes,draws,"
-           "graphics_bytes,process_bytes\n";
+           "graphics_bytes,process_bytes,anonymous_bytes\n";
     for (const Flight& f : flights)
         for (std::size_t i = 0; i < f.frames.size(); ++i) {
             const FrameRecord& r = f.frames[i];
             out << f.path << ',' << f.mode << ',' << f.repeat << ',' << i << ',' << r.ms << ','
                 << r.report.uploaded << ',' << r.report.tiles << ',' << r.report.tiles_missing << ','
                 << r.report.tiles_damaged << ',' << r.report.photos << ',' << r.report.passes << ','
-                << r.report.draws << ',' << r.graphics << ',' << r.resident << '\n';
+                << r.report.draws << ',' << r.graphics << ',' << r.process.resident << ','
+                << r.process.anonymous << '\n';
         }
     if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
 }
@@ -220,7 +229,7 @@ nlohmann::json summarise(const std::vector<const Flight*>& flights, const BenchO
             uploaded = std::max<std::uint64_t>(uploaded, r.report.uploaded);
             over += r.report.uploaded > std::size_t(o.player.upload_kib) << 10;
             graphics = std::max(graphics, r.graphics);
-            process = std::max(process, r.resident);
+            process = std::max(process, r.process.resident);
             missing += r.report.tiles_missing > 0;
         }
     }

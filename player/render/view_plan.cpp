@@ -74,7 +74,7 @@ void ViewPlan::plan_leaving(const View& view, const RenderSettings& settings,
                             std::span<const std::uint32_t> photos, std::vector<std::uint32_t> former) {
     std::ranges::copy(photos_of(leaving_), std::back_inserter(former));
     std::ranges::sort(former);
-    former.erase(std::ranges::unique(former).begin(), former.end());
+    former.erase(std::unique(former.begin(), former.end()), former.end());
     const std::vector<std::uint32_t> planned = photos_of(plan_.photos);
     std::erase_if(former, [&](std::uint32_t p) {
         return presence_[p] <= 0 || !std::ranges::count(photos, p) || std::ranges::count(planned, p);

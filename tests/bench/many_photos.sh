@@ -39,19 +39,25 @@ for n in "$@"; do
 done
 rm -f "$folder/package"* "$folder/trace.json"
 gnuplot <<PLOT
-set terminal svg size 720,420 font "sans,14" background "white"
+set terminal svg size 900,380 font "sans,13" background "white"
 set output "$folder/many_photos.svg"
+set multiplot layout 1,2
 set logscale xy
-set key left top
+set xtics ($(awk 'NR > 1 { printf "%s%s", sep, $1; sep = ", " }' "$table"))
 set xlabel "photos"
-set ylabel "s"
-set y2label "MB"
-set y2tics
-set logscale y2
 set grid
-plot "$table" every ::1 using 1:3 with linespoints title "measure cameras, s", \
-  "" every ::1 using 1:4 with linespoints title "ask for consensus, s", \
-  "" every ::1 using 1:5 with linespoints title "register, s", \
-  "" every ::1 using 1:2 axes x1y2 with linespoints dashtype 2 title "memory of prepare, MB", \
-  "" every ::1 using 1:6 axes x1y2 with linespoints dashtype 2 title "memory of registering, MB"
+set border 3
+set tics nomirror
+set key top left Left reverse
+set pointsize 0.6
+set xrange [10:600]
+set title "seconds"
+set yrange [0.1:30000]
+plot "$table" every ::1 using 1:5 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "registering (where called for)", \
+  "" every ::1 using 1:4 with linespoints linewidth 2 pointtype 7 linecolor rgb "#2e7d32" title "asking for strangers (always)", \
+  "" every ::1 using 1:3 with linespoints linewidth 2 pointtype 7 linecolor rgb "#1565c0" title "measuring cameras (always)"
+set title "MB at most"
+set yrange [10:2000]
+plot "$table" every ::1 using 1:6 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "registering", \
+  "" every ::1 using 1:2 with linespoints linewidth 2 pointtype 7 linecolor rgb "#1565c0" title "preparing otherwise"
 PLOT

@@ -458,7 +458,7 @@ namespace {
 std::vector<Eigen::Vector2d> hull_of(std::vector<Eigen::Vector2d> p) {
     std::ranges::sort(
         p, [](const auto& a, const auto& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); });
-    p.erase(std::ranges::unique(p).begin(), p.end());
+    p.erase(std::unique(p.begin(), p.end()), p.end());
     if (p.size() < 3) return p;
     std::vector<Eigen::Vector2d> hull;
     for (int pass = 0; pass < 2; ++pass) {

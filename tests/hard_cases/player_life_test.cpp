@@ -261,6 +261,33 @@ TEST_F(PlayerLife, APackageThatIsDeletedWhileItIsShownGoesOn) {
     EXPECT_TRUE(fs::exists(dir / "pictures" / "0039.png"));
 }
 
+TEST_F(PlayerLife, APackageThatIsOverwrittenWhileItIsShownIsLeftOutUntilItIsRestored) {
+    const View view = own_view(2, 0.5);
+    const RenderSettings s = streamed();
+    ASSERT_TRUE(settle(*renderer, own_view(0, 0.1), s, 0));
+    const std::string sound = slurp(file);
+    const auto overwrite = [&](const std::string& bytes) {
+        std::fstream(file, std::ios::in | std::ios::out | std::ios::binary)
+            .write(bytes.data(), std::streamsize(bytes.size()));
+    };
+    std::mt19937 random(5);
+    for (int round = 0; round < 3; ++round) {
+        std::string noise(sound.size(), 0);
+        for (char& c : noise) c = char(random());
+        overwrite(round == 2 ? std::string(sound.size(), '\xff') : noise);
+        for (int i = 0; i < 30; ++i)
+            renderer->draw(own_view(std::uint32_t(i) % 5, 0.5), s, photos, {}, round + i / 30.0);
+    }
+    overwrite(sound);
+    ASSERT_TRUE(settle(*renderer, view, s, 20));
+    const auto report = settle(*renderer, view, s, 40);
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->tiles_damaged, 0u);
+    Renderer fresh(*package, MemoryBudget{});
+    ASSERT_TRUE(settle(fresh, view, s, 0));
+    EXPECT_EQ(shown(*renderer, view, s), shown(fresh, view, s));
+}
+
 TEST_F(PlayerLife, WithoutGraphicsItSaysSoInOneLine) {
     const std::string none =
         "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent/egl.json "

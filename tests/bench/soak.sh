@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# The player flies at random for MINUTES over a package larger than its memory while that is damaged in place, restored and
+# replaced. Writes frames.csv, soak.svg (memory and frame time over the flight) and soak.txt (what of it counts) into FOLDER;
+# fails where the player ended before its time or by an error.
+# usage: soak.sh PLAYER PACKAGE FOLDER [MINUTES [OPTIONS OF THE PLAYER...]]
+set -euo pipefail
+player=$1
+sound=$(realpath "$2")
+folder=$3
+minutes=${4:-30}
+shift $(($# < 4 ? $# : 4))
+mkdir -p "$folder"
+shown=$folder/shown.vantage opened=$folder/opened.vantage
+rm -f "$shown" "$opened"
+trap 'rm -f "$shown" "$opened"' EXIT
+cp "$sound" "$shown"
+ln "$shown" "$opened"  # the file that the player has, whatever replaces its name
+bytes=$(stat -c %s "$sound")
+
+"$player" bench "$shown" --paths flight --modes stream --repeats 1 --minutes "$minutes" --warm \
+  --graphics-memory 96 --memory 8 --size 640x360 -o "$folder" "$@" >"$folder/bench.txt" 2>&1 &
+flight=$!
+sleep 10  # until it shows something
+
+RANDOM=7
+place() { echo $(((RANDOM * 32768 * 32768 + RANDOM * 32768 + RANDOM) % (bytes / 4096))); }
+copy() { dd if="$1" of="$opened" bs=4096 seek="$2" count=1 ${3:+skip="$3"} conv=notrunc status=none; }
+column() { awk -F, -v c="$1" -v from="${2:-0}" -v to="${3:-1}" -v rows="$rows" \
+  'NR > 1 + from * rows && NR <= 1 + to * rows { print $c }' "$folder/frames.csv" | sort -g; }
+median() { awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
+megabytes() { awk '{ printf "%.1f MB", $1 / 1e6 }'; }
+figures() {
+  rows=$(($(wc -l <"$folder/frames.csv") - 1))
+  local middle
+  middle=$(column 5 | median)
+  echo "frames                      $rows, median $middle ms, slowest $(column 5 | tail -1) ms," \
+    "$(column 5 | awk -v m="$middle" '$1 > 3 * m' | wc -l) above three times the median"
+  echo "damaged tiles at once       $(column 9 | tail -1)"
+  echo "memory of the process       $(column 14 .1 .2 | median | megabytes) after a tenth," \
+    "$(column 14 .9 1 | median | megabytes) at the end"
+  echo "of it not of the package    $(column 15 .1 .2 | median | megabytes) after a tenth," \
+    "$(column 15 .9 1 | median | megabytes) at the end"
+  echo "OpenGL objects              $(column 13 .1 .2 | median | megabytes) after a tenth," \
+    "$(column 13 .9 1 | median | megabytes) at the end"
+}
+damages=0 replacements=0
+while kill -0 $flight 2>/dev/null; do
+  places=()
+  for _ in $(seq 200); do places+=("$(place)"); done
+  for p in "${places[@]}"; do copy /dev/urandom "$p"; done
+  damages=$((damages + ${#places[@]}))
+  sleep 8
+  for p in "${places[@]}"; do copy "$sound" "$p" "$p"; done
+  cp --reflink=auto "$sound" "$folder/next.vantage"
+  mv "$folder/next.vantage" "$shown"
+  replacements=$((replacements + 1))
+  sleep 8
+done
+code=0
+wait $flight || code=$?
+{
+  cat "$folder/bench.txt"
+  echo "pages damaged and restored  $damages"
+  echo "packages replaced           $replacements"
+  [ $code = 0 ] && figures
+} | tee "$folder/soak.txt"
+[ $code = 0 ] || exit $code
+gnuplot <<PLOT
+set datafile separator ","
+set terminal svg size 900,420 font "sans,14" background "white"
+set output "$folder/soak.svg"
+set xlabel "frame"
+set ylabel "ms"
+set y2label "MB"
+set y2tics
+set ytics nomirror
+set yrange [0:*]
+set y2range [0:*]
+set grid
+set key outside top
+plot "$folder/frames.csv" every ::1 using 4:5 with dots linecolor rgb "#9ab" title "frame time, ms", \
+  "" every ::1 using 4:5 smooth bezier linecolor rgb "#246" title "smoothed", \
+  "" every ::1 using 4:(\$15 / 1e6) axes x1y2 with lines linecolor rgb "#c62" title "memory of the process but for the package, MB", \
+  "" every ::1 using 4:(\$13 / 1e6) axes x1y2 with lines linecolor rgb "#6a3" title "OpenGL objects, MB"
+PLOT
