@@ -95,7 +95,7 @@ TEST_F(Prepare, VerticesKeepWhatIsTheirsInWhateverOrder) {
     SceneInput scene = read_scene(discover(dir / "scene"));
     subdivide_large_triangles(scene.mesh);  // so that preparing adds none
     const auto code = [](const Eigen::Vector3f& p) {
-        return std::uint8_t(std::abs(p.x() * 31 + p.y() * 17 + p.z() * 7));
+        return std::uint8_t(std::abs(int(p.x() * 31 + p.y() * 17 + p.z() * 7)) % 256);
     };
     ScalarLayer height{"height", {}};
     for (const Eigen::Vector3d& p : scene.mesh.positions) {

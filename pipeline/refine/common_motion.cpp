@@ -74,7 +74,7 @@ Similarity common_motion(std::span<const Intrinsics> intrinsics, std::span<const
     if (!d.allFinite() || std::abs(d(6)) > 1) return {};
     const Vector3d turn = d.head<3>();
     Similarity out;
-    if (turn.norm() > 0) out.R = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+    out.R = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
     out.scale = std::exp(d(6));
     out.t = middle + size * Vector3d(d.segment<3>(3)) - out.scale * (out.R * middle);
     return out;

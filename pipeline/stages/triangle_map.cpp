@@ -64,7 +64,9 @@ VANTAGE_INLINE Size set_up(const Corner (&p)[3], const float (&values)[3], int w
     std::tie(s.y0, s.y1) = centres(top, bottom, height);
     const int area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
     const int sign = area > 0 ? 1 : -1;
-    const int cx = s.x0 * subpixels + subpixels / 2, cy = s.y0 * subpixels + subpixels / 2;
+    // Within the triangle's box where it has pixels; else anywhere that does not overflow.
+    const int cx = std::clamp(s.x0 * subpixels + subpixels / 2, left, right),
+              cy = std::clamp(s.y0 * subpixels + subpixels / 2, top, bottom);
     const double share = 1 / double(std::max(std::abs(area), 1));
     s.inverse = s.inverse_x = s.inverse_y = 0;
     s.value = s.value_x = s.value_y = 0;

@@ -165,8 +165,7 @@ std::size_t Residency::upload(TileStream& stream, std::size_t budget) {
             damaged_[fetched->request.identity()] = now_;
         } else {
             if (damaged_.erase(fetched->request.identity()) > 0) doubt(fetched->request);
-            if (store(fetched->request, reinterpret_cast<const std::byte*>(fetched->piece.offset),
-                      stream.buffer()))
+            if (store(fetched->request, fetched->piece.offset, stream.buffer()))
                 uploaded += fetched->piece.bytes;
         }
         stream.release(*fetched);
@@ -193,12 +192,12 @@ std::size_t Residency::upload_whole(std::uint32_t photo, std::uint32_t levels) {
         const auto block = package_->block(*r.chunk, r.block);
         std::copy(block.begin(), block.end(), both.begin());
         if (r.second) std::ranges::copy(package_->block(*r.second, r.block), both.begin() + tile_bytes);
-        if (store(r, both.data(), 0)) uploaded += std::size_t(r.size());
+        if (store(r, reinterpret_cast<std::uintptr_t>(both.data()), 0)) uploaded += std::size_t(r.size());
     }
     return uploaded;
 }
 
-bool Residency::store(const StreamRequest& r, const std::byte* source, GLuint unpack_buffer) {
+bool Residency::store(const StreamRequest& r, std::uintptr_t source, GLuint unpack_buffer) {
     if (r.resource == Resource::coordinates) {
         const std::uint32_t pieces = pieces_of(layout_.vertices), photo = r.key / pieces;
         const auto index = slot_pool_.place(photo, frame_);
@@ -206,23 +205,24 @@ bool Residency::store(const StreamRequest& r, const std::byte* source, GLuint un
         Slot& slot = slots_[*index];
         if (slot.photo != photo) slot = {photo, std::vector<bool>(pieces, false), pieces};
         const auto to = GLintptr(std::uint64_t(*index) * layout_.vertices * 8 + r.first);
-        glCopyNamedBufferSubData(unpack_buffer, coordinates_.id(), reinterpret_cast<GLintptr>(source), to,
-                                 GLsizeiptr(r.bytes));
+        glCopyNamedBufferSubData(unpack_buffer, coordinates_.id(), GLintptr(source), to, GLsizeiptr(r.bytes));
         slot.missing -= !slot.arrived[r.key % pieces];
         slot.arrived[r.key % pieces] = true;
         return true;
     }
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, unpack_buffer);
     const auto tile = [&](const gl::Texture& to, std::uint32_t layer, GLenum layout, GLenum type,
-                          const std::byte* from) {
-        glTextureSubImage3D(to.id(), 0, 0, 0, GLint(layer), tile_size, tile_size, 1, layout, type, from);
+                          std::uintptr_t from) {
+        glTextureSubImage3D(to.id(), 0, 0, 0, GLint(layer), tile_size, tile_size, 1, layout, type,
+                            reinterpret_cast<const void*>(from));
     };
     if (r.resource == Resource::thumbnail) {
         const auto layer = thumbnail_pool_.place(r.key, frame_);
         const package::PhotoRecord& p = package_->photos()[r.key];
         if (!layer) return false;
         glTextureSubImage3D(thumbnails_.id(), 0, 0, 0, GLint(*layer), GLsizei(p.thumbnail_width),
-                            GLsizei(p.thumbnail_height), 1, GL_RGBA, GL_UNSIGNED_BYTE, source);
+                            GLsizei(p.thumbnail_height), 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                            reinterpret_cast<const void*>(source));
         return true;
     }
     const bool is_color = r.resource == Resource::color;

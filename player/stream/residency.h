@@ -77,9 +77,9 @@ class Residency {
     /// A restored piece of texture coordinates answers for its chunk: its others came while that was damaged.
     void doubt(const StreamRequest& restored);
     std::uint32_t entry(const LayerPool& pool, const std::vector<double>& births, std::uint32_t page) const;
-    /// Copies from the bound unpack buffer at `source`, or from memory where none is bound. False where
+    /// Copies from the unpack buffer at `source`, or from memory there where there is none. False where
     /// nothing can give way.
-    bool store(const StreamRequest& request, const std::byte* source, GLuint unpack_buffer);
+    bool store(const StreamRequest& request, std::uintptr_t source, GLuint unpack_buffer);
 
     const PackageReader* package_;
     ResidencyLayout layout_;

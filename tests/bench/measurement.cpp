@@ -28,6 +28,7 @@ constexpr Metric table[] = {
     {"photo_ms", "preparing, a photo", "ms", Kind::time, true, timed},
     {"prepare_s", "preparing", "s", Kind::time, true, timed},
     {"frame_ms", "a frame", "ms", Kind::time, true, timed},
+    {"open_ms", "opening", "ms", Kind::time, true, timed},
     {"first_ms", "first picture", "ms", Kind::time, true, timed},
     {"plan_ms", "planning a frame", "ms", Kind::time, true, timed},
     {"tile_ms", "a tile, from file to texture", "ms", Kind::time, true, timed},

@@ -89,6 +89,17 @@ PoseFit solve(Rig& r, double anchor = 5, double sigma = 3) {
     return fit;
 }
 
+/// Seen by the cameras at -1 and 0.
+Star seen_twice(const Eigen::Vector3d& x) {
+    Star s;
+    s.photo = 0;
+    s.point = x;
+    s.normal = -Eigen::Vector3d::UnitZ();
+    s.pixel = project(k, at(-1), x)->pixel;
+    s.matches.push_back({1, project(k, at(0), x)->pixel, Eigen::Vector2d::Zero()});
+    return s;
+}
+
 }  // namespace
 
 TEST(PoseSolver, NothingToSolveChangesNothing) {
@@ -176,26 +187,34 @@ TEST(CommonMotion, OfNothingAPointOrALineIsFinite) {
     const std::vector<Pose> given{at(-1), at(0), at(1)};
     std::vector<Pose> now = given;
     for (Pose& p : now) p.t += Eigen::Vector3d(0.01, 0, 0);
-    const auto star = [](const Eigen::Vector3d& x) {
-        Star s;
-        s.photo = 0;
-        s.point = x;
-        s.normal = -Eigen::Vector3d::UnitZ();
-        const auto seen = project(k, at(-1), x);
-        s.pixel = seen->pixel;
-        s.matches.push_back({1, project(k, at(0), x)->pixel, Eigen::Vector2d::Zero()});
-        return s;
-    };
     std::vector<Star> none, point, line;
     for (int i = 0; i < 20; ++i) {
-        point.push_back(star({1, 1, 0}));
-        line.push_back(star({0.1 * i, 0, 0}));
+        point.push_back(seen_twice({1 + 1e-13 * i, 1, 0}));
+        line.push_back(seen_twice(Eigen::Vector3d(0.07, 0.03, 0.013) * i));
     }
     for (const auto* stars : {&none, &point, &line}) {
         const Similarity s = common_motion(ks, given, now, *stars);
         const Pose moved = moved_with(now[0], inverse(s));
         EXPECT_TRUE(moved.R.allFinite() && moved.t.allFinite()) << stars->size();
         EXPECT_NEAR(moved.R.determinant(), 1, 1e-6);
+        EXPECT_LT(Eigen::AngleAxisd(s.R).angle(), 0.1) << stars->size();
+        EXPECT_NEAR(s.scale, 1, 0.1) << stars->size();
+    }
+}
+
+TEST(CommonMotion, OfALineIsNoTurnAboutIt) {
+    const std::vector<Intrinsics> ks(3, k);
+    const std::vector<Pose> given{at(-1), at(0), at(1)};
+    std::srand(3);
+    for (int n = 0; n < 300; ++n) {
+        const Eigen::Vector3d along = Eigen::Vector3d::Random() * 0.05, first = Eigen::Vector3d::Random();
+        std::vector<Star> line;
+        for (int i = 0; i < 20; ++i) line.push_back(seen_twice(first + along * i));
+        std::vector<Pose> now = given;
+        for (Pose& p : now) p.t += Eigen::Vector3d::Random() * 0.01;
+        const Similarity s = common_motion(ks, given, now, line);
+        EXPECT_LT(Eigen::AngleAxisd(s.R).angle(), 0.1) << n;
+        EXPECT_NEAR(s.scale, 1, 0.1) << n;
     }
 }
 
