@@ -156,8 +156,8 @@ class Geometry : public TemporaryFolder {
         mesh.normals.emplace_back(0, 0, 1);
         return std::uint32_t(mesh.positions.size() - 1);
     }
-    static void add(Mesh& mesh, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                    const Eigen::Vector3d& c) {
+    /// By value: they may be the mesh's own.
+    static void add(Mesh& mesh, Eigen::Vector3d a, Eigen::Vector3d b, Eigen::Vector3d c) {
         const std::uint32_t i = add(mesh, a), j = add(mesh, b), k = add(mesh, c);
         mesh.triangles.push_back({i, j, k});
     }
