@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The player flies at random for MINUTES over a package larger than its memory while that is damaged in place, restored and
-# replaced. Writes frames.csv, soak.svg (memory and frame time over the flight) and soak.txt (what of it counts) into FOLDER;
+# replaced. Writes frames.csv, soak.svg (frame time and memory over the flight) and soak.txt (what of it counts) into FOLDER;
 # fails where the player ended before its time or by an error.
 # usage: soak.sh PLAYER PACKAGE FOLDER [MINUTES [OPTIONS OF THE PLAYER...]]
 set -euo pipefail
@@ -65,21 +65,32 @@ wait $flight || code=$?
   [ $code = 0 ] && figures
 } | tee "$folder/soak.txt"
 [ $code = 0 ] || exit $code
+# Every five seconds: minutes, slowest and mean frame, memory.
+awk -F, 'NR > 1 {
+    at += $5; sum += $5; ++n; slowest = $5 > slowest ? $5 : slowest
+    if (at >= next_at) {
+      print at / 60000, slowest, sum / n, $15 / 1e6, $13 / 1e6
+      next_at = at + 5000; sum = n = slowest = 0
+    }
+  }' "$folder/frames.csv" >"$folder/soak.tsv"
 gnuplot <<PLOT
-set datafile separator ","
-set terminal svg size 900,420 font "sans,14" background "white"
+set terminal svg size 900,520 font "sans,13" background "white"
 set output "$folder/soak.svg"
-set xlabel "frame"
-set ylabel "ms"
-set y2label "MB"
-set y2tics
-set ytics nomirror
-set yrange [0:*]
-set y2range [0:*]
+set multiplot layout 2,1
+set border 3
+set tics nomirror
 set grid
-set key outside top
-plot "$folder/frames.csv" every ::1 using 4:5 with dots linecolor rgb "#9ab" title "frame time, ms", \
-  "" every ::1 using 4:5 smooth bezier linecolor rgb "#246" title "smoothed", \
-  "" every ::1 using 4:(\$15 / 1e6) axes x1y2 with lines linecolor rgb "#c62" title "memory of the process but for the package, MB", \
-  "" every ::1 using 4:(\$13 / 1e6) axes x1y2 with lines linecolor rgb "#6a3" title "OpenGL objects, MB"
+set key top right
+set yrange [0:*]
+set offsets 0, 0, graph 0.45, 0
+set lmargin 9
+middle = $(column 5 | median)
+set ylabel "ms"
+plot 3 * middle with lines dashtype 2 linecolor rgb "#888888" title "three times the median frame", \
+  "$folder/soak.tsv" using 1:2 with lines linecolor rgb "#c62828" title "slowest of five seconds", \
+  "" using 1:3 with lines linewidth 2 linecolor rgb "#1565c0" title "their mean"
+set ylabel "MB"
+set xlabel "minutes"
+plot "$folder/soak.tsv" using 1:4 with lines linewidth 2 linecolor rgb "#c62828" title "memory of the process but for the package", \
+  "" using 1:5 with lines linewidth 2 linecolor rgb "#1565c0" title "OpenGL objects"
 PLOT
