@@ -38,7 +38,7 @@ std::string text(const fs::path& file, std::string_view key, const toml::node& v
 }
 
 void apply(CLI::Option& option, const fs::path& file, std::string_view key, const toml::node& value) {
-    if (const auto* list = value.as_array())
+    if (const auto* list = value.as_array(); list && !list->empty())  // CLI11 flags read beyond none
         for (const toml::node& item : *list) option.add_result(text(file, key, item));
     else
         option.add_result(text(file, key, value));

@@ -205,7 +205,7 @@ class Scene {
 
   private:
     static constexpr int rest_side = 2;
-    static constexpr double look_again_seconds = 6;  ///< for damage, when Residency does
+    static constexpr double look_again_seconds = Residency::retry_seconds + 1;
 
     void interface(const View& view, double now) {
         Session& s = session_;

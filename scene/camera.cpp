@@ -41,6 +41,11 @@ Eigen::Matrix4d clip_from_cam(const Intrinsics& k, double near, double far) {
     return m;
 }
 
+Eigen::Vector2d clip_range(double nearest, double farthest) {
+    if (!(farthest > 0)) return {0, 0};
+    return {std::max(nearest * 0.999, farthest * 1e-7), farthest * 1.001};
+}
+
 void validate(Camera& camera, const std::string& who) {
     const auto fail = [&](const std::string& what) { throw Error(Exit::input, who + ": " + what); };
     const Intrinsics& k = camera.intrinsics;

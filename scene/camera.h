@@ -55,6 +55,10 @@ inline bool in_frame(const Intrinsics& k, const Eigen::Vector2d& pixel) {
 /// > 0, for a clip range from 0 to 1: so floats tell all depths apart to their last digits.
 Eigen::Matrix4d clip_from_cam(const Intrinsics& intrinsics, double near, double far);
 
+/// Near and far plane for depths from `nearest` to `farthest`, widened; what reaches to the camera's plane is
+/// cut as near as positions in single precision tell. {0, 0} where nothing lies in front.
+Eigen::Vector2d clip_range(double nearest, double farthest);
+
 /// Throws Error(input) naming `who` unless sizes are positive, focal lengths positive, all (the lens, too)
 /// finite and R orthonormal with determinant +1 (to 1e-3; smaller errors are removed).
 void validate(Camera& camera, const std::string& who);

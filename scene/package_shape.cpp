@@ -1,6 +1,7 @@
 #include "scene/package_shape.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/error.h"
 #include "scene/tiling.h"
@@ -19,11 +20,16 @@ void model_shape(const PackageReader& reader, const package::SceneRecord& scene,
     if (beyond != indices.end())
         out.push_back("INDX: index " + std::to_string(*beyond) + " with " + std::to_string(scene.vertices) +
                       " vertices");
+    const auto clusters = reader.records<package::ClusterRecord>(Type::clusters);
     std::uint64_t next = 0;
     bool covered = true;
-    for (const auto& c : reader.records<package::ClusterRecord>(Type::clusters)) {
+    for (const package::ClusterRecord& c : clusters) {
         covered &= c.first_triangle == next;
         next = std::uint64_t(c.first_triangle) + c.triangles;
+        if (!std::isfinite(c.center[0] + c.center[1] + c.center[2]) || !(c.radius >= 0) ||
+            std::isinf(c.radius))
+            out.push_back("CLUS: the sphere of cluster " + std::to_string(&c - clusters.data()) +
+                          " is out of range");
     }
     if (!covered || next != scene.triangles) out.emplace_back("CLUS: clusters do not cover the triangles");
 }

@@ -113,6 +113,29 @@ TEST(ColorFit, EachLensHasItsOwnFalloff) {
     EXPECT_EQ(log_falloff(fit.falloff[1], 1), 0);
 }
 
+TEST(ColorFit, TwoPhotosOfALensDoNotTellItsFalloff) {
+    // What shines in the middle of two photos may be the object: of three it is believed to be the lens.
+    Made made = make({.photos = 6, .stops = 0});
+    const Made shining = make({.photos = 3, .stops = 0, .falloff = 0.4});
+    std::vector<std::uint32_t> lens(6, 0);
+    for (const std::size_t photos : {1u, 2u, 3u}) {
+        made.photos.push_back(shining.photos[photos - 1]);
+        lens.push_back(1);
+        const ColorFit fit = fit_colors(made.spans(), lens, true);
+        EXPECT_EQ(log_falloff(fit.falloff[0], 1), 0) << photos;
+        EXPECT_EQ(log_falloff(fit.falloff[1], 1) > 0, photos == 3) << photos;
+    }
+}
+
+TEST(ColorFit, AFalloffThatExplainsNextToNothingIsDropped) {
+    // A corner that loses a tenth, among photos that agree and among photos that do not.
+    for (const double noise : {0.02, 1.0}) {
+        const Made made = make({.share = 0.8, .stops = 0, .falloff = 0.1, .noise = noise});
+        const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
+        EXPECT_EQ(log_falloff(fit.falloff[0], 1) > 0, noise < 0.1) << noise;
+    }
+}
+
 TEST(ColorFit, WhatSharesNoSurfaceIsKeptApart) {
     Made made = make({.photos = 5, .discs = 1000});
     const Made others = make({.photos = 4, .discs = 1000}, 2);

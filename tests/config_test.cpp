@@ -21,9 +21,11 @@ namespace {
 struct Command {
     CLI::App app;
     int size = 1;
+    bool trim = false;
     std::vector<std::string> names;
     Command() {
         app.add_option("--size", size)->check(CLI::Range(1, 10));
+        app.add_flag("--trim", trim);
         app.add_option("--names", names);
     }
 };
@@ -51,7 +53,8 @@ TEST_F(Config, GivesSettingsThatTheCommandLineOverrules) {
 }
 
 TEST_F(Config, RefusesWhatIsNoSettingOrOutOfRange) {
-    for (const char* text : {"colour = 3\n", "size = 99\n", "size = {}\n", "size = \n"}) {
+    for (const char* text : {"colour = 3\n", "size = 99\n", "size = {}\n", "size = \n", "size = [3, 4]\n",
+                             "size = []\n", "trim = []\n"}) {
         Command c;
         EXPECT_THROW(apply_config(c.app, holding(text)), Error) << text;
     }

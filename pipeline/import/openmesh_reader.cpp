@@ -140,7 +140,7 @@ Mesh mesh_of(std::span<const std::byte> bytes) {
 
 Mesh read_by_openmesh(const std::filesystem::path& file) {
     const std::uint64_t size = std::filesystem::file_size(file);
-    const ChildLimits limits{.bytes = (std::uint64_t(32) << 20) + 64 * size,
+    const ChildLimits limits{.bytes = (std::uint64_t(4) << 20) + 64 * size,
                              .seconds = 60 + unsigned(size / 100'000)};
     const auto bytes = in_child(limits, [&] {
         Collector in(size);

@@ -3,7 +3,6 @@
 #include <ceres/ceres.h>
 #include <ceres/rotation.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace vantage {
@@ -55,16 +54,13 @@ void add_star(ceres::Problem& problem, std::span<const FittedCamera> cameras, co
     for (const Match& m : star.matches) add(m.photo, m.pixel);
 }
 
-bool in_front(const FittedCamera& camera, const PoseChange& change, const Eigen::Vector3d& point,
-              const Eigen::Vector2d& pixel) {
-    return pixel.allFinite() && project(camera.k, changed(camera, change), point);
-}
-
-/// Without the matches that can be no residual, or empty where the star's own photo has none.
-Star usable(const Star& star, std::span<const FittedCamera> cameras, std::span<const PoseChange> change) {
+/// Without the matches that can be no residual, or empty where the star's own photo has none. `poses` are the
+/// cameras' as changed so far.
+Star usable(const Star& star, std::span<const FittedCamera> cameras, std::span<const Pose> poses) {
     Star out = star;
     const auto shows = [&](std::uint32_t photo, const Eigen::Vector2d& pixel) {
-        return in_front(cameras[photo], change[photo], star.point, pixel);
+        const auto seen = project(cameras[photo].k, poses[photo], star.point);
+        return seen && std::isfinite((seen->pixel - pixel).squaredNorm());
     };
     std::erase_if(out.matches, [&](const Match& m) { return !shows(m.photo, m.pixel); });
     if (!shows(star.photo, star.pixel) || !star.normal.allFinite()) out.matches.clear();
@@ -91,8 +87,10 @@ PoseFit fit_poses(std::span<const FittedCamera> cameras, std::span<const Star> s
     std::vector<std::array<double, 2>> slides(stars.size(), {0, 0});
     std::vector<PoseChange> found = change;
     auto order = std::make_shared<ceres::ParameterBlockOrdering>();
+    std::vector<Pose> poses;
+    for (std::size_t i = 0; i < cameras.size(); ++i) poses.push_back(changed(cameras[i], change[i]));
     for (std::size_t s = 0; s < stars.size(); ++s) {
-        const Star star = usable(stars[s], cameras, change);
+        const Star star = usable(stars[s], cameras, poses);
         if (star.matches.empty()) continue;
         add_star(problem, cameras, star, slides[s].data(), &loss, found);
         order->AddElementToGroup(slides[s].data(), 0);
@@ -114,12 +112,9 @@ PoseFit fit_poses(std::span<const FittedCamera> cameras, std::span<const Star> s
     options.num_threads = 1;  // sums in one order, so that the same input gives the same bytes
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
-    const bool better = summary.IsSolutionUsable() && summary.final_cost <= summary.initial_cost &&
-                        std::ranges::all_of(found, [](const PoseChange& c) {
-                            return std::ranges::all_of(c, [](double v) { return std::isfinite(v); });
-                        });
-    if (better) change = std::move(found);
-    return {summary.initial_cost, summary.final_cost, better};
+    if (!summary.IsSolutionUsable()) return {};
+    change = std::move(found);  // Ceres takes no step that raises the cost
+    return {summary.initial_cost, summary.final_cost, true};
 }
 
 }  // namespace vantage

@@ -100,8 +100,7 @@ Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Po
                            std::max(z, 0.0));  // a triangle may reach past its corners to the camera's plane
         farthest = std::max(farthest, z);
     }
-    if (!(farthest > 0)) return {0, 0};
-    return {std::max(nearest * 0.999, farthest * 1e-7), farthest * 1.001};
+    return clip_range(nearest, farthest);
 }
 
 Intrinsics map_intrinsics(const Intrinsics& k) { return k.at_level(mask_level); }

@@ -30,8 +30,7 @@ struct PhotoGeometry {
 /// The intrinsics of a photo's maps.
 Intrinsics map_intrinsics(const Intrinsics& photo);
 
-/// Near and far plane that hold the model: the range of vertex depths, widened; where the model reaches
-/// behind the camera, as near as positions in single precision tell. {0, 0} when all of it is behind.
+/// Near and far plane that hold the model, by its vertices' depths, see clip_range.
 Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& cam_from_origin);
 
 /// Renders depth, angle and triangles. On the OpenGL thread. `indices` are the triangles that may reach into

@@ -119,8 +119,7 @@ Eigen::Vector2d depth_range(std::span<const package::ClusterRecord> clusters,
         nearest = std::min(nearest, z - c.radius);
         farthest = std::max(farthest, z + c.radius);
     }
-    if (!(farthest > 0)) return {0, 0};
-    return {std::max(nearest * 0.999, farthest * 1e-7), farthest * 1.001};
+    return clip_range(nearest, farthest);
 }
 
 }  // namespace vantage

@@ -28,8 +28,7 @@ std::vector<std::uint32_t> clusters_in_view(const ClusterTree& tree,
 /// All triangles of the cluster look away from `eye`, by its normal cone.
 bool looks_away(const package::ClusterRecord& cluster, const Eigen::Vector3d& eye);
 
-/// Nearest and farthest linear depth of the clusters' spheres; among them, as near as positions in single
-/// precision tell. {0, 0} when all are behind the viewer.
+/// Near and far plane that hold the clusters' spheres, see clip_range.
 Eigen::Vector2d depth_range(std::span<const package::ClusterRecord> clusters,
                             std::span<const std::uint32_t> in_view, const View& view);
 

@@ -47,9 +47,9 @@ bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d
     return !away || looks_away(c, photo);
 }
 
-/// Which of the chosen photos draw which clusters: all that see them. Where not all that may be shown is
-/// fetched either, without those whose weight next to a photo that sees the whole cluster could not change a
-/// colour code, but where that one's masks fall to nothing.
+/// Which of the chosen photos draw which clusters: all that see them. While tiles are left out that hardly
+/// show (`worth`), photos are, too, whose weight beside one that sees the whole cluster is below a colour
+/// code's: it would show only where that one's masks fall to nothing.
 void assign_clusters(const Sight& s, const PlanSettings& settings, std::vector<PlannedPhoto>& photos) {
     const double least = settings.worth > 0 ? 1.0 / 1024 : 0;
     const std::size_t words = package::visible_words(s.scene.triangles);

@@ -1,10 +1,7 @@
 #include "player/plan/plan_scene.h"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
-#include "scene/error.h"
 #include "scene/package_shape.h"
 
 namespace vantage {
@@ -17,12 +14,6 @@ PlanScene make_plan_scene(const PackageReader& package) {
     s.photos = package.photos();
     const auto clusters = package.records<package::ClusterRecord>(Type::clusters);
     s.clusters.assign(clusters.begin(), clusters.end());
-    for (const package::ClusterRecord& c : s.clusters)
-        if (!std::isfinite(c.center[0] + c.center[1] + c.center[2]) || !(c.radius >= 0) ||
-            std::isinf(c.radius))
-            throw Error(Exit::damaged, package.path().string() + ": CLUS " +
-                                           std::to_string(&c - s.clusters.data()) +
-                                           ": its sphere is out of range");
     s.tree = make_cluster_tree(s.clusters);
     s.triangles = record.triangles;
     s.positions = package.records<Eigen::Vector3f>(Type::positions);

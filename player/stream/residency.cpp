@@ -152,9 +152,8 @@ bool Residency::need_coordinates(std::uint32_t photo, std::vector<StreamRequest>
 
 void Residency::doubt(const StreamRequest& r) {
     if (r.resource != Resource::coordinates) return;
-    const std::uint32_t pieces = pieces_of(layout_.vertices), photo = r.key / pieces;
-    if (const auto index = slot_pool_.layer_of(photo))
-        slots_[*index] = {photo, std::vector<bool>(pieces, false), pieces};
+    if (const auto index = slot_pool_.layer_of(r.key / pieces_of(layout_.vertices)))
+        slots_[*index].photo = Slot{}.photo;  // store() begins it anew
 }
 
 std::size_t Residency::upload(TileStream& stream, std::size_t budget) {

@@ -30,6 +30,9 @@ ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& 
 /// the current frame uses never does. Belongs to the OpenGL thread.
 class Residency {
   public:
+    /// What was damaged is not looked at again for so long.
+    static constexpr double retry_seconds = 5;
+
     Residency(const PackageReader& package, const PackagePages& pages, const ResidencyLayout& layout);
 
     /// Begins a frame at `now` seconds; without `fade`, what arrives is there at once.
@@ -70,7 +73,7 @@ class Residency {
     GLuint coordinates() const { return coordinates_.id(); }
 
   private:
-    static constexpr double fade_seconds = 0.25, retry_seconds = 5;
+    static constexpr double fade_seconds = 0.25;
     const LayerPool& pool_of(Resource resource) const;
     /// Damaged, and too lately to look again: a package may be restored while it is shown.
     bool given_up(const StreamRequest& request) const;

@@ -31,6 +31,7 @@ constexpr Metric table[] = {
     {"open_ms", "opening", "ms", Kind::time, true, timed},
     {"first_ms", "first picture", "ms", Kind::time, true, timed},
     {"plan_ms", "planning a frame", "ms", Kind::time, true, timed},
+    {"fetch_ms", "a tile, from file to memory", "ms", Kind::time, true, timed},
     {"tile_ms", "a tile, from file to texture", "ms", Kind::time, true, timed},
     {"point_ns", "a point", "ns", Kind::time, true, timed},
     {"photo_bytes", "a photo's bytes", "B", Kind::bytes, true, same},

@@ -20,6 +20,7 @@ bytes=$(stat -c %s "$sound")
 "$player" bench "$shown" --paths flight --modes stream --repeats 1 --minutes "$minutes" --warm \
   --graphics-memory 96 --memory 8 --size 640x360 -o "$folder" "$@" >"$folder/bench.txt" 2>&1 &
 flight=$!
+trap 'kill $flight 2>/dev/null || true; rm -f "$shown" "$opened" "$folder/next.vantage"' EXIT
 sleep 10  # until it shows something
 
 RANDOM=7
@@ -30,9 +31,6 @@ column() { awk -F, -v c="$1" -v from="${2:-0}" -v to="${3:-1}" -v rows="$rows" \
 median() { awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
 megabytes() { awk '{ printf "%.1f MB", $1 / 1e6 }'; }
 figures() {
-  rows=$(($(wc -l <"$folder/frames.csv") - 1))
-  local middle
-  middle=$(column 5 | median)
   echo "frames                      $rows, median $middle ms, slowest $(column 5 | tail -1) ms," \
     "$(column 5 | awk -v m="$middle" '$1 > 3 * m' | wc -l) above three times the median"
   echo "damaged tiles at once       $(column 9 | tail -1)"
@@ -58,6 +56,10 @@ while kill -0 $flight 2>/dev/null; do
 done
 code=0
 wait $flight || code=$?
+if [ $code = 0 ]; then
+  rows=$(($(wc -l <"$folder/frames.csv") - 1))
+  middle=$(column 5 | median)
+fi
 {
   cat "$folder/bench.txt"
   echo "pages damaged and restored  $damages"
@@ -84,9 +86,8 @@ set key top right
 set yrange [0:*]
 set offsets 0, 0, graph 0.45, 0
 set lmargin 9
-middle = $(column 5 | median)
 set ylabel "ms"
-plot 3 * middle with lines dashtype 2 linecolor rgb "#888888" title "three times the median frame", \
+plot 3 * $middle with lines dashtype 2 linecolor rgb "#888888" title "three times the median frame", \
   "$folder/soak.tsv" using 1:2 with lines linecolor rgb "#c62828" title "slowest of five seconds", \
   "" using 1:3 with lines linewidth 2 linecolor rgb "#1565c0" title "their mean"
 set ylabel "MB"

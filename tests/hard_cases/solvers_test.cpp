@@ -162,6 +162,7 @@ TEST(PoseSolver, WhatIsNoNumberOrBehindACameraIsLeftOut) {
     with.stars[9].point = {0, 0, -3 * distance};
     with.stars[10].point.x() = std::nan("");
     with.stars[11].normal.setConstant(std::nan(""));
+    with.stars[12].matches[0].pixel = {1e200, 0};  // its square is no number
     EXPECT_TRUE(solve(clean).usable);
     EXPECT_TRUE(solve(with).usable);
     for (std::size_t i = 0; i < clean.change.size(); ++i)
@@ -170,6 +171,15 @@ TEST(PoseSolver, WhatIsNoNumberOrBehindACameraIsLeftOut) {
     for (Star& s : nothing.stars) s.pixel.setConstant(infinite);
     EXPECT_FALSE(solve(nothing).usable);
     EXPECT_EQ(largest(nothing), 0);
+}
+
+TEST(PoseSolver, ACostThatIsNoNumberChangesNothing) {
+    Rig r = rig(4, 200);
+    disturb(r, 2);
+    const PoseFit fit = solve(r, 0.05, 0);  // known without any error: zero divided by zero
+    EXPECT_FALSE(fit.usable);
+    EXPECT_TRUE(std::isfinite(fit.before) && std::isfinite(fit.after));
+    EXPECT_EQ(largest(r), 0);
 }
 
 TEST(PoseSolver, OnlyOutliersStayWithinTheAnchorsReach) {
