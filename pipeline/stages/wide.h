@@ -3,8 +3,7 @@
 
 /// On a function that loops over pixels: wider vectors where the processor has them. Results are the same
 /// bit for bit: no multiplication is fused with an addition.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_THREAD__) && \
-    !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(VANTAGE_SANITIZED)  // whose start comes too late
 #define VANTAGE_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define VANTAGE_WIDE

@@ -1,5 +1,6 @@
 // Normals, covers and frusta where there is nothing to choose from, or where a plane just touches.
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -118,6 +119,26 @@ TEST(NormalClusterHardCases, SmallSetsComeCloseToTheBestOfAllPartitions) {
         EXPECT_LE(reached, best + 1e-9);
         EXPECT_GE(reached, 0.7 * best) << "trial " << trial;
     }
+}
+
+RC_GTEST_PROP(NormalClusterHardCases, AnyDirectionsAreAllInClustersOfUnitLength, ()) {
+    // Few different ones, so that many are equal, opposite or orthogonal.
+    const auto corners = *rc::gen::container<std::vector<std::array<int, 3>>>(
+        rc::gen::container<std::array<int, 3>>(rc::gen::inRange(-2, 3)));
+    std::vector<Eigen::Vector3d> normals;
+    for (const auto& [x, y, z] : corners)
+        if (x || y || z) normals.push_back(Eigen::Vector3d(x, y, z).normalized());
+    const auto clusters = *rc::gen::inRange<std::size_t>(1, 9);
+    const auto found = cluster_normals(normals, clusters, 5);
+    std::size_t members = 0;
+    for (const NormalCluster& c : found) {
+        members += c.members;
+        RC_ASSERT(c.members > 0u);
+        RC_ASSERT(c.members <= found.front().members);
+        RC_ASSERT(std::abs(c.direction.norm() - 1) < 1e-12);
+    }
+    RC_ASSERT(found.size() <= clusters);
+    RC_ASSERT(members == normals.size());
 }
 
 TEST(NormalClusterHardCases, WhatIsNoDirectionIsLeftOutOrDefined) {

@@ -238,20 +238,25 @@ TEST_F(Depth, AFloorThatReachesFarAsideAndBehindIsWhereItIs) {
 
 TEST_F(Depth, NoTriangleHidesItsOwnCorners) {
     Random random(8);
+    Intrinsics tele = camera;  // through which a pixel's footprint is beyond a float's last digit
+    tele.fx = tele.fy = 1e8;
     for (int trial = 0; trial < 20000; ++trial) {
+        const Intrinsics& k = trial % 2 ? tele : camera;
         // Slivers of the smallest areas that count, whose corners lie at depths of their own.
-        const Eigen::Vector2d a(random(5, 145), random(5, 105)), b(random(5, 145), random(5, 105));
+        const double reach = trial % 4 < 2 ? 100 : 3;
+        const Eigen::Vector2d a(random(5, 145), random(5, 105)),
+            b = a + reach * Eigen::Vector2d(random(-1, 1), random(-1, 1));
         const Eigen::Vector2d across = Eigen::Vector2d(a.y() - b.y(), b.x() - a.x()).normalized();
         const Eigen::Vector2d c = a + random(0, 1) * (b - a) + std::pow(10, random(-4.5, -1)) * across;
         const auto at_depth = [&](const Eigen::Vector2d& p) -> Eigen::Vector3d {
-            return std::pow(10, random(0, 2)) * ray_of(camera, Pose{}, p.x(), p.y());
+            return std::pow(10, random(0, 2)) * ray_of(k, Pose{}, p.x(), p.y());
         };
         Soup soup;
         soup.add(at_depth(a), at_depth(b), at_depth(c));
-        const auto found = coordinates(soup, camera, Pose{});
+        const auto found = coordinates(soup, k, Pose{});
         for (std::size_t v = 0; v < 3; ++v) {
-            const auto at = project(camera, Pose{}, soup.positions[v].cast<double>());
-            ASSERT_EQ(found[v].x() >= 0, at && in_frame(camera, at->pixel)) << "trial " << trial;
+            const auto at = project(k, Pose{}, soup.positions[v].cast<double>());
+            ASSERT_EQ(found[v].x() >= 0, at && in_frame(k, at->pixel)) << "trial " << trial;
         }
     }
 }
@@ -259,8 +264,9 @@ TEST_F(Depth, NoTriangleHidesItsOwnCorners) {
 TEST_F(Depth, NothingIsSeenOfWhatIsBehind) {
     Soup soup;
     soup.add_square({-2, -2, -3}, {4, 0, 0}, {0, 4, 0});
-    soup.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});    // in the camera's plane
-    soup.add({0, 0, 0}, {1, 0, -1}, {0, 1, -1});  // and from its centre backwards
+    soup.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});     // in the camera's plane
+    soup.add({-1, -1, 0}, {1, -1, 0}, {0, 1, 0});  // there, and about it
+    soup.add({0, 0, 0}, {1, 0, -1}, {0, 1, -1});   // and from its centre backwards
     EXPECT_EQ(depth_range(soup.positions, Pose{}), Eigen::Vector2d(0, 0));
     for (const Seen& s : seen(soup, camera, Pose{}))
         for (const float z : s.geometry.z) ASSERT_TRUE(std::isinf(z) && z > 0) << s.by;

@@ -1,6 +1,7 @@
 // Meshes as they come: degenerate, duplicate, broken, turned inside out, tiny and huge.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -525,6 +526,23 @@ TEST(SeenHull, IsThatOfTheMonotoneChain) {
             << "trial " << trial;
         ASSERT_NEAR(found.direction.norm(), 1, 1e-9);
     }
+}
+
+RC_GTEST_PROP(SeenHull, OfAnyPointsIsThatOfTheMonotoneChain, ()) {
+    // On a coarse grid many fall on one line, and many in one place.
+    const auto grid = *rc::gen::container<std::vector<std::array<int, 2>>>(
+        rc::gen::container<std::array<int, 2>>(rc::gen::inRange(0, 17)));
+    std::vector<Eigen::Vector2f> uv;
+    std::vector<Eigen::Vector2d> visible;
+    for (const auto& [x, y] : grid) {
+        uv.emplace_back(float(x) / 16, float(y) / 16);
+        visible.push_back(uv.back().cast<double>());
+    }
+    const Polygon truth = visible.empty() ? Polygon{} : measured(hull_of(visible));
+    const SeenHull found = seen_hull(uv, frame, Pose{});
+    RC_ASSERT(std::abs(found.area - truth.area) < 1e-6);
+    RC_ASSERT(std::abs(found.direction.norm() - 1) < 1e-9);
+    if (truth.area > 1e-5) RC_ASSERT((found.direction - through(truth.centroid)).norm() < 1e-3);
 }
 
 TEST(SeenHull, OfNothingAPointOrALineHasNoAreaAndADirection) {

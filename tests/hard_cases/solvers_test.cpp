@@ -1,6 +1,7 @@
 // What the solvers make of equations that hold too little, too much, or nonsense: the cost never rises, and
 // what comes out is finite and within bounds.
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -299,4 +300,25 @@ TEST(ColorSolver, PhotosThatAgreeOnNothingStayWithinBounds) {
     const ColorFit f = fit_colors(spans, std::vector<std::uint32_t>(6, 0), true);
     for (const auto& g : f.ln_gain)
         for (const double v : g) EXPECT_LE(std::abs(v), std::log(4) + 1e-9);
+}
+
+RC_GTEST_PROP(ColorSolver, OfAnyPhotosGivesNumbersWithinBounds, ()) {
+    const auto count = *rc::gen::inRange<std::size_t>(0, 6), discs = *rc::gen::inRange<std::size_t>(0, 120);
+    const auto light = rc::gen::element<std::uint16_t>(0, 1, 9, 300, 20'000, 65'534, 65'535);
+    const auto photos = *rc::gen::container<Photos>(
+        count, rc::gen::container<std::vector<SampleRecord>>(
+                   discs, rc::gen::apply(
+                              [](std::uint16_t r, std::uint16_t g, std::uint16_t b, std::uint16_t radius) {
+                                  return SampleRecord{{r, g, b}, radius};
+                              },
+                              light, light, light, rc::gen::arbitrary<std::uint16_t>())));
+    const auto lens = *rc::gen::container<std::vector<std::uint32_t>>(count, rc::gen::inRange(0u, 3u));
+    const std::vector<std::span<const SampleRecord>> spans(photos.begin(), photos.end());
+    const ColorFit f = fit_colors(spans, lens, true);
+    for (const auto& g : f.ln_gain)
+        for (const double v : g) RC_ASSERT(std::abs(v) <= std::log(4) + 1e-9);
+    for (const Falloff& l : f.falloff)
+        for (const double v : l) RC_ASSERT(std::isfinite(v));
+    RC_ASSERT(std::isfinite(f.before));
+    RC_ASSERT(std::isfinite(f.after));
 }

@@ -2,6 +2,9 @@
 // cannot hold.
 #include "player/render/weights.h"
 
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -111,6 +114,18 @@ TEST(DynamicWeights, ReachOverTwelveOrdersOfMagnitude) {
     for (std::size_t i = 0; i < w.size(); ++i) {
         EXPECT_NEAR(w[i], std::max(1e-3, 1 - (values[i] - 1) / (1e12 - 1)), 1e-12);
         EXPECT_TRUE(w[i] > 0 && w[i] <= 1);
+    }
+}
+
+RC_GTEST_PROP(DynamicWeights, OfAnyValuesAreOneForTheLeastAndFallWithTheRest, ()) {
+    const auto values = *rc::gen::nonEmpty(rc::gen::container<std::vector<double>>(
+        rc::gen::apply([](int mantissa, int exponent) { return mantissa * std::pow(10, exponent); },
+                       rc::gen::inRange(0, 1000), rc::gen::inRange(-300, 301))));
+    const std::vector<double> w = nearest_is_one(values);
+    for (std::size_t i = 0; i < w.size(); ++i) {
+        RC_ASSERT(w[i] >= 1e-3 && w[i] <= 1);
+        if (values[i] == std::ranges::min(values)) RC_ASSERT(w[i] == 1);
+        for (std::size_t k = 0; k < i; ++k) RC_ASSERT((w[k] - w[i]) * (values[k] > values[i] ? 1 : -1) <= 0);
     }
 }
 
