@@ -66,9 +66,9 @@ SeenHull seen_hull(const std::vector<Eigen::Vector2f>& coordinates, const Intrin
     if (seen.empty()) return {pose.direction(), 0};
     std::vector<cv::Point2f> hull;
     cv::convexHull(outer_points(seen), hull);
-    const double area = hull.size() >= 3 ? cv::contourArea(hull) : 0;
+    const double area = cv::contourArea(hull);
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
-    const cv::Moments m = area > 1e-9 ? cv::moments(hull) : cv::Moments();
+    const cv::Moments m = cv::moments(hull);
     if (m.m00 > 1e-9) {
         center = {m.m10 / m.m00, m.m01 / m.m00};
     } else {

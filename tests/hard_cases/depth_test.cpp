@@ -271,6 +271,9 @@ TEST_F(Depth, NothingIsSeenOfWhatIsBehind) {
     for (const Seen& s : seen(soup, camera, Pose{}))
         for (const float z : s.geometry.z) ASSERT_TRUE(std::isinf(z) && z > 0) << s.by;
     for (const auto& uv : coordinates(soup, camera, Pose{})) EXPECT_EQ(uv, Eigen::Vector2f(-1, -1));
+    const PhotoProjection nothing = project_model(soup.positions, map_intrinsics(camera), Pose{}, 0);
+    for (std::size_t i = 0; i < soup.indices.size(); i += 3)
+        EXPECT_EQ(clipped(nothing, &soup.indices[i]).count, 0) << "or of pieces infinitely near";
 }
 
 TEST_F(Depth, OfSurfacesAPixelApartTheFarOneIsHiddenAndOfCloserOnesBothAreSeen) {
