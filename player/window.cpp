@@ -30,6 +30,7 @@
 #include "player/settings_file.h"
 #include "player/shots.h"
 #include "scene/error.h"
+#include "scene/package_shape.h"
 
 namespace vantage {
 namespace {
@@ -292,8 +293,11 @@ class Scene {
     double record_at_ = 0, drawn_at_ = 0;
 };
 
-Session start(const PackageReader& package, const Options& o, const Remembered& remembered) {
+void expect_photo(const PackageReader& package) {
     if (package.photos().empty()) throw Error(Exit::damaged, package.path().string() + ": holds no photo");
+}
+
+Session start(const PackageReader& package, const Options& o, const Remembered& remembered) {
     Session s;
     s.settings = remembered.settings;
     s.panels = remembered.panels;
@@ -312,8 +316,30 @@ bool any_key_down() {
     return std::any_of(std::begin(down), std::end(down), [](bool d) { return d; });
 }
 
-/// Shows one package until the window closes or another is asked for.
-void show_package(GLFWwindow* window, Session& session, Scene& scene, const Options& o) {
+/// A package, and the second at which it was asked for.
+struct Asked {
+    PackageReader package;
+    double at;
+};
+
+/// What the session asks to open; where that cannot be shown, nothing, and why is said.
+std::optional<Asked> asked_for(Session& session, double now) {
+    const std::string file = std::exchange(session.open, "");
+    if (file.empty()) return {};
+    try {
+        PackageReader package(file);
+        expect_shape(package);
+        expect_photo(package);
+        return Asked{std::move(package), now};
+    } catch (const Error& e) {
+        say(session, e.what(), now);
+        return {};
+    }
+}
+
+/// Shows one package, asked for at that second, until the window closes or another is asked for: that one.
+std::optional<Asked> show_package(GLFWwindow* window, Session& session, Scene& scene, const Options& o,
+                                  double asked_at) {
     std::string saved;
     for (int frame = 1; !glfwWindowShouldClose(window); ++frame) {
         // Something to look at does not change by itself once it is complete.
@@ -347,14 +373,17 @@ void show_package(GLFWwindow* window, Session& session, Scene& scene, const Opti
         glfwSwapBuffers(window);
         if (!o.controls.empty()) controls::write_places(o.controls);
         if (frame == 1 && !o.quiet)
-            std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * process_seconds());
-        if (ends || session.quit || !session.open.empty()) return;
+            std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * (glfwGetTime() - asked_at));
+        if (auto other = asked_for(session, now)) return other;
+        if (ends || session.quit) break;
     }
+    return {};
 }
 
 }  // namespace
 
 int run_window(const PackageReader& first, const Options& o) {
+    expect_photo(first);
     Remembered remembered;
     remembered.settings = render_settings(first, o);
     const std::filesystem::path folder = o.fresh ? std::filesystem::path() : settings_folder();
@@ -369,32 +398,28 @@ int run_window(const PackageReader& first, const Options& o) {
     glfwSetDropCallback(window.get(), [](GLFWwindow* w, int count, const char** files) {
         if (count > 0) static_cast<Session*>(glfwGetWindowUserPointer(w))->open = files[0];
     });
-    std::optional<PackageReader> other;
+    std::optional<Asked> other, next;
     const PackageReader* package = &first;
     bool damaged = false;
+    double asked_at = glfwGetTime() - process_seconds();
     for (;;) {
         glfwSetWindowTitle(window.get(), (package->path().filename().string() + " - Vantage").c_str());
         {
             Scene scene(*package, o, session);
-            show_package(window.get(), session, scene, o);
+            next = show_package(window.get(), session, scene, o, asked_at);
         }
         damaged |= session.report.tiles_damaged > 0;
-        if (session.open.empty()) break;
+        if (!next) break;
+        other = std::move(next);
+        package = &other->package;
+        asked_at = other->at;
         remembered.settings = session.settings;
         remembered.panels = session.panels;
-        const std::string wanted = std::exchange(session.open, "");
-        try {
-            PackageReader reader(wanted);
-            Options plain = o;
-            plain.photos.clear();
-            plain.exposure.clear();  // of a photo of the other package
-            remembered.settings.exposure.reset();
-            session = start(reader, plain, remembered);
-            other.emplace(std::move(reader));
-            package = &*other;
-        } catch (const Error& e) {
-            say(session, e.what(), glfwGetTime());
-        }
+        remembered.settings.exposure.reset();  // of a photo of the other package
+        Options plain = o;
+        plain.photos.clear();
+        plain.exposure.clear();
+        session = start(*package, plain, remembered);
     }
     glfwGetWindowSize(window.get(), &remembered.window.width, &remembered.window.height);
     remembered.settings = session.settings;

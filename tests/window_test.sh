@@ -18,6 +18,7 @@ cd "$dir" || exit 1
 export XDG_CONFIG_HOME=$dir/config
 "$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage >/dev/null 2>&1 || exit 1
 cp one.vantage two.vantage
+head -c 100000 one.vantage >cut.vantage
 "$player" one.vantage --size 900x700 --blended 1 --controls places >says 2>&1 &
 pid=$!
 failed=0
@@ -111,6 +112,9 @@ key F1
 for k in n b c c c c v v v 1 2 3 1 r r t p F2 F3 F4 F5 F6; do key $k; done
 press "File"; press "Open..."; press "Cancel"
 press "Photos" 0.5
+key o; press "cut.vantage"; press "Open"
+sleep 1
+[ "$(xdotool getwindowname "$window")" = "one.vantage - Vantage" ] || fail "a package that is cut took the other's place"
 key o; press "two.vantage"; press "Open"
 sleep 1
 [ "$(xdotool getwindowname "$window")" = "two.vantage - Vantage" ] || fail "the other package is not shown"
