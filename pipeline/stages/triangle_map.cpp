@@ -85,7 +85,7 @@ VANTAGE_INLINE Size set_up(const Corner (&p)[3], const float (&values)[3], int w
         s.value_x += float(s.step_x[i]) * value;
         s.value_y += float(s.step_y[i]) * value;
     }
-    return (s.x0 <= s.x1) & (s.y0 <= s.y1) & (area != 0) ? Size::small : Size::none;
+    return ((s.x0 <= s.x1) & (s.y0 <= s.y1) & (area != 0)) ? Size::small : Size::none;
 }
 
 /// Eight pixels of a row at once.

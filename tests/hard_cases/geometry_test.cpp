@@ -309,7 +309,7 @@ TEST_F(Geometry, NonManifoldOpenAndClosedSurfacesAreShown) {
     const std::uint32_t apex = add(mesh, {1, -3, 2});
     for (const double side : {-1.0, 1.0})
         mesh.triangles.push_back({apex, add(mesh, {1.5, -3, 2 + side}), add(mesh, {2, -3.3, 2 + side})});
-    for (const std::size_t faces : {4, 3}) {
+    for (const std::size_t faces : {4u, 3u}) {
         const Eigen::Vector3d at(double(faces), -2, 1);
         const std::uint32_t v[] = {add(mesh, at), add(mesh, at + Eigen::Vector3d(1, 0, 0)),
                                    add(mesh, at + Eigen::Vector3d(0, 1, 0)),
@@ -358,7 +358,7 @@ TEST_F(Geometry, PointsOnALineOrAllInOnePlaceAreAModelThatShowsNothing) {
 }
 
 TEST_F(Geometry, PhotosThatSeeNothingArePhotos) {
-    for (const std::size_t blind : {1, 2}) {
+    for (const std::size_t blind : {1u, 2u}) {
         const Result with = shown(scene.mesh, [&](SceneInput& s) {
             for (std::size_t i = 0; i < blind; ++i) {
                 Pose& pose = s.photos[i].camera.cam_from_world;
@@ -554,7 +554,7 @@ TEST(SeenHull, OfNothingAPointOrALineHasNoAreaAndADirection) {
         EXPECT_LT((none.direction - pose.direction()).norm(), 1e-12) << "the optical axis";
     }
     const Eigen::Vector2f a(0.2f, 0.3f);
-    for (const std::size_t copies : {1, 2, 3, 1000}) {
+    for (const std::size_t copies : {1u, 2u, 3u, 1000u}) {
         const SeenHull point = seen_hull(std::vector<Eigen::Vector2f>(copies, a), frame, Pose{});
         EXPECT_EQ(point.area, 0) << copies;
         EXPECT_LT((point.direction - through(a.cast<double>())).norm(), 1e-6) << copies;
