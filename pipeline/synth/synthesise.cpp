@@ -38,7 +38,8 @@ Pose look_at(const Vector3d& eye, const Vector3d& target) {
 /// A camera turned and moved at random, by `pixels` at distance `distance` together.
 Camera disturbed(Camera camera, double pixels, double distance, std::mt19937& engine) {
     const auto direction = [&] {
-        Vector3d v(signed_unit(engine), signed_unit(engine), signed_unit(engine));
+        const double z = signed_unit(engine), y = signed_unit(engine), x = signed_unit(engine);
+        const Vector3d v(x, y, z);  // arguments are computed in any order
         return Vector3d(v / std::max(v.norm(), 1e-3));
     };
     const double angle = pixels / camera.intrinsics.fx / std::numbers::sqrt2;
@@ -89,8 +90,8 @@ std::vector<PhotoInput> place_cameras(const SynthSpec& spec) {
         const double share = s.count > 1 ? double(i) / (s.count - 1) - 0.5 : 0.0;
         const double angle = share * s.arc * radians;
         const Vector3d eye(s.radius * std::sin(angle), -s.radius * std::cos(angle), i % 2 ? s.high : s.low);
-        const Vector3d target(signed_unit(engine) * 0.6, -spec.object.distance / 2,
-                              0.42 * spec.building.height + signed_unit(engine) * 0.3);
+        const double up = signed_unit(engine) * 0.3, aside = signed_unit(engine) * 0.6;
+        const Vector3d target(aside, -spec.object.distance / 2, 0.42 * spec.building.height + up);
         const double f = s.width / (2 * std::tan(s.fov / 2 * radians));
         Camera camera;
         // The principal point is off the centre, as it is in life.
