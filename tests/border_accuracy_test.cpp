@@ -9,10 +9,13 @@
 
 #include "datasets.h"
 #include "gl/context.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/prepare.h"
-#include "pipeline/stages/photo_geometry.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/settings/settings.h"
+#include "pipeline/visibility/border_distance.h"
+#include "pipeline/visibility/gl_geometry.h"
+#include "pipeline/visibility/photo_geometry.h"
 
 using namespace vantage;
 

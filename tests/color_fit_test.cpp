@@ -1,4 +1,4 @@
-#include "pipeline/refine/color_fit.h"
+#include "pipeline/agree/color_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "pipeline/refine/refine.h"
+#include "pipeline/agree/color_agreement.h"
 #include "pipeline/stages/surface_samples.h"
 
 using namespace vantage;

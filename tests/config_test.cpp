@@ -4,8 +4,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "pipeline/commands/apply_config.h"
 #include "pipeline/commands/commands.h"
-#include "pipeline/config_file.h"
+#include "pipeline/settings/config_files.h"
 #include "player/measure/bench.h"
 #include "player/measure/evaluate.h"
 #include "player/options.h"

@@ -1,11 +1,12 @@
-#include "pipeline/explain.h"
+#include "pipeline/results/explain.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "temporary_folder.h"
 

@@ -8,10 +8,10 @@
 #include <sstream>
 
 #include "datasets.h"
-#include "pipeline/import/cameras.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/mesh.h"
-#include "pipeline/import/read_scene.h"
+#include "pipeline/formats/import/cameras.h"
+#include "pipeline/formats/import/mesh.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
 #include "scene/error.h"
 #include "temporary_folder.h"
 

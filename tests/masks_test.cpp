@@ -8,11 +8,13 @@
 #include <random>
 
 #include "gl/context.h"
-#include "pipeline/stages/border.h"
+#include "pipeline/pixels/pyramid.h"
+#include "pipeline/settings/settings.h"
+#include "pipeline/stages/borders.h"
 #include "pipeline/stages/depth_summary.h"
-#include "pipeline/stages/near_distance.h"
-#include "pipeline/stages/pyramid.h"
 #include "pipeline/stages/seen_hull.h"
+#include "pipeline/visibility/border_distance.h"
+#include "pipeline/visibility/near_distance.h"
 
 using namespace vantage;
 
@@ -213,13 +215,13 @@ TEST(DepthSummary, IsThatOfTheFiniteDepths) {
         for (const float v : z)
             if (std::isfinite(v)) finite.push_back(v);
         std::ranges::sort(finite);
-        const auto found = summarise_depths(z);
+        const auto found = summarize_depths(z);
         ASSERT_TRUE(found);
         EXPECT_EQ(found->nearest, finite.front());
         EXPECT_EQ(found->farthest, finite.back());
         EXPECT_GE(found->median, finite[finite.size() * 45 / 100]);
         EXPECT_LE(found->median, finite[finite.size() * 55 / 100]);
     }
-    EXPECT_FALSE(summarise_depths(std::vector<float>(9, std::numeric_limits<float>::infinity())));
-    EXPECT_FALSE(summarise_depths({}));
+    EXPECT_FALSE(summarize_depths(std::vector<float>(9, std::numeric_limits<float>::infinity())));
+    EXPECT_FALSE(summarize_depths({}));
 }

@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/prepare.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "scene/package_writer.h"
 #include "temporary_folder.h"

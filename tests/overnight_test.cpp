@@ -9,12 +9,13 @@
 #include <fstream>
 #include <random>
 
-#include "pipeline/check.h"
-#include "pipeline/finish_package.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/merge.h"
-#include "pipeline/prepare.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/prepare/finish.h"
+#include "pipeline/prepare/merge.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/results/check.h"
+#include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"

@@ -1,5 +1,5 @@
 // Photos of every kind that a user may bring come out as RGBA, as they look.
-#include "pipeline/import/photos.h"
+#include "pipeline/formats/images/photos.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,8 @@
 
 #include <fstream>
 
-#include "pipeline/file_identity.h"
+#include "pipeline/formats/images/image_files.h"
+#include "pipeline/input/file_identity.h"
 #include "scene/error.h"
 #include "temporary_folder.h"
 

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/prepare.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/prepare/prepare.h"
 #include "pipeline/synth/synthesise.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"

@@ -1,4 +1,4 @@
-#include "pipeline/prepare.h"
+#include "pipeline/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,11 @@
 #include <fstream>
 
 #include "datasets.h"
-#include "pipeline/check.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/stages/subdivide.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/model/subdivide.h"
+#include "pipeline/results/check.h"
+#include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "scene/package_reader.h"
 #include "temporary_folder.h"

@@ -1,6 +1,4 @@
 // The processor renders what a graphics card would.
-#include "pipeline/stages/rasterise.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -8,12 +6,15 @@
 #include <random>
 
 #include "gl/context.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/package_layout.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/model/packed_model.h"
+#include "pipeline/package/chunk_plan.h"
 #include "pipeline/stages/vertex_coordinates.h"
 #include "pipeline/synth/ray_scene.h"
 #include "pipeline/synth/synthesise.h"
+#include "pipeline/visibility/gl_geometry.h"
+#include "pipeline/visibility/rasterize.h"
 #include "temporary_folder.h"
 
 using namespace vantage;
@@ -39,7 +40,7 @@ struct Square {
         }
     }
     PhotoGeometry seen(const Intrinsics& k) const {
-        return rasterise_geometry(projected(positions, k, Pose{}), normals, indices);
+        return rasterize_geometry(projected(positions, k, Pose{}), normals, indices);
     }
 };
 
@@ -100,7 +101,7 @@ TEST_F(Rasterise, NothingShowsBetweenTriangles) {
         for (const std::uint32_t v : {0u, 1 + i, 1 + (i + 1) % parts}) indices.push_back(v);
     }
     const std::vector<Eigen::Vector3f> normals(positions.size(), {0, 0, -1});
-    const PhotoGeometry g = rasterise_geometry(projected(positions, camera, Pose{}), normals, indices);
+    const PhotoGeometry g = rasterize_geometry(projected(positions, camera, Pose{}), normals, indices);
     for (const float z : g.z) ASSERT_NEAR(z, 5, 1e-4);
 }
 
@@ -118,7 +119,7 @@ TEST_F(Rasterise, AgreesWithOpenGl) {
         const Intrinsics& k = photo.camera.intrinsics;
         const auto range = depth_range(model.positions, pose);
         const PhotoGeometry a = render_geometry(buffers, model.indices, k, pose, range),
-                            b = rasterise_geometry(projected(model.positions, k, pose), scene.mesh.normals,
+                            b = rasterize_geometry(projected(model.positions, k, pose), scene.mesh.normals,
                                                    model.indices);
         std::size_t depths = 0, angles = 0;
         for (std::size_t i = 0; i < a.z.size(); ++i) {

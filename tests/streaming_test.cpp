@@ -8,9 +8,9 @@
 #include <set>
 
 #include "gl/context.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/prepare.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/prepare/prepare.h"
 #include "pipeline/synth/synthesise.h"
 #include "player/camera_path.h"
 #include "player/render/picture.h"

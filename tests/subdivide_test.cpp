@@ -1,4 +1,4 @@
-#include "pipeline/stages/subdivide.h"
+#include "pipeline/model/subdivide.h"
 
 #include <gtest/gtest.h>
 

@@ -32,7 +32,7 @@ TEST(Synth, CamerasLookAtTheBuildingFromTheFront) {
     const SynthSpec spec;
     const SynthModel model = build_model(spec);
     const RayScene rays(model.mesh);
-    for (const PhotoInput& photo : place_cameras(spec)) {
+    for (const NamedCamera& photo : place_cameras(spec)) {
         const Pose& pose = photo.camera.cam_from_world;
         EXPECT_NEAR(pose.R.determinant(), 1, 1e-12);
         EXPECT_GT(-pose.R(1, 2), 0.9) << "the photo's top is up";

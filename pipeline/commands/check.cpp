@@ -1,4 +1,4 @@
-#include "pipeline/check.h"
+#include "pipeline/results/check.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/commands.h"
-#include "pipeline/identity_cache.h"
+#include "pipeline/input/identity_cache.h"
 #include "scene/junit.h"
 
 namespace vantage {

@@ -1,4 +1,4 @@
-#include "pipeline/diff.h"
+#include "pipeline/results/diff.h"
 
 #include <fmt/format.h>
 

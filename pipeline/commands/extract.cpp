@@ -1,4 +1,4 @@
-#include "pipeline/extract.h"
+#include "pipeline/results/extract.h"
 
 #include "pipeline/commands/commands.h"
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/commands.h"
-#include "pipeline/registered.h"
+#include "pipeline/prepare/registration_reuse.h"
 #include "scene/package_reader.h"
 
 namespace vantage {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "pipeline/provenance.h"
+#include "pipeline/input/scene_input.h"
 #include "scene/error.h"
 
 namespace vantage {

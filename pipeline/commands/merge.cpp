@@ -1,10 +1,11 @@
-#include "pipeline/merge.h"
+#include "pipeline/prepare/merge.h"
 
 #include <fmt/format.h>
 
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
 #include "pipeline/commands/progress_line.h"
+#include "pipeline/package/staleness.h"
 
 namespace vantage {
 namespace {

@@ -1,4 +1,4 @@
-#include "pipeline/prepare.h"
+#include "pipeline/prepare/prepare.h"
 
 #include <fmt/format.h>
 
@@ -8,20 +8,23 @@
 #include <cstdlib>
 #include <optional>
 
+#include "pipeline/commands/apply_config.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
 #include "pipeline/commands/progress_line.h"
 #include "pipeline/commands/stop_signals.h"
-#include "pipeline/config_file.h"
-#include "pipeline/explain.h"
-#include "pipeline/finish_package.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/needs.h"
-#include "pipeline/provenance.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/package/meta.h"
+#include "pipeline/package/stage_table.h"
+#include "pipeline/package/staleness.h"
+#include "pipeline/prepare/finish.h"
+#include "pipeline/prepare/resources.h"
 #include "pipeline/report/report.h"
-#include "pipeline/stage_keys.h"
-#include "pipeline/trace.h"
+#include "pipeline/results/explain.h"
+#include "pipeline/run/trace.h"
+#include "pipeline/settings/config_files.h"
+#include "pipeline/settings/settings.h"
 #include "scene/error.h"
 #include "scene/real_range.h"
 
@@ -108,14 +111,14 @@ void print_done(const PrepareResult& done, bool why) {
     std::size_t kept = 0;
     for (const PrepareResult::Stage& s : done.stages) kept += s.kept;
     for (std::size_t s = 0; s < done.stages.size() && (why || kept > 0); ++s) {
-        fmt::print("{:<12} {} made, {} kept\n", name(package::Stage(s)), done.stages[s].made,
+        fmt::print("{:<12} {} made, {} kept\n", stage_row(package::Stage(s)).name, done.stages[s].made,
                    done.stages[s].kept);
         for (const auto& [reason, photos] : done.stages[s].why)
             if (why) fmt::print("             {}: {}\n", some(photos), reason);
     }
 }
 
-void print_needs(const Needs& n) {
+void print_needs(const ResourceEstimate& n) {
     fmt::print(
         "needs    about {:.0f} s, at most {:.0f} MB of memory ({} photos at a time), {:.0f} MB of the disk's "
         "{:.0f}\n",

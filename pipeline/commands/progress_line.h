@@ -2,7 +2,7 @@
 #include <chrono>
 #include <string>
 
-#include "pipeline/progress.h"
+#include "pipeline/run/progress.h"
 
 namespace vantage {
 

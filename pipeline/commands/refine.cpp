@@ -1,3 +1,5 @@
+#include "pipeline/prepare/refine.h"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -5,8 +7,7 @@
 
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/progress_line.h"
-#include "pipeline/provenance.h"
-#include "pipeline/refine_package.h"
+#include "pipeline/package/meta.h"
 #include "scene/package_reader.h"
 
 namespace vantage {
@@ -36,8 +37,8 @@ int run_refine(const Options& o) {
     const std::string meta(package.meta());
     for (const Effect e : {Effect::registration, Effect::exposure, Effect::falloff, Effect::consensus})
         fmt::print("{:<13} {:<4} {}\n", effect_row(e).name, effect_on(package.scene(), e) ? "on" : "off",
-                   decision_of(meta, e).evidence);
-    for (const std::string& w : findings_of(meta)) fmt::print("warning       {}\n", w);
+                   decision_in(meta, e).evidence);
+    for (const std::string& w : findings_in(meta)) fmt::print("warning       {}\n", w);
     fmt::print("package       {}\n", out);
     return 0;
 }

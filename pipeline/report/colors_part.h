@@ -2,7 +2,7 @@
 #include <span>
 #include <string>
 
-#include "pipeline/refine/refine.h"
+#include "pipeline/agree/color_agreement.h"
 #include "scene/package_format.h"
 
 namespace vantage {

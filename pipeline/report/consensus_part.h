@@ -2,7 +2,7 @@
 #include <span>
 #include <string>
 
-#include "pipeline/finish_package.h"
+#include "pipeline/prepare/finish.h"
 #include "scene/package_format.h"
 
 namespace vantage {

@@ -8,7 +8,7 @@
 #include <span>
 #include <thread>
 
-#include "pipeline/for_each_photo.h"
+#include "pipeline/run/for_each_photo.h"
 
 namespace vantage {
 

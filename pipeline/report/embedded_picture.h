@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "pipeline/rgba_image.h"
+#include "pipeline/pixels/rgba_image.h"
 
 namespace vantage {
 

@@ -2,7 +2,7 @@
 #include <span>
 #include <string>
 
-#include "pipeline/refine/registration.h"
+#include "pipeline/agree/registration.h"
 #include "scene/package_format.h"
 
 namespace vantage {

@@ -7,18 +7,19 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/finish_package.h"
-#include "pipeline/for_each_photo.h"
-#include "pipeline/join_tiles.h"
-#include "pipeline/provenance.h"
+#include "pipeline/package/meta.h"
+#include "pipeline/package/stage_table.h"
+#include "pipeline/package/staleness.h"
+#include "pipeline/package/tile_levels.h"
+#include "pipeline/pixels/pyramid.h"
+#include "pipeline/prepare/finish.h"
 #include "pipeline/report/colors_part.h"
 #include "pipeline/report/consensus_part.h"
 #include "pipeline/report/coverage_pictures.h"
 #include "pipeline/report/embedded_picture.h"
 #include "pipeline/report/registration_part.h"
 #include "pipeline/report/timeline.h"
-#include "pipeline/stage_keys.h"
-#include "pipeline/stages/pyramid.h"
+#include "pipeline/run/for_each_photo.h"
 #include "scene/error.h"
 #include "scene/markup.h"
 
@@ -170,7 +171,7 @@ std::string run_part(const ReportRun& run) {
         for (const auto& [reason, photos] : stage.why)
             why += fmt::format("{}{} ({})", why.empty() ? "" : "; ", reason,
                                photos.size() == 1 ? photos[0] : std::to_string(photos.size()));
-        out += "<tr>" + cell(name(package::Stage(s))) + number(std::to_string(stage.made)) +
+        out += "<tr>" + cell(stage_row(package::Stage(s)).name) + number(std::to_string(stage.made)) +
                number(std::to_string(stage.kept)) + cell(why) + "</tr>\n";
     }
     out +=

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "pipeline/prepare.h"
-#include "pipeline/trace.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/run/trace.h"
 #include "scene/package_reader.h"
 
 namespace vantage {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/trace.h"
+#include "pipeline/run/trace.h"
 
 namespace vantage {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/visibility/frame_triangles.h"
 #include "scene/tiling.h"
 
 namespace vantage {

@@ -2,8 +2,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "pipeline/stages/clusters.h"
-#include "pipeline/stages/photo_geometry.h"
+#include "pipeline/model/clusters.h"
+#include "pipeline/visibility/frame_triangles.h"
+#include "pipeline/visibility/photo_geometry.h"
 #include "scene/camera.h"
 #include "scene/package_format.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "pipeline/stages/wide.h"
+#include "pipeline/pixels/simd.h"
 
 namespace vantage {
 namespace {
@@ -16,7 +16,7 @@ struct Range {
 };
 
 /// Of positive depths, without the infinite ones.
-VANTAGE_WIDE Range range(const float* z, std::size_t count) {
+VANTAGE_SIMD Range range(const float* z, std::size_t count) {
     constexpr std::size_t lanes = 16;
     constexpr float infinite = std::numeric_limits<float>::infinity();
     float least[lanes], most[lanes]{};
@@ -37,7 +37,7 @@ VANTAGE_WIDE Range range(const float* z, std::size_t count) {
 
 }  // namespace
 
-std::optional<DepthSummary> summarise_depths(std::span<const float> z) {
+std::optional<DepthSummary> summarize_depths(std::span<const float> z) {
     const auto [least, most] = range(z.data(), z.size());
     if (most == 0) return std::nullopt;
     DepthSummary out{least, most, 0};

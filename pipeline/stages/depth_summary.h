@@ -9,6 +9,6 @@ struct DepthSummary {
     float nearest, farthest, median;
 };
 /// Depths are positive, +inf where nothing is seen; nothing where nothing is.
-std::optional<DepthSummary> summarise_depths(std::span<const float> z);
+std::optional<DepthSummary> summarize_depths(std::span<const float> z);
 
 }  // namespace vantage

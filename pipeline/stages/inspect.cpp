@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/stages/undistort.h"
+#include "pipeline/pixels/undistort.h"
 
 namespace vantage {
 namespace {

@@ -2,7 +2,7 @@
 #include <map>
 #include <vector>
 
-#include "pipeline/scene_input.h"
+#include "pipeline/input/scene_input.h"
 #include "scene/effects.h"
 
 namespace vantage {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-#include "pipeline/stages/wide.h"
+#include "pipeline/pixels/simd.h"
 #include "scene/tiling.h"
 
 namespace vantage {
@@ -25,7 +25,7 @@ inline float log2_of(float z) {
 }
 
 /// `top` is 255 + 12 log2(focal / reference).
-VANTAGE_WIDE void combine(const float* z, const std::uint8_t* angle, const std::uint8_t* border, float top,
+VANTAGE_SIMD void combine(const float* z, const std::uint8_t* angle, const std::uint8_t* border, float top,
                           std::size_t count, std::uint8_t* out) {
     for (std::size_t i = 0; i < count; ++i) {
         const float code = std::min(std::max(top - 12 * log2_of(z[i]), 1.0f), 255.0f);

@@ -8,7 +8,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "pipeline/stages/wide.h"
+#include "pipeline/pixels/simd.h"
 
 namespace vantage {
 namespace {
@@ -32,7 +32,7 @@ Octagon extreme_points(const std::vector<Eigen::Vector2f>& points) {
 }
 
 /// 1 for points strictly inside.
-VANTAGE_WIDE void find_inside(const Octagon& octagon, const float* points, std::size_t count,
+VANTAGE_SIMD void find_inside(const Octagon& octagon, const float* points, std::size_t count,
                               std::uint8_t* inside) {
     std::fill_n(inside, count, std::uint8_t(1));
     for (std::size_t side = 0; side < octagon.size(); ++side) {

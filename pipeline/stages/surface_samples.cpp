@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "pipeline/stages/pyramid.h"
-#include "pipeline/stages/srgb.h"
+#include "pipeline/pixels/pyramid.h"
+#include "pipeline/pixels/srgb.h"
 #include "scene/tiling.h"
 
 namespace vantage {

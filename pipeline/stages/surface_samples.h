@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/rgba_image.h"
-#include "pipeline/stages/photo_geometry.h"
+#include "pipeline/pixels/rgba_image.h"
+#include "pipeline/visibility/photo_geometry.h"
 #include "scene/camera.h"
 #include "scene/package_format.h"
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-#include "pipeline/stages/wide.h"
+#include "pipeline/pixels/simd.h"
 #include "scene/tiling.h"
 
 namespace vantage {
@@ -69,7 +69,7 @@ std::pair<int, int> bins(Int low, Int high, int count) {
 
 /// Marks the vertices that small triangles hide: those whose lines of sight meet a triangle before `there` of
 /// the way. Returns the other triangles.
-VANTAGE_WIDE std::vector<std::uint32_t> hide_by_small(std::span<const ProjectedVertex> vertices,
+VANTAGE_SIMD std::vector<std::uint32_t> hide_by_small(std::span<const ProjectedVertex> vertices,
                                                       std::span<const std::uint32_t> indices, float there,
                                                       Sights& s) {
     std::vector<std::uint32_t> others;

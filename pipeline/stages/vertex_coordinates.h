@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/stages/photo_projection.h"
+#include "pipeline/visibility/photo_projection.h"
 
 namespace vantage {
 

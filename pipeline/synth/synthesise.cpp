@@ -9,10 +9,10 @@
 #include <numbers>
 #include <random>
 
-#include "pipeline/export/colmap.h"
-#include "pipeline/export/ply.h"
-#include "pipeline/for_each_photo.h"
-#include "pipeline/images/image_files.h"
+#include "pipeline/formats/export/colmap.h"
+#include "pipeline/formats/export/ply.h"
+#include "pipeline/formats/images/image_files.h"
+#include "pipeline/run/for_each_photo.h"
 #include "pipeline/synth/cast_photo.h"
 #include "scene/error.h"
 
@@ -63,13 +63,13 @@ std::vector<PhotoExposure> exposures(const SynthSpec& spec) {
     return out;
 }
 
-void write_gains(const std::filesystem::path& file, std::span<const PhotoInput> photos,
+void write_gains(const std::filesystem::path& file, std::span<const NamedCamera> photos,
                  std::span<const PhotoExposure> exposures) {
     std::ofstream out(file);
     out << "photo,red,green,blue\n";
     for (std::size_t i = 0; i < photos.size(); ++i) {
         const auto& g = exposures[i].gain;
-        out << fmt::format("{},{},{},{}\n", photos[i].name, g[0], g[1], g[2]);
+        out << fmt::format("{},{},{},{}\n", photos[i].photo, g[0], g[1], g[2]);
     }
     if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot write");
 }
@@ -82,10 +82,10 @@ void write_model(const SynthModel& model, const std::filesystem::path& file) {
 
 }  // namespace
 
-std::vector<PhotoInput> place_cameras(const SynthSpec& spec) {
+std::vector<NamedCamera> place_cameras(const SynthSpec& spec) {
     const SynthSpec::Photos& s = spec.photos;
     std::mt19937 engine(spec.seed);
-    std::vector<PhotoInput> photos;
+    std::vector<NamedCamera> photos;
     for (int i = 0; i < s.count; ++i) {
         const double share = s.count > 1 ? double(i) / (s.count - 1) - 0.5 : 0.0;
         const double angle = share * s.arc * radians;
@@ -100,7 +100,7 @@ std::vector<PhotoInput> place_cameras(const SynthSpec& spec) {
         if (spec.lens.k1 != 0 || spec.lens.k2 != 0)
             camera.lens = {LensModel::opencv, {spec.lens.k1, spec.lens.k2}};
         camera.cam_from_world = look_at(eye, target);
-        photos.push_back({fmt::format("{:04}.jpg", i), {}, camera});
+        photos.push_back({fmt::format("{:04}.jpg", i), camera});
     }
     return photos;
 }
@@ -109,11 +109,11 @@ void synthesise(const SynthSpec& spec, const std::filesystem::path& folder,
                 const std::function<void(std::size_t, std::size_t)>& progress) {
     const SynthModel model = build_model(spec);
     const RayScene rays(model.mesh);
-    const std::vector<PhotoInput> photos = place_cameras(spec);
+    const std::vector<NamedCamera> photos = place_cameras(spec);
     const std::vector<PhotoExposure> exposed = exposures(spec);
-    std::vector<PhotoInput> written = photos;
+    std::vector<NamedCamera> written = photos;
     std::mt19937 engine(spec.seed + 1);
-    for (PhotoInput& photo : written)
+    for (NamedCamera& photo : written)
         if (spec.error.pixels > 0)
             photo.camera = disturbed(photo.camera, spec.error.pixels, spec.photos.radius, engine);
     std::filesystem::create_directories(folder / "images");
@@ -127,10 +127,10 @@ void synthesise(const SynthSpec& spec, const std::filesystem::path& folder,
         const Camera& camera = photos[i].camera;
         const Intrinsics& k = camera.intrinsics;
         const auto rgb = cast_photo(model, rays, camera, spec.photos.samples, exposed[i]);
-        image_files().write(folder / "images" / photos[i].name, k.width, k.height, 3, Sample::u8,
+        image_files().write(folder / "images" / photos[i].photo, k.width, k.height, 3, Sample::u8,
                             std::as_bytes(std::span(rgb)));
         const auto z = cast_depth(rays, camera);
-        const std::string stem = photos[i].name.substr(0, photos[i].name.rfind('.'));
+        const std::string stem = photos[i].photo.substr(0, photos[i].photo.rfind('.'));
         image_files().write(folder / "truth" / "depth" / (stem + ".exr"), k.width, k.height, 1, Sample::f32,
                             std::as_bytes(std::span(z)));
         if (progress) progress(++done, photos.size());

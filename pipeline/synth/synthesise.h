@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/scene_input.h"
+#include "pipeline/formats/export/colmap.h"
 #include "pipeline/synth/building.h"
 #include "pipeline/synth/ray_scene.h"
 #include "pipeline/synth/spec.h"
@@ -12,7 +12,7 @@
 namespace vantage {
 
 /// The specified cameras, without error: on an arc before the facade, at two heights in turn.
-std::vector<PhotoInput> place_cameras(const SynthSpec& spec);
+std::vector<NamedCamera> place_cameras(const SynthSpec& spec);
 
 /// Writes into `folder` what a user would have (images/NAME.jpg, sparse/ in COLMAP text, mesh.ply) and beside
 /// it the truth: truth/sparse/ (the cameras that took the photos), truth/exposure.csv (linear gains a photo)

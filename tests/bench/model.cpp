@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pipeline/visibility/gl_geometry.h"
+
 namespace vantage::bench {
 
 BenchModel::BenchModel(SceneInput scene) : scene_(std::move(scene)) {

@@ -1,8 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "pipeline/scene_input.h"
-#include "pipeline/stages/photo_geometry.h"
+#include "pipeline/input/scene_input.h"
+#include "pipeline/visibility/gl_geometry.h"
+#include "pipeline/visibility/photo_geometry.h"
 
 namespace vantage::bench {
 

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "gl/context.h"
-#include "pipeline/file_identity.h"
+#include "pipeline/input/file_identity.h"
 #include "scene/error.h"
 #include "scene/make_folder.h"
 #include "tests/bench/costs.h"

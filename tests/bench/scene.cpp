@@ -7,11 +7,11 @@
 #include <fstream>
 #include <numeric>
 
-#include "pipeline/file_identity.h"
-#include "pipeline/for_each_photo.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/prepare.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/file_identity.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/run/for_each_photo.h"
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/synthesise.h"
 #include "player/measure/photo_pixels.h"
@@ -170,7 +170,7 @@ std::vector<TrueView> cast_views(const PackageReader& package, const SynthSpec& 
     between.photos.count = 2 * spec.photos.count - 1;
     between.photos.radius *= 0.85;
     between.seed += 17;
-    const std::vector<PhotoInput> cameras = place_cameras(between);
+    const std::vector<NamedCamera> cameras = place_cameras(between);
     const SynthModel model = build_model(spec);
     const RayScene rays(model.mesh);
     const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/scene_input.h"
+#include "pipeline/input/scene_input.h"
 #include "pipeline/synth/spec.h"
 #include "player/render/picture.h"
 #include "player/view.h"

@@ -1,5 +1,5 @@
 // Cameras of COLMAP: text, and after a zero byte binary. Two files, divided by a line of "----".
-#include "pipeline/import/cameras.h"
+#include "pipeline/formats/import/cameras.h"
 #include "scene/error.h"
 #include "tests/fuzz/memory_file.h"
 

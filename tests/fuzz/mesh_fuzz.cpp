@@ -1,7 +1,7 @@
 // Meshes that OpenMesh reads. The first byte tells the format: o OBJ, s STL, f OFF; the file follows.
 #include <cstdlib>
 
-#include "pipeline/import/mesh.h"
+#include "pipeline/formats/import/mesh.h"
 #include "scene/error.h"
 #include "tests/fuzz/memory_file.h"
 

@@ -1,5 +1,5 @@
 // Cameras of a MeshLab project.
-#include "pipeline/import/cameras.h"
+#include "pipeline/formats/import/cameras.h"
 #include "scene/error.h"
 #include "tests/fuzz/memory_file.h"
 

@@ -1,7 +1,7 @@
 // Meshes: PLY, text and binary. Every index of what comes out is a vertex.
 #include <cstdlib>
 
-#include "pipeline/import/mesh.h"
+#include "pipeline/formats/import/mesh.h"
 #include "scene/error.h"
 #include "tests/fuzz/memory_file.h"
 

@@ -1,5 +1,5 @@
 // Cameras that are none, or nearly, and lenses that fold back.
-#include "pipeline/import/cameras.h"
+#include "pipeline/formats/import/cameras.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,12 @@
 #include <numbers>
 #include <random>
 
-#include "pipeline/images/image_files.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/prepare.h"
-#include "pipeline/stages/undistort.h"
+#include "pipeline/formats/images/image_files.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/pixels/undistort.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"

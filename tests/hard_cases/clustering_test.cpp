@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-#include "pipeline/stages/clusters.h"
+#include "pipeline/model/clusters.h"
 #include "player/plan/cluster_tree.h"
 #include "player/plan/normal_clusters.h"
 #include "player/plan/photo_cover.h"

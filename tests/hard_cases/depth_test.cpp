@@ -10,13 +10,15 @@
 #include <random>
 
 #include "gl/context.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/prepare.h"
-#include "pipeline/stages/clusters.h"
-#include "pipeline/stages/rasterise.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/model/clusters.h"
+#include "pipeline/prepare/prepare.h"
 #include "pipeline/stages/vertex_coordinates.h"
 #include "pipeline/synth/synthesise.h"
+#include "pipeline/visibility/frame_triangles.h"
+#include "pipeline/visibility/gl_geometry.h"
+#include "pipeline/visibility/rasterize.h"
 #include "player/plan/cluster_tree.h"
 #include "player/render/picture.h"
 #include "scene/package_reader.h"
@@ -99,7 +101,7 @@ class Depth : public TemporaryFolder {
         const Eigen::Vector2d range = depth_range(soup.positions, pose);
         const std::vector<Eigen::Vector3f> normals(soup.positions.size(), {0, 0, -1});
         const PhotoProjection p = project_model(soup.positions, map_intrinsics(k), pose, range.x());
-        return {{"processor", rasterise_geometry(p, normals, in_frame.indices)},
+        return {{"processor", rasterize_geometry(p, normals, in_frame.indices)},
                 {"OpenGL",
                  render_geometry(upload_model(soup.positions, normals), in_frame.indices, k, pose, range)}};
     }

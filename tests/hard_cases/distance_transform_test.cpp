@@ -8,8 +8,10 @@
 #include <random>
 
 #include "gl/context.h"
-#include "pipeline/stages/border.h"
-#include "pipeline/stages/near_distance.h"
+#include "pipeline/settings/settings.h"
+#include "pipeline/stages/borders.h"
+#include "pipeline/visibility/border_distance.h"
+#include "pipeline/visibility/near_distance.h"
 
 using namespace vantage;
 

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <limits>
 
+#include "pipeline/settings/settings.h"
 #include "player/verify/finite_targets.h"
 #include "prepared_scene.h"
 #include "scene/error.h"

@@ -1,5 +1,5 @@
 // Photos of every shape and sort, whole, cut short, and not what they say.
-#include "pipeline/import/photos.h"
+#include "pipeline/formats/images/photos.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -11,13 +11,14 @@
 #include <numeric>
 #include <random>
 
-#include "pipeline/check.h"
-#include "pipeline/file_identity.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/join_tiles.h"
-#include "pipeline/prepare.h"
-#include "pipeline/stages/pyramid.h"
+#include "pipeline/formats/images/image_files.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/file_identity.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/package/tile_levels.h"
+#include "pipeline/pixels/pyramid.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/results/check.h"
 #include "pipeline/synth/synthesise.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"

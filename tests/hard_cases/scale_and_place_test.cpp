@@ -9,11 +9,12 @@
 #include <numeric>
 
 #include "gl/context.h"
-#include "pipeline/check.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/prepare.h"
-#include "pipeline/stages/subdivide.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/model/subdivide.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/results/check.h"
+#include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "player/render/picture.h"
 #include "scene/package_reader.h"

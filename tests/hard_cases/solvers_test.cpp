@@ -8,9 +8,9 @@
 #include <limits>
 #include <random>
 
-#include "pipeline/refine/color_fit.h"
-#include "pipeline/refine/common_motion.h"
-#include "pipeline/refine/pose_fit.h"
+#include "pipeline/agree/color_fit.h"
+#include "pipeline/agree/common_motion.h"
+#include "pipeline/agree/pose_fit.h"
 
 using namespace vantage;
 using package::SampleRecord;
@@ -23,7 +23,7 @@ constexpr double distance = 10;
 /// Cameras side by side before a wavy wall, and corners on it that each sees where they are.
 struct Rig {
     std::vector<FittedCamera> cameras;
-    std::vector<Star> stars;
+    std::vector<Track> tracks;
     std::vector<PoseChange> change;
 };
 
@@ -34,29 +34,29 @@ Pose at(double x) {
     return p;
 }
 
-/// `groups`: how many sets of cameras that share no star.
-Rig rig(int cameras, int stars, int groups = 1) {
+/// `groups`: how many sets of cameras that share no track.
+Rig rig(int cameras, int tracks, int groups = 1) {
     Rig r;
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(-1, 1);
     for (int i = 0; i < cameras; ++i) r.cameras.push_back({k, at(i - 0.5 * cameras), distance, false});
-    for (int s = 0; s < stars; ++s) {
-        Star star;
+    for (int s = 0; s < tracks; ++s) {
+        Track track;
         const int group = s % groups;
-        star.point = {4 * unit(random), 3 * unit(random), unit(random)};
-        star.normal = Eigen::Vector3d(0.3 * unit(random), 0.3 * unit(random), -1).normalized();
+        track.point = {4 * unit(random), 3 * unit(random), unit(random)};
+        track.normal = Eigen::Vector3d(0.3 * unit(random), 0.3 * unit(random), -1).normalized();
         bool first = true;
         for (int i = group; i < cameras; i += groups) {
-            const auto seen = project(k, r.cameras[std::size_t(i)].given, star.point);
+            const auto seen = project(k, r.cameras[std::size_t(i)].given, track.point);
             if (first) {
-                star.photo = std::uint32_t(i);
-                star.pixel = seen->pixel;
+                track.photo = std::uint32_t(i);
+                track.pixel = seen->pixel;
                 first = false;
             } else {
-                star.matches.push_back({std::uint32_t(i), seen->pixel, Eigen::Vector2d::Zero()});
+                track.matches.push_back({std::uint32_t(i), seen->pixel, Eigen::Vector2d::Zero()});
             }
         }
-        r.stars.push_back(star);
+        r.tracks.push_back(track);
     }
     r.change.assign(std::size_t(cameras), PoseChange{});
     return r;
@@ -84,15 +84,15 @@ double largest(const Rig& r) {
 }
 
 PoseFit solve(Rig& r, double anchor = 5, double sigma = 3) {
-    const PoseFit fit = fit_poses(r.cameras, r.stars, anchor, sigma, r.change);
+    const PoseFit fit = fit_poses(r.cameras, r.tracks, anchor, sigma, r.change);
     EXPECT_TRUE(std::isfinite(fit.before) && std::isfinite(fit.after));
     EXPECT_TRUE(!fit.usable || fit.after <= fit.before);
     return fit;
 }
 
 /// Seen by the cameras at -1 and 0.
-Star seen_twice(const Eigen::Vector3d& x) {
-    Star s;
+Track seen_twice(const Eigen::Vector3d& x) {
+    Track s;
     s.photo = 0;
     s.point = x;
     s.normal = -Eigen::Vector3d::UnitZ();
@@ -107,7 +107,7 @@ TEST(PoseSolver, NothingToSolveChangesNothing) {
     Rig empty = rig(3, 0);
     EXPECT_FALSE(solve(empty).usable);
     EXPECT_EQ(largest(empty), 0);
-    Rig lonely = rig(1, 20);  // stars that nobody else sees
+    Rig lonely = rig(1, 20);  // tracks that nobody else sees
     EXPECT_FALSE(solve(lonely).usable);
     EXPECT_EQ(largest(lonely), 0);
 }
@@ -136,7 +136,7 @@ TEST(PoseSolver, GroupsThatShareNothingAreSolvedApart) {
     // One group alone comes to the same.
     Rig alone = rig(6, 300, 2);
     disturb(alone, 2);
-    std::erase_if(alone.stars, [](const Star& s) { return s.photo != 0; });
+    std::erase_if(alone.tracks, [](const Track& s) { return s.photo != 0; });
     solve(alone);
     for (const std::size_t i : {0u, 2u, 4u})
         for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(together.change[i][c], alone.change[i][c], 1e-3);
@@ -146,7 +146,7 @@ TEST(PoseSolver, AnOutlierFarAwayMovesNothing) {
     Rig clean = rig(4, 200), with = rig(4, 200);
     disturb(clean, 2);
     disturb(with, 2);
-    with.stars[7].matches[0].pixel = {1e9, -1e9};
+    with.tracks[7].matches[0].pixel = {1e9, -1e9};
     solve(clean);
     solve(with);
     for (std::size_t i = 0; i < clean.change.size(); ++i)
@@ -158,18 +158,18 @@ TEST(PoseSolver, WhatIsNoNumberOrBehindACameraIsLeftOut) {
     disturb(clean, 2);
     disturb(with, 2);
     const double infinite = std::numeric_limits<double>::infinity();
-    with.stars[7].matches[0].pixel = {infinite, 0};
-    with.stars[8].pixel = {std::nan(""), 0};
-    with.stars[9].point = {0, 0, -3 * distance};
-    with.stars[10].point.x() = std::nan("");
-    with.stars[11].normal.setConstant(std::nan(""));
-    with.stars[12].matches[0].pixel = {1e200, 0};  // its square is no number
+    with.tracks[7].matches[0].pixel = {infinite, 0};
+    with.tracks[8].pixel = {std::nan(""), 0};
+    with.tracks[9].point = {0, 0, -3 * distance};
+    with.tracks[10].point.x() = std::nan("");
+    with.tracks[11].normal.setConstant(std::nan(""));
+    with.tracks[12].matches[0].pixel = {1e200, 0};  // its square is no number
     EXPECT_TRUE(solve(clean).usable);
     EXPECT_TRUE(solve(with).usable);
     for (std::size_t i = 0; i < clean.change.size(); ++i)
         for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(with.change[i][c], clean.change[i][c], 0.3);
     Rig nothing = rig(4, 50);
-    for (Star& s : nothing.stars) s.pixel.setConstant(infinite);
+    for (Track& s : nothing.tracks) s.pixel.setConstant(infinite);
     EXPECT_FALSE(solve(nothing).usable);
     EXPECT_EQ(largest(nothing), 0);
 }
@@ -186,7 +186,7 @@ TEST(PoseSolver, ACostThatIsNoNumberChangesNothing) {
 TEST(PoseSolver, OnlyOutliersStayWithinTheAnchorsReach) {
     Rig r = rig(5, 150);
     std::mt19937 random(9);
-    for (Star& s : r.stars)
+    for (Track& s : r.tracks)
         for (Match& m : s.matches) m.pixel = {double(random() % 1200), double(random() % 900)};
     solve(r);
     EXPECT_LT(largest(r), 1000);
@@ -198,18 +198,18 @@ TEST(CommonMotion, OfNothingAPointOrALineIsFinite) {
     const std::vector<Pose> given{at(-1), at(0), at(1)};
     std::vector<Pose> now = given;
     for (Pose& p : now) p.t += Eigen::Vector3d(0.01, 0, 0);
-    std::vector<Star> none, point, line;
+    std::vector<Track> none, point, line;
     for (int i = 0; i < 20; ++i) {
         point.push_back(seen_twice({1 + 1e-13 * i, 1, 0}));
         line.push_back(seen_twice(Eigen::Vector3d(0.07, 0.03, 0.013) * i));
     }
-    for (const auto* stars : {&none, &point, &line}) {
-        const Similarity s = common_motion(ks, given, now, *stars);
+    for (const auto* tracks : {&none, &point, &line}) {
+        const Similarity s = common_motion(ks, given, now, *tracks);
         const Pose moved = moved_with(now[0], inverse(s));
-        EXPECT_TRUE(moved.R.allFinite() && moved.t.allFinite()) << stars->size();
+        EXPECT_TRUE(moved.R.allFinite() && moved.t.allFinite()) << tracks->size();
         EXPECT_NEAR(moved.R.determinant(), 1, 1e-6);
-        EXPECT_LT(Eigen::AngleAxisd(s.R).angle(), 0.1) << stars->size();
-        EXPECT_NEAR(s.scale, 1, 0.1) << stars->size();
+        EXPECT_LT(Eigen::AngleAxisd(s.R).angle(), 0.1) << tracks->size();
+        EXPECT_NEAR(s.scale, 1, 0.1) << tracks->size();
     }
 }
 
@@ -219,7 +219,7 @@ TEST(CommonMotion, OfALineIsNoTurnAboutIt) {
     std::srand(3);
     for (int n = 0; n < 300; ++n) {
         const Eigen::Vector3d along = Eigen::Vector3d::Random() * 0.05, first = Eigen::Vector3d::Random();
-        std::vector<Star> line;
+        std::vector<Track> line;
         for (int i = 0; i < 20; ++i) line.push_back(seen_twice(first + along * i));
         std::vector<Pose> now = given;
         for (Pose& p : now) p.t += Eigen::Vector3d::Random() * 0.01;

@@ -4,10 +4,12 @@
 #include <opencv2/imgproc.hpp>
 
 #include "gl/context.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
-#include "pipeline/prepare.h"
-#include "pipeline/stages/photo_geometry.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/settings/settings.h"
+#include "pipeline/visibility/border_distance.h"
+#include "pipeline/visibility/photo_geometry.h"
 #include "scene/tiling.h"
 #include "tests/bench/exhibit.h"
 #include "tests/bench/model.h"

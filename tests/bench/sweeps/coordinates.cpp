@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "gl/context.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
 #include "scene/package_reader.h"
 #include "tests/bench/model.h"
 #include "tests/bench/statistics.h"

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "gl/context.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
 #include "pipeline/synth/ray_scene.h"
 #include "scene/tiling.h"
 #include "tests/bench/exhibit.h"

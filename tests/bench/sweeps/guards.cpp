@@ -2,8 +2,8 @@
 #include <cstring>
 
 #include "gl/context.h"
-#include "pipeline/import/discover.h"
-#include "pipeline/import/read_scene.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
 #include "player/render/renderer.h"
 #include "player/verify/finite_targets.h"
 #include "scene/lens.h"

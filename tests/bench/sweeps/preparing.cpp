@@ -1,7 +1,8 @@
 // Settings of prepare, one at a time.
 #include <fmt/format.h>
 
-#include "pipeline/prepare.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/settings/settings.h"
 #include "tests/bench/pictures.h"
 #include "tests/bench/prepared.h"
 #include "tests/bench/sweep.h"

@@ -3,10 +3,11 @@
 #include <array>
 #include <cmath>
 
-#include "pipeline/for_each_photo.h"
-#include "pipeline/prepare.h"
-#include "pipeline/stages/pyramid.h"
-#include "pipeline/stages/undistort.h"
+#include "pipeline/pixels/pyramid.h"
+#include "pipeline/pixels/undistort.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/run/for_each_photo.h"
+#include "pipeline/settings/settings.h"
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/synthesise.h"
 #include "player/measure/picture_metrics.h"
@@ -26,7 +27,7 @@ constexpr double psnr_most = 100;
 
 /// At most `count` of the specified cameras, evenly spread, at most `width` wide, with a lens.
 std::vector<Camera> cameras(const SynthSpec& spec, std::size_t count, int width) {
-    const std::vector<PhotoInput> all = place_cameras(spec);
+    const std::vector<NamedCamera> all = place_cameras(spec);
     const std::size_t some = std::min(count, all.size());
     std::vector<Camera> out;
     for (std::size_t i = 0; i < some; ++i) {

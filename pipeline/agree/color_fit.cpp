@@ -1,0 +1,293 @@
+#include "pipeline/agree/color_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+namespace vantage {
+namespace {
+
+constexpr double scale = 0.12;       ///< of the robust weights, in ln of linear light
+constexpr double first_scale = 0.6;  ///< from which it comes down
+constexpr int iterations = 5;        ///< weights and solutions
+constexpr int least_photos = 3;      ///< of a lens, to tell its falloff from what is photographed
+constexpr double most_gain = 4;
+constexpr double least_corner = 0.05, most_corner = 0.6;  ///< share of the light that a corner loses
+constexpr double least_use = 0.02;                        ///< share of the cost that a falloff must take away
+
+/// The unknowns, and how many terms of its falloff each lens has.
+struct Model {
+    Eigen::MatrixXd gain;     ///< photos x 3
+    Eigen::VectorXd falloff;  ///< 3 a lens
+    std::vector<int> terms;
+    std::span<const std::uint32_t> lens;
+
+    Falloff of_lens(std::size_t l) const {
+        const auto at = 3 * Eigen::Index(l);
+        return {falloff[at], falloff[at + 1], falloff[at + 2]};
+    }
+    double corrected(const Observation& o, int channel) const {
+        const Falloff f = of_lens(lens[o.photo]);
+        const double r2 = double(o.radius2);
+        return double(o.ln[channel]) + gain(o.photo, channel) + r2 * (f[0] + r2 * (f[1] + r2 * f[2]));
+    }
+};
+
+/// Of each observation, after the disc's own colour is taken off, under the weights.
+template <class Visit>
+void each_residual(const SharedDiscs& obs, const Model& m, const std::vector<double>& weights,
+                   const Visit& visit) {
+    obs.each_disc([&](std::span<const Observation> disc, std::size_t at) {
+        Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+        double sum = 0;
+        for (std::size_t i = 0; i < disc.size(); ++i) {
+            const double w = weights[at + i];
+            for (int c = 0; c < 3; ++c) mean[c] += w * m.corrected(disc[i], c);
+            sum += w;
+        }
+        mean /= sum;
+        for (std::size_t i = 0; i < disc.size(); ++i) {
+            Eigen::Vector3d e;
+            for (int c = 0; c < 3; ++c) e[c] = m.corrected(disc[i], c) - mean[c];
+            visit(at + i, e.squaredNorm() / 3);
+        }
+    });
+}
+
+/// Cauchy's cost of a model, at the last scale.
+double cost(const SharedDiscs& obs, const Model& m, const std::vector<double>& weights) {
+    double sum = 0;
+    each_residual(obs, m, weights, [&](std::size_t, double e2) { sum += std::log1p(e2 / (scale * scale)); });
+    return sum;
+}
+
+/// Normal equations under weights, discs eliminated. The matrices are the same for all channels.
+struct Normal {
+    Eigen::MatrixXd A;  ///< photos x photos
+    Eigen::MatrixXd B;  ///< photos x falloff
+    Eigen::MatrixXd C;  ///< falloff x falloff
+    Eigen::MatrixXd b;  ///< photos x 3
+    Eigen::MatrixXd d;  ///< falloff x 3
+};
+
+/// What a disc's observation contributes: its weight, and that times what it says.
+struct Weighted {
+    Eigen::Index photo, lens;  ///< row of the gain, first row of the falloff
+    double weight;
+    Eigen::Vector3d features;  ///< r^2, r^4, r^6, as many as its lens has terms
+    Eigen::RowVector3d ln;
+};
+
+Weighted weighted(const Observation& o, double weight, const Model& m) {
+    const std::uint32_t lens = m.lens[o.photo];
+    Weighted w{o.photo, 3 * Eigen::Index(lens), weight, Eigen::Vector3d::Zero(), {}};
+    double power = 1;
+    for (int t = 0; t < m.terms[lens]; ++t) w.features[t] = power *= double(o.radius2);
+    w.features *= weight;
+    for (int c = 0; c < 3; ++c) w.ln[c] = weight * double(o.ln[c]);
+    return w;
+}
+
+/// The features of a disc's photos that one lens took.
+struct LensSum {
+    Eigen::Index lens;
+    Eigen::Vector3d features;
+};
+
+void add(std::vector<LensSum>& lenses, const Weighted& w) {
+    const auto it = std::ranges::find(lenses, w.lens, &LensSum::lens);
+    if (it == lenses.end())
+        lenses.push_back({w.lens, w.features});
+    else
+        it->features += w.features;
+}
+
+Normal normal_equations(const SharedDiscs& obs, const Model& m, const std::vector<double>& weights) {
+    const Eigen::Index photos = m.gain.rows(), terms = m.falloff.size();
+    Normal n{Eigen::MatrixXd::Zero(photos, photos), Eigen::MatrixXd::Zero(photos, terms),
+             Eigen::MatrixXd::Zero(terms, terms), Eigen::MatrixXd::Zero(photos, 3),
+             Eigen::MatrixXd::Zero(terms, 3)};
+    std::vector<Weighted> ws;
+    std::vector<LensSum> lenses;
+    obs.each_disc([&](std::span<const Observation> disc, std::size_t at) {
+        ws.clear();
+        lenses.clear();
+        double sum = 0;
+        Eigen::RowVector3d ln = Eigen::RowVector3d::Zero();
+        for (std::size_t i = 0; i < disc.size(); ++i) {
+            const Weighted& w = ws.emplace_back(weighted(disc[i], weights[at + i], m));
+            sum += w.weight;
+            ln += w.ln;
+            add(lenses, w);
+        }
+        ln /= sum;
+        for (const Weighted& a : ws) {
+            n.A(a.photo, a.photo) += a.weight;
+            for (const Weighted& b : ws) n.A(a.photo, b.photo) -= a.weight * b.weight / sum;
+            n.b.row(a.photo) += a.weight * ln - a.ln;
+            n.B.block<1, 3>(a.photo, a.lens) += a.features.transpose();
+            for (const LensSum& l : lenses)
+                n.B.block<1, 3>(a.photo, l.lens) -= a.weight / sum * l.features.transpose();
+            n.C.block<3, 3>(a.lens, a.lens) += a.features * a.features.transpose() / a.weight;
+            n.d.block<3, 3>(a.lens, 0) += a.features * (ln - a.ln / a.weight);
+        }
+        for (const LensSum& k : lenses)
+            for (const LensSum& l : lenses)
+                n.C.block<3, 3>(k.lens, l.lens) -= k.features * l.features.transpose() / sum;
+    });
+    return n;
+}
+
+void solve(const SharedDiscs& obs, const std::vector<double>& weights, Model& m) {
+    Normal n = normal_equations(obs, m, weights);
+    // Fixes what nothing else does: each component's mean, photos and lenses without observations.
+    const double ridge = 1e-7 * (n.A.trace() / double(n.A.rows()) + 1);
+    n.A.diagonal().array() += ridge;
+    n.C.diagonal().array() += ridge;
+    const Eigen::LLT<Eigen::MatrixXd> A(n.A);
+    const Eigen::MatrixXd AB = A.solve(n.B), Ab = A.solve(n.b);
+    m.falloff = (3 * (n.C - n.B.transpose() * AB)).ldlt().solve((n.d - n.B.transpose() * Ab).rowwise().sum());
+    m.gain = Ab - (AB * m.falloff).replicate(1, 3);
+    for (std::size_t l = 0; l < m.terms.size(); ++l)
+        for (int t = m.terms[l]; t < 3; ++t) m.falloff[3 * Eigen::Index(l) + t] = 0;
+}
+
+/// The weights that a model gives, at a scale; under those before, each disc's own colour.
+std::vector<double> robust_weights(const SharedDiscs& obs, const Model& m, const std::vector<double>& before,
+                                   double at) {
+    std::vector<double> weights(before.size());
+    each_residual(obs, m, before, [&](std::size_t o, double e2) { weights[o] = 1 / (1 + e2 / (at * at)); });
+    return weights;
+}
+
+/// Weights that follow the solution, solutions that follow the weights.
+void iterate(const SharedDiscs& obs, Model& m, std::vector<double>& weights, double from) {
+    for (int i = 0; i < iterations; ++i) {
+        const double at = std::max(scale, from * std::pow(0.5, i));
+        solve(obs, weights, m);
+        weights = robust_weights(obs, m, weights, at);
+    }
+}
+
+bool sound(const Falloff& f) {
+    double before = 0;
+    for (int i = 1; i <= 64; ++i) {
+        const double now = log_falloff(f, i / 64.0);
+        if (!(now >= before - 1e-9)) return false;
+        before = now;
+    }
+    const double lost = 1 - std::exp(-before);
+    return lost >= least_corner && lost <= most_corner;
+}
+
+std::vector<int> photos_of(std::span<const std::uint32_t> lens, std::size_t lenses) {
+    std::vector<int> count(lenses, 0);
+    for (const std::uint32_t l : lens) ++count[l];
+    return count;
+}
+
+/// The most terms with which every lens's falloff is one that a lens can have.
+void fit_falloff(const SharedDiscs& obs, Model& m, std::vector<double>& weights) {
+    const Model without = m;
+    const double cost_without = cost(obs, m, weights);
+    const std::vector<int> photos = photos_of(m.lens, m.terms.size());
+    for (std::size_t l = 0; l < m.terms.size(); ++l) m.terms[l] = photos[l] >= least_photos ? 3 : 0;
+    for (;;) {
+        iterate(obs, m, weights, scale);
+        bool all_sound = true;
+        for (std::size_t l = 0; l < m.terms.size(); ++l)
+            if (m.terms[l] > 0 && !sound(m.of_lens(l))) --m.terms[l], all_sound = false;
+        if (all_sound) break;
+    }
+    if (cost(obs, m, weights) < (1 - least_use) * cost_without) return;
+    m = without;
+}
+
+void centre(Model& m, const std::vector<std::uint32_t>& component, const std::vector<std::size_t>& count) {
+    for (std::uint32_t root = 0; root < component.size(); ++root) {
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        int members = 0;
+        for (std::size_t i = 0; i < component.size(); ++i)
+            if (component[i] == root && count[i]) sum += m.gain.row(Eigen::Index(i)), ++members;
+        for (std::size_t i = 0; i < component.size() && members; ++i)
+            if (component[i] == root && count[i]) m.gain.row(Eigen::Index(i)) -= sum / members;
+    }
+    m.gain = m.gain.cwiseMax(-std::log(most_gain)).cwiseMin(std::log(most_gain));
+}
+
+double median(std::vector<float>& values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return double(*middle);
+}
+
+/// Each photo of a disc against the next.
+void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<double>& of_photo) {
+    std::vector<float> differences;
+    std::vector<std::vector<float>> by_photo(of_photo.size());
+    obs.each_disc([&](std::span<const Observation> disc, std::size_t) {
+        for (std::size_t i = 0; i < disc.size(); ++i) {
+            const Observation &a = disc[i], &b = disc[(i + 1) % disc.size()];
+            if (i + 1 == disc.size() && i < 2) break;  // two are one pair
+            double d = 0;
+            for (int c = 0; c < 3; ++c) d += std::abs(m.corrected(a, c) - m.corrected(b, c)) / 3;
+            differences.push_back(float(d));
+            by_photo[a.photo].push_back(float(d));
+            by_photo[b.photo].push_back(float(d));
+        }
+    });
+    all = median(differences);
+    for (std::size_t i = 0; i < of_photo.size(); ++i) of_photo[i] = median(by_photo[i]);
+}
+
+}  // namespace
+
+double log_falloff(const Falloff& f, double radius) {
+    const double r2 = radius * radius;
+    return r2 * (f[0] + r2 * (f[1] + r2 * f[2]));
+}
+
+std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photos) {
+    std::vector<std::uint32_t> out;
+    std::vector<const package::PhotoRecord*> lenses;
+    for (const package::PhotoRecord& p : photos) {
+        const auto same = [&](const package::PhotoRecord* l) {
+            const bool turned = l->width == p.height && l->height == p.width;
+            return ((l->width == p.width && l->height == p.height) || turned) &&
+                   std::abs(l->fx / p.fx - 1) < 0.005;
+        };
+        const auto it = std::ranges::find_if(lenses, same);
+        out.push_back(std::uint32_t(it - lenses.begin()));
+        if (it == lenses.end()) lenses.push_back(&p);
+    }
+    return out;
+}
+
+ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool with_falloff) {
+    const std::size_t photos = samples.size();
+    const std::size_t lenses = photos ? std::ranges::max(lens) + std::size_t(1) : 0;
+    ColorFit fit;
+    fit.ln_gain.resize(photos, {});
+    fit.falloff.resize(lenses, {});
+    fit.photo_before.resize(photos, 0);
+    fit.photo_after.resize(photos, 0);
+    const SharedDiscs obs = shared_discs(samples, fit.samples);
+    fit.component = components(obs, photos);
+    if (obs.all.empty()) return fit;
+    Model m{Eigen::MatrixXd::Zero(Eigen::Index(photos), 3), Eigen::VectorXd::Zero(3 * Eigen::Index(lenses)),
+            std::vector<int>(lenses, 0), lens};
+    measure(obs, m, fit.before, fit.photo_before);
+    std::vector<double> weights(obs.all.size(), 1);
+    iterate(obs, m, weights, first_scale);
+    if (with_falloff) fit_falloff(obs, m, weights);
+    centre(m, fit.component, fit.samples);
+    measure(obs, m, fit.after, fit.photo_after);
+    for (std::size_t i = 0; i < photos; ++i)
+        for (std::size_t c = 0; c < 3; ++c) fit.ln_gain[i][c] = m.gain(Eigen::Index(i), Eigen::Index(c));
+    for (std::size_t l = 0; l < lenses; ++l) fit.falloff[l] = m.of_lens(l);
+    return fit;
+}
+
+}  // namespace vantage

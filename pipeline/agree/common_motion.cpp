@@ -1,0 +1,95 @@
+#include "pipeline/agree/common_motion.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "scene/quantile.h"
+
+namespace vantage {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Matrix7 = Eigen::Matrix<double, 7, 7>;
+using Vector7 = Eigen::Matrix<double, 7, 1>;
+
+/// Calls for every photo that shows a track.
+template <class Visit>
+void each_sight(const Track& track, const Visit& visit) {
+    visit(track.photo);
+    for (const Match& m : track.matches) visit(m.photo);
+}
+
+/// d pixel / d (turn, move, ln scale) of the point.
+Eigen::Matrix<double, 2, 7> derivative(const Intrinsics& k, const Pose& pose, const Vector3d& x,
+                                       const Vector3d& middle, double size) {
+    const Vector3d p = pose.R * x + pose.t;
+    Eigen::Matrix<double, 2, 3> of_camera;
+    of_camera << k.fx / p.z(), 0, -k.fx * p.x() / (p.z() * p.z()), 0, k.fy / p.z(),
+        -k.fy * p.y() / (p.z() * p.z());
+    const Vector3d from_middle = x - middle;
+    Eigen::Matrix<double, 3, 7> of_point;
+    for (int a = 0; a < 3; ++a) {
+        of_point.col(a) = Vector3d::Unit(a).cross(from_middle);
+        of_point.col(3 + a) = Vector3d::Unit(a) * size;
+    }
+    of_point.col(6) = from_middle;
+    return of_camera * pose.R * of_point;
+}
+
+}  // namespace
+
+Pose moved_with(const Pose& pose, const Similarity& s) {
+    return {pose.R * s.R, (pose.R * s.t + pose.t) / s.scale};
+}
+
+Similarity inverse(const Similarity& s) {
+    return {s.R.transpose(), -(s.R.transpose() * s.t) / s.scale, 1 / s.scale};
+}
+
+Similarity common_motion(std::span<const Intrinsics> intrinsics, std::span<const Pose> given,
+                         std::span<const Pose> now, std::span<const Track> tracks) {
+    if (tracks.empty()) return {};
+    Vector3d middle = Vector3d::Zero();
+    for (const Track& s : tracks) middle += s.point / double(tracks.size());
+    double size = 0;
+    for (const Track& s : tracks) size += (s.point - middle).norm() / double(tracks.size());
+    // Of a point, and no surface, neither turns nor scale can be told.
+    const Pose& first = given[tracks.front().photo];
+    if (!(size > 1e-9 * (first.R * middle + first.t).norm())) return {};
+    Matrix7 normal = Matrix7::Zero();
+    Vector7 right = Vector7::Zero();
+    for (const Track& s : tracks)
+        each_sight(s, [&](std::uint32_t i) {
+            const auto a = project(intrinsics[i], given[i], s.point),
+                       b = project(intrinsics[i], now[i], s.point);
+            if (!a || !b) return;
+            const auto j = derivative(intrinsics[i], given[i], s.point, middle, size);
+            normal += j.transpose() * j;
+            right += j.transpose() * (b->pixel - a->pixel);
+        });
+    normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff() + 1e-300;
+    const Vector7 d = normal.ldlt().solve(right);
+    if (!d.allFinite() || std::abs(d(6)) > 1) return {};
+    const Vector3d turn = d.head<3>();
+    Similarity out;
+    out.R = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+    out.scale = std::exp(d(6));
+    out.t = middle + size * Vector3d(d.segment<3>(3)) - out.scale * (out.R * middle);
+    return out;
+}
+
+double median_motion(std::span<const Intrinsics> intrinsics, std::span<const Pose> a, std::span<const Pose> b,
+                     std::span<const Track> tracks, std::optional<std::uint32_t> photo) {
+    std::vector<double> moved;
+    for (const Track& s : tracks)
+        each_sight(s, [&](std::uint32_t i) {
+            if (photo && *photo != i) return;
+            const auto p = project(intrinsics[i], a[i], s.point), q = project(intrinsics[i], b[i], s.point);
+            if (p && q) moved.push_back((p->pixel - q->pixel).norm());
+        });
+    return quantile(std::move(moved), 0.5);
+}
+
+}  // namespace vantage

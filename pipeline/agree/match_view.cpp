@@ -1,0 +1,68 @@
+#include "pipeline/agree/match_view.h"
+
+#include <algorithm>
+#include <cstring>
+#include <opencv2/imgproc.hpp>
+
+#include "pipeline/package/tile_levels.h"
+#include "scene/error.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+namespace {
+
+using package::Type;
+
+cv::Mat level_of(const PackageReader& package, const package::PhotoRecord& r, std::uint32_t photo, Type type,
+                 int level, int cv_type) {
+    const Level size = level_size(int(r.width), int(r.height), level);
+    const std::vector<std::byte> texels = read_level(package, r, photo, type, level);
+    cv::Mat out(size.height, size.width, cv_type);
+    std::memcpy(out.data, texels.data(), texels.size());
+    return out;
+}
+
+/// Photos differ in exposure, and what they show in haze and shade: what matters is where its detail lies.
+cv::Mat normalised(const cv::Mat& grey) {
+    cv::Mat x, mean, square;
+    grey.convertTo(x, CV_32F);
+    const cv::Size window(25, 25);
+    cv::boxFilter(x, mean, CV_32F, window);
+    cv::sqrBoxFilter(x, square, CV_32F, window);
+    cv::Mat out(grey.size(), CV_8U);
+    for (int y = 0; y < out.rows; ++y) {
+        const auto *v = x.ptr<float>(y), *m = mean.ptr<float>(y), *s = square.ptr<float>(y);
+        auto* o = out.ptr<std::uint8_t>(y);
+        for (int i = 0; i < out.cols; ++i) {
+            const float contrast = std::sqrt(std::max(s[i] - m[i] * m[i], 0.0f)) + 4;
+            o[i] = std::uint8_t(std::clamp(128 + 44 * (v[i] - m[i]) / contrast, 0.0f, 255.0f));
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+MatchView read_match_view(const PackageReader& package, const package::PhotoRecord& r, std::uint32_t photo,
+                          int long_side) {
+    int l = mask_level;
+    while (l + 1 < int(r.levels) && int(std::max(r.width, r.height)) >> l > long_side) ++l;
+    const Level size = level_size(int(r.width), int(r.height), l);
+    MatchView out{l,
+                  intrinsics(r).at_level(l),
+                  cam_from_origin(r),
+                  {},
+                  level_of(package, r, photo, Type::depth, l, CV_32F)};
+    cv::Mat grey;
+    if (l < int(r.levels)) {
+        cv::cvtColor(level_of(package, r, photo, Type::tiles, l, CV_8UC4), grey, cv::COLOR_RGBA2GRAY);
+    } else {
+        cv::Mat finer;
+        cv::cvtColor(level_of(package, r, photo, Type::tiles, 0, CV_8UC4), finer, cv::COLOR_RGBA2GRAY);
+        cv::resize(finer, grey, {size.width, size.height}, 0, 0, cv::INTER_AREA);
+    }
+    out.grey = normalised(grey);
+    return out;
+}
+
+}  // namespace vantage

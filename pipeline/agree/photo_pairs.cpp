@@ -1,0 +1,93 @@
+#include "pipeline/agree/photo_pairs.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "scene/package_reader.h"
+#include "scene/quantile.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::uint32_t least_shared = 30;
+constexpr std::size_t compared_discs = 128;
+
+using Bits = std::vector<std::uint64_t>;
+
+Bits seen_discs(std::span<const package::SampleRecord> samples) {
+    Bits bits((samples.size() + 63) / 64);
+    for (std::size_t d = 0; d < samples.size(); ++d)
+        if (shown(samples[d])) bits[d / 64] |= std::uint64_t(1) << d % 64;
+    return bits;
+}
+
+std::uint32_t count_shared(const Bits& a, const Bits& b) {
+    std::uint32_t n = 0;
+    for (std::size_t w = 0; w < std::min(a.size(), b.size()); ++w)
+        n += std::uint32_t(std::popcount(a[w] & b[w]));
+    return n;
+}
+
+/// Of at most so many discs as it takes for a median.
+void compare(const Bits& a, const Bits& b, std::span<const Eigen::Vector3d, 2> eyes, Samples samples,
+             std::span<const SurfaceDisc> discs, PhotoPair& pair) {
+    std::vector<double> angles, colors;
+    const std::size_t step = 1 + pair.shared / compared_discs;
+    std::size_t n = 0;
+    for (std::size_t d = 0; d < discs.size() && d / 64 < std::min(a.size(), b.size()); ++d) {
+        if (!((a[d / 64] & b[d / 64]) >> d % 64 & 1) || n++ % step) continue;
+        const Eigen::Vector3d x = discs[d].center.cast<double>(), to_a = (eyes[0] - x).stableNormalized(),
+                              to_b = (eyes[1] - x).stableNormalized();
+        angles.push_back(std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b)));
+        double color = 0;
+        for (int c = 0; c < 3; ++c)
+            color += std::abs(std::log(std::max(1.0, double(samples[pair.a][d].linear[c])) /
+                                       std::max(1.0, double(samples[pair.b][d].linear[c])))) /
+                     3;
+        colors.push_back(color);
+    }
+    pair.angle = quantile(std::move(angles), 0.5);
+    pair.color = quantile(std::move(colors), 0.5);
+}
+
+/// Much of the same from nearly the same direction.
+double worth(const PhotoPair& p) { return p.shared * std::exp(-std::pow(p.angle / 0.35, 2)); }
+
+}  // namespace
+
+std::vector<PhotoPair> photo_pairs(std::span<const package::PhotoRecord> photos, Samples samples,
+                                   std::span<const SurfaceDisc> discs, std::size_t most) {
+    std::vector<Bits> seen;
+    std::vector<Eigen::Vector3d> eyes;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        seen.push_back(seen_discs(samples[i]));
+        eyes.push_back(cam_from_origin(photos[i]).center());
+    }
+    std::vector<PhotoPair> chosen;
+    for (std::uint32_t a = 0; a < photos.size(); ++a) {
+        std::vector<PhotoPair> pairs;
+        for (std::uint32_t b = 0; b < photos.size(); ++b)
+            if (const std::uint32_t n = a == b ? 0 : count_shared(seen[a], seen[b]); n >= least_shared)
+                pairs.push_back({std::min(a, b), std::max(a, b), n});
+        // Angles take longer than counting: only where much is shared.
+        const std::size_t near = std::min(pairs.size(), 4 * most);
+        std::ranges::partial_sort(pairs, pairs.begin() + std::ptrdiff_t(near), std::greater{},
+                                  &PhotoPair::shared);
+        pairs.resize(near);
+        for (PhotoPair& p : pairs)
+            compare(seen[p.a], seen[p.b], std::array{eyes[p.a], eyes[p.b]}, samples, discs, p);
+        std::ranges::stable_sort(pairs, std::greater{}, worth);
+        pairs.resize(std::min(pairs.size(), most));
+        chosen.insert(chosen.end(), pairs.begin(), pairs.end());
+    }
+    const auto order = [](const PhotoPair& p) { return std::pair(p.a, p.b); };
+    std::ranges::sort(chosen, {}, order);
+    const auto same = [&](const PhotoPair& p, const PhotoPair& q) { return order(p) == order(q); };
+    chosen.erase(std::unique(chosen.begin(), chosen.end(), same), chosen.end());
+    return chosen;
+}
+
+}  // namespace vantage

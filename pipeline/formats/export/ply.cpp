@@ -1,0 +1,32 @@
+#include "pipeline/formats/export/ply.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "scene/error.h"
+
+namespace vantage {
+
+void write_ply(const std::filesystem::path& file, const Eigen::Vector3d& origin,
+               std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
+               std::span<const std::array<std::uint32_t, 3>> triangles) {
+    std::ofstream out(file, std::ios::binary);
+    out << fmt::format(
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
+        "property double z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face {}\n"
+        "property list uchar int vertex_indices\nend_header\n",
+        positions.size(), triangles.size());
+    const auto put = [&](const auto& v) { out.write(reinterpret_cast<const char*>(&v), sizeof v); };
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        put(Eigen::Vector3d(origin + positions[i].cast<double>()));
+        put(normals[i]);
+    }
+    for (const auto& t : triangles) {
+        put(std::uint8_t(3));
+        put(t);
+    }
+    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot write");
+}
+
+}  // namespace vantage

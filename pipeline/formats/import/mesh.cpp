@@ -1,0 +1,98 @@
+#include "pipeline/formats/import/mesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "pipeline/formats/import/openmesh_reader.h"
+#include "pipeline/formats/import/ply.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+/// STL repeats every corner: equal positions become one vertex. Positions must be numbers, or they have no
+/// order.
+void weld(Mesh& mesh) {
+    std::map<std::array<double, 3>, std::uint32_t> first;
+    std::vector<std::uint32_t> to(mesh.positions.size());
+    Mesh welded;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+        const Eigen::Vector3d& p = mesh.positions[i];
+        const auto [it, fresh] =
+            first.try_emplace({p.x(), p.y(), p.z()}, std::uint32_t(welded.positions.size()));
+        if (fresh) welded.positions.push_back(p);
+        to[i] = it->second;
+    }
+    for (const auto& t : mesh.triangles)
+        if (const std::array<std::uint32_t, 3> w{to[t[0]], to[t[1]], to[t[2]]};
+            w[0] != w[1] && w[1] != w[2] && w[2] != w[0])
+            welded.triangles.push_back(w);
+    mesh = std::move(welded);
+}
+
+/// A position whose square is a number in single precision, too.
+bool usable(const Eigen::Vector3d& p) { return p.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < 1e18; }
+
+/// Drops triangles with a missing or repeated vertex or one that is not usable. Vertices that then belong to
+/// no triangle move to one that does: where they are must not count as the model's extent. Without triangles,
+/// unusable ones move to the first usable one. Returns how many triangles went.
+std::size_t drop_broken(Mesh& mesh) {
+    const auto bad = [&](std::uint32_t v) { return v == no_vertex || !usable(mesh.positions[v]); };
+    const std::size_t dropped = std::erase_if(mesh.triangles, [&](const auto& t) {
+        return bad(t[0]) || bad(t[1]) || bad(t[2]) || t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    });
+    std::vector<bool> used(mesh.positions.size(), false);
+    for (const auto& t : mesh.triangles)
+        for (const std::uint32_t v : t) used[v] = true;
+    for (std::size_t v = 0; mesh.triangles.empty() && v < used.size(); ++v)
+        used[v] = usable(mesh.positions[v]);
+    const auto first = std::ranges::find(used, true) - used.begin();
+    const Eigen::Vector3d stand_in =
+        first == std::ssize(used) ? Eigen::Vector3d::Zero().eval() : mesh.positions[std::size_t(first)];
+    for (std::size_t v = 0; v < used.size(); ++v)
+        if (!used[v]) mesh.positions[v] = stand_in;
+    return dropped;
+}
+
+void complete_normals(Mesh& mesh) {
+    mesh.normals.resize(mesh.positions.size(), Eigen::Vector3f::Zero());
+    const auto has_direction = [](const Eigen::Vector3f& n) {
+        return n.allFinite() && n.squaredNorm() > 1e-12f;
+    };
+    if (!std::all_of(mesh.normals.begin(), mesh.normals.end(), has_direction)) {
+        std::vector<Eigen::Vector3d> sum(mesh.positions.size(), Eigen::Vector3d::Zero());
+        for (const auto& t : mesh.triangles) {
+            const Eigen::Vector3d n = (mesh.positions[t[1]] - mesh.positions[t[0]])
+                                          .cross(mesh.positions[t[2]] - mesh.positions[t[0]]);
+            for (const std::uint32_t v : t) sum[v] += n;
+        }
+        for (std::size_t v = 0; v < sum.size(); ++v) {
+            if (has_direction(mesh.normals[v])) continue;
+            const double length = sum[v].norm();  // zero for a vertex of no triangle: any unit vector will do
+            mesh.normals[v] =
+                length > 0 ? (sum[v] / length).cast<float>().eval() : Eigen::Vector3f::UnitZ().eval();
+        }
+    }
+    for (Eigen::Vector3f& n : mesh.normals) n.stableNormalize();
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+    if (!std::filesystem::exists(file)) throw Error(Exit::input, file.string() + ": does not exist");
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    Mesh mesh = extension == ".ply" ? read_ply(file) : read_by_openmesh(file);
+    if (mesh.positions.empty()) throw Error(Exit::input, file.string() + ": has no vertices");
+    if (const std::size_t n = drop_broken(mesh))
+        warnings.push_back(file.filename().string() + ": " + std::to_string(n) +
+                           " broken triangles left out");
+    if (extension == ".stl") weld(mesh);
+    complete_normals(mesh);
+    return mesh;
+}
+
+}  // namespace vantage

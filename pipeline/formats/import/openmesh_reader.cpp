@@ -1,0 +1,158 @@
+#include "pipeline/formats/import/openmesh_reader.h"
+
+#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/IO/importer/BaseImporter.hh>
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+
+#include "pipeline/formats/import/isolated_process.h"
+#include "pipeline/formats/import/ply.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+using namespace OpenMesh;
+
+std::uint8_t to_byte(float v) { return std::uint8_t(std::clamp(v, 0.0f, 1.0f) * 255 + 0.5f); }
+
+/// Collects what OpenMesh's readers find, as it is in the file of `bytes`. They believe its counts and go on
+/// when it has ended, so for more than it has room for std::length_error is thrown.
+class Collector : public IO::BaseImporter {
+  public:
+    Mesh mesh;
+
+    explicit Collector(std::uint64_t bytes) : most_(bytes / 2) {}  // numbers: "0 " is the shortest
+
+    VertexHandle add_vertex(const Vec3f& p) override { return add_vertex(Vec3d(p)); }
+    VertexHandle add_vertex(const Vec3d& p) override {
+        if (mesh.positions.size() >= most_ / 3) throw std::length_error("vertices");
+        mesh.positions.emplace_back(p[0], p[1], p[2]);
+        return VertexHandle(int(mesh.positions.size()) - 1);
+    }
+    VertexHandle add_vertex() override { return add_vertex(Vec3d(0, 0, 0)); }
+    FaceHandle add_face(const VHandles& corners) override {
+        if (faces_ >= most_ || corners.size() > most_ - mesh.triangles.size())
+            throw std::length_error("corners");
+        const auto at = [&](std::size_t i) {
+            return known(corners[i]) ? std::uint32_t(corners[i].idx()) : no_vertex;
+        };
+        for (std::size_t i = 2; i < corners.size(); ++i) mesh.triangles.push_back({at(0), at(i - 1), at(i)});
+        return FaceHandle(int(faces_++));
+    }
+    void set_point(VertexHandle v, const Vec3f& p) override {
+        if (known(v)) mesh.positions[std::size_t(v.idx())] = {double(p[0]), double(p[1]), double(p[2])};
+    }
+    void set_normal(VertexHandle v, const Vec3f& n) override {
+        if (!known(v)) return;
+        mesh.normals.resize(mesh.positions.size(), Eigen::Vector3f::Zero());
+        mesh.normals[std::size_t(v.idx())] = {n[0], n[1], n[2]};
+    }
+    void set_normal(VertexHandle v, const Vec3d& n) override { set_normal(v, Vec3f(n)); }
+    void set_color(VertexHandle v, const Vec4uc& c) override {
+        if (!known(v)) return;
+        mesh.colors.resize(mesh.positions.size(), {255, 255, 255, 255});
+        mesh.colors[std::size_t(v.idx())] = {c[0], c[1], c[2], c[3]};
+    }
+    void set_color(VertexHandle v, const Vec3uc& c) override { set_color(v, Vec4uc(c[0], c[1], c[2], 255)); }
+    void set_color(VertexHandle v, const Vec4f& c) override {
+        set_color(v, Vec4uc(to_byte(c[0]), to_byte(c[1]), to_byte(c[2]), to_byte(c[3])));
+    }
+    void set_color(VertexHandle v, const Vec3f& c) override { set_color(v, Vec4f(c[0], c[1], c[2], 1)); }
+    std::size_t n_vertices() const override { return mesh.positions.size(); }
+    std::size_t n_faces() const override { return faces_; }
+    std::size_t n_edges() const override { return 0; }
+
+    // Not part of a mesh as we use it.
+    HalfedgeHandle add_edge(VertexHandle, VertexHandle) override { return HalfedgeHandle(); }
+    FaceHandle add_face(HalfedgeHandle) override { return FaceHandle(); }
+    void add_face_texcoords(FaceHandle, VertexHandle, const std::vector<Vec2f>&) override {}
+    void add_face_texcoords(FaceHandle, VertexHandle, const std::vector<Vec3f>&) override {}
+    void set_face_texindex(FaceHandle, int) override {}
+    void set_halfedge(VertexHandle, HalfedgeHandle) override {}
+    void set_texcoord(VertexHandle, const Vec2f&) override {}
+    void set_texcoord(VertexHandle, const Vec3f&) override {}
+    void set_texcoord(HalfedgeHandle, const Vec2f&) override {}
+    void set_texcoord(HalfedgeHandle, const Vec3f&) override {}
+    void set_status(VertexHandle, const Attributes::StatusInfo&) override {}
+    void set_status(HalfedgeHandle, const Attributes::StatusInfo&) override {}
+    void set_status(EdgeHandle, const Attributes::StatusInfo&) override {}
+    void set_status(FaceHandle, const Attributes::StatusInfo&) override {}
+    void set_next(HalfedgeHandle, HalfedgeHandle) override {}
+    void set_face(HalfedgeHandle, FaceHandle) override {}
+    void request_face_texcoords2D() override {}
+    void set_color(EdgeHandle, const Vec3uc&) override {}
+    void set_color(EdgeHandle, const Vec4uc&) override {}
+    void set_color(EdgeHandle, const Vec3f&) override {}
+    void set_color(EdgeHandle, const Vec4f&) override {}
+    void set_normal(FaceHandle, const Vec3f&) override {}
+    void set_normal(FaceHandle, const Vec3d&) override {}
+    void set_color(FaceHandle, const Vec3uc&) override {}
+    void set_color(FaceHandle, const Vec4uc&) override {}
+    void set_color(FaceHandle, const Vec3f&) override {}
+    void set_color(FaceHandle, const Vec4f&) override {}
+    void add_texture_information(int, std::string) override {}
+
+  private:
+    bool known(VertexHandle v) const { return v.idx() >= 0 && std::size_t(v.idx()) < mesh.positions.size(); }
+    std::uint64_t most_, faces_ = 0;
+};
+
+template <class T>
+void append(std::vector<std::byte>& out, const std::vector<T>& values) {
+    const std::uint64_t bytes = values.size() * sizeof(T);
+    const auto* count = reinterpret_cast<const std::byte*>(&bytes);
+    out.insert(out.end(), count, count + sizeof bytes);
+    const auto* first = reinterpret_cast<const std::byte*>(values.data());
+    out.insert(out.end(), first, first + bytes);
+}
+
+template <class T>
+void take(std::span<const std::byte>& from, std::vector<T>& values) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, from.data(), sizeof bytes);
+    values.resize(bytes / sizeof(T));
+    std::ranges::copy(from.subspan(sizeof bytes, bytes), reinterpret_cast<std::byte*>(values.data()));
+    from = from.subspan(sizeof bytes + bytes);
+}
+
+std::vector<std::byte> bytes_of(const Mesh& mesh) {
+    std::vector<std::byte> out;
+    append(out, mesh.positions);
+    append(out, mesh.normals);
+    append(out, mesh.colors);
+    append(out, mesh.triangles);
+    return out;
+}
+
+Mesh mesh_of(std::span<const std::byte> bytes) {
+    Mesh mesh;
+    take(bytes, mesh.positions);
+    take(bytes, mesh.normals);
+    take(bytes, mesh.colors);
+    take(bytes, mesh.triangles);
+    return mesh;
+}
+
+}  // namespace
+
+Mesh read_by_openmesh(const std::filesystem::path& file) {
+    const std::uint64_t size = std::filesystem::file_size(file);
+    const ProcessLimits limits{.bytes = (std::uint64_t(4) << 20) + 64 * size,
+                               .seconds = 60 + unsigned(size / 100'000)};
+    const auto bytes = run_isolated(limits, [&] {
+        Collector in(size);
+        IO::Options options = IO::Options::VertexNormal | IO::Options::VertexColor;
+        if (!IO::IOManager().read(file.string(), in, options)) return std::vector<std::byte>();
+        return bytes_of(in.mesh);
+    });
+    if (bytes.empty())
+        throw Error(Exit::input, file.string() + ": not a readable mesh, expected PLY, OBJ, STL or OFF");
+    Mesh mesh = mesh_of(bytes);
+    if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), {255, 255, 255, 255});
+    return mesh;
+}
+
+}  // namespace vantage

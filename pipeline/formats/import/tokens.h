@@ -1,0 +1,78 @@
+#pragma once
+#include <charconv>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "pipeline/run/read_file.h"
+#include "scene/error.h"
+
+namespace vantage {
+
+/// Reads white-space separated words and numbers, whatever the locale. Errors name the file and line.
+class Tokens {
+  public:
+    explicit Tokens(std::filesystem::path file)
+        : file_(std::move(file)), text_(read_text(file_)), rest_(text_) {}
+
+    bool at_end() {
+        skip_blanks(true);
+        return rest_.empty();
+    }
+    bool at_line_end() {
+        skip_blanks(false);
+        return rest_.empty() || rest_.front() == '\n';
+    }
+    /// The rest of the line, without its end.
+    std::string_view line() {
+        const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+        std::string_view out = rest_.substr(0, end);
+        rest_.remove_prefix(std::min(end + 1, rest_.size()));
+        ++line_;
+        while (!out.empty() && (out.back() == '\r' || out.back() == ' ')) out.remove_suffix(1);
+        return out;
+    }
+    std::string_view word(const char* what) {
+        skip_blanks(true);
+        const std::size_t end = std::min(rest_.find_first_of(" \t\r\n"), rest_.size());
+        if (end == 0) fail(what, "the end of the file");
+        const std::string_view out = rest_.substr(0, end);
+        rest_.remove_prefix(end);
+        return out;
+    }
+    template <class T>
+    T number(const char* what) {
+        const std::string_view w = word(what);
+        T value{};
+        const auto [p, error] = std::from_chars(w.data(), w.data() + w.size(), value);
+        if (error != std::errc{} || p != w.data() + w.size())
+            fail(what, "'" + std::string(w.substr(0, 40)) + "'");
+        return value;
+    }
+    std::size_t bytes_left() const { return rest_.size(); }
+    bool skip_comment() {
+        skip_blanks(true);
+        if (rest_.empty() || rest_.front() != '#') return false;
+        line();
+        return true;
+    }
+    [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
+        throw Error(Exit::input, file_.string() + ", line " + std::to_string(line_) + ": expected " +
+                                     expected + ", found " + found);
+    }
+
+  private:
+    void skip_blanks(bool lines) {
+        while (!rest_.empty() && (rest_.front() == ' ' || rest_.front() == '\t' || rest_.front() == '\r' ||
+                                  (lines && rest_.front() == '\n'))) {
+            line_ += rest_.front() == '\n';
+            rest_.remove_prefix(1);
+        }
+    }
+    std::filesystem::path file_;
+    std::string text_;
+    std::string_view rest_;
+    std::size_t line_ = 1;
+};
+
+}  // namespace vantage

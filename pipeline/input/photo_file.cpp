@@ -1,0 +1,27 @@
+#include "pipeline/input/photo_file.h"
+
+#include <tuple>
+
+#include "scene/error.h"
+
+namespace vantage {
+
+PhotoFile::PhotoFile(IdentityCache& identities, const std::filesystem::path& file)
+    : identities_(identities), file_(file) {
+    if (const auto known = identities.known(file))
+        identity_ = *known;
+    else
+        read();
+}
+
+std::span<const std::byte> PhotoFile::bytes() {
+    const FileIdentity before = identity_;
+    if (bytes_.empty()) read();
+    if (!(identity_ == before))
+        throw Error(Exit::input, file_.string() + ": has changed while it was prepared, run again");
+    return bytes_;
+}
+
+void PhotoFile::read() { std::tie(bytes_, identity_) = identities_.read(file_); }
+
+}  // namespace vantage

@@ -1,0 +1,44 @@
+#include "pipeline/input/photo_prefetch.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "pipeline/formats/images/photos.h"
+#include "pipeline/run/read_file.h"
+#include "scene/error.h"
+
+namespace vantage {
+
+PhotoPrefetch::PhotoPrefetch(const SceneInput& scene, const std::vector<std::size_t>& photos,
+                             unsigned threads, Trace* trace) {
+    if (threads == 0) return;
+    for (const std::size_t i : photos) photos_.emplace_back().photo = i;
+    for (std::size_t t = 0; t < std::min<std::size_t>(threads, photos.size()); ++t)
+        threads_.emplace_back([this, &scene, trace] {
+            for (std::size_t n; (n = next_++) < photos_.size();)
+                decode(photos_[n], scene.photos[photos_[n].photo], trace);
+        });
+}
+
+void PhotoPrefetch::decode(Ahead& ahead, const PhotoInput& photo, Trace* trace) {
+    if (ahead.begun.exchange(true)) return;  // its turn has come
+    try {
+        const Traced traced(trace, "decode", photo.name);
+        const std::vector<std::byte> bytes = read_file(photo.file);
+        ahead.identity = identify(bytes);
+        ahead.image = decode_photo(photo.file, bytes, photo.decoded);
+    } catch (const std::exception&) {
+        // What is wrong with it is said when it is decoded in its turn.
+    }
+    ahead.decoded.set_value();
+}
+
+std::optional<RgbaImage> PhotoPrefetch::take(std::size_t photo, const FileIdentity& identity) {
+    const auto it = std::ranges::find(photos_, photo, &Ahead::photo);
+    if (it == photos_.end() || !it->begun.exchange(true)) return std::nullopt;
+    it->decoded.get_future().wait();
+    if (!(it->identity == identity)) it->image.reset();
+    return std::exchange(it->image, std::nullopt);
+}
+
+}  // namespace vantage

@@ -1,0 +1,113 @@
+#include "pipeline/model/clusters.h"
+
+#include <meshoptimizer.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vantage {
+namespace {
+
+package::ClusterRecord bounds(const std::vector<Eigen::Vector3f>& positions, const std::uint32_t* indices,
+                              std::uint32_t first, std::uint32_t count) {
+    Eigen::Vector3f low = positions[indices[0]], high = low;
+    for (std::uint32_t i = 0; i < 3 * count; ++i) {
+        low = low.cwiseMin(positions[indices[i]]);
+        high = high.cwiseMax(positions[indices[i]]);
+    }
+    const Eigen::Vector3f center = (low + high) / 2;
+    float radius = 0;
+    for (std::uint32_t i = 0; i < 3 * count; ++i)
+        radius = std::max(radius, (positions[indices[i]] - center).norm());
+    const meshopt_Bounds b = meshopt_computeClusterBounds(indices, 3 * count, positions[0].data(),
+                                                          positions.size(), sizeof(Eigen::Vector3f));
+    const bool cone = b.radius > 0;  // zero where every triangle is degenerate
+    return {{center.x(), center.y(), center.z()},
+            radius * 1.0001f,
+            {b.cone_axis[0], b.cone_axis[1], b.cone_axis[2]},
+            cone ? b.cone_cutoff : 1.0f,
+            first,
+            count};
+}
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Splits runs of large triangles: one cluster should be met at one angle and one distance, or the player
+/// can say little of how finely it is sampled.
+class Splitter {
+  public:
+    Splitter(const std::vector<Eigen::Vector3f>& positions, std::vector<std::uint32_t>& indices)
+        : positions_(positions), triangles_(reinterpret_cast<Triangle*>(indices.data())) {
+        Eigen::Vector3f low = positions.front(), high = low;
+        for (const Eigen::Vector3f& p : positions) {
+            low = low.cwiseMin(p);
+            high = high.cwiseMax(p);
+        }
+        scene_ = (high - low).norm() / 2;
+    }
+    void split(std::uint32_t first, std::uint32_t count, std::vector<package::ClusterRecord>& out) {
+        const package::ClusterRecord c = bounds(positions_, triangles_[first].data(), first, count);
+        const std::uint32_t part = count > 1 ? partition(c) : 0;
+        if (part == 0 || part == count) {
+            out.push_back(c);
+        } else {
+            split(first, part, out);
+            split(first + part, count - part, out);
+        }
+    }
+
+  private:
+    /// Reorders the cluster's triangles and returns how many are in its first part; 0 where it is good.
+    std::uint32_t partition(const package::ClusterRecord& c) {
+        constexpr float wide = 0.87f;  // sine of a cone's half angle
+        if (c.radius <= 0.02f * scene_) return 0;
+        Triangle *begin = triangles_ + c.first_triangle, *end = begin + c.triangles;
+        if (c.cone_cutoff > wide) return by_value(begin, end, [&](const Triangle& t) { return normal(t); });
+        if (c.radius <= 0.1f * scene_) return 0;
+        return by_value(begin, end, [&](const Triangle& t) {
+            return Eigen::Vector3f((positions_[t[0]] + positions_[t[1]] + positions_[t[2]]) / 3);
+        });
+    }
+    /// On either side of the mean, along the axis on which the values spread the most.
+    template <class Value>
+    static std::uint32_t by_value(Triangle* begin, Triangle* end, const Value& value) {
+        Eigen::Vector3f mean = Eigen::Vector3f::Zero(), spread = mean;
+        for (const Triangle* t = begin; t < end; ++t) mean += value(*t) / float(end - begin);
+        for (const Triangle* t = begin; t < end; ++t) spread += (value(*t) - mean).cwiseAbs2();
+        int axis = 0;
+        spread.maxCoeff(&axis);
+        return std::uint32_t(std::stable_partition(
+                                 begin, end, [&](const Triangle& t) { return value(t)[axis] < mean[axis]; }) -
+                             begin);
+    }
+    Eigen::Vector3f normal(const Triangle& t) const {
+        const Eigen::Vector3f a = positions_[t[0]];
+        return (positions_[t[1]] - a).cross(positions_[t[2]] - a).normalized();
+    }
+
+    const std::vector<Eigen::Vector3f>& positions_;
+    Triangle* triangles_;
+    float scene_;
+};
+
+}  // namespace
+
+std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vector3f>& positions,
+                                                  std::vector<std::uint32_t>& indices,
+                                                  std::uint32_t cluster_triangles) {
+    std::vector<package::ClusterRecord> clusters;
+    if (indices.empty()) return clusters;
+    std::vector<std::uint32_t> ordered(indices.size());
+    meshopt_spatialSortTriangles(ordered.data(), indices.data(), indices.size(), positions[0].data(),
+                                 positions.size(), sizeof(Eigen::Vector3f));
+    indices = std::move(ordered);
+    const auto triangles = std::uint32_t(indices.size() / 3);
+    Splitter splitter(positions, indices);
+    for (std::uint32_t first = 0; first < triangles; first += cluster_triangles)
+        splitter.split(first, std::min(cluster_triangles, triangles - first), clusters);
+    return clusters;
+}
+
+}  // namespace vantage

@@ -1,0 +1,85 @@
+#include "pipeline/model/packed_model.h"
+
+#include <algorithm>
+
+#include "pipeline/model/clusters.h"
+
+namespace vantage {
+
+using package::Type;
+
+namespace {
+
+/// The place of each vertex in the order of first use.
+std::vector<std::uint32_t> order_of_use(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
+    constexpr std::uint32_t unused = ~0u;
+    std::vector<std::uint32_t> place(vertices, unused);
+    std::uint32_t next = 0;
+    for (const std::uint32_t v : indices)
+        if (place[v] == unused) place[v] = next++;
+    for (std::uint32_t& p : place)
+        if (p == unused) p = next++;
+    return place;
+}
+
+template <class T>
+void move_to(std::vector<T>& values, const std::vector<std::uint32_t>& place) {
+    if (values.empty()) return;
+    std::vector<T> moved(values.size());
+    for (std::size_t v = 0; v < values.size(); ++v) moved[place[v]] = values[v];
+    values = std::move(moved);
+}
+
+void order_vertices(PackedModel& m, Mesh& mesh) {
+    const std::vector<std::uint32_t> place = order_of_use(m.indices, m.positions.size());
+    move_to(m.positions, place);
+    move_to(mesh.positions, place);
+    move_to(mesh.normals, place);
+    move_to(mesh.colors, place);
+    for (ScalarLayer& layer : mesh.scalars) move_to(layer.values, place);
+    for (std::uint32_t& v : m.indices) v = place[v];
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        std::copy_n(m.indices.begin() + std::ptrdiff_t(3 * t), 3, mesh.triangles[t].begin());
+}
+
+}  // namespace
+
+PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles) {
+    PackedModel m;
+    Eigen::Vector3d low = mesh.positions.front(), high = low;
+    for (const Eigen::Vector3d& p : mesh.positions) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    m.origin = low + (high - low) / 2;
+    m.positions.reserve(mesh.positions.size());
+    for (const Eigen::Vector3d& p : mesh.positions) m.positions.push_back((p - m.origin).cast<float>());
+    for (const auto& t : mesh.triangles) m.indices.insert(m.indices.end(), t.begin(), t.end());
+    m.clusters = make_clusters(m.positions, m.indices, cluster_triangles);
+    order_vertices(m, mesh);
+    Eigen::Map<Eigen::Vector3d>(m.record.origin) = m.origin;
+    Eigen::Map<Eigen::Vector3d>(m.record.bounds_min) = low;
+    Eigen::Map<Eigen::Vector3d>(m.record.bounds_max) = high;
+    m.record.vertices = m.positions.size();
+    m.record.triangles = m.indices.size() / 3;
+    m.record.clusters = m.clusters.size();
+    return m;
+}
+
+void write_model(PackageWriter& writer, const PackedModel& m, const Mesh& mesh) {
+    const auto put = [&](Type type, std::span<const std::byte> bytes) {
+        writer.write(type, package::scene_wide, bytes);
+    };
+    put(Type::positions, bytes_of(m.positions));
+    put(Type::normals, bytes_of(mesh.normals));
+    put(Type::indices, bytes_of(m.indices));
+    put(Type::clusters, bytes_of(m.clusters));
+    if (!mesh.colors.empty()) put(Type::colors, bytes_of(mesh.colors));
+    if (mesh.scalars.empty()) return;
+    std::vector<float> all;
+    for (const ScalarLayer& layer : mesh.scalars)
+        all.insert(all.end(), layer.values.begin(), layer.values.end());
+    put(Type::scalars, bytes_of(all));
+}
+
+}  // namespace vantage

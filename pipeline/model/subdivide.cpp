@@ -1,0 +1,120 @@
+#include "pipeline/model/subdivide.h"
+
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace vantage {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+constexpr std::size_t most_added = std::size_t(1) << 18;
+constexpr std::uint32_t none = ~0u;
+
+double diagonal(const Mesh& mesh) {
+    if (mesh.positions.empty()) return 0;
+    Eigen::Vector3d low = mesh.positions.front(), high = low;
+    for (const Eigen::Vector3d& p : mesh.positions) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    return (high - low).norm();
+}
+
+std::uint32_t add_midpoint(Mesh& m, std::uint32_t a, std::uint32_t b) {
+    m.positions.push_back((m.positions[a] + m.positions[b]) / 2);
+    if (!m.normals.empty()) {
+        const Eigen::Vector3f sum = m.normals[a] + m.normals[b];
+        m.normals.push_back(sum.norm() > 1e-6f ? Eigen::Vector3f(sum.normalized()) : m.normals[a]);
+    }
+    if (!m.colors.empty()) {
+        std::array<std::uint8_t, 4> c{};
+        for (std::size_t i = 0; i < 4; ++i) c[i] = std::uint8_t((m.colors[a][i] + m.colors[b][i] + 1) / 2);
+        m.colors.push_back(c);
+    }
+    for (ScalarLayer& layer : m.scalars) layer.values.push_back((layer.values[a] + layer.values[b]) / 2);
+    return std::uint32_t(m.positions.size() - 1);
+}
+
+bool longer(const Mesh& m, std::uint32_t a, std::uint32_t b, double longest) {
+    return (m.positions[a] - m.positions[b]).squaredNorm() > longest * longest;
+}
+
+bool has_longer_edge(const Mesh& m, const Triangle& t, double longest) {
+    return longer(m, t[0], t[1], longest) || longer(m, t[1], t[2], longest) || longer(m, t[2], t[0], longest);
+}
+
+/// Midpoints of edges, made once an edge whichever triangle asks first.
+class Midpoints {
+  public:
+    Midpoints(Mesh& mesh, double longest) : mesh_(mesh), longest_(longest) {}
+    /// Of an edge that is too long; `none` for others.
+    std::uint32_t of(std::uint32_t a, std::uint32_t b) {
+        if (!longer(mesh_, a, b, longest_)) return none;
+        const auto [low, high] = std::minmax(a, b);
+        const auto [at, fresh] = made_.try_emplace(std::uint64_t(low) << 32 | high, none);
+        if (fresh) at->second = add_midpoint(mesh_, low, high);
+        return at->second;
+    }
+
+  private:
+    Mesh& mesh_;
+    double longest_;
+    std::unordered_map<std::uint64_t, std::uint32_t> made_;
+};
+
+/// The pieces of a triangle whose edge i, from corner i to the next, has the midpoint m[i] or `none`.
+void add_pieces(const Triangle& t, const Triangle& m, std::vector<Triangle>& out) {
+    const auto halved = std::ranges::count_if(m, [](auto v) { return v != none; });
+    if (halved == 0) return out.push_back(t);
+    // Turned until edge 0 is halved, and with two halved, edge 2 is not.
+    std::size_t turn = 0;
+    while (m[turn] == none || (halved == 2 && m[(turn + 2) % 3] != none)) ++turn;
+    const std::uint32_t a = t[turn], b = t[(turn + 1) % 3], c = t[(turn + 2) % 3];
+    const std::uint32_t ab = m[turn], bc = m[(turn + 1) % 3], ca = m[(turn + 2) % 3];
+    if (halved == 1) {
+        out.insert(out.end(), {{a, ab, c}, {ab, b, c}});
+    } else if (halved == 2) {
+        out.insert(out.end(), {{ab, b, bc}, {a, ab, bc}, {a, bc, c}});
+    } else {
+        out.insert(out.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+}
+
+/// Nothing where there would be too many.
+std::optional<Mesh> divided(const Mesh& mesh, double longest) {
+    Mesh out = mesh;
+    const auto large =
+        std::stable_partition(out.triangles.begin(), out.triangles.end(),
+                              [&](const Triangle& t) { return !has_longer_edge(out, t, longest); });
+    std::vector<Triangle> todo(large, out.triangles.end());
+    out.triangles.erase(large, out.triangles.end());
+    Midpoints midpoints(out, longest);
+    while (!todo.empty()) {
+        std::vector<Triangle> pieces;
+        for (const Triangle& t : todo)
+            add_pieces(t, {midpoints.of(t[0], t[1]), midpoints.of(t[1], t[2]), midpoints.of(t[2], t[0])},
+                       pieces);
+        todo.clear();
+        for (const Triangle& t : pieces)
+            (has_longer_edge(out, t, longest) ? todo : out.triangles).push_back(t);
+        if (out.triangles.size() + todo.size() > mesh.triangles.size() + most_added) return std::nullopt;
+    }
+    return out;
+}
+
+}  // namespace
+
+std::size_t subdivide_large_triangles(Mesh& mesh) {
+    const std::size_t before = mesh.triangles.size();
+    const double all = diagonal(mesh);
+    for (double longest = all / 64; longest > 0 && longest < all; longest *= 2) {
+        const auto large = [&](const Triangle& t) { return has_longer_edge(mesh, t, longest); };
+        if (std::ranges::none_of(mesh.triangles, large)) break;
+        auto fine = divided(mesh, longest);
+        if (!fine) continue;
+        mesh = std::move(*fine);
+        break;
+    }
+    return mesh.triangles.size() - before;
+}
+
+}  // namespace vantage

@@ -1,0 +1,80 @@
+#include "pipeline/package/chunk_plan.h"
+
+#include <algorithm>
+
+#include "pipeline/stages/surface_samples.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+
+using package::Type;
+
+namespace {
+
+/// Of the tile pyramid, also where the photo was left out: it may be readable one day.
+int planned_levels(const package::PhotoRecord& p) {
+    return p.flags & package::photo_held_out ? 0 : level_count(int(p.width), int(p.height));
+}
+
+/// A share knows nothing of photos together.
+std::vector<ChunkPlan> plan_scene(const package::SceneRecord& s, const LayoutSizes& sizes, bool share) {
+    const auto whole = [](Type type, std::uint64_t bytes) {
+        return ChunkPlan{type, package::scene_wide, 0, bytes};
+    };
+    std::vector<ChunkPlan> plan{whole(Type::meta, sizes.meta_bytes),
+                                whole(Type::scene, sizeof(package::SceneRecord)),
+                                whole(Type::photos, s.photos * sizeof(package::PhotoRecord)),
+                                whole(Type::states, s.photos * sizeof(package::PhotoState)),
+                                whole(Type::positions, s.vertices * 12),
+                                whole(Type::normals, s.vertices * 12),
+                                whole(Type::indices, s.triangles * 12),
+                                whole(Type::clusters, s.clusters * sizeof(package::ClusterRecord))};
+    if (!share) {
+        plan.push_back(whole(Type::registration, s.photos * sizeof(package::RegistrationRecord)));
+        plan.push_back(whole(Type::pairs, s.photos * package::pairs_a_photo * sizeof(package::PairRecord)));
+    }
+    if (sizes.colors) plan.push_back(whole(Type::colors, s.vertices * 4));
+    if (s.scalar_layers) plan.push_back(whole(Type::scalars, s.vertices * 4 * s.scalar_layers));
+    return plan;
+}
+
+}  // namespace
+
+std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const LayoutSizes& sizes,
+                                   std::span<const package::PhotoRecord> photos, Share share) {
+    std::vector<ChunkPlan> plan = plan_scene(scene, sizes, share.shares > 0);
+    int top = 0;
+    const auto each = [&](const auto& add) {
+        for (std::uint32_t i = 0; i < photos.size(); ++i)
+            if (const int levels = planned_levels(photos[i]); levels > 0 && share.holds(i))
+                add(i, photos[i], levels);
+    };
+    each([&](std::uint32_t i, const package::PhotoRecord& p, int levels) {
+        plan.push_back({Type::thumbnail, i, 0, std::uint64_t(p.thumbnail_width) * p.thumbnail_height * 4});
+        top = std::max(top, levels);
+    });
+    each([&](std::uint32_t i, const auto&, int) {
+        plan.push_back({Type::coverage, i, 0, scene.clusters * sizeof(package::CoverageRecord)});
+    });
+    each([&](std::uint32_t i, const auto&, int) {
+        plan.push_back({Type::visible, i, 0, 16 * package::visible_words(scene.triangles)});
+    });
+    each([&](std::uint32_t i, const auto&, int) {
+        plan.push_back({Type::samples, i, 0, surface_discs * sizeof(package::SampleRecord)});
+    });
+    each([&](std::uint32_t i, const auto&, int) {
+        plan.push_back({Type::coordinates, i, 0, scene.vertices * 8});
+    });
+    for (int level = mask_levels_end(top); level-- > 0;) {
+        for (const Type type : {Type::tiles, Type::masks, Type::depth})
+            each([&](std::uint32_t i, const package::PhotoRecord& p, int levels) {
+                const bool has = type == Type::tiles ? level < levels
+                                                     : level >= mask_level && level < mask_levels_end(levels);
+                const auto n = std::uint64_t(level_size(int(p.width), int(p.height), level).tiles());
+                if (has) plan.push_back({type, i, std::uint32_t(level), 0, n, tile_bytes});
+            });
+    }
+    return plan;
+}
+
+}  // namespace vantage

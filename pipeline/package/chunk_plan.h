@@ -1,0 +1,20 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/package_format.h"
+#include "scene/package_writer.h"
+
+namespace vantage {
+
+/// What a package's layout depends on, besides its photos.
+struct LayoutSizes {
+    std::uint64_t meta_bytes;
+    bool colors;  ///< the mesh has them
+};
+/// Every chunk in file order, coarse before fine; of the photos' chunks, those of a share. Photos that were
+/// left out have their place.
+std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const LayoutSizes& sizes,
+                                   std::span<const package::PhotoRecord> photos, Share share = {});
+}  // namespace vantage

@@ -1,0 +1,62 @@
+#include "pipeline/package/disk_space.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <limits>
+
+#include "scene/error.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::uint64_t allocated(const fs::path& file) {
+    struct stat st {};
+    return ::stat(file.c_str(), &st) == 0 ? std::uint64_t(st.st_blocks) * 512 : 0;
+}
+
+/// Whether no PackageReader has it open.
+bool unused(const fs::path& file) {
+    const int fd = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool free = fd >= 0 && ::flock(fd, LOCK_EX | LOCK_NB) == 0;
+    if (fd >= 0) ::close(fd);
+    return free;
+}
+
+bool has_layout(const fs::path& file, const PackageLayout& layout) {
+    try {
+        return PackageReader(file).header().layout == layout.checksum;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+std::uint64_t disk_space_for(const fs::path& out) {
+    std::error_code error;
+    const fs::path folder = fs::absolute(out, error).parent_path();
+    const fs::space_info space = fs::space(folder, error);
+    if (error) return std::numeric_limits<std::uint64_t>::max();  // creating the file will say what is wrong
+    return space.available + allocated(part_of(out));
+}
+
+void ensure_disk_space(const fs::path& out, const PackageLayout& layout) {
+    const std::uint64_t available = disk_space_for(out);
+    if (available >= layout.bytes) return;
+    if (!fs::exists(part_of(out)) && has_layout(out, layout) && unused(out)) {
+        std::error_code error;
+        fs::rename(out, part_of(out), error);
+        if (!error) return;
+    }
+    throw Error(Exit::storage, fmt::format("{}: the package needs {} MB, the disk has {} MB free",
+                                           out.string(), layout.bytes / 1000000 + 1, available / 1000000));
+}
+
+}  // namespace vantage

@@ -1,0 +1,17 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+
+#include "scene/package_writer.h"
+
+namespace vantage {
+
+/// Bytes available on disk for the package `out`, including those that its part already occupies.
+std::uint64_t disk_space_for(const std::filesystem::path& out);
+
+/// Makes sure that the package fits on the disk. A finished package stays until the new one is complete; only
+/// if the disk cannot hold both, the old file itself becomes the part to be resumed, provided it has the same
+/// layout and no process has it open. Throws Error(storage).
+void ensure_disk_space(const std::filesystem::path& out, const PackageLayout& layout);
+
+}  // namespace vantage

@@ -1,0 +1,167 @@
+#include "pipeline/package/meta.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "pipeline/input/discover.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Bytes of padding, for results.
+constexpr std::size_t padding = 8192;
+constexpr std::size_t max_findings = 8;
+
+json input_json(const fs::path& file, IdentityCache& identities) {
+    const FileIdentity id = identities.of(file);
+    return {{"name", file.filename().string()}, {"bytes", id.bytes}, {"xxh3", id.checksum}};
+}
+
+json effect_json(const EffectDecision& d) {
+    const EffectRow& row = effect_row(d.effect);
+    return {{"name", row.name},       {"on", d.on},
+            {"forced", d.forced},     {"measures", row.measures},
+            {"measured", d.measured}, {"threshold", row.threshold},
+            {"unit", row.unit},       {"evidence", d.evidence}};
+}
+
+json choices_json(const std::map<Effect, EffectChoice>& choices) {
+    json forced = json::object();
+    for (const auto& [effect, choice] : choices)
+        if (choice != EffectChoice::automatic)
+            forced[effect_row(effect).name] = choice == EffectChoice::on ? "on" : "off";
+    return forced;
+}
+
+json inputs_json(const SceneInput& scene, IdentityCache& identities) {
+    json inputs;
+    inputs["mesh"] = input_json(scene.files.mesh, identities);
+    inputs["camera_format"] = scene.camera_format;
+    for (const fs::path& file : camera_files(scene.files.cameras))
+        inputs["cameras"].push_back(input_json(file, identities));
+    for (const PhotoInput& photo : scene.photos)
+        inputs["photos"].push_back(photo.file.lexically_relative(scene.files.photos).generic_string());
+    inputs["stencils"] = json::object();
+    for (const PhotoInput& photo : scene.photos)
+        if (!photo.stencil.empty()) inputs["stencils"][photo.name] = input_json(photo.stencil, identities);
+    return inputs;
+}
+
+json findings_json(std::span<const std::string> findings, std::size_t listed) {
+    json out = json::array();
+    for (const std::string& finding : findings.first(listed)) out.push_back(finding);
+    if (listed < findings.size()) out.push_back("and " + std::to_string(findings.size() - listed) + " more");
+    return out;
+}
+
+/// Padded to `bytes`. If the text is longer, findings and evidence give way: neither is needed to show the
+/// package.
+std::string fitted(json meta, std::size_t bytes) {
+    std::string out = meta.dump(1);
+    if (out.size() > bytes) {
+        meta.erase("findings");
+        for (json& row : meta.at("effects")) row["evidence"] = "too long to be recorded";
+        out = meta.dump(1);
+    }
+    out.resize(bytes, ' ');
+    return out;
+}
+
+}  // namespace
+
+json settings_json(const PrepareSettings& s) {
+    return {{"distance", name(s.distance)},
+            {"render_by", name(s.render_by)},
+            {"border_width", s.border_width},
+            {"border_threshold", s.border_threshold},
+            {"thumbnail", s.thumbnail},
+            {"resampling", name(s.resampling)},
+            {"cluster_triangles", s.cluster_triangles},
+            {"photo_size", s.photo_size},
+            {"hold_out", s.hold_out},
+            {"effects", choices_json(s.effects)}};
+}
+
+std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
+                      const std::vector<EffectDecision>& effects, IdentityCache& identities) {
+    json meta{{"tool", tool_name}, {"config", settings_json(settings)}};
+    meta["inputs"] = inputs_json(scene, identities);
+    for (const EffectDecision& d : effects) meta["effects"].push_back(effect_json(d));
+    meta["scalars"] = json::array();
+    for (const ScalarLayer& layer : scene.mesh.scalars) meta["scalars"].push_back(layer.name);
+    meta["left_out"] = json::array();
+    for (const UnusablePhoto& l : scene.left_out)
+        meta["left_out"].push_back(
+            {{"name", l.photo}, {"why", l.why}, {"there", fs::exists(scene.files.photos / l.photo)}});
+    meta["warnings"] = scene.warnings;
+    return meta.dump(1) + std::string(padding, ' ');
+}
+
+std::string with_results(const std::string& meta, std::span<const EffectDecision> decisions,
+                         std::span<const std::string> findings) {
+    json changed = json::parse(meta);
+    for (json& row : changed.at("effects"))
+        for (const EffectDecision& d : decisions)
+            if (row.at("name") == effect_row(d.effect).name) row = effect_json(d);
+    std::size_t listed = std::min(findings.size(), max_findings);
+    changed["findings"] = findings_json(findings, listed);
+    while (listed > 0 && changed.dump(1).size() > meta.size())
+        changed["findings"] = findings_json(findings, --listed);
+    return fitted(changed, meta.size());
+}
+
+std::string with_choices(const std::string& meta, const std::map<Effect, EffectChoice>& choices) {
+    json changed = json::parse(meta);
+    changed.at("config").at("effects") = choices_json(choices);
+    return fitted(changed, meta.size());
+}
+
+json parse_meta(const PackageReader& package) {
+    try {
+        return json::parse(package.meta());
+    } catch (const json::exception& e) {
+        throw Error(Exit::damaged, package.path().string() + ": META: cannot be parsed: " + e.what());
+    }
+}
+
+EffectDecision decision_in(const std::string& meta, Effect effect) {
+    EffectDecision d{};
+    d.effect = effect;
+    const json all = json::parse(meta);
+    for (const json& row : all.at("effects"))
+        if (row.at("name") == effect_row(effect).name) {
+            d.on = row.at("on");
+            d.forced = row.at("forced");
+            d.measured = row.at("measured");
+            d.evidence = row.at("evidence");
+        }
+    return d;
+}
+
+std::vector<std::string> findings_in(const std::string& meta) {
+    return json::parse(meta).value("findings", std::vector<std::string>{});
+}
+
+std::map<Effect, EffectChoice> choices_in(const std::string& meta) {
+    std::map<Effect, EffectChoice> out;
+    const json forced = json::parse(meta).at("config").at("effects");
+    for (const auto& [name, choice] : forced.items())
+        out[effect_row(name).effect] = choice == "on" ? EffectChoice::on : EffectChoice::off;
+    return out;
+}
+
+PrepareSettings geometry_settings_in(const std::string& meta) {
+    const json config = json::parse(meta).at("config");
+    PrepareSettings s;
+    s.distance = distance_method(config.at("distance"));
+    s.render_by = render_by(config.at("render_by"));
+    s.border_width = config.at("border_width");
+    s.border_threshold = config.at("border_threshold");
+    return s;
+}
+
+}  // namespace vantage

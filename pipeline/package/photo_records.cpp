@@ -1,0 +1,61 @@
+#include "pipeline/package/photo_records.h"
+
+#include <cstring>
+#include <set>
+#include <string>
+
+#include "pipeline/pixels/pyramid.h"
+#include "scene/checksum.h"
+#include "scene/error.h"
+
+namespace vantage {
+
+namespace {
+
+package::PhotoRecord photo_record(const PhotoInput& photo, const Eigen::Vector3d& origin, int thumbnail,
+                                  bool held_out) {
+    package::PhotoRecord r{};
+    if (photo.name.size() >= sizeof r.name)
+        throw Error(Exit::input,
+                    photo.name + ": name is longer than " + std::to_string(sizeof r.name - 1) + " bytes");
+    std::memcpy(r.name, photo.name.data(), photo.name.size());
+    const Intrinsics& k = photo.camera.intrinsics;
+    r.width = std::uint32_t(k.width);
+    r.height = std::uint32_t(k.height);
+    r.flags = held_out ? std::uint32_t(package::photo_held_out) : 0;
+    r.levels = held_out ? 0 : std::uint32_t(level_count(k.width, k.height));
+    const Level small = thumbnail_size(k.width, k.height, thumbnail),
+                half = level_size(k.width, k.height, mask_level);
+    r.thumbnail_width = std::uint32_t(small.width);
+    r.thumbnail_height = std::uint32_t(small.height);
+    r.mask_width = std::uint32_t(half.width);
+    r.mask_height = std::uint32_t(half.height);
+    r.fx = k.fx, r.fy = k.fy, r.cx = k.cx, r.cy = k.cy;
+    set_pose(photo.camera.cam_from_world.relative_to(origin), r);
+    for (double& g : r.gain) g = 1;
+    return r;
+}
+
+}  // namespace
+
+std::vector<package::PhotoRecord> photo_records(const SceneInput& scene, const PrepareSettings& settings,
+                                                const Eigen::Vector3d& origin) {
+    std::set<std::string> held(settings.hold_out.begin(), settings.hold_out.end());
+    std::vector<package::PhotoRecord> records;
+    for (const PhotoInput& photo : scene.photos) {
+        const std::string stem = photo.name.substr(0, photo.name.rfind('.'));
+        const bool out = held.erase(photo.name) + held.erase(stem) > 0;
+        records.push_back(photo_record(photo, origin, settings.thumbnail, out));
+    }
+    if (!held.empty())
+        throw Error(Exit::usage, "--hold-out " + *held.begin() + ": the scene has no such photo");
+    return records;
+}
+
+std::uint64_t names_checksum(std::span<const package::PhotoRecord> photos) {
+    std::string names;
+    for (const package::PhotoRecord& p : photos) names += std::string(p.name) + '\n';
+    return checksum(std::as_bytes(std::span(names)));
+}
+
+}  // namespace vantage

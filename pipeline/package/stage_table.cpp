@@ -1,0 +1,162 @@
+#include "pipeline/package/stage_table.h"
+
+#include <algorithm>
+
+#include "scene/tiling.h"
+
+namespace vantage {
+namespace {
+
+using package::PhotoRecord;
+using package::Stage;
+using package::Type;
+
+void key_thumbnail(Fingerprint& f, const SceneKey& scene) { f.add(scene.settings.thumbnail); }
+
+void key_masks(Fingerprint& f, const SceneKey& scene) {
+    f.add(scene.distance)
+        .add(scene.settings.border_width)
+        .add(scene.settings.border_threshold)
+        .add(scene.reference_density);
+}
+
+void key_samples(Fingerprint& f, const SceneKey& scene) { f.add(scene.reference_density); }
+
+void adopt_tiles(const PhotoRecord& from, PhotoRecord& to) {
+    to.flags |= from.flags & (package::photo_undistorted | package::photo_has_alpha);
+}
+
+void adopt_coordinates(const PhotoRecord& from, PhotoRecord& to) {
+    std::copy_n(from.corrected_direction, 3, to.corrected_direction);
+    to.hull_area = from.hull_area;
+    to.seen_distance = from.seen_distance;
+    to.z_min = from.z_min;
+    to.z_max = from.z_max;
+    to.visible_vertices = from.visible_vertices;
+}
+
+std::pair<int, int> level_range(ChunkLevels which, int levels) {
+    switch (which) {
+        case ChunkLevels::single:
+            return {0, 1};
+        case ChunkLevels::tiles:
+            return {0, levels};
+        case ChunkLevels::masks:
+            return {mask_level, mask_levels_end(levels)};
+    }
+    return {0, 0};
+}
+
+}  // namespace
+
+std::span<const StageRow> stage_table() {
+    static const std::array<StageRow, stage_count> table{{
+        {.stage = Stage::thumbnail,
+         .name = "thumbnail",
+         .version = 2,
+         .pixels = PixelInput::all,
+         .model = false,
+         .held_out = false,
+         .levels = ChunkLevels::single,
+         .chunks = {Type::thumbnail},
+         .settings = {"photo_size", "resampling", "thumbnail"},
+         .key = key_thumbnail,
+         .adopt = nullptr},
+        {.stage = Stage::tiles,
+         .name = "tiles",
+         .version = 2,
+         .pixels = PixelInput::all,
+         .model = false,
+         .held_out = false,
+         .levels = ChunkLevels::tiles,
+         .chunks = {Type::tiles},
+         .settings = {"photo_size", "resampling"},
+         .key = nullptr,
+         .adopt = adopt_tiles},
+        {.stage = Stage::masks,
+         .name = "masks",
+         .version = 5,
+         .pixels = PixelInput::alpha,
+         .model = true,
+         .held_out = false,
+         .levels = ChunkLevels::masks,
+         .chunks = {Type::masks, Type::depth},
+         .settings = {"photo_size", "distance", "render_by", "border_width", "border_threshold",
+                      "cluster_triangles"},
+         .key = key_masks,
+         .adopt = nullptr},
+        {.stage = Stage::coordinates,
+         .name = "coordinates",
+         .version = 4,
+         .pixels = PixelInput::none,
+         .model = true,
+         .held_out = true,
+         .levels = ChunkLevels::single,
+         .chunks = {Type::coordinates},
+         .settings = {"photo_size", "render_by", "cluster_triangles"},
+         .key = nullptr,
+         .adopt = adopt_coordinates},
+        {.stage = Stage::coverage,
+         .name = "coverage",
+         .version = 4,
+         .pixels = PixelInput::none,
+         .model = true,
+         .held_out = false,
+         .levels = ChunkLevels::single,
+         .chunks = {Type::coverage, Type::visible},
+         .settings = {"photo_size", "render_by", "cluster_triangles"},
+         .key = nullptr,
+         .adopt = nullptr},
+        {.stage = Stage::samples,
+         .name = "samples",
+         .version = 3,
+         .pixels = PixelInput::all,
+         .model = true,
+         .held_out = false,
+         .levels = ChunkLevels::single,
+         .chunks = {Type::samples},
+         .settings = {"photo_size", "resampling", "render_by", "cluster_triangles"},
+         .key = key_samples,
+         .adopt = nullptr},
+    }};
+    return table;
+}
+
+const StageRow& stage_row(Stage stage) { return stage_table()[std::size_t(stage)]; }
+
+std::vector<std::pair<Type, std::uint32_t>> chunks_of(const StageRow& row, int levels) {
+    std::vector<std::pair<Type, std::uint32_t>> chunks;
+    const auto [first, end] = level_range(row.levels, levels);
+    for (int level = first; level < end; ++level)
+        for (const Type type : row.chunks) chunks.push_back({type, std::uint32_t(level)});
+    return chunks;
+}
+
+std::vector<Stage> stages_of(const PhotoRecord& record) {
+    const bool held_out = record.flags & package::photo_held_out;
+    std::vector<Stage> stages;
+    for (const StageRow& row : stage_table())
+        if (!held_out || row.held_out) stages.push_back(row.stage);
+    return stages;
+}
+
+bool StageSet::needs_model() const {
+    return std::ranges::any_of(stage_table(),
+                               [&](const StageRow& row) { return (*this)[row.stage] && row.model; });
+}
+
+bool StageSet::needs_pixels(bool has_alpha) const {
+    return std::ranges::any_of(stage_table(), [&](const StageRow& row) {
+        return (*this)[row.stage] &&
+               (row.pixels == PixelInput::all || (row.pixels == PixelInput::alpha && has_alpha));
+    });
+}
+
+StageSet stages_on_model() {
+    StageSet set;
+    for (const StageRow& row : stage_table())
+        if (row.model) set.add(row.stage);
+    return set;
+}
+
+}  // namespace vantage

@@ -1,0 +1,125 @@
+#include "pipeline/pixels/pyramid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <opencv2/imgproc.hpp>
+
+#include "pipeline/pixels/srgb.h"
+
+namespace vantage {
+namespace {
+
+constexpr int linear_bits = 14;
+
+/// sRGB byte -> linear light in 14 bits, and back.
+struct SrgbTables {
+    std::array<std::uint16_t, 256> linear;
+    std::vector<std::uint8_t> srgb;
+    SrgbTables() : srgb((1 << linear_bits) + 1) {
+        const double top = 1 << linear_bits;
+        for (int i = 0; i < 256; ++i)
+            linear[std::size_t(i)] = std::uint16_t(std::lround(top * linear_from_srgb(i / 255.0)));
+        for (std::size_t i = 0; i < srgb.size(); ++i)
+            srgb[i] = std::uint8_t(std::lround(255 * srgb_from_linear(double(i) / top)));
+    }
+};
+const SrgbTables& tables() {
+    static const SrgbTables t;
+    return t;
+}
+
+void average_opaque(const std::uint8_t* const (&q)[4], std::uint8_t* out, const SrgbTables& t) {
+    for (int c = 0; c < 3; ++c)
+        out[c] = t.srgb[(unsigned(t.linear[q[0][c]]) + t.linear[q[1][c]] + t.linear[q[2][c]] +
+                         t.linear[q[3][c]] + 2) /
+                        4];
+    out[3] = 255;
+}
+
+void average(const std::uint8_t* const (&q)[4], std::uint8_t* out, const SrgbTables& t) {
+    const unsigned alpha = unsigned(q[0][3]) + q[1][3] + q[2][3] + q[3][3];
+    if (alpha == 4 * 255) return average_opaque(q, out, t);
+    out[3] = std::uint8_t((alpha + 2) / 4);
+    for (int c = 0; c < 3; ++c) {
+        std::uint32_t sum = 0;
+        for (const std::uint8_t* p : q) sum += std::uint32_t(t.linear[p[c]]) * p[3];
+        out[c] = t.srgb[alpha ? (sum + alpha / 2) / alpha : 0];
+    }
+}
+
+template <auto Average>
+void halve_row(const std::uint8_t* a, const std::uint8_t* b, int width, int half, std::uint8_t* to) {
+    const SrgbTables& t = tables();
+    for (int x = 0; x < half; ++x) {
+        const int l = 8 * x, r = 2 * x + 1 < width ? l + 4 : l;
+        Average({a + l, a + r, b + l, b + r}, to + 4 * x, t);
+    }
+}
+
+}  // namespace
+
+bool is_opaque(const RgbaImage& image) {
+    if (image.opaque) return true;
+    std::uint32_t all = ~0u;
+    for (std::size_t i = 0; i + 4 <= image.rgba.size(); i += 4) {
+        std::uint32_t texel;
+        std::memcpy(&texel, image.rgba.data() + i, 4);
+        all &= texel;
+    }
+    std::uint8_t bytes[4];
+    std::memcpy(bytes, &all, 4);
+    return bytes[3] == 255;
+}
+
+RgbaImage halve(const RgbaImage& image) {
+    const Level half = level_size(image.width, image.height, 1);
+    RgbaImage out{half.width, half.height, {}, image.opaque};
+    out.rgba.resize(std::size_t(half.width) * std::size_t(half.height) * 4);
+    for (int y = 0; y < half.height; ++y) {
+        const std::size_t stride = std::size_t(image.width) * 4;
+        const std::uint8_t* a = image.rgba.data() + std::size_t(2 * y) * stride;
+        const std::uint8_t* b = 2 * y + 1 < image.height ? a + stride : a;
+        std::uint8_t* to = out.rgba.data() + std::size_t(y) * std::size_t(half.width) * 4;
+        if (image.opaque)
+            halve_row<average_opaque>(a, b, image.width, half.width, to);
+        else
+            halve_row<average>(a, b, image.width, half.width, to);
+    }
+    return out;
+}
+
+void cut_tile(std::span<const std::byte> texels, const Level& level, std::size_t number,
+              std::span<std::byte> tile) {
+    const int row = int(number) / level.columns(), column = int(number) % level.columns();
+    const int x0 = column * tile_content - tile_border;
+    const int first = std::max(0, -x0), last = std::min(tile_size, level.width - x0);
+    std::byte* to = tile.data();
+    for (int y = 0; y < tile_size; ++y, to += tile_size * 4) {
+        const int sy = std::clamp(row * tile_content + y - tile_border, 0, level.height - 1);
+        const std::byte* from = texels.data() + std::size_t(sy) * std::size_t(level.width) * 4;
+        for (int x = 0; x < first; ++x) std::memcpy(to + 4 * x, from, 4);
+        std::memcpy(to + 4 * first, from + 4 * std::size_t(x0 + first), 4 * std::size_t(last - first));
+        for (int x = last; x < tile_size; ++x)
+            std::memcpy(to + 4 * x, from + 4 * std::size_t(level.width - 1), 4);
+    }
+}
+
+Level thumbnail_size(int width, int height, int longest) {
+    const double s = std::min(1.0, double(longest) / std::max(width, height));
+    return {std::max(1, int(std::lround(width * s))), std::max(1, int(std::lround(height * s)))};
+}
+
+RgbaImage reduced(const RgbaImage& image, const Level& size) {
+    RgbaImage out{size.width, size.height, {}, image.opaque};
+    out.rgba.resize(std::size_t(size.width) * std::size_t(size.height) * 4);
+    const cv::Mat from(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.rgba.data()));
+    cv::Mat to(size.height, size.width, CV_8UC4, out.rgba.data());
+    // Below half the size neighbours alone would miss what lies between them.
+    const bool little = image.width < 2 * size.width && image.height < 2 * size.height;
+    cv::resize(from, to, to.size(), 0, 0, little ? cv::INTER_LINEAR : cv::INTER_AREA);
+    return out;
+}
+
+}  // namespace vantage

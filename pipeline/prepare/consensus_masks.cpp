@@ -1,0 +1,116 @@
+#include "pipeline/prepare/consensus_masks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "pipeline/agree/consensus.h"
+#include "pipeline/package/earlier_package.h"
+#include "pipeline/package/tile_levels.h"
+#include "pipeline/run/for_each_photo.h"
+#include "scene/checksum.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+using package::PhotoRecord;
+using package::Type;
+
+constexpr std::size_t neighbors = 6;
+constexpr int evidence_level = 4, mask_map_level = 3;
+
+/// The weight [0,255] at a position in the map's texels, bilinear.
+double weight_at(const ConsensusMap& map, double x, double y) {
+    const auto texel = [&](int i, int j) {
+        return double(map.weight[std::size_t(std::clamp(j, 0, map.height - 1)) * std::size_t(map.width) +
+                                 std::size_t(std::clamp(i, 0, map.width - 1))]);
+    };
+    const int i = int(std::floor(x - 0.5)), j = int(std::floor(y - 0.5));
+    const double u = x - 0.5 - i, v = y - 0.5 - j;
+    return (1 - v) * ((1 - u) * texel(i, j) + u * texel(i + 1, j)) +
+           v * ((1 - u) * texel(i, j + 1) + u * texel(i + 1, j + 1));
+}
+
+/// Writes the masks' fourth channel at all levels: 255 without a map; never 0 where the photo sees the model.
+void write_weights(const PackageReader& part, PackageWriter& writer, std::uint32_t photo,
+                   const PhotoRecord& r, const ConsensusMap* map) {
+    for (int l = mask_level; l < mask_levels_end(int(r.levels)); ++l) {
+        const Level size = level_size(int(r.width), int(r.height), l);
+        std::vector<std::byte> masks = read_level(part, r, photo, Type::masks, l);
+        const double across = map ? double(map->width) / size.width : 0,
+                     down = map ? double(map->height) / size.height : 0;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                std::byte& weight =
+                    masks[4 * (std::size_t(y) * std::size_t(size.width) + std::size_t(x)) + 3];
+                if (weight == std::byte(0)) continue;
+                const double w = map ? weight_at(*map, (x + 0.5) * across, (y + 0.5) * down) : 255;
+                weight = std::byte(std::clamp(std::lround(w), 1l, 255l));
+            }
+        write_tiles(writer, Type::masks, photo, std::uint32_t(l), masks, size);
+    }
+}
+
+/// 0 if the photo is contradicted nowhere.
+std::uint64_t key_of(const ConsensusMap& map) {
+    if (std::ranges::all_of(map.weight, [](std::uint8_t w) { return w == 255; })) return 0;
+    return checksum(bytes_of(map.weight));
+}
+
+void update_masks(const FinishInput& in, const PackageReader& part, std::uint32_t i, const ConsensusMap& map,
+                  const PhotoRecord& r, package::PhotoState& state) {
+    const std::uint64_t key = key_of(map);
+    if (r.levels == 0 || state.consensus == key) return;
+    const Traced traced(in.geometry.trace, "consensus masks", r.name);
+    PackageWriter& writer = in.geometry.writer;
+    write_weights(part, writer, i, r, key ? &map : nullptr);
+    state.consensus = key;
+    state.stages[std::size_t(package::Stage::masks)].content =
+        content_of(package::Stage::masks, i, int(r.levels), writer);
+    seal(state, r);
+    writer.note(Type::states, i, bytes_of_one(state));
+}
+
+EffectDecision decide_consensus(std::span<const PhotoRecord> photos, const std::vector<ConsensusMap>& maps,
+                                EffectChoice choice) {
+    const auto worst = std::ranges::max_element(maps, {}, &ConsensusMap::disagreeing);
+    if (worst == maps.end() || std::ranges::all_of(maps, [](const auto& m) { return m.weight.empty(); }))
+        return decide(Effect::consensus, choice, 0, "no photo shares its surface with two others");
+    return decide(
+        Effect::consensus, choice, worst->disagreeing,
+        fmt::format("{:.2f} % of what {} shows of the model is contradicted by others, the most of any photo",
+                    100 * worst->disagreeing, photos[std::size_t(worst - maps.begin())].name));
+}
+
+}  // namespace
+
+Consensus find_consensus(const FinishInput& in, const PackageReader& part, const PhotoSamples& samples,
+                         std::span<const PhotoRecord> compared, PhotoTables& photos) {
+    const Traced traced(in.geometry.trace, "consensus");
+    const EffectChoice choice = choice_of(in.choices, Effect::consensus);
+    Consensus out;
+    out.disagreeing.resize(photos.records.size());
+    std::vector<ConsensusMap> maps(photos.records.size());
+    if (choice == EffectChoice::off) {
+        out.decision = decide(Effect::consensus, choice, 0, "not looked at");
+    } else {
+        const auto pairs =
+            photo_pairs(photos.records, samples.spans(), thinned(in.geometry.discs, samples.step), neighbors);
+        maps = consensus_maps(part, compared, pairs, evidence_level, in.threads);
+        out.decision = decide_consensus(photos.records, maps, choice);
+        for (std::size_t i = 0; i < maps.size(); ++i) out.disagreeing[i] = maps[i].disagreeing;
+        if (out.decision.on)
+            maps = consensus_maps(part, compared, pairs, mask_map_level, in.threads);
+        else
+            maps.assign(maps.size(), {});
+    }
+    for_each_photo(maps.size(), in.threads, [&](std::size_t i) {
+        update_masks(in, part, std::uint32_t(i), maps[i], photos.records[i], photos.states[i]);
+    });
+    return out;
+}
+
+}  // namespace vantage

@@ -1,0 +1,99 @@
+#include "pipeline/prepare/finish.h"
+
+#include <array>
+
+#include "pipeline/package/meta.h"
+#include "pipeline/prepare/consensus_masks.h"
+#include "pipeline/prepare/moved_photo.h"
+#include "pipeline/prepare/registration_reuse.h"
+#include "pipeline/run/for_each_photo.h"
+
+namespace vantage {
+namespace {
+
+using package::Type;
+
+Registration find_registration(const FinishInput& in, const PackageReader& part, const PhotoTables& photos,
+                               const PhotoSamples& samples, std::span<const std::uint64_t> fingerprints,
+                               EffectChoice choice) {
+    const Traced traced(in.geometry.trace, "register");
+    const auto spans = samples.spans();
+    const std::vector<SurfaceDisc> discs = thinned(in.geometry.discs, samples.step);
+    const RegistrationInput input{.package = part,
+                                  .photos = photos.records,
+                                  .samples = spans,
+                                  .discs = discs,
+                                  .fingerprints = fingerprints,
+                                  .known = in.known_pairs,
+                                  .threads = in.threads,
+                                  .progress = in.progress};
+    return register_photos(input, choice);
+}
+
+/// Determines the photos' cameras, and rewrites what depends on those that move.
+Registration register_cameras(const FinishInput& in, const PackageReader& part, const PhotoSamples& samples,
+                              PhotoTables& photos) {
+    const auto fingerprints =
+        registration_fingerprints(photos.states, in.given, in.geometry.renderer.by_opengl());
+    const EffectChoice choice = choice_of(in.choices, Effect::registration);
+    const Registration found =
+        in.known ? *in.known : find_registration(in, part, photos, samples, fingerprints, choice);
+    for_each_photo(photos.records.size(), in.threads, [&](std::size_t i) {
+        const auto& pose = found.photos[i].pose;
+        if (pose) photos.records[i].flags |= package::photo_registered;
+        if (pose && !in.known)
+            move_photo(in.geometry, part, std::uint32_t(i), *pose, photos.records[i], photos.states[i]);
+    });
+    write_registration(in.geometry.writer, found, in.given, registration_key(fingerprints, choice));
+    return found;
+}
+
+/// The records with the gains and falloff that were found, whether or not the effects are on.
+std::vector<package::PhotoRecord> with_colors_on(ColorRefinement colors,
+                                                 std::vector<package::PhotoRecord> photos) {
+    colors.exposure.on = colors.falloff.on = true;
+    apply_colors(colors, photos);
+    return photos;
+}
+
+void write_results(const FinishInput& in, const Agreement& agreement, PhotoTables& photos) {
+    PackageWriter& writer = in.geometry.writer;
+    const std::array decisions{agreement.registration.decision, agreement.colors.exposure,
+                               agreement.colors.falloff, agreement.consensus.decision};
+    package::SceneRecord scene = in.scene;
+    for (const EffectDecision& d : decisions) scene.effects |= std::uint64_t(d.on) << int(d.effect);
+    const std::string meta = with_results(in.meta, decisions, agreement.registration.warnings);
+    for (std::size_t i = 0; i < photos.records.size(); ++i) seal(photos.states[i], photos.records[i]);
+    writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(meta)));
+    writer.write(Type::scene, package::scene_wide, bytes_of_one(scene));
+    writer.write(Type::photos, package::scene_wide, bytes_of(photos.records));
+    writer.write(Type::states, package::scene_wide, bytes_of(photos.states));
+    writer.finish();
+}
+
+}  // namespace
+
+std::vector<SurfaceDisc> thinned(std::span<const SurfaceDisc> discs, std::size_t step) {
+    std::vector<SurfaceDisc> out;
+    for (std::size_t d = 0; d < discs.size(); d += step) out.push_back(discs[d]);
+    return out;
+}
+
+Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
+    const auto read = [&](std::uint32_t photo) { return in.geometry.writer.read(Type::samples, photo); };
+    const PackageReader part(part_of(in.out), PackageReader::Expect::part);
+    PhotoSamples samples = read_samples(photos.records, read);
+    Agreement out;
+    out.registration = register_cameras(in, part, samples, photos);
+    if (out.registration.decision.on && !in.known) samples = read_samples(photos.records, read);
+    {
+        const Traced traced(in.geometry.trace, "colors");
+        out.colors = refine_colors(photos.records, samples.spans(), in.choices);
+        apply_colors(out.colors, photos.records);
+    }
+    out.consensus = find_consensus(in, part, samples, with_colors_on(out.colors, photos.records), photos);
+    write_results(in, out, photos);
+    return out;
+}
+
+}  // namespace vantage

@@ -1,0 +1,51 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/agree/color_agreement.h"
+#include "pipeline/agree/registration.h"
+#include "pipeline/prepare/geometry_stages.h"
+#include "pipeline/prepare/photo_tables.h"
+#include "pipeline/run/progress.h"
+
+namespace vantage {
+
+/// A package whose photos are all written.
+struct FinishInput {
+    const GeometryContext& geometry;
+    std::filesystem::path out;  ///< the package that the writer writes
+    std::string meta;           ///< see make_meta
+    std::map<Effect, EffectChoice> choices;
+    package::SceneRecord scene;
+    std::vector<Pose> given;            ///< relative to the origin; records have others if `known` moved them
+    std::optional<Registration> known;  ///< found by an earlier package from the same inputs
+    std::vector<package::PairRecord> known_pairs;  ///< measured by earlier packages
+    unsigned threads = 0;                          ///< 0: all cores
+    OnProgress progress;                           ///< may be empty
+};
+
+/// Content of single photos that other photos contradict.
+struct Consensus {
+    EffectDecision decision;
+    std::vector<double> disagreeing;  ///< per photo: the contradicted share of the surface in it
+};
+
+/// Results that depend on all photos together.
+struct Agreement {
+    Registration registration;
+    ColorRefinement colors;
+    Consensus consensus;
+};
+
+/// Every `step`-th disc.
+std::vector<SurfaceDisc> thinned(std::span<const SurfaceDisc> discs, std::size_t step);
+
+/// Determines cameras, colors and consensus from all photos and finishes the package: writes META, SCEN,
+/// PHOT, STAT, REGI and PAIR, and rewrites what depends on cameras that moved. Throws Error(storage), and
+/// whatever `progress` throws.
+Agreement finish_package(const FinishInput& input, PhotoTables& photos);
+
+}  // namespace vantage

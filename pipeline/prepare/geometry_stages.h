@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <future>
+#include <string>
+#include <vector>
+
+#include "pipeline/model/packed_model.h"
+#include "pipeline/package/stage_table.h"
+#include "pipeline/pixels/rgba_image.h"
+#include "pipeline/run/trace.h"
+#include "pipeline/stages/surface_samples.h"
+#include "pipeline/visibility/geometry_renderer.h"
+#include "scene/package_writer.h"
+
+namespace vantage {
+
+/// What the stages that look at the model read; the same for all photos.
+struct GeometryContext {
+    const PackedModel& model;
+    const std::vector<SurfaceDisc>& discs;
+    GeometryRenderer& renderer;
+    double reference_density;               ///< of the depth mask
+    double border_width, border_threshold;  ///< as in PrepareSettings
+    PackageWriter& writer;
+    Trace* trace = nullptr;  ///< may be null
+};
+
+/// A photo's place in the scene: its index, name and camera.
+struct PosedPhoto {
+    std::uint32_t index;
+    std::string name;
+    Intrinsics intrinsics;
+    Pose pose;  ///< relative to the origin
+};
+
+/// What these stages read of the photo's pixels.
+struct CoarsePixels {
+    std::vector<std::uint8_t> valid;  ///< at `mask_level`, one byte per texel; empty if the photo is opaque
+    RgbaImage samples;                ///< the photo at `sample_level`
+};
+/// Validity of a level's texels: 1 where the photo is opaque, else 0.
+std::vector<std::uint8_t> validity(const RgbaImage& level);
+
+/// Projects the model into the photo and selects the triangles that may reach into its frame.
+PhotoView view_of(const GeometryContext& context, const PosedPhoto& photo);
+
+/// Writes texture coordinates, masks, coverage and color samples, those in `missing`, from what the photo's
+/// camera sees of the model and from `pixels` (waited for only if needed); records what it measures in
+/// `record`.
+void make_from_geometry(const GeometryContext& context, const PosedPhoto& photo, const StageSet& missing,
+                        const PhotoView& view, PhotoGeometry geometry, std::future<CoarsePixels> pixels,
+                        package::PhotoRecord& record);
+
+}  // namespace vantage

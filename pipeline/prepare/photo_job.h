@@ -1,0 +1,34 @@
+#pragma once
+#include <span>
+
+#include "pipeline/input/identity_cache.h"
+#include "pipeline/input/photo_prefetch.h"
+#include "pipeline/package/earlier_package.h"
+#include "pipeline/prepare/geometry_stages.h"
+#include "pipeline/run/trace.h"
+
+namespace vantage {
+
+/// What the stages of every photo read and write to.
+struct PhotoContext {
+    const SceneInput& scene;
+    const SceneKey& key;
+    const GeometryContext& geometry;
+    std::span<const Pose> poses;  ///< relative to the origin: as given, or registered
+    IdentityCache& identities;
+    PhotoPrefetch& prefetch;
+    const EarlierPackages& earlier;
+    PackageWriter& writer;
+    Trace* trace;  ///< may be null
+    bool strict;   ///< a photo that cannot be used ends the run
+};
+
+/// One photo on its way through the stages.
+struct PhotoJob {
+    const PhotoContext& context;
+    const PhotoInput& photo;
+    PosedPhoto at;
+    bool spare_core;  ///< a core is idle that no other photo will use
+};
+
+}  // namespace vantage

@@ -1,0 +1,93 @@
+#include "pipeline/prepare/pixel_stages.h"
+
+#include <algorithm>
+
+#include "pipeline/formats/images/photos.h"
+#include "pipeline/package/tile_levels.h"
+#include "pipeline/pixels/pyramid.h"
+#include "pipeline/pixels/undistort.h"
+#include "pipeline/stages/surface_samples.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+using package::Stage;
+using package::Type;
+
+RgbaImage decoded(const PhotoJob& job, PhotoFile& file) {
+    if (auto image = job.context.prefetch.take(job.at.index, file.identity())) return std::move(*image);
+    const Traced traced(job.context.trace, "decode", job.photo.name);
+    return decode_photo(job.photo.file, file.bytes(), job.photo.decoded);
+}
+
+/// Throws Error(input) if it is not the photo's size.
+RgbaImage read_stencil(const std::filesystem::path& file, const RgbaImage& photo) {
+    try {
+        return read_photo(file, {photo.width, photo.height});
+    } catch (const Error& e) {
+        throw Error(e.code(), "its stencil " + file.filename().string() + ": " + reason_of(e, file));
+    }
+}
+
+/// Makes the photo transparent where the stencil is black (below half) or transparent itself.
+void cut_out(RgbaImage& image, const RgbaImage& stencil) {
+    for (std::size_t p = 0; p < image.rgba.size(); p += 4)
+        if (stencil.rgba[p] < 128 || stencil.rgba[p + 3] < 128) image.rgba[p + 3] = 0;
+    image.opaque = false;
+}
+
+RgbaImage decode_pixels(const PhotoJob& job, PhotoFile& file, package::PhotoRecord& r) {
+    RgbaImage image = decoded(job, file);
+    if (!job.photo.stencil.empty()) cut_out(image, read_stencil(job.photo.stencil, image));
+    const int longest = int(std::max(r.width, r.height));
+    if (std::max(image.width, image.height) > longest)
+        image = reduced(image, thumbnail_size(image.width, image.height, longest));
+    const SceneKey& key = job.context.key;
+    if (!key.undistortion || !job.photo.camera.lens.distorts()) return image;
+    r.flags |= package::photo_undistorted;
+    const Traced traced(job.context.trace, "undistort", job.photo.name);
+    return undistort(image, job.photo.camera, key.settings.resampling);
+}
+
+/// Writes thumbnail and tile pyramid.
+void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level, package::PhotoRecord& r,
+                  std::promise<CoarsePixels>& found) {
+    const Traced traced(job.context.trace, "tiles", r.name);
+    PackageWriter& writer = job.context.writer;
+    const std::uint32_t i = job.at.index;
+    const bool opaque = is_opaque(level);
+    if (!opaque) r.flags |= package::photo_has_alpha;
+    CoarsePixels coarse;
+    bool thumbnail_missing = missing[Stage::thumbnail];
+    const std::uint32_t last = std::max(r.levels, std::uint32_t(sample_level) + 1);
+    for (std::uint32_t l = 0; l < last; ++l) {
+        if (l == std::uint32_t(mask_level) && !opaque) coarse.valid = validity(level);
+        if (l == std::uint32_t(sample_level)) {
+            coarse.samples = level;
+            found.set_value(std::move(coarse));
+        }
+        if (l < r.levels && missing[Stage::tiles])
+            write_tiles(writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height});
+        RgbaImage next = halve(level);
+        // The coarsest level that still has the thumbnail's detail is the cheapest to reduce.
+        const int wanted = int(std::max(r.thumbnail_width, r.thumbnail_height));
+        if (thumbnail_missing && (std::max(next.width, next.height) < wanted || l + 1 == last)) {
+            const RgbaImage small = reduced(level, {int(r.thumbnail_width), int(r.thumbnail_height)});
+            writer.write(Type::thumbnail, i, std::as_bytes(std::span(small.rgba)));
+            thumbnail_missing = false;
+        }
+        level = std::move(next);
+    }
+}
+
+}  // namespace
+
+void make_pixels(const PhotoJob& job, const StageSet& missing, PhotoFile& file, package::PhotoRecord& r,
+                 std::promise<CoarsePixels>& coarse) {
+    RgbaImage image = decode_pixels(job, file, r);
+    file.release();
+    write_pixels(job, missing, std::move(image), r, coarse);
+}
+
+}  // namespace vantage

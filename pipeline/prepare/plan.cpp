@@ -1,0 +1,76 @@
+#include "pipeline/prepare/plan.h"
+
+#include <cmath>
+
+#include "pipeline/model/subdivide.h"
+#include "pipeline/package/chunk_plan.h"
+#include "pipeline/package/meta.h"
+#include "pipeline/package/photo_records.h"
+#include "pipeline/pixels/pyramid.h"
+#include "pipeline/stages/inspect.h"
+
+namespace vantage {
+namespace {
+
+/// RMS distance of the vertices from their mean: the same however the model is rotated.
+double spread(const Mesh& mesh) {
+    const auto n = double(mesh.positions.size());
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& p : mesh.positions) mean += p / n;
+    double squares = 0;
+    for (const Eigen::Vector3d& p : mesh.positions) squares += (p - mean).squaredNorm() / n;
+    return squares > 0 ? std::sqrt(squares) : 1;
+}
+
+/// The finest density, rounded up to a power of two so that the masks do not all change with every photo that
+/// is added or removed: an octave is twelve steps of the depth mask. The power counts octaves of the model's
+/// size, because in units of the input the masks would be rounded differently.
+double reference_density(const SceneInput& scene) {
+    const double size = spread(scene.mesh);
+    return std::exp2(std::ceil(std::log2(finest_density(scene) * size))) / size;
+}
+
+package::SceneRecord scene_record(const PackedModel& model, const SceneInput& scene,
+                                  const PrepareSettings& settings,
+                                  const std::vector<EffectDecision>& effects) {
+    package::SceneRecord record = model.record;
+    record.photos = scene.photos.size();
+    record.reference_density = reference_density(scene);
+    record.border_width = settings.border_width;
+    record.scalar_layers = scene.mesh.scalars.size();
+    for (const EffectDecision& d : effects) record.effects |= std::uint64_t(d.on) << int(d.effect);
+    return record;
+}
+
+}  // namespace
+
+void reduce_photos(SceneInput& scene, int longest) {
+    for (PhotoInput& photo : scene.photos) {
+        Intrinsics& k = photo.camera.intrinsics;
+        const Level size = thumbnail_size(k.width, k.height, longest);
+        k = k.scaled(size.width, size.height);
+    }
+}
+
+PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace* trace) {
+    const Traced traced(trace, "model");
+    subdivide_large_triangles(scene.mesh);
+    return pack_model(scene.mesh, settings.cluster_triangles);
+}
+
+PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const PrepareSettings& settings,
+                      Share share, IdentityCache& identities, Trace* trace) {
+    const Traced traced(trace, "inspect");
+    const std::vector<EffectDecision> effects = inspect(scene, settings.effects);
+    PreparePlan plan;
+    plan.scene = scene_record(model, scene, settings, effects);
+    plan.photos.records = photo_records(scene, settings, model.origin);
+    plan.photos.states.resize(plan.photos.records.size());
+    plan.meta = make_meta(scene, settings, effects, identities);
+    plan.chunks =
+        plan_chunks(plan.scene, {plan.meta.size(), !scene.mesh.colors.empty()}, plan.photos.records, share);
+    plan.names = names_checksum(plan.photos.records);
+    return plan;
+}
+
+}  // namespace vantage

@@ -1,0 +1,35 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pipeline/input/identity_cache.h"
+#include "pipeline/model/packed_model.h"
+#include "pipeline/prepare/photo_tables.h"
+#include "pipeline/run/trace.h"
+#include "pipeline/settings/settings.h"
+#include "scene/package_writer.h"
+
+namespace vantage {
+
+/// Everything that is decided before the first photo is processed.
+struct PreparePlan {
+    package::SceneRecord scene{};
+    PhotoTables photos;
+    std::string meta;
+    std::vector<ChunkPlan> chunks;
+    std::uint64_t names = 0;  ///< checksum of the photos' names, in order
+};
+
+/// Replaces the cameras by those of photos reduced to at most `longest` pixels on the long side.
+void reduce_photos(SceneInput& scene, int longest);
+
+/// Subdivides, clusters and packs the model; the scene's mesh is subdivided and reordered alike.
+PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace* trace);
+
+/// Inspects the scene and plans the package's chunks, of a share if one is given. Throws Error(input), and
+/// Error(usage) for a held-out photo that the scene does not have.
+PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const PrepareSettings& settings,
+                      Share share, IdentityCache& identities, Trace* trace);
+
+}  // namespace vantage

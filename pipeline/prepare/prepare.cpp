@@ -1,0 +1,257 @@
+#include "pipeline/prepare/prepare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <optional>
+
+#include "pipeline/package/disk_space.h"
+#include "pipeline/package/meta.h"
+#include "pipeline/package/photo_records.h"
+#include "pipeline/prepare/finish.h"
+#include "pipeline/prepare/photo_stages.h"
+#include "pipeline/prepare/plan.h"
+#include "pipeline/prepare/registration_reuse.h"
+#include "pipeline/prepare/resources.h"
+#include "pipeline/run/for_each_photo.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+using package::Type;
+
+/// Counts stages made and kept, with the reasons for those made.
+class StageCounts {
+  public:
+    StageCounts(const SceneInput& scene, nlohmann::json settings, const EarlierPackages& earlier)
+        : scene_(scene), settings_(std::move(settings)), earlier_(earlier) {}
+
+    void add(std::size_t i, const PhotoTables& photos, const std::vector<package::Stage>& made) {
+        if (photos.states[i].left_out[0]) return;
+        for (const package::Stage stage : stages_of(photos.records[i])) {
+            PrepareResult::Stage& count = result.stages[std::size_t(stage)];
+            if (std::ranges::count(made, stage) == 0) {
+                ++count.kept;
+                continue;
+            }
+            ++count.made;
+            const std::string& photo = scene_.photos[i].name;
+            count.why[reason_to_run(stage, photo, photos.states[i], settings_, earlier_)].push_back(photo);
+        }
+    }
+    PrepareResult result;
+
+  private:
+    const SceneInput& scene_;
+    nlohmann::json settings_;
+    const EarlierPackages& earlier_;
+};
+
+void expect_usable(const SceneInput& scene, bool strict) {
+    if (scene.mesh.points_only())
+        throw Error(Exit::input,
+                    scene.files.mesh.string() + ": has points only, expected a mesh with triangles");
+    if (strict && !scene.left_out.empty())
+        throw Error(Exit::input, scene.left_out.front().photo + ": " + scene.left_out.front().why);
+}
+
+/// The photos to decode while the model is prepared: none if there may be chunks to reuse or memory is
+/// limited.
+std::vector<std::size_t> photos_to_prefetch(const SceneInput& scene, const PrepareSettings& settings,
+                                            const Share& share, const std::filesystem::path& out) {
+    std::vector<std::size_t> first;
+    if (settings.memory || std::filesystem::exists(out) || std::filesystem::exists(part_of(out)))
+        return first;
+    for (std::size_t i = 0; i < scene.photos.size() && first.size() < 2 * threads_of(settings); ++i)
+        if (share.holds(i) && !std::ranges::count(settings.hold_out, scene.photos[i].name))
+            first.push_back(i);
+    return first;
+}
+
+/// Estimates and reports what the run takes. Throws if the disk or --memory is too small.
+ResourceEstimate reserve(const PreparePlan& plan, const SceneInput& scene, const PrepareSettings& settings,
+                         const PrepareRun& run, bool opengl, const std::filesystem::path& out) {
+    const PackageLayout layout = package_layout(plan.chunks, plan.names);
+    const std::uint64_t photo = photo_memory(scene, plan.scene);
+    const std::uint64_t base = memory_now() + scene_memory(plan.scene, opengl);
+    const unsigned in_flight = photos_in_flight(settings, base, photo);
+    const double share = run.share.shares ? 1.0 / run.share.shares : 1;
+    const ResourceEstimate estimate{.disk = layout.bytes,
+                                    .disk_free = disk_space_for(out),
+                                    .memory = base + in_flight * photo,
+                                    .in_flight = in_flight,
+                                    .seconds = share * expected_seconds(scene, plan.scene, in_flight)};
+    if (run.on_estimate) run.on_estimate(estimate);
+    ensure_disk_space(out, layout);
+    return estimate;
+}
+
+void write_scene(PackageWriter& writer, const PreparePlan& plan, const PackedModel& model,
+                 const SceneInput& scene, Trace* trace) {
+    const Traced traced(trace, "write model");
+    writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(plan.meta)));
+    writer.write(Type::scene, package::scene_wide, bytes_of_one(plan.scene));
+    write_model(writer, model, scene.mesh);
+}
+
+SceneKey scene_key(const PreparePlan& plan, const SceneInput& scene, const PrepareSettings& settings,
+                   const PackedModel& model, const GeometryRenderer& renderer) {
+    return {.settings = settings,
+            .distance = renderer.distance(),
+            .opengl = renderer.by_opengl(),
+            .undistortion = effect_on(plan.scene, Effect::undistortion),
+            .model = model_checksum(model, scene.mesh.normals),
+            .reference_density = plan.scene.reference_density};
+}
+
+void run_photos(const PhotoContext& context, PhotoTables& photos, unsigned in_flight, unsigned threads,
+                const PrepareRun& run, StageCounts& counts, const OnProgress& progress) {
+    std::mutex mutex;
+    std::atomic<std::size_t> begun = 0;
+    std::size_t done = 0, total = 0;
+    for (std::size_t i = 0; i < photos.records.size(); ++i) total += run.share.holds(i);
+    for_each_photo(photos.records.size(), in_flight, [&](std::size_t i) {
+        if (!run.share.holds(i) || (run.stop && *run.stop)) return;
+        const bool spare_core = threads > std::min<std::size_t>(in_flight, total - begun++);
+        const auto made =
+            run_photo(context, std::uint32_t(i), spare_core, photos.records[i], photos.states[i]);
+        const std::scoped_lock lock(mutex);
+        counts.add(i, photos, made);
+        progress({"photos", context.scene.photos[i].name, ++done, total});
+    });
+    if (done < total)
+        throw Error(Exit::interrupted,
+                    fmt::format("stopped: {} of {} photos are done and kept; run the same command again to "
+                                "continue",
+                                done, total));
+}
+
+/// Lists the photos that were left out. Throws if no photo is usable.
+void record_left_out(const SceneInput& scene, const PhotoTables& photos, PrepareResult& result) {
+    result.left_out = scene.left_out;
+    std::size_t usable = 0;
+    for (std::size_t i = 0; i < photos.records.size(); ++i)
+        if (photos.states[i].left_out[0])
+            result.left_out.push_back({scene.photos[i].name, photos.states[i].left_out});
+        else
+            ++usable;
+    std::ranges::sort(result.left_out, {}, &UnusablePhoto::photo);
+    if (usable == 0)
+        throw Error(Exit::input, scene.files.photos.string() + ": no photo can be used; the first: " +
+                                     result.left_out.front().photo + ": " + result.left_out.front().why);
+}
+
+/// Results that depend on all photos are left to the merge of the shares.
+void finish_share(PackageWriter& writer, const PhotoTables& photos) {
+    writer.write(Type::photos, package::scene_wide, bytes_of(photos.records));
+    writer.write(Type::states, package::scene_wide, bytes_of(photos.states));
+    writer.finish();
+}
+
+/// The scene's cameras: as given, and as registered by an earlier run from the same inputs.
+struct Cameras {
+    std::vector<Pose> given, current;  ///< relative to the origin
+    std::optional<Registration> registration;
+};
+
+/// Registered poses go into the photos' records, too. A share has no registration.
+Cameras scene_cameras(const SceneKey& key, const SceneInput& scene, const Eigen::Vector3d& origin,
+                      IdentityCache& identities, const EarlierPackages& earlier, bool share,
+                      std::vector<package::PhotoRecord>& records) {
+    Cameras cameras{.given = given_poses(scene, origin), .current = {}, .registration = {}};
+    cameras.current = cameras.given;
+    if (share) return cameras;
+    cameras.registration = earlier_registration(key, scene, records, cameras.given, identities, earlier);
+    for (std::size_t i = 0; cameras.registration && i < records.size(); ++i)
+        if (const auto& pose = cameras.registration->photos[i].pose) {
+            cameras.current[i] = *pose;
+            set_pose(*pose, records[i]);
+        }
+    return cameras;
+}
+
+/// Runs all photos through their stages and updates the estimate of this machine's speed.
+PrepareResult prepare_photos(const PhotoContext& context, PhotoTables& photos,
+                             const ResourceEstimate& estimate, const PrepareRun& run,
+                             const OnProgress& progress) {
+    const PrepareSettings& settings = context.key.settings;
+    StageCounts counts(context.scene, settings_json(settings), context.earlier);
+    const auto start = std::chrono::steady_clock::now();
+    run_photos(context, photos, estimate.in_flight, threads_of(settings), run, counts, progress);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    if (context.earlier.empty()) remember_speed(estimate.seconds, took.count());
+    record_left_out(context.scene, photos, counts.result);
+    return std::move(counts.result);
+}
+
+}  // namespace
+
+PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const std::filesystem::path& out,
+                      const OnProgress& progress, const PrepareRun& run) {
+    expect_usable(scene, run.strict);
+    if (settings.photo_size > 0) reduce_photos(scene, settings.photo_size);
+    std::optional<IdentityCache> usual;
+    IdentityCache& identities = run.identities ? *run.identities : usual.emplace();
+    progress({"inspect", "", 0, scene.photos.size()});
+    PhotoPrefetch prefetch(scene, photos_to_prefetch(scene, settings, run.share, out),
+                           threads_of(settings) - 1, run.trace);
+    const PackedModel model = make_model(scene, settings, run.trace);
+    GeometryRenderer renderer(model, scene.mesh.normals, settings);
+    PreparePlan plan = make_plan(model, scene, settings, run.share, identities, run.trace);
+    const ResourceEstimate estimate = reserve(plan, scene, settings, run, renderer.by_opengl(), out);
+
+    PackageWriter writer(out, plan.chunks, plan.names, run.share);
+    const EarlierPackages earlier = earlier_packages(out, writer.resumed());
+    write_scene(writer, plan, model, scene, run.trace);
+    const bool share = run.share.shares > 0;
+    const SceneKey key = scene_key(plan, scene, settings, model, renderer);
+    const Cameras cameras =
+        scene_cameras(key, scene, model.origin, identities, earlier, share, plan.photos.records);
+    const auto discs = surface_disc_set(model.positions, model.indices, plan.scene.reference_density);
+    const GeometryContext geometry{.model = model,
+                                   .discs = discs,
+                                   .renderer = renderer,
+                                   .reference_density = plan.scene.reference_density,
+                                   .border_width = settings.border_width,
+                                   .border_threshold = settings.border_threshold,
+                                   .writer = writer,
+                                   .trace = run.trace};
+    const PhotoContext context{.scene = scene,
+                               .key = key,
+                               .geometry = geometry,
+                               .poses = cameras.current,
+                               .identities = identities,
+                               .prefetch = prefetch,
+                               .earlier = earlier,
+                               .writer = writer,
+                               .trace = run.trace,
+                               .strict = run.strict};
+    PrepareResult result = prepare_photos(context, plan.photos, estimate, run, progress);
+
+    progress({"agree", "", plan.photos.records.size(), plan.photos.records.size()});
+    const Traced traced(run.trace, "finish");
+    if (share) {
+        finish_share(writer, plan.photos);
+        return result;
+    }
+    const FinishInput finish{
+        .geometry = geometry,
+        .out = out,
+        .meta = plan.meta,
+        .choices = settings.effects,
+        .scene = plan.scene,
+        .given = cameras.given,
+        .known = cameras.registration,
+        .known_pairs = pairs_of(earlier),
+        .threads = estimate.in_flight,
+        .progress = until_stopped(
+            run.stop, "stopped: all photos are done and kept; run the same command again to continue",
+            progress)};
+    result.agreement = std::make_shared<const Agreement>(finish_package(finish, plan.photos));
+    return result;
+}
+
+}  // namespace vantage

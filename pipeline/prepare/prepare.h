@@ -1,0 +1,53 @@
+#pragma once
+#include <array>
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pipeline/input/scene_input.h"
+#include "pipeline/prepare/resources.h"
+#include "pipeline/run/progress.h"
+#include "pipeline/settings/settings.h"
+#include "scene/package_format.h"
+#include "scene/package_writer.h"
+
+namespace vantage {
+
+class IdentityCache;
+class Trace;
+struct Agreement;
+
+/// Options of a run that do not change the package.
+struct PrepareRun {
+    const std::atomic<bool>* stop = nullptr;  ///< once set, photos in flight are finished and no more begun
+    bool strict = false;                      ///< a photo that cannot be used ends the run
+    IdentityCache* identities = nullptr;      ///< null: the user's usual cache
+    Share share{};                            ///< of the photos; by default all
+    Trace* trace = nullptr;                   ///< records what each thread does
+    std::function<void(const ResourceEstimate&)> on_estimate{};  ///< called before the first photo is begun
+};
+
+/// What a run did.
+struct PrepareResult {
+    struct Stage {
+        std::size_t made = 0, kept = 0;
+        std::map<std::string, std::vector<std::string>> why;  ///< reason: photos that the stage ran for
+    };
+    std::array<Stage, std::size_t(package::Stage::count)> stages;
+    std::vector<UnusablePhoto> left_out;
+    std::shared_ptr<const Agreement> agreement;  ///< null for a share
+};
+
+/// Prepares the package `out` from `scene`. Work is per photo: at most `threads` photos are in memory. The
+/// same inputs and settings give the same bytes, however often the run is interrupted and resumed: finished
+/// work is kept in FILE.part, and everything in an existing package that was made from the same inputs is
+/// reused. The file appears under its name only when it is complete. Throws Error; Error(interrupted) when
+/// stopped.
+PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const std::filesystem::path& out,
+                      const OnProgress& progress, const PrepareRun& run = {});
+
+}  // namespace vantage

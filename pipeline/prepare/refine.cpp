@@ -1,0 +1,27 @@
+#include "pipeline/prepare/refine.h"
+
+#include <span>
+#include <string>
+
+#include "pipeline/package/meta.h"
+#include "pipeline/prepare/merge.h"
+#include "scene/package_reader.h"
+#include "scene/package_shape.h"
+
+namespace vantage {
+
+void refine_package(const std::filesystem::path& file, const std::map<Effect, EffectChoice>& choices,
+                    const std::filesystem::path& out, const OnProgress& progress) {
+    const PackageReader package(file);
+    expect_shape(package);
+    const std::string meta(package.meta());
+    std::map<Effect, EffectChoice> forced = choices_in(meta);
+    package::SceneRecord scene = package.scene();
+    for (const Effect e : {Effect::exposure, Effect::falloff, Effect::registration, Effect::consensus}) {
+        scene.effects &= ~(std::uint64_t(1) << int(e));
+        forced[e] = choice_of(choices, e);
+    }
+    join(std::span(&package, 1), with_choices(meta, forced), scene, out, progress);
+}
+
+}  // namespace vantage

@@ -1,0 +1,145 @@
+#include "pipeline/prepare/registration_reuse.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string>
+
+#include "pipeline/package/meta.h"
+#include "pipeline/package/photo_records.h"
+#include "scene/checksum.h"
+
+namespace vantage {
+namespace {
+
+using package::PairRecord;
+using package::PhotoRecord;
+using package::PhotoState;
+using package::RegistrationRecord;
+using package::Stage;
+using package::Type;
+
+/// Incremented whenever a change to the code changes what registration finds.
+constexpr std::uint64_t version = 1;
+
+std::uint64_t hash(std::span<const std::uint64_t> values) { return checksum(std::as_bytes(values)); }
+
+/// A copy of the records of a chunk without blocks; none if it is missing or not sound.
+template <class T>
+std::vector<T> sound_records(const PackageReader& package, Type type) {
+    const package::DirectoryEntry* e = package.find(type);
+    if (!e || !package.head_sound(*e)) return {};
+    const auto bytes = package.bytes(e);
+    std::vector<T> out(bytes.size() / sizeof(T));
+    if (!out.empty()) std::memcpy(out.data(), bytes.data(), out.size() * sizeof(T));
+    return out;
+}
+
+}  // namespace
+
+std::vector<Pose> given_poses(const SceneInput& scene, const Eigen::Vector3d& origin) {
+    std::vector<Pose> out;
+    for (const PhotoInput& p : scene.photos) out.push_back(p.camera.cam_from_world.relative_to(origin));
+    return out;
+}
+
+std::vector<Pose> given_poses(const PackageReader& package) {
+    std::vector<Pose> out;
+    const auto given = sound_records<RegistrationRecord>(package, Type::registration);
+    const auto photos = sound_records<PhotoRecord>(package, Type::photos);
+    for (std::size_t i = 0; i < photos.size(); ++i)
+        out.push_back(i < given.size() ? cam_from_origin(given[i]) : cam_from_origin(photos[i]));
+    return out;
+}
+
+std::vector<std::uint64_t> registration_fingerprints(std::span<const PhotoState> states,
+                                                     std::span<const Pose> given, bool opengl) {
+    std::vector<std::uint64_t> out;
+    for (std::size_t i = 0; i < states.size(); ++i)
+        out.push_back(
+            hash(std::array{states[i].stages[std::size_t(Stage::tiles)].key, states[i].camera,
+                            states[i].model, pose_checksum(given[i]), std::uint64_t(opengl), version}));
+    return out;
+}
+
+std::uint64_t registration_key(std::span<const std::uint64_t> fingerprints, EffectChoice choice) {
+    return hash(std::array{hash(fingerprints), std::uint64_t(choice), version});
+}
+
+std::optional<Registration> registration_of(const PackageReader& package, std::uint64_t key) {
+    const auto records = sound_records<RegistrationRecord>(package, Type::registration);
+    const auto photos = sound_records<PhotoRecord>(package, Type::photos);
+    const package::DirectoryEntry* meta = package.find(Type::meta);
+    if (records.empty() || records.size() != photos.size() || records[0].key != key || !meta ||
+        !package.head_sound(*meta))
+        return {};
+    Registration out;
+    const std::string text(package.meta());
+    out.decision = decision_in(text, Effect::registration);
+    out.warnings = findings_in(text);
+    out.pairs = pairs_of(package);
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        out.photos.push_back({{}, records[i].by, records[i].before, records[i].after});
+        if (photos[i].flags & package::photo_registered) out.photos.back().pose = cam_from_origin(photos[i]);
+    }
+    return out;
+}
+
+std::vector<PairRecord> pairs_of(const PackageReader& package) {
+    std::vector<PairRecord> out = sound_records<PairRecord>(package, Type::pairs);
+    const auto photos = sound_records<PhotoRecord>(package, Type::photos).size();
+    std::erase_if(out, [&](const PairRecord& p) { return p.a >= p.b || p.b >= photos; });
+    return out;
+}
+
+std::vector<PairRecord> pairs_of(const EarlierPackages& earlier) {
+    std::vector<PairRecord> out;
+    for (const auto& package : earlier)
+        if (package->finished()) {
+            const auto pairs = pairs_of(package->reader());
+            out.insert(out.end(), pairs.begin(), pairs.end());
+        }
+    return out;
+}
+
+std::optional<Registration> earlier_registration(const SceneKey& key, const SceneInput& scene,
+                                                 std::span<const PhotoRecord> records,
+                                                 std::span<const Pose> given, IdentityCache& identities,
+                                                 const EarlierPackages& earlier) {
+    if (std::ranges::none_of(earlier, [](const auto& package) { return package->finished(); })) return {};
+    std::vector<PhotoState> states;
+    for (std::size_t i = 0; i < scene.photos.size(); ++i) {
+        const PhotoInput& photo = scene.photos[i];
+        if (!std::filesystem::exists(photo.file)) return {};
+        states.push_back(
+            stage_keys(key, photo, given[i], identities.of(photo.file), stencil_identity(photo, identities)));
+        if (records[i].flags & package::photo_held_out) states.back().stages[std::size_t(Stage::tiles)] = {};
+    }
+    const EffectChoice choice = choice_of(key.settings.effects, Effect::registration);
+    const std::uint64_t wanted =
+        registration_key(registration_fingerprints(states, given, key.opengl), choice);
+    for (const auto& package : earlier)
+        if (package->finished())
+            if (auto found = registration_of(package->reader(), wanted)) return found;
+    return {};
+}
+
+void write_registration(PackageWriter& writer, const Registration& found, std::span<const Pose> given,
+                        std::uint64_t key) {
+    std::vector<RegistrationRecord> records;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        RegistrationRecord& r = records.emplace_back();
+        set_pose(given[i], r);
+        const PhotoRegistration& p = found.photos[i];
+        r.by = p.by;
+        r.before = p.before;
+        r.after = p.after;
+        r.key = key;
+    }
+    std::vector<PairRecord> pairs(package::pairs_a_photo * given.size(), PairRecord{});
+    std::copy_n(found.pairs.begin(), std::min(pairs.size(), found.pairs.size()), pairs.begin());
+    writer.write(Type::registration, package::scene_wide, bytes_of(records));
+    writer.write(Type::pairs, package::scene_wide, bytes_of(pairs));
+}
+
+}  // namespace vantage

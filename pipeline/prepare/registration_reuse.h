@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pipeline/agree/registration.h"
+#include "pipeline/input/identity_cache.h"
+#include "pipeline/input/scene_input.h"
+#include "pipeline/package/earlier_package.h"
+#include "scene/package_reader.h"
+#include "scene/package_writer.h"
+
+namespace vantage {
+
+/// The poses of the scene's cameras, relative to the origin.
+std::vector<Pose> given_poses(const SceneInput& scene, const Eigen::Vector3d& origin);
+/// The poses that a package's scene came with, before registration.
+std::vector<Pose> given_poses(const PackageReader& package);
+
+/// XXH3-64, per photo, of what it shows and from where: its tiles, camera and model, the pose as given, and
+/// what rendered it.
+std::vector<std::uint64_t> registration_fingerprints(std::span<const package::PhotoState> states,
+                                                     std::span<const Pose> given, bool opengl);
+/// XXH3-64 of all of them and of the choice.
+std::uint64_t registration_key(std::span<const std::uint64_t> fingerprints, EffectChoice choice);
+
+/// The registration that a package holds under this key; nothing if it has another key or is not sound.
+std::optional<Registration> registration_of(const PackageReader& package, std::uint64_t key);
+/// The pairs of photos that a package holds; none if they are not sound.
+std::vector<package::PairRecord> pairs_of(const PackageReader& package);
+/// The pairs of all finished earlier packages.
+std::vector<package::PairRecord> pairs_of(const EarlierPackages& earlier);
+
+/// The registration of a finished earlier package, if it was made from exactly these inputs.
+std::optional<Registration> earlier_registration(const SceneKey& key, const SceneInput& scene,
+                                                 std::span<const package::PhotoRecord> records,
+                                                 std::span<const Pose> given, IdentityCache& identities,
+                                                 const EarlierPackages& earlier);
+
+/// Writes REGI and PAIR.
+void write_registration(PackageWriter& writer, const Registration& found, std::span<const Pose> given,
+                        std::uint64_t key);
+
+}  // namespace vantage

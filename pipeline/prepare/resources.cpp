@@ -1,0 +1,96 @@
+#include "pipeline/prepare/resources.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "pipeline/input/identity_cache.h"
+#include "pipeline/settings/settings.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A line of /proc/self/status, in bytes.
+std::uint64_t status_bytes(const char* key) {
+    std::ifstream in("/proc/self/status");
+    for (std::string line; std::getline(in, line);)
+        if (line.starts_with(key))
+            return std::strtoull(line.c_str() + std::string(key).size(), nullptr, 10) * 1024;
+    return 0;
+}
+
+double pixels(const PhotoInput& photo) { return double(photo.decoded.width) * photo.decoded.height; }
+
+/// For one thread of a 2023 server; machine_speed() scales them.
+constexpr double seconds_per_pixel = 15e-9, seconds_per_triangle = 0.12e-6;
+
+fs::path speed_file() {
+    const fs::path cache = usual_identity_cache();
+    return cache.empty() ? fs::path() : cache.parent_path() / "speed";
+}
+
+double machine_speed() {
+    std::ifstream in(speed_file());
+    double factor = 1;
+    return in >> factor && factor > 0.01 && factor < 100 ? factor : 1;
+}
+
+}  // namespace
+
+std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& model) {
+    double most = 0;
+    for (const PhotoInput& photo : scene.photos) {
+        const double lens = photo.camera.lens.distorts() ? 12 : 0;  // a copy, and where each pixel comes from
+        // RGBA with its halves 6, the file 1, and at a quarter of the pixels maps, distances and masks 28.
+        most = std::max(most, pixels(photo) * (14 + lens));
+    }
+    return std::uint64_t(most + 44.0 * double(model.vertices) + 28.0 * double(model.triangles));
+}
+
+std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl) {
+    // The views of the report; a software renderer with its shaders, buffers and bins of triangles.
+    return std::uint64_t(18e6 + (opengl ? 160e6 + 150.0 * double(model.triangles) : 0));
+}
+
+std::uint64_t memory_now() { return status_bytes("VmRSS:"); }
+std::uint64_t memory_peak() { return status_bytes("VmHWM:"); }
+
+unsigned threads_of(const PrepareSettings& settings) {
+    return settings.threads ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
+}
+
+unsigned photos_in_flight(const PrepareSettings& settings, std::uint64_t base, std::uint64_t photo_bytes) {
+    const unsigned threads = threads_of(settings);
+    if (settings.memory == 0) return threads;
+    if (settings.memory < base + photo_bytes)
+        throw Error(Exit::usage, fmt::format("--memory {}M: these photos and this model take {}M at least",
+                                             settings.memory >> 20, ((base + photo_bytes) >> 20) + 1));
+    return unsigned(std::min<std::uint64_t>(threads, (settings.memory - base) / photo_bytes));
+}
+
+double expected_seconds(const SceneInput& scene, const package::SceneRecord& model, unsigned in_flight) {
+    double work = 0;
+    for (const PhotoInput& photo : scene.photos)
+        work += pixels(photo) * seconds_per_pixel + double(model.triangles) * seconds_per_triangle;
+    const double at_once = std::min({in_flight, std::max(1u, std::thread::hardware_concurrency()),
+                                     unsigned(std::max<std::size_t>(1, scene.photos.size()))});
+    return work / at_once * machine_speed();
+}
+
+void remember_speed(double expected, double took) {
+    const fs::path file = speed_file();
+    if (file.empty() || !(expected > 0) || !(took > 0)) return;
+    const double speed = machine_speed() * took / expected;
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    std::ofstream(file) << speed << '\n';
+}
+
+}  // namespace vantage

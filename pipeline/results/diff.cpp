@@ -1,0 +1,198 @@
+#include "pipeline/results/diff.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "pipeline/package/stage_table.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+namespace {
+
+using nlohmann::json;
+using package::DirectoryEntry;
+using package::PhotoRecord;
+using package::Stage;
+using package::Type;
+using Differences = std::vector<Difference>;
+
+void diff_json(const char* of, const json& a, const json& b, Differences& out) {
+    json keys = a.is_object() ? a : json::object();
+    if (b.is_object()) keys.update(b);
+    for (const auto& [key, value] : keys.items())
+        if (const json was = a.value(key, json{}), is = b.value(key, json{}); was != is)
+            out.push_back({of, key, was.dump() + " against " + is.dump()});
+}
+
+void diff_meta(const PackageReader& a, const PackageReader& b, Differences& out) {
+    const json of_a = json::parse(a.meta(), nullptr, false), of_b = json::parse(b.meta(), nullptr, false);
+    if (!of_a.is_object() || !of_b.is_object()) {
+        if (a.meta() != b.meta()) out.push_back({"settings", "", "META cannot be read"});
+        return;
+    }
+    if (of_a.value("tool", "") != of_b.value("tool", ""))
+        out.push_back({"settings", "tool", of_a.value("tool", "") + " against " + of_b.value("tool", "")});
+    diff_json("settings", of_a.value("config", json{}), of_b.value("config", json{}), out);
+    diff_json("inputs", of_a.value("inputs", json{}), of_b.value("inputs", json{}), out);
+    for (const char* list : {"effects", "left_out", "warnings"})
+        if (of_a.value(list, json{}) != of_b.value(list, json{}))
+            out.push_back({"inputs", list,
+                           of_a.value(list, json{}).dump() + " against " + of_b.value(list, json{}).dump()});
+}
+
+bool same_chunk(const DirectoryEntry* a, const DirectoryEntry* b) {
+    if (!a || !b) return a == b;
+    return a->checksum == b->checksum && a->length == b->length && a->head_length == b->head_length;
+}
+
+void diff_model(const PackageReader& a, const PackageReader& b, Differences& out) {
+    const package::SceneRecord &of_a = a.scene(), &of_b = b.scene();
+    if (of_a.vertices != of_b.vertices || of_a.triangles != of_b.triangles)
+        out.push_back({"model", "size",
+                       fmt::format("{} vertices, {} triangles against {}, {}", of_a.vertices, of_a.triangles,
+                                   of_b.vertices, of_b.triangles)});
+    const std::pair<Type, const char*> parts[] = {
+        {Type::positions, "positions"}, {Type::normals, "normals"}, {Type::indices, "triangles"},
+        {Type::clusters, "clusters"},   {Type::colors, "colours"},  {Type::scalars, "scalars"}};
+    for (const auto& [type, what] : parts)
+        if (!same_chunk(a.find(type), b.find(type))) out.push_back({"model", what, "not the same"});
+}
+
+/// Differences of byte texels, or of depths as a share of the depth.
+struct Texels {
+    std::size_t tiles = 0, differing = 0;
+    double largest = 0, total = 0;
+    std::size_t count = 0;
+
+    void add(double difference) {
+        largest = std::max(largest, difference);
+        total += difference;
+        ++count;
+    }
+    double mean() const { return count ? total / double(count) : 0; }
+};
+
+void compare_bytes(std::span<const std::byte> a, std::span<const std::byte> b, Texels& out) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+        out.add(std::abs(std::to_integer<int>(a[i]) - std::to_integer<int>(b[i])));
+}
+
+/// Seen against unseen is a difference of everything.
+void compare_depths(std::span<const std::byte> a, std::span<const std::byte> b, Texels& out) {
+    for (std::size_t i = 0; i + 4 <= a.size(); i += 4) {
+        float x, y;
+        std::memcpy(&x, a.data() + i, 4);
+        std::memcpy(&y, b.data() + i, 4);
+        const bool seen = std::isfinite(x) && std::isfinite(y);
+        out.add(x == y ? 0 : seen ? std::abs(double(x) - double(y)) / std::max(double(x), double(y)) : 1);
+    }
+}
+
+std::string compare_tiles(const PackageReader& a, const DirectoryEntry& of_a, const PackageReader& b,
+                          const DirectoryEntry& of_b) {
+    Texels t;
+    const bool depth = of_a.type == std::uint32_t(Type::depth);
+    t.tiles = a.blocks(of_a);
+    for (std::size_t i = 0; i < t.tiles; ++i) {
+        const auto x = a.block(of_a, i), y = b.block(of_b, i);
+        if (std::ranges::equal(x, y)) continue;
+        ++t.differing;
+        depth ? compare_depths(x, y, t) : compare_bytes(x, y, t);
+    }
+    return depth ? fmt::format("{} of {} tiles, by {:.2g} % of the depth at most", t.differing, t.tiles,
+                               100 * t.largest)
+                 : fmt::format("{} of {} tiles, by {:.0f} of 255 at most, {:.2f} in the mean of those tiles",
+                               t.differing, t.tiles, t.largest, t.mean());
+}
+
+std::string compare_coordinates(const PackageReader& a, const PackageReader& b, std::uint32_t i,
+                                std::uint32_t j, const PhotoRecord& photo) {
+    const auto x = a.records<std::array<float, 2>>(Type::coordinates, i);
+    const auto y = b.records<std::array<float, 2>>(Type::coordinates, j);
+    if (x.size() != y.size()) return "of another model";
+    std::size_t visibility = 0;
+    double farthest = 0;
+    for (std::size_t v = 0; v < x.size(); ++v)
+        if ((x[v][0] < 0) != (y[v][0] < 0))
+            ++visibility;
+        else
+            farthest = std::max(farthest, std::hypot(double(x[v][0] - y[v][0]) * photo.width,
+                                                     double(x[v][1] - y[v][1]) * photo.height));
+    return fmt::format("{} vertices seen by one only, the others by {:.3g} px at most", visibility, farthest);
+}
+
+std::string compare_visible(const PackageReader& a, const PackageReader& b, std::uint32_t i,
+                            std::uint32_t j) {
+    const auto x = a.records<std::uint64_t>(Type::visible, i), y = b.records<std::uint64_t>(Type::visible, j);
+    if (x.size() != y.size()) return "of another model";
+    int bits = 0;
+    for (std::size_t w = 0; w < x.size(); ++w) bits += std::popcount(x[w] ^ y[w]);
+    return fmt::format("{} triangles seen otherwise", bits);
+}
+
+/// The finest chunk that differs says how much; coarser ones follow from it.
+std::string compare_chunk(const PackageReader& a, const PackageReader& b, Type type, std::uint32_t level,
+                          std::uint32_t i, std::uint32_t j, const PhotoRecord& photo) {
+    const DirectoryEntry *x = a.find(type, i, level), *y = b.find(type, j, level);
+    if (!x || !y) return "is in one only";
+    if (x->length != y->length || x->head_length != y->head_length) return "is of another size";
+    if (a.blocks(*x) > 0) return fmt::format("level {}: {}", level, compare_tiles(a, *x, b, *y));
+    if (type == Type::coordinates) return compare_coordinates(a, b, i, j, photo);
+    if (type == Type::visible) return compare_visible(a, b, i, j);
+    if (type != Type::thumbnail) return "not the same";
+    Texels t;
+    compare_bytes(a.bytes(x), b.bytes(y), t);
+    return fmt::format("by {:.0f} of 255 at most", t.largest);
+}
+
+void diff_photo(const PackageReader& a, const PackageReader& b, std::uint32_t i, std::uint32_t j,
+                Differences& out) {
+    const PhotoRecord &p = a.photos()[i], &q = b.photos()[j];
+    if (p.source_checksum != q.source_checksum) out.push_back({p.name, "file", "another photo of that name"});
+    if (p.flags != q.flags)
+        out.push_back({p.name, "state", fmt::format("flags {} against {}", p.flags, q.flags)});
+    if (std::memcmp(&p.fx, &q.fx, offsetof(PhotoRecord, corrected_direction) - offsetof(PhotoRecord, fx)) !=
+        0)
+        out.push_back({p.name, "camera", "not the same"});
+    if (!std::ranges::equal(p.gain, q.gain) || !std::ranges::equal(p.falloff, q.falloff))
+        out.push_back({p.name, "exposure",
+                       fmt::format("gains {:.4f} {:.4f} {:.4f} against {:.4f} {:.4f} {:.4f}", p.gain[0],
+                                   p.gain[1], p.gain[2], q.gain[0], q.gain[1], q.gain[2])});
+    for (std::size_t s = 0; s < stage_count; ++s) {
+        std::set<Type> told;
+        for (const auto& [type, level] : chunks_of(stage_row(Stage(s)), int(std::max(p.levels, q.levels))))
+            if (!told.contains(type) && !same_chunk(a.find(type, i, level), b.find(type, j, level))) {
+                const char* what = type == Type::depth     ? "depth"
+                                   : type == Type::visible ? "visible triangles"
+                                                           : stage_row(Stage(s)).name;
+                out.push_back({p.name, what, compare_chunk(a, b, type, level, i, j, p)});
+                told.insert(type);
+            }
+    }
+}
+
+}  // namespace
+
+Differences diff(const PackageReader& a, const PackageReader& b) {
+    Differences out;
+    diff_meta(a, b, out);
+    diff_model(a, b, out);
+    const auto of_a = a.photos(), of_b = b.photos();
+    for (std::uint32_t i = 0; i < of_a.size(); ++i)
+        if (const auto j = b.photo_index(of_a[i].name))
+            diff_photo(a, b, i, *j, out);
+        else
+            out.push_back({of_a[i].name, "", "only in " + a.path().string()});
+    for (const PhotoRecord& p : of_b)
+        if (!a.photo_index(p.name)) out.push_back({p.name, "", "only in " + b.path().string()});
+    return out;
+}
+
+}  // namespace vantage

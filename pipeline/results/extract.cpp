@@ -1,0 +1,59 @@
+#include "pipeline/results/extract.h"
+
+#include <array>
+
+#include "pipeline/formats/export/ply.h"
+#include "pipeline/formats/images/image_files.h"
+#include "pipeline/package/tile_levels.h"
+#include "scene/error.h"
+#include "scene/package_reader.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+namespace {
+
+using package::Type;
+namespace fs = std::filesystem;
+
+void write_mesh(const PackageReader& reader, const fs::path& file) {
+    const package::SceneRecord& s = reader.scene();
+    write_ply(file, Eigen::Map<const Eigen::Vector3d>(s.origin),
+              reader.records<Eigen::Vector3f>(Type::positions),
+              reader.records<Eigen::Vector3f>(Type::normals),
+              reader.records<std::array<std::uint32_t, 3>>(Type::indices));
+}
+
+void write_photo(const PackageReader& reader, std::uint32_t i, const package::PhotoRecord& p,
+                 const fs::path& folder) {
+    const std::string name = p.name, stem = name.substr(0, name.rfind('.'));
+    const auto image = [&](Type type, std::uint32_t l, const fs::path& file, int channels, Sample format) {
+        const Level size = level_size(int(p.width), int(p.height), int(l));
+        const auto* e = reader.find(type, i, l);
+        if (!e) throw Error(Exit::damaged, name + ": a level is missing");
+        image_files().write(file, size.width, size.height, channels, format, join_tiles(reader, *e, size));
+    };
+    image(Type::tiles, 0, folder / "photos" / (stem + ".png"), 4, Sample::u8);
+    image(Type::masks, mask_level, folder / "masks" / (stem + ".png"), 4, Sample::u8);
+    image(Type::depth, mask_level, folder / "depth" / (stem + ".exr"), 1, Sample::f32);
+}
+
+}  // namespace
+
+void extract(const fs::path& package, const fs::path& folder, const std::vector<std::string>& names) {
+    const PackageReader reader(package);
+    for (const char* sub : {"photos", "masks", "depth"}) fs::create_directories(folder / sub);
+    const auto photos = reader.photos();
+    std::vector<std::uint32_t> wanted;
+    for (const std::string& n : names) {
+        const auto i = reader.photo_index(n);
+        if (!i) throw Error(Exit::usage, package.string() + ": has no photo " + n);
+        wanted.push_back(*i);
+    }
+    if (names.empty())
+        for (std::uint32_t i = 0; i < photos.size(); ++i) wanted.push_back(i);
+    for (const std::uint32_t i : wanted)
+        if (photos[i].levels) write_photo(reader, i, photos[i], folder);
+    write_mesh(reader, folder / "mesh.ply");
+}
+
+}  // namespace vantage

@@ -1,0 +1,36 @@
+#include "pipeline/run/read_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+template <class Content>
+Content read(const std::filesystem::path& file, std::size_t most) {
+    std::ifstream in(file, std::ios::binary | std::ios::ate);
+    if (!in) throw Error(Exit::input, file.string() + ": cannot open");
+    if (std::filesystem::is_directory(file))
+        throw Error(Exit::input, file.string() + ": is a folder, expected a file");
+    Content content;
+    content.resize(std::min(std::size_t(in.tellg()), most));
+    in.seekg(0);
+    if (!in.read(reinterpret_cast<char*>(content.data()), std::streamsize(content.size())))
+        throw Error(Exit::input, file.string() + ": cannot read");
+    return content;
+}
+
+}  // namespace
+
+std::vector<std::byte> read_file(const std::filesystem::path& file, std::size_t most) {
+    return read<std::vector<std::byte>>(file, most);
+}
+
+std::string read_text(const std::filesystem::path& file) {
+    return read<std::string>(file, std::numeric_limits<std::size_t>::max());
+}
+
+}  // namespace vantage

@@ -1,0 +1,93 @@
+#include "pipeline/visibility/geometry_renderer.h"
+
+#include "gl/context.h"
+#include "pipeline/model/packed_model.h"
+#include "pipeline/run/trace.h"
+#include "pipeline/settings/settings.h"
+#include "pipeline/visibility/border_distance.h"
+#include "pipeline/visibility/gl_geometry.h"
+#include "pipeline/visibility/gl_thread.h"
+#include "pipeline/visibility/near_distance.h"
+#include "pipeline/visibility/rasterize.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+bool floods(DistanceMethod method) {
+    return method != DistanceMethod::automatic && method != DistanceMethod::exact;
+}
+
+bool wants_opengl(const PrepareSettings& settings) {
+    if (settings.render_by == RenderBy::processor && floods(settings.distance))
+        throw Error(Exit::usage, std::string("--distance ") + name(settings.distance) +
+                                     ": is flooded by OpenGL, not with --render-by processor");
+    return settings.render_by == RenderBy::opengl || floods(settings.distance) ||
+           (settings.render_by == RenderBy::automatic && gl::has_hardware());
+}
+
+}  // namespace
+
+/// The model's buffers are made on the OpenGL thread while others work, and released there.
+struct GeometryRenderer::OpenGl {
+    GlThread thread;
+    ModelBuffers buffers;
+    std::shared_future<void> uploaded;
+
+    ~OpenGl() {
+        thread.submit([this] { buffers = {}; }).wait();
+    }
+    const ModelBuffers& model() {
+        uploaded.get();
+        return buffers;
+    }
+};
+
+GeometryRenderer::GeometryRenderer(const PackedModel& model, const std::vector<Eigen::Vector3f>& normals,
+                                   const PrepareSettings& settings)
+    : model_(model), normals_(normals), distance_(settings.distance) {
+    if (wants_opengl(settings)) gl_ = std::make_unique<OpenGl>();
+    const bool hardware = gl_ && !gl_->thread.device().software;
+    if (distance_ == DistanceMethod::automatic)
+        distance_ = hardware ? DistanceMethod::jfa_squared : DistanceMethod::exact;
+    if (!gl_) return;
+    gl_->uploaded = gl_->thread
+                        .submit([this] {
+                            gl_->buffers = upload_model(model_.positions, normals_);
+                            if (floods(distance_)) gl_->buffers.jump_flood = jump_flood_program();
+                        })
+                        .share();
+}
+
+GeometryRenderer::~GeometryRenderer() = default;
+
+bool GeometryRenderer::by_opengl() const { return gl_ != nullptr; }
+
+std::future<PhotoGeometry> GeometryRenderer::render(std::shared_ptr<const PhotoView> view,
+                                                    const Intrinsics& k, Trace* trace,
+                                                    const std::string& photo) {
+    if (!gl_)
+        return std::async(std::launch::deferred, [=, this] {
+            const Traced traced(trace, "render", photo);
+            return rasterize_geometry(view->projection, normals_, view->triangles.indices);
+        });
+    const ModelBuffers& buffers = gl_->model();
+    return gl_->thread.submit([=, &buffers] {
+        const Traced traced(trace, "render", photo);
+        return render_geometry(buffers, view->triangles.indices, k, view->projection.cam_from_origin,
+                               view->near_far);
+    });
+}
+
+std::vector<float> GeometryRenderer::distances(const std::vector<std::uint8_t>& borders, int width,
+                                               int height, int reach) {
+    if (distance_ == DistanceMethod::exact)
+        return reach <= farthest_near ? near_distance(borders, width, height, reach)
+                                      : exact_distance(borders, width, height);
+    const ModelBuffers& buffers = gl_->model();
+    return gl_->thread
+        .submit([&] { return flood_distance(buffers.jump_flood, borders, width, height, distance_); })
+        .get();
+}
+
+}  // namespace vantage

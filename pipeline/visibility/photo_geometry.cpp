@@ -1,0 +1,31 @@
+#include "pipeline/visibility/photo_geometry.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "scene/tiling.h"
+
+namespace vantage {
+
+Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& pose) {
+    const Eigen::Vector3d axis = pose.R.row(2);
+    double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+    for (const Eigen::Vector3f& p : positions) {
+        const double z = axis.dot(p.cast<double>()) + pose.t.z();
+        nearest = std::min(nearest,
+                           std::max(z, 0.0));  // a triangle may reach past its corners to the camera's plane
+        farthest = std::max(farthest, z);
+    }
+    return clip_range(nearest, farthest);
+}
+
+Intrinsics map_intrinsics(const Intrinsics& k) { return k.at_level(mask_level); }
+
+PhotoGeometry empty_geometry(const Intrinsics& k) {
+    const Level half = level_size(k.width, k.height, mask_level);
+    const std::size_t pixels = std::size_t(half.width) * std::size_t(half.height);
+    return {half.width, half.height, std::vector<float>(pixels, std::numeric_limits<float>::infinity()),
+            std::vector<std::uint8_t>(pixels, 0), std::vector<std::uint32_t>(pixels, ~0u)};
+}
+
+}  // namespace vantage

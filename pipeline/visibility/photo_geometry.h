@@ -1,0 +1,28 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/camera.h"
+
+namespace vantage {
+
+/// What a photo's camera sees of the model.
+struct PhotoGeometry {
+    int width = 0, height = 0;             ///< of the maps: the photo's at `mask_level`
+    std::vector<float> z;                  ///< linear depth, +inf where nothing is seen
+    std::vector<std::uint8_t> angle;       ///< max(0, n.v), unorm8
+    std::vector<std::uint32_t> triangles;  ///< which of the triangles given; none: 2^32 - 1
+};
+
+/// The intrinsics of a photo's maps.
+Intrinsics map_intrinsics(const Intrinsics& photo);
+
+/// Near and far plane that hold the model, by its vertices' depths, see clip_range.
+Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& cam_from_origin);
+
+/// Maps of a photo that sees nothing.
+PhotoGeometry empty_geometry(const Intrinsics& photo);
+
+}  // namespace vantage
