@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "cli/real_range.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
 #include "pipeline/commands/progress_line.h"
@@ -23,7 +24,6 @@
 #include "pipeline/stage_keys.h"
 #include "pipeline/trace.h"
 #include "scene/error.h"
-#include "scene/real_range.h"
 
 namespace vantage {
 namespace {
