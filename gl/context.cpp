@@ -5,9 +5,10 @@
 
 #include <array>
 #include <cstring>
-#include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include "gl/failure.h"
 
 namespace vantage::gl {
 namespace {
@@ -88,7 +89,7 @@ HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
         watch_errors();
         return;
     }
-    throw std::runtime_error("no OpenGL 4.5 core context through EGL (tried every device, then surfaceless)");
+    throw Failure("no OpenGL 4.5 core context through EGL (tried every device, then surfaceless)");
 }
 
 HeadlessContext::HeadlessContext(HeadlessContext&&) noexcept = default;
@@ -135,8 +136,8 @@ void check(const char* where) {
     const std::string text = std::exchange(pending, {});
     while (glGetError() != GL_NO_ERROR) {
     }
-    throw std::runtime_error(std::string("OpenGL failed in ") + where + ": " +
-                             (text.empty() ? "error " + std::to_string(error) : text));
+    throw Failure(std::string("OpenGL failed in ") + where + ": " +
+                  (text.empty() ? "error " + std::to_string(error) : text));
 }
 
 }  // namespace vantage::gl

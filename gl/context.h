@@ -5,8 +5,8 @@
 namespace vantage::gl {
 
 /// A headless OpenGL 4.5 core context, current on the thread that made it. Tries EGL's device platform for a
-/// hardware device first, then surfaceless Mesa, then any device (software). Throws Error-like
-/// std::runtime_error naming what was tried when none works.
+/// hardware device first, then surfaceless Mesa, then any device (software). Throws
+/// Failure naming what was tried when none works.
 class HeadlessContext {
   public:
     HeadlessContext();
@@ -32,7 +32,7 @@ Device current_device();
 /// Keeps the first message of high severity for check(), which throws it. Needs a current context.
 void watch_errors();
 
-/// Throws std::runtime_error with `where` when OpenGL has an error pending.
+/// Throws Failure with `where` when OpenGL has an error pending.
 void check(const char* where);
 
 }  // namespace vantage::gl

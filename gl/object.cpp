@@ -1,7 +1,8 @@
 #include "gl/object.h"
 
-#include <stdexcept>
 #include <unordered_map>
+
+#include "gl/failure.h"
 
 namespace vantage::gl {
 namespace {
@@ -106,7 +107,7 @@ Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, 
     if (depth) glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth, 0);
     glObjectLabel(GL_FRAMEBUFFER, id, -1, label);
     if (glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw std::runtime_error(std::string("framebuffer '") + label + "' is incomplete");
+        throw Failure(std::string("framebuffer '") + label + "' is incomplete");
     return framebuffer;
 }
 

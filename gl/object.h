@@ -64,7 +64,7 @@ Texture make_texture_2d(const char* label, GLenum format, int width, int height,
 Texture make_texture_array(const char* label, GLenum format, int width, int height, int layers,
                            GLenum filter = GL_LINEAR);
 /// Framebuffer of the given colour textures (in order of attachment) and depth texture (0 for none).
-/// Throws std::runtime_error when incomplete.
+/// Throws Failure when incomplete.
 Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, GLuint depth);
 VertexArray make_vertex_array(const char* label);
 

@@ -15,12 +15,12 @@ struct Stage {
 };
 
 /// Compiles and links. Shader text is embedded at build time; `#include "file"` is resolved; each define
-/// becomes "#define X" after #version ("NAME" or "NAME value"). Throws std::runtime_error with the file and
+/// becomes "#define X" after #version ("NAME" or "NAME value"). Throws Failure with the file and
 /// the driver's log.
 Program make_program(const std::string& label, const std::vector<Stage>& stages,
                      const std::vector<std::string>& defines = {});
 
-/// Text of an embedded shader file; throws std::runtime_error when there is none.
+/// Text of an embedded shader file; throws Failure when there is none.
 std::string_view shader_source(std::string_view file);
 
 }  // namespace vantage::gl

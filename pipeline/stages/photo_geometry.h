@@ -34,7 +34,7 @@ Intrinsics map_intrinsics(const Intrinsics& photo);
 Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& cam_from_origin);
 
 /// Renders depth, angle and triangles. On the OpenGL thread. `indices` are the triangles that may reach into
-/// the photo, see triangles_in_frame. Throws std::runtime_error when OpenGL fails.
+/// the photo, see triangles_in_frame. Throws gl::Failure when OpenGL fails.
 PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::uint32_t> indices,
                               const Intrinsics& intrinsics, const Pose& cam_from_origin,
                               Eigen::Vector2d near_far);
