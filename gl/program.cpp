@@ -21,7 +21,7 @@ std::string_view shader_source(std::string_view file) {
 namespace {
 
 std::string with_includes(std::string_view file, int depth = 0) {
-    if (depth > 8) throw Failure("shader includes form a circle at '" + std::string(file) + "'");
+    if (depth > 8) throw Failure("circular shader includes at '" + std::string(file) + "'");
     std::string out;
     std::string_view rest = shader_source(file);
     while (!rest.empty()) {
@@ -62,7 +62,7 @@ Program make_program(const std::string& label, const std::vector<Stage>& stages,
     for (const Stage& stage : stages) {
         const GLuint shader = compile(stage, defines);
         glAttachShader(program.id(), shader);
-        glDeleteShader(shader);  // lives on as long as the program does
+        glDeleteShader(shader);  // deleted with the program
     }
     glLinkProgram(program.id());
     GLint ok = 0;

@@ -93,7 +93,7 @@ struct Opened {
 
 class ScaleAndPlace : public TemporaryFolder {
   protected:
-    const gl::HeadlessContext context;
+    const gl::HeadlessContext context(gl::Debug::on);
     SceneInput scene;
     std::unique_ptr<Opened> given;
 
