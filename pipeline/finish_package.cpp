@@ -56,7 +56,8 @@ void write_last(const FinishInput& in, const Agreement& agreement, PhotoTables& 
     const std::array decisions{agreement.registration.decision, agreement.colors.exposure,
                                agreement.colors.falloff, agreement.consensus.decision};
     package::SceneRecord scene = in.scene;
-    for (const EffectDecision& d : decisions) scene.effects |= std::uint64_t(d.on) << int(d.effect);
+    for (const EffectDecision& d : decisions)
+        if (d.on) scene.effects |= effect_bit(d.effect);
     const std::string described = with_findings(in.meta, decisions, agreement.registration.warnings);
     for (std::size_t i = 0; i < photos.records.size(); ++i) seal(photos.states[i], photos.records[i]);
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(described)));

@@ -142,7 +142,7 @@ SceneKey scene_key(const SceneInput& scene, const PrepareSettings& settings, con
     return {settings,
             renderer.distance(),
             renderer.by_opengl(),
-            bool(model.record.effects >> int(Effect::undistortion) & 1),
+            bool(model.record.effects & effect_bit(Effect::undistortion)),
             model_checksum(model, scene.mesh.normals),
             model.record.reference_density};
 }

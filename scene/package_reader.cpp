@@ -303,7 +303,9 @@ Pose pose_of(const Record& r) {
 Pose cam_from_origin(const package::PhotoRecord& photo) { return pose_of(photo); }
 Pose cam_from_origin(const package::RegistrationRecord& given) { return pose_of(given); }
 
-bool effect_on(const package::SceneRecord& scene, Effect effect) { return scene.effects >> int(effect) & 1; }
+bool effect_on(const package::SceneRecord& scene, Effect effect) {
+    return scene.effects & effect_bit(effect);
+}
 
 std::string describe(const DirectoryEntry& e, const PackageReader& reader) {
     std::string text;

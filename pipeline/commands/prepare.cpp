@@ -49,7 +49,7 @@ void force_effect(const std::string& text, std::map<Effect, EffectChoice>& choic
     else if (choice == "auto")
         choices.erase(row.effect);
     else
-        throw Error(Exit::usage, "--effect " + text + ": expected " + row.name + "=on, off or auto");
+        throw Error(Exit::usage, "--effect " + text + ": expected " + row.option + "=on, off or auto");
 }
 
 InputFiles input_files(const Options& o) {
@@ -146,11 +146,10 @@ int run_prepare(Options o) {
     o.settings.distance = distance_method(o.distance);
     o.settings.resampling = resampling(o.resampling);
     o.settings.render_by = render_by(o.render_by);
-    if (o.refine != "full")
-        for (const Effect e : {Effect::registration, Effect::consensus})
-            o.settings.effects[e] = EffectChoice::off;
-    if (o.refine == "off")
-        for (const Effect e : {Effect::exposure, Effect::falloff}) o.settings.effects[e] = EffectChoice::off;
+    for (const EffectRow& row : effect_table())
+        if ((row.basis == Basis::pixels && o.refine != "full") ||
+            (row.basis == Basis::colors && o.refine == "off"))
+            o.settings.effects[row.effect] = EffectChoice::off;
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const InputFiles files = input_files(o);
