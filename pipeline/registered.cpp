@@ -108,7 +108,7 @@ void write_registration(PackageWriter& writer, const Registration& found, std::s
         r.after = p.after;
         r.key = key;
     }
-    std::vector<PairRecord> pairs(package::pairs_a_photo * given.size(), PairRecord{});
+    std::vector<PairRecord> pairs(package::stored_pairs_per_photo * given.size(), PairRecord{});
     std::copy_n(found.pairs.begin(), std::min(pairs.size(), found.pairs.size()), pairs.begin());
     writer.write(Type::registration, package::scene_wide, bytes_of(records));
     writer.write(Type::pairs, package::scene_wide, bytes_of(pairs));

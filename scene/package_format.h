@@ -152,9 +152,9 @@ struct RegistrationRecord {
     std::uint64_t key;     ///< XXH3-64 of all that went in, the same for all photos
 };
 
-/// Pairs that are measured, for each photo at most.
-inline constexpr std::uint64_t pairs_a_photo = 2;
-/// Cells of a pair's map of displacements.
+/// Pairs that are measured and stored per photo, at most.
+inline constexpr std::uint64_t stored_pairs_per_photo = 2;
+/// Cells of a pair's displacement map.
 inline constexpr int pair_columns = 12, pair_rows = 8;
 
 /// How far two photos that see the same surface disagree, matched through the model with the cameras as
