@@ -11,9 +11,9 @@
 #include "pipeline/join_tiles.h"
 #include "pipeline/refine/color_fit.h"
 #include "pipeline/refine/recent.h"
-#include "pipeline/stages/srgb.h"
 #include "pipeline/stages/surface_samples.h"
 #include "scene/error.h"
+#include "scene/srgb.h"
 #include "scene/tiling.h"
 
 namespace vantage {

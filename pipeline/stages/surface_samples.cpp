@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "pipeline/stages/pyramid.h"
-#include "pipeline/stages/srgb.h"
+#include "scene/srgb.h"
 #include "scene/tiling.h"
 
 namespace vantage {
