@@ -95,7 +95,7 @@ std::vector<std::unique_ptr<Former>> formers_of(const std::filesystem::path& out
         }
     };
     if (resumed) add(part_of(out), true);
-    add(former_part_of(out), false);
+    add(displaced_part_of(out), false);
     add(out, false);
     return found;
 }

@@ -10,6 +10,7 @@ inline constexpr char magic[8] = {'V', 'A', 'N', 'T', 'A', 'G', 'E', '\n'};
 inline constexpr char part_magic[8] = {'V', 'N', 'T', 'G', 'P', 'A', 'R', 'T'};  ///< of one being prepared
 inline constexpr std::uint32_t version = 3;
 inline constexpr std::uint64_t alignment = 4096;  ///< of every chunk and every block
+constexpr std::uint64_t aligned(std::uint64_t n) { return (n + alignment - 1) / alignment * alignment; }
 inline constexpr std::uint32_t scene_wide = 0xffffffffu;
 
 constexpr std::uint32_t fourcc(const char (&s)[5]) {
