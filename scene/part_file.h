@@ -38,7 +38,7 @@ class PartFile {
     void reserve(std::uint64_t bytes) const;
     /// Zeroes a range and gives its space back to disks that allow holes.
     void punch_hole(std::uint64_t offset, std::uint64_t length) const;
-    /// Starts writing a range to the disk, which so works while the next photo is prepared.
+    /// Starts writing a range to the disk without waiting, so that the disk is busy while photos are prepared.
     void start_flush(std::uint64_t offset, std::uint64_t length) const;
 
     /// Renames the part to displaced_part_of() and starts an empty one. Does nothing if the part is empty.
