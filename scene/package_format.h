@@ -33,12 +33,12 @@ enum class Type : std::uint32_t {
     clusters = fourcc("CLUS"),      ///< ClusterRecord[clusters]
     thumbnail = fourcc("THMB"),     ///< per photo: RGBA8
     coverage = fourcc("COVR"),      ///< per photo: CoverageRecord[clusters]
-    visible = fourcc("VISB"),  ///< per photo: u64[], a bit per triangle seen whole, then seen at least partly
-    samples = fourcc("SAMP"),  ///< per photo: SampleRecord[discs of the surface]
-    coordinates = fourcc("TEXC"),  ///< per photo: float[2][vertices]; (-1,-1) where not visible
-    tiles = fourcc("TILE"),        ///< per photo and level: blocks of RGBA8 tiles
-    masks = fourcc("MASK"),        ///< per photo and level: RGBA8 tiles: angle, depth, border, consensus
-    depth = fourcc("DPTH"),        ///< per photo and level: R32F tiles: linear z, +inf where nothing is seen
+    visible = fourcc("VISB"),       ///< per photo: u64[], a bit per triangle: fully seen; partly seen
+    samples = fourcc("SAMP"),       ///< per photo: SampleRecord[discs of the surface]
+    coordinates = fourcc("TEXC"),   ///< per photo: float[2][vertices]; (-1,-1) where not visible
+    tiles = fourcc("TILE"),         ///< per photo and level: blocks of RGBA8 tiles
+    masks = fourcc("MASK"),         ///< per photo and level: RGBA8 tiles: angle, depth, border, consensus
+    depth = fourcc("DPTH"),         ///< per photo and level: R32F tiles: linear z, +inf where nothing is seen
 };
 
 struct Header {

@@ -33,7 +33,7 @@ class PackageWriter {
     PackageWriter(const PackageWriter&) = delete;
     PackageWriter& operator=(const PackageWriter&) = delete;
 
-    /// FILE.part existed with this layout: a PackageReader tells what can be kept.
+    /// True if FILE.part existed with this layout; read it with a PackageReader to see what to keep.
     bool resumed() const;
 
     /// Writes a chunk without blocks: exactly the planned number of bytes.
@@ -49,8 +49,8 @@ class PackageWriter {
     void keep(const package::DirectoryEntry& entry);
     /// Copies a chunk from another package, as photo `photo`. The caller checks that it is sound.
     void copy(const PackageReader& from, const package::DirectoryEntry& entry, std::uint32_t photo);
-    /// This photo turns out to have no chunks; its place stays empty, and takes no space on disks that allow
-    /// holes in files.
+    /// Drops the chunks of a photo that cannot be used; their place stays empty, and takes no space if the
+    /// file system supports holes.
     void leave_out(std::uint32_t photo);
 
     /// A sealed chunk without blocks, as it is in the file. Throws Error(storage).
