@@ -4,15 +4,17 @@
 #include <epoxy/gl.h>
 
 #include <array>
+#include <cstdlib>
 #include <cstring>
-#include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include "gl/failure.h"
 
 namespace vantage::gl {
 namespace {
 
-EGLContext context_on(EGLDisplay display) {
+EGLContext context_on(EGLDisplay display, Debug debug) {
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return EGL_NO_CONTEXT;
     if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
@@ -21,6 +23,8 @@ EGLContext context_on(EGLDisplay display) {
                                  5,
                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                 debug == Debug::on ? EGL_CONTEXT_OPENGL_DEBUG : EGL_NONE,
+                                 EGL_TRUE,
                                  EGL_NONE};
     return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
 }
@@ -31,7 +35,7 @@ struct Devices {
     std::vector<EGLDeviceEXT> hardware, software;
 };
 
-Devices sorted_devices() {
+Devices listed_devices() {
     const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!has_extension(client, "EGL_EXT_platform_device") ||
         !has_extension(client, "EGL_EXT_device_enumeration"))
@@ -49,22 +53,28 @@ Devices sorted_devices() {
 }
 
 /// EGL devices, hardware before software, so that a GPU is found without a display server.
-std::vector<EGLDeviceEXT> devices() {
-    Devices all = sorted_devices();
+std::vector<EGLDeviceEXT> hardware_first() {
+    Devices all = listed_devices();
     all.hardware.insert(all.hardware.end(), all.software.begin(), all.software.end());
     return all.hardware;
 }
 
 }  // namespace
 
-bool has_hardware() { return !sorted_devices().hardware.empty(); }
+Debug debug_from_environment() {
+    const char* value = std::getenv("VANTAGE_DEBUG_GL");
+    return value && std::strcmp(value, "0") != 0 ? Debug::on : Debug::off;
+}
+
+bool has_hardware() { return !listed_devices().hardware.empty(); }
 
 struct HeadlessContext::State {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
 
-    bool adopt(EGLDisplay candidate) {
-        const EGLContext made = context_on(candidate);
+    /// Makes a context on this display current; false if it has none to give.
+    bool adopt(EGLDisplay candidate, Debug debug) {
+        const EGLContext made = context_on(candidate, debug);
         if (made == EGL_NO_CONTEXT) return false;
         if (!eglMakeCurrent(candidate, EGL_NO_SURFACE, EGL_NO_SURFACE, made)) {
             eglDestroyContext(candidate, made);
@@ -74,28 +84,28 @@ struct HeadlessContext::State {
         context = made;
         return true;
     }
+
+    bool adopt_any(Debug debug) {
+        for (EGLDeviceEXT device : hardware_first())
+            if (adopt(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr), debug)) return true;
+        return has_extension(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS),
+                             "EGL_MESA_platform_surfaceless") &&
+               adopt(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr),
+                     debug);
+    }
 };
 
-HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
-    for (EGLDeviceEXT device : devices())
-        if (state_->adopt(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr))) {
-            watch_errors();
-            return;
-        }
-    if (has_extension(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_MESA_platform_surfaceless") &&
-        state_->adopt(
-            eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr))) {
-        watch_errors();
-        return;
-    }
-    throw std::runtime_error("no OpenGL 4.5 core context through EGL (tried every device, then surfaceless)");
+HeadlessContext::HeadlessContext(Debug debug) : state_(std::make_unique<State>()) {
+    if (!state_->adopt_any(debug))
+        throw Failure("no OpenGL 4.5 core context through EGL (tried every device, then surfaceless)");
+    if (debug == Debug::on) watch_errors();
 }
 
 HeadlessContext::HeadlessContext(HeadlessContext&&) noexcept = default;
 
 HeadlessContext::~HeadlessContext() {
     if (!state_ || state_->context == EGL_NO_CONTEXT) return;
-    // The display is left initialised: terminating unloads the driver, which then counts as leaked.
+    // The display stays initialized: terminating it unloads the driver, whose memory then counts as leaked.
     eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(state_->display, state_->context);
 }
@@ -108,19 +118,20 @@ Device current_device() {
     Device d{text(GL_RENDERER), text(GL_VERSION)};
     for (const char* soft : {"llvmpipe", "softpipe", "swrast", "Software"})
         d.software |= d.renderer.find(soft) != std::string::npos;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &d.max_texture_size);
-    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &d.max_array_layers);
     return d;
 }
 
 namespace {
-/// The first serious message since the last check; exceptions must not cross the driver's frames.
+
+/// The first serious message since the last check(): an exception must not pass through the driver.
 thread_local std::string pending;
+
 void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* text,
                            const void*) {
     if ((severity == GL_DEBUG_SEVERITY_HIGH || type == GL_DEBUG_TYPE_ERROR) && pending.empty())
         pending = text;
 }
+
 }  // namespace
 
 void watch_errors() {
@@ -135,8 +146,8 @@ void check(const char* where) {
     const std::string text = std::exchange(pending, {});
     while (glGetError() != GL_NO_ERROR) {
     }
-    throw std::runtime_error(std::string("OpenGL failed in ") + where + ": " +
-                             (text.empty() ? "error " + std::to_string(error) : text));
+    throw Failure(std::string("OpenGL failed in ") + where + ": " +
+                  (text.empty() ? "error " + std::to_string(error) : text));
 }
 
 }  // namespace vantage::gl

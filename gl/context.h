@@ -4,12 +4,17 @@
 
 namespace vantage::gl {
 
-/// A headless OpenGL 4.5 core context, current on the thread that made it. Tries EGL's device platform for a
-/// hardware device first, then surfaceless Mesa, then any device (software). Throws Error-like
-/// std::runtime_error naming what was tried when none works.
+/// Whether the driver reports mistakes as they happen, for check() to throw. This slows drawing.
+enum class Debug { off, on };
+
+/// On if the environment variable VANTAGE_DEBUG_GL is set and not "0"; the tests set it.
+Debug debug_from_environment();
+
+/// A headless OpenGL 4.5 core context, current on the thread that made it. Tries EGL's hardware devices, then
+/// its software devices, then surfaceless Mesa. Throws Failure if none gives a context.
 class HeadlessContext {
   public:
-    HeadlessContext();
+    explicit HeadlessContext(Debug debug = debug_from_environment());
     ~HeadlessContext();
     HeadlessContext(HeadlessContext&&) noexcept;
 
@@ -18,21 +23,21 @@ class HeadlessContext {
     std::unique_ptr<State> state_;
 };
 
-/// Is there a device that is no software? Quick: makes no context.
+/// True if EGL lists a hardware device. Quick: creates no context.
 bool has_hardware();
 
 /// Facts of the current context.
 struct Device {
     std::string renderer, version;
-    bool software = false;  ///< rasterises on the processor (llvmpipe, softpipe, swrast)
-    int max_texture_size = 0, max_array_layers = 0;
+    bool software = false;  ///< rasterizes on the CPU (llvmpipe, softpipe, swrast)
 };
 Device current_device();
 
-/// Keeps the first message of high severity for check(), which throws it. Needs a current context.
+/// Records the current context's first error or high-severity message for check() on this thread. Drivers
+/// need send no messages unless the context was created with the debug flag.
 void watch_errors();
 
-/// Throws std::runtime_error with `where` when OpenGL has an error pending.
+/// Throws Failure naming `where` if an OpenGL error or a recorded message is pending, and clears both.
 void check(const char* where);
 
 }  // namespace vantage::gl

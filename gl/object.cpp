@@ -1,24 +1,25 @@
 #include "gl/object.h"
 
-#include <stdexcept>
 #include <unordered_map>
+
+#include "gl/failure.h"
 
 namespace vantage::gl {
 namespace {
 
-/// Sizes of what lives, on the context's thread; textures and buffers have numbers of their own.
+/// Bytes of live objects by name, on the context's thread. OpenGL names textures and buffers independently.
 struct Ledger {
     std::unordered_map<GLuint, std::uint64_t> textures, buffers;
     std::uint64_t held = 0;
 };
 thread_local Ledger ledger;
 
-void enter(std::unordered_map<GLuint, std::uint64_t>& sizes, GLuint id, std::uint64_t bytes) {
+void record(std::unordered_map<GLuint, std::uint64_t>& sizes, GLuint id, std::uint64_t bytes) {
     sizes[id] = bytes;
     ledger.held += bytes;
 }
 
-void strike(std::unordered_map<GLuint, std::uint64_t>& sizes, GLuint id) {
+void forget(std::unordered_map<GLuint, std::uint64_t>& sizes, GLuint id) {
     if (const auto it = sizes.find(id); it != sizes.end()) {
         ledger.held -= it->second;
         sizes.erase(it);
@@ -41,12 +42,12 @@ std::uint64_t texel_bytes(GLuint texture) {
 std::uint64_t memory_held() { return ledger.held; }
 
 void release_buffer(GLuint id) {
-    strike(ledger.buffers, id);
+    forget(ledger.buffers, id);
     glDeleteBuffers(1, &id);
 }
 
 void release_texture(GLuint id) {
-    strike(ledger.textures, id);
+    forget(ledger.textures, id);
     glDeleteTextures(1, &id);
 }
 
@@ -54,7 +55,7 @@ Buffer make_buffer(const char* label, std::size_t bytes, const void* data, GLbit
     GLuint id = 0;
     glCreateBuffers(1, &id);
     glNamedBufferStorage(id, GLsizeiptr(bytes > 0 ? bytes : 4), data, flags);
-    enter(ledger.buffers, id, bytes);
+    record(ledger.buffers, id, bytes);
     glObjectLabel(GL_BUFFER, id, -1, label);
     return Buffer(id);
 }
@@ -72,7 +73,7 @@ Texture make_texture_2d(const char* label, GLenum format, int width, int height,
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &id);
     glTextureStorage2D(id, 1, format, width, height);
-    enter(ledger.textures, id, std::uint64_t(width) * std::uint64_t(height) * texel_bytes(id));
+    record(ledger.textures, id, std::uint64_t(width) * std::uint64_t(height) * texel_bytes(id));
     set_sampling(id, filter);
     glObjectLabel(GL_TEXTURE, id, -1, label);
     return Texture(id);
@@ -83,8 +84,8 @@ Texture make_texture_array(const char* label, GLenum format, int width, int heig
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &id);
     glTextureStorage3D(id, 1, format, width, height, layers);
-    enter(ledger.textures, id,
-          std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(layers) * texel_bytes(id));
+    record(ledger.textures, id,
+           std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(layers) * texel_bytes(id));
     set_sampling(id, filter);
     glObjectLabel(GL_TEXTURE, id, -1, label);
     return Texture(id);
@@ -106,7 +107,7 @@ Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, 
     if (depth) glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth, 0);
     glObjectLabel(GL_FRAMEBUFFER, id, -1, label);
     if (glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw std::runtime_error(std::string("framebuffer '") + label + "' is incomplete");
+        throw Failure(std::string("framebuffer '") + label + "' is incomplete");
     return framebuffer;
 }
 

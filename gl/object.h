@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-/// OpenGL objects that release themselves. Move-only; made by direct state access on the context's thread,
-/// labelled for debuggers; the context must outlive them.
+/// OpenGL objects that release themselves. Move-only; created by direct state access on the context's thread,
+/// labeled for debuggers; the context must outlive them.
 namespace vantage::gl {
 
 template <auto Release>
@@ -40,7 +40,6 @@ void release_buffer(GLuint id);
 void release_texture(GLuint id);
 inline void release_framebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
 inline void release_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
-inline void release_sampler(GLuint id) { glDeleteSamplers(1, &id); }
 inline void release_query(GLuint id) { glDeleteQueries(1, &id); }
 inline void release_program(GLuint id) { glDeleteProgram(id); }
 
@@ -48,27 +47,27 @@ using Buffer = Handle<&release_buffer>;
 using Texture = Handle<&release_texture>;
 using Framebuffer = Handle<&release_framebuffer>;
 using VertexArray = Handle<&release_vertex_array>;
-using Sampler = Handle<&release_sampler>;
 using Query = Handle<&release_query>;
 using Program = Handle<&release_program>;
 
-/// Bytes of all textures and buffers that the functions below have made and that still live.
+/// Bytes of all live textures and buffers that the functions below created on this thread.
 std::uint64_t memory_held();
 
-/// Immutable storage of `bytes`, from `data` or undefined. Flags as glNamedBufferStorage.
+/// Immutable storage of `bytes` bytes, copied from `data` or, if null, undefined. `flags` as in
+/// glNamedBufferStorage.
 Buffer make_buffer(const char* label, std::size_t bytes, const void* data = nullptr, GLbitfield flags = 0);
 
-/// One-level 2D texture with immutable storage, clamped at its edges.
+/// 2D texture of one level with immutable storage, clamped at its edges.
 Texture make_texture_2d(const char* label, GLenum format, int width, int height, GLenum filter = GL_NEAREST);
-/// Array texture, one level, clamped at its edges.
+/// Array texture of one level with immutable storage, clamped at its edges.
 Texture make_texture_array(const char* label, GLenum format, int width, int height, int layers,
                            GLenum filter = GL_LINEAR);
-/// Framebuffer of the given colour textures (in order of attachment) and depth texture (0 for none).
-/// Throws std::runtime_error when incomplete.
+/// Framebuffer of the given color textures (in order of attachment, 8 at most) and depth texture (0 for
+/// none). Throws Failure if it is incomplete.
 Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, GLuint depth);
 VertexArray make_vertex_array(const char* label);
 
-/// A two-float or three-float attribute read from `buffer` with `stride` bytes.
+/// Feeds `attribute` with `components` floats per vertex from `buffer`, one vertex every `stride` bytes.
 void attach_floats(const VertexArray& vao, GLuint attribute, const Buffer& buffer, int components,
                    int stride);
 

@@ -1,7 +1,8 @@
 #include "gl/program.h"
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "gl/failure.h"
 
 namespace vantage::gl {
 
@@ -14,13 +15,13 @@ std::span<const EmbeddedShader> embedded_shaders();
 std::string_view shader_source(std::string_view file) {
     for (const EmbeddedShader& s : embedded_shaders())
         if (s.file == file) return s.text;
-    throw std::runtime_error("no shader file '" + std::string(file) + "'");
+    throw Failure("no shader file '" + std::string(file) + "'");
 }
 
 namespace {
 
 std::string with_includes(std::string_view file, int depth = 0) {
-    if (depth > 8) throw std::runtime_error("shader includes form a circle at '" + std::string(file) + "'");
+    if (depth > 8) throw Failure("circular shader includes at '" + std::string(file) + "'");
     std::string out;
     std::string_view rest = shader_source(file);
     while (!rest.empty()) {
@@ -50,7 +51,7 @@ GLuint compile(const Stage& stage, const std::vector<std::string>& defines) {
     GLsizei n = 0;
     glGetShaderInfoLog(shader, GLsizei(log.size()), &n, log.data());
     glDeleteShader(shader);
-    throw std::runtime_error("shader " + stage.file + " does not compile: " + log.substr(0, std::size_t(n)));
+    throw Failure("shader " + stage.file + " does not compile: " + log.substr(0, std::size_t(n)));
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ Program make_program(const std::string& label, const std::vector<Stage>& stages,
     for (const Stage& stage : stages) {
         const GLuint shader = compile(stage, defines);
         glAttachShader(program.id(), shader);
-        glDeleteShader(shader);  // lives on as long as the program does
+        glDeleteShader(shader);  // deleted with the program
     }
     glLinkProgram(program.id());
     GLint ok = 0;
@@ -70,7 +71,7 @@ Program make_program(const std::string& label, const std::vector<Stage>& stages,
         std::string log(4096, '\0');
         GLsizei n = 0;
         glGetProgramInfoLog(program.id(), GLsizei(log.size()), &n, log.data());
-        throw std::runtime_error("program " + label + " does not link: " + log.substr(0, std::size_t(n)));
+        throw Failure("program " + label + " does not link: " + log.substr(0, std::size_t(n)));
     }
     glObjectLabel(GL_PROGRAM, program.id(), -1, label.c_str());
     return program;

@@ -8,19 +8,19 @@
 
 namespace vantage::gl {
 
-/// A stage of a program: the type and the shader file's name under shaders/.
+/// A stage of a program: its type and its file's name under shaders/.
 struct Stage {
     GLenum type;
     std::string file;
 };
 
-/// Compiles and links. Shader text is embedded at build time; `#include "file"` is resolved; each define
-/// becomes "#define X" after #version ("NAME" or "NAME value"). Throws std::runtime_error with the file and
-/// the driver's log.
+/// Compiles and links. Shader text is embedded at build time; `#include "file"` is resolved; each define,
+/// "NAME" or "NAME value", becomes a #define after #version. Throws Failure with the file and the driver's
+/// log.
 Program make_program(const std::string& label, const std::vector<Stage>& stages,
                      const std::vector<std::string>& defines = {});
 
-/// Text of an embedded shader file; throws std::runtime_error when there is none.
+/// Text of an embedded shader file. Throws Failure if there is none of that name.
 std::string_view shader_source(std::string_view file);
 
 }  // namespace vantage::gl

@@ -1,9 +1,9 @@
-#include <cstdio>
-#include <new>
+#include <cstdlib>  // defines __GLIBC__
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
+#include "cli/report_exception.h"
 #include "pipeline/commands/commands.h"
 #include "scene/error.h"
 #include "scene/lost_package.h"
@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
     app.footer(
         "Examples:\n  vantage prepare scans/chapel -o chapel.vantage\n  vantage check --deep chapel.vantage\n"
         "Exit codes: 0 well, 2 usage, 3 input, 4 damaged package, 5 stale package, 6 storage, 7 graphics,\n"
-        "8 interrupted, 9 incomplete, 10 different.");
+        "8 interrupted, 9 incomplete, 10 different, 11 internal error, 12 out of memory.");
     Run run;
     for (const auto add :
          {add_prepare, add_merge, add_refine, add_info, add_check, add_diff, add_extract, add_synth})
@@ -43,14 +43,7 @@ int main(int argc, char** argv) {
         return run();
     } catch (const CLI::ParseError& e) {
         return app.exit(e) == 0 ? 0 : int(Exit::usage);
-    } catch (const Error& e) {
-        std::fprintf(stderr, "vantage: %s\n", e.what());
-        return int(e.code());
-    } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "vantage: out of memory\n");
-        return int(Exit::storage);
-    } catch (const std::exception& e) {
-        std::fprintf(stderr, "vantage: %s\n", e.what());
-        return int(Exit::graphics);
+    } catch (...) {
+        return report_exception("vantage");
     }
 }

@@ -58,7 +58,7 @@ std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const Opt
 RenderSettings render_settings(const PackageReader& package, const Options& o) {
     RenderSettings r = o.render;
     r.weights.fov_normalisation = o.fov_normalisation == "auto"
-                                      ? effect_on(package.scene(), Effect::fov_normalisation)
+                                      ? effect_on(package.scene(), Effect::fov_normalization)
                                       : o.fov_normalisation == "on";
     r.photos = o.photos_blended >= 0 ? o.photos_blended : (o.offscreen ? 0 : window_photos);
     if (!o.exposure.empty()) r.exposure = named_photos(package, {o.exposure}).front();

@@ -1,6 +1,6 @@
 #include "player/options.h"
 
-#include "scene/real_range.h"
+#include "cli/real_range.h"
 
 namespace vantage {
 namespace {

@@ -29,7 +29,7 @@ std::optional<Projection> project(const Intrinsics& k, const Pose& pose, const E
 }
 
 Eigen::Matrix4d clip_from_cam(const Intrinsics& k, double near, double far) {
-    // x_ndc = 2 u / w - 1 with u = fx x/z + cx; v = 0 is the first row in memory, so y needs no flip.
+    // x_ndc = 2 u / w - 1 with u = fx x / z + cx; v = 0 is the first row in memory, so y is not flipped.
     Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
     m(0, 0) = 2 * k.fx / k.width;
     m(0, 2) = 2 * k.cx / k.width - 1;

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// XXH3-64 with seed 0.
+/// XXH3-64 of the bytes, seed 0.
 std::uint64_t checksum(std::span<const std::byte> bytes);
 
 }  // namespace vantage

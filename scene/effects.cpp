@@ -1,5 +1,6 @@
 #include "scene/effects.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -8,27 +9,32 @@
 namespace vantage {
 namespace {
 
+/// Packages store `name`, `measures` and `unit`: changing one changes every package. So "fov-normalisation"
+/// keeps its spelling there, and "colour" its own in `measures`.
 constexpr std::array table{
-    EffectRow{Effect::undistortion, "undistortion", "largest displacement by the lens in any photo", "px",
-              0.05, "", "resample photos to a pinhole camera"},
-    EffectRow{Effect::per_fragment, "per-fragment", "triangle size in the photos, 95th percentile by area",
-              "px", 2.0, "PER_FRAGMENT", "project and depth-test every fragment instead of every vertex"},
-    EffectRow{Effect::fov_normalisation, "fov-normalisation",
-              "spread of the photos' focal lengths, max/min - 1", "", 0.05, "FOV_NORMALISATION",
-              "compare distances as if all photos had one field of view"},
-    EffectRow{Effect::vertex_colors, "vertex-colors", "share of vertices with a colour that no photo sees",
-              "", 0.001, "VERTEX_COLORS", "show the mesh's own colours where no photo sees"},
-    EffectRow{Effect::exposure, "exposure", "how far photos of one surface differ, median |ln ratio|", "",
-              0.02, "PHOTO_GAIN", "give all photos one exposure and white balance"},
-    EffectRow{Effect::falloff, "falloff", "light that a lens loses in the corner", "", 0.05, "PHOTO_FALLOFF",
-              "take the lens's falloff out"},
-    EffectRow{Effect::registration, "registration",
+    EffectRow{Effect::undistortion, "undistortion", "undistortion",
+              "largest displacement by the lens in any photo", "px", 0.05, Basis::scene, "", ""},
+    EffectRow{Effect::per_fragment, "per-fragment", "per-fragment",
+              "triangle size in the photos, 95th percentile by area", "px", 2.0, Basis::scene, "blend",
+              "PER_FRAGMENT"},
+    EffectRow{Effect::fov_normalization, "fov-normalisation", "fov-normalization",
+              "spread of the photos' focal lengths, max/min - 1", "", 0.05, Basis::scene, "", ""},
+    EffectRow{Effect::vertex_colors, "vertex-colors", "vertex-colors",
+              "share of vertices with a colour that no photo sees", "", 0.001, Basis::scene, "surface",
+              "VERTEX_COLORS"},
+    EffectRow{Effect::exposure, "exposure", "exposure",
+              "how far photos of one surface differ, median |ln ratio|", "", 0.02, Basis::colors, "blend",
+              "PHOTO_GAIN"},
+    EffectRow{Effect::falloff, "falloff", "falloff", "light that a lens loses in the corner", "", 0.05,
+              Basis::colors, "blend", "PHOTO_FALLOFF"},
+    EffectRow{Effect::registration, "registration", "registration",
               "how far photos lie from each other on the model, over what is usual (1 px, 1.5 px a pair)", "",
-              1, "", "move cameras so that photos of one surface fit"},
-    EffectRow{Effect::consensus, "consensus", "largest share of a photo that others contradict", "", 0.005,
-              "PHOTO_CONSENSUS", "leave out what single photos show and others agree is not there"},
+              1, Basis::pixels, "", ""},
+    EffectRow{Effect::consensus, "consensus", "consensus", "largest share of a photo that others contradict",
+              "", 0.005, Basis::pixels, "blend", "PHOTO_CONSENSUS"},
 };
 static_assert(table.size() == std::size_t(Effect::count));
+static_assert(std::ranges::is_sorted(table, {}, &EffectRow::effect), "rows stand in the order of Effect");
 
 }  // namespace
 
@@ -48,13 +54,27 @@ EffectDecision decide(Effect effect, EffectChoice choice, double measured, std::
 
 const EffectRow& effect_row(Effect effect) { return table[std::size_t(effect)]; }
 
-const EffectRow& effect_row(const std::string& name) {
+const EffectRow& effect_row(std::string_view name) {
     std::string known;
     for (const EffectRow& row : table) {
-        if (name == row.name) return row;
-        known += (known.empty() ? "" : ", ") + std::string(row.name);
+        if (name == row.name || name == row.option) return row;
+        known += (known.empty() ? "" : ", ") + std::string(row.option);
     }
-    throw Error(Exit::usage, "unknown effect '" + name + "', expected one of " + known);
+    throw Error(Exit::usage, "unknown effect '" + std::string(name) + "', expected one of " + known);
+}
+
+EffectSet effects_from(Basis basis) {
+    EffectSet set = 0;
+    for (const EffectRow& row : table)
+        if (row.basis == basis) set |= effect_bit(row.effect);
+    return set;
+}
+
+std::vector<std::string> shader_defines(std::string_view program, EffectSet on) {
+    std::vector<std::string> defines;
+    for (const EffectRow& row : table)
+        if (program == row.program && on & effect_bit(row.effect)) defines.emplace_back(row.define);
+    return defines;
 }
 
 }  // namespace vantage

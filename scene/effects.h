@@ -1,17 +1,19 @@
 #pragma once
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vantage {
 
-/// What a scene may call for. One row a kind in effects.cpp; adding an effect adds a row there, its stage
-/// and its shader file.
+/// What a scene may need. An effect is a row of the table in effects.cpp, the code that measures and applies
+/// it, and its branch of the shader. The order is that of the bits in SceneRecord::effects.
 enum class Effect : int {
     undistortion,
     per_fragment,
-    fov_normalisation,
+    fov_normalization,
     vertex_colors,
     exposure,
     falloff,
@@ -20,18 +22,33 @@ enum class Effect : int {
     count
 };
 
-/// The fixed part of the table: name on the command line, what is measured, the threshold it is held
-/// against ("on" above it), and the shader symbol it defines ("" where no shader depends on it).
+/// What an effect is decided from.
+enum class Basis {
+    scene,   ///< cameras and mesh, before any photo is prepared
+    colors,  ///< surface colors of all photos, after each is prepared
+    pixels   ///< the surface as matched between all photos, after each is prepared
+};
+
+/// The constant part of the table.
 struct EffectRow {
     Effect effect;
-    const char* name;
-    const char* measures;
-    const char* unit;
-    double threshold;
-    const char* shader_symbol;
-    const char* help;
+    const char* name;      ///< as stored in packages
+    const char* option;    ///< as documented for the command line, where `name` is accepted too
+    const char* measures;  ///< what is compared with the threshold; stored in packages
+    const char* unit;      ///< of it; stored in packages
+    double threshold;      ///< the effect is on above it
+    Basis basis;
+    const char* program;  ///< the shader program that it changes, "" if none
+    const char* define;   ///< the preprocessor symbol by which it does, "" if none
 };
 std::span<const EffectRow> effect_table();
+
+/// Row by either spelling of its name. Throws Error(usage) listing the names if there is none.
+const EffectRow& effect_row(std::string_view name);
+const EffectRow& effect_row(Effect effect);
+
+/// True if the effect is decided from all photos together, after each is prepared.
+inline bool from_all_photos(const EffectRow& row) { return row.basis != Basis::scene; }
 
 /// A decision with its evidence, as recorded in the package.
 struct EffectDecision {
@@ -43,14 +60,19 @@ struct EffectDecision {
 };
 
 enum class EffectChoice { automatic, on, off };
-/// Automatic where nothing was chosen.
+/// Automatic unless chosen otherwise.
 EffectChoice choice_of(const std::map<Effect, EffectChoice>& choices, Effect effect);
 
-/// Decides one effect. `measured` not finite counts as "not called for".
+/// Decides one effect. A `measured` that is not finite leaves an automatic effect off.
 EffectDecision decide(Effect effect, EffectChoice choice, double measured, std::string evidence);
 
-/// Row by name; throws Error(usage) listing the names that exist.
-const EffectRow& effect_row(const std::string& name);
-const EffectRow& effect_row(Effect effect);
+/// A set of effects: bit i is Effect i.
+using EffectSet = std::uint64_t;
+constexpr EffectSet effect_bit(Effect effect) { return EffectSet(1) << int(effect); }
+/// All effects decided from `basis`.
+EffectSet effects_from(Basis basis);
+
+/// Symbols to define in a shader program ("surface", "blend") for the effects that are on.
+std::vector<std::string> shader_defines(std::string_view program, EffectSet on);
 
 }  // namespace vantage

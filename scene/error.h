@@ -4,22 +4,24 @@
 
 namespace vantage {
 
-/// Exit codes of both programs; README lists them. One number, one meaning, for ever.
+/// Exit codes of both programs, documented for users: a number never changes its meaning.
 enum class Exit : int {
     ok = 0,
     usage = 2,        ///< the command line or a configuration file is wrong
     input = 3,        ///< an input is missing, unreadable or does not fit the others
-    damaged = 4,      ///< a package is cut short, changed or not a package
-    stale = 5,        ///< a package is sound but its inputs have changed
-    storage = 6,      ///< the disk is full or cannot be written
+    damaged = 4,      ///< a package is truncated, corrupt or not a package
+    stale = 5,        ///< a package is sound, but its inputs have changed
+    storage = 6,      ///< the disk is full, or a file cannot be read or written
     graphics = 7,     ///< no usable OpenGL 4.5, or it failed
     interrupted = 8,  ///< stopped by a signal
-    incomplete = 9,   ///< a package is sound, but photos had to be left out
-    different = 10    ///< packages or pictures differ
+    incomplete = 9,   ///< a package is sound, but some photos were left out
+    different = 10,   ///< packages or pictures differ
+    internal = 11,    ///< a bug
+    memory = 12       ///< out of memory
 };
 
-/// The one exception of Vantage: a message for one line, naming file, item, expectation and finding,
-/// and the exit code it ends the program with.
+/// An error to report to the user: a one-line message that gives the file, the item, what was expected and
+/// what was found, and the exit code of the program.
 class Error : public std::runtime_error {
   public:
     Error(Exit code, const std::string& message) : std::runtime_error(message), code_(code) {}

@@ -5,14 +5,14 @@
 
 namespace vantage {
 
-/// One thing that was checked, for programs that read JUnit's XML.
+/// The result of one check, as a JUnit test case.
 struct CheckCase {
-    std::string name;        ///< of the package, or the picture
-    std::string kind, text;  ///< what is wrong: one word, and all of it; empty where it is well
+    std::string name;        ///< of the package or picture
+    std::string kind, text;  ///< what failed, in one word and in full; empty if it passed
     double seconds = 0;
 };
 
-/// Writes JUnit's XML. Throws Error(storage).
+/// Writes the cases as JUnit XML. Throws Error(storage).
 void write_junit(const std::filesystem::path& file, const std::string& suite,
                  const std::vector<CheckCase>& cases);
 

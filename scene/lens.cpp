@@ -16,7 +16,7 @@ Eigen::Vector2d opencv(const std::array<double, 8>& p, const Eigen::Vector2d& q)
             y * radial + p[2] * (r2 + 2 * y * y) + 2 * p[3] * x * y};
 }
 
-/// Maps radius tan(theta) to theta along the same direction; the limit at the centre is 1.
+/// Maps radius tan(theta) to theta in the same direction; the ratio tends to 1 at the center.
 Eigen::Vector2d equidistant(const Eigen::Vector2d& q) {
     const double r = q.norm();
     return r > 1e-9 ? Eigen::Vector2d(q * (std::atan(r) / r)) : q;
@@ -43,8 +43,8 @@ Eigen::Vector2d thin_prism(const std::array<double, 8>& p, const Eigen::Vector2d
             y * radial + 2 * p[3] * x * y + p[2] * (r2 + 2 * y * y) + p[7] * r2};
 }
 
-/// How far from the axis the lens draws a ray of radius tan(theta), tangential terms aside.
-double drawn_radius(const Lens& lens, double theta) {
+/// Distorted radius of a ray at angle theta from the axis, tangential terms ignored.
+double distorted_radius(const Lens& lens, double theta) {
     Lens radial = lens;
     if (lens.model == LensModel::opencv || lens.model == LensModel::thin_prism) radial.p[2] = radial.p[3] = 0;
     if (lens.model == LensModel::thin_prism) radial.p[6] = radial.p[7] = 0;
@@ -60,16 +60,16 @@ double lens_range(const Lens& lens) {
     double before = 0;
     int i = 1;
     for (; i <= steps; ++i) {
-        const double now = drawn_radius(lens, last * i / steps);
+        const double now = distorted_radius(lens, last * i / steps);
         if (!(now > before)) break;
         before = now;
     }
     if (i > steps) return std::numeric_limits<double>::infinity();
-    // The greatest radius lies in one of two steps.
+    // The maximum is in one of the last two steps: ternary search.
     double low = last * std::max(i - 2, 0) / steps, high = last * i / steps;
     while (high - low > 1e-9) {
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-        if (drawn_radius(lens, a) < drawn_radius(lens, b))
+        if (distorted_radius(lens, a) < distorted_radius(lens, b))
             low = a;
         else
             high = b;

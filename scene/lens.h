@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// Lens distortion families that cover COLMAP's camera models, Bundler's and MeshLab's.
+/// Lens distortion models that cover the cameras of COLMAP, Bundler and MeshLab.
 enum class LensModel : int {
     none,
     opencv,     ///< p = k1 k2 p1 p2 k3 k4 k5 k6 (rational radial and tangential, OpenCV order)
@@ -18,19 +18,19 @@ struct Lens {
     LensModel model = LensModel::none;
     std::array<double, 8> p{};
 
-    /// True where distort() is not the identity.
+    /// False if distort() is the identity.
     bool distorts() const;
 };
 
+/// The model's name in messages.
 std::string_view name(LensModel model);
 
-/// The largest normalised pinhole radius up to which farther from the axis is farther in the photo,
-/// tangential terms aside: beyond it a lens's polynomial folds back, and says nothing. Infinite where it
-/// never does.
+/// The largest normalized pinhole radius up to which the distorted radius increases, tangential terms
+/// ignored. Beyond it the lens's polynomial folds back and is meaningless. Infinite if it never does.
 double lens_range(const Lens& lens);
 
-/// Normalised pinhole coordinates (x/z, y/z) -> normalised coordinates as the lens draws them.
-/// Continuous at the centre for every model. Finite input gives finite output within the lens' range.
+/// Normalized pinhole coordinates (x/z, y/z) to normalized coordinates as distorted by the lens. Continuous
+/// at the center for every model. Finite input gives finite output within lens_range().
 Eigen::Vector2d distort(const Lens& lens, const Eigen::Vector2d& xy);
 
 }  // namespace vantage

@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-/// Read by a signal handler, so no lock and no memory of its own. Packages beyond these are not named.
+/// Read by a signal handler, hence without locks or allocation. Packages beyond these are not reported.
 struct Mapped {
     std::atomic<const std::byte*> first = nullptr;
     std::atomic<std::size_t> size = 0;
@@ -20,10 +20,10 @@ struct Mapped {
 };
 std::array<Mapped, 16> mapped;
 const char* program_name = "";
-std::atomic_flag said;  // threads may meet the end of the file together
+std::atomic_flag reported;  // several threads may read beyond the end at once
 
-void say(const char* text) {
-    if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) return;  // nobody listens
+void print(const char* text) {
+    if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) return;  // stderr is closed
 }
 
 void on_bus_error(int signal, siginfo_t* info, void*) {
@@ -31,13 +31,13 @@ void on_bus_error(int signal, siginfo_t* info, void*) {
     for (const Mapped& m : mapped) {
         const std::byte* first = m.first;
         if (!first || at < first || at >= first + m.size) continue;
-        while (said.test_and_set()) ::pause();
+        while (reported.test_and_set()) ::pause();
         for (const char* text : {program_name, ": ", static_cast<const char*>(m.path),
-                                 ": cannot be read any more: it was cut short, or its disk is gone\n"})
-            say(text);
+                                 ": can no longer be read: it was truncated, or its disk is gone\n"})
+            print(text);
         ::_exit(int(Exit::damaged));
     }
-    ::signal(signal, SIG_DFL);  // none of ours: it happens again, and ends the process
+    ::signal(signal, SIG_DFL);  // not in a package: returning raises it again, which ends the process
 }
 
 }  // namespace

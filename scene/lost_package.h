@@ -4,12 +4,12 @@
 
 namespace vantage {
 
-/// Where a mapped package has been cut short, or its disk has gone, the system ends whoever reads on with
-/// SIGBUS and no word. From now on this process then says so in one line, naming the file, and ends with
-/// Exit::damaged. `program` must live on.
+/// Reading a mapped package that has been truncated, or whose disk is gone, raises SIGBUS. From now on this
+/// process then prints one line that names the file, and exits with Exit::damaged. `program` must outlive the
+/// process's packages.
 void name_lost_packages(const char* program);
 
-/// Says which file these bytes are mapped from; the path must stay where it is until it is withdrawn.
+/// Registers the file that these bytes are mapped from. `path` must stay valid until it is withdrawn.
 void announce_mapping(std::span<const std::byte> bytes, const char* path);
 void withdraw_mapping(std::span<const std::byte> bytes);
 

@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// Makes the folder where there is none. Throws Error(storage).
+/// Creates the folder and its parents if they do not exist. Throws Error(storage).
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace vantage

@@ -3,7 +3,7 @@
 
 namespace vantage {
 
-/// Text as HTML and XML have it.
+/// Text escaped for HTML and XML.
 std::string escaped(const std::string& text);
 
 }  // namespace vantage

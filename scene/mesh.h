@@ -7,17 +7,17 @@
 
 namespace vantage {
 
-/// Per-vertex scalar that a mesh file carried besides positions, normals and colours.
+/// A scalar per vertex that a mesh file holds besides positions, normals and colors.
 struct ScalarLayer {
     std::string name;
-    std::vector<float> values;  ///< one a vertex
+    std::vector<float> values;  ///< one per vertex
 };
 
-/// An indexed triangle mesh (or, with no triangles, a point cloud) in input units, double precision.
+/// An indexed triangle mesh, or a point cloud if it has no triangles, in input units.
 struct Mesh {
     std::vector<Eigen::Vector3d> positions;
-    std::vector<Eigen::Vector3f> normals;             ///< unit length, one a vertex
-    std::vector<std::array<std::uint8_t, 4>> colors;  ///< sRGB and alpha, one a vertex, or empty
+    std::vector<Eigen::Vector3f> normals;             ///< unit length, one per vertex
+    std::vector<std::array<std::uint8_t, 4>> colors;  ///< sRGB and alpha, one per vertex, or empty
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<ScalarLayer> scalars;
 

@@ -29,24 +29,24 @@ namespace {
 
 constexpr std::uint32_t largest_thumbnail = 4096;  ///< px along a side
 
-/// What makes a photo's record one that nothing may be computed from; null where it is sound.
-const char* wrong_with(const package::PhotoRecord& p) {
+/// What makes a photo's record unusable; null if it is sound.
+const char* flaw_of(const package::PhotoRecord& p) {
     const auto finite = [](const auto& values) {
         return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
     };
     if (std::memchr(p.name, 0, sizeof p.name) == nullptr) return "name is not terminated";
-    const std::string_view name = p.name;  // under which extract writes: of a file, without folders
+    const std::string_view name = p.name;  // extract writes a file of this name: no folders
     if (name.empty() || name == "." || name == ".." || name.find('/') != name.npos)
-        return "its name is not that of a file";
+        return "name is not a file name";
     if (p.width == 0 || p.height == 0 || p.width > 1u << 20 || p.height > 1u << 20 || p.levels > 24)
         return "size is out of range";
     if (!(p.fx > 0) || !(p.fy > 0) || !std::isfinite(p.fx + p.fy + p.cx + p.cy))
         return "intrinsics are out of range";
     if (!finite(p.R) || !finite(p.t) || !finite(p.corrected_direction) ||
         !std::isfinite(p.seen_distance + p.z_min + p.z_max + p.hull_area))
-        return "its camera is not finite";
+        return "camera is not finite";
     if (p.thumbnail_width > largest_thumbnail || p.thumbnail_height > largest_thumbnail)
-        return "its thumbnail is out of range";
+        return "thumbnail size is out of range";
     for (int i = 0; i < 3; ++i)
         if (!(p.gain[i] >= 1e-3 && p.gain[i] <= 1e3) || !(std::abs(p.falloff[i]) <= 100))
             return "gain or falloff is out of range";
@@ -60,9 +60,9 @@ struct PackageReader::Mapping {
     const std::byte* data = nullptr;
     std::uint64_t size = 0;
     int fd = -1;
-    std::vector<DirectoryEntry> directory;  ///< a part's changes while it is written, so: as it was
+    std::vector<DirectoryEntry> directory;  ///< copied: a part's changes while it is written
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, const DirectoryEntry*> index;
-    // Checked when first asked for, and kept as they were then: a file may be overwritten while it is shown.
+    // Copied when they are checked: the file may be overwritten while it is shown.
     std::once_flag scene_read, photos_read;
     package::SceneRecord scene{};
     std::vector<package::PhotoRecord> photos;
@@ -86,7 +86,7 @@ struct PackageReader::Mapping {
             const std::string why = fd < 0 ? std::strerror(errno) : "not a regular file";
             throw Error(Exit::input, path.string() + ": cannot open: " + why);
         }
-        ::flock(fd, LOCK_SH | LOCK_NB);  // where a writer holds it, this is that writer
+        ::flock(fd, LOCK_SH | LOCK_NB);  // fails only in the process that writes the file
         size = std::uint64_t(st.st_size);
         if (size < sizeof(package::Header))
             damaged("not a Vantage package: " + std::to_string(size) + " bytes, a header has 64");
@@ -106,7 +106,7 @@ struct PackageReader::Mapping {
         const bool part = is_part();
         if (part && expect == Expect::whole && h.shares > 0 && h.directory_checksum != 0)
             damaged("header: holds share " + std::to_string(h.share) + " of " + std::to_string(h.shares) +
-                    " of the photos, join them by 'vantage merge'");
+                    " of the photos; join the shares with 'vantage merge'");
         if (part && expect == Expect::whole) damaged("header: preparation of this package was not finished");
         if (!part && std::memcmp(h.magic, package::magic, sizeof h.magic) != 0)
             damaged("header: not a Vantage package");
@@ -127,7 +127,7 @@ struct PackageReader::Mapping {
             damaged("directory: lies outside the file");
         const auto* first = reinterpret_cast<const DirectoryEntry*>(data + h.directory_offset);
         directory.assign(first, first + h.directory_count);
-        // A part's entries come one by one, and a torn one is as good as none.
+        // A part's entries are written one by one; a torn one is ignored.
         const bool growing = is_part() && h.directory_checksum == 0;
         if (growing)
             std::erase_if(directory, [&](const DirectoryEntry& e) { return e.type == 0 || !fits(e); });
@@ -229,7 +229,8 @@ std::span<const std::byte> PackageReader::checked(Type type, std::uint32_t photo
         return {};
     }
     if (!head_sound(*e)) map_->damaged(describe(*e, *this) + ": checksum does not match");
-    if (e->head_length % record) map_->damaged(describe(*e, *this) + ": length is no multiple of its record");
+    if (e->head_length % record)
+        map_->damaged(describe(*e, *this) + ": length is not a multiple of its record's");
     return bytes(e);
 }
 
@@ -240,16 +241,16 @@ package::SceneRecord PackageReader::checked_scene() const {
     for (int i = 0; i < 3; ++i)
         if (!std::isfinite(s.origin[i]) || !(s.bounds_min[i] <= s.bounds_max[i]))
             map_->damaged("SCEN: origin or bounds are not finite");
-    const auto counted = [&](Type type, std::uint64_t count, std::uint64_t record, const char* what) {
+    const auto expect_count = [&](Type type, std::uint64_t count, std::uint64_t record, const char* what) {
         const DirectoryEntry* e = find(type);
         if (!e || count > e->length / record || e->length != count * record)
             map_->damaged(std::string(what) + ": length does not fit the scene's counts");
     };
-    counted(Type::photos, s.photos, sizeof(package::PhotoRecord), "PHOT");
-    counted(Type::positions, s.vertices, 12, "VPOS");
-    counted(Type::normals, s.vertices, 12, "VNRM");
-    counted(Type::indices, s.triangles, 12, "INDX");
-    counted(Type::clusters, s.clusters, sizeof(package::ClusterRecord), "CLUS");
+    expect_count(Type::photos, s.photos, sizeof(package::PhotoRecord), "PHOT");
+    expect_count(Type::positions, s.vertices, 12, "VPOS");
+    expect_count(Type::normals, s.vertices, 12, "VNRM");
+    expect_count(Type::indices, s.triangles, 12, "INDX");
+    expect_count(Type::clusters, s.clusters, sizeof(package::ClusterRecord), "CLUS");
     return s;
 }
 
@@ -263,8 +264,8 @@ std::span<const package::PhotoRecord> PackageReader::photos() const {
         const auto given = records<package::PhotoRecord>(Type::photos);
         std::vector<package::PhotoRecord> photos(given.begin(), given.end());
         for (std::size_t i = 0; i < photos.size(); ++i)
-            if (const char* wrong = wrong_with(photos[i]))
-                map_->damaged("PHOT " + std::to_string(i) + ": " + wrong);
+            if (const char* flaw = flaw_of(photos[i]))
+                map_->damaged("PHOT " + std::to_string(i) + ": " + flaw);
         map_->photos = std::move(photos);
     });
     return map_->photos;
@@ -303,7 +304,9 @@ Pose pose_of(const Record& r) {
 Pose cam_from_origin(const package::PhotoRecord& photo) { return pose_of(photo); }
 Pose cam_from_origin(const package::RegistrationRecord& given) { return pose_of(given); }
 
-bool effect_on(const package::SceneRecord& scene, Effect effect) { return scene.effects >> int(effect) & 1; }
+bool effect_on(const package::SceneRecord& scene, Effect effect) {
+    return scene.effects & effect_bit(effect);
+}
 
 std::string describe(const DirectoryEntry& e, const PackageReader& reader) {
     std::string text;

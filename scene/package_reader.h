@@ -13,15 +13,16 @@
 
 namespace vantage {
 
-/// A mapped package. Opening checks header and directory against the file and against each other; it reads
-/// nothing else. While it is open it holds a shared lock, by which others see that the file is in use. Spans
-/// point into the mapping and live as long as the reader.
+/// A mapped package. Opening it reads and checks the header and the directory only. While open it holds a
+/// shared lock, by which other processes see that the file is in use. Spans point into the mapping and live
+/// as long as the reader.
 class PackageReader {
   public:
-    /// What a file may be: a whole package, or also one that is still being prepared, of which only the
-    /// chunks sealed so far are there (META and the like may not be, and records are the caller's to check).
+    /// What is accepted: only a whole package, or also one that is still being prepared. Of that one, only
+    /// the chunks sealed so far are found (META and others may be missing), and the caller checks the
+    /// records.
     enum class Expect { whole, part };
-    /// Throws Error(input) when the file cannot be opened, Error(damaged) when it is not what is expected.
+    /// Throws Error(input) if the file cannot be opened, Error(damaged) if it is not what is expected.
     explicit PackageReader(const std::filesystem::path& file, Expect expect = Expect::whole);
     ~PackageReader();
     PackageReader(PackageReader&&) noexcept;
@@ -32,28 +33,31 @@ class PackageReader {
     const package::Header& header() const;
     std::span<const package::DirectoryEntry> directory() const;
 
-    /// The entry, or null where the package has no such chunk.
+    /// The chunk's entry, or null if the package has no such chunk.
     const package::DirectoryEntry* find(package::Type type, std::uint32_t photo = package::scene_wide,
                                         std::uint32_t level = 0) const;
 
-    /// All bytes of a chunk that has no blocks; empty for null.
+    /// The head of a chunk, which is all of it if it has no blocks; empty for null.
     std::span<const std::byte> bytes(const package::DirectoryEntry* entry) const;
+    /// Number of blocks.
     std::size_t blocks(const package::DirectoryEntry& entry) const;
+    /// Throws Error(damaged) if there is no such block.
     std::span<const std::byte> block(const package::DirectoryEntry& entry, std::size_t index) const;
+    /// True if the block's checksum matches.
     bool block_sound(const package::DirectoryEntry& entry, std::size_t index) const;
-    /// Head and blocks as they lie in the file, and the file itself: for copying.
+    /// Head and blocks as stored, and the file's descriptor, for copying.
     std::span<const std::byte> raw(const package::DirectoryEntry& entry) const;
     int descriptor() const;
-    /// Gives the memory of these bytes back to the system until they are read again.
+    /// Releases the pages of these bytes, or of all; they are read from the file again when needed.
     void forget(std::span<const std::byte> bytes) const;
     void forget_all() const;
-    /// XXH3-64 of the head agrees with the directory.
+    /// True if the head's checksum matches.
     bool head_sound(const package::DirectoryEntry& entry) const;
-    /// Head and every block agree with their checksums.
+    /// True if the checksums of the head and of every block match.
     bool sound(const package::DirectoryEntry& entry) const;
 
-    /// A chunk as records. Throws Error(damaged) when it is missing (and `required`), its length is no
-    /// multiple of the record, or its checksum is wrong.
+    /// A chunk as records. Throws Error(damaged) if it is missing (and `required`), its checksum does not
+    /// match, or its length is not a multiple of the record's.
     template <class T>
     std::span<const T> records(package::Type type, std::uint32_t photo = package::scene_wide,
                                bool required = true) const {
@@ -61,13 +65,13 @@ class PackageReader {
         return {reinterpret_cast<const T*>(raw.data()), raw.size() / sizeof(T)};
     }
 
-    /// The scene record and photo records, their counts and values checked when first asked for, and kept.
-    /// Throws Error(damaged).
+    /// The scene record and the photo records, copied and checked on first use. Throws Error(damaged).
     const package::SceneRecord& scene() const;
     std::span<const package::PhotoRecord> photos() const;
+    /// META's JSON text. Throws Error(damaged).
     std::string_view meta() const;
 
-    /// Index of the photo called `name` (with or without its extension).
+    /// Index of the photo of this name, with or without its extension.
     std::optional<std::uint32_t> photo_index(std::string_view name) const;
 
   private:
@@ -84,7 +88,7 @@ Pose cam_from_origin(const package::PhotoRecord& photo);
 Pose cam_from_origin(const package::RegistrationRecord& given);
 bool effect_on(const package::SceneRecord& scene, Effect effect);
 
-/// "TILE of 00003.jpg, level 2": the name people read in messages.
+/// A chunk's name in messages: "TILE of photo 3 (00003.jpg), level 2".
 std::string describe(const package::DirectoryEntry& entry, const PackageReader& reader);
 
 }  // namespace vantage

@@ -18,8 +18,8 @@ void model_shape(const PackageReader& reader, const package::SceneRecord& scene,
     const auto indices = reader.records<std::uint32_t>(Type::indices);
     const auto beyond = std::ranges::find_if(indices, [&](std::uint32_t i) { return i >= scene.vertices; });
     if (beyond != indices.end())
-        out.push_back("INDX: index " + std::to_string(*beyond) + " with " + std::to_string(scene.vertices) +
-                      " vertices");
+        out.push_back("INDX: index " + std::to_string(*beyond) + ", but there are " +
+                      std::to_string(scene.vertices) + " vertices");
     const auto clusters = reader.records<package::ClusterRecord>(Type::clusters);
     std::uint64_t next = 0;
     bool covered = true;
@@ -52,16 +52,17 @@ void photo_shape(const PackageReader& reader, const package::SceneRecord& scene,
     for (int l = mask_level; l < mask_levels_end(int(p.levels)); ++l)
         for (const Type type : {Type::masks, Type::depth})
             blocks_shape(reader, type, i, std::uint32_t(l), size(l), out);
-    const auto expect = [&](Type type, std::uint64_t bytes, const char* otherwise) {
+    const auto expect = [&](Type type, std::uint64_t bytes, const char* message) {
         const DirectoryEntry* e = reader.find(type, i);
-        if (!e || e->head_length != bytes) out.push_back(std::string(p.name) + ": " + otherwise);
+        if (!e || e->head_length != bytes) out.push_back(std::string(p.name) + ": " + message);
     };
     expect(Type::thumbnail, std::uint64_t(p.thumbnail_width) * p.thumbnail_height * 4,
-           "THMB does not have the size of its record");
-    expect(Type::coordinates, scene.vertices * 8, "TEXC has not one entry a vertex");
+           "THMB does not have the size in its record");
+    expect(Type::coordinates, scene.vertices * 8, "TEXC does not have one entry per vertex");
     expect(Type::coverage, scene.clusters * sizeof(package::CoverageRecord),
-           "COVR has not one entry a cluster");
-    expect(Type::visible, 16 * package::visible_words(scene.triangles), "VISB has not two bits a triangle");
+           "COVR does not have one entry per cluster");
+    expect(Type::visible, 16 * package::visible_words(scene.triangles),
+           "VISB does not have two bits per triangle");
 }
 
 }  // namespace

@@ -6,14 +6,13 @@
 
 namespace vantage {
 
-/// What in a package does not have the length, the count or the range that its records promise, a line each:
-/// chunks and tiles that are missing or of another size, triangles of vertices that are not there, clusters
-/// that do not cover the triangles one after the other or whose spheres are no spheres. None: memory can be
-/// indexed by what the records say.
-/// Reads SCEN, PHOT, INDX and CLUS; of the rest the directory alone. Throws Error(damaged) where those four
-/// cannot be read.
+/// Contradictions between a package's records and its contents, one line each: chunks and tiles that are
+/// missing or have another size, vertex indices out of range, clusters that do not cover the triangles in
+/// order or whose spheres are invalid. If there are none, it is safe to index the chunks by the records.
+/// Reads SCEN, PHOT, INDX and CLUS, and the directory for the rest. Throws Error(damaged) if one of the four
+/// is unreadable.
 std::vector<std::string> misshapen(const PackageReader& package);
-/// Throws Error(damaged) with the first of them.
+/// Throws Error(damaged) with the first contradiction.
 void expect_shape(const PackageReader& package);
 
 }  // namespace vantage

@@ -6,98 +6,66 @@
 #include <span>
 #include <vector>
 
+#include "scene/bytes_of.h"
 #include "scene/package_format.h"
+#include "scene/package_layout.h"
+#include "scene/part_file.h"
 
 namespace vantage {
 
 class PackageReader;
 
-/// What a chunk will be, before its bytes exist.
-struct ChunkPlan {
-    package::Type type;
-    std::uint32_t photo = package::scene_wide;
-    std::uint32_t level = 0;
-    std::uint64_t bytes = 0;  ///< of the head, for a chunk without blocks
-    std::uint64_t blocks = 0;
-    std::uint64_t block_length = 0;
-};
-
-/// A share of the photos: number `share` of `shares`, counted from 1; 0 of 0 is all of them.
-struct Share {
-    std::uint32_t share = 0, shares = 0;
-    bool holds(std::size_t photo) const { return shares == 0 || photo % shares == share - 1; }
-};
-
-/// The bytes that a package of these chunks will have, and a checksum of where they lie.
-struct PackageLayout {
-    std::uint64_t bytes, checksum;
-};
-/// `names` is a checksum of the photos' names, in order.
-PackageLayout package_layout(std::span<const ChunkPlan> plan, std::uint64_t names);
-
-/// The file that `file` is written as until it is whole, and the one an unfit earlier one is moved to.
-std::filesystem::path part_of(const std::filesystem::path& file);
-std::filesystem::path former_part_of(const std::filesystem::path& file);
-
 /// Writes a package whose layout is known before its contents: every chunk has its place, so photos may
-/// finish in any order, from any thread, and the file is the same. The bytes go to FILE.part; finish() writes
-/// the directory and the header, flushes, and renames. Until then FILE.part says of itself what it holds, so
-/// that after a crash at any instant the next writer goes on with it: each chunk gets its directory entry
-/// when it is sealed, and everything carries checksums.
+/// finish in any order and on any thread, and the file is the same. The bytes go to FILE.part; finish()
+/// writes the directory and the header, flushes, and renames. Until then each chunk gets its directory entry
+/// when it is sealed, and everything carries checksums, so that after a crash at any instant the next writer
+/// can resume. write(), write_blocks(), note(), keep(), copy() and leave_out() are thread-safe and throw
+/// Error(storage).
 class PackageWriter {
   public:
-    /// Goes on with FILE.part where that has this very layout; moves one of another layout to FILE.former.
-    /// `names` is a checksum of the photos' names, in order. Throws Error(storage) when the file cannot be
-    /// made, is being written by another process, or the disk has not the room.
+    /// Resumes FILE.part if it has this layout; moves one of another layout to displaced_part_of(FILE).
+    /// `names` is a checksum of the photos' names, in order. Throws Error(storage) if the file cannot be
+    /// created, another process is writing it, or the disk has too little space.
     PackageWriter(const std::filesystem::path& file, std::span<const ChunkPlan> plan, std::uint64_t names = 0,
                   Share share = {});
-    /// Leaves FILE.part for the next writer; removes it where it never held anything.
+    /// Leaves FILE.part for the next writer; deletes it if it never held a chunk of a photo.
     ~PackageWriter();
     PackageWriter(const PackageWriter&) = delete;
     PackageWriter& operator=(const PackageWriter&) = delete;
 
-    /// FILE.part was there with this layout: read it by a PackageReader to see what can be kept.
+    /// True if FILE.part existed with this layout; read it with a PackageReader to see what to keep.
     bool resumed() const;
 
-    /// Chunks without blocks: exactly the planned bytes. Thread-safe. Throws Error(storage).
+    /// Writes a chunk without blocks: exactly the planned number of bytes.
     void write(package::Type type, std::uint32_t photo, std::span<const std::byte> bytes);
-    /// All blocks of a chunk: `fill` writes block `b` into its bytes, one after the other, so that no more
-    /// than one is in memory. Thread-safe. Throws Error(storage).
+    /// Writes all blocks of a chunk: `fill` is called for block 0, 1, ... with its bytes to fill, so that
+    /// only one block is in memory.
     void write_blocks(package::Type type, std::uint32_t photo, std::uint32_t level,
                       const std::function<void(std::size_t b, std::span<std::byte> block)>& fill);
-    /// The bytes of record number `index` in a scene-wide chunk that is written whole later: what a run that
-    /// goes on reads. Thread-safe. Throws Error(storage).
+    /// Writes record number `index` of a scene-wide chunk ahead of the whole chunk: a resumed run reads it.
     void note(package::Type type, std::size_t index, std::span<const std::byte> record);
 
-    /// Keeps a chunk that FILE.part holds already, under the checksum it has there.
+    /// Keeps a chunk that FILE.part already holds, with the checksum in `entry`.
     void keep(const package::DirectoryEntry& entry);
-    /// Copies a chunk from another package, as photo `photo`. Its soundness is the caller's to check.
-    /// Thread-safe. Throws Error(storage).
+    /// Copies a chunk from another package, as photo `photo`. The caller checks that it is sound.
     void copy(const PackageReader& from, const package::DirectoryEntry& entry, std::uint32_t photo);
-    /// This photo has no chunks after all; its place stays free, and takes no room on disks that can have
-    /// holes in files.
+    /// Drops the chunks of a photo that cannot be used; their place stays empty, and takes no space if the
+    /// file system supports holes.
     void leave_out(std::uint32_t photo);
 
-    /// A sealed chunk without blocks, as it lies in the file. Throws Error(storage).
+    /// A sealed chunk without blocks, as it is in the file. Throws Error(storage).
     std::vector<std::byte> read(package::Type type, std::uint32_t photo) const;
     /// XXH3-64 of a sealed chunk's head.
     std::uint64_t checksum_of(package::Type type, std::uint32_t photo, std::uint32_t level = 0) const;
+    /// Bytes of the finished package.
     std::uint64_t size() const;
-    /// Throws std::logic_error when a planned chunk was neither written, kept, copied nor left out.
+    /// Completes the package. Throws Error(storage), and std::logic_error if a planned chunk was neither
+    /// written, kept, copied nor left out.
     void finish();
 
   private:
     struct State;
     std::unique_ptr<State> state_;
 };
-
-template <class T>
-std::span<const std::byte> bytes_of(const std::vector<T>& v) {
-    return std::as_bytes(std::span<const T>(v));
-}
-template <class T>
-std::span<const std::byte> bytes_of_one(const T& value) {
-    return std::as_bytes(std::span<const T>(&value, 1));
-}
 
 }  // namespace vantage

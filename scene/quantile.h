@@ -5,7 +5,8 @@
 
 namespace vantage {
 
-/// The value that the share `share` of all is below; 0 for none.
+/// The value at rank floor(share (n - 1)) of the n sorted values, `share` in [0, 1]; of an even number, 0.5
+/// gives the lower of the two middle ones. 0 if there are none.
 template <class T>
 double quantile(std::vector<T> values, double share) {
     if (values.empty()) return 0;

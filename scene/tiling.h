@@ -4,16 +4,16 @@
 
 namespace vantage {
 
-/// Tiles are stored with their border, ready to be one layer of an array texture.
+/// Tiles are stored with their border, ready to upload as one layer of an array texture.
 inline constexpr int tile_size = 256;                             ///< texels along a stored tile
-inline constexpr int tile_border = 4;                             ///< texels repeated from the neighbours
-inline constexpr int tile_content = tile_size - 2 * tile_border;  ///< texels that are the tile's own
+inline constexpr int tile_border = 4;                             ///< texels repeated from the neighbors
+inline constexpr int tile_content = tile_size - 2 * tile_border;  ///< texels without the border
 
-/// Bytes of a stored tile of 4-byte texels (RGBA8 colour, RGBA8 masks, R32F depth alike).
+/// Bytes of a stored tile of 4-byte texels (RGBA8 color, RGBA8 masks, R32F depth alike).
 inline constexpr std::size_t tile_bytes = std::size_t(tile_size) * tile_size * 4;
 
-/// One level of a pyramid. Level l has ceil(width / 2^l) texels, so that a full-size pixel coordinate
-/// divided by 2^l is exact on every level, odd sizes included.
+/// One level of a pyramid. Level l is ceil(width / 2^l) by ceil(height / 2^l) texels, so that a full-size
+/// pixel coordinate divided by 2^l is exact on every level, even if sizes are odd.
 struct Level {
     int width = 0, height = 0;
     int columns() const { return (width + tile_content - 1) / tile_content; }
@@ -26,17 +26,17 @@ inline Level level_size(int width, int height, int level) {
             int((std::int64_t(height) + (1LL << level) - 1) >> level)};
 }
 
-/// Levels down to the first that fits one tile.
+/// Number of levels, down to the first that fits in one tile.
 inline int level_count(int width, int height) {
     int n = 1;
     while (level_size(width, height, n - 1).tiles() > 1) ++n;
     return n;
 }
 
-/// Masks and depth are stored from this pyramid level (half size) up to the coarsest.
+/// Masks and depth are stored from this pyramid level (half size) to the coarsest.
 inline constexpr int mask_level = 1;
 
-/// One past the coarsest level of masks and depth, for a photo with `levels` levels.
+/// One past the coarsest level of masks and depth of a photo with `levels` levels.
 inline int mask_levels_end(int levels) { return levels > mask_level ? levels : mask_level + 1; }
 
 }  // namespace vantage

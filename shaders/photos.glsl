@@ -117,7 +117,7 @@ MaskPlace mask_place(uint photo, vec2 pixel, float lod) {
     return MaskPlace(vec3(0.0), -1);
 }
 
-// Angle, depth and border mask, validity.
+// Angle, depth, border and consensus mask.
 vec4 masks_at(MaskPlace at) { return textureLod(mask_tiles, at.coordinate, 0.0); }
 
 // The smallest and the largest of the four depths around a photo pixel; +inf beside the model.

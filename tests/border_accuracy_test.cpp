@@ -79,7 +79,7 @@ Accuracy measure(const std::vector<Borders>& all, DistanceMethod method) {
 
 void compare_on(const char* set) {
     VANTAGE_DATASET(input, set);
-    const gl::HeadlessContext context;
+    const gl::HeadlessContext context(gl::Debug::on);
     const std::vector<Borders> all = borders_of(input);
     for (const auto m : {DistanceMethod::exact, DistanceMethod::jfa, DistanceMethod::jfa_plus_1,
                          DistanceMethod::one_plus_jfa, DistanceMethod::jfa_squared}) {

@@ -24,14 +24,26 @@ TEST(Effects, CanBeForcedAgainstTheEvidence) {
     EXPECT_TRUE(decide(Effect::undistortion, EffectChoice::on, 0, "").on);
 }
 
-TEST(Effects, AreFoundByNameAndAStrangerIsNamed) {
+TEST(Effects, AreFoundByNameAndUnknownNamesAreReported) {
     for (const EffectRow& row : effect_table())
-        EXPECT_EQ(effect_row(std::string(row.name)).effect, row.effect);
+        for (const char* name : {row.name, row.option}) EXPECT_EQ(effect_row(name).effect, row.effect);
     try {
-        effect_row(std::string("sparkle"));
+        effect_row("sparkle");
         FAIL();
     } catch (const Error& e) {
         EXPECT_EQ(e.code(), Exit::usage);
         EXPECT_NE(std::string(e.what()).find("undistortion"), std::string::npos);
     }
+}
+
+TEST(Effects, KeepTheSpellingThatPackagesStore) {
+    EXPECT_STREQ(effect_row("fov-normalization").name, "fov-normalisation");
+}
+
+TEST(Effects, DefineSymbolsInTheirOwnShaderProgram) {
+    const EffectSet on = effect_bit(Effect::vertex_colors) | effect_bit(Effect::per_fragment) |
+                         effect_bit(Effect::falloff) | effect_bit(Effect::registration);
+    EXPECT_EQ(shader_defines("surface", on), std::vector<std::string>{"VERTEX_COLORS"});
+    EXPECT_EQ(shader_defines("blend", on), (std::vector<std::string>{"PER_FRAGMENT", "PHOTO_FALLOFF"}));
+    EXPECT_TRUE(shader_defines("blend", on & effects_from(Basis::pixels)).empty());
 }

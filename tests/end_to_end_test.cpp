@@ -41,7 +41,7 @@ struct Prepared {
         : scene(read_scene(discover(folder))), file(to) {
         prepare(scene, settings, file, [](const Progress&) {});
         package = std::make_unique<PackageReader>(file);
-        context = std::make_unique<gl::HeadlessContext>();
+        context = std::make_unique<gl::HeadlessContext>(gl::Debug::on);
         renderer = std::make_unique<Renderer>(*package, MemoryBudget{});
         photos.resize(package->photos().size());
         std::iota(photos.begin(), photos.end(), 0u);

@@ -41,7 +41,7 @@ class Evaluate : public TemporaryFolder {
         as_given.effects[Effect::registration] = EffectChoice::off;
         prepare(scene, as_given, file, [](const Progress&) {});
         const PackageReader package(file);
-        const gl::HeadlessContext context;
+        const gl::HeadlessContext context(gl::Debug::on);
         Renderer renderer(package, {});
         std::vector<std::uint32_t> photos(package.photos().size());
         std::iota(photos.begin(), photos.end(), 0u);

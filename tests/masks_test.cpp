@@ -65,7 +65,7 @@ TEST(BorderDistance, NearIsTheBruteForceWithinItsReach) {
 }
 
 TEST(BorderDistance, JumpFloodingIsNeverNearerThanTheTruthAndAlmostAlwaysRight) {
-    const gl::HeadlessContext context;
+    const gl::HeadlessContext context(gl::Debug::on);
     const gl::Program jump_flood = jump_flood_program();
     const auto borders = scattered(203, 119, 400);
     const auto exact = exact_distance(borders, 203, 119);
@@ -82,7 +82,7 @@ TEST(BorderDistance, JumpFloodingIsNeverNearerThanTheTruthAndAlmostAlwaysRight) 
 }
 
 TEST(BorderDistance, NoBorderAndOnlyBorderAreDefined) {
-    const gl::HeadlessContext context;
+    const gl::HeadlessContext context(gl::Debug::on);
     const gl::Program jump_flood = jump_flood_program();
     const std::vector<std::uint8_t> none(64, 0), all(64, 1);
     for (const float d : exact_distance(none, 8, 8)) EXPECT_TRUE(std::isinf(d));

@@ -15,6 +15,7 @@
 #include "pipeline/synth/synthesise.h"
 #include "scene/package_writer.h"
 #include "temporary_folder.h"
+#include "scene/part_file.h"
 
 namespace vantage {
 
@@ -74,7 +75,7 @@ class Overnight : public TemporaryFolder {
     void expect_whole(const std::string& bytes, const std::string& after) const {
         EXPECT_TRUE(slurp(file) == bytes) << after << ": not the bytes of an undisturbed run";
         EXPECT_FALSE(fs::exists(part_of(file))) << after;
-        EXPECT_FALSE(fs::exists(former_part_of(file))) << after;
+        EXPECT_FALSE(fs::exists(displaced_part_of(file))) << after;
     }
 };
 

@@ -19,6 +19,7 @@
 #include "pipeline/synth/synthesise.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "scene/part_file.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;

@@ -112,7 +112,7 @@ TEST_F(Rasterise, AgreesWithOpenGl) {
     synthesise(spec, dir / "scene", {});
     SceneInput scene = read_scene(discover(dir / "scene"));
     const PackedModel model = pack_model(scene.mesh, 256);
-    const gl::HeadlessContext context;
+    const gl::HeadlessContext context(gl::Debug::on);
     const ModelBuffers buffers = upload_model(model.positions, scene.mesh.normals);
     for (const PhotoInput& photo : scene.photos) {
         const Pose pose = photo.camera.cam_from_world.relative_to(model.origin);

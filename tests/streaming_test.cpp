@@ -70,7 +70,7 @@ double mean_difference(const std::vector<std::uint8_t>& a, const std::vector<std
 
 TEST_F(Streaming, WhatArrivesIsWhatThePackageHoldsThroughAnyRing) {
     const PackageReader package(file);
-    const gl::HeadlessContext context;
+    const gl::HeadlessContext context(gl::Debug::on);
     const PackagePages pages = number_pages(package.photos());
     for (const std::size_t ring : {4 * tile_bytes, 9 * tile_bytes + 777}) {
         TileStream stream(package, ring, 3);
@@ -104,7 +104,7 @@ TEST_F(Streaming, WhatArrivesIsWhatThePackageHoldsThroughAnyRing) {
 
 TEST_F(Streaming, ABudgetOfUploadsIsKeptAndThePictureBecomesExact) {
     const PackageReader package(file);
-    const gl::HeadlessContext context;
+    const gl::HeadlessContext context(gl::Debug::on);
     Renderer renderer(package, {});
     const View view = view_of_photo(package.photos()[2], 0.5);
     RenderSettings settings = streamed();
@@ -128,7 +128,7 @@ TEST_F(Streaming, ABudgetOfUploadsIsKeptAndThePictureBecomesExact) {
 
 TEST_F(Streaming, GraphicsMemoryIsKeptOnAFlightOverMoreThanItHolds) {
     const PackageReader package(file);
-    const gl::HeadlessContext context;
+    const gl::HeadlessContext context(gl::Debug::on);
     const MemoryBudget budget{std::uint64_t(36) << 20, std::uint64_t(4) << 20};
     Renderer renderer(package, budget);
     const CameraPath path = scripted_path("flight", stand_at(package.photos()[2], {0, 0, 1}), 60);
@@ -160,7 +160,7 @@ TEST_F(Streaming, ADamagedTileIsCountedAndACoarserOneShownUntilItIsRestored) {
         }
     };
     invert_tiles();
-    const gl::HeadlessContext context;
+    const gl::HeadlessContext context(gl::Debug::on);
     Renderer renderer(package, {});
     const std::vector<std::uint32_t> only{2};
     const View view = view_of_photo(package.photos()[2], 1);

@@ -9,11 +9,11 @@
 
 #include "pipeline/agree/color_fit.h"
 #include "pipeline/package/tile_levels.h"
-#include "pipeline/pixels/srgb.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/run/lru_cache.h"
 #include "pipeline/stages/surface_samples.h"
 #include "scene/error.h"
+#include "scene/srgb.h"
 #include "scene/tiling.h"
 
 namespace vantage {

@@ -11,7 +11,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t pairs_a_photo = 6;
+constexpr std::size_t matched_pairs_per_photo = 6;
 constexpr int corners = 500;
 constexpr int coarse = 800, fine = 1600;  ///< px along photos' longer side
 /// Against the anchor stand thousands of corners, whose errors (the mesh's) are not independent, though.
@@ -50,7 +50,7 @@ std::vector<Pose> poses_of(std::span<const FittedCamera> cameras, std::span<cons
 }  // namespace
 
 PoseRounds::PoseRounds(const RegistrationInput& in)
-    : in_(in), pairs_(photo_pairs(in.photos, in.samples, in.discs, pairs_a_photo)) {
+    : in_(in), pairs_(photo_pairs(in.photos, in.samples, in.discs, matched_pairs_per_photo)) {
     for (const package::PhotoRecord& p : in.photos) {
         intrinsics_.push_back(intrinsics(p));
         given_.push_back(cam_from_origin(p));

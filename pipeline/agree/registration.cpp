@@ -32,7 +32,8 @@ std::uint64_t key_of(const RegistrationInput& in, const PhotoPair& pair) {
 
 /// Pairs as they were measured before, where nothing about them has changed; the others are matched.
 std::vector<PairRecord> measure_pairs(const RegistrationInput& in) {
-    const std::vector<PhotoPair> pairs = photo_pairs(in.photos, in.samples, in.discs, package::pairs_a_photo);
+    const std::vector<PhotoPair> pairs =
+        photo_pairs(in.photos, in.samples, in.discs, package::stored_pairs_per_photo);
     std::map<std::uint64_t, const PairRecord*> known;
     for (const PairRecord& p : in.known) known[p.key] = &p;
     std::vector<PairRecord> out(pairs.size());

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "cli/real_range.h"
 #include "pipeline/commands/apply_config.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
@@ -26,7 +27,6 @@
 #include "pipeline/settings/config_files.h"
 #include "pipeline/settings/settings.h"
 #include "scene/error.h"
-#include "scene/real_range.h"
 
 namespace vantage {
 namespace {
@@ -52,7 +52,7 @@ void force_effect(const std::string& text, std::map<Effect, EffectChoice>& choic
     else if (choice == "auto")
         choices.erase(row.effect);
     else
-        throw Error(Exit::usage, "--effect " + text + ": expected " + row.name + "=on, off or auto");
+        throw Error(Exit::usage, "--effect " + text + ": expected " + row.option + "=on, off or auto");
 }
 
 InputFiles input_files(const Options& o) {
@@ -149,11 +149,10 @@ int run_prepare(Options o) {
     o.settings.distance = distance_method(o.distance);
     o.settings.resampling = resampling(o.resampling);
     o.settings.render_by = render_by(o.render_by);
-    if (o.refine != "full")
-        for (const Effect e : {Effect::registration, Effect::consensus})
-            o.settings.effects[e] = EffectChoice::off;
-    if (o.refine == "off")
-        for (const Effect e : {Effect::exposure, Effect::falloff}) o.settings.effects[e] = EffectChoice::off;
+    for (const EffectRow& row : effect_table())
+        if ((row.basis == Basis::pixels && o.refine != "full") ||
+            (row.basis == Basis::colors && o.refine == "off"))
+            o.settings.effects[row.effect] = EffectChoice::off;
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const InputFiles files = input_files(o);

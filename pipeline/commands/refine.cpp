@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "pipeline/commands/commands.h"
@@ -14,8 +15,8 @@ namespace vantage {
 namespace {
 
 struct Options {
-    std::string file, out, progress = "auto", registration = "auto", exposure = "auto", falloff = "auto",
-                           consensus = "auto";
+    std::string file, out, progress = "auto";
+    std::map<Effect, std::string> effects;  ///< of those that depend on all photos
 };
 
 EffectChoice choice(const std::string& text) {
@@ -26,18 +27,15 @@ int run_refine(const Options& o) {
     const std::string out = o.out.empty() ? o.file : o.out;
     {
         ProgressLine line(progress_style(o.progress));
-        refine_package(o.file,
-                       {{Effect::registration, choice(o.registration)},
-                        {Effect::exposure, choice(o.exposure)},
-                        {Effect::falloff, choice(o.falloff)},
-                        {Effect::consensus, choice(o.consensus)}},
-                       out, shown_until_signal(line));
+        std::map<Effect, EffectChoice> choices;
+        for (const auto& [effect, text] : o.effects) choices[effect] = choice(text);
+        refine_package(o.file, choices, out, shown_until_signal(line));
     }
     const PackageReader package(out);
     const std::string meta(package.meta());
-    for (const Effect e : {Effect::registration, Effect::exposure, Effect::falloff, Effect::consensus})
-        fmt::print("{:<13} {:<4} {}\n", effect_row(e).name, effect_on(package.scene(), e) ? "on" : "off",
-                   decision_in(meta, e).evidence);
+    for (const auto& [effect, text] : o.effects)
+        fmt::print("{:<13} {:<4} {}\n", effect_row(effect).option,
+                   effect_on(package.scene(), effect) ? "on" : "off", decision_in(meta, effect).evidence);
     for (const std::string& w : findings_in(meta)) fmt::print("warning       {}\n", w);
     fmt::print("package       {}\n", out);
     return 0;
@@ -57,13 +55,13 @@ void add_refine(CLI::App& app, Run& run) {
         "  vantage refine chapel.vantage");
     c->add_option("FILE", o->file, "the package")->required();
     c->add_option("-o,--output", o->out, "the package to write (default FILE itself)");
-    for (auto [name, value] : {std::pair{"--registration", &o->registration},
-                               {"--exposure", &o->exposure},
-                               {"--falloff", &o->falloff},
-                               {"--consensus", &o->consensus}})
-        c->add_option(name, *value, "auto (by the evidence), on or off")
-            ->check(CLI::IsMember({"auto", "on", "off"}))
-            ->capture_default_str();
+    for (const EffectRow& row : effect_table())
+        if (from_all_photos(row))
+            c->add_option(std::string("--") + row.option,
+                          o->effects.emplace(row.effect, "auto").first->second,
+                          "auto (by the evidence), on or off")
+                ->check(CLI::IsMember({"auto", "on", "off"}))
+                ->capture_default_str();
     c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();
     c->callback([o, &run] { run = [o] { return run_refine(*o); }; });
 }

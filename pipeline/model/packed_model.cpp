@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/model/clusters.h"
+#include "scene/bytes_of.h"
 
 namespace vantage {
 

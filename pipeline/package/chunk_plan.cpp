@@ -31,7 +31,8 @@ std::vector<ChunkPlan> plan_scene(const package::SceneRecord& s, const LayoutSiz
                                 whole(Type::clusters, s.clusters * sizeof(package::ClusterRecord))};
     if (!share) {
         plan.push_back(whole(Type::registration, s.photos * sizeof(package::RegistrationRecord)));
-        plan.push_back(whole(Type::pairs, s.photos * package::pairs_a_photo * sizeof(package::PairRecord)));
+        plan.push_back(
+            whole(Type::pairs, s.photos * package::stored_pairs_per_photo * sizeof(package::PairRecord)));
     }
     if (sizes.colors) plan.push_back(whole(Type::colors, s.vertices * 4));
     if (s.scalar_layers) plan.push_back(whole(Type::scalars, s.vertices * 4 * s.scalar_layers));

@@ -10,6 +10,7 @@
 
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "scene/part_file.h"
 
 namespace vantage {
 namespace {

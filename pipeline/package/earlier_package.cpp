@@ -2,8 +2,10 @@
 
 #include <cstring>
 
+#include "scene/bytes_of.h"
 #include "scene/checksum.h"
 #include "scene/error.h"
+#include "scene/part_file.h"
 
 namespace vantage {
 namespace {
@@ -101,7 +103,7 @@ EarlierPackages earlier_packages(const std::filesystem::path& out, bool resumed)
         }
     };
     if (resumed) add(part_of(out), true);
-    add(former_part_of(out), false);
+    add(displaced_part_of(out), false);
     add(out, false);
     return found;
 }

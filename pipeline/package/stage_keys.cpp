@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "scene/bytes_of.h"
+
 namespace vantage {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
-#include "pipeline/pixels/srgb.h"
+#include "scene/srgb.h"
 
 namespace vantage {
 namespace {

@@ -7,6 +7,8 @@
 #include "pipeline/prepare/moved_photo.h"
 #include "pipeline/prepare/registration_reuse.h"
 #include "pipeline/run/for_each_photo.h"
+#include "scene/bytes_of.h"
+#include "scene/part_file.h"
 
 namespace vantage {
 namespace {
@@ -61,7 +63,8 @@ void write_results(const FinishInput& in, const Agreement& agreement, PhotoTable
     const std::array decisions{agreement.registration.decision, agreement.colors.exposure,
                                agreement.colors.falloff, agreement.consensus.decision};
     package::SceneRecord scene = in.scene;
-    for (const EffectDecision& d : decisions) scene.effects |= std::uint64_t(d.on) << int(d.effect);
+    for (const EffectDecision& d : decisions)
+        if (d.on) scene.effects |= effect_bit(d.effect);
     const std::string meta = with_results(in.meta, decisions, agreement.registration.warnings);
     for (std::size_t i = 0; i < photos.records.size(); ++i) seal(photos.states[i], photos.records[i]);
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(meta)));

@@ -7,6 +7,7 @@
 #include "pipeline/pixels/pyramid.h"
 #include "pipeline/pixels/undistort.h"
 #include "pipeline/stages/surface_samples.h"
+#include "scene/bytes_of.h"
 #include "scene/error.h"
 
 namespace vantage {

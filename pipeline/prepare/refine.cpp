@@ -17,9 +17,10 @@ void refine_package(const std::filesystem::path& file, const std::map<Effect, Ef
     const std::string meta(package.meta());
     std::map<Effect, EffectChoice> forced = choices_in(meta);
     package::SceneRecord scene = package.scene();
-    for (const Effect e : {Effect::exposure, Effect::falloff, Effect::registration, Effect::consensus}) {
-        scene.effects &= ~(std::uint64_t(1) << int(e));
-        forced[e] = choice_of(choices, e);
+    for (const EffectRow& row : effect_table()) {
+        if (!from_all_photos(row)) continue;
+        scene.effects &= ~effect_bit(row.effect);
+        forced[row.effect] = choice_of(choices, row.effect);
     }
     join(std::span(&package, 1), with_choices(meta, forced), scene, out, progress);
 }

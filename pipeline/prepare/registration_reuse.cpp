@@ -7,6 +7,7 @@
 
 #include "pipeline/package/meta.h"
 #include "pipeline/package/photo_records.h"
+#include "scene/bytes_of.h"
 #include "scene/checksum.h"
 
 namespace vantage {
@@ -136,7 +137,7 @@ void write_registration(PackageWriter& writer, const Registration& found, std::s
         r.after = p.after;
         r.key = key;
     }
-    std::vector<PairRecord> pairs(package::pairs_a_photo * given.size(), PairRecord{});
+    std::vector<PairRecord> pairs(package::stored_pairs_per_photo * given.size(), PairRecord{});
     std::copy_n(found.pairs.begin(), std::min(pairs.size(), found.pairs.size()), pairs.begin());
     writer.write(Type::registration, package::scene_wide, bytes_of(records));
     writer.write(Type::pairs, package::scene_wide, bytes_of(pairs));

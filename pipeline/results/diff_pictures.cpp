@@ -98,7 +98,7 @@ void write_difference_pictures(const PackageReader& a, const PackageReader& b, c
         add(Type::masks, "angle", 0);
         add(Type::masks, "depth", 1);
         add(Type::masks, "border", 2);
-        add(Type::masks, "validity", 3);
+        add(Type::masks, "consensus", 3);
     }
     write_page(folder, a, b, pictures);
 }

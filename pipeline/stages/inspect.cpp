@@ -128,25 +128,20 @@ Measured unseen_colors(const SceneInput& scene) {
             fmt::format("{:.2f} % of the coloured vertices face no photo that could hold them", 100 * share)};
 }
 
-Measured measure(Effect effect, const SceneInput& scene) {
-    switch (effect) {
+Measured measure(const EffectRow& row, const SceneInput& scene) {
+    if (from_all_photos(row)) return {0, "is told by all photos together, when they are there"};
+    switch (row.effect) {
         case Effect::undistortion:
             return lens(scene);
         case Effect::per_fragment:
             return triangle_size(scene);
-        case Effect::fov_normalisation:
+        case Effect::fov_normalization:
             return focal_spread(scene);
         case Effect::vertex_colors:
             return unseen_colors(scene);
-        case Effect::exposure:
-        case Effect::falloff:
-        case Effect::registration:
-        case Effect::consensus:
-            return {0, "is told by all photos together, when they are there"};
-        case Effect::count:
-            break;
+        default:
+            return {0, "not measured"};
     }
-    return {0, "not measured"};
 }
 
 }  // namespace
@@ -154,7 +149,7 @@ Measured measure(Effect effect, const SceneInput& scene) {
 std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effect, EffectChoice>& choices) {
     std::vector<EffectDecision> decisions;
     for (const EffectRow& row : effect_table()) {
-        const Measured m = measure(row.effect, scene);
+        const Measured m = measure(row, scene);
         decisions.push_back(decide(row.effect, choice_of(choices, row.effect),
                                    std::isfinite(m.value) ? m.value : 1e9, m.evidence));
     }

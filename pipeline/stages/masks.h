@@ -4,7 +4,8 @@
 
 namespace vantage {
 
-/// RGBA8 masks at `mask_level`: angle, depth, border, validity (255 where the photo sees the model).
+/// RGBA8 masks at `mask_level`: angle, depth, border, consensus (255 where the photo sees the model: no photo
+/// has been compared yet).
 /// Depth channel: 255 + 12 log2(density / reference), at least 1, where density = f / z in pixels per unit;
 /// its square is the sampling rate of Callieri et al. 2008, and the logarithm keeps a far photo from becoming
 /// zero.

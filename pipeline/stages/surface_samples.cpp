@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "pipeline/pixels/pyramid.h"
-#include "pipeline/pixels/srgb.h"
+#include "scene/srgb.h"
 #include "scene/tiling.h"
 
 namespace vantage {

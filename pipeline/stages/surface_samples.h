@@ -26,7 +26,7 @@ inline constexpr int sample_level = 2;
 
 /// Discs spread over the model, half of them by area and half by triangles, so that neither a large ground
 /// nor a dense mesh takes them all; the same for the same model. `density`: pixels per unit of the finest
-/// photo, in which a disc is 32 pixels in radius. Empty where the model has no triangle.
+/// photo, in which a disc is 48 pixels in radius. Empty where the model has no triangle.
 std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> positions,
                                           std::span<const std::uint32_t> indices, double density);
 

@@ -10,6 +10,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "scene/error.h"
+
 namespace vantage {
 namespace {
 
@@ -81,7 +83,7 @@ RayScene::RayScene(std::span<const Eigen::Vector3f> from, std::span<const std::u
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, corners.size() / 3));
     if (!positions || !indices) {
         rtcReleaseGeometry(geometry);
-        throw std::runtime_error("Embree has not the memory for the mesh");
+        throw Error(Exit::memory, "Embree has too little memory for the mesh");
     }
     std::memcpy(positions, from.data(), from.size_bytes());
     std::memcpy(indices, corners.data(), corners.size_bytes());

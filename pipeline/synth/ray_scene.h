@@ -21,7 +21,7 @@ struct RayHit {
 /// precision about the mesh's first vertex's neighbourhood: meant for scenes near the origin.
 class RayScene {
   public:
-    /// Both copy. Throw std::runtime_error when Embree fails.
+    /// Both copy. Throw Error(memory) if the mesh does not fit in memory, std::runtime_error if Embree fails.
     explicit RayScene(const Mesh& mesh);
     RayScene(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices);
     ~RayScene();

@@ -20,7 +20,7 @@ ModelBuffers upload_model(std::span<const Eigen::Vector3f> positions,
                           std::span<const Eigen::Vector3f> normals);
 
 /// Renders depth, angle and triangles. On the OpenGL thread. `indices` are the triangles that may reach into
-/// the photo, see triangles_in_frame. Throws std::runtime_error when OpenGL fails.
+/// the photo, see triangles_in_frame. Throws gl::Failure when OpenGL fails.
 PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::uint32_t> indices,
                               const Intrinsics& intrinsics, const Pose& cam_from_origin,
                               Eigen::Vector2d near_far);

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "cli/real_range.h"
 #include "gl/context.h"
 #include "player/camera_path.h"
 #include "player/measure/frame_statistics.h"
@@ -21,7 +22,6 @@
 #include "player/shots.h"
 #include "scene/error.h"
 #include "scene/make_folder.h"
-#include "scene/real_range.h"
 
 namespace vantage {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "gl/failure.h"
+
 namespace vantage {
 namespace {
 
@@ -18,7 +20,7 @@ FrameRing::FrameRing(std::size_t region_bytes)
     const std::size_t bytes = region_bytes_ * fences_.size();
     buffer_ = gl::make_buffer("frame constants", bytes, nullptr, flags);
     mapped_ = static_cast<std::byte*>(glMapNamedBufferRange(buffer_.id(), 0, GLsizeiptr(bytes), flags));
-    if (!mapped_) throw std::runtime_error("the frame's buffer cannot be mapped");
+    if (!mapped_) throw gl::Failure("the frame's buffer cannot be mapped");
 }
 
 FrameRing::~FrameRing() {

@@ -32,12 +32,6 @@ void bind_target(const gl::Framebuffer& framebuffer, const FrameTargets& targets
     glViewport(0, 0, targets.width, targets.height);
 }
 
-std::vector<std::string> surface_defines(const PackageReader& package) {
-    const EffectRow& row = effect_row(Effect::vertex_colors);
-    return effect_on(package.scene(), row.effect) ? std::vector<std::string>{row.shader_symbol}
-                                                  : std::vector<std::string>{};
-}
-
 std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos) {
     std::vector<PhotoBlock> out;
     for (std::uint32_t i = 0; i < photos.size(); ++i) out.push_back(make_photo_block(photos[i], i));
@@ -64,7 +58,7 @@ ModelPasses::ModelPasses(const PackageReader& package, const PlanScene& scene, c
       ring_(pass_bytes(store.pages(), scene.clusters.size())),
       surface_program_(gl::make_program(
           "surface", {{GL_VERTEX_SHADER, "surface.vert"}, {GL_FRAGMENT_SHADER, "surface.frag"}},
-          surface_defines(package))) {}
+          shader_defines("surface", package.scene().effects))) {}
 
 bool ModelPasses::per_fragment(const RenderSettings& settings) const {
     if (settings.coordinates != Coordinates::automatic) return settings.coordinates == Coordinates::fragment;
@@ -130,13 +124,11 @@ const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bo
         blend_programs_[{photos, fragment, blend, consensus, trace_ != 0, settings.trilinear,
                          settings.anisotropy, settings.refined_colors}];
     if (program) return program;
-    std::vector<std::string> defines{"PASS_PHOTOS " + std::to_string(photos)};
-    if (fragment) defines.emplace_back(effect_row(Effect::per_fragment).shader_symbol);
-    for (const Effect e : {Effect::exposure, Effect::falloff})
-        if (settings.refined_colors && effect_on(package_->scene(), e))
-            defines.emplace_back(effect_row(e).shader_symbol);
-    if (effect_on(package_->scene(), Effect::consensus))
-        defines.emplace_back(effect_row(Effect::consensus).shader_symbol);
+    EffectSet effects = package_->scene().effects & ~effect_bit(Effect::per_fragment);
+    if (fragment) effects |= effect_bit(Effect::per_fragment);
+    if (!settings.refined_colors) effects &= ~effects_from(Basis::colors);
+    std::vector<std::string> defines = shader_defines("blend", effects);
+    defines.push_back("PASS_PHOTOS " + std::to_string(photos));
     if (blend == Blend::best) defines.emplace_back("BLEND_BEST");
     if (blend == Blend::lumigraph) defines.emplace_back("BLEND_LUMIGRAPH");
     if (consensus) defines.emplace_back("CONSENSUS");

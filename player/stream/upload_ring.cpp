@@ -1,6 +1,6 @@
 #include "player/stream/upload_ring.h"
 
-#include <stdexcept>
+#include "gl/failure.h"
 
 namespace vantage {
 
@@ -8,7 +8,7 @@ UploadRing::UploadRing(std::size_t bytes) : bytes_(bytes) {
     constexpr GLbitfield flags = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
     buffer_ = gl::make_buffer("uploads", bytes_, nullptr, flags);
     mapped_ = static_cast<std::byte*>(glMapNamedBufferRange(buffer_.id(), 0, GLsizeiptr(bytes_), flags));
-    if (!mapped_) throw std::runtime_error("the upload buffer cannot be mapped");
+    if (!mapped_) throw gl::Failure("the upload buffer cannot be mapped");
 }
 
 UploadRing::~UploadRing() {

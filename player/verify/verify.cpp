@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "cli/real_range.h"
 #include "gl/context.h"
 #include "player/offscreen.h"
 #include "player/verify/finite_targets.h"
@@ -12,7 +13,6 @@
 #include "scene/error.h"
 #include "scene/junit.h"
 #include "scene/make_folder.h"
-#include "scene/real_range.h"
 
 namespace vantage {
 namespace {

@@ -1,11 +1,11 @@
 // Settings of a command and the description of a synthetic scene, both TOML. No number gets past its bounds.
 #include <cstdlib>
 
+#include "cli/real_range.h"
 #include "pipeline/commands/apply_config.h"
 #include "pipeline/settings/config_files.h"
 #include "pipeline/synth/spec.h"
 #include "scene/error.h"
-#include "scene/real_range.h"
 #include "tests/fuzz/memory_file.h"
 
 using namespace vantage;

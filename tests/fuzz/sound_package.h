@@ -10,6 +10,7 @@
 #include "scene/checksum.h"
 #include "scene/package_writer.h"
 #include "scene/tiling.h"
+#include "scene/bytes_of.h"
 
 namespace vantage::fuzz {
 

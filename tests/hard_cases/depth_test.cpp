@@ -87,7 +87,7 @@ Eigen::Vector3d ray_of(const Intrinsics& k, const Pose& pose, double u, double v
 
 class Depth : public TemporaryFolder {
   protected:
-    const gl::HeadlessContext context;
+    const gl::HeadlessContext context(gl::Debug::on);
 
     struct Seen {
         const char* by;

@@ -40,7 +40,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity(),
 
 class Geometry : public TemporaryFolder {
   protected:
-    const gl::HeadlessContext context;
+    const gl::HeadlessContext context(gl::Debug::on);
     SceneInput scene;
 
     void SetUp() override {

@@ -250,7 +250,7 @@ TEST_F(PlayerLife, APackageThatIsCutShortWhileItIsShownIsNamed) {
     const Outcome cut = play_while([&] { fs::resize_file(file, 4096); });
     EXPECT_EQ(cut.code, int(Exit::damaged)) << cut.says;
     EXPECT_TRUE(one_line(cut.says)) << cut.says;
-    EXPECT_TRUE(cut.says.starts_with("vantage-player: " + file.string() + ": cannot be read any more"))
+    EXPECT_TRUE(cut.says.starts_with("vantage-player: " + file.string() + ": can no longer be read"))
         << cut.says;
 }
 

@@ -29,7 +29,7 @@ class PreparedScene : public TemporaryFolder {
         change(dir / "scene");
         prepare(read_scene(discover(dir / "scene")), settings(), file, [](const Progress&) {});
         package = std::make_unique<PackageReader>(file);
-        context = std::make_unique<gl::HeadlessContext>();
+        context = std::make_unique<gl::HeadlessContext>(gl::Debug::on);
         renderer = std::make_unique<Renderer>(*package, MemoryBudget{});
         photos.resize(package->photos().size());
         std::iota(photos.begin(), photos.end(), 0u);

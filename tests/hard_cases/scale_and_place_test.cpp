@@ -94,7 +94,7 @@ struct Opened {
 
 class ScaleAndPlace : public TemporaryFolder {
   protected:
-    const gl::HeadlessContext context;
+    const gl::HeadlessContext context(gl::Debug::on);
     SceneInput scene;
     std::unique_ptr<Opened> given;
 

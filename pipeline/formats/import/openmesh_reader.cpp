@@ -9,6 +9,7 @@
 
 #include "pipeline/formats/import/isolated_process.h"
 #include "pipeline/formats/import/ply.h"
+#include "scene/bytes_of.h"
 #include "scene/error.h"
 
 namespace vantage {

@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// An option's number from `least` to `most`. CLI::Range lets "nan" pass, which is neither below nor above.
+/// Accepts a number from `least` to `most`, both included. Unlike CLI::Range, it rejects NaN.
 inline CLI::Validator real_range(double least, double most) {
     const std::string range = CLI::Range(least, most).get_description();
     const auto refuse = [=](const std::string& text) {

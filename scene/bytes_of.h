@@ -1,0 +1,20 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace vantage {
+
+/// The memory of a vector's elements.
+template <class T>
+std::span<const std::byte> bytes_of(const std::vector<T>& v) {
+    return std::as_bytes(std::span<const T>(v));
+}
+
+/// The memory of one value.
+template <class T>
+std::span<const std::byte> bytes_of_one(const T& value) {
+    return std::as_bytes(std::span<const T>(&value, 1));
+}
+
+}  // namespace vantage

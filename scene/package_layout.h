@@ -1,0 +1,38 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/package_format.h"
+
+namespace vantage {
+
+/// What a chunk will be, before its bytes exist.
+struct ChunkPlan {
+    package::Type type;
+    std::uint32_t photo = package::scene_wide;
+    std::uint32_t level = 0;
+    std::uint64_t bytes = 0;  ///< of the head, for a chunk without blocks
+    std::uint64_t blocks = 0;
+    std::uint64_t block_length = 0;
+};
+
+/// The share of the photos that one of several runs prepares: number `share` of `shares`, counted from 1; 0
+/// of 0 is all photos.
+struct Share {
+    std::uint32_t share = 0, shares = 0;
+    bool holds(std::size_t photo) const { return shares == 0 || photo % shares == share - 1; }
+};
+
+/// Where everything goes in a package of the planned chunks.
+struct PackageLayout {
+    std::uint64_t bytes = 0;                         ///< size of the file
+    std::uint64_t checksum = 0;                      ///< of the photos' names and of where their chunks are
+    std::vector<package::DirectoryEntry> directory;  ///< in the order of the plan, without checksums
+};
+
+/// `names` is a checksum of the photos' names, in order.
+PackageLayout package_layout(std::span<const ChunkPlan> plan, std::uint64_t names);
+
+}  // namespace vantage

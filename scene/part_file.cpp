@@ -1,0 +1,140 @@
+#include "scene/part_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <vector>
+
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+void rename_or_throw(const std::filesystem::path& from, const std::filesystem::path& to,
+                     const std::filesystem::path& reported) {
+    std::error_code error;
+    std::filesystem::rename(from, to, error);
+    if (error) throw Error(Exit::storage, reported.string() + ": cannot rename: " + error.message());
+}
+
+}  // namespace
+
+std::filesystem::path part_of(const std::filesystem::path& file) { return file.string() + ".part"; }
+std::filesystem::path displaced_part_of(const std::filesystem::path& file) {
+    return file.string() + ".former";
+}
+
+PartFile::PartFile(const std::filesystem::path& file) : file_(file), part_(part_of(file)) { open(); }
+
+PartFile::~PartFile() { close(); }
+
+void PartFile::fail(const std::string& doing) const {
+    throw Error(Exit::storage, part_.string() + ": cannot " + doing + ": " + std::strerror(errno));
+}
+
+void PartFile::open() {
+    fd_ = ::open(part_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+    if (fd_ < 0) fail("create");
+    if (::flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        close();
+        throw Error(Exit::storage, part_.string() + ": another process is writing it");
+    }
+}
+
+void PartFile::close() {
+    if (fd_ >= 0) ::close(fd_);
+    fd_ = -1;
+}
+
+void PartFile::write(std::uint64_t offset, std::span<const std::byte> bytes) const {
+    while (!bytes.empty()) {
+        const ssize_t n = ::pwrite(fd_, bytes.data(), bytes.size(), off_t(offset));
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) fail("write");
+        bytes = bytes.subspan(std::size_t(n));
+        offset += std::uint64_t(n);
+    }
+}
+
+void PartFile::write_zeros(std::uint64_t from, std::uint64_t to) const {
+    const std::vector<std::byte> zeros(4096);
+    for (; from < to; from += zeros.size())
+        write(from, std::span(zeros).first(std::min<std::uint64_t>(zeros.size(), to - from)));
+}
+
+std::uint64_t PartFile::copy(int from, std::uint64_t from_offset, std::uint64_t offset,
+                             std::uint64_t length) const {
+    auto source = off64_t(from_offset), target = off64_t(offset);
+    std::uint64_t copied = 0;
+    while (copied < length) {
+        const ssize_t n = ::copy_file_range(from, &source, fd_, &target, length - copied, 0);
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) break;
+        copied += std::uint64_t(n);
+    }
+    return copied;
+}
+
+void PartFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
+    if (!try_read(offset, bytes)) fail("read");
+}
+
+bool PartFile::try_read(std::uint64_t offset, std::span<std::byte> bytes) const {
+    while (!bytes.empty()) {
+        const ssize_t n = ::pread(fd_, bytes.data(), bytes.size(), off_t(offset));
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) return false;
+        bytes = bytes.subspan(std::size_t(n));
+        offset += std::uint64_t(n);
+    }
+    return true;
+}
+
+void PartFile::reserve(std::uint64_t bytes) const {
+    const int error = ::posix_fallocate(fd_, 0, off_t(bytes));
+    if (error == ENOSPC || error == EFBIG || error == EDQUOT) {
+        errno = error;
+        fail("reserve " + std::to_string((bytes >> 20) + 1) + " MiB");
+    }
+    if (error != 0 && ::ftruncate(fd_, off_t(bytes)) != 0) fail("size");
+}
+
+void PartFile::punch_hole(std::uint64_t offset, std::uint64_t length) const {
+#ifdef FALLOC_FL_PUNCH_HOLE
+    if (::fallocate(fd_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, off_t(offset), off_t(length)) == 0)
+        return;
+#endif
+    write_zeros(offset, offset + length);
+}
+
+void PartFile::start_flush([[maybe_unused]] std::uint64_t offset,
+                           [[maybe_unused]] std::uint64_t length) const {
+#ifdef SYNC_FILE_RANGE_WRITE
+    ::sync_file_range(fd_, off64_t(offset), off64_t(length), SYNC_FILE_RANGE_WRITE);
+#endif
+}
+
+void PartFile::displace() {
+    struct stat st {};
+    if (::fstat(fd_, &st) != 0 || st.st_size == 0) return;
+    rename_or_throw(part_, displaced_part_of(file_), part_);
+    close();
+    open();
+}
+
+void PartFile::remove() const { ::unlink(part_.c_str()); }
+
+void PartFile::publish() {
+    if (::fsync(fd_) != 0) fail("flush");
+    rename_or_throw(part_, file_, file_);
+    close();
+    std::error_code ignored;
+    std::filesystem::remove(displaced_part_of(file_), ignored);
+}
+
+}  // namespace vantage

@@ -1,0 +1,63 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace vantage {
+
+/// The name under which `file` is written until it is complete.
+std::filesystem::path part_of(const std::filesystem::path& file);
+/// The name to which an existing part of another layout is moved.
+std::filesystem::path displaced_part_of(const std::filesystem::path& file);
+
+/// A file that is written as part_of(file) and renamed when it is complete. Only one process at a time can
+/// have it open; the lock ends with the process, even in a crash. Offsets and lengths are in bytes. Reading
+/// and writing are thread-safe. Functions throw Error(storage) if the system call fails.
+class PartFile {
+  public:
+    /// Creates the part or opens the existing one.
+    explicit PartFile(const std::filesystem::path& file);
+    ~PartFile();
+    PartFile(const PartFile&) = delete;
+    PartFile& operator=(const PartFile&) = delete;
+
+    const std::filesystem::path& file() const { return file_; }
+
+    void write(std::uint64_t offset, std::span<const std::byte> bytes) const;
+    void write_zeros(std::uint64_t from, std::uint64_t to) const;
+    /// Copies from another file inside the kernel, sharing blocks if the file system can. Returns the number
+    /// of bytes copied, which may be less than `length`.
+    std::uint64_t copy(int from, std::uint64_t from_offset, std::uint64_t offset, std::uint64_t length) const;
+    void read(std::uint64_t offset, std::span<std::byte> bytes) const;
+    /// Returns false if reading fails or the file is too short.
+    bool try_read(std::uint64_t offset, std::span<std::byte> bytes) const;
+
+    /// Sets the size and allocates the space now, so that a full disk fails the run at once, not hours later.
+    void reserve(std::uint64_t bytes) const;
+    /// Zeroes a range, and frees its space if the file system supports holes.
+    void punch_hole(std::uint64_t offset, std::uint64_t length) const;
+    /// Starts writing a range to the disk without waiting, so that the disk is busy while photos are
+    /// prepared.
+    void start_flush(std::uint64_t offset, std::uint64_t length) const;
+
+    /// Renames the part to displaced_part_of() and starts an empty one. Does nothing if the part is empty.
+    void displace();
+    /// Deletes the part.
+    void remove() const;
+    /// Flushes to the disk, then renames to file(), so that a file of this name is always complete; deletes
+    /// the displaced part.
+    void publish();
+    bool published() const { return fd_ < 0; }
+
+  private:
+    [[noreturn]] void fail(const std::string& doing) const;
+    void open();
+    void close();
+
+    std::filesystem::path file_, part_;
+    int fd_ = -1;
+};
+
+}  // namespace vantage
