@@ -18,7 +18,7 @@
 #include "pipeline/stages/pyramid.h"
 #include "pipeline/synth/synthesise.h"
 #include "player/render/picture.h"
-#include "player/shots.h"
+#include "player/camera/shots.h"
 #include "scene/package_reader.h"
 #include "temporary_folder.h"
 

@@ -1,0 +1,36 @@
+# vantage_room(FOLDER [USES folder...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [SOURCES file...])
+#
+# Makes a folder a library, vantage_ and its path with _ for / (player/plan: vantage_player_plan). Its sources see its
+# own headers and those of the rooms it uses, directly or through another, and no others: the source folder is linked
+# into an include directory of the room's own, and the repository root is on no room's include path. An include that
+# runs the wrong way does not compile.
+#   USES               rooms, by their folders; part of the room's interface
+#   LIBRARIES          libraries that the room's headers include
+#   PRIVATE_LIBRARIES  libraries that only its sources include
+#   SOURCES            default: FOLDER/*.cpp; a room without sources is an INTERFACE library
+function(vantage_room folder)
+  cmake_parse_arguments(ROOM "" "" "USES;LIBRARIES;PRIVATE_LIBRARIES;SOURCES" ${ARGN})
+  string(REPLACE "/" "_" target vantage_${folder})
+  if(NOT ROOM_SOURCES)
+    file(GLOB ROOM_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
+  endif()
+  set(include_directory ${CMAKE_BINARY_DIR}/rooms/${target})
+  get_filename_component(parent ${include_directory}/${folder} DIRECTORY)
+  file(MAKE_DIRECTORY ${parent})
+  file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${folder} ${include_directory}/${folder} SYMBOLIC)
+
+  set(used vantage_options)
+  foreach(room ${ROOM_USES})
+    string(REPLACE "/" "_" room vantage_${room})
+    list(APPEND used ${room})
+  endforeach()
+  if(ROOM_SOURCES)
+    add_library(${target} STATIC ${ROOM_SOURCES})
+    target_include_directories(${target} PUBLIC ${include_directory})
+    target_link_libraries(${target} PUBLIC ${used} ${ROOM_LIBRARIES} PRIVATE ${ROOM_PRIVATE_LIBRARIES})
+  else()
+    add_library(${target} INTERFACE)
+    target_include_directories(${target} INTERFACE ${include_directory})
+    target_link_libraries(${target} INTERFACE ${used} ${ROOM_LIBRARIES})
+  endif()
+endfunction()

@@ -1,0 +1,25 @@
+#include "player/render/blend_program.h"
+
+#include <string>
+#include <vector>
+
+namespace vantage {
+
+gl::Program make_blend_program(const BlendVariant& v, const package::SceneRecord& scene) {
+    std::vector<std::string> defines{"PASS_PHOTOS " + std::to_string(v.photos)};
+    const auto effect = [&](Effect e) { defines.emplace_back(effect_row(e).shader_symbol); };
+    if (v.per_fragment) effect(Effect::per_fragment);
+    for (const Effect e : {Effect::exposure, Effect::falloff})
+        if (v.refined_colors && effect_on(scene, e)) effect(e);
+    if (effect_on(scene, Effect::consensus)) effect(Effect::consensus);
+    if (v.blend == Blend::best) defines.emplace_back("BLEND_BEST");
+    if (v.blend == Blend::lumigraph) defines.emplace_back("BLEND_LUMIGRAPH");
+    if (v.consensus) defines.emplace_back("CONSENSUS");
+    if (v.traces_texels) defines.emplace_back("TRACE_TEXELS");
+    if (!v.trilinear) defines.emplace_back("BILINEAR");
+    if (v.anisotropy > 1) defines.push_back("TAPS " + std::to_string(v.anisotropy));
+    return gl::make_program("blend", {{GL_VERTEX_SHADER, "blend.vert"}, {GL_FRAGMENT_SHADER, "blend.frag"}},
+                            defines);
+}
+
+}  // namespace vantage
