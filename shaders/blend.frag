@@ -48,8 +48,8 @@ bool inside(uint photo, vec2 pixel) {
     return all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, photos[photo].size_weight.xy));
 }
 
-// Visibility of a fragment in a photo, from the four depths around its pixel: 1 if it lies no deeper than any, `beside`
-// if deeper than some, 0 if deeper than all. The tolerance is 0.4 % of the depth, or one texel of the depth map along a
+// Visibility of a fragment in a photo, from the four depths around its pixel: 1 if it is deeper than none, `beside` if
+// deeper than some, 0 if deeper than all. The tolerance is 0.4 % of the depth, or one texel of the depth map along a
 // surface slanted by at most 84 degrees.
 float seen(uint photo, vec3 p, MaskPlace at) {
     vec3 n = mat3(photos[photo].cam_from_origin) * surface_normal;

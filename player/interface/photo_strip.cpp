@@ -42,8 +42,7 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
     ImGui::Begin("##photos", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_HorizontalScrollbar);
-    // Not during a flight or while the pointer is over the strip: the order must not change under the
-    // pointer.
+    // Not during a flight, nor under the pointer: a target must not move while it is being clicked.
     if (ranked_at_ < 0 || (now - ranked_at_ > 0.5 && !s.flight && !ImGui::IsWindowHovered())) {
         agreements_ = agreements(scene, view);
         ranked_at_ = now;

@@ -57,7 +57,7 @@ std::vector<Flight> fly_path(const PackageReader& package, const BenchOptions& o
     return flights;
 }
 
-/// Prints and returns a summary per mode, and plots the frame times.
+/// Prints and appends a summary per mode, and plots the frame times.
 void summarize_path(const BenchOptions& o, const std::vector<Flight>& flights, nlohmann::json& summaries) {
     std::vector<Curve> curves;
     for (const std::string& mode : o.modes) {

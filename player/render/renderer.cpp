@@ -170,8 +170,7 @@ void Renderer::stream(Frame& frame, const View* next) {
         for (const PlannedPhoto& p : plan_.plan().photos) frame.report.uploaded += store_.load_whole(p.photo);
     for (const PlannedPhoto& p : plan_.plan().photos) {
         frame.report.tiles += p.needs.tiles();
-        // Until the visible triangles are known, tiles would often be read for nothing: thumbnails have to
-        // do.
+        // Until the visible triangles are known, many tiles would be read for nothing.
         frame.report.tiles_missing += plan_.uses_seen() ? store_.need(p.photo, p.needs) : p.needs.tiles();
     }
     const TileNeeds comparison = comparison_needs(frame.drawn.view, settings);
@@ -212,8 +211,7 @@ std::size_t Renderer::pass_length(Pass rest, const RenderSettings& settings) con
     while (n < most) {
         for (const auto& level : rest[n]->needs.color) color += level.size();
         for (const auto& level : rest[n]->needs.masks) masks += level.size();
-        // Sums do not depend on how photos are split into passes, so a pass ends when the graphics memory is
-        // full.
+        // Sums do not depend on the split into passes, so a pass ends when graphics memory is full.
         const auto exceeds = [](std::size_t wanted, std::size_t room, std::size_t all) {
             return wanted > room && room < all;
         };
