@@ -1,32 +1,54 @@
-# vantage_room(FOLDER USES FOLDER... LIBRARIES LIBRARY... PRIVATE_LIBRARIES LIBRARY...)
-#
-# Makes the sources of a folder a library: pipeline/stages becomes vantage_pipeline_stages (header-only folders an
-# interface library). A room sees its own headers, those of the rooms it USES and of the rooms that they use; an include
-# of any other room does not compile. For this, each room's include path holds a link to its own folder and nothing else.
-function(vantage_room folder)
-  cmake_parse_arguments(ROOM "" "" "USES;LIBRARIES;PRIVATE_LIBRARIES;SOURCES" ${ARGN})
-  string(REPLACE "/" "_" target "vantage_${folder}")
-  set(headers ${CMAKE_BINARY_DIR}/rooms/${target})
-  get_filename_component(parent ${headers}/${folder} DIRECTORY)
-  file(MAKE_DIRECTORY ${parent})
-  if(NOT IS_SYMLINK ${headers}/${folder})
-    file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${folder} ${headers}/${folder} SYMBOLIC)
+# The headers that nearly every source includes are parsed once, for the first target that asks.
+option(VANTAGE_PRECOMPILE "Precompile common headers" ON)
+function(vantage_precompile target)
+  if(NOT VANTAGE_PRECOMPILE)
+    return()
   endif()
+  if(NOT TARGET vantage_precompiled)
+    file(WRITE ${CMAKE_BINARY_DIR}/precompiled.cpp "")
+    add_library(vantage_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
+    target_link_libraries(vantage_precompiled PRIVATE vantage_options Eigen3::Eigen)
+    target_precompile_headers(vantage_precompiled PRIVATE ${CMAKE_SOURCE_DIR}/cmake/precompiled.h)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM vantage_precompiled)
+endfunction()
+
+# vantage_room(FOLDER [UNITY] [USES folder...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [SOURCES file...])
+#
+# Makes a folder a library, vantage_ and its path with _ for / (player/plan: vantage_player_plan). Its sources see its
+# own headers and those of the rooms it uses, directly or through another, and no others: the source folder is linked
+# into an include directory of the room's own, and the repository root is on no room's include path. An include that
+# runs the wrong way does not compile.
+#   USES               rooms, by their folders; part of the room's interface
+#   LIBRARIES          libraries that the room's headers include
+#   PRIVATE_LIBRARIES  libraries that only its sources include
+#   SOURCES            default: FOLDER/*.cpp; a room without sources is an INTERFACE library
+#   UNITY              compile all sources as one: for rooms whose libraries (CLI11) cost far more than their own code
+function(vantage_room folder)
+  cmake_parse_arguments(ROOM "UNITY" "" "USES;LIBRARIES;PRIVATE_LIBRARIES;SOURCES" ${ARGN})
+  string(REPLACE "/" "_" target vantage_${folder})
   if(NOT ROOM_SOURCES)
     file(GLOB ROOM_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
   endif()
-  set(used)
-  foreach(room IN LISTS ROOM_USES)
-    string(REPLACE "/" "_" room "vantage_${room}")
+  set(include_directory ${CMAKE_BINARY_DIR}/rooms/${target})
+  get_filename_component(parent ${include_directory}/${folder} DIRECTORY)
+  file(MAKE_DIRECTORY ${parent})
+  file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${folder} ${include_directory}/${folder} SYMBOLIC)
+
+  set(used vantage_options)
+  foreach(room ${ROOM_USES})
+    string(REPLACE "/" "_" room vantage_${room})
     list(APPEND used ${room})
   endforeach()
   if(ROOM_SOURCES)
     add_library(${target} STATIC ${ROOM_SOURCES})
-    target_include_directories(${target} PUBLIC ${headers})
-    target_link_libraries(${target} PUBLIC vantage_options ${used} ${ROOM_LIBRARIES} PRIVATE ${ROOM_PRIVATE_LIBRARIES})
+    target_include_directories(${target} PUBLIC ${include_directory})
+    target_link_libraries(${target} PUBLIC ${used} ${ROOM_LIBRARIES} PRIVATE ${ROOM_PRIVATE_LIBRARIES})
+    vantage_precompile(${target})
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${ROOM_UNITY} UNITY_BUILD_BATCH_SIZE 0)
   else()
     add_library(${target} INTERFACE)
-    target_include_directories(${target} INTERFACE ${headers})
-    target_link_libraries(${target} INTERFACE vantage_options ${used} ${ROOM_LIBRARIES})
+    target_include_directories(${target} INTERFACE ${include_directory})
+    target_link_libraries(${target} INTERFACE ${used} ${ROOM_LIBRARIES})
   endif()
 endfunction()

@@ -1,4 +1,4 @@
-# Fails when PROGRAM needs, itself or through another library, one that belongs to the pipeline.
+# Fails if PROGRAM links, directly or indirectly, a library that only the pipeline may use.
 execute_process(COMMAND ldd ${PROGRAM} OUTPUT_VARIABLE libraries RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "ldd ${PROGRAM} failed")

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace vantage {
@@ -13,6 +14,15 @@ double quantile(std::vector<T> values, double share) {
     const auto at = values.begin() + std::ptrdiff_t(std::clamp(share, 0.0, 1.0) * double(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
     return double(*at);
+}
+
+/// The middle value, the upper of the two if their number is even; 0 if there are none. Reorders the values.
+template <class T>
+T upper_median(std::span<T> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
 }
 
 }  // namespace vantage

@@ -10,28 +10,35 @@ in vec2 coordinate[PASS_PHOTOS];
 #endif
 layout(location = 0) out vec4 accumulated;
 
-layout(location = 2) uniform uint pass_count;
-layout(location = 3) uniform vec3 eye;             // relative to the origin
-layout(location = 11) uniform vec3 weight_eye;     // from where weights count; elsewhere when they are frozen
-layout(location = 4) uniform vec3 view_direction;  // [P]: to the model from outside, the camera's own from inside
-layout(location = 5) uniform uint switches;        // bit 0 angle mask, 1 depth, 2 border, 3 angle weight, 4 consensus mask
-layout(location = 6) uniform float border_width;   // pixels of a photo 3072 wide at which the border mask is 1
-layout(location = 7) uniform float sharpness;      // radians
-layout(location = 8) uniform float lod_bias;
-layout(location = 9) uniform uint show;            // 0 colours, 1 false colour of the photo, 2 how many see it
-layout(location = 12) uniform float half_scale;    // of a pass's sums where they are kept in half floats; else 0
+layout(location = pass_count_uniform) uniform uint pass_count;
+layout(location = eye_uniform) uniform vec3 eye;                        // relative to the origin
+layout(location = weight_eye_uniform) uniform vec3 weight_eye;          // as `eye`, or where weights were frozen
+layout(location = view_direction_uniform) uniform vec3 view_direction;  // [P]: from outside towards the model, from inside the camera's
+layout(location = switches_uniform) uniform uint switches;              // bits as in contract.glsl
+layout(location = border_width_uniform) uniform float border_width;     // reference pixels at which the border mask is 1
+layout(location = sharpness_uniform) uniform float sharpness;           // radians
+layout(location = lod_bias_uniform) uniform float lod_bias;
+layout(location = blend_show_uniform) uniform uint show;
+layout(location = half_scale_uniform) uniform float half_scale;  // factor of a pass's sums in half floats; 0: full floats
 #ifdef BLEND_BEST
-layout(binding = 4) uniform sampler2D best_so_far;
+layout(binding = best_so_far_unit) uniform sampler2D best_so_far;
 #endif
 #ifdef CONSENSUS
-layout(binding = 5) uniform sampler2D first_sums;
+layout(binding = first_sums_unit) uniform sampler2D first_sums;
 #endif
 
-const float least = 0.001;  // no visible photo is ever worth nothing
-const float beside = 0.03;  // what a photo is worth where its pixel may show something nearer
-const float half_least = 1.0 / 16384.0;  // below, a half float loses digits
+const float least = 0.001;               // floor of each mask: a photo that sees the surface keeps some weight
+const float beside = 0.03;               // weight where the photo's pixel may show something nearer instead
+const float half_least = 1.0 / 16384.0;  // the smallest half float with all its digits
+const float consensus_scale = 0.08;      // square root of linear color: a difference of this much halves the weight
 
-// Angle between the rays from the surface to the viewer and to the photo; exact for small angles.
+// Ramps of the lumigraph's weight, in reference pixels: pixels of a photo scaled to this width.
+const float reference_width = 3072.0;
+const float frame_ramp = 64.0;  // b/64: from the photo's frame inwards, so that no frame shows as a seam
+const float edge_ramp = 24.0;   // e/24: from the nearest depth discontinuity, where pose and mesh errors show most
+const float edge_least = 0.2;   // at a discontinuity itself: other photos may not see the surface at all
+
+// Angle between the rays from the surface to the viewer and to the photo, radians; accurate for small angles, too.
 float ray_angle(uint photo) {
     vec3 a = normalize(weight_eye - surface_position), b = normalize(photos[photo].center_hull.xyz - surface_position);
     return atan(length(cross(a, b)), dot(a, b));
@@ -41,8 +48,9 @@ bool inside(uint photo, vec2 pixel) {
     return all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, photos[photo].size_weight.xy));
 }
 
-// Whether a photo sees a fragment, by the depths around it: 1, or `beside` where something nearer is among them, which
-// the photo's pixel may show instead. A fragment may lie one texel of the map beyond them.
+// Visibility of a fragment in a photo, from the four depths around its pixel: 1 if it is deeper than none, `beside` if
+// deeper than some, 0 if deeper than all. The tolerance is 0.4 % of the depth, or one texel of the depth map along a
+// surface slanted by at most 84 degrees.
 float seen(uint photo, vec3 p, MaskPlace at) {
     vec3 n = mat3(photos[photo].cam_from_origin) * surface_normal;
     float cosine = max(abs(dot(normalize(n), normalize(p))), 0.1);
@@ -52,43 +60,42 @@ float seen(uint photo, vec3 p, MaskPlace at) {
     return p.z > z.y + slack ? 0.0 : (p.z > z.x + slack ? beside : 1.0);
 }
 
-// Sampling rate by area, relative to the finest of all photos.
+// Sampling rate by area, relative to the finest of all photos; the mask holds its log2 in sixths (scene/FORMAT.md).
 float density(vec4 masks) {
-    return (switches & 2u) != 0u ? max(exp2((masks.g * 255.0 - 255.0) / 6.0), 1e-6) : 1.0;
+    return (switches & depth_mask_switch) != 0u ? max(exp2((masks.g * 255.0 - 255.0) / 6.0), 1e-6) : 1.0;
 }
 
 float static_weight(vec4 masks) {
     float w = density(masks);
-    if ((switches & 1u) != 0u) w *= max(masks.r, least);
-    if ((switches & 4u) != 0u) w *= max(masks.b, least);
+    if ((switches & angle_mask_switch) != 0u) w *= max(masks.r, least);
+    if ((switches & border_mask_switch) != 0u) w *= max(masks.b, least);
     return w;
 }
 
-// Bounded below far above float's underflow: a lone photo still gives a colour.
-float angle_weight(float theta) { return (switches & 8u) != 0u ? max(exp(-theta / sharpness), 1e-12) : 1.0; }
+// Bounded below, far above float's underflow, so that a photo on its own still gives a color.
+float angle_weight(float theta) { return (switches & angle_switch) != 0u ? max(exp(-theta / sharpness), 1e-12) : 1.0; }
 
 float weight_of(uint photo, vec2 pixel, vec4 masks) {
     float theta = ray_angle(photo);
 #ifdef BLEND_BEST
-    // [P] 2.8 with the sign under which a frontal photo wins. Divided by the squared angle, so that from a photo's
-    // own viewpoint that photo wins wherever it sees the surface.
+    // [P] eq. 2.8, with the sign for which a frontal photo wins, divided by the squared angle: from a photo's own
+    // viewpoint that photo wins wherever it sees the surface.
     const float limit = 0.342020143;  // cos 70 degrees
-    float frontal = max(1.0 - (1.0 + dot(normalize(surface_normal), photos[photo].direction.xyz)) / (1.0 - limit), 0.0) + 0.05;
-    float p = max(dot(view_direction, photos[photo].direction.xyz), 0.01) * frontal * max(photos[photo].center_hull.w, 0.01);
+    float frontal = max(1.0 - (1.0 + dot(normalize(surface_normal), photos[photo].direction_presence.xyz)) / (1.0 - limit), 0.0) + 0.05;
+    float p = max(dot(view_direction, photos[photo].direction_presence.xyz), 0.01) * frontal * max(photos[photo].center_hull.w, 0.01);
     return p / ((theta + 1e-4) * (theta + 1e-4));
 #elif defined(BLEND_LUMIGRAPH)
     float w = angle_weight(theta) * density(masks);
-    if ((switches & 4u) == 0u) return w;
-    // Distances to the frame and to the nearest border, in pixels of a photo 3072 wide.
+    if ((switches & border_mask_switch) == 0u) return w;
     vec2 size = photos[photo].size_weight.xy, inside = min(pixel, size - pixel);
-    float frame = min(inside.x, inside.y) * 3072.0 / size.x, edge = masks.b * border_width;
-    return w * clamp(frame / 64.0, least, 1.0) * clamp(edge / 24.0, 0.2, 1.0);
+    float frame = min(inside.x, inside.y) * reference_width / size.x, edge = masks.b * border_width;
+    return w * clamp(frame / frame_ramp, least, 1.0) * clamp(edge / edge_ramp, edge_least, 1.0);
 #else
     return static_weight(masks) * photos[photo].size_weight.w * angle_weight(theta);
 #endif
 }
 
-// What a sample covers of a photo.
+// The area of a photo that a sample covers.
 struct Footprint {
     float lod;
 #ifdef TAPS
@@ -96,9 +103,10 @@ struct Footprint {
     int taps;
 #endif
 };
-// Level of detail from how far a photo's pixel moves along the sample's two sides; by the projection's Jacobian, so
-// that no derivative is taken where neighbours may have left the loop. Up to 4 times longer than wide is kept sharp, or
-// as many times as there are taps along the longer side.
+// Level of detail from the photo pixels along the sample's two sides, by the projection's Jacobian: derivatives are
+// undefined where neighboring fragments have left the loop. A footprint up to 4 times longer than wide (TAPS times with
+// taps) is sampled at the level of its shorter side. 0.02 levels and 0.1 taps absorb rounding: at one photo pixel per
+// sample, only level 0 is read, by one tap.
 Footprint footprint_of(uint photo, vec3 p, vec3 along_x, vec3 along_y) {
     mat3 R = mat3(photos[photo].cam_from_origin);
     vec3 x = R * along_x, y = R * along_y;
@@ -131,7 +139,7 @@ vec4 filtered(uint photo, vec2 pixel, Footprint f) {
 #endif
 }
 
-// In the mean photo's exposure, without the lens's falloff.
+// Color in the mean photo's exposure, without the lens's falloff.
 vec3 refined(uint photo, vec2 pixel, vec3 c) {
 #ifdef PHOTO_GAIN
     c *= photos[photo].gain.rgb;
@@ -148,13 +156,13 @@ vec3 refined(uint photo, vec2 pixel, vec3 c) {
 vec4 shown_color(uint photo, vec2 pixel, Footprint footprint) {
     vec4 c = filtered(photo, pixel, footprint);
     c.rgb = refined(photo, pixel, c.rgb);
-    return show == 0u ? c : vec4(show == 1u ? photos[photo].false_color.rgb : vec3(1.0), c.a);
+    return show == show_colors ? c : vec4(show == show_sources ? photos[photo].false_color.rgb : vec3(1.0), c.a);
 }
 
 void main() {
     accumulated = vec4(0.0);
     vec3 along_x = dFdx(surface_position), along_y = dFdy(surface_position);
-    vec3 facing = cross(along_x, along_y);  // the triangle's normal, on the viewer's side
+    vec3 facing = cross(along_x, along_y);  // the triangle's normal, towards the viewer
     if (dot(facing, eye - surface_position) < 0.0) facing = -facing;
 #ifdef CONSENSUS
     vec4 first = texelFetch(first_sums, ivec2(gl_FragCoord.xy), 0);
@@ -169,7 +177,7 @@ void main() {
 #endif
     for (uint photo = 0u; photo < pass_count; ++photo) {
         if ((draw_photos >> photo & 1u) == 0u) continue;
-        // A photo taken from behind shows the surface's other side.
+        // A photo taken from behind shows the other side of the surface.
         if (dot(facing, photos[photo].center_hull.xyz - surface_position) < 0.0) continue;
         vec3 p = (photos[photo].cam_from_origin * vec4(surface_position, 1.0)).xyz;
 #ifdef PER_FRAGMENT
@@ -181,7 +189,7 @@ void main() {
         Footprint footprint = footprint_of(photo, p, along_x, along_y);
         MaskPlace at = mask_place(photo, pixel, footprint.lod);
         if (at.level < 0) continue;
-        float w = photos[photo].direction.w;
+        float w = photos[photo].direction_presence.w;
 #ifdef PER_FRAGMENT
         w *= seen(photo, p, at);
 #endif
@@ -189,12 +197,12 @@ void main() {
         vec4 masks = masks_at(at);
         w *= weight_of(photo, pixel, masks);
 #ifdef PHOTO_CONSENSUS
-        // 1 of 255: seen, and contradicted by others
-        if ((switches & 16u) != 0u) w *= (max(masks.a * 255.0, 1.0) - 1.0) / 254.0;
+        // 1 of 255: visible, but contradicted by other photos.
+        if ((switches & consensus_mask_switch) != 0u) w *= (max(masks.a * 255.0, 1.0) - 1.0) / 254.0;
 #endif
         if (!(w > 0.0)) continue;
 #ifdef BLEND_BEST
-        w = sqrt(sqrt(w));  // 22 orders of magnitude become 6, which half floats can hold
+        w = sqrt(sqrt(w));  // compresses 22 orders of magnitude to 6, within the range of half floats
         if (w > accumulated.a) {
             accumulated.a = w;
             chosen = int(photo);
@@ -204,11 +212,11 @@ void main() {
 #else
         vec4 c = shown_color(photo, pixel, footprint);
 #ifdef CONSENSUS
-        vec3 off = (sqrt(c.rgb) - sqrt(mean)) / 0.08;
+        vec3 off = (sqrt(c.rgb) - sqrt(mean)) / consensus_scale;
         w /= 1.0 + dot(off, off);
 #endif
-        // Counting, every photo that can be shown is worth the same.
-        accumulated += show == 2u ? vec4(c.a) : vec4(c.rgb, 1.0) * w * c.a;
+        // For the count, all photos have the same weight.
+        accumulated += show == show_coverage ? vec4(c.a) : vec4(c.rgb, 1.0) * w * c.a;
 #endif
     }
 #ifdef BLEND_BEST
@@ -217,8 +225,8 @@ void main() {
         accumulated = c.a > 0.5 ? vec4(c.rgb, accumulated.a) : before;
     }
 #else
-    // A pass that is worth too little for half floats is lifted as a whole: its photos keep their proportions.
-    if (half_scale > 0.0 && show != 2u && accumulated.a > 0.0)
+    // Sums too small for half floats are scaled up as a whole: the proportions of the pass's photos stay the same.
+    if (half_scale > 0.0 && show != show_coverage && accumulated.a > 0.0)
         accumulated *= max(half_scale, half_least / accumulated.a);
 #endif
 }

@@ -1,8 +1,10 @@
 // The model for a blending pass of PASS_PHOTOS photos.
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 3) in uvec2 of_draw;  // its first triangle; which of the pass's photos are drawn, a bit each
-layout(location = 0) uniform mat4 clip_from_origin;
+#include "contract.glsl"
+
+layout(location = position_attribute) in vec3 position;
+layout(location = normal_attribute) in vec3 normal;
+layout(location = draw_attribute) in uvec2 of_draw;  // first triangle; one bit per photo of the pass that is drawn
+layout(location = clip_from_origin_uniform) uniform mat4 clip_from_origin;
 
 out vec3 surface_position;
 out vec3 surface_normal;
@@ -10,10 +12,10 @@ flat out uint draw_photos;
 invariant gl_Position;
 
 #ifndef PER_FRAGMENT
-// Texture coordinates, a slot of vertices a photo.
-layout(std430, binding = 4) readonly buffer Coordinates { vec2 coordinates[]; };
-layout(location = 1) uniform uint vertex_count;
-layout(location = 16) uniform uint pass_slots[PASS_PHOTOS];
+// Texture coordinates: per photo a slot with one pair per vertex.
+layout(std430, binding = coordinates_buffer) readonly buffer Coordinates { vec2 coordinates[]; };
+layout(location = vertex_count_uniform) uniform uint vertex_count;
+layout(location = pass_slots_uniform) uniform uint pass_slots[PASS_PHOTOS];
 out vec2 coordinate[PASS_PHOTOS];
 #endif
 
@@ -25,7 +27,7 @@ void main() {
 #ifndef PER_FRAGMENT
     for (uint i = 0u; i < PASS_PHOTOS; ++i) {
         vec2 uv = coordinates[pass_slots[i] * vertex_count + uint(gl_VertexID)];
-        // So far out that a triangle with one vertex not visible is out as a whole, as [M] asks.
+        // So far outside the photo that a triangle with one hidden vertex is discarded as a whole, as in [M].
         coordinate[i] = uv.x < 0.0 ? vec2(-1e6) : uv;
     }
 #endif

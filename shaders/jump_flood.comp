@@ -1,5 +1,5 @@
-// One step of jump flooding (Rong and Tan 2006): each texel keeps the nearest seed that it or a neighbour at
-// distance `stride` knows. Seeds are texel positions; (-1,-1) knows none.
+// One step of jump flooding (Rong and Tan 2006): each texel keeps the nearest of the seeds found so far by itself and by
+// its eight neighbors at distance `stride`. Seeds are texel positions; (-1,-1): none found.
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 0, rg16i) readonly uniform iimage2D known;
 layout(binding = 1, rg16i) writeonly uniform iimage2D improved;

@@ -1,4 +1,4 @@
-// The model from a photo's camera.
+// The model as a photo's camera sees it.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 0) uniform mat4 clip_from_origin;

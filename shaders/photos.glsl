@@ -1,38 +1,25 @@
-// The photos of a pass as every shader sees them; layout as in player/stream/photo_block.h.
-struct Photo {
-    mat4 cam_from_origin;
-    vec4 focal_center;     // fx fy cx cy, pixels
-    vec4 size_weight;      // width, height, levels, dynamic weight of this view
-    vec4 center_hull;      // camera centre relative to the origin; share of the photo that the model fills
-    vec4 direction;        // corrected viewing direction [P]; presence, 0 to 1
-    vec4 thumbnail;        // layer (-1: none), share of the layer's width and height, pixels wide
-    vec4 false_color;
-    vec4 gain;     // a channel, to the mean photo's exposure, linear light; 1 over half the diagonal, pixels
-    vec4 falloff;  // of the lens: ln of what it loses, times r^2, r^4, r^6
-    uint color_base[12];   // in `pages`, of each level
-    uint mask_base[12];
-};
-layout(std430, binding = 0) readonly buffer Photos { Photo photos[]; };
-// Layer in the low 16 bits, above it how far the tile has faded in, of 255.
-layout(std430, binding = 1) readonly buffer Pages { uint pages[]; };
-layout(binding = 0) uniform sampler2DArray color_tiles;
-layout(binding = 1) uniform sampler2DArray mask_tiles;
-layout(binding = 2) uniform sampler2DArray depth_tiles;
-layout(binding = 3) uniform sampler2DArray thumbnails;
+// The photos of a pass, and access to their pixels, masks and depth.
+#include "contract.glsl"
 
-const uint not_resident = 0xffffffffu;
-const float tile_size = 256.0, tile_border = 4.0, tile_content = 248.0;
-const int mask_level = 1;
+layout(std430, binding = photos_buffer) readonly buffer Photos { Photo photos[]; };
+// Per tile: layer in the low 16 bits, above it how far the tile has faded in, 0 to 255; or not_resident.
+layout(std430, binding = pages_buffer) readonly buffer Pages { uint pages[]; };
+layout(binding = color_tiles_unit) uniform sampler2DArray color_tiles;
+layout(binding = mask_tiles_unit) uniform sampler2DArray mask_tiles;
+layout(binding = depth_tiles_unit) uniform sampler2DArray depth_tiles;
+layout(binding = thumbnails_unit) uniform sampler2DArray thumbnails;
+
+const float tile_size = float(tile_texels), tile_border = float(tile_border_texels), tile_content = float(tile_content_texels);
 
 #ifdef TRACE_TEXELS
-// A bit a texel of the colour, mask and depth layers, one sort after the other: which of them a picture is made of.
-layout(std430, binding = 5) buffer Touched { uint touched[]; };
-layout(location = 10) uniform uvec2 first_layers;  // of masks and of depth
+// One bit per texel of all color layers, then all mask layers, then all depth layers: set if the picture reads it.
+layout(std430, binding = touched_buffer) buffer Touched { uint touched[]; };
+layout(location = first_layers_uniform) uniform uvec2 first_layers;  // of masks and of depth
 void touch(uint first_layer, vec3 at) {
     ivec2 texel = ivec2(floor(at.xy * tile_size - 0.5));
     for (int i = 0; i < 4; ++i) {
         uvec2 t = uvec2(clamp(texel + ivec2(i & 1, i >> 1), ivec2(0), ivec2(int(tile_size) - 1)));
-        uint bit = (first_layer + uint(at.z)) * 65536u + t.y * 256u + t.x;
+        uint bit = ((first_layer + uint(at.z)) * uint(tile_texels) + t.y) * uint(tile_texels) + t.x;
         atomicOr(touched[bit >> 5], 1u << (bit & 31u));
     }
 }
@@ -40,7 +27,7 @@ void touch(uint first_layer, vec3 at) {
 
 ivec2 level_size(vec2 size, int level) { return (ivec2(size) + (1 << level) - 1) >> level; }
 
-// Which tile of a level holds a texel position, and where in the array layer it lies.
+// The tile of a level that holds a texel position, and the position in the tile's array layer.
 struct TilePlace {
     uint page;
     vec2 coordinate;
@@ -62,8 +49,8 @@ vec4 thumbnail_at(uint photo, vec2 pixel) {
     return textureLod(thumbnails, vec3(at, t.x), 0.0);
 }
 
-// Linear colour at a photo pixel on one level. A tile that is fading in lets the next coarser one that is resident
-// shine through; the thumbnail stands for every level that is no finer.
+// Linear color at a photo pixel on one level. A tile that is fading in is mixed with the next coarser resident one; the
+// thumbnail replaces all levels of its own resolution and coarser.
 vec4 color_at_level(uint photo, int level, vec2 pixel) {
     vec2 size = photos[photo].size_weight.xy;
     int levels = int(photos[photo].size_weight.z);
@@ -88,7 +75,7 @@ vec4 color_at_level(uint photo, int level, vec2 pixel) {
     return open < 1.0 ? c / (1.0 - open) : vec4(0.0);
 }
 
-// Trilinear between the two levels around `lod`.
+// Linear color, trilinear between the two levels around `lod`.
 vec4 color_at(uint photo, vec2 pixel, float lod) {
     lod = clamp(lod, 0.0, photos[photo].size_weight.z - 1.0);
     int fine = int(lod);
@@ -97,14 +84,14 @@ vec4 color_at(uint photo, vec2 pixel, float lod) {
     return mix_in > 0.0 ? mix(c, color_at_level(photo, fine + 1, pixel), mix_in) : c;
 }
 
-// The tile of masks and depth at a photo pixel: the level that `lod` asks for, or the next coarser that is resident.
+// Masks and depth at a photo pixel, on the level that `lod` asks for or the next coarser resident one.
 struct MaskPlace {
     vec3 coordinate;
     int level;  // -1: none is resident
 };
 MaskPlace mask_place(uint photo, vec2 pixel, float lod) {
-    int end = max(int(photos[photo].size_weight.z), mask_level + 1);
-    for (int l = clamp(int(lod), mask_level, end - 1); l < end; ++l) {
+    int end = max(int(photos[photo].size_weight.z), first_mask_level + 1);
+    for (int l = clamp(int(lod), first_mask_level, end - 1); l < end; ++l) {
         TilePlace p = tile_place(photos[photo].size_weight.xy, l, pixel / float(1 << l), photos[photo].mask_base[l]);
         uint entry = pages[p.page];
         if (entry == not_resident) continue;
@@ -120,7 +107,7 @@ MaskPlace mask_place(uint photo, vec2 pixel, float lod) {
 // Angle, depth, border and consensus mask.
 vec4 masks_at(MaskPlace at) { return textureLod(mask_tiles, at.coordinate, 0.0); }
 
-// The smallest and the largest of the four depths around a photo pixel; +inf beside the model.
+// The smallest and the largest of the four depths around a photo pixel; +inf where the photo shows no surface.
 vec2 depths_at(MaskPlace at) {
     vec4 z = textureGather(depth_tiles, at.coordinate);
     return vec2(min(min(z.x, z.y), min(z.z, z.w)), max(max(z.x, z.y), max(z.z, z.w)));

@@ -1,17 +1,19 @@
-// Sums become a colour, one sample of each pixel: divide, and add it up with how much of the pixel it shows. A sample
-// without weight is a hole, whatever its colour would be.
-layout(location = 0) out vec4 accumulated;
-layout(binding = 4) uniform sampler2D sums;
-layout(binding = 5) uniform sampler2D surface;
-layout(location = 0) uniform bool is_best;   // sums already hold a colour
-layout(location = 1) uniform bool fill;      // shade holes and the background
-layout(location = 2) uniform vec3 background;
-layout(location = 3) uniform float most;     // counting: how many photos the brightest colour stands for; else 0
-layout(location = 4) uniform vec3 exposure;  // in which colours are shown, of the mean photo's
-layout(location = 5) uniform vec3 falloff;   // of the lens through which they are shown: ln, times r^2, r^4, r^6
-layout(location = 6) uniform vec3 lens;      // its principal point and 1 over half its diagonal, in pixels
+// Turns sums into colors, one sample of each pixel: divides, and adds the color to the pixel's samples with weight 1. A
+// sample without weight is a hole, whatever its color.
+#include "contract.glsl"
 
-// Dark blue over green to yellow, after viridis (van der Walt and Smith 2015), in linear light.
+layout(location = 0) out vec4 accumulated;
+layout(binding = sums_unit) uniform sampler2D sums;
+layout(binding = surface_unit) uniform sampler2D surface;
+layout(location = is_best_uniform) uniform bool is_best;        // the sums hold a color already
+layout(location = fill_uniform) uniform bool fill;              // shade holes, and fill the background
+layout(location = background_uniform) uniform vec3 background;  // linear
+layout(location = most_uniform) uniform float most;             // coverage: number of photos of the brightest color; else 0
+layout(location = exposure_uniform) uniform vec3 exposure;      // to show colors in, relative to the mean photo's
+layout(location = falloff_uniform) uniform vec3 falloff;        // of the lens shown through: ln, times r^2, r^4, r^6
+layout(location = lens_uniform) uniform vec3 lens;              // principal point, pixels; 2 / diagonal, 1/pixels
+
+// Dark blue through green to yellow, after viridis (van der Walt and Smith 2015), in linear light.
 vec3 count_color(float share) {
     const vec3 stops[5] = vec3[](vec3(0.058, 0.0, 0.089), vec3(0.042, 0.084, 0.258), vec3(0.014, 0.279, 0.262),
                                  vec3(0.114, 0.584, 0.119), vec3(0.983, 0.799, 0.019));

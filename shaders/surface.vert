@@ -1,10 +1,12 @@
-// The bare model: depth before the passes, and the plain shading shown where no photo sees.
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 3) in uvec2 of_draw;  // its first triangle; photos
-layout(location = 0) uniform mat4 clip_from_origin;
+// The bare model: depth for the blending passes, and plain shading for holes.
+#include "contract.glsl"
+
+layout(location = position_attribute) in vec3 position;
+layout(location = normal_attribute) in vec3 normal;
+layout(location = draw_attribute) in uvec2 of_draw;  // first triangle; photos
+layout(location = clip_from_origin_uniform) uniform mat4 clip_from_origin;
 #ifdef VERTEX_COLORS
-layout(location = 2) in vec4 color;
+layout(location = color_attribute) in vec4 color;
 out vec4 surface_color;
 #endif
 out vec3 surface_position;

@@ -6,11 +6,7 @@
 
 #include "pipeline/commands/apply_config.h"
 #include "pipeline/commands/commands.h"
-#include "pipeline/settings/config_files.h"
-#include "player/measure/bench.h"
-#include "player/measure/evaluate.h"
-#include "player/options.h"
-#include "player/verify/verify.h"
+#include "player/commands/commands.h"
 #include "scene/error.h"
 #include "temporary_folder.h"
 
@@ -90,13 +86,14 @@ TEST(Options, NoNumberMayBeNan) {
     for (const auto add :
          {add_prepare, add_merge, add_refine, add_info, add_check, add_diff, add_extract, add_synth})
         add(app, run);
-    vantage::Options options;
+    ShowOptions options;
     BenchOptions b;
     EvaluateOptions e;
     VerifyOptions v;
-    add_options(player, options);
-    add_bench_options(bench, b);
-    add_evaluate_options(evaluate, e);
+    UnusedOptions unused_by_bench, unused_by_evaluate;
+    add_show_options(player, options);
+    add_bench_options(bench, b, unused_by_bench);
+    add_evaluate_options(evaluate, e, unused_by_evaluate);
     add_verify_options(verify, v);
     for (CLI::App* a : {&app, &player, &bench, &evaluate, &verify}) expect_nan_refused(*a);
 }

@@ -19,7 +19,7 @@
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "player/render/picture.h"
-#include "player/shots.h"
+#include "player/camera/shots.h"
 #include "scene/package_reader.h"
 #include "temporary_folder.h"
 

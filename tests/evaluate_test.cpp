@@ -120,7 +120,7 @@ TEST_F(Evaluate, AgainstAnEarlierOneShowsWhatHasChanged) {
     EvaluateOptions options;
     options.folder = dir / "before";
     options.level = 2;
-    options.player.photos = {"0002"};
+    options.package.photos = {"0002"};
     ASSERT_EQ(run_evaluate(package, options), 0);
     options.against = options.folder;
     EXPECT_THROW(run_evaluate(package, options), Error) << "it would be overwritten";
@@ -130,7 +130,7 @@ TEST_F(Evaluate, AgainstAnEarlierOneShowsWhatHasChanged) {
     EXPECT_FALSE(fs::exists(options.folder / "0002-better.png") ||
                  fs::exists(options.folder / "0002-worse.png"));
     options.folder = dir / "average";
-    options.player.render.blend = Blend::average;
+    options.blending.render.blend = Blend::average;
     ASSERT_EQ(run_evaluate(package, options), 0);
     EXPECT_TRUE(fs::exists(options.folder / "0002-worse.png")) << "an average of all is blurred somewhere";
     options.level = 1;

@@ -6,15 +6,15 @@
 #include <random>
 #include <set>
 
-#include "player/navigation.h"
+#include "player/camera/navigation.h"
 #include "player/plan/cluster_tree.h"
 #include "player/plan/normal_clusters.h"
 #include "player/plan/photo_cover.h"
 #include "player/plan/sampling.h"
 #include "player/plan/shown_tiles.h"
 #include "player/plan/tile_needs.h"
-#include "player/render/weights.h"
-#include "player/shots.h"
+#include "player/plan/weights.h"
+#include "player/camera/shots.h"
 #include "player/stream/layer_pool.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
@@ -274,7 +274,7 @@ TEST(LayerPool, HoldsTheMostRecentlyUsedAndNeverDropsWhatTheFrameUses) {
             std::set<std::uint32_t> layers;
             for (const std::uint32_t p : order) layers.insert(*pool.layer_of(p));
             ASSERT_EQ(layers.size(), order.size()) << "two pages in one layer";
-            ASSERT_EQ(pool.room(frame),
+            ASSERT_EQ(pool.available(frame),
                       7 - std::ranges::count_if(order, [&](auto p) { return used[p] == frame; }));
         }
 }
@@ -365,7 +365,7 @@ TEST(Weights, FiniteAtEveryExponent) {
             WeightSettings s;
             s.exponent = exponent;
             s.angle_per_photo = per_photo;
-            s.fov_normalisation = per_photo;
+            s.fov_normalization = per_photo;
             const auto w = dynamic_weights(view, photos, s);
             for (const double x : w) EXPECT_TRUE(x > 0 && x <= 1) << x;
             if (!per_photo) {
@@ -383,7 +383,7 @@ TEST(Weights, FieldOfViewMovesAWideAngleCameraCloser) {
     tele.fx = tele.fy = 2 * wide.fx;
     View view = view_of_photo(wide, 1);
     WeightSettings s;
-    s.fov_normalisation = true;
+    s.fov_normalization = true;
     const auto w = dynamic_weights(view, std::vector{wide, tele}, s);
     EXPECT_NEAR(w[1], 1, 1e-9) << "d' = d tan(f/2) / tan(f'/2) puts it on the view";
 }

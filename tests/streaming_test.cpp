@@ -12,7 +12,7 @@
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/synth/synthesise.h"
-#include "player/camera_path.h"
+#include "player/camera/camera_path.h"
 #include "player/render/picture.h"
 #include "player/render/renderer.h"
 #include "scene/error.h"

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/quantile.h"
+
 namespace vantage {
 namespace {
 
@@ -216,13 +218,6 @@ void centre(Model& m, const std::vector<std::uint32_t>& component, const std::ve
     m.gain = m.gain.cwiseMax(-std::log(most_gain)).cwiseMin(std::log(most_gain));
 }
 
-double median(std::vector<float>& values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return double(*middle);
-}
-
 /// Each photo of a disc against the next.
 void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<double>& of_photo) {
     std::vector<float> differences;
@@ -238,8 +233,8 @@ void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<do
             by_photo[b.photo].push_back(float(d));
         }
     });
-    all = median(differences);
-    for (std::size_t i = 0; i < of_photo.size(); ++i) of_photo[i] = median(by_photo[i]);
+    all = double(upper_median(std::span(differences)));
+    for (std::size_t i = 0; i < of_photo.size(); ++i) of_photo[i] = double(upper_median(std::span(by_photo[i])));
 }
 
 }  // namespace

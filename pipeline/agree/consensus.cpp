@@ -15,6 +15,7 @@
 #include "scene/error.h"
 #include "scene/srgb.h"
 #include "scene/tiling.h"
+#include "scene/quantile.h"
 
 namespace vantage {
 namespace {
@@ -62,10 +63,7 @@ bool shown_at(const ConsensusView& v, const Eigen::Vector3f& p, Shown& out) {
     return true;
 }
 
-float median(std::array<float, most_others>& v, std::size_t n) {
-    std::nth_element(v.begin(), v.begin() + std::ptrdiff_t(n / 2), v.begin() + std::ptrdiff_t(n));
-    return v[n / 2];
-}
+float median(std::array<float, most_others>& v, std::size_t n) { return upper_median(std::span(v).first(n)); }
 
 /// 0 to 1, of a colour among what others show in its place.
 float weight_among(const float* ln, const std::array<Shown, most_others>& others, std::size_t n) {

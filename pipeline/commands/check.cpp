@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct CheckOptions {
     std::vector<std::string> files;
     std::string junit;
     CheckDepth depth;
@@ -28,12 +28,12 @@ struct Checked {
 };
 
 /// Of one package, the folder itself; of several, the folder in it that is called like the package.
-fs::path inputs_of(const Options& o, const fs::path& file) {
+fs::path inputs_of(const CheckOptions& o, const fs::path& file) {
     if (o.depth.against.empty() || o.files.size() == 1) return o.depth.against;
     return o.depth.against / file.stem();
 }
 
-Checked check_one(const Options& o, IdentityCache& identities, const std::string& file) {
+Checked check_one(const CheckOptions& o, IdentityCache& identities, const std::string& file) {
     CheckDepth depth = o.depth;
     depth.against = inputs_of(o, file);
     depth.identities = &identities;
@@ -55,7 +55,7 @@ void print_lines(const Checked& c, bool deep) {
     std::fflush(stdout);
 }
 
-void print_json(const std::vector<Checked>& all) {
+void print_issues_json(const std::vector<Checked>& all) {
     nlohmann::json out{{"packages", nlohmann::json::array()}};
     for (const Checked& c : all) {
         nlohmann::json issues = nlohmann::json::array();
@@ -66,7 +66,7 @@ void print_json(const std::vector<Checked>& all) {
     fmt::print("{}\n", out.dump(1));
 }
 
-int run_check(const Options& o) {
+int run_check(const CheckOptions& o) {
     IdentityCache identities(usual_identity_cache(), o.rehash);
     std::vector<Checked> all;
     std::vector<Issue> issues;
@@ -78,7 +78,7 @@ int run_check(const Options& o) {
         cases.push_back({file, kind == Exit::ok ? "" : kind_name(kind), all_text(c.issues), c.seconds});
         if (!o.json) print_lines(c, o.depth.deep);
     }
-    if (o.json) print_json(all);
+    if (o.json) print_issues_json(all);
     if (!o.junit.empty()) write_junit(o.junit, "vantage check", cases);
     return int(worst(issues));
 }
@@ -86,7 +86,7 @@ int run_check(const Options& o) {
 }  // namespace
 
 void add_check(CLI::App& app, Run& run) {
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<CheckOptions>();
     CLI::App* c = app.add_subcommand("check", "Check that packages are whole, sound, current and complete");
     c->footer(
         "Examples:\n  vantage check chapel.vantage\n"

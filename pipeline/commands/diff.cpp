@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-struct Options {
+struct DiffOptions {
     std::string a, b, folder;
     bool json = false;
 };
@@ -27,7 +27,7 @@ void print_json(const std::vector<Difference>& all) {
     fmt::print("{}\n", out.dump(1));
 }
 
-int run_diff(const Options& o) {
+int run_diff(const DiffOptions& o) {
     const PackageReader a(o.a), b(o.b);
     const std::vector<Difference> all = diff(a, b);
     if (!o.folder.empty()) write_difference_pictures(a, b, o.folder);
@@ -38,7 +38,7 @@ int run_diff(const Options& o) {
 }  // namespace
 
 void add_diff(CLI::App& app, Run& run) {
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<DiffOptions>();
     CLI::App* c = app.add_subcommand("diff", "Say what differs between two packages, artefact by artefact");
     c->footer(
         "Examples:\n  vantage diff chapel.vantage chapel-new.vantage\n"

@@ -5,7 +5,7 @@
 namespace vantage {
 namespace {
 
-struct Options {
+struct ExtractOptions {
     std::string file, out;
     std::vector<std::string> photos;
 };
@@ -13,7 +13,7 @@ struct Options {
 }  // namespace
 
 void add_extract(CLI::App& app, Run& run) {
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<ExtractOptions>();
     CLI::App* c =
         app.add_subcommand("extract", "Write a package's photos, masks, depth and mesh as ordinary files");
     c->footer("Example:\n  vantage extract chapel.vantage -o chapel-files --photo 0003");

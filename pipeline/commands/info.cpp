@@ -9,7 +9,7 @@
 namespace vantage {
 namespace {
 
-struct Options {
+struct InfoOptions {
     std::string file;
     bool json = false;
 };
@@ -47,7 +47,7 @@ nlohmann::json describe_package(const PackageReader& reader) {
     return out;
 }
 
-void print(const nlohmann::json& j) {
+void print_package(const nlohmann::json& j) {
     fmt::print("{}\n{} vertices, {} triangles in {} clusters, {} photos, {:.1f} MB\n\neffects\n",
                j["tool"].get<std::string>(), j["vertices"].get<std::uint64_t>(),
                j["triangles"].get<std::uint64_t>(), j["clusters"].get<std::uint64_t>(), j["photos"].size(),
@@ -70,7 +70,7 @@ void print(const nlohmann::json& j) {
 }  // namespace
 
 void add_info(CLI::App& app, Run& run) {
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<InfoOptions>();
     CLI::App* c = app.add_subcommand("info", "Say what a package holds, which effects it calls for and why");
     c->footer("Example:\n  vantage info --json chapel.vantage");
     c->add_option("FILE", o->file, "the package")->required();
@@ -81,7 +81,7 @@ void add_info(CLI::App& app, Run& run) {
             if (o->json)
                 fmt::print("{}\n", j.dump(1));
             else
-                print(j);
+                print_package(j);
             return 0;
         };
     });

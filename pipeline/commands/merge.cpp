@@ -10,13 +10,13 @@
 namespace vantage {
 namespace {
 
-struct Options {
+struct MergeOptions {
     std::vector<std::string> shares;
     std::string out, progress = "auto";
     bool remove = false;
 };
 
-int run_merge(const Options& o) {
+int run_merge(const MergeOptions& o) {
     {
         ProgressLine line(progress_style(o.progress));
         merge({o.shares.begin(), o.shares.end()}, o.out, shown_until_signal(line));
@@ -31,7 +31,7 @@ int run_merge(const Options& o) {
 }  // namespace
 
 void add_merge(CLI::App& app, Run& run) {
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<MergeOptions>();
     CLI::App* c = app.add_subcommand("merge", "Join the shares of a preparation into one package");
     c->footer(
         "Each share comes from 'vantage prepare INPUT -o SHARE --shard i/n', on whatever machine; the result "

@@ -31,7 +31,7 @@
 namespace vantage {
 namespace {
 
-struct Options {
+struct PrepareOptions {
     std::string input, mesh, cameras, photos, out, distance = "auto", resampling = "cubic",
                                                    render_by = "auto", config;
     std::string progress = "auto", share, trace, report, refine = "full";
@@ -55,7 +55,7 @@ void force_effect(const std::string& text, std::map<Effect, EffectChoice>& choic
         throw Error(Exit::usage, "--effect " + text + ": expected " + row.option + "=on, off or auto");
 }
 
-InputFiles input_files(const Options& o) {
+InputFiles input_files(const PrepareOptions& o) {
     InputFiles files;
     if (!o.input.empty()) files = discover(o.input);
     if (!o.mesh.empty()) files.mesh = o.mesh;
@@ -78,7 +78,7 @@ Share share(const std::string& text) {
 }
 
 /// What the package there lacks, if it is what this run would make; else nothing.
-std::optional<std::vector<UnusablePhoto>> current(const Options& o, const InputFiles& files,
+std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const InputFiles& files,
                                                   IdentityCache& identities) {
     if (!std::filesystem::exists(o.out)) return {};
     try {
@@ -127,7 +127,7 @@ void print_needs(const ResourceEstimate& n) {
     std::fflush(stdout);
 }
 
-PrepareResult prepare_shown(const Options& o, const SceneInput& scene, IdentityCache& identities,
+PrepareResult prepare_shown(const PrepareOptions& o, const SceneInput& scene, IdentityCache& identities,
                             Trace& trace) {
     ProgressLine line(progress_style(o.progress));
     const PrepareRun run{&stop_on_signals(), o.strict, &identities, share(o.share), &trace, print_needs};
@@ -135,7 +135,7 @@ PrepareResult prepare_shown(const Options& o, const SceneInput& scene, IdentityC
         scene, o.settings, o.out, [&](const Progress& p) { line.show(p); }, run);
 }
 
-std::filesystem::path report_file(const Options& o) {
+std::filesystem::path report_file(const PrepareOptions& o) {
     return o.report.empty() ? std::filesystem::path(o.out).replace_extension(".html")
                             : std::filesystem::path(o.report);
 }
@@ -145,7 +145,7 @@ SceneInput read_traced(const InputFiles& files, Trace& trace) {
     return read_scene(files);
 }
 
-int run_prepare(Options o) {
+int run_prepare(PrepareOptions o) {
     o.settings.distance = distance_method(o.distance);
     o.settings.resampling = resampling(o.resampling);
     o.settings.render_by = render_by(o.render_by);
@@ -186,7 +186,7 @@ int run_prepare(Options o) {
 }  // namespace
 
 void add_prepare(CLI::App& app, Run& run) {
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<PrepareOptions>();
     CLI::App* c = app.add_subcommand("prepare", "Prepare a mesh and its photos into one package");
     c->footer(
         "Examples:\n  vantage prepare scans/chapel -o chapel.vantage\n"

@@ -14,7 +14,7 @@
 namespace vantage {
 namespace {
 
-struct Options {
+struct RefineOptions {
     std::string file, out, progress = "auto";
     std::map<Effect, std::string> effects;  ///< of those that depend on all photos
 };
@@ -23,7 +23,7 @@ EffectChoice choice(const std::string& text) {
     return text == "on" ? EffectChoice::on : text == "off" ? EffectChoice::off : EffectChoice::automatic;
 }
 
-int run_refine(const Options& o) {
+int run_refine(const RefineOptions& o) {
     const std::string out = o.out.empty() ? o.file : o.out;
     {
         ProgressLine line(progress_style(o.progress));
@@ -44,7 +44,7 @@ int run_refine(const Options& o) {
 }  // namespace
 
 void add_refine(CLI::App& app, Run& run) {
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<RefineOptions>();
     CLI::App* c = app.add_subcommand("refine", "Settle anew how the photos of a package agree");
     c->footer(
         "Tiles are copied, and photos compared by what the package holds of them; only what comes from "

@@ -9,10 +9,10 @@
 namespace vantage {
 
 void add_synth(CLI::App& app, Run& run) {
-    struct Options {
+    struct SynthOptions {
         std::string spec, out;
     };
-    auto o = std::make_shared<Options>();
+    auto o = std::make_shared<SynthOptions>();
     CLI::App* c = app.add_subcommand("synth", "Make a synthetic scene with known truth from a specification");
     c->footer("Example:\n  vantage synth data/demo.toml -o demo-scene");
     c->add_option("SPEC", o->spec, "TOML specification, see data/")->required();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/pixels/simd.h"
+#include "scene/quantile.h"
 
 namespace vantage {
 namespace {
@@ -45,9 +46,7 @@ std::optional<DepthSummary> summarize_depths(std::span<const float> z) {
     for (std::size_t i = 0; i < z.size(); i += z.size() / 16384 | 1)  // odd: no column of the map by itself
         if (std::isfinite(z[i])) some.push_back(z[i]);
     if (some.empty()) some.push_back(out.nearest);
-    const auto middle = some.begin() + std::ptrdiff_t(some.size() / 2);
-    std::nth_element(some.begin(), middle, some.end());
-    out.median = *middle;
+    out.median = upper_median(std::span(some));
     return out;
 }
 

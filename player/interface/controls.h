@@ -3,26 +3,40 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
-/// ImGui's controls by name. Where asked, the place of each on the screen is noted, so that a script can
-/// press what a person would press.
-namespace vantage::controls {
+namespace vantage {
 
-/// Forgets the last frame's places.
-void begin_frame();
-/// The item just made is called `name`.
-void note(const char* name);
-/// Writes the number of the frame, then "name x y width height" a line, in window pixels; replaces the file
-/// at once.
-void write_places(const std::filesystem::path& file);
+/// ImGui's controls by name. Notes the position of each control of a frame, so that a script can press what a
+/// person would press.
+class Controls {
+  public:
+    /// Forgets the previous frame's positions.
+    void begin_frame();
+    /// Notes the position of ImGui's last item under `name`.
+    void note(const char* name);
+    /// Writes the number of the frame, then one line "name x y width height" per control, in window pixels
+    /// and separated by tabs. Replaces the file atomically.
+    void write_places(const std::filesystem::path& file) const;
 
-bool button(const char* name);
-bool checkbox(const char* name, bool* value);
-bool radio(const char* name, int* value, int choice);
-bool slider(const char* name, int* value, int low, int high);
-bool slider(const char* name, double* value, double low, double high, const char* format = "%.2f",
-            ImGuiSliderFlags flags = 0);
-bool combo(const char* name, int* value, const char* const names[], int count);
-bool menu_item(const char* name, const char* key, bool selected = false);
+    bool button(const char* name);
+    bool checkbox(const char* name, bool* value);
+    bool radio(const char* name, int* value, int choice);
+    bool slider(const char* name, int* value, int low, int high);
+    bool slider(const char* name, double* value, double low, double high, const char* format = "%.2f",
+                ImGuiSliderFlags flags = 0);
+    bool combo(const char* name, int* value, const char* const names[], int count);
+    bool menu_item(const char* name, const char* key, bool selected = false);
+    /// Whether the menu is open; if so, ImGui::EndMenu() must follow.
+    bool menu(const char* name);
 
-}  // namespace vantage::controls
+  private:
+    struct Place {
+        std::string name;
+        ImVec2 low, high;
+    };
+    std::vector<Place> places_;
+    long frame_ = 0;
+};
+
+}  // namespace vantage

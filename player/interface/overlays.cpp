@@ -7,8 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "player/interface/controls.h"
-
 namespace vantage {
 namespace {
 
@@ -27,7 +25,7 @@ double scene_size(const PlanScene& scene) {
     return (all.high - all.low).norm();
 }
 
-/// A line between two points relative to the origin, cut at the viewer.
+/// A line between two points relative to the origin, clipped in front of the viewer.
 void line(ImDrawList& list, const View& view, Eigen::Vector3d a, Eigen::Vector3d b, ImU32 color,
           float width) {
     const Pose& pose = view.cam_from_origin;
@@ -55,7 +53,8 @@ void draw_frusta(const Session& s, const Renderer& renderer, const View& view) {
         const Intrinsics& k = scene.intrinsics[i];
         const Pose& pose = scene.poses[i];
         const Eigen::Vector3d center = pose.center();
-        if ((center - view.cam_from_origin.center()).norm() < 0.02 * length) continue;  // stands in it
+        if ((center - view.cam_from_origin.center()).norm() < 0.02 * length)
+            continue;  // the viewer stands in it
         const bool used = in_use(renderer, i);
         const ImU32 color = weight_color(weights.distance[i], weights.angle[i], used ? 1.0f : 0.45f);
         std::array<Eigen::Vector3d, 4> corner;
@@ -71,7 +70,7 @@ void draw_frusta(const Session& s, const Renderer& renderer, const View& view) {
     }
 }
 
-void radar_panel(Session& s, const Renderer& renderer, const View& view, double now) {
+void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const View& view, double now) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x - 252, screen.y - 412), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize(ImVec2(240, 262), ImGuiCond_FirstUseEver);
@@ -107,7 +106,7 @@ void radar_panel(Session& s, const Renderer& renderer, const View& view, double 
         list.AddCircleFilled(at, size / 4, color);
     };
     ImGui::InvisibleButton("##radar", ImVec2(side, side));
-    controls::note("Radar map");
+    controls.note("Radar map");
     const bool clicked = ImGui::IsItemClicked();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     std::uint32_t nearest = 0;

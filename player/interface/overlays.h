@@ -1,14 +1,17 @@
 #pragma once
+#include "player/interface/controls.h"
+#include "player/interface/session.h"
 #include "player/render/renderer.h"
-#include "player/session.h"
 
 namespace vantage {
 
-/// The photos' cameras in the scene, drawn over it: greener the nearer, redder the closer in direction [M];
-/// the ones in use filled with their thumbnails' outline stronger.
+/// Draws the photos' frusta over the scene: greener the nearer, redder the more similar in direction [M];
+/// brighter and thicker if in use.
 void draw_frusta(const Session& session, const Renderer& renderer, const View& view);
 
-/// From above [P]: the model's extent, the cameras with what they look at, and the viewer.
-void radar_panel(Session& session, const Renderer& renderer, const View& view, double now);
+/// A map from above [P]: the model's extent, the cameras with their directions, and the viewer. A click flies
+/// to that photo.
+void radar_panel(Controls& controls, Session& session, const Renderer& renderer, const View& view,
+                 double now);
 
 }  // namespace vantage

@@ -14,12 +14,6 @@
 namespace vantage {
 namespace {
 
-using controls::checkbox;
-using controls::combo;
-using controls::menu_item;
-using controls::radio;
-using controls::slider;
-
 constexpr float MiB = 1024 * 1024;
 
 void section(const char* title) {
@@ -29,81 +23,81 @@ void section(const char* title) {
 }
 
 template <class Enum>
-void choice(const char* name, Enum& value, const char* const names[], int count) {
+void choice(Controls& c, const char* name, Enum& value, const char* const names[], int count) {
     int index = int(value);
-    if (combo(name, &index, names, count)) value = Enum(index);
+    if (c.combo(name, &index, names, count)) value = Enum(index);
 }
 
-void blend_section(RenderSettings& r) {
+void blend_section(Controls& c, RenderSettings& r) {
     int blend = int(r.blend);
-    radio("Lumigraph", &blend, int(Blend::lumigraph));
+    c.radio("Lumigraph", &blend, int(Blend::lumigraph));
     ImGui::SameLine();
-    radio("Average", &blend, int(Blend::average));
+    c.radio("Average", &blend, int(Blend::average));
     ImGui::SameLine();
-    radio("Best photo", &blend, int(Blend::best));
+    c.radio("Best photo", &blend, int(Blend::best));
     r.blend = Blend(blend);
-    slider("Sharpness", &r.weights.sharpness, 0.01, 1.0, "%.3f rad", ImGuiSliderFlags_Logarithmic);
-    slider("Exponent", &r.weights.exponent, 0.0, 32.0, "%.1f");
-    checkbox("Consensus", &r.consensus);
+    c.slider("Sharpness", &r.weights.sharpness, 0.01, 1.0, "%.3f rad", ImGuiSliderFlags_Logarithmic);
+    c.slider("Exponent", &r.weights.exponent, 0.0, 32.0, "%.1f");
+    c.checkbox("Consensus", &r.consensus);
     ImGui::SameLine();
-    checkbox("Fill holes", &r.fill_holes);
+    c.checkbox("Fill holes", &r.fill_holes);
 }
 
-void weight_section(Session& s, const Renderer& renderer) {
+void weight_section(Controls& c, Session& s, const Renderer& renderer) {
     WeightSettings& w = s.settings.weights;
-    checkbox("Distance", &w.distance);
+    c.checkbox("Distance", &w.distance);
     ImGui::SameLine(150);
-    checkbox("Angle", &w.angle);
-    checkbox("Angle mask", &w.angle_mask);
+    c.checkbox("Angle", &w.angle);
+    c.checkbox("Angle mask", &w.angle_mask);
     ImGui::SameLine(150);
-    checkbox("Depth mask", &w.depth_mask);
-    checkbox("Border mask", &w.border_mask);
+    c.checkbox("Depth mask", &w.depth_mask);
+    c.checkbox("Border mask", &w.border_mask);
     ImGui::SameLine(150);
     ImGui::BeginDisabled(!effect_on(renderer.package().scene(), Effect::consensus));
-    checkbox("Consensus mask", &w.consensus_mask);
+    c.checkbox("Consensus mask", &w.consensus_mask);
     ImGui::EndDisabled();
-    checkbox("Angle by photo", &w.angle_per_photo);
+    c.checkbox("Angle by photo", &w.angle_per_photo);
     ImGui::SameLine(150);
-    checkbox("Field of view", &w.fov_normalisation);
-    checkbox("Corrected", &w.corrected_directions);
-    if (checkbox("Freeze weights", &s.freeze)) {
+    c.checkbox("Field of view", &w.fov_normalization);
+    c.checkbox("Corrected", &w.corrected_directions);
+    if (c.checkbox("Freeze weights", &s.freeze)) {
         s.settings.weights_from.reset();
         if (s.freeze) s.settings.weights_from = view_of(s.camera, 1280, 720);
     }
 }
 
-void photo_section(Session& s, const Renderer& renderer) {
+void photo_section(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
     static const char* const choices[] = {"cover what is seen", "nearest", "direction",
                                           "direction and normals"};
-    choice("Choose", r.choice, choices, 4);
-    slider("Photos", &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));
-    slider("Per pass", &r.photos_per_pass, 1, most_photos_per_pass);
-    slider("Angle limit", &r.angle_limit, 10.0, 180.0, "%.0f deg");
+    choice(c, "Choose", r.choice, choices, 4);
+    c.slider("Photos", &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));
+    c.slider("Per pass", &r.photos_per_pass, 1, most_photos_per_pass);
+    c.slider("Angle limit", &r.angle_limit, 10.0, 180.0, "%.0f deg");
     static const char* const coordinates[] = {"as the scene asks", "per vertex", "per fragment"};
-    choice("Coordinates", r.coordinates, coordinates, 3);
+    choice(c, "Coordinates", r.coordinates, coordinates, 3);
 }
 
-/// Only where the photos' exposures were made to agree.
-void exposure_section(Session& s, const Renderer& renderer) {
+/// Only if the package's exposures were refined.
+void exposure_section(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
     const package::SceneRecord& scene = renderer.package().scene();
     if (!effect_on(scene, Effect::exposure) && !effect_on(scene, Effect::falloff)) return;
-    checkbox("Equal exposure", &r.refined_colors);
+    c.checkbox("Equal exposure", &r.refined_colors);
     ImGui::SameLine(150);
     bool own = r.exposure.has_value();
-    if (checkbox("This photo's", &own)) r.exposure.reset();
+    if (c.checkbox("This photo's", &own)) r.exposure.reset();
     if (own) r.exposure = s.standing_at;
 }
 
-void show_section(Session& s, const Renderer& renderer) {
+void show_section(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
-    exposure_section(s, renderer);
+    exposure_section(c, s, renderer);
     static const char* const shows[] = {"photos", "which photo", "how many photos"};
-    choice("Show", r.show, shows, 3);
+    choice(c, "Show", r.show, shows, 3);
     static const char* const compares[] = {"nothing", "side by side", "wiper", "difference"};
-    choice("Compare", r.compare, compares, 4);
-    if (r.compare == Compare::wiper) slider("Wiper", &r.wiper, 0.0, 1.0);
+    choice(c, "Compare", r.compare, compares, 4);
+    if (r.compare == Compare::wiper) c.slider("Wiper", &r.wiper, 0.0, 1.0);
 }
 
 void budget_bar(const char* name, double held, double budget) {
@@ -141,22 +135,17 @@ void set_style() {
         }
 }
 
-void menu_bar(Session& s, const Renderer& renderer, double now) {
+void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
     if (!ImGui::BeginMainMenuBar()) return;
-    const auto menu = [](const char* name) {
-        const bool open = ImGui::BeginMenu(name);
-        controls::note(name);
-        return open;
-    };
-    if (menu("File")) {
-        if (menu_item("Open...", "O")) s.open_asked = true;
-        if (menu_item("Screenshot", "P")) s.screenshot = true;
-        if (menu_item("Quit", "Esc")) s.quit = true;
+    if (c.menu("File")) {
+        if (c.menu_item("Open...", "O")) s.open_asked = true;
+        if (c.menu_item("Screenshot", "P")) s.screenshot = true;
+        if (c.menu_item("Quit", "Esc")) s.quit = true;
         ImGui::EndMenu();
     }
-    if (menu("View")) {
-        const auto toggle = [](const char* name, const char* key, bool& shown) {
-            if (menu_item(name, key, shown)) shown = !shown;
+    if (c.menu("View")) {
+        const auto toggle = [&](const char* name, const char* key, bool& shown) {
+            if (c.menu_item(name, key, shown)) shown = !shown;
         };
         toggle("Blending", "F2", s.panels.blending);
         toggle("Status", "F3", s.panels.status);
@@ -165,16 +154,16 @@ void menu_bar(Session& s, const Renderer& renderer, double now) {
         toggle("Radar", "F6", s.panels.radar);
         ImGui::EndMenu();
     }
-    if (menu("Path")) {
-        if (menu_item("Record", "R", s.recording)) {
+    if (c.menu("Path")) {
+        if (c.menu_item("Record", "R", s.recording)) {
             s.recording = !s.recording;
             if (s.recording) s.recorded.clear();
         }
-        if (menu_item("Replay", "T")) replay(s, now);
+        if (c.menu_item("Replay", "T")) replay(s, now);
         ImGui::EndMenu();
     }
-    if (menu("Help")) {
-        if (menu_item("Mouse and keys", "F1", s.panels.help)) s.panels.help = !s.panels.help;
+    if (c.menu("Help")) {
+        if (c.menu_item("Mouse and keys", "F1", s.panels.help)) s.panels.help = !s.panels.help;
         ImGui::EndMenu();
     }
     ImGui::TextDisabled("   %s", renderer.package().path().filename().c_str());
@@ -182,20 +171,20 @@ void menu_bar(Session& s, const Renderer& renderer, double now) {
     ImGui::EndMainMenuBar();
 }
 
-void blending_panel(Session& s, const Renderer& renderer) {
+void blending_panel(Controls& c, Session& s, const Renderer& renderer) {
     ImGui::SetNextWindowPos(ImVec2(12, 40), ImGuiCond_FirstUseEver);
-    // Down to the photo strip; what does not fit is scrolled.
+    // As high as the space above the photo strip; the rest scrolls.
     ImGui::SetNextWindowSizeConstraints(
         ImVec2(0, 0), ImVec2(FLT_MAX, std::max(120.0f, ImGui::GetIO().DisplaySize.y - 150)));
     if (ImGui::Begin("Blending", &s.panels.blending, ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::PushItemWidth(190);
-        blend_section(s.settings);
+        blend_section(c, s.settings);
         section("Weights");
-        weight_section(s, renderer);
+        weight_section(c, s, renderer);
         section("Photos");
-        photo_section(s, renderer);
+        photo_section(c, s, renderer);
         section("Show");
-        show_section(s, renderer);
+        show_section(c, s, renderer);
         ImGui::PopItemWidth();
     }
     ImGui::End();
@@ -210,18 +199,18 @@ void status_panel(const Session& s, const Renderer& renderer) {
         ImGui::PlotLines("##frames", s.frame_ms.data(), int(s.frame_ms.size()), 0, "", 0,
                          std::max(1.0f, highest * 1.1f), ImVec2(322, 56));
         const FrameStatistics& f = s.statistics;
-        ImGui::Text("%.1f ms a frame, median %.1f", f.mean, f.median);
+        ImGui::Text("%.1f ms per frame, median %.1f", f.mean, f.median);
         ImGui::Text("99 %% below %.1f, 99.9 %% below %.1f", f.p99, f.p999);
         const FrameReport& r = s.report;
         ImGui::Text("%zu photos in %zu passes, %zu draws", r.photos, r.passes, r.draws);
-        ImGui::Text("%zu tiles, %zu to come; %.1f MiB uploaded", r.tiles, r.tiles_missing,
+        ImGui::Text("%zu tiles, %zu missing; %.1f MiB uploaded", r.tiles, r.tiles_missing,
                     double(r.uploaded) / double(MiB));
         const Residency& held = renderer.store().residency();
         budget_bar("graphics", double(gl::memory_held()), double(renderer.graphics_budget()));
         budget_bar("tiles", double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
                    double(held.layout().bytes()));
         if (r.tiles_damaged)
-            ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), "%zu damaged tiles left out", r.tiles_damaged);
+            ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), "%zu damaged tiles not shown", r.tiles_damaged);
     }
     ImGui::End();
 }
@@ -231,14 +220,14 @@ void help_panel(Session& s) {
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
     if (ImGui::Begin("Mouse and keys", &s.panels.help,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
-        static const char* const lines[][2] = {{"drag", "turn about the model"},
+        static const char* const lines[][2] = {{"drag", "orbit the model"},
                                                {"drag, right button", "look around"},
-                                               {"drag, middle button", "move aside"},
-                                               {"wheel", "come nearer, go away"},
-                                               {"W A S D, Q E", "fly; with Shift faster"},
+                                               {"drag, middle button", "pan"},
+                                               {"wheel", "move closer or away"},
+                                               {"W A S D, Q E", "fly; faster with Shift"},
                                                {"N, B", "fly to the next or previous photo"},
                                                {"C", "compare: side by side, wiper, difference"},
-                                               {"V", "show photos, which photo, how many"},
+                                               {"V", "show photos, which photo, how many photos"},
                                                {"1 2 3", "lumigraph, average, best photo"},
                                                {"R, T", "record a path, replay it"},
                                                {"O", "open another package (or drop it here)"},
@@ -254,7 +243,7 @@ void help_panel(Session& s) {
     ImGui::End();
 }
 
-void open_dialog(Session& s, const Renderer& renderer) {
+void open_dialog(Controls& c, Session& s, const Renderer& renderer) {
     if (s.open_asked) ImGui::OpenPopup("Open a package");
     s.open_asked = false;
     if (!ImGui::BeginPopupModal("Open a package", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
@@ -266,17 +255,17 @@ void open_dialog(Session& s, const Renderer& renderer) {
         if (entry.path().extension() != ".vantage") continue;
         const std::string name = entry.path().filename().string();
         const bool chosen = ImGui::Selectable(name.c_str(), false, ImGuiSelectableFlags_DontClosePopups);
-        controls::note(name.c_str());
+        c.note(name.c_str());
         if (chosen) std::snprintf(typed.data(), typed.size(), "%s", entry.path().c_str());
     }
     ImGui::SetNextItemWidth(420);
     ImGui::InputText("##file", typed.data(), typed.size());
-    if (controls::button("Open") && typed[0]) {
+    if (c.button("Open") && typed[0]) {
         s.open = typed.data();
         ImGui::CloseCurrentPopup();
     }
     ImGui::SameLine();
-    if (controls::button("Cancel")) ImGui::CloseCurrentPopup();
+    if (c.button("Cancel")) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

@@ -1,19 +1,20 @@
 #pragma once
+#include "player/interface/controls.h"
+#include "player/interface/session.h"
 #include "player/render/renderer.h"
-#include "player/session.h"
 
 namespace vantage {
 
-/// Colours, roundness, and a font that can be read, where the system has it.
+/// ImGui's colors and shapes, and DejaVu Sans if the system has it.
 void set_style();
 
-void menu_bar(Session& session, const Renderer& renderer, double now);
-void blending_panel(Session& session, const Renderer& renderer);
+void menu_bar(Controls& controls, Session& session, const Renderer& renderer, double now);
+void blending_panel(Controls& controls, Session& session, const Renderer& renderer);
 void status_panel(const Session& session, const Renderer& renderer);
 void help_panel(Session& session);
-/// Asks for a package to open: those beside this one, or any by its name.
-void open_dialog(Session& session, const Renderer& renderer);
-/// The session's message, where there is one.
+/// Asks for a package to open: lists those in this one's folder, and takes any path.
+void open_dialog(Controls& controls, Session& session, const Renderer& renderer);
+/// The session's message, if there is one.
 void message_line(const Session& session, double now);
 
 }  // namespace vantage

@@ -8,8 +8,6 @@
 #include <numeric>
 #include <string>
 
-#include "player/interface/controls.h"
-
 namespace vantage {
 
 PhotoStrip::~PhotoStrip() { forget(); }
@@ -19,7 +17,7 @@ void PhotoStrip::forget() {
     pictures_.clear();
 }
 
-/// A layer of the thumbnails as a texture that ImGui can show: as stored, since the window is not sRGB.
+/// A layer of the thumbnails as a texture for ImGui: without sRGB decoding, since the window is not sRGB.
 GLuint PhotoStrip::picture(const Residency& residency, std::uint32_t layer) {
     if (array_ != residency.thumbnails()) {
         forget();
@@ -35,7 +33,7 @@ GLuint PhotoStrip::picture(const Residency& residency, std::uint32_t layer) {
     return view;
 }
 
-void PhotoStrip::show(Session& s, Renderer& renderer, const View& view, double now) {
+void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const View& view, double now) {
     const PlanScene& scene = renderer.scene();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     constexpr float height = 64;
@@ -44,7 +42,7 @@ void PhotoStrip::show(Session& s, Renderer& renderer, const View& view, double n
     ImGui::Begin("##photos", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_HorizontalScrollbar);
-    // Not in the middle of a flight or a click: what people aim at must not run away.
+    // Not during a flight, nor under the pointer: a target must not move while it is being clicked.
     if (ranked_at_ < 0 || (now - ranked_at_ > 0.5 && !s.flight && !ImGui::IsWindowHovered())) {
         agreements_ = agreements(scene, view);
         ranked_at_ = now;
@@ -61,7 +59,7 @@ void PhotoStrip::show(Session& s, Renderer& renderer, const View& view, double n
         const std::string name = std::string("Photo ") + std::to_string(n + 1);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const bool clicked = ImGui::InvisibleButton(name.c_str(), ImVec2(width, height));
-        controls::note(name.c_str());
+        controls.note(name.c_str());
         if (!ImGui::IsItemVisible()) continue;
         const bool hovered = ImGui::IsItemHovered();
         renderer.want_thumbnail(order[n]);
@@ -83,7 +81,7 @@ void PhotoStrip::show(Session& s, Renderer& renderer, const View& view, double n
             list.AddRect(at, end, ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, 1)), 0, 0,
                          hovered ? 4.0f : 2.5f);
         if (hovered)
-            ImGui::SetTooltip("%s, %ux%u, agrees to %.0f %%", p.name, p.width, p.height,
+            ImGui::SetTooltip("%s, %ux%u, agreement %.0f %%", p.name, p.width, p.height,
                               100 * agreements_[order[n]]);
         if (clicked) fly_to(s, order[n], p, now);
     }

@@ -8,14 +8,14 @@ namespace vantage {
 namespace {
 
 constexpr int gap = 4;                ///< px between pictures side by side
-constexpr double least_change = 3.0;  ///< grey levels, root of the mean square over a place
+constexpr double least_change = 3.0;  ///< gray levels, root mean square over a place
 
-/// Sums over all pixels above and to the left: one row and column more than the picture.
+/// An integral image: sums over all pixels above and to the left, one row and column more than the picture.
 class Integral {
   public:
     Integral(int width, int height)
         : width_(width + 1), sums_(std::size_t(width + 1) * std::size_t(height + 1)) {}
-    /// In reading order.
+    /// To be called in reading order.
     void add(int x, int y, double value) {
         at(x + 1, y + 1) = value + at(x, y + 1) + at(x + 1, y) - at(x, y);
     }
@@ -38,7 +38,7 @@ double squares(const Picture& photo, const Picture& picture, const PictureScore&
     return sum;
 }
 
-/// By how much each pixel's squared difference fell.
+/// The decrease of each pixel's squared difference.
 Integral gained(const Picture& photo, const Picture& before, const Picture& after, const Change& change,
                 const std::vector<bool>& scored) {
     Integral out(photo.width, photo.height);
@@ -53,7 +53,7 @@ Integral gained(const Picture& photo, const Picture& before, const Picture& afte
     return out;
 }
 
-/// The place, a sixth of the picture's longer side along each of its own, with the largest sum.
+/// The square with the largest sum, with sides of one sixth of the picture's longer side.
 template <class Sum>
 std::optional<Place> largest(const Picture& like, const Sum& sum) {
     const int side = std::max(std::max(like.width, like.height) / 6, 48);

@@ -6,10 +6,9 @@
 #include <fstream>
 
 #include "gl/context.h"
+#include "player/camera/shots.h"
 #include "player/measure/evaluation_page.h"
 #include "player/measure/left_out.h"
-#include "player/offscreen.h"
-#include "player/shots.h"
 #include "scene/error.h"
 #include "scene/make_folder.h"
 
@@ -22,7 +21,7 @@ void write_pictures(const std::filesystem::path& folder, const LeftOut& r, const
     write_png(folder / (r.name + "-difference.png"), p.difference);
 }
 
-/// What has changed since an earlier evaluation, where that one has the photo.
+/// The change since an earlier evaluation, if that has the photo.
 void compare(const EvaluateOptions& o, LeftOut& r, const LeftOutPictures& p) {
     const std::filesystem::path file = o.against / (r.name + "-rendered.png");
     if (!std::filesystem::exists(file)) return;
@@ -31,7 +30,7 @@ void compare(const EvaluateOptions& o, LeftOut& r, const LeftOutPictures& p) {
         throw Error(Exit::input, file.string() + ": is " + std::to_string(before.width) + "x" +
                                      std::to_string(before.height) + ", expected " +
                                      std::to_string(p.photo.width) + "x" + std::to_string(p.photo.height) +
-                                     " as with this --level");
+                                     " (the size at this --level)");
     std::vector<bool> both = scored_pixels(before);
     for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] && p.scored[i];
     r.change = change_of(p.photo, before, p.rendered, both);
@@ -46,7 +45,7 @@ void write_photos(const std::filesystem::path& file, const std::vector<LeftOut>&
            "shift_down,sharpness\n";
     for (const LeftOut& r : results)
         out << r.name << ',' << r.score.pixels << ',' << r.score.psnr << ',' << r.score.psnr_gain << ','
-            << r.score.ssim << ',' << r.over_nearest << ',' << r.coloured << ',' << r.score.gain[0] << ','
+            << r.score.ssim << ',' << r.over_nearest << ',' << r.colored << ',' << r.score.gain[0] << ','
             << r.score.gain[1] << ',' << r.score.gain[2] << ',' << r.shift[0] << ',' << r.shift[1] << ','
             << r.score.sharpness << '\n';
     if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
@@ -62,21 +61,22 @@ void write_regions(const std::filesystem::path& file, const PackageReader& packa
     for (std::size_t c = 0; c < regions.size(); ++c) {
         if (regions[c].pixels == 0) continue;
         for (std::size_t i = 0; i < 3; ++i) out << clusters[c].center[i] + origin[i] << ',';
-        out << clusters[c].radius << ',' << regions[c].pixels << ',' << regions[c].uncoloured << ','
+        out << clusters[c].radius << ',' << regions[c].pixels << ',' << regions[c].uncolored << ','
             << regions[c].rms() << '\n';
     }
     if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
 }
 
-/// Green to red over 0 to 40 grey levels, blue where photos see what no other shows, grey where none looks.
+/// Green to red for 0 to 40 gray levels, blue where mostly no other photo shows what a photo sees, gray where
+/// no photo was compared.
 std::array<int, 3> error_color(const RegionError& r) {
     if (r.pixels == 0) return {128, 128, 128};
-    if (2 * r.uncoloured > r.pixels) return {60, 90, 255};
+    if (2 * r.uncolored > r.pixels) return {60, 90, 255};
     const double t = std::clamp(r.rms() / 40, 0.0, 1.0);
     return {int(255 * std::min(1.0, 2 * t)), int(255 * std::min(1.0, 2 - 2 * t)), 40};
 }
 
-/// The model as ASCII PLY, a colour a triangle, relative to the package's origin.
+/// The model as ASCII PLY, one color per triangle, relative to the package's origin.
 void write_model(const std::filesystem::path& file, const PackageReader& package,
                  const std::vector<RegionError>& regions) {
     const auto positions = package.records<Eigen::Vector3f>(package::Type::positions);
@@ -100,7 +100,7 @@ void write_model(const std::filesystem::path& file, const PackageReader& package
 
 void print(const LeftOut& r) {
     std::printf("%-20s %7.2f %7.2f %7.4f %+7.2f %7.1f %+7.2f %+6.2f %+6.2f %7.2f\n", r.name.c_str(),
-                r.score.psnr, r.score.psnr_gain, r.score.ssim, r.over_nearest, 100 * r.coloured, r.stops,
+                r.score.psnr, r.score.psnr_gain, r.score.ssim, r.over_nearest, 100 * r.colored, r.stops,
                 r.shift[0], r.shift[1], r.score.sharpness);
     std::fflush(stdout);
 }
@@ -116,11 +116,11 @@ void print_means(const std::vector<LeftOut>& results) {
         mean.score.ssim += r.score.ssim;
         mean.score.sharpness += r.score.sharpness;
         mean.over_nearest += r.over_nearest;
-        mean.coloured += r.coloured;
+        mean.colored += r.colored;
     }
     if (n == 0) return;
     std::printf("%-20s %7.2f %7.2f %7.4f %+7.2f %7.1f %29.2f\n", "mean", mean.score.psnr / n,
-                mean.score.psnr_gain / n, mean.score.ssim / n, mean.over_nearest / n, 100 * mean.coloured / n,
+                mean.score.psnr_gain / n, mean.score.ssim / n, mean.over_nearest / n, 100 * mean.colored / n,
                 mean.score.sharpness / n);
 }
 
@@ -152,10 +152,10 @@ void print_remarks(const std::vector<LeftOut>& results) {
             std::printf("%s: %s\n", results[i].name.c_str(), s.c_str());
 }
 
-/// The photos to leave out: those asked for, or every n-th; without those that have no pixels.
+/// The photos to leave out: those of --photo, or every n-th; without photos that have no pixels.
 std::vector<std::uint32_t> photos_to_leave_out(const PackageReader& package, const EvaluateOptions& o,
                                                const std::vector<std::uint32_t>& in_use) {
-    std::vector<std::uint32_t> out = named_photos(package, o.player.photos);
+    std::vector<std::uint32_t> out = named_photos(package, o.package.photos);
     if (out.empty())
         for (std::size_t i = 0; i < in_use.size(); i += std::size_t(o.every)) out.push_back(in_use[i]);
     std::erase_if(out, [&](std::uint32_t p) { return package.photos()[p].levels == 0; });
@@ -166,7 +166,7 @@ void expect_earlier(const EvaluateOptions& o) {
     if (o.against.empty()) return;
     if (!std::filesystem::is_directory(o.against))
         throw Error(Exit::input,
-                    o.against.string() + ": is not a folder, expected that of an earlier evaluation");
+                    o.against.string() + ": not a folder, expected that of an earlier evaluation");
     std::error_code none;
     if (std::filesystem::equivalent(o.against, o.folder, none))
         throw Error(Exit::usage,
@@ -175,56 +175,20 @@ void expect_earlier(const EvaluateOptions& o) {
 
 }  // namespace
 
-void add_evaluate_options(CLI::App& app, EvaluateOptions& o) {
-    add_options(app, o.player);
-    const std::string group = "Evaluation";
-    app.add_option("--level", o.level, "pyramid level that is compared: 0 full size, 1 half")
-        ->check(CLI::Range(0, 8))
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--every", o.every, "leave out every n-th photo only (or those of --photo)")
-        ->check(CLI::Range(1, 1 << 20))
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--worst", o.worst, "photos whose pictures come first")
-        ->check(CLI::Range(0, 1 << 20))
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--against", o.against,
-                   "folder of an earlier evaluation: shows what has changed, photo by photo, and where most")
-        ->group(group);
-    app.footer(
-        "Writes index.html, photos.csv, regions.csv, regions.ply and pictures into the folder given by -o "
-        "(default\n"
-        "evaluation).\n"
-        "Columns: PSNR, PSNR after the gain a channel that fits best, SSIM; dB over the nearest photo "
-        "alone;\n"
-        "per cent of the photo's surface that the others colour; stops brighter than the others; content "
-        "lies\n"
-        "px to the right and down of the others' (full size); energy of the finest detail over the photo's.\n"
-        "Examples:\n"
-        "  vantage-player evaluate chapel.vantage\n"
-        "  vantage-player evaluate chapel.vantage --every 10 --level 2 -o quick\n"
-        "  vantage-player evaluate chapel.vantage --blend average --photo 0003 0007\n"
-        "  vantage-player evaluate chapel.vantage --original-colors -o before\n"
-        "  vantage-player evaluate chapel.vantage -o after --against before");
-}
-
 int run_evaluate(const PackageReader& package, EvaluateOptions o) {
-    if (!o.player.out.empty()) o.folder = o.player.out;
-    o.player.offscreen = true;
-    const std::vector<std::uint32_t> photos = photos_in_use(package, o.player);
+    if (!o.output.file.empty()) o.folder = o.output.file;
+    const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
     const std::vector<std::uint32_t> left_out = photos_to_leave_out(package, o, photos);
     if (left_out.empty()) throw Error(Exit::input, package.path().string() + ": no photo to leave out");
     expect_earlier(o);
     make_folder(o.folder);
-    const RenderSettings settings = render_settings(package, o.player);
+    const RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);
     const gl::HeadlessContext context;
-    Renderer renderer(package, memory_budget(o.player));
+    Renderer renderer(package, memory_budget(o.memory));
     std::vector<LeftOut> results;
     std::vector<RegionError> regions(renderer.scene().clusters.size());
     std::printf("%-20s %7s %7s %7s %7s %7s %7s %6s %6s %7s\n", "photo", "PSNR", "gain", "SSIM", "nearest",
-                "colour%", "stops", "right", "down", "sharp");
+                "color%", "stops", "right", "down", "sharp");
     for (const std::uint32_t p : left_out) {
         LeftOutPictures pictures;
         const int level = std::min(o.level, int(package.photos()[p].levels) - 1);

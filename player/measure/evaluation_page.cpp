@@ -47,7 +47,7 @@ void row(std::ostream& out, const LeftOut& r, std::initializer_list<std::string>
 void row(std::ostream& out, const LeftOut& r) {
     row(out, r,
         {number("%.2f", r.score.psnr), number("%.2f", r.score.psnr_gain), number("%.4f", r.score.ssim),
-         number("%+.2f", r.over_nearest), number("%.1f %%", 100 * r.coloured), number("%+.2f", r.stops),
+         number("%+.2f", r.over_nearest), number("%.1f %%", 100 * r.colored), number("%+.2f", r.stops),
          number("%+.2f", r.shift[0]), number("%+.2f", r.shift[1]), number("%.2f", r.score.sharpness)},
         remarks(r));
 }
@@ -69,12 +69,12 @@ void crop(std::ostream& out, const std::string& name, const char* kind, const ch
         << '-' << kind << ".png'></figure>\n";
 }
 
-/// What has changed since an earlier evaluation; "" without one.
+/// The changes since an earlier evaluation, if there is one.
 void changes(std::ostream& out, const std::vector<LeftOut>& results) {
     const std::vector<std::size_t> order = by_change(results);
     if (order.empty()) return;
-    out << "<h2>Against the earlier evaluation</h2>\n<p>After gains, over the pixels that both colour; the "
-           "greatest loss first. Crops: the photo, before, now.</p>\n<table><tr><th>photo<th>before, "
+    out << "<h2>Against the earlier evaluation</h2>\n<p>After gains, over the pixels that both color; the "
+           "largest loss first. Crops: the photo, before, now.</p>\n<table><tr><th>photo<th>before, "
            "dB<th>now"
            "<th>change<th>SSIM<th>sharp before<th>now<th></tr>\n";
     for (const std::size_t i : order) {
@@ -119,12 +119,11 @@ void write_evaluation_page(const std::filesystem::path& folder, const std::strin
     std::ofstream out(folder / "index.html");
     out << "<!doctype html><html lang=en><meta charset=utf-8><title>" << escaped(title) << "</title>\n<style>"
         << style << "</style>\n<h1>" << escaped(title)
-        << "</h1>\n<p>Each photo was left out, rendered from its camera with the others, and compared with "
-           "itself. "
-           "Left to right: the photo, the picture, their difference after the gain that fits best (black: "
-           "none, "
-           "white: a quarter of the range, grey: nothing shown).</p>\n"
-           "<table><tr><th>photo<th>PSNR, dB<th>after gain<th>SSIM<th>over nearest, dB<th>coloured<th>stops"
+        << "</h1>\n<p>Each photo was left out, its view rendered from the others, and compared with the "
+           "photo. "
+           "Left to right: the photo, the picture, their difference after the best gain (black: none, "
+           "white: a quarter of the range, gray: nothing shown).</p>\n"
+           "<table><tr><th>photo<th>PSNR, dB<th>after gain<th>SSIM<th>over nearest, dB<th>colored<th>stops"
            "<th>right, px<th>down, px<th>sharp<th></tr>\n";
     for (const LeftOut& r : results) row(out, r);
     out << "</table>\n";

@@ -5,12 +5,13 @@
 #include <cstdio>
 
 #include "player/measure/photo_pixels.h"
+#include "scene/quantile.h"
 #include "scene/tiling.h"
 
 namespace vantage {
 namespace {
 
-/// Pixels of the level behind which the photo has a surface, by its own masks.
+/// The level's pixels that show a surface, by the photo's own masks.
 std::vector<bool> surface_pixels(const PackageReader& package, std::uint32_t photo, int level,
                                  const Picture& like) {
     const int last = mask_levels_end(int(package.photos()[photo].levels)) - 1;
@@ -28,13 +29,13 @@ std::vector<bool> surface_pixels(const PackageReader& package, std::uint32_t pho
     return out;
 }
 
-double coloured_share(const Picture& p, const std::vector<bool>& surface) {
-    std::size_t all = 0, coloured = 0;
+double colored_share(const Picture& p, const std::vector<bool>& surface) {
+    std::size_t all = 0, colored = 0;
     for (std::size_t i = 0; i < surface.size(); ++i) {
         all += surface[i];
-        coloured += surface[i] && p.rgba[4 * i + 3] >= 128;
+        colored += surface[i] && p.rgba[4 * i + 3] >= 128;
     }
-    return all ? double(coloured) / double(all) : 0;
+    return all ? double(colored) / double(all) : 0;
 }
 
 void add_regions(const PlanScene& scene, std::span<const std::uint32_t> triangles, const LeftOutPictures& p,
@@ -46,7 +47,7 @@ void add_regions(const PlanScene& scene, std::span<const std::uint32_t> triangle
         RegionError& r = regions[clusters[i]];
         ++r.pixels;
         if (p.rendered.rgba[4 * i + 3] < 128) {
-            ++r.uncoloured;
+            ++r.uncolored;
             continue;
         }
         for (std::size_t c = 0; c < 3; ++c)
@@ -65,13 +66,6 @@ double over_nearest(Renderer& renderer, RenderSettings settings, std::span<const
     return a.psnr_gain - b.psnr_gain;
 }
 
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
 template <class... Args>
 std::string text(const char* format, Args... args) {
     char out[160];
@@ -82,7 +76,7 @@ std::string text(const char* format, Args... args) {
 }  // namespace
 
 double RegionError::rms() const {
-    return pixels > uncoloured ? std::sqrt(squares / (3.0 * double(pixels - uncoloured))) : 0;
+    return pixels > uncolored ? std::sqrt(squares / (3.0 * double(pixels - uncolored))) : 0;
 }
 
 LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<const std::uint32_t> photos,
@@ -103,13 +97,14 @@ LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<
     out.name = record.name;
     out.name = out.name.substr(0, out.name.rfind('.'));
     out.score = score(p.photo, p.rendered, p.scored);
-    out.coloured = coloured_share(p.rendered, surface_pixels(package, photo, level, p.rendered));
+    out.colored = colored_share(p.rendered, surface_pixels(package, photo, level, p.rendered));
     if (out.score.pixels > 0) {
         out.over_nearest = over_nearest(renderer, settings, others, view, p);
         out.shift = shift_of(p.photo, p.rendered, p.scored);
         for (double& s : out.shift) s *= 1 << level;
         const auto& g = out.score.gain;
-        out.stops = std::log2(std::max(1e-6, (g[0] + g[1] + g[2]) / 3)) * 2.2;  // of light, not of codes
+        out.stops =
+            std::log2(std::max(1e-6, (g[0] + g[1] + g[2]) / 3)) * 2.2;  // of linear light, not of sRGB codes
     }
     p.difference = difference_picture(p.photo, p.rendered, out.score);
     add_regions(renderer.scene(), triangles, p, out.score, regions);
@@ -119,23 +114,23 @@ LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<
 void remark(std::vector<LeftOut>& results) {
     std::vector<double> ssim, deviations;
     for (const LeftOut& r : results) ssim.push_back(r.score.ssim);
-    const double middle = median(ssim);
+    const double middle = upper_median(std::span(ssim));
     for (const double s : ssim) deviations.push_back(std::abs(s - middle));
-    const double usual = 1.4826 * median(deviations);
+    const double usual = 1.4826 * upper_median(std::span(deviations));
     for (LeftOut& r : results) {
         if (r.score.pixels == 0) {
             r.remarks.emplace_back("no other photo shows what it sees");
             continue;
         }
         const double off = std::hypot(r.shift[0], r.shift[1]);
-        if (off > 1) r.remarks.push_back(text("lies %.1f px off: its camera, or the mesh", off));
+        if (off > 1) r.remarks.push_back(text("offset by %.1f px: its camera, or the mesh", off));
         if (std::abs(r.stops) > 0.15)
             r.remarks.push_back(text("%.2f stops %s than the others", std::abs(r.stops),
                                      r.stops > 0 ? "brighter" : "darker"));
-        if (r.coloured < 0.95)
-            r.remarks.push_back(text("the others show %.0f %% of what it sees", 100 * r.coloured));
+        if (r.colored < 0.95)
+            r.remarks.push_back(text("the others show %.0f %% of what it sees", 100 * r.colored));
         if (r.remarks.empty() && r.score.ssim < middle - 3 * usual)
-            r.remarks.emplace_back("differs otherwise: something moved, shines, or the mesh is rough");
+            r.remarks.emplace_back("differs for another reason: motion, gloss, or a rough mesh");
     }
 }
 

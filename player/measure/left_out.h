@@ -9,39 +9,38 @@
 
 namespace vantage {
 
-/// One photo beside the picture that the others make from its camera.
+/// One photo compared with the picture of its view that the others give.
 struct LeftOut {
     std::uint32_t photo = 0;
-    std::string name;     ///< without extension
-    PictureScore score;   ///< of the coloured pixels
-    double coloured = 0;  ///< share of the photo's pixels with a surface behind them
-    double over_nearest =
-        0;  ///< dB, gains fitted, more than the nearest photo alone, where both show something
+    std::string name;         ///< without extension
+    PictureScore score;       ///< of the pixels with color
+    double colored = 0;       ///< share of the photo's pixels on the surface that have a color
+    double over_nearest = 0;  ///< dB above the nearest photo alone, gains fitted, over pixels that both color
     std::array<double, 2> shift{0, 0};  ///< photo pixels at full size, see shift_of
-    double stops = 0;                   ///< log2 of the photo's brightness over the picture's
-    std::vector<std::string> remarks;   ///< what is wrong with it, in words
+    double stops = 0;                   ///< log2 of the photo's brightness relative to the picture's
+    std::vector<std::string> remarks;   ///< likely problems
     std::optional<Change> change;       ///< since an earlier evaluation of the same photo
 };
 
-/// What photos say of a part of the model.
+/// The error of the pictures on a part of the model.
 struct RegionError {
-    std::size_t pixels = 0, uncoloured = 0;
-    double squares = 0;  ///< of differences after gains, over three channels
-    double rms() const;  ///< grey levels of 255; 0 where nothing is coloured
+    std::size_t pixels = 0, uncolored = 0;
+    double squares = 0;  ///< sum of squared differences after gains, over three channels
+    double rms() const;  ///< gray levels of 255; 0 if nothing is colored
 };
 
 struct LeftOutPictures {
     Picture photo, rendered, difference;
-    std::vector<bool> scored;  ///< pixels that both photo and rendered picture show
+    std::vector<bool> scored;  ///< one flag per pixel: both photo and rendered picture show it
 };
 
-/// Compares a photo with what the others (`photos` without it) make of its view, at a pyramid level, 2x2
-/// samples a pixel; adds to the errors of clusters.
+/// Compares a photo with its view rendered from the others (`photos` without it), at a pyramid level, with
+/// 2x2 samples per pixel; adds to the errors of the clusters.
 LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                   std::uint32_t photo, int level, std::vector<RegionError>& regions,
                   LeftOutPictures& pictures);
 
-/// Says of each what is wrong with it, beside the others.
+/// Adds remarks to the photos that are unusual among all results.
 void remark(std::vector<LeftOut>& results);
 
 }  // namespace vantage

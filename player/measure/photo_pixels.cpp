@@ -19,7 +19,7 @@ Picture level_of_photo(const PackageReader& package, package::Type type, std::ui
     for (int t = 0; t < size.tiles(); ++t) {
         if (!package.block_sound(*chunk, std::size_t(t)))
             throw Error(Exit::damaged, package.path().string() + ": " + describe(*chunk, package) +
-                                           ": tile " + std::to_string(t) + " has a wrong checksum");
+                                           ": tile " + std::to_string(t) + ": checksum mismatch");
         const std::span<const std::byte> tile = package.block(*chunk, std::size_t(t));
         const int x0 = t % size.columns() * tile_content, y0 = t / size.columns() * tile_content;
         const int width = std::min(tile_content, size.width - x0),

@@ -6,7 +6,7 @@
 namespace vantage {
 namespace {
 
-/// One value a pixel.
+/// One value per pixel.
 struct Plane {
     int width, height;
     std::vector<double> values;
@@ -16,7 +16,7 @@ struct Plane {
 
 Plane plane(const Picture& p) { return {p.width, p.height, std::vector<double>(p.rgba.size() / 4, 0)}; }
 
-/// BT.601 luminance, rounded as 8-bit pictures have it; the gains applied before.
+/// BT.601 luminance after gains, rounded as in 8-bit pictures.
 Plane luminance(const Picture& p, const std::array<double, 3>& gain = {1, 1, 1}) {
     Plane out = plane(p);
     for (std::size_t i = 0; i < out.values.size(); ++i)
@@ -35,7 +35,7 @@ std::array<double, 2 * window + 1> gaussian() {
     return g;
 }
 
-/// Weighted sums around every pixel; nothing beyond the frame.
+/// Gaussian-weighted sums around every pixel; 0 beyond the frame.
 Plane blurred(const Plane& p) {
     static const auto g = gaussian();
     Plane rows{p.width, p.height, std::vector<double>(p.values.size(), 0)}, out = rows;
@@ -75,8 +75,8 @@ double mean_ssim(const Picture& photo, const Picture& picture, const std::vector
     return sum / double(pixels);
 }
 
-/// Detail finer than half the Nyquist frequency: what the half-band filter of Deslauriers and Dubuc (1989)
-/// does not let through, along rows or columns.
+/// Energy above half the Nyquist frequency: what the half-band filter of Deslauriers and Dubuc (1989)
+/// removes, along rows and columns.
 double fine_energy(const Plane& p, const std::vector<bool>& scored) {
     constexpr std::array<double, 4> half{16 / 32.0, 9 / 32.0, 0, -1 / 32.0};
     constexpr int reach = int(half.size()) - 1;
@@ -98,7 +98,7 @@ double fine_energy(const Plane& p, const std::vector<bool>& scored) {
     return energy;
 }
 
-/// The least of the worst thousandth of the pixels' differences in their worst channel.
+/// The smallest difference among the worst thousandth of the pixels, each by its worst channel.
 double worst_thousandth(const Picture& photo, const Picture& picture, const std::vector<bool>& scored,
                         const std::array<double, 3>& gain) {
     std::vector<float> off;
@@ -127,7 +127,7 @@ std::vector<bool> scored_pixels(const Picture& p, int radius) {
         for (int x = 0; x < p.width; ++x) {
             if (p.rgba[4 * (row(y) + std::size_t(x)) + 3] >= 128) continue;
             for (int j = std::max(-radius, -y); j <= std::min(radius, p.height - 1 - y); ++j) {
-                // The disc's row, as wide as a circle through its outermost pixels rounds to.
+                // One row of the disc, its half-width rounded.
                 const int reach = int(std::lround(std::sqrt(double(radius * radius - j * j))));
                 for (int i = std::max(0, x - reach); i <= std::min(p.width - 1, x + reach); ++i)
                     out[row(y + j) + std::size_t(i)] = false;
@@ -174,11 +174,11 @@ std::array<double, 2> shift_of(const Picture& photo, const Picture& picture,
     for (int y = 1; y + 1 < a.height; ++y)
         for (int x = 1; x + 1 < a.width; ++x) {
             if (!scored[std::size_t(y) * std::size_t(a.width) + std::size_t(x)]) continue;
-            // Gradients of both, so that a shift is not underestimated where one is blurred.
+            // Gradients of both, so that a shift is not underestimated if one is blurred.
             const double gx = (a.at(x + 1, y) - a.at(x - 1, y) + b.at(x + 1, y) - b.at(x - 1, y)) / 4,
                          gy = (a.at(x, y + 1) - a.at(x, y - 1) + b.at(x, y + 1) - b.at(x, y - 1)) / 4,
                          t = a.at(x, y) - b.at(x, y);
-            // Strangers and highlights differ by much and tell nothing of the shift.
+            // Outliers, such as passers-by and highlights, carry no information about the shift.
             const double w = 1 / (1 + t * t / (9 * usual));
             xx += w * gx * gx, xy += w * gx * gy, yy += w * gy * gy, xt += w * gx * t, yt += w * gy * t;
         }
@@ -193,10 +193,10 @@ Picture difference_picture(const Picture& photo, const Picture& picture, const P
         double worst = 0;
         for (std::size_t c = 0; c < 3; ++c)
             worst = std::max(worst, std::abs(photo.rgba[i + c] - s.gain[c] * picture.rgba[i + c]));
-        const bool coloured = picture.rgba[i + 3] >= 128;
+        const bool colored = picture.rgba[i + 3] >= 128;
         for (std::size_t c = 0; c < 3; ++c)  // red first, then green, then blue: black, red, yellow, white
             out.rgba[i + c] =
-                coloured ? std::uint8_t(std::clamp(12 * worst - 255.0 * double(c), 0.0, 255.0)) : 40;
+                colored ? std::uint8_t(std::clamp(12 * worst - 255.0 * double(c), 0.0, 255.0)) : 40;
     }
     return out;
 }

@@ -9,33 +9,31 @@
 
 namespace vantage {
 
-/// How far a rendered picture is from the photo, over the pixels that are scored.
+/// The difference of a rendered picture from the photo, over the scored pixels.
 struct PictureScore {
-    std::size_t pixels = 0;  ///< scored; all else is 0 where there is none
+    std::size_t pixels = 0;  ///< scored; without any, all else is 0
     double psnr = 0;         ///< dB, 10 log10(255^2 / mean squared difference) over three channels
-    double psnr_gain =
-        0;  ///< the same, the picture times the gain a channel that fits best: exposure does not count
-    double ssim = 0;  ///< of luminance (Wang et al. 2004), windows normalised to the scored pixels
+    double psnr_gain = 0;    ///< the same after the best gain per channel: independent of exposure
+    double ssim = 0;         ///< of luminance (Wang et al. 2004), windows normalized to the scored pixels
     double sharpness =
-        0;  ///< energy of luminance above half the Nyquist frequency, over the photo's; 0 without any
-    double worst = 0;  ///< grey levels by which the worst 0.1 % of the pixels are off, or more; after gains
+        0;  ///< energy of luminance above half the Nyquist frequency, relative to the photo's; 0 if that is 0
+    double worst = 0;  ///< gray levels, after gains: the worst 0.1 % of the pixels differ by this or more
     std::array<double, 3> gain{1, 1, 1};
 };
 
-/// Pixels whose alpha is at least one half, but for those within `radius` of one that is not (the frame's
-/// edge does not count as one).
+/// Pixels with alpha of at least one half, eroded by `radius` (the frame's edge does not erode).
 std::vector<bool> scored_pixels(const Picture& picture, int radius = 3);
 
-/// Both pictures have the same size, and `scored` a flag a pixel.
+/// Both pictures have the same size; `scored`: one flag per pixel.
 PictureScore score(const Picture& photo, const Picture& picture, const std::vector<bool>& scored);
 
-/// By how many pixels the picture's content lies to the right of and below the photo's: least squares over
-/// the gradients (Lucas and Kanade 1981), after gains; {0, 0} where there is nothing to go by. For shifts of
-/// a few pixels.
+/// The shift of the picture's content relative to the photo's, in pixels to the right and down: least squares
+/// over the gradients (Lucas and Kanade 1981), after gains; {0, 0} without enough gradients. For shifts of a
+/// few pixels.
 std::array<double, 2> shift_of(const Picture& photo, const Picture& picture, const std::vector<bool>& scored);
 
-/// The largest difference of a pixel's channels, gains applied, as a picture from black over red to white (at
-/// a quarter of the range).
+/// The largest difference of each pixel's channels, gains applied, from black through red and yellow to white
+/// (a quarter of the range or more).
 Picture difference_picture(const Picture& photo, const Picture& picture, const PictureScore& score);
 
 }  // namespace vantage

@@ -5,14 +5,14 @@
 
 namespace vantage {
 
-/// A line of a plot: y over 0, 1, 2, ...
+/// A curve of a plot: values over 0, 1, 2, ...
 struct Curve {
     std::string name;
     std::vector<double> values;
 };
 
-/// Writes curves as an SVG picture with a vertical axis from 0 and a legend; below, `labels` of the values,
-/// or else the last frame's number. Throws Error(storage).
+/// Writes curves as an SVG picture with a vertical axis from 0 and a legend. The horizontal axis shows
+/// `labels`, one per value, or without any the last frame's number. Throws Error(storage).
 void write_plot(const std::filesystem::path& file, const std::string& title, const std::string& unit,
                 const std::vector<Curve>& curves, const std::vector<std::string>& labels = {});
 

@@ -9,7 +9,7 @@ namespace vantage {
 namespace {
 
 constexpr std::uint32_t leaf_clusters = 8;
-constexpr double rounding = 1e-12;  // of a distance from a plane, beside the lengths that it is made of
+constexpr double rounding = 1e-12;  // error of a distance from a plane, relative to its terms
 
 Eigen::Vector3d center(const package::ClusterRecord& c) { return {c.center[0], c.center[1], c.center[2]}; }
 
@@ -37,7 +37,7 @@ std::uint32_t add_node(ClusterTree& tree, std::span<const package::ClusterRecord
     return at;
 }
 
-/// Inside where normal.dot(p) + offset >= 0, relative to the origin.
+/// Inside: normal.dot(p) + offset >= 0, relative to the origin.
 struct Plane {
     Eigen::Vector3d normal;
     double offset;
@@ -104,7 +104,7 @@ std::vector<std::uint32_t> clusters_in_view(const ClusterTree& tree,
     return out;
 }
 
-bool looks_away(const package::ClusterRecord& c, const Eigen::Vector3d& eye) {
+bool faces_away(const package::ClusterRecord& c, const Eigen::Vector3d& eye) {
     const Eigen::Vector3d to = center(c) - eye, axis(c.cone_axis[0], c.cone_axis[1], c.cone_axis[2]);
     return c.cone_cutoff < 1 && to.dot(axis) >= c.cone_cutoff * to.norm() + c.radius;
 }

@@ -4,12 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "player/view.h"
+#include "player/camera/view.h"
 #include "scene/package_format.h"
 
 namespace vantage {
 
-/// Boxes over runs of consecutive clusters, halved down to a few; a parent stands before its children.
+/// A tree of boxes over runs of consecutive clusters, halved down to at most 8; parents precede their
+/// children.
 struct ClusterTree {
     struct Node {
         Eigen::Vector3d low, high;
@@ -20,15 +21,15 @@ struct ClusterTree {
 };
 ClusterTree make_cluster_tree(std::span<const package::ClusterRecord> clusters);
 
-/// Clusters whose bounding sphere reaches into the view, ascending: never one too few.
+/// Clusters whose bounding sphere intersects the view frustum, ascending; conservative.
 std::vector<std::uint32_t> clusters_in_view(const ClusterTree& tree,
                                             std::span<const package::ClusterRecord> clusters,
                                             const View& view);
 
-/// All triangles of the cluster look away from `eye`, by its normal cone.
-bool looks_away(const package::ClusterRecord& cluster, const Eigen::Vector3d& eye);
+/// All triangles of the cluster face away from `eye`, by its normal cone.
+bool faces_away(const package::ClusterRecord& cluster, const Eigen::Vector3d& eye);
 
-/// Near and far plane that hold the clusters' spheres, see clip_range.
+/// Near and far plane that enclose the clusters' bounding spheres, see clip_range.
 Eigen::Vector2d depth_range(std::span<const package::ClusterRecord> clusters,
                             std::span<const std::uint32_t> in_view, const View& view);
 

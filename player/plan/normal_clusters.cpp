@@ -17,7 +17,7 @@ Nearest nearest(const std::vector<NormalCluster>& clusters, const Eigen::Vector3
     return best;
 }
 
-/// Each next one as far as can be from those before.
+/// Normals, each as far as possible from those before it.
 std::vector<NormalCluster> far_apart(const std::vector<Eigen::Vector3d>& normals, std::size_t clusters) {
     std::vector<NormalCluster> out;
     if (!normals.empty() && clusters > 0) out.push_back({normals.front(), 0});
@@ -45,7 +45,7 @@ std::vector<NormalCluster> cluster_normals(std::span<const Eigen::Vector3d> all,
             sums[c] += n;
             ++out[c].members;
         }
-        for (std::size_t c = 0; c < out.size(); ++c)  // opposite normals may add up to nothing
+        for (std::size_t c = 0; c < out.size(); ++c)  // opposite normals may cancel out
             if (sums[c].norm() > 1e-9) out[c].direction = sums[c].normalized();
     }
     std::erase_if(out, [](const NormalCluster& c) { return c.members == 0; });

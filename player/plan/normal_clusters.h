@@ -11,9 +11,9 @@ struct NormalCluster {
     std::size_t members;
 };
 
-/// Spherical k-means (Dhillon and Modha 2001): at most `clusters` directions for unit `normals`, the one with
-/// the most members first. Starts from normals far apart and ends after `iterations`; empty clusters and
-/// normals that are no numbers are left out.
+/// Spherical k-means (Dhillon and Modha 2001): at most `clusters` directions of unit `normals`, by decreasing
+/// number of members. Starts from normals far apart and runs `iterations`; omits empty clusters and
+/// non-finite normals.
 std::vector<NormalCluster> cluster_normals(std::span<const Eigen::Vector3d> normals, std::size_t clusters,
                                            int iterations);
 

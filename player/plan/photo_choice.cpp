@@ -13,12 +13,12 @@ namespace {
 struct Candidate {
     std::uint32_t photo;
     double agreement, rank;
-    bool former;  ///< of the choice before this one
+    bool previous;  ///< part of the previous choice
 };
-constexpr double loyalty = 1.15;  // a newcomer must be better by this much
+constexpr double hysteresis = 1.15;  // factor by which a new photo must be better
 
-std::vector<Candidate> candidates(const Sight& s, std::span<const std::uint32_t> allowed, Choice choice,
-                                  std::span<const std::uint32_t> previous) {
+std::vector<Candidate> candidates(const VisibleSurface& s, std::span<const std::uint32_t> allowed,
+                                  Choice choice, std::span<const std::uint32_t> previous) {
     std::vector<Candidate> out;
     for (const std::uint32_t p : allowed) {
         const double a = agreement(s, p);
@@ -30,57 +30,56 @@ std::vector<Candidate> candidates(const Sight& s, std::span<const std::uint32_t>
             rank = std::max(1e-3, s.view.cam_from_origin.direction().dot(Eigen::Map<const Eigen::Vector3d>(
                                       s.scene.photos[p].corrected_direction))) *
                    std::max(0.01, s.scene.photos[p].hull_area);
-        const bool former = std::ranges::count(previous, p) > 0;
-        out.push_back({p, a, rank * (former ? loyalty : 1), former});
+        const bool chosen_before = std::ranges::count(previous, p) > 0;
+        out.push_back({p, a, rank * (chosen_before ? hysteresis : 1), chosen_before});
     }
     std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.rank > b.rank; });
     return out;
 }
 
-/// For the set cover: what each candidate adds, weighed by how well it agrees.
-CoverProblem cover_problem(const Sight& s, const std::vector<Candidate>& candidates) {
+/// The set cover of what is seen: one set per candidate, preferred by its rank.
+CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>& candidates) {
     CoverProblem problem;
-    const std::size_t step = std::max<std::size_t>(1, s.samples.size() / 16384);
-    for (std::size_t i = 0; i < s.samples.size(); i += step)
-        if (!problem.runs.empty() && problem.runs.back().first == s.samples[i])
+    const std::size_t step = std::max<std::size_t>(1, s.triangles.size() / 16384);
+    for (std::size_t i = 0; i < s.triangles.size(); i += step)
+        if (!problem.runs.empty() && problem.runs.back().first == s.triangles[i])
             ++problem.runs.back().area;
         else
-            problem.runs.push_back({s.samples[i], 1, 1});
-    // Where it is not known what is seen, some of the clusters tell enough to begin with.
+            problem.runs.push_back({s.triangles[i], 1, 1});
+    // While the visible triangles are unknown, some of the clusters in view are good enough.
     const std::size_t every = std::max<std::size_t>(1, s.clusters.size() / 128);
-    for (std::size_t i = 0; s.samples.empty() && i < s.clusters.size(); i += every) {
+    for (std::size_t i = 0; s.triangles.empty() && i < s.clusters.size(); i += every) {
         const package::ClusterRecord& c = s.scene.clusters[s.clusters[i]];
         problem.runs.push_back({c.first_triangle, c.triangles, s.areas[i] / c.triangles});
     }
     const std::size_t words = package::visible_words(s.scene.triangles);
     for (const Candidate& c : candidates) {
         const auto bits = s.scene.visible[c.photo];
-        // cover() takes a preference by its fourth root.
-        const double preference = c.rank * (c.former ? loyalty * loyalty * loyalty : 1);
+        // cover() uses the fourth root of a preference: here the hysteresis counts in full.
+        const double preference = c.rank * (c.previous ? hysteresis * hysteresis * hysteresis : 1);
         problem.sets.push_back({bits.first(words), bits.subspan(words, words), preference});
     }
     return problem;
 }
 
-/// Normals, towards the viewer, of what is seen and no chosen photo sees.
-std::vector<Eigen::Vector3d> uncovered_normals(const Sight& s, const std::vector<Candidate>& all,
+/// Normals, towards the viewer, of visible points that no chosen photo sees.
+std::vector<Eigen::Vector3d> uncovered_normals(const VisibleSurface& s, const std::vector<Candidate>& all,
                                                const std::vector<std::size_t>& chosen) {
     std::vector<Eigen::Vector3d> normals;
-    for (std::size_t i = 0; i < s.surface.samples.size(); ++i) {
-        const std::uint32_t t = s.surface.triangles[i];
+    for (std::size_t i = 0; i < s.points.samples.size(); ++i) {
+        const std::uint32_t t = s.points.triangles[i];
         if (std::ranges::any_of(chosen, [&](std::size_t c) { return sees(s.scene, all[c].photo, t); }))
             continue;
-        const SurfaceSample& sample = s.surface.samples[i];
+        const SurfaceSample& sample = s.points.samples[i];
         const Eigen::Vector3d n = sample.along_x.cross(sample.along_y).normalized();
         normals.push_back(n.dot(s.eye - sample.position) < 0 ? Eigen::Vector3d(-n) : n);
     }
     return normals;
 }
 
-/// [P]: for each of a few directions of what stays uncovered, the photo that looks against it the most. On
-/// the processor, over the samples that the plan has anyway: it took [P] a pass of its own and most of a
-/// frame.
-void add_against_normals(const Sight& s, const std::vector<Candidate>& all,
+/// [P]: clusters the normals of what is uncovered, and adds for each direction the photo that faces it best.
+/// On the CPU, over points that the plan has anyway; [P] needed an extra pass, most of a frame.
+void add_against_normals(const VisibleSurface& s, const std::vector<Candidate>& all,
                          std::vector<std::size_t>& chosen) {
     for (const NormalCluster& cluster : cluster_normals(uncovered_normals(s, all, chosen), 4, 5)) {
         std::size_t best = all.size();
@@ -100,7 +99,7 @@ void add_against_normals(const Sight& s, const std::vector<Candidate>& all,
 
 }  // namespace
 
-PhotoChoice choose_photos(const Sight& s, const PlanSettings& settings,
+PhotoChoice choose_photos(const VisibleSurface& s, const PlanSettings& settings,
                           std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous) {
     const std::vector<Candidate> all = candidates(s, allowed, settings.choice, previous);
     const auto wanted = settings.photos > 0 ? std::size_t(settings.photos) : all.size();

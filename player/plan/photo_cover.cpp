@@ -7,8 +7,8 @@
 namespace vantage {
 namespace {
 
-// A triangle that a chosen photo sees in part is mostly coloured: little is left of it even where another
-// photo sees it whole.
+// Weight of the rest of a triangle that a chosen photo sees in part and another one whole: most of it has a
+// color already.
 constexpr double rest_of_part = 0.25;
 constexpr double negligible = 1.6e-3;  // share of the area
 
@@ -23,7 +23,7 @@ void for_words(std::uint32_t first, std::uint32_t count, const Visit& visit) {
     }
 }
 
-/// What is still to be covered: triangles that some set sees whole, and that some set sees at least in part.
+/// Triangles still to be covered: those that some set sees whole, and at least in part.
 struct Open {
     std::vector<std::uint64_t> whole, part;
 };
@@ -43,7 +43,7 @@ Open all_open(const CoverProblem& problem) {
 }
 
 double open_area(const CoverProblem& problem, const Open& open) {
-    if (open.part.empty()) return 0;  // no sets: nothing that could be covered
+    if (open.part.empty()) return 0;  // no sets: nothing can be covered
     double area = 0;
     for (const CoverProblem::Run& run : problem.runs)
         for_words(run.first, run.count, [&](std::uint32_t w, std::uint64_t mask) {
@@ -79,13 +79,13 @@ double share_left(const CoverProblem& problem, Open open, std::span<const std::s
 std::vector<std::size_t> greedy_cover(const CoverProblem& problem, Open open) {
     std::vector<std::size_t> chosen;
     const double all = open_area(problem, open);
-    // What a set adds only shrinks, so its last gain bounds it: most sets are not counted again.
-    std::vector<double> bound, liking;
+    // A set's gain only decreases, so its last one is an upper bound: most sets need not be counted again.
+    std::vector<double> bound, preference;
     for (const CoverProblem::Set& s : problem.sets) {
         bound.push_back(gain(problem, open, s));
-        liking.push_back(std::pow(std::max(s.preference, 1e-12), 0.25));
+        preference.push_back(std::pow(std::max(s.preference, 1e-12), 0.25));
     }
-    const auto value = [&](std::size_t i) { return bound[i] * liking[i]; };
+    const auto value = [&](std::size_t i) { return bound[i] * preference[i]; };
     for (double left = all; left > negligible * all;) {
         std::size_t best = problem.sets.size();
         std::vector<std::size_t> order(problem.sets.size());
@@ -109,7 +109,7 @@ std::vector<std::size_t> greedy_cover(const CoverProblem& problem, Open open) {
 std::vector<std::size_t> cover(const CoverProblem& problem) {
     const Open open = all_open(problem);
     std::vector<std::size_t> chosen = greedy_cover(problem, open);
-    // What came first may not be needed for what came later; the last ones can hardly be spared.
+    // Sets chosen later may make earlier ones redundant. The last ones are rarely redundant themselves.
     for (std::size_t i = chosen.size(); i-- > 0;) {
         std::vector<std::size_t> without = chosen;
         without.erase(without.begin() + std::ptrdiff_t(i));

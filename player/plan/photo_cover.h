@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// A weighted set cover over triangles: runs of them that are in view, and for each photo which it sees whole
-/// and which at least in part (a bit a triangle).
+/// A weighted set cover over triangles: runs of triangles in view, and for each photo (a set) the triangles
+/// that it sees whole and those that it sees at least in part, one bit per triangle.
 struct CoverProblem {
     struct Run {
         std::uint32_t first, count;
@@ -15,22 +15,21 @@ struct CoverProblem {
     };
     struct Set {
         std::span<const std::uint64_t> whole, part;
-        double preference;  ///< of two that cover as much, the preferred comes first
+        double preference;  ///< higher wins between sets that cover equal areas
     };
     std::vector<Run> runs;
     std::vector<Set> sets;
 };
 
-/// Sets that together see what any set sees, whole where any does: greedy (Chvatal 1979), the one that adds
-/// the most preferred area first, until uncovered_share() is below 0.0016; then those that can be spared are
-/// left out.
+/// Sets that together see what any set sees, and whole if any set does: greedy (Chvatal 1979), by added area
+/// times preference^(1/4), until uncovered_share() is at most 0.0016; then redundant sets are removed.
 std::vector<std::size_t> cover(const CoverProblem& problem);
 
-/// Share of what the sets see that the chosen do not; a triangle that they see in part, and others whole,
-/// counts a fifth.
+/// Share of the area visible in any set that the chosen sets do not see; a triangle that they see in part,
+/// and others whole, counts one fifth.
 double uncovered_share(const CoverProblem& problem, std::span<const std::size_t> chosen);
 
-/// Bits set in [first, first + count).
+/// The number of bits set in [first, first + count).
 std::uint32_t count_bits(std::span<const std::uint64_t> bits, std::uint32_t first, std::uint32_t count);
 
 }  // namespace vantage

@@ -10,47 +10,48 @@
 namespace vantage {
 namespace {
 
-/// The tiles of one photo for those of its clusters that are, or are not, shown; all count as shown where
-/// that is not known.
-TileNeeds needs_of_clusters(const Sight& s, const PlannedPhoto& p, bool shown, double samples) {
+/// The tiles of one photo for those of its clusters that are `seen`, or not; while that is unknown, all count
+/// as seen.
+TileNeeds needs_of_clusters(const VisibleSurface& s, const PlannedPhoto& p, bool seen, double samples) {
     std::vector<ClusterLevels> levels;
     const Intrinsics& k = s.scene.intrinsics[p.photo];
     for (const std::uint32_t c : p.clusters)
-        if ((s.samples.empty() || s.shown[c]) == shown)
+        if ((s.triangles.empty() || s.seen[c]) == seen)
             levels.push_back(
                 {c, sampled_levels(s.scene.clusters[c], k, s.scene.poses[p.photo], s.view, samples)});
     return tile_needs(s.scene.photos[p.photo], s.scene.coverage[p.photo], levels);
 }
 
-/// What is lost with a level is some grey levels of detail: an eighth of them cannot be told, a 32nd of two
-/// levels' not either.
+/// Levels of detail that a photo of this weight may lack. A level holds a few gray levels of detail: at a
+/// weight of 1/32 the loss of one is invisible, and at 1/128 that of two.
 double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) / 2, 0.0, 2.0); }
 
-/// The tiles of one photo that are worth having for what is seen.
-TileNeeds needs_of_samples(const Sight& s, const PlannedPhoto& p, double worth) {
+/// The tiles of one photo of which the visible points show enough, see shown_tiles.
+TileNeeds needs_of_points(const VisibleSurface& s, const PlannedPhoto& p, double worth) {
     std::vector<float> weights(s.scene.clusters.size(), 0);
     for (std::size_t i = 0; i < p.clusters.size(); ++i) weights[p.clusters[i]] = p.weights[i];
     std::vector<SurfaceSample> samples;
-    for (std::size_t i = 0; i < s.surface.samples.size(); ++i) {
-        const float weight = weights[s.surface.clusters[i]];
-        if (!(weight > 0) || !sees(s.scene, p.photo, s.surface.triangles[i])) continue;
-        samples.push_back(s.surface.samples[i]);
+    for (std::size_t i = 0; i < s.points.samples.size(); ++i) {
+        const float weight = weights[s.points.clusters[i]];
+        if (!(weight > 0) || !sees(s.scene, p.photo, s.points.triangles[i])) continue;
+        samples.push_back(s.points.samples[i]);
         samples.back().coarser = spared_levels(weight);
     }
     return shown_tiles(s.scene.photos[p.photo], s.scene.intrinsics[p.photo], s.scene.poses[p.photo], samples,
-                       s.surface.pixels, worth);
+                       s.points.pixels, worth);
 }
 
-/// Whether a photo can show this side of a cluster: one that looks away from the viewer is shown by photos
-/// that it looks away from, too.
+/// Whether a photo sees the same side of a cluster as the viewer: if the cluster faces away from the viewer,
+/// it must face away from the photo, too.
 bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d& photo) {
-    return !away || looks_away(c, photo);
+    return !away || faces_away(c, photo);
 }
 
-/// Which of the chosen photos draw which clusters: all that see them. While tiles are left out that hardly
-/// show (`worth`), photos are, too, whose weight beside one that sees the whole cluster is below a colour
-/// code's: it would show only where that one's masks fall to nothing.
-void assign_clusters(const Sight& s, const PlanSettings& settings, std::vector<PlannedPhoto>& photos) {
+/// Assigns each cluster to the chosen photos that see it. With `worth`, omits photos whose weight relative to
+/// a photo that sees the whole cluster is below 1/1024, less than one color code: they would show only where
+/// the other photo's masks are 0.
+void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
+                     std::vector<PlannedPhoto>& photos) {
     const double least = settings.worth > 0 ? 1.0 / 1024 : 0;
     const std::size_t words = package::visible_words(s.scene.triangles);
     std::vector<Eigen::Vector3d> centers;
@@ -58,13 +59,13 @@ void assign_clusters(const Sight& s, const PlanSettings& settings, std::vector<P
     std::vector<double> weights(photos.size());
     for (const std::uint32_t index : s.clusters) {
         const package::ClusterRecord& c = s.scene.clusters[index];
-        const bool away = looks_away(c, s.eye);
+        const bool away = faces_away(c, s.eye);
         double best = 0;
         for (std::size_t i = 0; i < photos.size(); ++i) {
             weights[i] = -1;
             const std::uint32_t p = photos[i].photo;
             if (s.scene.coverage[p][index].seen == 0 || !same_side(c, away, centers[i])) continue;
-            // The angle may be smaller elsewhere in the cluster, or that of the best one larger.
+            // The angle may be smaller elsewhere in the cluster, or the best photo's larger.
             const double turn =
                 c.radius * std::abs(1 / (center(c) - s.eye).norm() - 1 / (center(c) - centers[i]).norm());
             const double theta = std::max(0.0, ray_angle(center(c), s.eye, centers[i]) - turn),
@@ -86,28 +87,28 @@ void assign_clusters(const Sight& s, const PlanSettings& settings, std::vector<P
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
                std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous,
                std::span<const std::uint32_t> seen) {
-    Sight sight = look(scene, view, seen, settings.samples);
+    VisibleSurface surface = visible_surface(scene, view, seen, settings.samples);
     Plan plan;
-    const PhotoChoice choice = choose_photos(sight, settings, allowed, previous);
+    const PhotoChoice choice = choose_photos(surface, settings, allowed, previous);
     plan.uncovered = choice.uncovered;
     for (const ChosenPhoto& c : choice.photos) plan.photos.push_back({c.photo, c.agreement, {}, {}, {}, {}});
-    assign_clusters(sight, settings, plan.photos);
+    assign_clusters(surface, settings, plan.photos);
     for (PlannedPhoto& p : plan.photos) {
         if (!settings.tiles) break;
-        const bool by_samples = settings.worth > 0 && !sight.samples.empty();
-        p.needs = by_samples ? needs_of_samples(sight, p, settings.worth)
-                             : needs_of_clusters(sight, p, true, settings.samples);
-        p.later = needs_of_clusters(sight, p, false, settings.samples);
+        const bool by_points = settings.worth > 0 && !surface.triangles.empty();
+        p.needs = by_points ? needs_of_points(surface, p, settings.worth)
+                            : needs_of_clusters(surface, p, true, settings.samples);
+        p.later = needs_of_clusters(surface, p, false, settings.samples);
     }
     std::erase_if(plan.photos, [](const PlannedPhoto& p) { return p.clusters.empty(); });
-    plan.clusters = std::move(sight.clusters);
+    plan.clusters = std::move(surface.clusters);
     return plan;
 }
 
 std::vector<double> agreements(const PlanScene& scene, const View& view) {
-    const Sight sight = look(scene, view, {}, 1);
+    const VisibleSurface surface = visible_surface(scene, view, {}, 1);
     std::vector<double> out;
-    for (std::uint32_t p = 0; p < scene.photos.size(); ++p) out.push_back(agreement(sight, p));
+    for (std::uint32_t p = 0; p < scene.photos.size(); ++p) out.push_back(agreement(surface, p));
     return out;
 }
 

@@ -4,21 +4,22 @@ namespace vantage {
 
 /// How photos are chosen.
 enum class Choice {
-    cover,      ///< a weighted set cover: every surface in view that some photo sees gets one, best first
+    cover,      ///< weighted set cover: each surface in view that some photo sees gets one, the best first
     nearest,    ///< those whose cameras are nearest to the viewer
     direction,  ///< [P]: best corrected directions and largest hulls
-    normals,    ///< the same, and more photos against the normals of what stays uncovered [P]
+    normals,    ///< as `direction`, plus photos facing the normals of what is still uncovered [P]
 };
 
 struct PlanSettings {
     Choice choice = Choice::cover;
-    int photos = 0;          ///< at least so many, where so many see the view; 0: all
-    double sharpness = 0;    ///< radians of the angle weight; 0: weights do not fall with the angle
-    double angle_limit = 0;  ///< radians between the viewing directions beyond which a photo is used only
-                             ///< where it alone sees a surface; 0: none
-    double samples = 1;      ///< along a pixel's side
-    double worth = 0;        ///< share of a tile's texels that must be shown, to need it; 0: all that may be
-    bool tiles = true;       ///< say which tiles are needed; else thumbnails have to do
+    int photos = 0;          ///< minimum number of photos, if that many see the view; 0: all
+    double sharpness = 0;    ///< radians of the angle weight; 0: weights do not depend on the angle
+    double angle_limit = 0;  ///< radians between viewing directions; a photo beyond it is used only for
+                             ///< surfaces that no other photo sees; 0: no limit
+    double samples = 1;      ///< per side of a pixel
+    double worth = 0;        ///< a tile is needed if at least this share of its texels is shown; 0: any
+    bool tiles = true;       ///< list the tiles needed; otherwise thumbnails have to do
+    bool complete = true;    ///< the picture waits for everything it needs; otherwise photos fade in and out
     bool operator==(const PlanSettings&) const = default;
 };
 

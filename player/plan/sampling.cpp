@@ -12,7 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The cone's axis and normals on its rim and halfway to it.
+/// The cone's axis, and normals on its rim and halfway to it.
 std::array<Eigen::Vector3d, 9> normals_of(const package::ClusterRecord& c) {
     const Eigen::Vector3d axis(c.cone_axis[0], c.cone_axis[1], c.cone_axis[2]);
     const Eigen::Vector3d side = axis.unitOrthogonal(), other = axis.cross(side);
@@ -33,7 +33,7 @@ std::optional<SurfaceSample> surface_sample(const View& view, const Eigen::Vecto
     const Eigen::Vector3d p = R * position + view.cam_from_origin.t, n = R * normal, ray = p / p.z();
     const double facing = n.dot(ray);
     if (!(p.z() > 0) || !(std::abs(facing) > 1e-9)) return {};
-    // The plane's point under the next sample, less this one.
+    // The point of the plane at the next sample, minus this one.
     const auto along = [&](int axis, double f) -> Eigen::Vector3d {
         return R.transpose() *
                ((Eigen::Vector3d::Unit(axis) - ray * (n[axis] / facing)) * (p.z() / (f * samples)));
@@ -59,14 +59,14 @@ LevelRange sampled_levels(const package::ClusterRecord& c, const Intrinsics& pho
     const Pose& view_pose = view.cam_from_origin;
     const Eigen::Vector3d p = view_pose.R * center + view_pose.t, q = photo_pose.R * center + photo_pose.t;
     if (!(p.z() > c.radius) || !(q.z() > c.radius)) return {0, infinity};
-    // Depth changes across the sphere, and so do the angles at which its surface is met.
+    // Depth varies across the sphere, and with it the scale.
     const double across = std::log2((1 + c.radius / p.z()) * (1 + c.radius / q.z()));
     const double head_on = std::log2(photo.fx / q.z() * p.z() / (view.intrinsics.fx * samples));
     double finest = infinity, coarsest = -infinity;
     for (const Eigen::Vector3d& normal : normals_of(c)) {
         const double to_view = -(view_pose.R * normal).dot(p.normalized()),
                      to_photo = -(photo_pose.R * normal).dot(q.normalized());
-        // Seen from both sides or from neither.
+        // A normal counts if viewer and photo see the same side.
         if (c.cone_cutoff >= 1 || to_view * to_photo <= 1e-6) continue;
         const auto sample = surface_sample(view, center, normal, samples);
         const double lod = sample ? level_of_detail(*sample, photo, photo_pose) : head_on;
@@ -75,7 +75,7 @@ LevelRange sampled_levels(const package::ClusterRecord& c, const Intrinsics& pho
     }
     if (finest > coarsest) finest = coarsest = head_on;  // any normal, or edge-on
     if (c.cone_cutoff >= 1) finest -= 1, coarsest += 2;
-    // A surface slanted by more than 60 degrees in the photo has little to show on finer levels.
+    // A surface slanted by more than 60 degrees in the photo has little detail on finer levels.
     finest = std::max(finest, head_on - 1);
     return {std::max(0.0, finest - across), std::max(0.0, coarsest + across)};
 }

@@ -9,7 +9,7 @@
 namespace vantage {
 namespace {
 
-/// How many texels of each tile of a pyramid are shown, level by level from `first` to before `end`.
+/// The number of texels shown of each tile of a pyramid, on levels [first, end).
 class Shown {
   public:
     Shown(const package::PhotoRecord& photo, int first, int end) : first_(first) {
@@ -26,7 +26,7 @@ class Shown {
                   y = std::min(int(pixel.y() / (1 << level)) / tile_content, size.rows() - 1);
         texels_[std::size_t(level)][std::size_t(y * size.columns() + x)] += texels;
     }
-    /// The tiles worth having, by level; the others' texels go to the next coarser level.
+    /// Lists the tiles worth having, by level; the texels of the others count for the next coarser level.
     void list(double worth, std::array<std::vector<std::uint32_t>, most_levels>& out) {
         constexpr double all = double(tile_content) * tile_content;
         for (int l = first_; l <= last(); ++l)
@@ -58,7 +58,7 @@ class Shown {
 
 TileNeeds shown_tiles(const package::PhotoRecord& photo, const Intrinsics& k, const Pose& pose,
                       std::span<const SurfaceSample> samples, double pixels, double worth) {
-    constexpr double slight = 0.25;  // a level that would be mixed in by less is left to the other
+    constexpr double slight = 0.25;  // a level with a smaller share of the trilinear mix is not loaded
     Shown color(photo, 0, int(photo.levels)), masks(photo, mask_level, mask_levels_end(int(photo.levels)));
     for (const SurfaceSample& s : samples) {
         const auto seen = project(k, pose, s.position);
@@ -76,7 +76,7 @@ TileNeeds shown_tiles(const package::PhotoRecord& photo, const Intrinsics& k, co
     }
     TileNeeds needs;
     color.list(worth, needs.color);
-    masks.list(2 * worth, needs.masks);  // depth comes with them: twice the bytes
+    masks.list(2 * worth, needs.masks);  // they come with depth: twice the bytes
     return needs;
 }
 

@@ -13,7 +13,7 @@ struct Rect {
     double u0, v0, u1, v1;
 };
 
-/// Tiles of a photo's levels that are marked.
+/// Marks on the tiles of a photo's levels.
 class Marks {
   public:
     explicit Marks(const package::PhotoRecord& photo) : levels_(int(photo.levels)) {
@@ -23,9 +23,9 @@ class Marks {
         }
         masks_ = color_;
     }
-    /// All levels that trilinear sampling between two levels of detail reads.
+    /// Marks the tiles under `rect` on all levels that trilinear sampling reads.
     void add(const Rect& rect, const LevelRange& range) {
-        // A level that would be mixed in by less than this is left to the next one.
+        // A level with a smaller share of the trilinear mix is not loaded.
         constexpr double slight = 0.25;
         const int finest = int(std::clamp(range.finest + slight, 0.0, levels_ - 1.0));
         const int coarsest =

@@ -11,10 +11,10 @@ namespace vantage {
 
 inline constexpr std::uint32_t most_levels = 12;
 
-/// Tiles of one photo, by level; each list ascending, without doubles. Depth has the tiles of the masks.
+/// Tiles of one photo, by level; each list ascending, without duplicates. Depth has the tiles of the masks.
 struct TileNeeds {
     std::array<std::vector<std::uint32_t>, most_levels> color, masks;
-    std::size_t tiles() const;  ///< colour, and masks with their depth as one
+    std::size_t tiles() const;  ///< number; a tile of masks and its depth count as one
 };
 
 /// A cluster and the levels on which its fragments sample the photo.
@@ -22,11 +22,11 @@ struct ClusterLevels {
     std::uint32_t cluster;
     LevelRange levels;
 };
-/// The tiles of one photo that these clusters sample: each one's recorded extent in the photo, on its levels.
+/// The tiles of one photo that these clusters sample: each cluster's recorded extent, on its levels.
 TileNeeds tile_needs(const package::PhotoRecord& photo, std::span<const package::CoverageRecord> coverage,
                      std::span<const ClusterLevels> clusters);
 
-/// The colour tiles that show the whole photo with `density` samples a photo pixel's side.
+/// The color tiles that show the whole photo with `density` samples per photo pixel, along a side.
 TileNeeds whole_photo_needs(const package::PhotoRecord& photo, double density);
 
 }  // namespace vantage

@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t alignment = 256;  // the most that OpenGL may ask of a storage buffer's offset
+constexpr std::size_t alignment = 256;  // the largest that OpenGL may require of a storage buffer's offset
 constexpr std::size_t aligned(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
 
 }  // namespace
@@ -41,7 +41,7 @@ void FrameRing::begin() {
     fence = nullptr;
 }
 
-FrameRing::Room FrameRing::take(std::size_t bytes) {
+FrameRing::Space FrameRing::take(std::size_t bytes) {
     const std::size_t at = used_;
     used_ += aligned(std::max<std::size_t>(bytes, 1));
     if (used_ > region_bytes_) throw std::logic_error("a pass needs more constants than its region holds");

@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// A persistently mapped buffer for what the processor writes anew for every pass: photos, page tables, draw
+/// A persistently mapped buffer for the data that the CPU writes for every pass: photos, page tables, draw
 /// commands. Its regions are used in turn, each guarded by a fence.
 class FrameRing {
   public:
@@ -15,17 +15,17 @@ class FrameRing {
     FrameRing(const FrameRing&) = delete;
     FrameRing& operator=(const FrameRing&) = delete;
 
-    /// The next region; waits only where the card is a whole ring behind.
+    /// Moves to the next region; waits only if the graphics card is a whole ring behind.
     void begin();
-    /// Room in the region: where to write, and its offset in the buffer, aligned for a storage buffer. Throws
-    /// std::logic_error where the region is too small.
-    struct Room {
+    /// Space in the region: where to write, and its offset in the buffer, aligned for a storage buffer.
+    /// Throws std::logic_error if the region is too small.
+    struct Space {
         std::byte* memory;
         GLintptr offset;
         GLsizeiptr bytes;
     };
-    Room take(std::size_t bytes);
-    /// Puts the region's fence behind the commands that read it.
+    Space take(std::size_t bytes);
+    /// Sets the region's fence, after the commands that read it.
     void end();
     GLuint buffer() const { return buffer_.id(); }
 

@@ -5,8 +5,9 @@
 
 namespace vantage {
 
-/// What a frame is drawn into: the bare surface with its depth and its triangles' numbers (from 1), two float
-/// targets of sums (best photo and consensus read one while they write the other), and the samples added up.
+/// The render targets of a frame: the bare surface with its depth and the numbers of its triangles (from 1),
+/// two float targets of sums (best photo and consensus read one and write the other), and accumulated
+/// samples.
 struct FrameTargets {
     int width = 0, height = 0;
     bool half_sums = false;
@@ -16,8 +17,7 @@ struct FrameTargets {
     static std::uint64_t bytes(int width, int height, bool half_sums);
 };
 
-/// Throws Error(usage) when the size is beyond what the graphics card draws.
-/// `half_sums`: sums in half precision.
+/// `half_sums`: sums in half floats. Throws Error(usage) for a size that the graphics card cannot draw.
 FrameTargets make_frame_targets(int width, int height, bool half_sums);
 
 }  // namespace vantage

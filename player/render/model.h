@@ -6,24 +6,25 @@
 
 namespace vantage {
 
-/// The package's mesh on the graphics card: attribute 0 position, 1 normal, 2 colour (where the effect is
-/// on), 3 a DrawRecord a draw, by its base instance, from a buffer that each pass binds.
+/// The package's mesh on the graphics card, with the attributes of shaders/contract.glsl: color only if the
+/// effect is on; the draw's is one DrawRecord per draw, by its base instance, from a buffer that each pass
+/// binds.
 struct Model {
     gl::Buffer positions, normals, colors, indices;
     gl::VertexArray vertices;
     std::uint32_t vertex_count = 0;
 };
 
-/// Throws Error(damaged) when a checksum is wrong or a triangle names a vertex that does not exist.
+/// Throws Error(damaged) for a checksum mismatch or a triangle with a vertex out of range.
 Model load_model(const PackageReader& package);
 
-/// A draw of glMultiDrawElementsIndirect.
+/// One draw of glMultiDrawElementsIndirect.
 struct DrawCommand {
     std::uint32_t count, instances, first_index, base_vertex, base_instance;
 };
 struct DrawRecord {
     std::uint32_t first_triangle;
-    std::uint32_t photos;  ///< a bit a photo of the pass
+    std::uint32_t photos;  ///< one bit per photo of the pass
 };
 
 }  // namespace vantage

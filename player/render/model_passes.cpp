@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// [P]'s viewing direction: towards the model's centre from outside its box, the camera's own from inside.
+/// [P]'s viewing direction: from outside the model's box towards its center, from inside the camera's own.
 Eigen::Vector3d overall_direction(const View& view, const package::SceneRecord& scene) {
     const Eigen::Vector3d eye = view.cam_from_origin.center();
     const Eigen::Vector3d half = (Eigen::Map<const Eigen::Vector3d>(scene.bounds_max) -
@@ -19,9 +19,14 @@ Eigen::Vector3d overall_direction(const View& view, const package::SceneRecord& 
 }
 
 GLuint switches(const WeightSettings& w) {
-    return GLuint(w.angle_mask) | GLuint(w.depth_mask) << 1 | GLuint(w.border_mask) << 2 |
-           GLuint(w.angle && !w.angle_per_photo) << 3 | GLuint(w.consensus_mask) << 4;
+    return w.angle_mask * shader::angle_mask_switch | w.depth_mask * shader::depth_mask_switch |
+           w.border_mask * shader::border_mask_switch |
+           (w.angle && !w.angle_per_photo) * shader::angle_switch |
+           w.consensus_mask * shader::consensus_mask_switch;
 }
+
+static_assert(GLuint(Show::colors) == shader::show_colors && GLuint(Show::sources) == shader::show_sources &&
+              GLuint(Show::coverage) == shader::show_coverage);
 
 void uniform(GLint location, const Eigen::Vector3d& v) {
     glUniform3f(location, float(v.x()), float(v.y()), float(v.z()));
@@ -38,7 +43,7 @@ std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos
     return out;
 }
 
-/// The most that one pass writes: photos, their pages, and the draws.
+/// Upper bound of what one pass writes: photos, their pages, draws, and the alignment of each.
 std::size_t pass_bytes(const PackagePages& pages, std::size_t clusters) {
     std::size_t largest = 0;
     for (const PhotoPages& p : pages.photos)
@@ -80,8 +85,8 @@ void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targe
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDepthFunc(GL_GREATER);
     glUseProgram(surface_program_.id());
-    glUniformMatrix4fv(0, 1, GL_FALSE, drawn.clip_from_origin.data());
-    uniform(1, drawn.view.cam_from_origin.center());
+    glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
+    uniform(shader::surface_eye_uniform, drawn.view.cam_from_origin.center());
     ring_.begin();
     cluster_photos_.assign(scene_->clusters.size(), 1);
     draw_clusters(drawn.plan.plan().clusters);
@@ -90,8 +95,8 @@ void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targe
 
 std::size_t ModelPasses::draw_clusters(std::span<const std::uint32_t> clusters) {
     const std::size_t most = clusters.size();
-    const FrameRing::Room commands = ring_.take(most * sizeof(DrawCommand)),
-                          records = ring_.take(most * sizeof(DrawRecord));
+    const FrameRing::Space commands = ring_.take(most * sizeof(DrawCommand)),
+                           records = ring_.take(most * sizeof(DrawRecord));
     std::uint32_t draws = 0;
     for (std::size_t i = 0; i < most;) {
         const std::uint32_t first = clusters[i];
@@ -107,7 +112,8 @@ std::size_t ModelPasses::draw_clusters(std::span<const std::uint32_t> clusters) 
         std::memcpy(records.memory + draws * sizeof record, &record, sizeof record);
         ++draws;
     }
-    glVertexArrayVertexBuffer(model_.vertices.id(), 3, ring_.buffer(), records.offset, sizeof(DrawRecord));
+    glVertexArrayVertexBuffer(model_.vertices.id(), shader::draw_attribute, ring_.buffer(), records.offset,
+                              sizeof(DrawRecord));
     glBindVertexArray(model_.vertices.id());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, ring_.buffer());
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(commands.offset),
@@ -118,25 +124,18 @@ std::size_t ModelPasses::draw_clusters(std::span<const std::uint32_t> clusters) 
 const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bool consensus) {
     const bool fragment = per_fragment(settings);
     const Blend blend = settings.show == Show::coverage ? Blend::average : settings.blend;
-    // Only per-vertex coordinates have a size of their own for each number of photos.
+    // Only programs for per-vertex coordinates depend on the number of photos, by their outputs.
     const int photos = fragment ? most_photos_per_pass : settings.photos_per_pass;
-    gl::Program& program =
-        blend_programs_[{photos, fragment, blend, consensus, trace_ != 0, settings.trilinear,
-                         settings.anisotropy, settings.refined_colors}];
-    if (program) return program;
-    EffectSet effects = package_->scene().effects & ~effect_bit(Effect::per_fragment);
-    if (fragment) effects |= effect_bit(Effect::per_fragment);
-    if (!settings.refined_colors) effects &= ~effects_from(Basis::colors);
-    std::vector<std::string> defines = shader_defines("blend", effects);
-    defines.push_back("PASS_PHOTOS " + std::to_string(photos));
-    if (blend == Blend::best) defines.emplace_back("BLEND_BEST");
-    if (blend == Blend::lumigraph) defines.emplace_back("BLEND_LUMIGRAPH");
-    if (consensus) defines.emplace_back("CONSENSUS");
-    if (trace_) defines.emplace_back("TRACE_TEXELS");
-    if (!settings.trilinear) defines.emplace_back("BILINEAR");
-    if (settings.anisotropy > 1) defines.push_back("TAPS " + std::to_string(settings.anisotropy));
-    program = gl::make_program(
-        "blend", {{GL_VERTEX_SHADER, "blend.vert"}, {GL_FRAGMENT_SHADER, "blend.frag"}}, defines);
+    const BlendVariant variant{.photos = photos,
+                               .per_fragment = fragment,
+                               .blend = blend,
+                               .consensus = consensus,
+                               .traces_texels = trace_ != 0,
+                               .trilinear = settings.trilinear,
+                               .anisotropy = settings.anisotropy,
+                               .refined_colors = settings.refined_colors};
+    gl::Program& program = blend_programs_[variant];
+    if (!program) program = make_blend_program(variant, package_->scene());
     return program;
 }
 
@@ -152,13 +151,13 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
         glBlendFunc(GL_ONE, GL_ONE);
     } else {
         glDisable(GL_BLEND);
-        glBindTextureUnit(4, targets.sums[1 - into].id());
+        glBindTextureUnit(shader::best_so_far_unit, targets.sums[1 - into].id());
     }
-    if (consensus) glBindTextureUnit(5, targets.sums[1 - into].id());
+    if (consensus) glBindTextureUnit(shader::first_sums_unit, targets.sums[1 - into].id());
     glUseProgram(blend_program(settings, consensus).id());
     set_uniforms(pass, drawn);
     std::vector<std::uint32_t> photos;
-    // The best so far is carried from target to target, so it is drawn everywhere.
+    // The best color so far is copied from target to target, so every cluster is drawn.
     const std::uint32_t always = settings.blend == Blend::best ? 1u << most_photos_per_pass : 0;
     cluster_photos_.assign(scene_->clusters.size(), always);
     for (const PlannedPhoto* p : pass) {
@@ -174,39 +173,40 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
 
 void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn) {
     const RenderSettings& settings = drawn.settings;
-    glUniformMatrix4fv(0, 1, GL_FALSE, drawn.clip_from_origin.data());
-    glUniform1ui(2, GLuint(pass.size()));
-    uniform(3, drawn.view.cam_from_origin.center());
-    uniform(11, settings.weights_from.value_or(drawn.view).cam_from_origin.center());
-    uniform(4, overall_direction(drawn.view, package_->scene()));
-    glUniform1ui(5, switches(settings.weights));
-    glUniform1f(6, float(package_->scene().border_width));
-    glUniform1f(7, float(settings.weights.sharpness));
-    glUniform1f(8, float(settings.lod_bias - std::log2(drawn.side)));
-    glUniform1ui(9, GLuint(settings.show));
-    // All photos of the scene at full weight, in colours eight times as bright as white, stay below 65504.
-    glUniform1f(12, settings.half_sums ? 8000 / float(scene_->photos.size()) : 0.0f);
+    glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
+    glUniform1ui(shader::pass_count_uniform, GLuint(pass.size()));
+    uniform(shader::eye_uniform, drawn.view.cam_from_origin.center());
+    uniform(shader::weight_eye_uniform, settings.weights_from.value_or(drawn.view).cam_from_origin.center());
+    uniform(shader::view_direction_uniform, overall_direction(drawn.view, package_->scene()));
+    glUniform1ui(shader::switches_uniform, switches(settings.weights));
+    glUniform1f(shader::border_width_uniform, float(package_->scene().border_width));
+    glUniform1f(shader::sharpness_uniform, float(settings.weights.sharpness));
+    glUniform1f(shader::lod_bias_uniform, float(settings.lod_bias - std::log2(drawn.side)));
+    glUniform1ui(shader::blend_show_uniform, GLuint(settings.show));
+    // All photos of the scene at full weight, in colors eight times as bright as white, stay below the
+    // largest half float, 65504.
+    glUniform1f(shader::half_scale_uniform, settings.half_sums ? 8000 / float(scene_->photos.size()) : 0.0f);
     if (trace_) {
         const ResidencyLayout& layout = store_->residency().layout();
-        glUniform2ui(10, layout.color, layout.color + layout.masks);
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, trace_);
+        glUniform2ui(shader::first_layers_uniform, layout.color, layout.color + layout.masks);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shader::touched_buffer, trace_);
     }
     if (per_fragment(settings)) return;
     std::vector<std::uint32_t> slots;
     for (const PlannedPhoto* p : pass)
         slots.push_back(store_->residency().coordinate_slot(p->photo).value_or(0));
     slots.resize(std::size_t(settings.photos_per_pass), slots.front());
-    glUniform1ui(1, model_.vertex_count);
-    glUniform1uiv(16, GLsizei(slots.size()), slots.data());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, store_->residency().coordinates());
+    glUniform1ui(shader::vertex_count_uniform, model_.vertex_count);
+    glUniform1uiv(shader::pass_slots_uniform, GLsizei(slots.size()), slots.data());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shader::coordinates_buffer, store_->residency().coordinates());
 }
 
 void ModelPasses::bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights,
                               const ViewPlan* plan) {
     std::size_t words = 0;
     for (const std::uint32_t p : photos) words += store_->table_words(p);
-    const FrameRing::Room blocks = ring_.take(photos.size() * sizeof(PhotoBlock)),
-                          table = ring_.take(words * 4);
+    const FrameRing::Space blocks = ring_.take(photos.size() * sizeof(PhotoBlock)),
+                           table = ring_.take(words * 4);
     std::uint32_t next = 0;
     for (std::size_t i = 0; i < photos.size(); ++i) {
         const std::uint32_t p = photos[i];
@@ -216,8 +216,10 @@ void ModelPasses::bind_photos(std::span<const std::uint32_t> photos, const std::
         store_->write_pages(p, b, table.memory, next);
         std::memcpy(blocks.memory + i * sizeof b, &b, sizeof b);
     }
-    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, ring_.buffer(), blocks.offset, blocks.bytes);
-    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 1, ring_.buffer(), table.offset, table.bytes);
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::photos_buffer, ring_.buffer(), blocks.offset,
+                      blocks.bytes);
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::pages_buffer, ring_.buffer(), table.offset,
+                      table.bytes);
     store_->bind();
 }
 

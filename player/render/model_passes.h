@@ -2,34 +2,34 @@
 #include <functional>
 #include <map>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "gl/program.h"
+#include "player/camera/view.h"
 #include "player/plan/plan.h"
+#include "player/plan/view_plan.h"
+#include "player/render/blend_program.h"
 #include "player/render/frame_ring.h"
 #include "player/render/frame_targets.h"
 #include "player/render/model.h"
 #include "player/render/render_settings.h"
-#include "player/render/view_plan.h"
 #include "player/stream/photo_block.h"
 #include "player/stream/photo_store.h"
-#include "player/view.h"
 
 namespace vantage {
 
-/// What is drawn in one frame, the same in all its passes.
+/// What all passes of a frame have in common.
 struct DrawnView {
     const View& view;
     const RenderSettings& settings;
     const ViewPlan& plan;
-    int side;  ///< samples along a pixel's side
+    int side;  ///< samples per side of a pixel
     Eigen::Matrix4f clip_from_origin;
-    std::vector<double> weights;  ///< dynamic, a photo
+    std::vector<double> weights;  ///< dynamic, per photo
 };
 
-/// Draws the model: its bare surface, and over it the photos, some in each pass. Belongs to the OpenGL
-/// thread; what it is made from must outlive it.
+/// Draws the model: its bare surface, and the photos on it, several per pass. Belongs to the OpenGL thread;
+/// the constructor's arguments must outlive it.
 class ModelPasses {
   public:
     ModelPasses(const PackageReader& package, const PlanScene& scene, const PhotoStore& store);
@@ -37,22 +37,23 @@ class ModelPasses {
     bool per_fragment(const RenderSettings& settings) const;
     /// Depth, plain shading and the triangles' numbers.
     void draw_surface(const DrawnView& drawn, const FrameTargets& targets);
-    /// Adds photos to the sums `into`; best photo and consensus read the other ones. Returns how many draws
-    /// that were.
+    /// Adds photos to the sums `into`; best photo and consensus read the other ones. Returns the number of
+    /// draws.
     std::size_t draw_photos(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                             const FrameTargets& targets, bool consensus, int into);
-    /// Runs `draw` while shaders can read one photo, as it is there.
+    /// Runs `draw` with one photo, as far as it is resident, bound as photo 0.
     void with_photo(std::uint32_t photo, const std::function<void()>& draw);
 
-    /// From now on, a bit is set in this buffer for each texel that is read; 0: no more.
-    void trace(GLuint buffer) { trace_ = buffer; }
+    /// From now on, passes set a bit in this buffer for each texel they read, in the order of the layers of
+    /// color, masks and depth; 0: no longer.
+    void trace_texels(GLuint buffer) { trace_ = buffer; }
 
   private:
-    /// Draws the plan's clusters for which cluster_photos_ has bits, by one call; returns how many draws that
-    /// were.
+    /// Draws those of the clusters that have bits in cluster_photos_, by one call; returns the number of
+    /// draws.
     std::size_t draw_clusters(std::span<const std::uint32_t> clusters);
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn);
-    /// Writes the photos, as far as they have faded in, and their pages into the ring and binds them.
+    /// Writes the photos with their presence (1 without a plan) and pages into the ring, and binds them.
     void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights,
                      const ViewPlan* plan);
     const gl::Program& blend_program(const RenderSettings& settings, bool consensus);
@@ -64,8 +65,8 @@ class ModelPasses {
     std::vector<PhotoBlock> blocks_;
     FrameRing ring_;
     gl::Program surface_program_;
-    std::map<std::tuple<int, bool, Blend, bool, bool, bool, int, bool>, gl::Program> blend_programs_;
-    std::vector<std::uint32_t> cluster_photos_;  ///< of a pass, a cluster: a bit a photo
+    std::map<BlendVariant, gl::Program> blend_programs_;
+    std::vector<std::uint32_t> cluster_photos_;  ///< per cluster: one bit per photo of the pass
     GLuint trace_ = 0;
 };
 

@@ -7,18 +7,18 @@
 
 namespace vantage {
 
-/// A rendered picture: RGBA, 8 bits, sRGB, first row on top, alpha 0 where nothing contributed.
+/// A rendered picture: RGBA, 8 bits, sRGB, top row first, alpha 0 where nothing contributed.
 struct Picture {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
     FrameReport report;
 };
 
-/// Renders with `side` * `side` samples a pixel.
+/// Renders with `side` * `side` samples per pixel.
 Picture take_picture(Renderer& renderer, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side);
 
-/// Writes a PNG beside the file and renames it. Throws Error(storage).
+/// Writes a PNG to FILE.part and renames it. Throws Error(storage).
 void write_png(const std::filesystem::path& file, const Picture& picture);
 /// Throws Error(input).
 Picture read_png(const std::filesystem::path& file);

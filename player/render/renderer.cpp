@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 #include "gl/context.h"
@@ -11,6 +10,11 @@
 
 namespace vantage {
 namespace {
+
+static_assert(GLuint(Compare::nothing) == shader::compare_nothing &&
+              GLuint(Compare::side_by_side) == shader::compare_side_by_side &&
+              GLuint(Compare::wiper) == shader::compare_wiper &&
+              GLuint(Compare::difference) == shader::compare_difference);
 
 Eigen::Matrix4f clip_matrix(const View& view, Eigen::Vector2d range) {
     if (!(range.y() > 0)) range = {1, 2};
@@ -25,20 +29,20 @@ void bind_target(const gl::Framebuffer& framebuffer, int width, int height) {
     glViewport(0, 0, width, height);
 }
 
-/// Enough for what a frame of this size shows, and for some turning back.
+/// Bytes for the tiles that a frame of this size shows, and for some of those shown before.
 std::uint64_t tiles_for(int width, int height) {
     constexpr double MiB = 1 << 20;
     return std::uint64_t(std::clamp(256 * MiB * width * height / (1280.0 * 720), 256 * MiB, 1024 * MiB));
 }
 
-/// The view whose pixel centres are one sample's points.
+/// The view whose pixel centers are the positions of one sample.
 View sampled(View view, PixelSample s) {
     view.intrinsics.cx -= (s.index % s.side + 0.5) / s.side - 0.5;
     view.intrinsics.cy -= (s.index / s.side + 0.5) / s.side - 0.5;
     return view;
 }
 
-/// Nothing that is no number, or whose square is none in single precision, reaches the shaders. Throws
+/// Keeps non-finite values, and values whose square overflows single precision, from the shaders. Throws
 /// Error(usage).
 void check_view(const View& view) {
     const Intrinsics& k = view.intrinsics;
@@ -51,7 +55,7 @@ void check_view(const View& view) {
         throw Error(Exit::usage, "a picture of " + std::to_string(k.width) + "x" + std::to_string(k.height) +
                                      ", expected at least 1x1");
     if (!turns || !stands || !lens)
-        throw Error(Exit::usage, "a view's place, direction or field of view is no number");
+        throw Error(Exit::usage, "a view's position, direction or field of view is not finite");
 }
 
 }  // namespace
@@ -71,17 +75,17 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
     gl::check("opening the package");
 }
 
-/// Targets of the frame's size, and tiles in what the budget leaves beside them.
+/// Makes the frame's targets, and fits the tiles into the rest of the budget.
 void Renderer::fit(int width, int height, const RenderSettings& settings) {
     const bool coordinates = !per_fragment(settings);
     if (targets_.width == width && targets_.height == height && targets_.half_sums == settings.half_sums &&
         (store_.has_coordinates() || !coordinates))
         return;
     targets_ = {};
-    seen_.release();
+    readback_.release();
     const std::uint64_t others = gl::memory_held() - store_.bytes() +
                                  FrameTargets::bytes(width, height, settings.half_sums) +
-                                 SeenTriangles::bytes(width, height);
+                                 TriangleReadback::bytes(width, height);
     graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
     store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
     targets_ = make_frame_targets(width, height, settings.half_sums);
@@ -95,19 +99,19 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
     fit(view.intrinsics.width, view.intrinsics.height, settings);
     store_.begin_frame(now, !settings.complete);
     if (settings.complete && settings.photos > 0 && sample.index == 0)
-        look_first(view, settings, photos, sample);
-    if (!settings.complete) seen_.update(false);
-    plan_.update(view, settings, photos, sample.side, seen_);
+        find_seen(view, settings, photos, sample);
+    if (!settings.complete) readback_.update(false);
+    plan_.update(view, plan_settings(settings), photos, sample.side, readback_.seen());
     const View point = sampled(view, sample);
     Frame frame{drawn_view(point, settings, sample.side), sample, now, {}};
     frame.report.clusters = plan_.plan().clusters.size();
     frame.report.uncovered = plan_.plan().uncovered;
     if (!settings.complete) stream(frame, next);
-    plan_.fade(settings, now, ready_photos(settings));
-    const std::vector<const PlannedPhoto*> shown = plan_.present(settings);
+    plan_.fade(plan_settings(settings), now, ready_photos(settings));
+    const std::vector<const PlannedPhoto*> shown = plan_.present(plan_settings(settings));
     frame.report.photos = shown.size();
     passes_.draw_surface(frame.drawn, targets_);
-    if (!settings.complete) seen_.capture(targets_, view);
+    if (!settings.complete) readback_.capture(targets_, view);
     const std::array<float, 4> zero{};
     for (const gl::Framebuffer& sums : targets_.sums_target)
         glClearNamedFramebufferfv(sums.id(), GL_COLOR, 0, zero.data());
@@ -141,14 +145,14 @@ std::vector<bool> Renderer::ready_photos(const RenderSettings& settings) const {
     return ready;
 }
 
-/// Finds out what the view shows before photos are chosen for it, where there is time to wait.
-void Renderer::look_first(const View& view, const RenderSettings& settings,
-                          std::span<const std::uint32_t> photos, PixelSample sample) {
-    plan_.update(view, settings, photos, sample.side, seen_);
+/// Finds out which triangles the view shows before photos are chosen for it. Waits for the graphics card.
+void Renderer::find_seen(const View& view, const RenderSettings& settings,
+                         std::span<const std::uint32_t> photos, PixelSample sample) {
+    plan_.update(view, plan_settings(settings), photos, sample.side, readback_.seen());
     passes_.draw_surface(drawn_view(view, settings, sample.side), targets_);
-    seen_.update(true);
-    seen_.capture(targets_, view);
-    seen_.update(true);
+    readback_.update(true);
+    readback_.capture(targets_, view);
+    readback_.update(true);
 }
 
 TileNeeds Renderer::comparison_needs(const View& view, const RenderSettings& settings) const {
@@ -157,7 +161,7 @@ TileNeeds Renderer::comparison_needs(const View& view, const RenderSettings& set
     return whole_photo_needs(scene_.photos[photo], view.intrinsics.fx / scene_.intrinsics[photo].fx);
 }
 
-/// Says what the frame needs, most urgent first, and what it will need soon; uploads what has arrived.
+/// Requests what the frame needs and prefetches what frames to come will need; uploads what has arrived.
 void Renderer::stream(Frame& frame, const View* next) {
     const RenderSettings& settings = frame.drawn.settings;
     for (const PlannedPhoto& p : plan_.plan().photos) store_.need_base(p.photo, !per_fragment(settings));
@@ -166,8 +170,8 @@ void Renderer::stream(Frame& frame, const View* next) {
         for (const PlannedPhoto& p : plan_.plan().photos) frame.report.uploaded += store_.load_whole(p.photo);
     for (const PlannedPhoto& p : plan_.plan().photos) {
         frame.report.tiles += p.needs.tiles();
-        // Before it is known what a view shows, much would be read in vain: thumbnails have to do.
-        frame.report.tiles_missing += plan_.knows_seen() ? store_.need(p.photo, p.needs) : p.needs.tiles();
+        // Until the visible triangles are known, many tiles would be read for nothing.
+        frame.report.tiles_missing += plan_.uses_seen() ? store_.need(p.photo, p.needs) : p.needs.tiles();
     }
     const TileNeeds comparison = comparison_needs(frame.drawn.view, settings);
     frame.report.tiles_missing += store_.need(settings.compare_photo, comparison);
@@ -175,18 +179,18 @@ void Renderer::stream(Frame& frame, const View* next) {
         if (scene_.photos[p].levels) store_.need_thumbnail(p);
     wanted_thumbnails_.clear();
     if (frame.report.tiles_missing == 0)
-        for (const PlannedPhoto& p : plan_.plan().photos) store_.foresee(p.photo, p.later);
+        for (const PlannedPhoto& p : plan_.plan().photos) store_.prefetch(p.photo, p.later);
     if (next && frame.report.tiles_missing == 0) {
-        for (const PlannedPhoto& p : plan_.ahead(*next, settings, frame.sample.side).photos)
-            store_.foresee(p.photo, p.needs);
+        for (const PlannedPhoto& p : plan_.ahead(*next, plan_settings(settings), frame.sample.side).photos)
+            store_.prefetch(p.photo, p.needs);
     }
     frame.report.uploaded += store_.stream(settings.upload_bytes);
 }
 
-/// Loads all that a pass needs, however long it takes.
+/// Loads everything that a pass needs, however long it takes.
 void Renderer::load(Pass pass, Frame& frame) {
     std::size_t missing = 0;
-    store_.begin_frame(frame.now, false);  // what earlier passes used may give way
+    store_.begin_frame(frame.now, false);  // what earlier passes used may be evicted
     for (const PlannedPhoto* p : pass) {
         store_.need_base(p->photo, !per_fragment(frame.drawn.settings));
         store_.need(p->photo, p->needs);
@@ -207,7 +211,7 @@ std::size_t Renderer::pass_length(Pass rest, const RenderSettings& settings) con
     while (n < most) {
         for (const auto& level : rest[n]->needs.color) color += level.size();
         for (const auto& level : rest[n]->needs.masks) masks += level.size();
-        // Sums do not mind where a pass ends, so a pass ends where the card is full.
+        // Sums do not depend on the split into passes, so a pass ends when graphics memory is full.
         const auto exceeds = [](std::size_t wanted, std::size_t room, std::size_t all) {
             return wanted > room && room < all;
         };
@@ -245,18 +249,18 @@ void Renderer::resolve(int sums, const Frame& frame) {
     glBlendFunc(GL_ONE, GL_ONE);
     glUseProgram(resolve_program_.id());
     const bool counts = frame.drawn.settings.show == Show::coverage;
-    glUniform1i(0, frame.drawn.settings.blend == Blend::best && !counts);
-    glUniform1i(1, frame.drawn.settings.fill_holes);
-    glUniform3fv(2, 1, frame.drawn.settings.background);
-    glUniform1f(3, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
+    glUniform1i(shader::is_best_uniform, frame.drawn.settings.blend == Blend::best && !counts);
+    glUniform1i(shader::fill_uniform, frame.drawn.settings.fill_holes);
+    glUniform3fv(shader::background_uniform, 1, frame.drawn.settings.background);
+    glUniform1f(shader::most_uniform, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
     expose(frame.drawn);
-    glBindTextureUnit(4, targets_.sums[sums].id());
-    glBindTextureUnit(5, targets_.surface.id());
+    glBindTextureUnit(shader::sums_unit, targets_.sums[sums].id());
+    glBindTextureUnit(shader::surface_unit, targets_.surface.id());
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/// Colours are summed up in the mean photo's exposure and shown in the view's.
+/// Colors are summed in the mean photo's exposure and shown in the view's.
 void Renderer::expose(const DrawnView& drawn) const {
     const RenderSettings& settings = drawn.settings;
     Exposure e;
@@ -265,26 +269,9 @@ void Renderer::expose(const DrawnView& drawn) const {
         if (settings.exposure) e.gain = exposure_of(scene_.photos[*settings.exposure]).gain;
     }
     const Intrinsics& k = drawn.view.intrinsics;
-    glUniform3fv(4, 1, e.gain.data());
-    glUniform3fv(5, 1, e.falloff.data());
-    glUniform3f(6, float(k.cx), float(k.cy), float(2 / std::hypot(k.width, k.height)));
-}
-
-std::uint64_t Renderer::touched_bytes(const View& view, const RenderSettings& settings,
-                                      std::span<const std::uint32_t> photos, double now) {
-    const ResidencyLayout& layout = store_.residency().layout();
-    const std::size_t words = std::size_t(layout.color + 2 * layout.masks) * tile_size * tile_size / 32;
-    const std::vector<std::uint32_t> zero(words, 0);
-    const gl::Buffer touched = gl::make_buffer("touched texels", words * 4, zero.data());
-    passes_.trace(touched.id());
-    draw(view, settings, photos, {}, now);
-    passes_.trace(0);
-    std::vector<std::uint32_t> bits(words);
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glGetNamedBufferSubData(touched.id(), 0, GLsizeiptr(words * 4), bits.data());
-    std::uint64_t texels = 0;
-    for (const std::uint32_t word : bits) texels += std::uint64_t(std::popcount(word));
-    return 4 * texels;
+    glUniform3fv(shader::exposure_uniform, 1, e.gain.data());
+    glUniform3fv(shader::falloff_uniform, 1, e.falloff.data());
+    glUniform3f(shader::lens_uniform, float(k.cx), float(k.cy), float(2 / std::hypot(k.width, k.height)));
 }
 
 std::vector<std::uint32_t> Renderer::triangles() const {
@@ -301,18 +288,18 @@ void Renderer::show(const View& view, const RenderSettings& settings, GLuint tar
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     glUseProgram(show_program_.id());
-    glUniform1f(0, float(std::max(samples_, 1.0)));
-    glUniform1i(1, flip);
-    glUniform1ui(2, GLuint(settings.compare));
+    glUniform1f(shader::samples_uniform, float(std::max(samples_, 1.0)));
+    glUniform1i(shader::flip_uniform, flip);
+    glUniform1ui(shader::compare_uniform, GLuint(settings.compare));
     const std::uint32_t photo = settings.compare_photo;
     if (settings.compare != Compare::nothing) {
         const Eigen::Matrix3f photo_from_frame =
             pixels_from_pixels(scene_.intrinsics[photo], scene_.poses[photo].R, view).cast<float>();
-        glUniform1f(3, float(settings.wiper));
-        glUniformMatrix3fv(4, 1, GL_FALSE, photo_from_frame.data());
-        glUniform1f(5, float(std::log2(scene_.intrinsics[photo].fx / view.intrinsics.fx)));
+        glUniform1f(shader::wiper_uniform, float(settings.wiper));
+        glUniformMatrix3fv(shader::photo_from_frame_uniform, 1, GL_FALSE, photo_from_frame.data());
+        glUniform1f(shader::lod_uniform, float(std::log2(scene_.intrinsics[photo].fx / view.intrinsics.fx)));
     }
-    glBindTextureUnit(4, targets_.accumulated.id());
+    glBindTextureUnit(shader::accumulated_unit, targets_.accumulated.id());
     glBindVertexArray(no_vertices_.id());
     passes_.with_photo(photo, [] { glDrawArrays(GL_TRIANGLES, 0, 3); });
     gl::check("showing a view");

@@ -5,22 +5,21 @@
 
 namespace vantage {
 
-/// Which of many pages lie in which of a few layers; the least recently used page gives way. Nothing is
-/// allocated after construction.
+/// Maps many pages to a few layers; the least recently used page is evicted. Allocates only on construction.
 class LayerPool {
   public:
-    /// A pool without layers holds nothing.
+    /// A pool without layers is empty.
     LayerPool(std::uint32_t layers, std::uint32_t pages);
 
     std::optional<std::uint32_t> layer_of(std::uint32_t page) const;
-    /// Marks a resident page as used in `frame`; false where it is not resident.
+    /// Marks a page as used in `frame`; false if it is not resident.
     bool use(std::uint32_t page, std::uint64_t frame);
-    /// Gives the page a layer, that of the least recently used one if none is free. Empty where every layer
-    /// was used in `frame`. The page counts as used in it.
+    /// Gives the page a layer, evicting the least recently used page if none is free, and marks it as used in
+    /// `frame`. Empty if every layer was used in `frame`.
     std::optional<std::uint32_t> place(std::uint32_t page, std::uint64_t frame);
 
-    /// How many pages that are not resident place() would find a layer for.
-    std::uint32_t room(std::uint64_t frame) const {
+    /// The number of non-resident pages for which place() would find a layer.
+    std::uint32_t available(std::uint64_t frame) const {
         return layers() - (frame == frame_ ? used_in_frame_ : 0);
     }
 

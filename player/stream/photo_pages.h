@@ -10,16 +10,16 @@
 
 namespace vantage {
 
-/// Numbers for all tiles of a package: a photo's lie one after the other, level by level.
+/// Page numbers of all tiles of a package; those of a photo are consecutive, level by level.
 struct PhotoPages {
     std::array<std::uint32_t, most_levels> color{}, masks{};  ///< first page of each level
     std::uint32_t color_first = 0, color_count = 0, mask_first = 0, mask_count = 0;
 };
 struct PackagePages {
     std::vector<PhotoPages> photos;
-    std::uint32_t color = 0, masks = 0;  ///< pages in all
+    std::uint32_t color = 0, masks = 0;  ///< pages in total
 };
-/// Throws Error(damaged) for a photo with more levels than shaders hold.
+/// Throws Error(damaged) for a photo with more levels than the shaders support.
 PackagePages number_pages(std::span<const package::PhotoRecord> photos);
 
 StreamRequest color_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
 
 #include "scene/tiling.h"
 
@@ -10,11 +11,9 @@ namespace vantage {
 namespace {
 
 constexpr unsigned threads = 2;
-// Coarse before fine: a tile's urgency is its level.
-constexpr int base_urgency = 1000, coordinates_urgency = 500, thumbnail_urgency = -50, foreseen = -100;
 
-/// Thumbnails and one tile of each sort must be able to pass through.
-std::size_t enough(const PackageReader& package, std::uint64_t wanted) {
+/// At least four of the largest pieces that have to pass through.
+std::size_t ring_size(const PackageReader& package, std::uint64_t wanted) {
     std::size_t largest = 2 * tile_bytes;
     for (const package::PhotoRecord& p : package.photos())
         largest = std::max(largest, std::size_t(p.thumbnail_width) * p.thumbnail_height * 4);
@@ -31,11 +30,10 @@ PhotoStore::PhotoStore(const PackageReader& package, std::uint64_t ring_bytes)
     : package_(&package),
       photos_(package.photos()),
       pages_(number_pages(photos_)),
-      stream_(package, enough(package, ring_bytes), threads) {}
+      stream_(package, ring_size(package, ring_bytes), threads) {}
 
 void PhotoStore::fit(std::uint64_t bytes, bool with_coordinates) {
     const ResidencyLayout layout = fit_residency(*package_, pages_, bytes, with_coordinates);
-    // What is resident is kept while it keeps to the budget, and is not much less than that.
     if (residency_ && residency_->layout().bytes() <= bytes &&
         2 * residency_->layout().bytes() > layout.bytes() &&
         (residency_->layout().coordinates > 0 || !with_coordinates))
@@ -45,44 +43,48 @@ void PhotoStore::fit(std::uint64_t bytes, bool with_coordinates) {
 }
 
 void PhotoStore::begin_frame(double now, bool fade) {
-    wishes_.clear();
-    wished_.clear();
+    wanted_.clear();
+    wanted_identities_.clear();
     residency_->begin_frame(now, fade);
 }
 
-void PhotoStore::wish(const StreamRequest& request, int urgency) {
+void PhotoStore::want(const StreamRequest& request, Urgency urgency, std::uint32_t level) {
     missing_.clear();
     residency_->need(request, missing_);
     for (const StreamRequest& r : missing_)
-        if (wished_.insert(r.identity()).second) wishes_.push_back({r, urgency});
+        if (wanted_identities_.insert(r.identity()).second) wanted_.push_back({r, urgency, level});
 }
 
 void PhotoStore::need_base(std::uint32_t photo, bool coordinates) {
-    wish(thumbnail_request(*package_, photo), base_urgency);
-    wish(mask_request(*package_, pages_, photo, coarsest_masks(photos_[photo]), 0), base_urgency);
+    want(thumbnail_request(*package_, photo), Urgency::base);
+    want(mask_request(*package_, pages_, photo, coarsest_masks(photos_[photo]), 0), Urgency::base);
     if (!coordinates) return;
     missing_.clear();
     residency_->need_coordinates(photo, missing_);
-    for (const StreamRequest& r : missing_) wishes_.push_back({r, coordinates_urgency});
+    for (const StreamRequest& r : missing_) wanted_.push_back({r, Urgency::coordinates, 0});
 }
 
 void PhotoStore::need_thumbnail(std::uint32_t photo) {
-    wish(thumbnail_request(*package_, photo), thumbnail_urgency);
+    want(thumbnail_request(*package_, photo), Urgency::panel);
 }
 
-std::size_t PhotoStore::need(std::uint32_t photo, const TileNeeds& needs) { return need(photo, needs, 0); }
+std::size_t PhotoStore::need(std::uint32_t photo, const TileNeeds& needs) {
+    return want(photo, needs, Urgency::tile);
+}
 
-void PhotoStore::foresee(std::uint32_t photo, const TileNeeds& needs) { need(photo, needs, foreseen); }
+void PhotoStore::prefetch(std::uint32_t photo, const TileNeeds& needs) {
+    want(photo, needs, Urgency::prefetch);
+}
 
-std::size_t PhotoStore::need(std::uint32_t photo, const TileNeeds& needs, int urgency) {
-    const std::size_t before = wishes_.size();
+std::size_t PhotoStore::want(std::uint32_t photo, const TileNeeds& needs, Urgency urgency) {
+    const std::size_t before = wanted_.size();
     for (std::uint32_t l = 0; l < most_levels; ++l) {
         for (const std::uint32_t t : needs.masks[l])
-            wish(mask_request(*package_, pages_, photo, l, t), urgency + int(l));
+            want(mask_request(*package_, pages_, photo, l, t), urgency, l);
         for (const std::uint32_t t : needs.color[l])
-            wish(color_request(*package_, pages_, photo, l, t), urgency + int(l));
+            want(color_request(*package_, pages_, photo, l, t), urgency, l);
     }
-    return wishes_.size() - before;
+    return wanted_.size() - before;
 }
 
 std::size_t PhotoStore::missing(std::uint32_t photo, const TileNeeds& needs) const {
@@ -96,18 +98,23 @@ std::size_t PhotoStore::missing(std::uint32_t photo, const TileNeeds& needs) con
     return n;
 }
 
+void PhotoStore::sort_wanted() {
+    std::ranges::stable_sort(wanted_, std::ranges::greater(),
+                             [](const Wanted& w) { return std::pair(w.urgency, w.level); });
+}
+
 std::size_t PhotoStore::stream(std::size_t budget) {
-    // What arrived is uploaded after the frame has marked what it uses, so that none of that gives way.
+    // Uploads follow the frame's requests, which mark what it uses, so that none of that is evicted.
     const std::size_t uploaded = residency_->upload(stream_, budget);
-    std::ranges::stable_sort(wishes_, std::ranges::greater(), &Wish::urgency);
-    // No more than would find room: what is read must not be thrown away.
-    std::array<std::uint32_t, resources> room;
-    for (std::size_t i = 0; i < resources; ++i) room[i] = residency_->room(Resource(i));
+    sort_wanted();
+    // Fetches no more than there is space for, so that nothing is read and then discarded.
+    std::array<std::uint32_t, resources> available;
+    for (std::size_t i = 0; i < resources; ++i) available[i] = residency_->available(Resource(i));
     ordered_.clear();
-    for (const Wish& w : wishes_) {
+    for (const Wanted& w : wanted_) {
         if (residency_->holds(w.request)) continue;
-        std::uint32_t& left = room[std::size_t(w.request.resource)];
-        const bool piece = w.request.resource == Resource::coordinates;  // many make one
+        std::uint32_t& left = available[std::size_t(w.request.resource)];
+        const bool piece = w.request.resource == Resource::coordinates;  // many share one slot
         if (left == 0 && !piece) continue;
         left -= !piece;
         ordered_.push_back(w.request);
@@ -117,10 +124,10 @@ std::size_t PhotoStore::stream(std::size_t budget) {
 }
 
 void PhotoStore::load() {
-    std::ranges::stable_sort(wishes_, std::ranges::greater(), &Wish::urgency);
+    sort_wanted();
     ordered_.clear();
-    for (const Wish& w : wishes_) ordered_.push_back(w.request);
-    wishes_.clear();
+    for (const Wanted& w : wanted_) ordered_.push_back(w.request);
+    wanted_.clear();
     stream_.want(ordered_);
     while (stream_.wait()) residency_->upload(stream_, SIZE_MAX);
 }
@@ -160,10 +167,10 @@ void PhotoStore::write_pages(std::uint32_t photo, PhotoBlock& block, std::byte* 
 }
 
 void PhotoStore::bind() const {
-    glBindTextureUnit(0, residency_->colors());
-    glBindTextureUnit(1, residency_->masks());
-    glBindTextureUnit(2, residency_->depths());
-    glBindTextureUnit(3, residency_->thumbnails());
+    glBindTextureUnit(shader::color_tiles_unit, residency_->colors());
+    glBindTextureUnit(shader::mask_tiles_unit, residency_->masks());
+    glBindTextureUnit(shader::depth_tiles_unit, residency_->depths());
+    glBindTextureUnit(shader::thumbnails_unit, residency_->thumbnails());
 }
 
 }  // namespace vantage

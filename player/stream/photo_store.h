@@ -14,36 +14,37 @@
 
 namespace vantage {
 
-/// The photos as far as they are on the graphics card, and what is on its way there. A frame says what it
-/// needs, streams or loads, and writes what shaders read. Belongs to the OpenGL thread.
+/// The resident parts of the photos, and those in flight. Per frame: begin_frame(); request what is needed;
+/// stream() or load(); write_pages() for the shaders. Belongs to the OpenGL thread.
 class PhotoStore {
   public:
     PhotoStore(const PackageReader& package, std::uint64_t ring_bytes);
 
-    /// Makes room for tiles in `bytes` of graphics memory; what was resident is gone where that changes.
-    /// Throws Error(usage).
+    /// Allocates at most `bytes` of graphics memory. Evicts everything if the allocation changes; it is kept
+    /// while it is within the budget and more than half of it. Throws Error(usage) if `bytes` is too little.
     void fit(std::uint64_t bytes, bool with_coordinates);
     std::uint64_t bytes() const { return residency_ ? residency_->layout().bytes() : 0; }
     bool has_coordinates() const { return residency_ && residency_->layout().coordinates > 0; }
 
-    /// Begins a frame at `now` seconds; without `fade`, what arrives is there at once.
+    /// Begins a frame at `now` seconds; without `fade`, tiles are shown in full as soon as they arrive.
     void begin_frame(double now, bool fade);
-    /// What lets a photo be shown at all: its thumbnail, its coarsest masks, and with `coordinates` those.
+    /// Requests the minimum for showing a photo: thumbnail, coarsest masks, and texture coordinates if
+    /// `coordinates`.
     void need_base(std::uint32_t photo, bool coordinates);
-    /// Tiles. Returns how many of them are missing.
+    /// Requests tiles. Returns how many are not resident (damaged ones excepted).
     std::size_t need(std::uint32_t photo, const TileNeeds& needs);
-    /// The same, but after everything else, and not kept if there is no room.
-    void foresee(std::uint32_t photo, const TileNeeds& needs);
-    /// How many of these tiles are not resident.
+    /// The same, with the lowest priority and only while there is space.
+    void prefetch(std::uint32_t photo, const TileNeeds& needs);
+    /// The number of these tiles that are not resident.
     std::size_t missing(std::uint32_t photo, const TileNeeds& needs) const;
     void need_thumbnail(std::uint32_t photo);
 
-    /// Uploads of what arrives at most `budget` bytes, or one piece that is larger, and asks for what this
-    /// frame misses. Returns the bytes.
+    /// Uploads at most `budget` bytes of what has been fetched, or one larger piece, and fetches what this
+    /// frame has requested. Returns the bytes uploaded.
     std::size_t stream(std::size_t budget);
-    /// Waits for all that was needed since the last call, or the frame began.
+    /// Fetches and uploads everything requested since the last call or the begin of the frame. Waits.
     void load();
-    /// Uploads all of a photo in this frame, however long it takes. Returns the bytes.
+    /// Uploads a whole photo in this frame, however long it takes. Returns the bytes uploaded.
     std::size_t load_whole(std::uint32_t photo);
 
     bool base_resident(std::uint32_t photo, bool coordinates) const;
@@ -53,27 +54,39 @@ class PhotoStore {
     std::size_t waiting() const { return stream_.waiting(); }
     std::size_t ring_bytes() const { return stream_.ring_bytes(); }
 
-    /// Words that a photo's pages fill in a pass's table.
+    /// The size of a photo's page table, in 32-bit words.
     std::size_t table_words(std::uint32_t photo) const;
-    /// Writes them behind `next`, which moves on, and what of the photo's block depends on them.
+    /// Writes the page table at word `next`, advances `next`, and sets the fields of `block` that depend on
+    /// it.
     void write_pages(std::uint32_t photo, PhotoBlock& block, std::byte* table, std::uint32_t& next) const;
     void bind() const;
 
   private:
-    void wish(const StreamRequest& request, int urgency);
-    std::size_t need(std::uint32_t photo, const TileNeeds& needs, int urgency);
+    /// The order in which missing pieces are fetched, the most urgent last.
+    enum class Urgency {
+        prefetch,     ///< for frames to come
+        panel,        ///< thumbnails that only panels show
+        tile,         ///< coarse levels before fine ones
+        coordinates,  ///< without which a photo is not drawn per vertex
+        base,         ///< without which a photo is not drawn at all
+    };
+    struct Wanted {
+        StreamRequest request;
+        Urgency urgency;
+        std::uint32_t level;  ///< of a tile
+    };
+    void want(const StreamRequest& request, Urgency urgency, std::uint32_t level = 0);
+    std::size_t want(std::uint32_t photo, const TileNeeds& needs, Urgency urgency);
+    /// Sorts wanted_: the most urgent first, and coarse levels before fine ones.
+    void sort_wanted();
 
     const PackageReader* package_;
     std::span<const package::PhotoRecord> photos_;
     PackagePages pages_;
     TileStream stream_;
     std::unique_ptr<Residency> residency_;
-    struct Wish {
-        StreamRequest request;
-        int urgency;
-    };
-    std::vector<Wish> wishes_;
-    std::unordered_set<std::uint64_t> wished_;
+    std::vector<Wanted> wanted_;  ///< not resident
+    std::unordered_set<std::uint64_t> wanted_identities_;
     std::vector<StreamRequest> missing_, ordered_;
 };
 

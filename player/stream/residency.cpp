@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "player/stream/shader_contract.h"
 #include "scene/error.h"
 #include "scene/tiling.h"
 
@@ -12,7 +13,6 @@ namespace {
 
 using package::Type;
 
-constexpr std::uint32_t not_resident = 0xffffffffu;
 constexpr std::uint64_t piece_bytes = 256 * 1024;  ///< of texture coordinates
 
 std::uint32_t pieces_of(std::uint32_t vertices) {
@@ -55,7 +55,8 @@ ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& 
     if (with_coordinates)
         out.coordinates = std::max(1u, std::min(photos, fit(std::uint64_t(out.vertices) * 8, most_slots)));
     const std::uint64_t fixed = out.bytes(), left = bytes > fixed ? bytes - fixed : 0;
-    // A view far off needs as many tiles of masks (two each) as of colour, one near by more of colour.
+    // A distant view needs as many tiles of masks (two layers each: with depth) as of color, a close one more
+    // of color. Between them: 0.6 tiles of masks (1.2 layers) per tile of color.
     const double unit = double(left) / double(tile_bytes) / 2.2;
     const auto layers = [](double wanted, std::uint32_t most) {
         return std::uint32_t(std::clamp(wanted, 0.0, double(std::min(most, most_layers()))));
@@ -77,13 +78,13 @@ Residency::Residency(const PackageReader& package, const PackagePages& pages, co
       mask_pool_(layout.masks, pages.masks),
       thumbnail_pool_(layout.thumbnails, std::uint32_t(package.photos().size())),
       slot_pool_(layout.coordinates, std::uint32_t(package.photos().size())),
-      color_births_(layout.color, 0),
-      mask_births_(layout.masks, 0),
+      color_arrivals_(layout.color, 0),
+      mask_arrivals_(layout.masks, 0),
       slots_(layout.coordinates) {
     const auto tiles = [](const char* label, GLenum format, std::uint32_t layers, GLenum filter) {
         return gl::make_texture_array(label, format, tile_size, tile_size, int(std::max(1u, layers)), filter);
     };
-    color_ = tiles("colour tiles", GL_SRGB8_ALPHA8, layout.color, GL_LINEAR);
+    color_ = tiles("color tiles", GL_SRGB8_ALPHA8, layout.color, GL_LINEAR);
     masks_ = tiles("mask tiles", GL_RGBA8, layout.masks, GL_LINEAR);
     depths_ = tiles("depth tiles", GL_R32F, layout.masks, GL_NEAREST);
     thumbnails_ = gl::make_texture_array("thumbnails", GL_SRGB8_ALPHA8, layout.thumbnail_width,
@@ -122,14 +123,15 @@ bool Residency::holds(const StreamRequest& r) const {
     return slot && slots_[*slot].arrived[r.key % pieces];
 }
 
-bool Residency::given_up(const StreamRequest& r) const {
+bool Residency::recently_damaged(const StreamRequest& r) const {
     const auto it = damaged_.find(r.identity());
-    return it != damaged_.end() && std::abs(now_ - it->second) < retry_seconds;  // the clock may be set back
+    return it != damaged_.end() &&
+           std::abs(now_ - it->second) < retry_seconds;  // the clock may have been set back
 }
 
 bool Residency::need(const StreamRequest& r, std::vector<StreamRequest>& missing) {
     if (const_cast<LayerPool&>(pool_of(r.resource)).use(r.key, frame_)) return true;
-    if (!given_up(r)) missing.push_back(r);
+    if (!recently_damaged(r)) missing.push_back(r);
     return false;
 }
 
@@ -141,7 +143,7 @@ bool Residency::need_coordinates(std::uint32_t photo, std::vector<StreamRequest>
     const auto* chunk = package_->find(Type::coordinates, photo);
     for (std::uint32_t i = 0; i < pieces; ++i) {
         StreamRequest r{Resource::coordinates, photo * pieces + i, chunk};
-        if (given_up(r)) return false;
+        if (recently_damaged(r)) return false;
         if (slot && slot->arrived[i]) continue;
         r.first = i * piece_bytes;
         r.bytes = std::min(piece_bytes, std::uint64_t(layout_.vertices) * 8 - r.first);
@@ -150,20 +152,20 @@ bool Residency::need_coordinates(std::uint32_t photo, std::vector<StreamRequest>
     return false;
 }
 
-void Residency::doubt(const StreamRequest& r) {
+void Residency::discard_coordinates(const StreamRequest& r) {
     if (r.resource != Resource::coordinates) return;
     if (const auto index = slot_pool_.layer_of(r.key / pieces_of(layout_.vertices)))
-        slots_[*index].photo = Slot{}.photo;  // store() begins it anew
+        slots_[*index].photo = Slot{}.photo;  // store() starts over
 }
 
 std::size_t Residency::upload(TileStream& stream, std::size_t budget) {
     std::size_t uploaded = 0;
-    // Budget or not, a frame takes one piece: what is larger than the budget would hold up all behind it.
+    // The first piece ignores the budget: one larger than the budget would block those behind it.
     while (const auto fetched = stream.take(uploaded == 0 ? SIZE_MAX : budget - std::min(budget, uploaded))) {
         if (!fetched->sound) {
             damaged_[fetched->request.identity()] = now_;
         } else {
-            if (damaged_.erase(fetched->request.identity()) > 0) doubt(fetched->request);
+            if (damaged_.erase(fetched->request.identity()) > 0) discard_coordinates(fetched->request);
             if (store(fetched->request, fetched->piece.offset, stream.buffer()))
                 uploaded += fetched->piece.bytes;
         }
@@ -227,7 +229,7 @@ bool Residency::store(const StreamRequest& r, std::uintptr_t source, GLuint unpa
     const bool is_color = r.resource == Resource::color;
     const auto layer = (is_color ? color_pool_ : mask_pool_).place(r.key, frame_);
     if (!layer) return false;
-    (is_color ? color_births_ : mask_births_)[*layer] = last_birth_ = now_;
+    (is_color ? color_arrivals_ : mask_arrivals_)[*layer] = last_arrival_ = now_;
     if (is_color) {
         tile(color_, *layer, GL_RGBA, GL_UNSIGNED_BYTE, source);
     } else {
@@ -242,13 +244,13 @@ std::optional<std::uint32_t> Residency::coordinate_slot(std::uint32_t photo) con
     return slot && slots_[*slot].missing == 0 ? slot : std::nullopt;
 }
 
-std::uint32_t Residency::entry(const LayerPool& pool, const std::vector<double>& births,
+std::uint32_t Residency::entry(const LayerPool& pool, const std::vector<double>& arrivals,
                                std::uint32_t page) const {
     const auto layer = pool.layer_of(page);
-    if (!layer) return not_resident;
-    // Nothing is born later than now, unless the clock was set back.
-    const bool fading = fades_ && births[*layer] <= now_;
-    const double age = fading ? std::clamp((now_ - births[*layer]) / fade_seconds, 0.0, 1.0) : 1;
+    if (!layer) return shader::not_resident;
+    // An arrival in the future: the clock was set back.
+    const bool fading = fades_ && arrivals[*layer] <= now_;
+    const double age = fading ? std::clamp((now_ - arrivals[*layer]) / fade_seconds, 0.0, 1.0) : 1;
     return *layer | std::uint32_t(std::lround(255 * age)) << 16;
 }
 

@@ -10,10 +10,10 @@
 
 namespace vantage {
 
-/// How many of each resource the graphics card holds.
+/// How many of each resource fit into graphics memory.
 struct ResidencyLayout {
     std::uint32_t color = 0, masks = 0, thumbnails = 0;  ///< layers of the array textures
-    std::uint32_t coordinates = 0;                       ///< photos whose vertices' coordinates are held
+    std::uint32_t coordinates = 0;                       ///< photos with texture coordinates per vertex
     int thumbnail_width = 1, thumbnail_height = 1;
     std::uint32_t vertices = 0;
 
@@ -21,47 +21,47 @@ struct ResidencyLayout {
     bool operator==(const ResidencyLayout&) const = default;
 };
 
-/// What `bytes` of graphics memory hold of a package: thumbnails and coordinates (`with_coordinates`) first,
-/// then tiles; no more than there is. Throws Error(usage) where not even a few tiles have room.
+/// Divides `bytes` of graphics memory: first thumbnails and coordinates (if `with_coordinates`), at most an
+/// eighth each, then tiles; never more than the package has. Throws Error(usage) if too few tiles fit.
 ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& pages, std::uint64_t bytes,
                               bool with_coordinates);
 
-/// Tiles, thumbnails and texture coordinates on the graphics card; the least recently used give way, and what
-/// the current frame uses never does. Belongs to the OpenGL thread.
+/// Tiles, thumbnails and texture coordinates in graphics memory; the least recently used are evicted, but
+/// never those that the current frame uses. Belongs to the OpenGL thread.
 class Residency {
   public:
-    /// What was damaged is not looked at again for so long.
+    /// Damaged resources are not fetched again for this long.
     static constexpr double retry_seconds = 5;
 
     Residency(const PackageReader& package, const PackagePages& pages, const ResidencyLayout& layout);
 
-    /// Begins a frame at `now` seconds; without `fade`, what arrives is there at once.
+    /// Begins a frame at `now` seconds; without `fade`, tiles are shown in full as soon as they arrive.
     void begin_frame(double now, bool fade);
-    /// Marks a resource as used in this frame. Where it is not resident (nor lately damaged), it is appended
-    /// to `missing` and false returned.
+    /// Marks a resource as used in this frame. If it is not resident, returns false and appends it to
+    /// `missing` unless it was damaged recently.
     bool need(const StreamRequest& request, std::vector<StreamRequest>& missing);
     /// The same for all of a photo's texture coordinates.
     bool need_coordinates(std::uint32_t photo, std::vector<StreamRequest>& missing);
-    /// Uploads what is fetched, at most `budget` bytes, or one piece that is larger. Returns the bytes
-    /// uploaded.
+    /// Uploads what has been fetched, at most `budget` bytes or one larger piece. Returns the bytes uploaded.
     std::size_t upload(TileStream& stream, std::size_t budget);
-    /// Uploads at once all that a photo has, straight from the mapped package. Returns the bytes uploaded.
+    /// Uploads all tiles of a photo at once, straight from the mapped package. Returns the bytes uploaded.
     std::size_t upload_whole(std::uint32_t photo, std::uint32_t levels);
 
-    /// For shaders: the layer and, above it, how far it has faded in (0 to 255); not resident: 2^32 - 1.
-    std::uint32_t color_entry(std::uint32_t page) const { return entry(color_pool_, color_births_, page); }
-    std::uint32_t mask_entry(std::uint32_t page) const { return entry(mask_pool_, mask_births_, page); }
+    /// A page's entry for the shaders: the layer in the low 16 bits, above it how far it has faded in (0 to
+    /// 255); shader::not_resident.
+    std::uint32_t color_entry(std::uint32_t page) const { return entry(color_pool_, color_arrivals_, page); }
+    std::uint32_t mask_entry(std::uint32_t page) const { return entry(mask_pool_, mask_arrivals_, page); }
     std::optional<std::uint32_t> thumbnail_layer(std::uint32_t photo) const {
         return thumbnail_pool_.layer_of(photo);
     }
     std::optional<std::uint32_t> coordinate_slot(std::uint32_t photo) const;
     bool holds(const StreamRequest& request) const;
-    /// How many more resources of a sort this frame can hold.
-    std::uint32_t room(Resource resource) const { return pool_of(resource).room(frame_); }
+    /// How many more resources of a kind this frame can hold.
+    std::uint32_t available(Resource resource) const { return pool_of(resource).available(frame_); }
     bool damaged(const StreamRequest& r) const { return damaged_.contains(r.identity()); }
     std::size_t damaged_count() const { return damaged_.size(); }
-    /// Nothing is fading in.
-    bool settled() const { return now_ < last_birth_ || now_ >= last_birth_ + fade_seconds; }
+    /// No tile is fading in.
+    bool settled() const { return now_ < last_arrival_ || now_ >= last_arrival_ + fade_seconds; }
 
     const ResidencyLayout& layout() const { return layout_; }
     std::uint32_t color_held() const { return color_pool_.held(); }
@@ -75,20 +75,21 @@ class Residency {
   private:
     static constexpr double fade_seconds = 0.25;
     const LayerPool& pool_of(Resource resource) const;
-    /// Damaged, and too lately to look again: a package may be restored while it is shown.
-    bool given_up(const StreamRequest& request) const;
-    /// A restored piece of texture coordinates answers for its chunk: its others came while that was damaged.
-    void doubt(const StreamRequest& restored);
-    std::uint32_t entry(const LayerPool& pool, const std::vector<double>& births, std::uint32_t page) const;
-    /// Copies from the unpack buffer at `source`, or from memory there where there is none. False where
-    /// nothing can give way.
+    /// Found damaged within retry_seconds. Later it is tried again: a package may be restored while shown.
+    bool recently_damaged(const StreamRequest& request) const;
+    /// After a piece of texture coordinates was restored, fetches all pieces again: pieces share a checksum,
+    /// and the others may have arrived while it mismatched.
+    void discard_coordinates(const StreamRequest& restored);
+    std::uint32_t entry(const LayerPool& pool, const std::vector<double>& arrivals, std::uint32_t page) const;
+    /// Copies from offset `source` of the unpack buffer, or from address `source` if that is 0. False if
+    /// nothing can be evicted.
     bool store(const StreamRequest& request, std::uintptr_t source, GLuint unpack_buffer);
 
     const PackageReader* package_;
     ResidencyLayout layout_;
     const PackagePages* pages_;
     LayerPool color_pool_, mask_pool_, thumbnail_pool_, slot_pool_;
-    std::vector<double> color_births_, mask_births_;
+    std::vector<double> color_arrivals_, mask_arrivals_;  ///< per layer, seconds
     gl::Texture color_, masks_, depths_, thumbnails_;
     gl::Buffer coordinates_;
     struct Slot {
@@ -97,9 +98,9 @@ class Residency {
         std::uint32_t missing = 0;
     };
     std::vector<Slot> slots_;
-    std::unordered_map<std::uint64_t, double> damaged_;  ///< by identity: when last found so; while needed
+    std::unordered_map<std::uint64_t, double> damaged_;  ///< by identity: when last found, seconds
     std::uint64_t frame_ = 0;
-    double now_ = 0, last_birth_ = -1e9;
+    double now_ = 0, last_arrival_ = -1e9;
     bool fades_ = true;
 };
 

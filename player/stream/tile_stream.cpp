@@ -57,7 +57,7 @@ void TileStream::fence() {
 bool TileStream::wait() {
     std::unique_lock lock(mutex_);
     const auto idle = [&] { return wanted_.empty() && begun_.empty(); };
-    // Not for long: the ring may be full until the card has finished with a piece, which no thread reports.
+    // With a timeout: a full ring is freed by the graphics card, and no thread signals that.
     fetched_.wait_for(lock, std::chrono::milliseconds(2), [&] { return !done_.empty() || idle(); });
     return !idle();
 }
@@ -75,7 +75,7 @@ std::uint64_t TileStream::bytes_read() const {
 void TileStream::work(std::stop_token stop) {
     std::unique_lock lock(mutex_);
     std::optional<UploadRing::Piece> piece;
-    // A request is begun only when the ring has room for it.
+    // A request is started only when the ring has space for it.
     const auto can_begin = [&] {
         if (!wanted_.empty()) piece = ring_.take(std::size_t(wanted_.front().size()));
         return piece.has_value();
@@ -101,7 +101,7 @@ bool TileStream::fetch(const StreamRequest& r, std::span<std::byte> to) const {
         package_.forget(from);
     };
     if (r.bytes) {
-        // Pieces of a chunk share its checksum; the first one answers for all.
+        // The pieces of a chunk share its checksum, which the first piece checks.
         if (r.first == 0 && !package_.head_sound(*r.chunk)) return false;
         copy(package_.bytes(r.chunk).subspan(r.first, r.bytes), 0);
         return true;

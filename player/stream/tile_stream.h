@@ -14,37 +14,37 @@
 
 namespace vantage {
 
-/// What goes to the graphics card as one.
+/// Units of upload.
 enum class Resource : std::uint32_t {
-    color,        ///< a colour tile
-    masks,        ///< a tile of masks and the same of depth behind it
+    color,        ///< a tile of color
+    masks,        ///< a tile of masks, followed by that of depth
     thumbnail,    ///< a photo's thumbnail
     coordinates,  ///< a piece of a photo's texture coordinates
 };
 inline constexpr std::size_t resources = 4;
 
-/// A piece of the package to fetch; `key` tells it from others of its resource.
+/// A piece of the package to fetch; `key` is unique among those of its resource.
 struct StreamRequest {
     Resource resource;
     std::uint32_t key;
     const package::DirectoryEntry* chunk;
-    std::uint32_t block = 0;                          ///< of a chunk with blocks
-    std::uint64_t first = 0, bytes = 0;               ///< of a chunk without
-    const package::DirectoryEntry* second = nullptr;  ///< block of the same number behind the first
+    std::uint32_t block = 0;                          ///< in a chunk with blocks
+    std::uint64_t first = 0, bytes = 0;               ///< in a chunk without blocks
+    const package::DirectoryEntry* second = nullptr;  ///< its block of the same number follows
 
     std::uint64_t size() const;
     std::uint64_t identity() const { return std::uint64_t(resource) << 32 | key; }
 };
 
-/// A request whose bytes lie in the ring, or whose checksum was wrong.
+/// A request whose bytes are in the ring; not `sound`: its checksum mismatched.
 struct Fetched {
     StreamRequest request;
     UploadRing::Piece piece;
     bool sound;
 };
 
-/// Worker threads that bring pieces of the mapped package into the upload ring. All functions are for the
-/// OpenGL thread; none waits but wait().
+/// Worker threads that copy pieces of the mapped package into the upload ring. All functions are for the
+/// OpenGL thread; only wait() waits.
 class TileStream {
   public:
     TileStream(const PackageReader& package, std::size_t ring_bytes, unsigned threads);
@@ -52,16 +52,16 @@ class TileStream {
     TileStream(const TileStream&) = delete;
     TileStream& operator=(const TileStream&) = delete;
 
-    /// From now on these are wanted, most urgent first; what was asked before, is not among them and was not
-    /// begun is dropped.
+    /// Replaces the queue of requests, most urgent first. Requests in flight are not affected.
     void want(std::span<const StreamRequest> requests);
-    /// The next that is fetched and has at most `budget` bytes.
+    /// The next fetched request; empty if there is none or it has more than `budget` bytes.
     std::optional<Fetched> take(std::size_t budget);
-    /// What was taken has been uploaded, or thrown away.
+    /// To be called when what was taken has been uploaded, or discarded.
     void release(const Fetched& fetched);
     /// Ends a frame: see UploadRing::fence.
     void fence();
-    /// For a moment, until something is fetched. False where nothing is wanted, under way or fetched.
+    /// Waits until something has been fetched, at most 2 ms. False if nothing is queued, in flight or
+    /// fetched.
     bool wait();
 
     GLuint buffer() const { return ring_.buffer(); }
@@ -80,9 +80,9 @@ class TileStream {
     std::condition_variable_any work_, fetched_;
     std::deque<StreamRequest> wanted_;
     std::deque<Fetched> done_;
-    std::unordered_map<std::uint64_t, bool> begun_;  ///< being fetched, or fetched and not taken
+    std::unordered_map<std::uint64_t, bool> begun_;  ///< in flight, or fetched and not taken
     std::uint64_t bytes_read_ = 0;
-    std::vector<std::jthread> threads_;  ///< last: they use all of the above
+    std::vector<std::jthread> threads_;  ///< last: they use all members above
 };
 
 }  // namespace vantage

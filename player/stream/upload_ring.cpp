@@ -24,14 +24,14 @@ std::optional<UploadRing::Piece> UploadRing::take(std::size_t bytes) {
         at = 0;
         if (wanted > bytes_) return std::nullopt;
     } else if (const std::size_t tail = given_.front().offset; head_ > tail) {
-        if (at + wanted > bytes_) {  // no room behind: go on at the front
+        if (at + wanted > bytes_) {  // no space at the end: continue at the start
             if (wanted > tail) return std::nullopt;
             at = 0;
         }
     } else if (at + wanted > tail) {
         return std::nullopt;
     }
-    // A piece that ends just where the oldest begins would look like an empty ring.
+    // A full ring, with head and tail at the same offset, would look empty.
     if (!given_.empty() && at + wanted == given_.front().offset) return std::nullopt;
     given_.push_back({at, wanted});
     head_ = at + wanted;

@@ -9,9 +9,8 @@
 
 namespace vantage {
 
-/// A persistently mapped buffer from which the graphics card copies: worker threads fill pieces of it, the
-/// OpenGL thread uploads them and puts a fence behind. Pieces are given and taken back in order. Nothing here
-/// waits. Not thread-safe by itself.
+/// A persistently mapped buffer for uploads: worker threads fill pieces of it, the OpenGL thread uploads them
+/// and sets a fence. Pieces are handed out and reclaimed in order. No function waits. Not thread-safe.
 class UploadRing {
   public:
     explicit UploadRing(std::size_t bytes);
@@ -23,12 +22,12 @@ class UploadRing {
         std::size_t offset, bytes;
         std::uint64_t number;
     };
-    /// Empty where the ring has not the room now.
+    /// Empty if the ring has not enough space now.
     std::optional<Piece> take(std::size_t bytes);
     std::span<std::byte> memory(const Piece& piece) { return {mapped_ + piece.offset, piece.bytes}; }
-    /// The piece was uploaded by commands that the next fence() follows, or is not wanted any more.
+    /// To be called when the piece has been uploaded, before the next fence(), or is no longer wanted.
     void release(const Piece& piece);
-    /// Puts a fence behind what was released since the last, and takes back what the card has finished with.
+    /// Sets a fence for the pieces released since the last one, and reclaims pieces whose fence has passed.
     void fence();
 
     GLuint buffer() const { return buffer_.id(); }

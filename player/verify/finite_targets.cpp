@@ -27,7 +27,7 @@ NonFinite count_non_finite(const FrameTargets& t) {
 }
 
 std::string words(const NonFinite& found) {
-    return "values that are infinite or no number: " + std::to_string(found.depth) + " of depth, " +
+    return "infinite or NaN values: " + std::to_string(found.depth) + " of depth, " +
            std::to_string(found.surface) + " of the surface, " + std::to_string(found.sums) +
            " of the sums, " + std::to_string(found.samples) + " of the samples";
 }

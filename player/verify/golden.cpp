@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "player/camera_path.h"
-#include "player/navigation.h"
+#include "player/camera/camera_path.h"
+#include "player/camera/navigation.h"
 #include "scene/error.h"
 
 namespace vantage {
 
-void write_usual_views(const std::filesystem::path& file, const PackageReader& package) {
+void write_default_views(const std::filesystem::path& file, const PackageReader& package) {
     const auto photos = package.photos();
     const Eigen::Vector3d up = mean_up(photos);
     std::vector<Navigation> stands, views;
     for (const package::PhotoRecord& p : photos)
         if (p.levels > 0) stands.push_back(stand_at(p, up));
-    if (stands.empty()) throw Error(Exit::input, package.path().string() + ": has no photo to look from");
+    if (stands.empty())
+        throw Error(Exit::input, package.path().string() + ": has no photo to take views from");
     const std::size_t count = std::min<std::size_t>(4, stands.size());
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t at = i * stands.size() / count;

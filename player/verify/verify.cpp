@@ -5,9 +5,12 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "cli/real_range.h"
 #include "gl/context.h"
-#include "player/offscreen.h"
+#include "player/camera/shots.h"
+#include "player/options/blending_options.h"
+#include "player/options/memory_options.h"
+#include "player/options/package_options.h"
+#include "player/render/picture.h"
 #include "player/verify/finite_targets.h"
 #include "player/verify/golden.h"
 #include "scene/error.h"
@@ -19,21 +22,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What was found of one package.
+/// The findings for one package.
 struct Verified {
     std::string package;
     Exit exit = Exit::ok;
-    std::vector<std::string> lines;  ///< what is wrong
+    std::vector<std::string> lines;  ///< one per finding
     std::vector<GoldenDifference> views;
     double seconds = 0;
 
-    void wrong(Exit code, const std::string& line) {
+    void add(Exit code, const std::string& line) {
         exit = code;
         lines.push_back(line);
     }
 };
 
-/// Of one package the folder itself; of several, the folder in it that is called like the package.
+/// For one package the folder itself; for several, its subfolder with the package's name.
 fs::path golden_of(const VerifyOptions& o, const std::string& package) {
     return o.packages.size() == 1 ? o.golden : o.golden / fs::path(package).stem();
 }
@@ -46,7 +49,7 @@ std::string percent(double share) {
 
 std::string words(const GoldenDifference& d, int tolerance) {
     if (!d.problem.empty()) return d.view + ": " + d.problem;
-    return d.view + ": " + percent(d.share) + " of the pixels are off by more than " +
+    return d.view + ": " + percent(d.share) + " of the pixels differ by more than " +
            std::to_string(tolerance) + ", the worst by " + std::to_string(d.worst) + " of 255 at " +
            std::to_string(d.x) + "," + std::to_string(d.y);
 }
@@ -68,7 +71,7 @@ void verify_view(const VerifyOptions& o, const fs::path& folder, const Shot& sho
         }
     }
     d.view = shot.name;
-    if (!d.problem.empty() || d.share > o.share) out.wrong(Exit::different, words(d, o.tolerance));
+    if (!d.problem.empty() || d.share > o.share) out.add(Exit::different, words(d, o.tolerance));
     out.views.push_back(d);
 }
 
@@ -76,24 +79,22 @@ void verify_package(const VerifyOptions& o, Verified& out) {
     const PackageReader package(out.package);
     const fs::path folder = golden_of(o, out.package), views = folder / "views.path";
     if (o.update) make_folder(folder);
-    if (o.update && !fs::exists(views)) write_usual_views(views, package);
-    Options settings;
-    settings.package = out.package;
-    settings.offscreen = true;
-    const std::vector<std::uint32_t> photos = photos_in_use(package, settings);
-    Renderer renderer(package, memory_budget(settings));
+    if (o.update && !fs::exists(views)) write_default_views(views, package);
+    const RenderSettings settings = render_settings(package, {}, Purpose::pictures);
+    const std::vector<std::uint32_t> photos = photos_in_use(package, {});
+    Renderer renderer(package, memory_budget({}));
     for (const Shot& shot : read_path(views.string(), package, parse_size(o.size))) {
-        const Picture now = take_picture(renderer, shot.view, render_settings(package, settings), photos, 2);
+        const Picture now = take_picture(renderer, shot.view, settings, photos, 2);
         if (now.report.tiles_damaged)
-            return out.wrong(Exit::damaged,
-                             std::to_string(now.report.tiles_damaged) + " tiles have a wrong checksum");
+            return out.add(Exit::damaged,
+                           std::to_string(now.report.tiles_damaged) + " tiles have a checksum mismatch");
         if (const NonFinite wrong = count_non_finite(renderer.targets()); wrong.all() > 0)
-            out.wrong(Exit::different, shot.name + ": " + words(wrong));
+            out.add(Exit::different, shot.name + ": " + words(wrong));
         verify_view(o, folder, shot, now, out);
     }
 }
 
-/// What is wrong with the package is its own; what is wrong with the disk ends it all.
+/// Errors of the package become findings; all other errors end the run.
 Verified verify_one(const VerifyOptions& o, const std::string& package) {
     Verified out;
     out.package = package;
@@ -104,7 +105,7 @@ Verified verify_one(const VerifyOptions& o, const std::string& package) {
         if (e.code() != Exit::damaged && e.code() != Exit::input) throw;
         std::string text = e.what();
         if (text.starts_with(package + ": ")) text.erase(0, package.size() + 2);
-        out.wrong(e.code(), text);
+        out.add(e.code(), text);
     }
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return out;
@@ -125,8 +126,8 @@ void print(const VerifyOptions& o, const Verified& v) {
     if (o.update)
         std::printf("%s: stored\n", v.package.c_str());
     else
-        std::printf("%s: as stored, %zu views, worst pixel %d of 255\n", v.package.c_str(), v.views.size(),
-                    worst);
+        std::printf("%s: as stored, %zu views, largest difference %d of 255\n", v.package.c_str(),
+                    v.views.size(), worst);
     std::fflush(stdout);
 }
 
@@ -158,34 +159,6 @@ CheckCase junit_case(const Verified& v) {
 }
 
 }  // namespace
-
-void add_verify_options(CLI::App& app, VerifyOptions& o) {
-    app.add_option("FILES", o.packages, "the packages")->required();
-    app.add_option(
-           "--golden", o.golden,
-           "folder of views.path and the stored pictures; of several packages, the folder that holds theirs")
-        ->required();
-    app.add_flag("--update", o.update, "store the pictures; views, too, where none are recorded");
-    app.add_option("--size", o.size, "WIDTHxHEIGHT of the pictures")->capture_default_str();
-    app.add_option("--tolerance", o.tolerance, "grey levels that a pixel may be off")
-        ->check(CLI::Range(0, 255))
-        ->capture_default_str();
-    app.add_option("--share", o.share, "of the pixels that may be off by more")
-        ->check(real_range(0.0, 1.0))
-        ->capture_default_str();
-    app.add_option("-o,--output", o.differences, "folder for pictures of the differences")
-        ->capture_default_str();
-    app.add_option("--junit", o.junit, "write a JUnit file for CI");
-    app.add_flag("--json", o.json, "machine-readable output");
-    app.footer(
-        "views.path holds a view a line, as the window records them and --path reads them.\n"
-        "Examples:\n"
-        "  vantage-player verify chapel.vantage --golden golden/chapel --update\n"
-        "  vantage-player verify chapel.vantage --golden golden/chapel\n"
-        "  vantage-player verify shelf/*.vantage --golden golden --junit pictures.xml   (shelf/a.vantage by "
-        "golden/a)\n"
-        "Exit code, the worst of all packages: 3 unreadable, 4 damaged, 10 different, 0 none of these.");
-}
 
 int run_verify(const VerifyOptions& o) {
     const gl::HeadlessContext context;

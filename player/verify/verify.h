@@ -1,5 +1,4 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,15 +10,15 @@ struct VerifyOptions {
     std::vector<std::string> packages;
     std::filesystem::path golden, differences = "differences";
     std::string size = "640x360", junit;
-    int tolerance = 8;     ///< grey levels that a pixel may be off
-    double share = 0.001;  ///< of the pixels that may be off by more
+    int tolerance = 8;     ///< gray levels by which a pixel may differ
+    double share = 0.001;  ///< of the pixels that may differ by more
     bool update = false, json = false;
 };
-void add_verify_options(CLI::App& app, VerifyOptions& options);
 
-/// Renders each package's recorded views without a display and compares them with the stored pictures, or
-/// with `update` stores them. Says what differs, writes pictures of it, and says where arithmetic gave no
-/// number; returns the worst of all packages' exit codes. Throws Error(storage) and Error(graphics).
+/// Renders each package's recorded views without a display, and compares them with the stored pictures or,
+/// with `update`, stores them. Prints differences and non-finite values, and writes pictures of differences.
+/// Returns the exit code: the first of input, damaged and different that applies to any package. Throws
+/// Error(storage) and Error(graphics).
 int run_verify(const VerifyOptions& options);
 
 }  // namespace vantage

@@ -1,6 +1,6 @@
 #include "tests/bench/timing.h"
 
-#include "player/measure/frame_statistics.h"
+#include "player/render/frame_statistics.h"
 
 namespace vantage::bench {
 

@@ -1,8 +1,8 @@
 // Files of camera paths. Every view that comes out can be drawn.
 #include <cstdlib>
 
-#include "player/camera_path.h"
-#include "player/shots.h"
+#include "player/camera/camera_path.h"
+#include "player/camera/shots.h"
 #include "scene/error.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/sound_package.h"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "player/settings_file.h"
+#include "player/window/remembered.h"
 #include "tests/fuzz/memory_file.h"
 
 using namespace vantage;

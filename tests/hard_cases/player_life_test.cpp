@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-#include "player/shots.h"
+#include "player/camera/shots.h"
 #include "player/stream/layer_pool.h"
 #include "prepared_scene.h"
 #include "scene/error.h"
@@ -238,7 +238,7 @@ TEST(LayerPoolLife, FramesAreToldApartToTheLastNumber) {
     LayerPool pool(2, 5);
     ASSERT_TRUE(pool.place(0, last - 1) && pool.place(1, last - 1));
     EXPECT_FALSE(pool.place(2, last - 1)) << "both are in use";
-    EXPECT_EQ(pool.room(last), 2u);
+    EXPECT_EQ(pool.available(last), 2u);
     ASSERT_TRUE(pool.place(2, last));
     EXPECT_FALSE(pool.layer_of(0).has_value()) << "the older gave way";
     ASSERT_TRUE(pool.place(3, 0)) << "after the last number comes the first";

@@ -1,6 +1,6 @@
 // Weights that are equal but for rounding, that reach over twelve orders of magnitude, and that half floats
 // cannot hold.
-#include "player/render/weights.h"
+#include "player/plan/weights.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -206,7 +206,7 @@ TEST(DynamicWeights, FieldsOfViewOfATenthAndAHundredAndSeventyDegreesAreFinite) 
             photos[2].seen_distance = 0;
             const View view = view_at({0, 0, -10}, turned(0, 0, 0), wanted);
             WeightSettings s;
-            s.fov_normalisation = true;
+            s.fov_normalization = true;
             s.exponent = 1;
             const auto w = dynamic_weights(view, photos, s);
             for (const double x : w) EXPECT_TRUE(x > 0 && x <= 1) << own << ' ' << wanted << ' ' << x;

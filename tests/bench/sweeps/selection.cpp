@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "player/camera_path.h"
+#include "player/camera/camera_path.h"
 #include "tests/bench/pictures.h"
 #include "tests/bench/statistics.h"
 #include "tests/bench/sweep.h"

@@ -1,0 +1,114 @@
+#include "player/camera/camera_path.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <numbers>
+#include <random>
+
+#include "player/camera/shots.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A slowly varying random value in [-1, 1]: the mean of three sine waves.
+class Waves {
+  public:
+    explicit Waves(std::mt19937& random) {
+        for (Wave& w : waves_) {
+            w.phase = std::uniform_real_distribution<double>(0, 2 * pi)(random);
+            w.pace = std::uniform_real_distribution<double>(0.3, 1.6)(random);
+        }
+    }
+    double at(double t) const {
+        double sum = 0;
+        for (const Wave& w : waves_) sum += std::sin(w.phase + w.pace * t);
+        return sum / double(std::size(waves_));
+    }
+
+  private:
+    struct Wave {
+        double phase, pace;
+    };
+    Wave waves_[3];
+};
+
+}  // namespace
+
+CameraPath scripted_path(const std::string& name, const Navigation& start, int frames, unsigned seed) {
+    CameraPath path{name, {}};
+    std::mt19937 random(seed);
+    const Waves right(random), down(random), near(random), aside(random);
+    for (int i = 0; i < frames; ++i) {
+        const double share = double(i) / std::max(1, frames - 1);
+        Navigation n = start;
+        if (name == "orbit") {
+            orbit(n, pi / 3 * std::sin(2 * pi * share), 0);
+        } else if (name == "approach") {
+            approach(n, 1 - 2.0 / 3 * std::sin(pi * share));
+        } else if (name == "jump") {
+            if (i < frames / 2) look(n, pi, 0);
+        } else if (name == "flight") {
+            const double t = i / 30.0;
+            look(n, 0.5 * aside.at(t), 0);
+            orbit(n, 1.2 * right.at(t), 0.4 * down.at(t));
+            approach(n, std::exp2(1.2 * near.at(t) - 0.4));
+        } else if (name != "still") {
+            throw Error(
+                Exit::usage,
+                "path '" + name + "': expected still, orbit, approach, jump, flight or a file of views");
+        }
+        path.frames.push_back(n);
+    }
+    return path;
+}
+
+Navigation between(const Navigation& a, const Navigation& b, double share) {
+    Navigation n = b;
+    n.eye = a.eye + share * (b.eye - a.eye);
+    n.target = a.target + share * (b.target - a.target);
+    n.fov = a.fov + share * (b.fov - a.fov);
+    n.R = Eigen::Quaterniond(a.R).slerp(share, Eigen::Quaterniond(b.R)).toRotationMatrix();
+    return n;
+}
+
+CameraPath recorded_path(const std::string& file, const PackageReader& package, int frames) {
+    std::vector<Navigation> stops;
+    const Eigen::Vector3d up = mean_up(package.photos());
+    for (const Shot& shot : read_path(file, package, {1280, 720})) {
+        const View& v = shot.view;
+        stops.push_back({v.cam_from_origin.center(),
+                         v.cam_from_origin.center() + v.cam_from_origin.direction(), up, v.cam_from_origin.R,
+                         2 * std::atan(v.intrinsics.height / (2 * v.intrinsics.fy)) * 180 / pi});
+    }
+    CameraPath path{std::filesystem::path(file).stem().string(), {}};
+    for (int i = 0; i < frames; ++i) {
+        const double at = double(i) / std::max(1, frames - 1) * double(stops.size() - 1);
+        const auto first = std::min(std::size_t(at), stops.size() - 1);
+        path.frames.push_back(
+            between(stops[first], stops[std::min(first + 1, stops.size() - 1)], at - double(first)));
+    }
+    return path;
+}
+
+void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,
+                const PackageReader& package) {
+    std::ofstream out(file);
+    out << "# EX EY EZ TX TY TZ, vertical field of view in degrees\n";
+    const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
+    for (const Navigation& n : positions) {
+        const Eigen::Vector3d e = n.eye + origin, t = n.target + origin;
+        char line[256];
+        std::snprintf(line, sizeof line, "%.9g %.9g %.9g  %.9g %.9g %.9g  %.4g\n", e.x(), e.y(), e.z(), t.x(),
+                      t.y(), t.z(), n.fov);
+        out << line;
+    }
+    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+}
+
+}  // namespace vantage

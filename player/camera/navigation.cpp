@@ -1,0 +1,62 @@
+#include "player/camera/navigation.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/package_reader.h"
+
+namespace vantage {
+namespace {
+
+/// The rotation of the world for `right` and `down`, stopped 3 degrees from the poles.
+Eigen::Matrix3d turn(const Navigation& n, double right, double down) {
+    const Eigen::Vector3d x = n.R.row(0), ahead = n.R.row(2);
+    const double above = std::asin(std::clamp(ahead.dot(n.up), -1.0, 1.0)),
+                 limit = 87 * std::numbers::pi / 180;
+    const double reached = std::clamp(above - down, std::min(-limit, above), std::max(limit, above));
+    // Camera y points down, so turning x towards the target's far side by a positive angle looks up.
+    return (Eigen::AngleAxisd(-right, n.up) * Eigen::AngleAxisd(reached - above, x)).toRotationMatrix();
+}
+
+}  // namespace
+
+Navigation stand_at(const package::PhotoRecord& photo, const Eigen::Vector3d& up) {
+    const Pose pose = cam_from_origin(photo);
+    const double distance =
+        photo.seen_distance > 0 ? photo.seen_distance : std::max(1e-6, pose.center().norm());
+    return {pose.center(), pose.center() + distance * pose.direction(), up, pose.R,
+            2 * std::atan(photo.height / (2 * photo.fy)) * 180 / std::numbers::pi};
+}
+
+void look(Navigation& n, double right, double down) {
+    const Eigen::Matrix3d world = turn(n, right, down);
+    n.R = n.R * world.transpose();
+    n.target = n.eye + world * (n.target - n.eye);
+}
+
+void orbit(Navigation& n, double right, double down) {
+    const Eigen::Matrix3d world = turn(n, right, down);
+    n.R = n.R * world.transpose();
+    n.eye = n.target + world * (n.eye - n.target);
+}
+
+void fly(Navigation& n, const Eigen::Vector3d& step) {
+    const Eigen::Vector3d moved = n.R.transpose() * step;
+    n.eye += moved;
+    n.target += moved;
+}
+
+void approach(Navigation& n, double factor) {
+    const double distance = (n.eye - n.target).norm();
+    if (distance > 0) n.eye = n.target + (n.eye - n.target) * std::clamp(factor, 0.01, 100.0);
+}
+
+View view_of(const Navigation& n, int width, int height) {
+    const double f = height / (2 * std::tan(n.fov * std::numbers::pi / 360));
+    Pose pose{n.R, -n.R * n.eye};
+    return {{width, height, f, f, width / 2.0, height / 2.0}, pose};
+}
+
+}  // namespace vantage

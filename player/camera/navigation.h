@@ -1,0 +1,30 @@
+#pragma once
+#include <Eigen/Core>
+
+#include "player/camera/view.h"
+
+namespace vantage {
+
+/// A camera moved by hand: it orbits a target, or flies. Coordinates relative to the origin.
+struct Navigation {
+    Eigen::Vector3d eye, target, up;
+    Eigen::Matrix3d R;  ///< cam_from_origin
+    double fov = 45;    ///< vertical, degrees
+};
+
+/// At the photo's camera, in its direction, with the surface that it sees as target.
+Navigation stand_at(const package::PhotoRecord& photo, const Eigen::Vector3d& up);
+
+/// Orbits the target by angles in radians: `right` about up, `down` about the camera's x axis. Stops 3
+/// degrees from the poles.
+void orbit(Navigation& n, double right, double down);
+/// Turns the camera in place, by the same angles.
+void look(Navigation& n, double right, double down);
+/// Moves eye and target along the camera's axes (x right, y down, z ahead).
+void fly(Navigation& n, const Eigen::Vector3d& step);
+/// Scales the eye's distance from the target by `factor`, clamped to [0.01, 100].
+void approach(Navigation& n, double factor);
+
+View view_of(const Navigation& n, int width, int height);
+
+}  // namespace vantage

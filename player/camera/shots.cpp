@@ -1,0 +1,86 @@
+#include "player/camera/shots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "scene/error.h"
+
+namespace vantage {
+
+FrameSize parse_size(const std::string& text) {
+    FrameSize s;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &s.width, &s.height, &rest) != 2 || s.width < 1 || s.height < 1)
+        throw Error(Exit::usage, "--size " + text + ": expected WIDTHxHEIGHT in pixels, such as 1280x720");
+    return s;
+}
+
+std::vector<std::uint32_t> named_photos(const PackageReader& package, const std::vector<std::string>& names) {
+    const auto count = std::uint32_t(package.photos().size());
+    std::vector<std::uint32_t> out;
+    for (const std::string& name : names) {
+        if (const auto i = package.photo_index(name)) {
+            out.push_back(*i);
+        } else if (name == "all") {
+            for (std::uint32_t p = 0; p < count; ++p) out.push_back(p);
+        } else {
+            throw Error(Exit::usage,
+                        name + ": " + package.path().string() + " has no such photo (--list lists them)");
+        }
+    }
+    return out;
+}
+
+Shot photo_shot(const package::PhotoRecord& photo, std::optional<FrameSize> size, double scale) {
+    const std::string_view name = photo.name;
+    Shot shot{std::string(name.substr(0, name.rfind('.'))), view_of_photo(photo, scale)};
+    if (!size) return shot;
+    Intrinsics k = intrinsics(photo);
+    const double s = std::min(double(size->width) / k.width, double(size->height) / k.height);
+    const double left = (size->width - k.width * s) / 2, top = (size->height - k.height * s) / 2;
+    shot.view.intrinsics = {size->width, size->height, k.fx * s, k.fy * s, k.cx * s + left, k.cy * s + top};
+    return shot;
+}
+
+View parse_view(const std::string& text, const PackageReader& package, FrameSize size) {
+    std::string spaced = text;
+    std::replace(spaced.begin(), spaced.end(), ',', ' ');
+    std::istringstream in(spaced);
+    std::vector<double> v;
+    for (double x; in >> x;) v.push_back(x);
+    if (!in.eof() || (v.size() != 6 && v.size() != 7) ||
+        !std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); }))
+        throw Error(Exit::usage,
+                    "view '" + text + "': expected EX,EY,EZ,TX,TY,TZ and optionally a field of view");
+    const double fov = v.size() == 7 ? v[6] : 45;
+    if (!(fov > 0.01 && fov < 179))
+        throw Error(Exit::usage, "view '" + text + "': field of view must be 0.01 to 179 degrees");
+    const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
+    return view_towards(Eigen::Vector3d(v[0], v[1], v[2]) - origin,
+                        Eigen::Vector3d(v[3], v[4], v[5]) - origin, mean_up(package.photos()), fov,
+                        size.width, size.height);
+}
+
+std::vector<Shot> read_path(const std::string& file, const PackageReader& package, FrameSize size) {
+    std::ifstream in(file);
+    if (!in) throw Error(Exit::input, file + ": cannot be read");
+    std::vector<Shot> shots;
+    std::string line;
+    for (int number = 1; std::getline(in, line); ++number) {
+        if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
+        char name[16];
+        std::snprintf(name, sizeof name, "%04zu", shots.size());
+        try {
+            shots.push_back({name, parse_view(line, package, size)});
+        } catch (const Error& e) {
+            throw Error(Exit::input, file + ":" + std::to_string(number) + ": " + e.what());
+        }
+    }
+    if (shots.empty()) throw Error(Exit::input, file + ": contains no view");
+    return shots;
+}
+
+}  // namespace vantage

@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "player/camera/view.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+
+/// A picture to take: its view, and its file name without extension.
+struct Shot {
+    std::string name;
+    View view;
+};
+
+struct FrameSize {
+    int width = 0, height = 0;
+};
+/// "1280x720". Throws Error(usage).
+FrameSize parse_size(const std::string& text);
+
+/// Indices of photos by name (with or without extension); "all" for every photo. Throws Error(usage) for an
+/// unknown name.
+std::vector<std::uint32_t> named_photos(const PackageReader& package, const std::vector<std::string>& names);
+
+/// From the photo's own camera: its intrinsics at `scale`, or the whole photo fitted into a frame of `size`.
+Shot photo_shot(const package::PhotoRecord& photo, std::optional<FrameSize> size, double scale);
+
+/// "EX,EY,EZ,TX,TY,TZ", eye and target in the input's coordinates, with the vertical field of view in degrees
+/// as an optional seventh number (default 45); separated by commas or spaces. Throws Error(usage).
+View parse_view(const std::string& text, const PackageReader& package, FrameSize size);
+
+/// One view per line, as in parse_view; skips empty lines and lines that start with #. Named 0000, 0001, ...
+/// Throws Error(input).
+std::vector<Shot> read_path(const std::string& file, const PackageReader& package, FrameSize size);
+
+}  // namespace vantage

@@ -1,0 +1,42 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <span>
+
+#include "scene/camera.h"
+#include "scene/package_format.h"
+
+namespace vantage {
+
+/// The exposure that a view shows: `gain` relative to the mean photo's exposure, and a lens's falloff towards
+/// the corners, as in PhotoRecord.
+struct Exposure {
+    std::array<float, 3> gain{1, 1, 1}, falloff{0, 0, 0};
+};
+/// The photo's exposure and lens.
+Exposure exposure_of(const package::PhotoRecord& photo);
+
+/// A camera to render from; positions are relative to the package's origin.
+struct View {
+    Intrinsics intrinsics;
+    Pose cam_from_origin;
+    Exposure exposure{};
+};
+
+/// The photo's own camera and exposure, the frame `scale` times the photo's size (rounded, at least one
+/// pixel).
+View view_of_photo(const package::PhotoRecord& photo, double scale);
+
+/// From `eye` towards `target`, both relative to the origin, with `up` at the top (any other direction if the
+/// view is along `up`); vertical field of view in degrees. Throws Error(usage) if eye and target coincide or
+/// their distance is not finite.
+View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up,
+                  double fov, int width, int height);
+
+/// The homography from pixels of one view to those of another from the same position.
+Eigen::Matrix3d pixels_from_pixels(const Intrinsics& to, const Eigen::Matrix3d& to_R, const View& from);
+
+/// Mean of the photos' up directions; +y if they cancel out.
+Eigen::Vector3d mean_up(std::span<const package::PhotoRecord> photos);
+
+}  // namespace vantage

@@ -1,0 +1,68 @@
+#include "player/measure/bench.h"
+
+#include "player/commands/commands.h"
+#include "player/commands/parse.h"
+#include "cli/real_range.h"
+
+namespace vantage {
+
+void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
+    add_package_options(app, o.package);
+    add_output_options(app, o.output);
+    add_memory_options(app, o.memory);
+    add_blending_options(app, o.blending);
+    add_unused_options(app, unused);
+    hide(app, {"--quiet"});
+    const std::string group = "Bench";
+    app.add_option("--paths", o.paths, "still, orbit, approach, jump, flight, or files of views")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->group(group);
+    app.add_option(
+           "--modes", o.modes,
+           "stream: within the upload budget of each frame; resident: everything loaded beforehand; whole: "
+           "each photo uploaded whole when it is chosen")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"stream", "resident", "whole"}))
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--path-frames", o.frames, "frames per path")
+        ->check(CLI::Range(2, 1 << 20))
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--minutes", o.minutes, "fly each path for this long instead")
+        ->check(real_range(0, 1e4))
+        ->group(group);
+    app.add_option("--repeats", o.repeats, "flights of each path and mode")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--sweep", o.sweep,
+                   "instead of paths, a still view with 1, 2, 4, ... photos per pass (passes) or photos "
+                   "blended (photos)")
+        ->check(CLI::IsMember({"passes", "photos"}))
+        ->group(group);
+    app.add_option("--pictures", o.pictures, "frames of each path to save as PNG, evenly spread")
+        ->check(CLI::Range(0, 1 << 20))
+        ->group(group);
+    app.add_flag("--warm", o.warm, "keep the package in the page cache")->group(group);
+    app.footer(
+        "Writes frames.csv, summary.json and a plot per path into the folder given by -o (default bench).\n"
+        "Examples:\n"
+        "  vantage-player bench chapel.vantage\n"
+        "  vantage-player bench chapel.vantage --paths orbit --modes stream,resident --repeats 5 -o orbit\n"
+        "  vantage-player bench chapel.vantage --paths flight --modes stream --minutes 10 --graphics-memory "
+        "256");
+}
+
+int bench_command(int argc, char** argv) {
+    CLI::App app{"vantage-player bench flies scripted paths and measures every frame."};
+    BenchOptions options;
+    UnusedOptions unused;
+    add_bench_options(app, options, unused);
+    if (const auto code = parse(app, argc, argv)) return *code;
+    if (unused.pictures.offscreen) options.purpose = Purpose::pictures;
+    return run_bench(PackageReader(options.package.file), options);
+}
+
+}  // namespace vantage

@@ -1,0 +1,24 @@
+#pragma once
+#include <CLI/CLI.hpp>
+
+#include "player/commands/unused_options.h"
+#include "player/measure/bench.h"
+#include "player/measure/evaluate.h"
+#include "player/options/show_options.h"
+#include "player/verify/verify.h"
+
+/// The verbs of vantage-player: each parses its command line and runs. They return the exit code and throw
+/// Error. `argv[0]` is the name of the program or the verb.
+namespace vantage {
+
+int show_command(int argc, char** argv);
+int bench_command(int argc, char** argv);
+int evaluate_command(int argc, char** argv);
+int verify_command(int argc, char** argv);
+
+void add_show_options(CLI::App& app, ShowOptions& options);
+void add_bench_options(CLI::App& app, BenchOptions& options, UnusedOptions& unused);
+void add_evaluate_options(CLI::App& app, EvaluateOptions& options, UnusedOptions& unused);
+void add_verify_options(CLI::App& app, VerifyOptions& options);
+
+}  // namespace vantage

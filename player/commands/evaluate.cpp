@@ -1,0 +1,61 @@
+#include "player/measure/evaluate.h"
+
+#include "player/commands/commands.h"
+#include "player/commands/parse.h"
+
+namespace vantage {
+
+void add_evaluate_options(CLI::App& app, EvaluateOptions& o, UnusedOptions& unused) {
+    add_package_options(app, o.package);
+    add_output_options(app, o.output);
+    add_memory_options(app, o.memory);
+    add_blending_options(app, o.blending);
+    add_unused_options(app, unused);
+    hide(app, {"--size", "--quiet", "--upload"});
+    const std::string group = "Evaluation";
+    app.add_option("--level", o.level, "pyramid level to compare: 0 full size, 1 half size")
+        ->check(CLI::Range(0, 8))
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--every", o.every, "leave out only every n-th photo (or those of --photo)")
+        ->check(CLI::Range(1, 1 << 20))
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--worst", o.worst, "number of worst photos to show first")
+        ->check(CLI::Range(0, 1 << 20))
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--against", o.against,
+                   "folder of an earlier evaluation: shows what has changed per photo, and where most")
+        ->group(group);
+    app.footer(
+        "Writes index.html, photos.csv, regions.csv, regions.ply and pictures into the folder given by -o "
+        "(default\n"
+        "evaluation).\n"
+        "Columns: PSNR; PSNR after the best gain per channel; SSIM; dB above the nearest photo alone; "
+        "percent "
+        "of the\n"
+        "photo's surface that the others color; stops brighter than the others; offset of the photo's "
+        "content "
+        "to the\n"
+        "right and down, px at full size; energy of the finest detail relative to the photo's.\n"
+        "Examples:\n"
+        "  vantage-player evaluate chapel.vantage\n"
+        "  vantage-player evaluate chapel.vantage --every 10 --level 2 -o quick\n"
+        "  vantage-player evaluate chapel.vantage --blend average --photo 0003 0007\n"
+        "  vantage-player evaluate chapel.vantage --original-colors -o before\n"
+        "  vantage-player evaluate chapel.vantage -o after --against before");
+}
+
+int evaluate_command(int argc, char** argv) {
+    CLI::App app{
+        "vantage-player evaluate leaves out each photo in turn and compares it with the picture that the "
+        "others give."};
+    EvaluateOptions options;
+    UnusedOptions unused;
+    add_evaluate_options(app, options, unused);
+    if (const auto code = parse(app, argc, argv)) return *code;
+    return run_evaluate(PackageReader(options.package.file), options);
+}
+
+}  // namespace vantage

@@ -1,0 +1,85 @@
+#include "player/commands/offscreen.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "gl/context.h"
+#include "player/camera/shots.h"
+#include "player/render/picture.h"
+#include "scene/error.h"
+#include "scene/make_folder.h"
+
+namespace vantage {
+namespace {
+
+std::vector<Shot> shots(const PackageReader& package, const ShowOptions& options) {
+    const PictureOptions& o = options.pictures;
+    std::optional<FrameSize> size;
+    if (!options.output.size.empty()) size = parse_size(options.output.size);
+    std::vector<Shot> out;
+    for (const std::uint32_t p : named_photos(package, options.package.photos))
+        out.push_back(photo_shot(package.photos()[p], size, o.scale));
+    FrameSize frame = size.value_or(FrameSize{1280, 720});
+    if (!size && o.scale != 1)
+        frame = {std::max(1, int(std::lround(1280 * o.scale))), std::max(1, int(std::lround(720 * o.scale)))};
+    if (!o.view.empty()) out.push_back({"view", parse_view(o.view, package, frame)});
+    if (!o.path.empty())
+        for (Shot& shot : read_path(o.path, package, frame)) out.push_back(std::move(shot));
+    if (out.empty()) throw Error(Exit::usage, "--offscreen needs --photo, --view or --path");
+    return out;
+}
+
+/// For one picture the output file, unless it is a folder; for several a file in the output folder, which is
+/// created.
+std::filesystem::path picture_file(const std::string& output, const std::string& name, std::size_t count) {
+    const std::filesystem::path out = output.empty() ? (count == 1 ? name + ".png" : ".") : output;
+    if (count == 1 && out.extension() == ".png" && !std::filesystem::is_directory(out)) return out;
+    make_folder(out);
+    return out / (name + ".png");
+}
+
+double colored_share(const Picture& p) {
+    std::size_t colored = 0;
+    for (std::size_t i = 3; i < p.rgba.size(); i += 4) colored += p.rgba[i] > 0;
+    return p.rgba.empty() ? 0 : 4.0 * double(colored) / double(p.rgba.size());
+}
+
+}  // namespace
+
+int run_offscreen(const PackageReader& package, const ShowOptions& options) {
+    const PictureOptions& o = options.pictures;
+    const std::vector<Shot> wanted = shots(package, options);
+    const std::vector<std::uint32_t> photos = photos_in_use(package, options.package);
+    const RenderSettings settings = render_settings(package, options.blending, Purpose::pictures);
+    const gl::HeadlessContext context(options.window.debug_gl);
+    Renderer renderer(package, memory_budget(options.memory));
+    const bool own_pixels = o.scale == 1 && options.output.size.empty() && o.view.empty() && o.path.empty();
+    const int side = o.samples ? o.samples : own_pixels ? 1 : 2;
+    std::size_t damaged = 0;
+    for (const Shot& shot : wanted) {
+        const auto start = std::chrono::steady_clock::now();
+        const Picture picture = take_picture(renderer, shot.view, settings, photos, side);
+        const auto file = picture_file(options.output.file, shot.name, wanted.size());
+        write_png(file, picture);
+        const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const FrameReport& r = picture.report;
+        damaged = r.tiles_damaged;
+        if (!options.output.quiet)
+            std::printf("%s  %dx%d  %zu photos in %zu passes  %zu tiles%s  %.3f %% colored  %.2f s\n",
+                        file.c_str(), picture.width, picture.height, r.photos, r.passes, r.tiles,
+                        r.tiles_missing ? (" (" + std::to_string(r.tiles_missing) + " missing)").c_str() : "",
+                        100 * colored_share(picture), s);
+        std::fflush(stdout);
+    }
+    if (!damaged) return int(Exit::ok);
+    std::fprintf(stderr,
+                 "vantage-player: %s: %zu tiles have a checksum mismatch and were not shown (see vantage "
+                 "check --deep)\n",
+                 package.path().c_str(), damaged);
+    return int(Exit::damaged);
+}
+
+}  // namespace vantage

@@ -1,0 +1,10 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <optional>
+
+namespace vantage {
+
+/// Parses the command line. Returns an exit code if the program is to end: after --help, or on a usage error.
+std::optional<int> parse(CLI::App& app, int argc, char** argv);
+
+}  // namespace vantage

@@ -1,0 +1,36 @@
+#include "player/interface/session.h"
+
+#include <algorithm>
+
+#include "player/camera/camera_path.h"
+
+namespace vantage {
+
+void say(Session& s, const std::string& message, double now) {
+    s.message = message;
+    s.message_until = now + 6;
+}
+
+void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record, double now) {
+    s.standing_at = photo;
+    s.settings.compare_photo = photo;
+    s.flight = Session::Flight{{s.camera, stand_at(record, s.camera.up)}, now, 0.7};
+}
+
+void replay(Session& s, double now) {
+    if (s.recorded.size() < 2) return;
+    s.flight = Session::Flight{s.recorded, now, double(s.recorded.size() - 1) / 30};
+}
+
+void continue_flight(Session& s, double now) {
+    if (!s.flight) return;
+    const auto& stops = s.flight->stops;
+    double share = std::clamp((now - s.flight->start) / s.flight->seconds, 0.0, 1.0);
+    if (stops.size() == 2) share = share * share * (3 - 2 * share);  // accelerates and decelerates smoothly
+    const double at = share * double(stops.size() - 1);
+    const auto first = std::min(std::size_t(at), stops.size() - 2);
+    s.camera = share >= 1 ? stops.back() : between(stops[first], stops[first + 1], at - double(first));
+    if (share >= 1) s.flight.reset();
+}
+
+}  // namespace vantage

@@ -1,0 +1,58 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "player/camera/navigation.h"
+#include "player/render/frame_statistics.h"
+#include "player/render/render_settings.h"
+
+namespace vantage {
+
+/// The panels and overlays that are shown.
+struct Panels {
+    bool blending = true, status = true, photos = true, frusta = false, radar = false, help = false;
+};
+
+/// The state that the user of the window sees and changes.
+struct Session {
+    RenderSettings settings;
+    Navigation camera;
+    std::vector<std::uint32_t> photos;  ///< allowed for blending
+    Panels panels;
+
+    std::uint32_t standing_at = 0;  ///< the photo last flown to
+    bool freeze = false;            ///< weights are frozen
+
+    /// A flight in progress: to a photo, or along a recorded path.
+    struct Flight {
+        std::vector<Navigation> stops;
+        double start, seconds;
+    };
+    std::optional<Flight> flight;
+    bool recording = false;
+    std::vector<Navigation> recorded;
+
+    bool open_asked = false;  ///< show the dialog to open another package
+    std::string open;         ///< another package to show, or empty
+    bool screenshot = false, quit = false;
+    std::string message;  ///< one line
+    double message_until = 0;
+
+    FrameReport report;
+    std::vector<float> frame_ms =
+        std::vector<float>(240, 0.0f);  ///< of the last 240 frames drawn, newest last
+    FrameStatistics statistics;
+};
+
+/// Shows a message for 6 seconds.
+void say(Session& session, const std::string& message, double now);
+
+/// Starts a flight to a photo's camera, 0.7 seconds long.
+void fly_to(Session& session, std::uint32_t photo, const package::PhotoRecord& record, double now);
+/// Starts a flight along the recorded path, 30 positions per second.
+void replay(Session& session, double now);
+/// Moves the camera to its position on the flight in progress.
+void continue_flight(Session& session, double now);
+
+}  // namespace vantage

@@ -1,0 +1,132 @@
+#include "player/measure/flight.h"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+
+#include "gl/context.h"
+#include "player/measure/frame_timer.h"
+#include "player/measure/touched_texels.h"
+#include "player/render/picture.h"
+#include "player/render/renderer.h"
+
+namespace vantage {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr double frame_seconds = 1.0 / 30;  // by the path's clock
+
+/// Makes everything resident that the path needs, as far as there is space.
+void preload(Renderer& renderer, const CameraPath& path, FrameSize size, RenderSettings settings,
+             const std::vector<std::uint32_t>& photos) {
+    settings.complete = true;
+    for (const Navigation& n : path.frames)
+        renderer.draw(view_of(n, size.width, size.height), settings, photos, {}, 0);
+}
+
+/// Whether a frame is one of `pictures`, evenly spread over `frames`.
+bool pictured(int frame, int frames, int pictures) {
+    return std::int64_t(frame) * pictures % frames < pictures;
+}
+
+void write_picture(const std::filesystem::path& file, const FlightTarget& target) {
+    Picture p{target.size.width, target.size.height, {}, {}};
+    p.rgba.resize(std::size_t(p.width) * std::size_t(p.height) * 4);
+    glGetTextureImage(target.color.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(p.rgba.size()), p.rgba.data());
+    write_png(file, p);
+}
+
+RenderSettings flight_settings(const PackageReader& package, const FlightOptions& o,
+                               const std::string& mode) {
+    RenderSettings settings = render_settings(package, o.blending, o.purpose);
+    settings.fill_holes = true;
+    settings.complete = false;
+    settings.upload_bytes = o.memory.upload_bytes();
+    settings.whole_photos = mode == "whole";
+    return settings;
+}
+
+/// What is expected a quarter of a second after frame `i` if the motion continues; nothing on a jump's frame.
+std::optional<View> expected_view(const CameraPath& path, int i, int jump, FrameSize size) {
+    if (i == 0 || i == jump) return {};
+    const Navigation& before = path.frames[std::size_t(i) - 1];
+    return view_of(between(before, path.frames[std::size_t(i)], 8), size.width, size.height);
+}
+
+/// The process's memory without the records of the measurement itself.
+ProcessMemory memory_without(std::size_t records) {
+    ProcessMemory memory = process_memory();
+    memory.resident -= records * sizeof(FrameRecord);
+    memory.anonymous -= records * sizeof(FrameRecord);
+    return memory;
+}
+
+}  // namespace
+
+std::vector<double> frame_times(const Flight& f) {
+    std::vector<double> ms;
+    for (const FrameRecord& r : f.frames) ms.push_back(r.ms);
+    return ms;
+}
+
+FlightTarget make_flight_target(FrameSize size) {
+    FlightTarget t{size, gl::make_texture_2d("bench", GL_RGBA8, size.width, size.height), {}};
+    t.framebuffer = gl::make_framebuffer("bench", std::array{t.color.id()}, 0);
+    return t;
+}
+
+CameraPath path_named(const std::string& name, const PackageReader& package, const FlightOptions& o,
+                      int repeat) {
+    const int frames = o.minutes > 0 ? 1 << 20 : o.frames;
+    if (std::filesystem::is_regular_file(name)) return recorded_path(name, package, frames);
+    const auto photos = package.photos();
+    const std::uint32_t first = o.package.photos.empty() ? std::uint32_t(photos.size() / 2)
+                                                         : named_photos(package, o.package.photos).front();
+    return scripted_path(name, stand_at(photos[first], mean_up(photos)), frames, unsigned(repeat) + 1);
+}
+
+Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPath& path,
+           const std::string& mode, int repeat, const FlightTarget& target) {
+    if (!o.warm) drop_from_page_cache(package.path());
+    const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
+    const RenderSettings settings = flight_settings(package, o, mode);
+    const FrameSize size = target.size;
+    Renderer renderer(package, memory_budget(o.memory));
+    if (mode == "resident") preload(renderer, path, size, settings, photos);
+    Flight flight{path.name, mode, repeat, {}};
+    flight.frames.reserve(path.frames.size());
+    FrameTimer timer(gl::current_device().software);
+    const auto begin = Clock::now();
+    const std::chrono::duration<double, std::ratio<60>> minutes(o.minutes);
+    const int frames = int(path.frames.size()), jump = path.name == "jump" ? frames / 2 : -1;
+    std::uint64_t before_jump = 0;
+    for (int i = 0; i < frames; ++i) {
+        if (o.minutes > 0 && Clock::now() - begin > minutes) break;
+        if (i == jump) before_jump = renderer.store().bytes_read();
+        const double now = 1 + i * frame_seconds;
+        const View view = view_of(path.frames[std::size_t(i)], size.width, size.height);
+        const std::optional<View> next = expected_view(path, i, jump, size);
+        timer.begin();
+        const FrameReport report = renderer.draw(view, settings, photos, {}, now, next ? &*next : nullptr);
+        renderer.show(view, settings, target.framebuffer.id(), false);
+        const double ms = timer.end();
+        gl::check("drawing a frame");
+        flight.frames.push_back({ms, report, gl::memory_held(), memory_without(flight.frames.size())});
+        if (repeat == 0 && pictured(i, frames, o.pictures)) {
+            char number[16];
+            std::snprintf(number, sizeof number, "-%05d.png", i);
+            write_picture(o.folder / (path.name + "-" + mode + number), target);
+        }
+        const bool exact = report.tiles_missing == 0 && report.photos == renderer.plan().photos.size();
+        if (jump >= 0 && i > jump && flight.frames_to_exact < 0 && exact) {
+            flight.frames_to_exact = i - jump;
+            flight.jump_bytes = renderer.store().bytes_read() - before_jump;
+            flight.touched_bytes = touched_bytes(renderer, view, settings, photos, now);
+        }
+    }
+    flight.bytes_read = renderer.store().bytes_read();
+    flight.graphics_budget = renderer.graphics_budget();
+    return flight;
+}
+
+}  // namespace vantage

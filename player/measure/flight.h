@@ -1,0 +1,67 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "gl/object.h"
+#include "player/camera/camera_path.h"
+#include "player/camera/shots.h"
+#include "player/measure/process_memory.h"
+#include "player/options/blending_options.h"
+#include "player/options/memory_options.h"
+#include "player/options/output_options.h"
+#include "player/options/package_options.h"
+
+namespace vantage {
+
+/// How paths are flown.
+struct FlightOptions {
+    PackageOptions package;
+    BlendingOptions blending;
+    MemoryOptions memory;
+    Purpose purpose = Purpose::window;
+    int frames = 120;
+    double minutes = 0;  ///< instead of `frames`
+    bool warm = false;   ///< keep the package in the page cache
+    int pictures = 0;    ///< frames to save as PNG
+    std::filesystem::path folder = "bench";
+};
+
+struct FrameRecord {
+    double ms;
+    FrameReport report;
+    std::uint64_t graphics;  ///< bytes of OpenGL objects
+    ProcessMemory process;
+};
+
+/// The measurements of one flight along a path.
+struct Flight {
+    std::string path, mode;
+    int repeat;
+    std::vector<FrameRecord> frames;
+    std::uint64_t bytes_read = 0, graphics_budget = 0;
+    // Of the jump in the path "jump":
+    int frames_to_exact = -1;  ///< until no tile was missing; -1: never
+    std::uint64_t jump_bytes = 0, touched_bytes = 0;
+};
+std::vector<double> frame_times(const Flight& flight);  ///< ms
+
+/// What frames are shown in.
+struct FlightTarget {
+    FrameSize size;
+    gl::Texture color;
+    gl::Framebuffer framebuffer;
+};
+FlightTarget make_flight_target(FrameSize size);
+
+/// A scripted path, or a file of views; a scripted one starts at the first of --photo, or at the middle
+/// photo.
+CameraPath path_named(const std::string& name, const PackageReader& package, const FlightOptions& options,
+                      int repeat);
+
+/// Flies a path with a fresh renderer. `mode`: "stream", within the upload budget; "resident", everything
+/// loaded beforehand; "whole", each photo uploaded whole when it is chosen. Throws Error.
+Flight fly(const PackageReader& package, const FlightOptions& options, const CameraPath& path,
+           const std::string& mode, int repeat, const FlightTarget& target);
+
+}  // namespace vantage

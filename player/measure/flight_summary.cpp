@@ -1,0 +1,91 @@
+#include "player/measure/flight_summary.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "player/render/frame_statistics.h"
+#include "scene/error.h"
+
+namespace vantage {
+
+nlohmann::json summarize(const std::vector<const Flight*>& flights, std::size_t upload_budget) {
+    std::vector<double> all, medians, ratios;
+    std::uint64_t uploaded = 0, over = 0, graphics = 0, process = 0, missing = 0, read = 0;
+    for (const Flight* f : flights) {
+        const std::vector<double> ms = frame_times(*f);
+        const FrameStatistics s = frame_statistics(ms);
+        all.insert(all.end(), ms.begin(), ms.end());
+        medians.push_back(s.median);
+        ratios.push_back(s.median > 0 ? s.p999 / s.median : 0);
+        read += f->bytes_read;
+        for (const FrameRecord& r : f->frames) {
+            uploaded = std::max<std::uint64_t>(uploaded, r.report.uploaded);
+            over += r.report.uploaded > upload_budget;
+            graphics = std::max(graphics, r.graphics);
+            process = std::max(process, r.process.resident);
+            missing += r.report.tiles_missing > 0;
+        }
+    }
+    const FrameStatistics s = frame_statistics(all);
+    const auto [low, high] = std::ranges::minmax(medians);
+    nlohmann::json out{
+        {"path", flights[0]->path},
+        {"mode", flights[0]->mode},
+        {"repeats", flights.size()},
+        {"frames", all.size()},
+        {"ms", {{"mean", s.mean}, {"median", s.median}, {"p99", s.p99}, {"p999", s.p999}, {"max", s.max}}},
+        {"median_spread", low > 0 ? high / low : 0},
+        {"p999_over_median", frame_statistics(ratios).median},
+        {"frames_with_tiles_missing", missing},
+        {"uploaded_bytes_a_frame_max", uploaded},
+        {"upload_budget_bytes", upload_budget},
+        {"frames_over_upload_budget", over},
+        {"graphics_bytes_max", graphics},
+        {"graphics_budget_bytes", flights.back()->graphics_budget},
+        {"process_bytes_max", process},
+        {"bytes_read", read / flights.size()}};
+    if (const Flight& f = *flights.back(); f.frames_to_exact >= 0) {
+        out["frames_to_exact"] = f.frames_to_exact;
+        out["bytes_to_exact"] = f.jump_bytes;
+        out["bytes_touched"] = f.touched_bytes;
+        out["read_over_touched"] = double(f.jump_bytes) / double(std::max<std::uint64_t>(1, f.touched_bytes));
+    }
+    return out;
+}
+
+void print_summary(const nlohmann::json& s) {
+    const auto& ms = s["ms"];
+    std::printf(
+        "%-10s %-9s  mean %7.2f  median %7.2f  99 %% %7.2f  99.9 %% %7.2f  max %7.2f ms  99.9 %%/median %.2f"
+        "  %5.1f MiB read  at most %.1f MiB per frame",
+        s["path"].get<std::string>().c_str(), s["mode"].get<std::string>().c_str(), ms["mean"].get<double>(),
+        ms["median"].get<double>(), ms["p99"].get<double>(), ms["p999"].get<double>(),
+        ms["max"].get<double>(), s["p999_over_median"].get<double>(),
+        double(s["bytes_read"].get<std::uint64_t>()) / 1048576,
+        double(s["uploaded_bytes_a_frame_max"].get<std::uint64_t>()) / 1048576);
+    if (s.contains("read_over_touched"))
+        std::printf("  exact after %d frames, %.2f bytes read per byte touched",
+                    s["frames_to_exact"].get<int>(), s["read_over_touched"].get<double>());
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+void write_frames(const std::filesystem::path& file, const std::vector<Flight>& flights) {
+    std::ofstream out(file);
+    out << "path,mode,repeat,frame,ms,uploaded_bytes,tiles,tiles_missing,tiles_damaged,photos,passes,draws,"
+           "graphics_bytes,process_bytes,anonymous_bytes\n";
+    for (const Flight& f : flights)
+        for (std::size_t i = 0; i < f.frames.size(); ++i) {
+            const FrameRecord& r = f.frames[i];
+            out << f.path << ',' << f.mode << ',' << f.repeat << ',' << i << ',' << r.ms << ','
+                << r.report.uploaded << ',' << r.report.tiles << ',' << r.report.tiles_missing << ','
+                << r.report.tiles_damaged << ',' << r.report.photos << ',' << r.report.passes << ','
+                << r.report.draws << ',' << r.graphics << ',' << r.process.resident << ','
+                << r.process.anonymous << '\n';
+        }
+    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+}
+
+}  // namespace vantage

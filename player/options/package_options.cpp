@@ -1,0 +1,23 @@
+#include "player/options/package_options.h"
+
+#include <algorithm>
+
+#include "player/camera/shots.h"
+
+namespace vantage {
+
+void add_package_options(CLI::App& app, PackageOptions& o) {
+    app.add_option("FILE", o.file, "package")->required();
+    app.add_option("--exclude", o.exclude, "photos not to blend")->delimiter(',');
+    app.add_option("--photo", o.photos, "photos to look from or to leave out, or 'all'")->delimiter(',');
+}
+
+std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& o) {
+    const std::vector<std::uint32_t> excluded = named_photos(package, o.exclude);
+    std::vector<std::uint32_t> photos;
+    for (std::uint32_t p = 0; p < package.photos().size(); ++p)
+        if (!std::ranges::count(excluded, p)) photos.push_back(p);
+    return photos;
+}
+
+}  // namespace vantage

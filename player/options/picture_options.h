@@ -1,0 +1,17 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace vantage {
+
+/// Pictures without a display.
+struct PictureOptions {
+    bool offscreen = false;
+    std::string view;  ///< see parse_view
+    std::string path;  ///< file, see read_path
+    double scale = 1;
+    int samples = 0;  ///< per side of a pixel; 0: depends on what is shown
+};
+void add_picture_options(CLI::App& app, PictureOptions& options);
+
+}  // namespace vantage

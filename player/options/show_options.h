@@ -1,0 +1,22 @@
+#pragma once
+#include "player/options/blending_options.h"
+#include "player/options/memory_options.h"
+#include "player/options/output_options.h"
+#include "player/options/package_options.h"
+#include "player/options/picture_options.h"
+#include "player/options/window_options.h"
+
+namespace vantage {
+
+/// The command line of `vantage-player FILE`.
+struct ShowOptions {
+    PackageOptions package;
+    BlendingOptions blending;
+    MemoryOptions memory;
+    OutputOptions output;
+    PictureOptions pictures;
+    WindowOptions window;
+    bool list = false;
+};
+
+}  // namespace vantage

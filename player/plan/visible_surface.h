@@ -1,0 +1,46 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "player/camera/view.h"
+#include "player/plan/plan_scene.h"
+#include "player/plan/shown_tiles.h"
+
+namespace vantage {
+
+/// What a view shows of the model, regardless of the photos.
+struct VisibleSurface {
+    const PlanScene& scene;
+    const View& view;
+    Eigen::Vector3d eye;
+    std::vector<std::uint32_t> clusters;     ///< in view
+    std::vector<double> areas{};             ///< per cluster in view; any unit, 0: hidden
+    std::vector<std::uint32_t> triangles{};  ///< seen, with repetitions; none: unknown
+    std::vector<bool> seen{};                ///< per cluster of the scene: some of it was seen
+    /// Points on some of the triangles seen, with their triangles and clusters.
+    struct Points {
+        std::vector<SurfaceSample> samples;
+        std::vector<std::uint32_t> triangles, clusters;
+        double pixels = 0;  ///< samples of the picture that each point stands for
+    } points{};
+};
+
+/// `seen`: triangles that pixels of the view (or of one just before) showed, from 1, 0: none; `samples` per
+/// side of a pixel.
+VisibleSurface visible_surface(const PlanScene& scene, const View& view, std::span<const std::uint32_t> seen,
+                               double samples);
+
+/// How well a photo agrees with the view, in [0, 1]: the share of the visible surface that it sees, weighted
+/// by the angle; 0 if it sees nothing of it.
+double agreement(const VisibleSurface& surface, std::uint32_t photo);
+
+/// The photo sees a triangle at least in part.
+bool sees(const PlanScene& scene, std::uint32_t photo, std::uint32_t triangle);
+
+Eigen::Vector3d center(const package::ClusterRecord& cluster);
+/// Angle between the rays from a point to the viewer and to a photo, radians.
+double ray_angle(const Eigen::Vector3d& point, const Eigen::Vector3d& eye, const Eigen::Vector3d& photo);
+
+}  // namespace vantage

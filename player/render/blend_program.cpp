@@ -1,0 +1,24 @@
+#include "player/render/blend_program.h"
+
+#include <string>
+#include <vector>
+
+namespace vantage {
+
+gl::Program make_blend_program(const BlendVariant& v, const package::SceneRecord& scene) {
+    EffectSet effects = scene.effects & ~effect_bit(Effect::per_fragment);
+    if (v.per_fragment) effects |= effect_bit(Effect::per_fragment);
+    if (!v.refined_colors) effects &= ~effects_from(Basis::colors);
+    std::vector<std::string> defines = shader_defines("blend", effects);
+    defines.push_back("PASS_PHOTOS " + std::to_string(v.photos));
+    if (v.blend == Blend::best) defines.emplace_back("BLEND_BEST");
+    if (v.blend == Blend::lumigraph) defines.emplace_back("BLEND_LUMIGRAPH");
+    if (v.consensus) defines.emplace_back("CONSENSUS");
+    if (v.traces_texels) defines.emplace_back("TRACE_TEXELS");
+    if (!v.trilinear) defines.emplace_back("BILINEAR");
+    if (v.anisotropy > 1) defines.push_back("TAPS " + std::to_string(v.anisotropy));
+    return gl::make_program("blend", {{GL_VERTEX_SHADER, "blend.vert"}, {GL_FRAGMENT_SHADER, "blend.frag"}},
+                            defines);
+}
+
+}  // namespace vantage

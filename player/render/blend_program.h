@@ -1,0 +1,27 @@
+#pragma once
+#include <compare>
+
+#include "gl/program.h"
+#include "player/render/render_settings.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+
+/// What distinguishes the blending programs of one package.
+struct BlendVariant {
+    int photos;  ///< per pass, at most
+    bool per_fragment;
+    Blend blend;
+    bool consensus;      ///< the second round of passes
+    bool traces_texels;  ///< sets a bit for each texel read
+    bool trilinear;
+    int anisotropy;
+    bool refined_colors;
+
+    auto operator<=>(const BlendVariant&) const = default;
+};
+
+/// Throws std::runtime_error with the driver's log if the program does not compile.
+gl::Program make_blend_program(const BlendVariant& variant, const package::SceneRecord& scene);
+
+}  // namespace vantage

@@ -1,0 +1,13 @@
+#pragma once
+#include <vector>
+
+namespace vantage {
+
+/// Statistics of frame times, or of other values whose rare extremes matter.
+struct FrameStatistics {
+    double mean = 0, median = 0, p99 = 0, p999 = 0, max = 0;
+};
+/// Percentiles by nearest rank; all 0 without values.
+FrameStatistics frame_statistics(std::vector<double> values);
+
+}  // namespace vantage

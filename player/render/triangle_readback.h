@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "gl/object.h"
+#include "player/camera/view.h"
+#include "player/plan/view_plan.h"
+#include "player/render/frame_targets.h"
+
+namespace vantage {
+
+/// Reads back which triangles a frame shows, at every second pixel of every second row, without waiting for
+/// the graphics card unless asked to. Plans cover what is seen, not what lies behind it.
+class TriangleReadback {
+  public:
+    static constexpr int step = 2;  ///< pixels
+
+    /// Graphics memory for frames of this size.
+    static std::uint64_t bytes(int width, int height) {
+        return std::uint64_t(width / step + 1) * std::uint64_t(height / step + 1) * 8;
+    }
+    /// Frees that memory until the next capture.
+    void release();
+    /// Starts reading what `targets` show of `view`. Does nothing while an earlier frame is in flight.
+    void capture(const FrameTargets& targets, const View& view);
+    /// Takes over what has arrived; with `wait`, waits for what is in flight. True if anything has changed.
+    bool update(bool wait);
+
+    SeenTriangles seen() const { return {triangles_, view_, version_}; }
+
+    ~TriangleReadback();
+    TriangleReadback() = default;
+    TriangleReadback(const TriangleReadback&) = delete;
+    TriangleReadback& operator=(const TriangleReadback&) = delete;
+
+  private:
+    int width_ = 0, height_ = 0;
+    gl::Texture small_;
+    gl::Framebuffer small_target_;
+    gl::Buffer pixels_;
+    const std::uint32_t* mapped_ = nullptr;
+    GLsync fence_ = nullptr;
+    View view_{}, captured_{};
+    std::vector<std::uint32_t> triangles_;
+    std::uint64_t version_ = 0;
+};
+
+}  // namespace vantage

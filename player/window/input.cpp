@@ -1,0 +1,92 @@
+#include "player/window/input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vantage {
+namespace {
+
+/// Whether a key was pressed in this frame, and not typed into a text field.
+bool pressed(int key) { return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key, false); }
+
+void move_by_mouse(Session& s) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantCaptureMouse) return;
+    const Navigation before = s.camera;
+    const double radians = 0.005;
+    if (io.MouseDown[0]) orbit(s.camera, io.MouseDelta.x * radians, -io.MouseDelta.y * radians);
+    if (io.MouseDown[1]) look(s.camera, -io.MouseDelta.x * radians, io.MouseDelta.y * radians);
+    const double pixel = (s.camera.eye - s.camera.target).norm() / std::max(1.0f, io.DisplaySize.y);
+    if (io.MouseDown[2]) fly(s.camera, Eigen::Vector3d(-io.MouseDelta.x, -io.MouseDelta.y, 0) * pixel);
+    if (io.MouseWheel != 0) approach(s.camera, std::pow(0.9, double(io.MouseWheel)));
+    if (s.camera.eye != before.eye || s.camera.R != before.R) s.flight.reset();  // input interrupts a flight
+}
+
+void move_by_keys(Session& s) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput) return;
+    const auto down = [&](int key) { return double(ImGui::IsKeyDown(key)); };
+    const Eigen::Vector3d step(down(GLFW_KEY_D) - down(GLFW_KEY_A), down(GLFW_KEY_Q) - down(GLFW_KEY_E),
+                               down(GLFW_KEY_W) - down(GLFW_KEY_S));
+    const double pace =
+        (io.KeyShift ? 2.0 : 0.5) * (s.camera.eye - s.camera.target).norm() * std::min(io.DeltaTime, 0.1f);
+    if (step.norm() > 0) {
+        s.flight.reset();
+        fly(s.camera, step * pace);
+    }
+}
+
+template <class Enum>
+void next(Enum& value, Enum last) {
+    value = value == last ? Enum(0) : Enum(int(value) + 1);
+}
+
+/// Flies to the next photo with pixels, or the previous one (`by` -1).
+void fly_on(Session& s, const PlanScene& scene, int by, double now) {
+    const int count = int(scene.photos.size());
+    for (int i = 1; i <= count; ++i) {
+        const auto photo = std::uint32_t((int(s.standing_at) + by * i % count + count) % count);
+        if (scene.photos[photo].levels) return fly_to(s, photo, scene.photos[photo], now);
+    }
+}
+
+void run_shortcuts(Session& s, const PlanScene& scene, double now) {
+    if (pressed(GLFW_KEY_N)) fly_on(s, scene, 1, now);
+    if (pressed(GLFW_KEY_B)) fly_on(s, scene, -1, now);
+    if (pressed(GLFW_KEY_C)) next(s.settings.compare, Compare::difference);
+    if (pressed(GLFW_KEY_V)) next(s.settings.show, Show::coverage);
+    if (pressed(GLFW_KEY_1)) s.settings.blend = Blend::lumigraph;
+    if (pressed(GLFW_KEY_2)) s.settings.blend = Blend::average;
+    if (pressed(GLFW_KEY_3)) s.settings.blend = Blend::best;
+    if (pressed(GLFW_KEY_R)) {
+        s.recording = !s.recording;
+        if (s.recording) s.recorded.clear();
+    }
+    if (pressed(GLFW_KEY_T)) replay(s, now);
+    if (pressed(GLFW_KEY_O)) s.open_asked = true;
+    if (pressed(GLFW_KEY_P)) s.screenshot = true;
+    if (pressed(GLFW_KEY_ESCAPE)) s.quit = true;
+    bool* const panels[] = {&s.panels.help,   &s.panels.blending, &s.panels.status,
+                            &s.panels.photos, &s.panels.frusta,   &s.panels.radar};
+    for (int i = 0; i < 6; ++i)
+        if (pressed(GLFW_KEY_F1 + i)) *panels[i] = !*panels[i];
+}
+
+}  // namespace
+
+void apply_input(Session& session, const PlanScene& scene, double now) {
+    move_by_mouse(session);
+    move_by_keys(session);
+    run_shortcuts(session, scene, now);
+}
+
+bool any_key_down() {
+    const auto& down = ImGui::GetIO().KeysDown;
+    return std::any_of(std::begin(down), std::end(down), [](bool d) { return d; });
+}
+
+}  // namespace vantage

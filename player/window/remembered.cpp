@@ -1,0 +1,99 @@
+#include "player/window/remembered.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace vantage {
+namespace {
+
+/// Calls `field(name, value)` for each remembered number and flag.
+template <class R, class Field>
+void for_fields(R& r, const Field& field) {
+    auto& s = r.settings;
+    auto& w = s.weights;
+    field("width", r.window.width);
+    field("height", r.window.height);
+    field("consensus", s.consensus);
+    field("refined_colors", s.refined_colors);
+    field("photos", s.photos);
+    field("photos_per_pass", s.photos_per_pass);
+    field("angle_limit", s.angle_limit);
+    field("fill_holes", s.fill_holes);
+    field("distance", w.distance);
+    field("angle", w.angle);
+    field("angle_per_photo", w.angle_per_photo);
+    field("angle_mask", w.angle_mask);
+    field("depth_mask", w.depth_mask);
+    field("border_mask", w.border_mask);
+    field("consensus_mask", w.consensus_mask);
+    field("corrected_directions", w.corrected_directions);
+    field("exponent", w.exponent);
+    field("sharpness", w.sharpness);
+    field("panel_blending", r.panels.blending);
+    field("panel_status", r.panels.status);
+    field("panel_photos", r.panels.photos);
+    field("panel_frusta", r.panels.frusta);
+    field("panel_radar", r.panels.radar);
+}
+
+/// Reads a field if the file has it with the right type.
+template <class T>
+void read(const nlohmann::json& j, const char* name, T& value) {
+    const auto it = j.find(name);
+    if (it == j.end()) return;
+    if (std::is_same_v<T, bool> ? it->is_boolean()
+        : std::is_integral_v<T> ? it->is_number_integer()
+                                : it->is_number())
+        value = it->get<T>();
+}
+
+template <class Enum>
+void read_enum(const nlohmann::json& j, const char* name, Enum last, Enum& value) {
+    int number = -1;
+    read(j, name, number);
+    if (number >= 0 && number <= int(last)) value = Enum(number);
+}
+
+}  // namespace
+
+std::filesystem::path settings_folder() {
+    if (const char* config = std::getenv("XDG_CONFIG_HOME"); config && *config)
+        return std::filesystem::path(config) / "vantage";
+    const char* home = std::getenv("HOME");
+    return home && *home ? std::filesystem::path(home) / ".config" / "vantage" : std::filesystem::path();
+}
+
+Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
+    std::ifstream in(folder / "player.json");
+    const nlohmann::json j = nlohmann::json::parse(in, nullptr, false);
+    if (!j.is_object()) return r;
+    for_fields(r, [&](const char* name, auto& value) { read(j, name, value); });
+    read_enum(j, "blend", Blend::best, r.settings.blend);
+    read_enum(j, "choice", Choice::normals, r.settings.choice);
+    // The file may have been edited: clamps to valid ranges.
+    r.window.width = std::clamp(r.window.width, 320, 16384);
+    r.window.height = std::clamp(r.window.height, 240, 16384);
+    r.settings.photos = std::clamp(r.settings.photos, 0, 1 << 20);
+    r.settings.photos_per_pass = std::clamp(r.settings.photos_per_pass, 1, most_photos_per_pass);
+    r.settings.angle_limit = std::clamp(r.settings.angle_limit, 10.0, 180.0);
+    r.settings.weights.sharpness = std::clamp(r.settings.weights.sharpness, 0.005, 3.0);
+    r.settings.weights.exponent = std::clamp(r.settings.weights.exponent, 0.0, 64.0);
+    return r;
+}
+
+void write_settings(const std::filesystem::path& folder, const Remembered& r) {
+    if (folder.empty()) return;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    nlohmann::json j;
+    for_fields(r, [&](const char* name, const auto& value) { j[name] = value; });
+    j["blend"] = int(r.settings.blend);
+    j["choice"] = int(r.settings.choice);
+    const auto part = folder / "player.json.part";
+    if (std::ofstream out(part); !(out << j.dump(1) << '\n').flush()) return;
+    std::filesystem::rename(part, folder / "player.json", error);
+}
+
+}  // namespace vantage

@@ -1,0 +1,23 @@
+#pragma once
+#include <filesystem>
+
+#include "player/camera/shots.h"
+#include "player/interface/session.h"
+
+namespace vantage {
+
+/// The folder of the player's settings: $XDG_CONFIG_HOME/vantage or ~/.config/vantage; empty without a home.
+std::filesystem::path settings_folder();
+
+/// What the player remembers between sessions.
+struct Remembered {
+    FrameSize window{1280, 720};
+    RenderSettings settings;
+    Panels panels;
+};
+/// The settings in player.json of the folder; those missing or invalid are as in `otherwise`.
+Remembered read_settings(const std::filesystem::path& folder, Remembered otherwise);
+/// Writes player.json. Ignores errors: the window works without remembered settings.
+void write_settings(const std::filesystem::path& folder, const Remembered& remembered);
+
+}  // namespace vantage

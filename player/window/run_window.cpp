@@ -1,0 +1,169 @@
+#include "player/window/run_window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <utility>
+
+#include "player/camera/shots.h"
+#include "player/window/glfw_window.h"
+#include "player/window/input.h"
+#include "player/window/remembered.h"
+#include "player/window/screenshot.h"
+#include "player/window/shown_scene.h"
+#include "scene/error.h"
+#include "scene/package_shape.h"
+
+namespace vantage {
+namespace {
+
+/// Seconds since the process was started, by the kernel's records.
+double process_seconds() {
+    std::ifstream stat("/proc/self/stat"), uptime("/proc/uptime");
+    std::string field;
+    double ticks = 0, up = 0;
+    for (int i = 1; i <= 22 && stat >> field; ++i)
+        if (i == 22) ticks = std::stod(field);
+    uptime >> up;
+    return up - ticks / double(::sysconf(_SC_CLK_TCK));
+}
+
+void expect_photo(const PackageReader& package) {
+    if (package.photos().empty()) throw Error(Exit::damaged, package.path().string() + ": holds no photo");
+}
+
+/// A session at the first photo of --photo, or the middle one.
+Session start_session(const PackageReader& package, const ShowOptions& o, const Remembered& remembered) {
+    Session s;
+    s.settings = remembered.settings;
+    s.panels = remembered.panels;
+    s.settings.upload_bytes = o.memory.upload_bytes();
+    s.settings.complete = false;
+    const auto named = o.package.photos.empty()
+                           ? std::vector<std::uint32_t>{std::uint32_t(package.photos().size() / 2)}
+                           : named_photos(package, o.package.photos);
+    s.standing_at = s.settings.compare_photo = named.front();
+    s.camera = stand_at(package.photos()[s.standing_at], mean_up(package.photos()));
+    return s;
+}
+
+/// A package to show, and when it was requested.
+struct Requested {
+    PackageReader package;
+    double at;  ///< seconds
+};
+
+/// The package that the session asks to open; empty, with a message, if that cannot be shown.
+std::optional<Requested> take_request(Session& session, double now) {
+    const std::string file = std::exchange(session.open, "");
+    if (file.empty()) return {};
+    try {
+        PackageReader package(file);
+        expect_shape(package);
+        expect_photo(package);
+        return Requested{std::move(package), now};
+    } catch (const Error& e) {
+        say(session, e.what(), now);
+        return {};
+    }
+}
+
+/// Shows one package, requested at `requested_at` seconds, until the window closes or another package is
+/// requested. Returns the other package.
+std::optional<Requested> show_package(GLFWwindow* window, Session& session, ShownScene& scene,
+                                      Controls& controls, const ShowOptions& o, double requested_at) {
+    for (int frame = 1; !glfwWindowShouldClose(window); ++frame) {
+        // A final picture needs no new frames without input.
+        if (scene.idle() && !any_key_down() && o.window.frames == 0 && o.window.controls.empty())
+            glfwWaitEventsTimeout(0.2);
+        else
+            glfwPollEvents();
+        int width = 0, height = 0;
+        glfwGetFramebufferSize(window, &width, &height);
+        if (width == 0 || height == 0) {  // minimized
+            glfwWaitEventsTimeout(0.1);
+            continue;
+        }
+        const double now = glfwGetTime();
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui_ImplGlfw_NewFrame();
+        ImGui::NewFrame();
+        controls.begin_frame();
+        apply_input(session, scene.renderer().scene(), now);
+        scene.frame(width, height, now, any_key_down());
+        const bool ends = frame == o.window.frames;
+        if (ends && !o.window.screenshot.empty()) save_frame(o.window.screenshot, width, height);
+        if (session.screenshot) {
+            const std::string saved = free_name(scene.renderer().package().path().stem().string(), ".png");
+            save_frame(saved, width, height);
+            say(session, "screenshot written to " + saved, now);
+        }
+        session.screenshot = false;
+        glfwSwapBuffers(window);
+        if (!o.window.controls.empty()) controls.write_places(o.window.controls);
+        if (frame == 1 && !o.output.quiet)
+            std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * (glfwGetTime() - requested_at));
+        if (auto other = take_request(session, now)) return other;
+        if (ends || session.quit) break;
+    }
+    return {};
+}
+
+}  // namespace
+
+int run_window(const PackageReader& first, const ShowOptions& o) {
+    expect_photo(first);
+    Remembered remembered;
+    remembered.settings = render_settings(first, o.blending, Purpose::window);
+    const std::filesystem::path folder = o.window.fresh ? std::filesystem::path() : settings_folder();
+    if (!o.window.fresh) {
+        const RenderSettings given = remembered.settings;
+        remembered = read_settings(folder, remembered);
+        if (o.blending.given) remembered.settings = given;
+    }
+    const GlfwWindow window(o.output.size.empty() ? remembered.window : parse_size(o.output.size), "Vantage",
+                            o.window.debug_gl == gl::Debug::on);
+    Controls controls;
+    Session session = start_session(first, o, remembered);
+    glfwSetWindowUserPointer(window.get(), &session);
+    glfwSetDropCallback(window.get(), [](GLFWwindow* w, int count, const char** files) {
+        if (count > 0) static_cast<Session*>(glfwGetWindowUserPointer(w))->open = files[0];
+    });
+    std::optional<Requested> other, next;
+    const PackageReader* package = &first;
+    bool damaged = false;
+    double requested_at = glfwGetTime() - process_seconds();
+    for (;;) {
+        glfwSetWindowTitle(window.get(), (package->path().filename().string() + " - Vantage").c_str());
+        {
+            ShownScene scene(*package, o, session, controls);
+            next = show_package(window.get(), session, scene, controls, o, requested_at);
+        }
+        damaged |= session.report.tiles_damaged > 0;
+        if (!next) break;
+        other = std::move(next);
+        package = &other->package;
+        requested_at = other->at;
+        remembered.settings = session.settings;
+        remembered.panels = session.panels;
+        remembered.settings.exposure.reset();  // refers to a photo of the previous package
+        ShowOptions any_photo = o;
+        any_photo.package.photos.clear();
+        session = start_session(*package, any_photo, remembered);
+    }
+    glfwGetWindowSize(window.get(), &remembered.window.width, &remembered.window.height);
+    remembered.settings = session.settings;
+    remembered.panels = session.panels;
+    write_settings(folder, remembered);
+    return damaged ? int(Exit::damaged) : int(Exit::ok);
+}
+
+}  // namespace vantage

@@ -1,0 +1,112 @@
+#include "player/window/shown_scene.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "gl/context.h"
+#include "player/camera/camera_path.h"
+#include "player/interface/overlays.h"
+#include "player/interface/panels.h"
+#include "player/window/screenshot.h"
+
+namespace vantage {
+
+ShownScene::ShownScene(const PackageReader& package, const ShowOptions& o, Session& session,
+                       Controls& controls)
+    : renderer_(package, memory_budget(o.memory)), session_(session), controls_(controls) {
+    session_.photos = photos_in_use(package, o.package);
+}
+
+void ShownScene::frame(int width, int height, double now, bool keys) {
+    Session& s = session_;
+    continue_flight(s, now);
+    const View view = view_of(s.camera, width, height);
+    interface(view, now);
+    record(now);
+    ImGui::Render();
+    const bool still = !keys && unchanged(view);
+    if (!still) samples_ = 0;
+    draw(view, still, now);
+    renderer_.show(view, s.settings, 0, true);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    last_ = view;
+}
+
+void ShownScene::interface(const View& view, double now) {
+    Session& s = session_;
+    menu_bar(controls_, s, renderer_, now);
+    if (s.panels.frusta) draw_frusta(s, renderer_, view);
+    if (!drawn_) return;  // panels would delay the first picture
+    if (s.panels.blending) blending_panel(controls_, s, renderer_);
+    if (s.panels.status) status_panel(s, renderer_);
+    if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
+    if (s.panels.photos) strip_.show(controls_, s, renderer_, view, now);
+    if (s.panels.help) help_panel(s);
+    open_dialog(controls_, s, renderer_);
+    message_line(s, now);
+}
+
+void ShownScene::record(double now) {
+    Session& s = session_;
+    if (s.recording && now >= record_at_) {
+        s.recorded.push_back(s.camera);
+        record_at_ = now + 1.0 / 30;
+    }
+    if (was_recording_ && !s.recording && !s.recorded.empty()) {
+        const std::string file = free_name(renderer_.package().path().stem().string(), ".path");
+        write_path(file, s.recorded, renderer_.package());
+        say(s, std::to_string(s.recorded.size()) + " positions written to " + file, now);
+    }
+    was_recording_ = s.recording;
+}
+
+bool ShownScene::unchanged(const View& view) const {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool touched =
+        ImGui::IsAnyItemActive() || io.MouseClicked[0] || io.MouseReleased[0] || io.MouseWheel != 0;
+    return drawn_ && !touched && last_ && last_->cam_from_origin.R == view.cam_from_origin.R &&
+           last_->cam_from_origin.t == view.cam_from_origin.t &&
+           last_->intrinsics.width == view.intrinsics.width &&
+           last_->intrinsics.height == view.intrinsics.height;
+}
+
+/// While the view moves or tiles are missing: one sample per pixel, half a level sharper. Then the samples of
+/// a pixel, one per frame. Then nothing.
+void ShownScene::draw(const View& view, bool still, double now) {
+    Session& s = session_;
+    // A damaged package may be restored while it is shown.
+    if (s.report.tiles_damaged > 0 && now > drawn_at_ + look_again_seconds) samples_ = 0;
+    if (still && idle()) return;
+    drawn_at_ = now;
+    const bool rests = still && s.report.settled;
+    RenderSettings settings = s.settings;
+    settings.lod_bias = rests ? 0 : -0.5;
+    const Navigation ahead = before_ ? between(*before_, s.camera, 4) : s.camera;
+    before_ = s.camera;
+    const View next = view_of(ahead, view.intrinsics.width, view.intrinsics.height);
+    const PixelSample sample = rests ? PixelSample{samples_, rest_side} : PixelSample{};
+    const auto start = std::chrono::steady_clock::now();
+    s.report = renderer_.draw(view, settings, s.photos, sample, now, &next);
+    if (rests && s.report.settled)
+        ++samples_;
+    else
+        samples_ = 0;
+    drawn_ = true;
+    if (gl::current_device().software) glFinish();
+    remember_time(std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - start).count());
+}
+
+void ShownScene::remember_time(float ms) {
+    auto& times = session_.frame_ms;
+    std::rotate(times.begin(), times.begin() + 1, times.end());
+    times.back() = ms;
+    std::vector<double> drawn;
+    for (const float t : times)
+        if (t > 0) drawn.push_back(double(t));
+    session_.statistics = frame_statistics(std::move(drawn));
+}
+
+}  // namespace vantage

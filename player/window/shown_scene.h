@@ -1,0 +1,46 @@
+#pragma once
+#include <optional>
+
+#include "player/interface/controls.h"
+#include "player/interface/photo_strip.h"
+#include "player/interface/session.h"
+#include "player/options/show_options.h"
+#include "player/render/renderer.h"
+
+namespace vantage {
+
+/// One package in the window, from frame to frame. The package, the session and the controls must outlive it.
+class ShownScene {
+  public:
+    ShownScene(const PackageReader& package, const ShowOptions& options, Session& session,
+               Controls& controls);
+
+    /// Draws the view if it has changed or can still improve, and the interface over it. `keys`: a key is
+    /// down.
+    void frame(int width, int height, double now, bool keys);
+    /// The picture is final: nothing will change without input.
+    bool idle() const { return samples_ >= rest_side * rest_side && !session_.flight; }
+    Renderer& renderer() { return renderer_; }
+
+  private:
+    static constexpr int rest_side = 2;  ///< samples per side of a pixel at rest
+    static constexpr double look_again_seconds = Residency::retry_seconds + 1;
+
+    void interface(const View& view, double now);
+    void record(double now);
+    bool unchanged(const View& view) const;
+    void draw(const View& view, bool still, double now);
+    void remember_time(float ms);
+
+    Renderer renderer_;
+    Session& session_;
+    Controls& controls_;
+    PhotoStrip strip_;
+    std::optional<View> last_;
+    std::optional<Navigation> before_;
+    int samples_ = 0;
+    bool drawn_ = false, was_recording_ = false;
+    double record_at_ = 0, drawn_at_ = 0;
+};
+
+}  // namespace vantage

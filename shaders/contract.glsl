@@ -1,0 +1,101 @@
+// What the C++ code and the shaders share, written once: valid as GLSL and as C++ (player/stream/shader_contract.h
+// includes it). Only constants and one struct, of types whose std430 layout is that of C++.
+
+// Attributes of the model.
+const int position_attribute = 0;
+const int normal_attribute = 1;
+const int color_attribute = 2;
+const int draw_attribute = 3;  // per draw: its first triangle; one bit per photo of the pass that is drawn
+
+// Shader storage buffers.
+const int photos_buffer = 0;
+const int pages_buffer = 1;
+const int coordinates_buffer = 4;
+const int touched_buffer = 5;
+
+// Texture units. Units 0 to 3 hold the photos; 4 and 5 hold what the program reads besides.
+const int color_tiles_unit = 0;
+const int mask_tiles_unit = 1;
+const int depth_tiles_unit = 2;
+const int thumbnails_unit = 3;
+const int best_so_far_unit = 4;  // blend
+const int first_sums_unit = 5;
+const int sums_unit = 4;  // resolve
+const int surface_unit = 5;
+const int accumulated_unit = 4;  // show
+
+// Uniforms of surface and blend.
+const int clip_from_origin_uniform = 0;
+const int surface_eye_uniform = 1;
+const int vertex_count_uniform = 1;
+const int pass_count_uniform = 2;
+const int eye_uniform = 3;
+const int view_direction_uniform = 4;
+const int switches_uniform = 5;
+const int border_width_uniform = 6;
+const int sharpness_uniform = 7;
+const int lod_bias_uniform = 8;
+const int blend_show_uniform = 9;
+const int first_layers_uniform = 10;
+const int weight_eye_uniform = 11;
+const int half_scale_uniform = 12;
+const int pass_slots_uniform = 16;  // an array, PASS_PHOTOS long
+
+// Uniforms of resolve.
+const int is_best_uniform = 0;
+const int fill_uniform = 1;
+const int background_uniform = 2;
+const int most_uniform = 3;
+const int exposure_uniform = 4;
+const int falloff_uniform = 5;
+const int lens_uniform = 6;
+
+// Uniforms of show.
+const int samples_uniform = 0;
+const int flip_uniform = 1;
+const int compare_uniform = 2;
+const int wiper_uniform = 3;
+const int photo_from_frame_uniform = 4;
+const int lod_uniform = 5;
+
+// Bits of the uniform `switches`.
+const uint angle_mask_switch = 1u;
+const uint depth_mask_switch = 2u;
+const uint border_mask_switch = 4u;
+const uint angle_switch = 8u;
+const uint consensus_mask_switch = 16u;
+
+// What is shown: the photos' colors, one false color per photo, or how many photos see each point.
+const uint show_colors = 0u;
+const uint show_sources = 1u;
+const uint show_coverage = 2u;
+
+// Comparison with a photo.
+const uint compare_nothing = 0u;
+const uint compare_side_by_side = 1u;
+const uint compare_wiper = 2u;
+const uint compare_difference = 3u;
+
+// Tiles: texels per side, of which a border on each side repeats the neighbors.
+const int tile_texels = 256;
+const int tile_border_texels = 4;
+const int tile_content_texels = 248;
+const int first_mask_level = 1;  // masks and depth have no finer level
+
+const uint not_resident = 0xffffffffu;  // in place of a page's entry
+const int level_count = 12;             // of a photo's pyramid, at most
+
+// One photo of a pass.
+struct Photo {
+    mat4 cam_from_origin;
+    vec4 focal_center;        // fx fy cx cy, pixels
+    vec4 size_weight;         // width, height, number of levels, dynamic weight for this view
+    vec4 center_hull;         // camera center relative to the origin; share of the photo that the model fills
+    vec4 direction_presence;  // corrected viewing direction [P]; how far the photo has faded in, 0 to 1
+    vec4 thumbnail;           // layer (-1: none), share of the layer's width and height, width in pixels
+    vec4 false_color;         // linear
+    vec4 gain;                // per channel, to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels
+    vec4 falloff;             // of the lens: ln of its loss, times r^2, r^4, r^6
+    uint color_base[level_count];  // index in `pages` of each level's first tile
+    uint mask_base[level_count];
+};
