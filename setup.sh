@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing (Debian 12, Ubuntu 24.04) and builds into build/. Called by demo.sh and test.sh.
+# Installs what is missing (Debian 12, Ubuntu 24.04) and builds into build/: the two programs, or the targets given
+# (all: the tests and benchmarks, too). Called by demo.sh and test.sh.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -22,4 +23,5 @@ if ((${#missing[@]})); then
   DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 fi
 cmake -S . -B build -G Ninja >/dev/null
-cmake --build build
+(($#)) || set -- vantage vantage-player
+cmake --build build --target "$@"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/visibility/gl_geometry.h"
+#include "pipeline/visibility/photo_geometry.h"
 
 namespace vantage::bench {
 

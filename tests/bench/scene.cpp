@@ -12,6 +12,7 @@
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/for_each_photo.h"
+#include "pipeline/run/progress.h"
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/synthesise.h"
 #include "player/measure/photo_pixels.h"

@@ -14,10 +14,12 @@
 #include "pipeline/input/read_scene.h"
 #include "pipeline/model/clusters.h"
 #include "pipeline/prepare/prepare.h"
+#include "pipeline/run/progress.h"
 #include "pipeline/stages/vertex_coordinates.h"
 #include "pipeline/synth/synthesise.h"
 #include "pipeline/visibility/frame_triangles.h"
 #include "pipeline/visibility/gl_geometry.h"
+#include "pipeline/visibility/photo_geometry.h"
 #include "pipeline/visibility/rasterize.h"
 #include "player/plan/cluster_tree.h"
 #include "player/render/picture.h"
@@ -87,7 +89,7 @@ Eigen::Vector3d ray_of(const Intrinsics& k, const Pose& pose, double u, double v
 
 class Depth : public TemporaryFolder {
   protected:
-    const gl::HeadlessContext context(gl::Debug::on);
+    const gl::HeadlessContext context{gl::Debug::on};
 
     struct Seen {
         const char* by;

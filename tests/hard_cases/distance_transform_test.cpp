@@ -28,7 +28,7 @@ struct Size {
 
 class DistanceTransform : public ::testing::Test {
   protected:
-    const gl::HeadlessContext context(gl::Debug::on);
+    const gl::HeadlessContext context{gl::Debug::on};
     const gl::Program jump_flood = jump_flood_program();
 
     struct Result {

@@ -21,6 +21,7 @@
 #include "pipeline/model/subdivide.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/results/check.h"
+#include "pipeline/run/progress.h"
 #include "pipeline/stages/seen_hull.h"
 #include "pipeline/stages/surface_samples.h"
 #include "pipeline/synth/synthesise.h"
@@ -40,7 +41,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity(),
 
 class Geometry : public TemporaryFolder {
   protected:
-    const gl::HeadlessContext context(gl::Debug::on);
+    const gl::HeadlessContext context{gl::Debug::on};
     SceneInput scene;
 
     void SetUp() override {

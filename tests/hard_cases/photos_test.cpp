@@ -19,6 +19,7 @@
 #include "pipeline/pixels/pyramid.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/results/check.h"
+#include "pipeline/run/progress.h"
 #include "pipeline/synth/synthesise.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"

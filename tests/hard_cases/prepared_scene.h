@@ -7,6 +7,7 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
+#include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "player/render/picture.h"

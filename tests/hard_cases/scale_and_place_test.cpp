@@ -14,6 +14,7 @@
 #include "pipeline/model/subdivide.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/results/check.h"
+#include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "player/render/picture.h"
@@ -94,7 +95,7 @@ struct Opened {
 
 class ScaleAndPlace : public TemporaryFolder {
   protected:
-    const gl::HeadlessContext context(gl::Debug::on);
+    const gl::HeadlessContext context{gl::Debug::on};
     SceneInput scene;
     std::unique_ptr<Opened> given;
 

@@ -9,6 +9,7 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/synth/ray_scene.h"
+#include "pipeline/visibility/photo_geometry.h"
 #include "scene/tiling.h"
 #include "tests/bench/exhibit.h"
 #include "tests/bench/model.h"

@@ -8,7 +8,6 @@
 #include <map>
 #include <numeric>
 
-#include "datasets.h"
 #include "gl/context.h"
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/formats/images/photos.h"
@@ -16,12 +15,14 @@
 #include "pipeline/input/read_scene.h"
 #include "pipeline/pixels/pyramid.h"
 #include "pipeline/prepare/prepare.h"
+#include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
-#include "player/render/picture.h"
 #include "player/camera/shots.h"
+#include "player/render/picture.h"
 #include "scene/package_reader.h"
-#include "temporary_folder.h"
+#include "tests/datasets.h"
+#include "tests/temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "player/camera/navigation.h"
+#include "player/camera/shots.h"
 #include "player/plan/cluster_tree.h"
 #include "player/plan/normal_clusters.h"
 #include "player/plan/photo_cover.h"
@@ -14,7 +15,6 @@
 #include "player/plan/shown_tiles.h"
 #include "player/plan/tile_needs.h"
 #include "player/plan/weights.h"
-#include "player/camera/shots.h"
 #include "player/stream/layer_pool.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"

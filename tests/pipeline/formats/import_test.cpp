@@ -7,13 +7,13 @@
 #include <iomanip>
 #include <sstream>
 
-#include "datasets.h"
 #include "pipeline/formats/import/cameras.h"
 #include "pipeline/formats/import/mesh.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "scene/error.h"
-#include "temporary_folder.h"
+#include "tests/datasets.h"
+#include "tests/temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;

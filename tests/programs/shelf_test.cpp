@@ -5,9 +5,12 @@
 #include <map>
 #include <pugixml.hpp>
 
-#include "overnight.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/run/progress.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "tests/programs/overnight.h"
 
 using namespace vantage;
 

@@ -1,6 +1,6 @@
 // vantage prepare as it is left alone overnight: cut off, gone on with, short of disk, fed with bad photos,
 // divided.
-#include "overnight.h"
+#include "tests/programs/overnight.h"
 
 #include <algorithm>
 #include <atomic>
@@ -15,6 +15,7 @@
 #include "pipeline/prepare/merge.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/results/check.h"
+#include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "scene/error.h"

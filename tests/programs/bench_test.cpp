@@ -7,10 +7,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "temporary_folder.h"
 #include "tests/bench/log.h"
 #include "tests/bench/sweep.h"
 #include "tests/bench/tables.h"
+#include "tests/temporary_folder.h"
 
 using namespace vantage;
 using namespace vantage::bench;

@@ -7,15 +7,16 @@
 #include <cmath>
 #include <fstream>
 
-#include "datasets.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/model/subdivide.h"
 #include "pipeline/results/check.h"
+#include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "scene/package_reader.h"
-#include "temporary_folder.h"
+#include "tests/datasets.h"
+#include "tests/temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;

@@ -7,13 +7,13 @@
 
 #include "pipeline/report/base64.h"
 #include "scene/error.h"
-#include "temporary_folder.h"
 #include "tests/bench/front.h"
 #include "tests/bench/gnuplot.h"
 #include "tests/bench/moved.h"
 #include "tests/bench/page.h"
 #include "tests/bench/quantity.h"
 #include "tests/bench/tables.h"
+#include "tests/temporary_folder.h"
 
 using namespace vantage;
 using namespace vantage::bench;

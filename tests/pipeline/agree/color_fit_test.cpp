@@ -8,6 +8,7 @@
 
 #include "pipeline/agree/color_agreement.h"
 #include "pipeline/stages/surface_samples.h"
+#include "pipeline/visibility/photo_geometry.h"
 
 using namespace vantage;
 using package::SampleRecord;

@@ -10,7 +10,7 @@
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/file_identity.h"
 #include "scene/error.h"
-#include "temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;

@@ -7,15 +7,16 @@
 #include <cmath>
 #include <cstdio>
 
-#include "datasets.h"
 #include "gl/context.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/settings/settings.h"
+#include "pipeline/stages/borders.h"
 #include "pipeline/visibility/border_distance.h"
 #include "pipeline/visibility/gl_geometry.h"
 #include "pipeline/visibility/photo_geometry.h"
+#include "tests/datasets.h"
 
 using namespace vantage;
 

@@ -11,11 +11,12 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
+#include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "player/measure/left_out.h"
 #include "scene/error.h"
-#include "temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;

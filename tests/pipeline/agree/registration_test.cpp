@@ -5,18 +5,19 @@
 #include <fstream>
 #include <random>
 
-#include "datasets.h"
 #include "pipeline/formats/export/colmap.h"
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/finish.h"
 #include "pipeline/prepare/prepare.h"
+#include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "scene/package_reader.h"
 #include "scene/quantile.h"
-#include "temporary_folder.h"
+#include "tests/datasets.h"
+#include "tests/temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;

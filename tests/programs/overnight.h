@@ -11,11 +11,12 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
+#include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesise.h"
 #include "scene/package_writer.h"
-#include "temporary_folder.h"
 #include "scene/part_file.h"
+#include "tests/temporary_folder.h"
 
 namespace vantage {
 

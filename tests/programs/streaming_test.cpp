@@ -11,6 +11,7 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
+#include "pipeline/run/progress.h"
 #include "pipeline/synth/synthesise.h"
 #include "player/camera/camera_path.h"
 #include "player/render/picture.h"
@@ -18,7 +19,7 @@
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
-#include "temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;

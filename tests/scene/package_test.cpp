@@ -7,7 +7,7 @@
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "scene/package_writer.h"
-#include "temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;

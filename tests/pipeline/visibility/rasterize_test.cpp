@@ -1,4 +1,6 @@
 // The processor renders what a graphics card would.
+#include "pipeline/visibility/rasterize.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -14,8 +16,8 @@
 #include "pipeline/synth/ray_scene.h"
 #include "pipeline/synth/synthesise.h"
 #include "pipeline/visibility/gl_geometry.h"
-#include "pipeline/visibility/rasterize.h"
-#include "temporary_folder.h"
+#include "pipeline/visibility/photo_geometry.h"
+#include "tests/temporary_folder.h"
 
 using namespace vantage;
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "player/measure/change.h"
-#include "temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 using namespace vantage;
 

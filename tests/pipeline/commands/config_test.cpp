@@ -8,7 +8,7 @@
 #include "pipeline/commands/commands.h"
 #include "player/commands/commands.h"
 #include "scene/error.h"
-#include "temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
