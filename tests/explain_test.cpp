@@ -7,7 +7,7 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "temporary_folder.h"
 
 using namespace vantage;
@@ -17,7 +17,7 @@ namespace {
 class Explain : public TemporaryFolder {
   protected:
     std::string explained(const PrepareSettings& settings) {
-        synthesise(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
+        synthesize(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
         const SceneInput scene = read_scene(discover(dir / "scene"));
         prepare(scene, settings, dir / "p.vantage", [](const Progress&) {});
         std::string all;

@@ -16,7 +16,7 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/results/check.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "scene/part_file.h"
@@ -46,7 +46,7 @@ int number_from(const char* variable, int usual) {
 TEST_F(Overnight, KilledAtAnyInstantGoesOnToTheSameBytes) {
     if (const char* other = std::getenv("VANTAGE_KILLED_SCENE")) {
         fs::remove_all(scene);
-        synthesise(read_spec(other), scene, {});
+        synthesize(read_spec(other), scene, {});
     }
     const auto start = std::chrono::steady_clock::now();
     const std::string bytes = undisturbed();
@@ -164,7 +164,7 @@ TEST_F(Overnight, RefinedAfterwardsIsAsIfPreparedSo) {
     fs::remove_all(scene);
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.exposure = {0.7, 0.2, 0.3};
-    synthesise(spec, scene, {});
+    synthesize(spec, scene, {});
     prepare_here();
     const std::string agreeing = slurp(file);
     PrepareSettings off;
@@ -186,7 +186,7 @@ TEST_F(Overnight, RegisteredAfterwardsOrByMergingIsAsIfPreparedSo) {
     spec.photos.count = 5;
     spec.photos.samples = 1;
     spec.error.pixels = 4;
-    synthesise(spec, scene, {});
+    synthesize(spec, scene, {});
     // Whoever is told to stop while cameras are solved for goes on later.
     std::atomic<bool> stop{false};
     PrepareRun stopped;
@@ -326,7 +326,7 @@ TEST_F(Overnight, BadPhotosAreLeftOutAndNamed) {
     other.photos.count = 1;
     other.photos.width = 120;
     other.photos.height = 110;
-    synthesise(other, dir / "other", {});
+    synthesize(other, dir / "other", {});
     fs::copy_file(discover(dir / "other").photos / "0000.jpg", all[4], fs::copy_options::overwrite_existing);
     const Outcome done = prepare_program();
     EXPECT_EQ(done.code, int(Exit::incomplete)) << done.err;

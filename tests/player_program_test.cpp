@@ -11,7 +11,7 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "temporary_folder.h"
@@ -31,7 +31,7 @@ class PlayerProgram : public TemporaryFolder {
     fs::path file = dir / "scene.vantage";
     void SetUp() override {
         TemporaryFolder::SetUp();
-        synthesise(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
+        synthesize(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
         prepare(read_scene(discover(dir / "scene")), {}, file, [](const Progress&) {});
     }
 

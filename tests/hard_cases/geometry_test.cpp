@@ -23,7 +23,7 @@
 #include "pipeline/results/check.h"
 #include "pipeline/stages/seen_hull.h"
 #include "pipeline/stages/surface_samples.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
 #include "player/verify/finite_targets.h"
 #include "scene/error.h"
@@ -52,7 +52,7 @@ class Geometry : public TemporaryFolder {
         spec.photos.width = 200;
         spec.photos.height = 150;
         spec.object.triangles = 1500;
-        synthesise(spec, dir / "scene", {});
+        synthesize(spec, dir / "scene", {});
         scene = read_scene(discover(dir / "scene"));
     }
 

@@ -19,7 +19,7 @@
 #include "pipeline/pixels/pyramid.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/results/check.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
 
@@ -178,7 +178,7 @@ TEST_F(HardPhotos, AsWideAsNoTextureIsPrepared) {
     const int width = 100000, height = 3;
     spec.photos.width = 1000;  // of which the photo below is a strip, stretched
     spec.photos.height = 3;
-    synthesise(spec, dir / "scene", {});
+    synthesize(spec, dir / "scene", {});
     fs::remove_all(dir / "scene" / "images");
     fs::create_directories(dir / "scene" / "images");
     std::vector<std::uint8_t> pixels(std::size_t(width) * height * 3);
@@ -211,7 +211,7 @@ TEST_F(HardPhotos, APhotoOfAnotherShapeThanItsCameraIsLeftOutAndNamed) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.photos.count = 3;
     spec.photos.samples = 1;
-    synthesise(spec, dir / "scene", {});
+    synthesize(spec, dir / "scene", {});
     const fs::path second = dir / "scene" / "images" / "0001.jpg";
     fs::remove(second);
     write("scene/images/0001.jpg", 50, 70, 3, noise(50, 70, 3));

@@ -1,4 +1,4 @@
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 
 #include <fmt/format.h>
 
@@ -105,7 +105,7 @@ std::vector<NamedCamera> place_cameras(const SynthSpec& spec) {
     return photos;
 }
 
-void synthesise(const SynthSpec& spec, const std::filesystem::path& folder,
+void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
                 const std::function<void(std::size_t, std::size_t)>& progress) {
     const SynthModel model = build_model(spec);
     const RayScene rays(model.mesh);

@@ -18,7 +18,7 @@ std::vector<NamedCamera> place_cameras(const SynthSpec& spec);
 /// it the truth: truth/sparse/ (the cameras that took the photos), truth/exposure.csv (linear gains a photo)
 /// and truth/depth/NAME.exr (linear z at pixel centres of the pinhole camera, +inf beside the model).
 /// Rendered by ray casting; the same specification gives the same files. Throws Error(storage).
-void synthesise(const SynthSpec& spec, const std::filesystem::path& folder,
+void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
                 const std::function<void(std::size_t done, std::size_t total)>& progress);
 
 }  // namespace vantage
