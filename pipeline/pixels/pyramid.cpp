@@ -13,14 +13,14 @@ namespace {
 
 constexpr int linear_bits = 14;
 
-/// sRGB byte -> linear light in 14 bits, and back.
+/// From sRGB bytes to linear light in 14 bits, and back.
 struct SrgbTables {
     std::array<std::uint16_t, 256> linear;
     std::vector<std::uint8_t> srgb;
     SrgbTables() : srgb((1 << linear_bits) + 1) {
         const double top = 1 << linear_bits;
-        for (int i = 0; i < 256; ++i)
-            linear[std::size_t(i)] = std::uint16_t(std::lround(top * linear_from_srgb(i / 255.0)));
+        for (std::size_t i = 0; i < linear.size(); ++i)
+            linear[i] = std::uint16_t(std::lround(top * linear_of_srgb_byte()[i]));
         for (std::size_t i = 0; i < srgb.size(); ++i)
             srgb[i] = std::uint8_t(std::lround(255 * srgb_from_linear(double(i) / top)));
     }
@@ -75,8 +75,8 @@ bool is_opaque(const RgbaImage& image) {
 
 RgbaImage halve(const RgbaImage& image) {
     const Level half = level_size(image.width, image.height, 1);
-    RgbaImage out{half.width, half.height, {}, image.opaque};
-    out.rgba.resize(std::size_t(half.width) * std::size_t(half.height) * 4);
+    RgbaImage out = blank_image(half.width, half.height);
+    out.opaque = image.opaque;
     for (int y = 0; y < half.height; ++y) {
         const std::size_t stride = std::size_t(image.width) * 4;
         const std::uint8_t* a = image.rgba.data() + std::size_t(2 * y) * stride;
@@ -112,13 +112,13 @@ Level thumbnail_size(int width, int height, int longest) {
 }
 
 RgbaImage reduced(const RgbaImage& image, const Level& size) {
-    RgbaImage out{size.width, size.height, {}, image.opaque};
-    out.rgba.resize(std::size_t(size.width) * std::size_t(size.height) * 4);
+    RgbaImage out = blank_image(size.width, size.height);
+    out.opaque = image.opaque;
     const cv::Mat from(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.rgba.data()));
     cv::Mat to(size.height, size.width, CV_8UC4, out.rgba.data());
-    // Below half the size neighbours alone would miss what lies between them.
-    const bool little = image.width < 2 * size.width && image.height < 2 * size.height;
-    cv::resize(from, to, to.size(), 0, 0, little ? cv::INTER_LINEAR : cv::INTER_AREA);
+    // Below half size, bilinear interpolation would skip pixels.
+    const bool above_half = image.width < 2 * size.width && image.height < 2 * size.height;
+    cv::resize(from, to, to.size(), 0, 0, above_half ? cv::INTER_LINEAR : cv::INTER_AREA);
     return out;
 }
 
