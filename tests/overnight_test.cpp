@@ -331,11 +331,11 @@ TEST_F(Overnight, BadPhotosAreLeftOutAndNamed) {
     const Outcome done = prepare_program();
     EXPECT_EQ(done.code, int(Exit::incomplete)) << done.err;
     for (const std::string& line :
-         {"left out " + all[0].filename().string() + ": JPEG is damaged or cut short",
-          "left out " + all[1].filename().string() + ": has a camera and no photo",
+         {"left out " + all[0].filename().string() + ": JPEG is corrupt or truncated",
+          "left out " + all[1].filename().string() + ": has a camera but no photo",
           std::string("left out stranger.jpg: has no camera"),
           "left out " + all[3].filename().string() + ": ",
-          "left out " + all[4].filename().string() + ": is 120x110, its camera is for "})
+          "left out " + all[4].filename().string() + ": is 120x110, but its camera expects "})
         EXPECT_NE(done.out.find(line), std::string::npos) << line << "\n" << done.out;
     std::printf("%s", done.out.c_str());
     const std::vector<Issue> issues = check_package(file, {.deep = true, .against = scene});
@@ -354,7 +354,7 @@ TEST_F(Overnight, StrictStopsAtAPhotoThatIsCutShort) {
     const Outcome strict = prepare_program("--strict");
     EXPECT_EQ(strict.code, int(Exit::input));
     EXPECT_TRUE(one_line(strict.err)) << strict.err;
-    EXPECT_NE(strict.err.find("0000.jpg: JPEG is damaged or cut short"), std::string::npos) << strict.err;
+    EXPECT_NE(strict.err.find("0000.jpg: JPEG is corrupt or truncated"), std::string::npos) << strict.err;
 }
 
 TEST_F(Overnight, InputThatVanishesMidwayEndsItAndNothingIsLost) {

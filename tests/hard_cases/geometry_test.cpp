@@ -192,7 +192,7 @@ TEST_F(Geometry, WhatHasNoAreaShowsNowhere) {
     const Result with = shown(mesh);
     expect_same(sound.pictures, with.pictures);
     ASSERT_EQ(with.warnings.size(), 1u);
-    EXPECT_NE(with.warnings[0].find("2 broken triangles"), std::string::npos) << with.warnings[0];
+    EXPECT_NE(with.warnings[0].find("2 invalid triangles"), std::string::npos) << with.warnings[0];
 }
 
 TEST_F(Geometry, DuplicatesChangeNothing) {
@@ -233,7 +233,7 @@ TEST_F(Geometry, TrianglesOfVerticesThatAreNoPlaceAreLeftOut) {
     const Result with = shown(mesh);
     expect_same(sound.pictures, with.pictures);
     ASSERT_EQ(with.warnings.size(), 1u);
-    EXPECT_NE(with.warnings[0].find("15 broken triangles"), std::string::npos) << with.warnings[0];
+    EXPECT_NE(with.warnings[0].find("15 invalid triangles"), std::string::npos) << with.warnings[0];
 }
 
 TEST_F(Geometry, CornersThatAreNoPlaceDoNotTakeTheirNeighboursInStl) {
