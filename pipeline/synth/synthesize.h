@@ -11,13 +11,14 @@
 
 namespace vantage {
 
-/// The specified cameras, without error: on an arc before the facade, at two heights in turn.
+/// The specified cameras without error: on an arc in front of the facade, alternating between two heights.
 std::vector<NamedCamera> place_cameras(const SynthSpec& spec);
 
-/// Writes into `folder` what a user would have (images/NAME.jpg, sparse/ in COLMAP text, mesh.ply) and beside
-/// it the truth: truth/sparse/ (the cameras that took the photos), truth/exposure.csv (linear gains a photo)
-/// and truth/depth/NAME.exr (linear z at pixel centres of the pinhole camera, +inf beside the model).
-/// Rendered by ray casting; the same specification gives the same files. Throws Error(storage).
+/// Renders a scene by ray casting and writes it to `folder`: the input that a user would have
+/// (images/NAME.jpg, sparse/ in COLMAP text, mesh.ply) and the ground truth: truth/sparse/ (the cameras
+/// without error), truth/exposure.csv (linear gains per photo) and truth/depth/NAME.exr (as cast_depth()).
+/// The same specification gives the same files. `progress`, if set, may be called by several threads at once.
+/// Throws Error(storage).
 void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
                 const std::function<void(std::size_t done, std::size_t total)>& progress);
 
