@@ -6,6 +6,7 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
+#include "scene/grid.h"
 #include "scene/srgb.h"
 
 namespace vantage {
@@ -77,15 +78,12 @@ RgbaImage halve(const RgbaImage& image) {
     const Level half = level_size(image.width, image.height, 1);
     RgbaImage out = blank_image(half.width, half.height);
     out.opaque = image.opaque;
+    const Grid<const std::uint8_t> from{image.rgba.data(), 4 * image.width, image.height};
+    const Grid<std::uint8_t> to{out.rgba.data(), 4 * half.width, half.height};
+    const auto halve_rows = image.opaque ? halve_row<average_opaque> : halve_row<average>;
     for (int y = 0; y < half.height; ++y) {
-        const std::size_t stride = std::size_t(image.width) * 4;
-        const std::uint8_t* a = image.rgba.data() + std::size_t(2 * y) * stride;
-        const std::uint8_t* b = 2 * y + 1 < image.height ? a + stride : a;
-        std::uint8_t* to = out.rgba.data() + std::size_t(y) * std::size_t(half.width) * 4;
-        if (image.opaque)
-            halve_row<average_opaque>(a, b, image.width, half.width, to);
-        else
-            halve_row<average>(a, b, image.width, half.width, to);
+        const std::span a = from.row(2 * y), b = from.row(std::min(2 * y + 1, image.height - 1));
+        halve_rows(a.data(), b.data(), image.width, half.width, to.row(y).data());
     }
     return out;
 }
@@ -95,10 +93,11 @@ void cut_tile(std::span<const std::byte> texels, const Level& level, std::size_t
     const int row = int(number) / level.columns(), column = int(number) % level.columns();
     const int x0 = column * tile_content - tile_border;
     const int first = std::max(0, -x0), last = std::min(tile_size, level.width - x0);
+    const Grid<const std::byte> rows{texels.data(), 4 * level.width, level.height};
     std::byte* to = tile.data();
     for (int y = 0; y < tile_size; ++y, to += tile_size * 4) {
         const int sy = std::clamp(row * tile_content + y - tile_border, 0, level.height - 1);
-        const std::byte* from = texels.data() + std::size_t(sy) * std::size_t(level.width) * 4;
+        const std::byte* from = rows.row(sy).data();
         for (int x = 0; x < first; ++x) std::memcpy(to + 4 * x, from, 4);
         std::memcpy(to + 4 * first, from + 4 * std::size_t(x0 + first), 4 * std::size_t(last - first));
         for (int x = last; x < tile_size; ++x)
