@@ -10,8 +10,8 @@
 
 namespace {
 
-/// The buffers of one photo become those of the next, instead of going back to the system and returning page
-/// by page, zeroed.
+/// Makes glibc reuse one photo's buffers for the next: returned to the system, they would have to be mapped
+/// and zeroed again, page by page.
 void keep_freed_memory() {
 #ifdef __GLIBC__
     ::mallopt(M_ARENA_MAX, 1);
@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer(
         "Examples:\n  vantage prepare scans/chapel -o chapel.vantage\n  vantage check --deep chapel.vantage\n"
-        "Exit codes: 0 well, 2 usage, 3 input, 4 damaged package, 5 stale package, 6 storage, 7 graphics,\n"
+        "Exit codes: 0 ok, 2 usage, 3 input, 4 damaged package, 5 stale package, 6 storage, 7 graphics,\n"
         "8 interrupted, 9 incomplete, 10 different, 11 internal error, 12 out of memory.");
     Run run;
     for (const auto add :

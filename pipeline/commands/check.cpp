@@ -67,7 +67,7 @@ void print_issues_json(const std::vector<Checked>& all) {
 }
 
 int run_check(const CheckOptions& o) {
-    IdentityCache identities(usual_identity_cache(), o.rehash);
+    IdentityCache identities(default_identity_cache(), o.rehash);
     std::vector<Checked> all;
     std::vector<Issue> issues;
     std::vector<CheckCase> cases;

@@ -156,7 +156,7 @@ int run_prepare(PrepareOptions o) {
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const InputFiles files = input_files(o);
-    IdentityCache identities(usual_identity_cache(), o.rehash);
+    IdentityCache identities(default_identity_cache(), o.rehash);
     if (const auto lacking = current(o, files, identities)) {
         fmt::print("package  {} is current, nothing to do\n", o.out);
         return int(report_left_out(*lacking));

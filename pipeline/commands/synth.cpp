@@ -4,7 +4,7 @@
 
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/progress_line.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 
 namespace vantage {
 
@@ -22,7 +22,7 @@ void add_synth(CLI::App& app, Run& run) {
             {
                 std::mutex mutex;
                 ProgressLine line(progress_style("auto"));
-                synthesise(read_spec(o->spec), o->out, [&](std::size_t done, std::size_t total) {
+                synthesize(read_spec(o->spec), o->out, [&](std::size_t done, std::size_t total) {
                     const std::scoped_lock lock(mutex);
                     line.show({"photos", "", done, total});
                 });

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* stencil_ending = ".mask.png";
+constexpr const char* stencil_suffix = ".mask.png";
 
 std::string extension(const fs::path& file) {
     std::string e = file.extension().string();
@@ -19,7 +19,7 @@ std::string extension(const fs::path& file) {
     return e;
 }
 
-bool one_of(const std::string& text, std::initializer_list<const char*> list) {
+bool is_one_of(const std::string& text, std::initializer_list<const char*> list) {
     return std::any_of(list.begin(), list.end(), [&](const char* s) { return text == s; });
 }
 
@@ -32,18 +32,18 @@ std::vector<fs::path> files_below(const fs::path& folder) {
         if (it.depth() >= 2) it.disable_recursion_pending();
         if (it->is_regular_file()) files.push_back(it->path());
     }
-    if (error) throw Error(Exit::input, folder.string() + ": cannot look through: " + error.message());
+    if (error) throw Error(Exit::input, folder.string() + ": cannot list the folder: " + error.message());
     std::sort(files.begin(), files.end());
     return files;
 }
 
 fs::path find_mesh(const std::vector<fs::path>& files) {
     fs::path best;
-    std::uintmax_t most = 0;
+    std::uintmax_t best_rank = 0;
     for (const fs::path& f : files) {
-        if (!one_of(extension(f), {".ply", ".obj", ".stl", ".off"})) continue;
+        if (!is_one_of(extension(f), {".ply", ".obj", ".stl", ".off"})) continue;
         const std::uintmax_t rank = f.stem() == "mesh" ? ~std::uintmax_t(0) : fs::file_size(f);
-        if (best.empty() || rank > most) best = f, most = rank;
+        if (best.empty() || rank > best_rank) best = f, best_rank = rank;
     }
     return best;
 }
@@ -54,9 +54,9 @@ fs::path find_cameras(const std::vector<fs::path>& files) {
             if (f.filename() == name &&
                 fs::exists(f.parent_path() / (std::string("images") + f.extension().string())))
                 return f.parent_path();
-    for (const char* program : {".out", ".mlp"})
+    for (const char* format : {".out", ".mlp"})
         for (const fs::path& f : files)
-            if (extension(f) == program) return f;
+            if (extension(f) == format) return f;
     return {};
 }
 
@@ -64,9 +64,9 @@ fs::path find_photos(const std::vector<fs::path>& files) {
     std::map<fs::path, std::size_t> count;
     for (const fs::path& f : files)
         if (is_photo(f)) ++count[f.parent_path()];
-    // Masks and depth maps beside them may be more.
+    // The name counts before the number: folders of masks or depth maps may hold more images.
     const auto rank = [](const auto& c) {
-        return std::pair(one_of(c.first.filename().string(), {"images", "photos"}), c.second);
+        return std::pair(is_one_of(c.first.filename().string(), {"images", "photos"}), c.second);
     };
     const auto best = std::ranges::max_element(count, {}, rank);
     return best == count.end() ? fs::path() : best->first;
@@ -78,25 +78,26 @@ fs::path find_stencil(const fs::path& photo) {
     const fs::path folder = photo.parent_path(), masks = folder.parent_path() / "masks";
     for (const fs::path& name : {photo.filename(), photo.stem()})
         for (const fs::path& candidate :
-             {folder / (name.string() + stencil_ending), masks / (name.string() + ".png")})
+             {folder / (name.string() + stencil_suffix), masks / (name.string() + ".png")})
             if (fs::is_regular_file(candidate)) return candidate;
     return {};
 }
 
 bool is_photo(const fs::path& file) {
-    if (file.filename().string().ends_with(stencil_ending)) return false;
-    return one_of(extension(file), {".jpg", ".jpeg", ".png", ".tif", ".tiff", ".exr", ".webp", ".bmp", ".jp2",
-                                    ".cr2", ".nef", ".arw", ".dng", ".ppm", ".hdr"});
+    if (file.filename().string().ends_with(stencil_suffix)) return false;
+    return is_one_of(extension(file), {".jpg", ".jpeg", ".png", ".tif", ".tiff", ".exr", ".webp", ".bmp",
+                                       ".jp2", ".cr2", ".nef", ".arw", ".dng", ".ppm", ".hdr"});
 }
 
 InputFiles discover(const fs::path& folder) {
-    if (!fs::is_directory(folder)) throw Error(Exit::input, folder.string() + ": is not a folder");
+    if (!fs::is_directory(folder)) throw Error(Exit::input, folder.string() + ": not a folder");
     const std::vector<fs::path> files = files_below(folder);
     const InputFiles found{find_mesh(files), find_cameras(files), find_photos(files)};
-    if (found.mesh.empty()) throw Error(Exit::input, folder.string() + ": has no mesh (PLY, OBJ, STL, OFF)");
+    if (found.mesh.empty())
+        throw Error(Exit::input, folder.string() + ": no mesh found (PLY, OBJ, STL, OFF)");
     if (found.cameras.empty())
-        throw Error(Exit::input, folder.string() + ": has no cameras (COLMAP, Bundler .out, MeshLab .mlp)");
-    if (found.photos.empty()) throw Error(Exit::input, folder.string() + ": has no photos");
+        throw Error(Exit::input, folder.string() + ": no cameras found (COLMAP, Bundler .out, MeshLab .mlp)");
+    if (found.photos.empty()) throw Error(Exit::input, folder.string() + ": no photos found");
     return found;
 }
 

@@ -6,19 +6,19 @@
 
 namespace vantage {
 
-/// Looks through a folder, three levels deep, for a mesh (mesh.* first, else the largest), cameras (COLMAP
-/// first, then Bundler) and photos (a folder called images or photos first, else the one with the most).
-/// Throws Error(input) saying what is missing.
+/// Searches a folder, three levels deep, for a mesh (preferably mesh.*, else the largest file), cameras
+/// (COLMAP before Bundler before MeshLab) and the photos' folder (preferably one named images or photos, else
+/// the one with the most photos). Throws Error(input) stating what is missing.
 InputFiles discover(const std::filesystem::path& folder);
 
-/// The stencil of a photo: NAME.mask.png beside it, with or without the photo's own extension in NAME, or
-/// NAME.png in the folder `masks` beside the photos'; empty where there is none.
+/// The stencil of a photo: NAME.mask.png in the photo's folder, or NAME.png in a folder `masks` next to that
+/// folder. NAME is the photo's file name with or without its extension. Empty if there is no such file.
 std::filesystem::path find_stencil(const std::filesystem::path& photo);
 
-/// Whether the file name is that of a photo, by its extension.
+/// Whether the file's extension is that of a photo. False for stencils (NAME.mask.png).
 bool is_photo(const std::filesystem::path& file);
 
-/// The camera files behind `cameras`: itself, or for a folder the COLMAP files in it, by name.
+/// The files that `cameras` stands for: the COLMAP files in it if it is a folder, else the file itself.
 std::vector<std::filesystem::path> camera_files(const std::filesystem::path& cameras);
 
 }  // namespace vantage

@@ -12,39 +12,41 @@
 
 namespace vantage {
 
-/// Where identities are remembered: $XDG_CACHE_HOME/vantage/identities, else below ~/.cache; empty where the
-/// user has no home.
-std::filesystem::path usual_identity_cache();
+/// $XDG_CACHE_HOME/vantage/identities, else ~/.cache/vantage/identities; empty if neither XDG_CACHE_HOME
+/// nor HOME is set.
+std::filesystem::path default_identity_cache();
 
-/// Identities of files, remembered between runs by what the file system says of them (device, number, length,
-/// times of content and of metadata), so that a file that was not touched is not read again. Only a hint: a
-/// lost or unwritable cache costs time and nothing else. Thread-safe.
+/// File identities, cached between runs. Files are recognized by device, inode, length, mtime and ctime, so
+/// an unmodified file is not read again. Losing the cache or failing to write it costs time only.
+/// Thread-safe.
 class IdentityCache {
   public:
-    /// With `rehash`, nothing remembered is believed.
-    explicit IdentityCache(std::filesystem::path cache = usual_identity_cache(), bool rehash = false);
-    /// Remembers what was learned.
+    /// `rehash`: ignore identities cached by earlier runs. An empty path: cache nothing between runs.
+    explicit IdentityCache(std::filesystem::path cache = default_identity_cache(), bool rehash = false);
+    /// Appends the new identities to the cache file.
     ~IdentityCache();
     IdentityCache(const IdentityCache&) = delete;
     IdentityCache& operator=(const IdentityCache&) = delete;
 
-    /// From memory; nothing where the file is not known, or has been touched since.
+    /// The cached identity; nothing if the file is not in the cache or has been modified since.
     std::optional<FileIdentity> known(const std::filesystem::path& file) const;
-    /// From memory, or by reading all of the file. Throws Error(input).
+    /// The cached identity, or that of the file's content, read in full. Throws Error(input).
     FileIdentity of(const std::filesystem::path& file);
-    /// The bytes of a file, of which the identity is remembered. Throws Error(input).
+    /// Reads a file and caches its identity. Throws Error(input).
     std::pair<std::vector<std::byte>, FileIdentity> read(const std::filesystem::path& file);
 
   private:
-    void learn(const std::filesystem::path& file, const std::string& stamp_before, FileIdentity id);
+    /// Unless the file has changed since it had this stamp, or still could without a change of stamp.
+    void add(const std::filesystem::path& file, const std::string& stamp, FileIdentity id);
 
     std::filesystem::path cache_;
     bool rehash_;
     mutable std::mutex mutex_;
-    std::map<std::string, FileIdentity> known_, learned_;
+    std::map<std::string, FileIdentity> stored_;  ///< by stamp: cached by earlier runs
+    std::map<std::string, FileIdentity> added_;   ///< by stamp: new in this run
 };
 
-/// Of a photo's stencil; all 0 where it has none. Throws Error(input).
+/// The identity of a photo's stencil; all 0 if it has none. Throws Error(input).
 FileIdentity stencil_identity(const PhotoInput& photo, IdentityCache& identities);
 
 }  // namespace vantage

@@ -18,7 +18,7 @@ std::span<const std::byte> PhotoFile::bytes() {
     const FileIdentity before = identity_;
     if (bytes_.empty()) read();
     if (!(identity_ == before))
-        throw Error(Exit::input, file_.string() + ": has changed while it was prepared, run again");
+        throw Error(Exit::input, file_.string() + ": changed while it was being prepared; run again");
     return bytes_;
 }
 

@@ -8,14 +8,15 @@
 
 namespace vantage {
 
-/// The bytes of a photo's file, read when somebody asks for them.
+/// A photo's file: identified at once, read on demand. `identities` and the path must outlive it.
 class PhotoFile {
   public:
-    /// Reads the file where the cache does not know it. Throws Error(input).
+    /// Reads the file only if its identity is not cached. Throws Error(input).
     PhotoFile(IdentityCache& identities, const std::filesystem::path& file);
     const FileIdentity& identity() const { return identity_; }
-    /// Throws Error(input) where the file is gone, or another than it was.
+    /// The whole file. Throws Error(input) if the file is gone or no longer has this identity.
     std::span<const std::byte> bytes();
+    /// Frees the bytes; the identity stays.
     void release() { bytes_ = {}; }
 
   private:

@@ -20,22 +20,22 @@ PhotoPrefetch::PhotoPrefetch(const SceneInput& scene, const std::vector<std::siz
         });
 }
 
-void PhotoPrefetch::decode(Ahead& ahead, const PhotoInput& photo, Trace* trace) {
-    if (ahead.begun.exchange(true)) return;  // its turn has come
+void PhotoPrefetch::decode(Entry& entry, const PhotoInput& photo, Trace* trace) {
+    if (entry.claimed.exchange(true)) return;  // take() came first
     try {
         const Traced traced(trace, "decode", photo.name);
         const std::vector<std::byte> bytes = read_file(photo.file);
-        ahead.identity = identify(bytes);
-        ahead.image = decode_photo(photo.file, bytes, photo.decoded);
+        entry.identity = identify(bytes);
+        entry.image = decode_photo(photo.file, bytes, photo.decoded);
     } catch (const std::exception&) {
-        // What is wrong with it is said when it is decoded in its turn.
+        // The error is reported when the photo is decoded in its turn.
     }
-    ahead.decoded.set_value();
+    entry.decoded.set_value();
 }
 
 std::optional<RgbaImage> PhotoPrefetch::take(std::size_t photo, const FileIdentity& identity) {
-    const auto it = std::ranges::find(photos_, photo, &Ahead::photo);
-    if (it == photos_.end() || !it->begun.exchange(true)) return std::nullopt;
+    const auto it = std::ranges::find(photos_, photo, &Entry::photo);
+    if (it == photos_.end() || !it->claimed.exchange(true)) return std::nullopt;
     it->decoded.get_future().wait();
     if (!(it->identity == identity)) it->image.reset();
     return std::exchange(it->image, std::nullopt);

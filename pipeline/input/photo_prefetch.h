@@ -13,30 +13,32 @@
 
 namespace vantage {
 
-/// Photos that are read and decoded before their turn: while the model is prepared, only one core has work.
+/// Reads and decodes photos ahead of time, on cores that are idle while one prepares the model.
 class PhotoPrefetch {
   public:
-    /// Begins with `threads` at a time; the scene must outlive it, and its photos stay as they are.
+    /// Starts decoding `photos`, indices into scene.photos, in order on `threads` threads; 0 decodes none.
+    /// The scene and
+    /// `trace` (may be null) must outlive this object, and the photos must not change.
     PhotoPrefetch(const SceneInput& scene, const std::vector<std::size_t>& photos, unsigned threads,
                   Trace* trace);
-    /// Begins no more of them.
+    /// Starts no further photos; waits for those being decoded.
     ~PhotoPrefetch() { next_ = photos_.size(); }
 
-    /// The photo, once, if it was among them, is begun, could be read, and was then the file with this
-    /// identity.
+    /// Hands over a photo, waiting for it if it is being decoded; nothing if decoding had not started (then
+    /// it never will), failed, or read a file of another identity. At most once per photo.
     std::optional<RgbaImage> take(std::size_t photo, const FileIdentity& identity);
 
   private:
-    struct Ahead {
+    struct Entry {
         std::size_t photo;
         FileIdentity identity;
         std::optional<RgbaImage> image;
-        std::atomic<bool> begun = false;
+        std::atomic<bool> claimed = false;  ///< by a decoding thread, or by take() to prevent decoding
         std::promise<void> decoded;
     };
-    void decode(Ahead& ahead, const PhotoInput& photo, Trace* trace);
+    void decode(Entry& entry, const PhotoInput& photo, Trace* trace);
 
-    std::deque<Ahead> photos_;
+    std::deque<Entry> photos_;
     std::atomic<std::size_t> next_ = 0;
     std::vector<std::jthread> threads_;
 };

@@ -27,31 +27,32 @@ fs::path find_photo(const fs::path& folder, const std::string& name) {
     return {};
 }
 
-/// Gives the camera the photo's size: fills it in, or scales a calibration made at another resolution.
+/// Fits the camera to the photo's size: fills in an unknown size, or scales a calibration made at another
+/// resolution. Throws Error(input) if the aspect ratios differ.
 void fit_to_photo(PhotoInput& photo, bool size_known, SceneInput& scene) {
     const PhotoHeader header = read_photo_header(photo.file);
     const PhotoSize size = header.size;
     if (!header.profile.empty())
-        scene.warnings.push_back(photo.name + ": has the colour profile '" + header.profile +
-                                 "', taken as sRGB");
+        scene.warnings.push_back(photo.name + ": has the color profile '" + header.profile +
+                                 "', treated as sRGB");
     Intrinsics& k = photo.camera.intrinsics;
     if (!size_known) {
         k = {size.width, size.height, k.fx, k.fy, size.width / 2.0, size.height / 2.0};
         return;
     }
     const bool same = k.width == size.width && k.height == size.height;
-    const bool turned = k.width == size.height && k.height == size.width;
-    if (same || turned) return;
+    const bool rotated = k.width == size.height && k.height == size.width;
+    if (same || rotated) return;
     const double x = double(size.width) / k.width, y = double(size.height) / k.height;
     const std::string sizes = std::to_string(size.width) + "x" + std::to_string(size.height) +
-                              ", its camera is for " + std::to_string(k.width) + "x" +
+                              ", but its camera expects " + std::to_string(k.width) + "x" +
                               std::to_string(k.height);
     if (!(std::abs(x / y - 1) < 0.005)) throw Error(Exit::input, photo.file.string() + ": is " + sizes);
-    scene.warnings.push_back(photo.name + ": is " + sizes + "; the camera was scaled");
+    scene.warnings.push_back(photo.name + ": is " + sizes + "; scaled the camera");
     k = k.scaled(size.width, size.height);
 }
 
-/// The photo of a camera, checked. Throws Error(input) where the two cannot be used.
+/// The photo of a camera, both checked. Throws Error(input) if they cannot be used.
 PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file, SceneInput& scene) {
     PhotoInput photo{file.filename().string(), file, entry.camera};
     fit_to_photo(photo, entry.size_known, scene);
@@ -66,10 +67,10 @@ void add_photos(SceneInput& scene, const CameraSet& set) {
     for (const CameraSet::Entry& entry : set.entries) {
         const fs::path file = find_photo(scene.files.photos, entry.photo);
         if (file.empty()) {
-            scene.left_out.push_back({entry.photo, "has a camera and no photo"});
+            scene.left_out.push_back({entry.photo, "has a camera but no photo"});
             continue;
         }
-        if (!used.insert(file).second) throw Error(Exit::input, file.string() + ": has two cameras");
+        if (!used.insert(file).second) throw Error(Exit::input, file.string() + ": has more than one camera");
         try {
             scene.photos.push_back(read_photo_input(entry, file, scene));
         } catch (const Error& e) {
@@ -82,9 +83,9 @@ void add_photos(SceneInput& scene, const CameraSet& set) {
     std::ranges::sort(scene.photos, {}, &PhotoInput::name);
     std::ranges::sort(scene.left_out, {}, &UnusablePhoto::photo);
     std::ranges::sort(scene.warnings);
-    const auto twin = std::ranges::adjacent_find(scene.photos, {}, &PhotoInput::name);
-    if (twin != scene.photos.end())
-        throw Error(Exit::input, twin->file.string() + ": another photo has the same name");
+    const auto duplicate = std::ranges::adjacent_find(scene.photos, {}, &PhotoInput::name);
+    if (duplicate != scene.photos.end())
+        throw Error(Exit::input, duplicate->file.string() + ": another photo has the same name");
 }
 
 }  // namespace
@@ -96,8 +97,7 @@ SceneInput read_scene(const InputFiles& files) {
     scene.camera_format = set.format;
     scene.warnings = set.warnings;
     scene.mesh = read_mesh(files.mesh, scene.warnings);
-    if (!fs::is_directory(files.photos))
-        throw Error(Exit::input, files.photos.string() + ": is not a folder");
+    if (!fs::is_directory(files.photos)) throw Error(Exit::input, files.photos.string() + ": not a folder");
     add_photos(scene, set);
     if (scene.photos.empty())
         throw Error(Exit::input,

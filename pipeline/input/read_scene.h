@@ -3,10 +3,11 @@
 
 namespace vantage {
 
-/// Reads mesh and cameras, finds each camera's photo (by path, file name or name without extension),
-/// completes cameras of unknown size from the photos' headers, checks all. Photos or cameras without the
-/// other, unreadable photos, those of another shape than their camera, and cameras that are none are left
-/// out; none left, two cameras of a photo or two photos of one name are an Error(input).
+/// Reads the mesh and the cameras, finds each camera's photo (by path, file name, or name without extension),
+/// takes image sizes that a camera lacks from the photos' headers, and validates everything. Left out are
+/// photos without a camera, cameras without a photo, unreadable photos, photos whose aspect ratio differs
+/// from their camera's, and invalid cameras. Throws Error(input) if no photo is left, if a photo has two
+/// cameras, or if two photos share a name.
 SceneInput read_scene(const InputFiles& files);
 
 }  // namespace vantage

@@ -9,32 +9,34 @@
 
 namespace vantage {
 
-/// A photo's file, its name (without folders) and its camera.
+/// A photo and its camera.
 struct PhotoInput {
-    std::string name;
+    std::string name;  ///< file name without folders
     std::filesystem::path file;
     Camera camera;
-    PhotoSize decoded{};  ///< of the file as the camera sees it; larger than the camera's where reduced
-    std::filesystem::path stencil{};  ///< black where the photo is not to be shown; empty where it has none
+    PhotoSize decoded{};  ///< in the camera's orientation; larger than the camera's if photos are reduced
+    std::filesystem::path stencil{};  ///< image, black where the photo must not be shown; empty: none
 };
 
-/// The files an input was found to consist of.
+/// Where the parts of an input are.
 struct InputFiles {
-    std::filesystem::path mesh, cameras, photos;
+    std::filesystem::path mesh;
+    std::filesystem::path cameras;  ///< a file, or a COLMAP folder
+    std::filesystem::path photos;   ///< a folder
 };
 
-/// A photo that cannot be used, and why.
+/// A photo that cannot be used, and the reason.
 struct UnusablePhoto {
     std::string photo, why;
 };
 
-/// Everything `prepare` starts from. Photos are sorted by name.
+/// Everything `prepare` starts from.
 struct SceneInput {
     InputFiles files;
-    std::string camera_format;  ///< for people: "COLMAP text", "Bundler", ...
+    std::string camera_format;  ///< display name: "COLMAP text", "Bundler", ...
     Mesh mesh;
-    std::vector<PhotoInput> photos;
-    std::vector<UnusablePhoto> left_out;  ///< sorted by name; of those that show before a photo is decoded
+    std::vector<PhotoInput> photos;       ///< sorted by name
+    std::vector<UnusablePhoto> left_out;  ///< sorted by name; found unusable before decoding
     std::vector<std::string> warnings;
 };
 

@@ -10,6 +10,7 @@
 namespace vantage {
 namespace {
 
+/// The record of `count` triangles, whose vertices start at `indices`; `first` is the number of the first.
 package::ClusterRecord bounds(const std::vector<Eigen::Vector3f>& positions, const std::uint32_t* indices,
                               std::uint32_t first, std::uint32_t count) {
     Eigen::Vector3f low = positions[indices[0]], high = low;
@@ -23,19 +24,19 @@ package::ClusterRecord bounds(const std::vector<Eigen::Vector3f>& positions, con
         radius = std::max(radius, (positions[indices[i]] - center).norm());
     const meshopt_Bounds b = meshopt_computeClusterBounds(indices, 3 * count, positions[0].data(),
                                                           positions.size(), sizeof(Eigen::Vector3f));
-    const bool cone = b.radius > 0;  // zero where every triangle is degenerate
+    const bool has_cone = b.radius > 0;  // 0 if all triangles are degenerate
     return {{center.x(), center.y(), center.z()},
             radius * 1.0001f,
             {b.cone_axis[0], b.cone_axis[1], b.cone_axis[2]},
-            cone ? b.cone_cutoff : 1.0f,
+            has_cone ? b.cone_cutoff : 1.0f,
             first,
             count};
 }
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Splits runs of large triangles: one cluster should be met at one angle and one distance, or the player
-/// can say little of how finely it is sampled.
+/// Splits clusters of large triangles until each is seen at nearly one angle and one distance; otherwise the
+/// player could not estimate how finely a photo samples it.
 class Splitter {
   public:
     Splitter(const std::vector<Eigen::Vector3f>& positions, std::vector<std::uint32_t>& indices)
@@ -45,39 +46,40 @@ class Splitter {
             low = low.cwiseMin(p);
             high = high.cwiseMax(p);
         }
-        scene_ = (high - low).norm() / 2;
+        scene_radius_ = (high - low).norm() / 2;
     }
     void split(std::uint32_t first, std::uint32_t count, std::vector<package::ClusterRecord>& out) {
         const package::ClusterRecord c = bounds(positions_, triangles_[first].data(), first, count);
-        const std::uint32_t part = count > 1 ? partition(c) : 0;
-        if (part == 0 || part == count) {
+        const std::uint32_t left = count > 1 ? partition(c) : 0;
+        if (left == 0 || left == count) {
             out.push_back(c);
         } else {
-            split(first, part, out);
-            split(first + part, count - part, out);
+            split(first, left, out);
+            split(first + left, count - left, out);
         }
     }
 
   private:
-    /// Reorders the cluster's triangles and returns how many are in its first part; 0 where it is good.
+    /// Reorders the cluster's triangles in two parts and returns the size of the first; 0 to keep it whole.
     std::uint32_t partition(const package::ClusterRecord& c) {
-        constexpr float wide = 0.87f;  // sine of a cone's half angle
-        if (c.radius <= 0.02f * scene_) return 0;
+        constexpr float max_cutoff = 0.87f;  // sine of the cone's half angle
+        if (c.radius <= 0.02f * scene_radius_) return 0;
         Triangle *begin = triangles_ + c.first_triangle, *end = begin + c.triangles;
-        if (c.cone_cutoff > wide) return by_value(begin, end, [&](const Triangle& t) { return normal(t); });
-        if (c.radius <= 0.1f * scene_) return 0;
-        return by_value(begin, end, [&](const Triangle& t) {
+        if (c.cone_cutoff > max_cutoff)
+            return partition_at_mean(begin, end, [&](const Triangle& t) { return normal(t); });
+        if (c.radius <= 0.1f * scene_radius_) return 0;
+        return partition_at_mean(begin, end, [&](const Triangle& t) {
             return Eigen::Vector3f((positions_[t[0]] + positions_[t[1]] + positions_[t[2]]) / 3);
         });
     }
-    /// On either side of the mean, along the axis on which the values spread the most.
+    /// Separates the triangles at the mean of the values, along the axis of the largest variance.
     template <class Value>
-    static std::uint32_t by_value(Triangle* begin, Triangle* end, const Value& value) {
-        Eigen::Vector3f mean = Eigen::Vector3f::Zero(), spread = mean;
+    static std::uint32_t partition_at_mean(Triangle* begin, Triangle* end, const Value& value) {
+        Eigen::Vector3f mean = Eigen::Vector3f::Zero(), variance = mean;
         for (const Triangle* t = begin; t < end; ++t) mean += value(*t) / float(end - begin);
-        for (const Triangle* t = begin; t < end; ++t) spread += (value(*t) - mean).cwiseAbs2();
+        for (const Triangle* t = begin; t < end; ++t) variance += (value(*t) - mean).cwiseAbs2();
         int axis = 0;
-        spread.maxCoeff(&axis);
+        variance.maxCoeff(&axis);
         return std::uint32_t(std::stable_partition(
                                  begin, end, [&](const Triangle& t) { return value(t)[axis] < mean[axis]; }) -
                              begin);
@@ -89,7 +91,7 @@ class Splitter {
 
     const std::vector<Eigen::Vector3f>& positions_;
     Triangle* triangles_;
-    float scene_;
+    float scene_radius_;
 };
 
 }  // namespace

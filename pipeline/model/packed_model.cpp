@@ -11,34 +11,34 @@ using package::Type;
 
 namespace {
 
-/// The place of each vertex in the order of first use.
-std::vector<std::uint32_t> order_of_use(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
+/// Each vertex's position in the order of first use; unused vertices come last.
+std::vector<std::uint32_t> first_use_order(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
     constexpr std::uint32_t unused = ~0u;
-    std::vector<std::uint32_t> place(vertices, unused);
+    std::vector<std::uint32_t> order(vertices, unused);
     std::uint32_t next = 0;
     for (const std::uint32_t v : indices)
-        if (place[v] == unused) place[v] = next++;
-    for (std::uint32_t& p : place)
-        if (p == unused) p = next++;
-    return place;
+        if (order[v] == unused) order[v] = next++;
+    for (std::uint32_t& o : order)
+        if (o == unused) o = next++;
+    return order;
 }
 
 template <class T>
-void move_to(std::vector<T>& values, const std::vector<std::uint32_t>& place) {
+void permute(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
     if (values.empty()) return;
-    std::vector<T> moved(values.size());
-    for (std::size_t v = 0; v < values.size(); ++v) moved[place[v]] = values[v];
-    values = std::move(moved);
+    std::vector<T> permuted(values.size());
+    for (std::size_t v = 0; v < values.size(); ++v) permuted[order[v]] = values[v];
+    values = std::move(permuted);
 }
 
 void order_vertices(PackedModel& m, Mesh& mesh) {
-    const std::vector<std::uint32_t> place = order_of_use(m.indices, m.positions.size());
-    move_to(m.positions, place);
-    move_to(mesh.positions, place);
-    move_to(mesh.normals, place);
-    move_to(mesh.colors, place);
-    for (ScalarLayer& layer : mesh.scalars) move_to(layer.values, place);
-    for (std::uint32_t& v : m.indices) v = place[v];
+    const std::vector<std::uint32_t> order = first_use_order(m.indices, m.positions.size());
+    permute(m.positions, order);
+    permute(mesh.positions, order);
+    permute(mesh.normals, order);
+    permute(mesh.colors, order);
+    for (ScalarLayer& layer : mesh.scalars) permute(layer.values, order);
+    for (std::uint32_t& v : m.indices) v = order[v];
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         std::copy_n(m.indices.begin() + std::ptrdiff_t(3 * t), 3, mesh.triangles[t].begin());
 }

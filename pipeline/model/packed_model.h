@@ -9,19 +9,20 @@
 
 namespace vantage {
 
-/// The scene as the package holds it: centred, single precision, ordered by cluster.
+/// The model as the package holds it, with triangles ordered by cluster.
 struct PackedModel {
     package::SceneRecord record{};
-    Eigen::Vector3d origin;
-    std::vector<Eigen::Vector3f> positions;
-    std::vector<std::uint32_t> indices;
+    Eigen::Vector3d origin;                  ///< center of the bounding box, in the mesh's coordinates
+    std::vector<Eigen::Vector3f> positions;  ///< relative to `origin`
+    std::vector<std::uint32_t> indices;      ///< three per triangle
     std::vector<package::ClusterRecord> clusters;
 };
-/// Orders triangles and vertices of `mesh`, too: triangles by cluster, vertices as the triangles first use
-/// them (so that neighbours lie together in memory), unused ones last.
+
+/// Also reorders `mesh` the same way: triangles by cluster, vertices by first use (for memory locality),
+/// unused vertices last.
 PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles);
 
-/// Writes geometry, clusters and vertex attributes.
+/// Writes geometry, clusters and vertex attributes. Throws Error(storage).
 void write_model(PackageWriter& writer, const PackedModel& model, const Mesh& mesh);
 
 }  // namespace vantage

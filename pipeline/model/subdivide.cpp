@@ -9,8 +9,8 @@ namespace vantage {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
-constexpr std::size_t most_added = std::size_t(1) << 18;
-constexpr std::uint32_t none = ~0u;
+constexpr std::size_t max_added_triangles = std::size_t(1) << 18;
+constexpr std::uint32_t no_midpoint = ~0u;
 
 double diagonal(const Mesh& mesh) {
     if (mesh.positions.empty()) return 0;
@@ -34,40 +34,41 @@ std::uint32_t add_midpoint(Mesh& m, std::uint32_t a, std::uint32_t b) {
     return std::uint32_t(m.positions.size() - 1);
 }
 
-bool longer(const Mesh& m, std::uint32_t a, std::uint32_t b, double longest) {
+bool is_longer(const Mesh& m, std::uint32_t a, std::uint32_t b, double longest) {
     return (m.positions[a] - m.positions[b]).squaredNorm() > longest * longest;
 }
 
 bool has_longer_edge(const Mesh& m, const Triangle& t, double longest) {
-    return longer(m, t[0], t[1], longest) || longer(m, t[1], t[2], longest) || longer(m, t[2], t[0], longest);
+    return is_longer(m, t[0], t[1], longest) || is_longer(m, t[1], t[2], longest) ||
+           is_longer(m, t[2], t[0], longest);
 }
 
-/// Midpoints of edges, made once an edge whichever triangle asks first.
+/// Midpoints of long edges, shared by the triangles on both sides.
 class Midpoints {
   public:
     Midpoints(Mesh& mesh, double longest) : mesh_(mesh), longest_(longest) {}
-    /// Of an edge that is too long; `none` for others.
+    /// The midpoint vertex of an edge longer than `longest`; `no_midpoint` for shorter edges.
     std::uint32_t of(std::uint32_t a, std::uint32_t b) {
-        if (!longer(mesh_, a, b, longest_)) return none;
+        if (!is_longer(mesh_, a, b, longest_)) return no_midpoint;
         const auto [low, high] = std::minmax(a, b);
-        const auto [at, fresh] = made_.try_emplace(std::uint64_t(low) << 32 | high, none);
-        if (fresh) at->second = add_midpoint(mesh_, low, high);
+        const auto [at, inserted] = vertices_.try_emplace(std::uint64_t(low) << 32 | high, no_midpoint);
+        if (inserted) at->second = add_midpoint(mesh_, low, high);
         return at->second;
     }
 
   private:
     Mesh& mesh_;
     double longest_;
-    std::unordered_map<std::uint64_t, std::uint32_t> made_;
+    std::unordered_map<std::uint64_t, std::uint32_t> vertices_;  ///< by edge
 };
 
-/// The pieces of a triangle whose edge i, from corner i to the next, has the midpoint m[i] or `none`.
+/// Appends the pieces of a triangle; m[i] is the midpoint of its edge from corner i to the next, if halved.
 void add_pieces(const Triangle& t, const Triangle& m, std::vector<Triangle>& out) {
-    const auto halved = std::ranges::count_if(m, [](auto v) { return v != none; });
+    const auto halved = std::ranges::count_if(m, [](auto v) { return v != no_midpoint; });
     if (halved == 0) return out.push_back(t);
-    // Turned until edge 0 is halved, and with two halved, edge 2 is not.
+    // Rotate so that edge 0 is halved and, if exactly two are, edge 2 is not.
     std::size_t turn = 0;
-    while (m[turn] == none || (halved == 2 && m[(turn + 2) % 3] != none)) ++turn;
+    while (m[turn] == no_midpoint || (halved == 2 && m[(turn + 2) % 3] != no_midpoint)) ++turn;
     const std::uint32_t a = t[turn], b = t[(turn + 1) % 3], c = t[(turn + 2) % 3];
     const std::uint32_t ab = m[turn], bc = m[(turn + 1) % 3], ca = m[(turn + 2) % 3];
     if (halved == 1) {
@@ -79,8 +80,8 @@ void add_pieces(const Triangle& t, const Triangle& m, std::vector<Triangle>& out
     }
 }
 
-/// Nothing where there would be too many.
-std::optional<Mesh> divided(const Mesh& mesh, double longest) {
+/// The mesh without edges longer than `longest`; nothing if that takes too many triangles.
+std::optional<Mesh> subdivided(const Mesh& mesh, double longest) {
     Mesh out = mesh;
     const auto large =
         std::stable_partition(out.triangles.begin(), out.triangles.end(),
@@ -96,7 +97,8 @@ std::optional<Mesh> divided(const Mesh& mesh, double longest) {
         todo.clear();
         for (const Triangle& t : pieces)
             (has_longer_edge(out, t, longest) ? todo : out.triangles).push_back(t);
-        if (out.triangles.size() + todo.size() > mesh.triangles.size() + most_added) return std::nullopt;
+        if (out.triangles.size() + todo.size() > mesh.triangles.size() + max_added_triangles)
+            return std::nullopt;
     }
     return out;
 }
@@ -105,11 +107,11 @@ std::optional<Mesh> divided(const Mesh& mesh, double longest) {
 
 std::size_t subdivide_large_triangles(Mesh& mesh) {
     const std::size_t before = mesh.triangles.size();
-    const double all = diagonal(mesh);
-    for (double longest = all / 64; longest > 0 && longest < all; longest *= 2) {
+    const double extent = diagonal(mesh);
+    for (double longest = extent / 64; longest > 0 && longest < extent; longest *= 2) {
         const auto large = [&](const Triangle& t) { return has_longer_edge(mesh, t, longest); };
         if (std::ranges::none_of(mesh.triangles, large)) break;
-        auto fine = divided(mesh, longest);
+        auto fine = subdivided(mesh, longest);
         if (!fine) continue;
         mesh = std::move(*fine);
         break;

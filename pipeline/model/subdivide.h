@@ -3,11 +3,11 @@
 
 namespace vantage {
 
-/// Halves edges longer than 1/64 of the diagonal of the mesh's box until none is left, so that what is
-/// recorded by triangle (which photos see it, how it is culled) means something on room-sized ones, too. The
-/// surface stays as it is: an edge is halved for all its triangles or for none, so nothing comes apart.
-/// Attributes of new vertices are the means of their ends'. Where that would make more than 2^18 triangles
-/// more than there are, longer edges stay. Returns how many triangles there are more.
+/// Halves edges until none is longer than 1/64 of the diagonal of the mesh's bounding box, so that data per
+/// triangle (which photos see it, how it is culled) is meaningful on room-sized triangles too. The surface
+/// does not change, and no cracks open: an edge is halved in all its triangles or in none. New vertices get
+/// the mean attributes of the edge's ends. If this would add more than 2^18 triangles, the length limit is
+/// doubled until it does not. Returns the number of triangles added.
 std::size_t subdivide_large_triangles(Mesh& mesh);
 
 }  // namespace vantage

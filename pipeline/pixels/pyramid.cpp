@@ -6,6 +6,7 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
+#include "scene/grid.h"
 #include "scene/srgb.h"
 
 namespace vantage {
@@ -13,14 +14,14 @@ namespace {
 
 constexpr int linear_bits = 14;
 
-/// sRGB byte -> linear light in 14 bits, and back.
+/// From sRGB bytes to linear light in 14 bits, and back.
 struct SrgbTables {
     std::array<std::uint16_t, 256> linear;
     std::vector<std::uint8_t> srgb;
     SrgbTables() : srgb((1 << linear_bits) + 1) {
         const double top = 1 << linear_bits;
-        for (int i = 0; i < 256; ++i)
-            linear[std::size_t(i)] = std::uint16_t(std::lround(top * linear_from_srgb(i / 255.0)));
+        for (std::size_t i = 0; i < linear.size(); ++i)
+            linear[i] = std::uint16_t(std::lround(top * linear_of_srgb_byte()[i]));
         for (std::size_t i = 0; i < srgb.size(); ++i)
             srgb[i] = std::uint8_t(std::lround(255 * srgb_from_linear(double(i) / top)));
     }
@@ -75,17 +76,14 @@ bool is_opaque(const RgbaImage& image) {
 
 RgbaImage halve(const RgbaImage& image) {
     const Level half = level_size(image.width, image.height, 1);
-    RgbaImage out{half.width, half.height, {}, image.opaque};
-    out.rgba.resize(std::size_t(half.width) * std::size_t(half.height) * 4);
+    RgbaImage out = blank_image(half.width, half.height);
+    out.opaque = image.opaque;
+    const Grid<const std::uint8_t> from{image.rgba.data(), 4 * image.width, image.height};
+    const Grid<std::uint8_t> to{out.rgba.data(), 4 * half.width, half.height};
+    const auto halve_rows = image.opaque ? halve_row<average_opaque> : halve_row<average>;
     for (int y = 0; y < half.height; ++y) {
-        const std::size_t stride = std::size_t(image.width) * 4;
-        const std::uint8_t* a = image.rgba.data() + std::size_t(2 * y) * stride;
-        const std::uint8_t* b = 2 * y + 1 < image.height ? a + stride : a;
-        std::uint8_t* to = out.rgba.data() + std::size_t(y) * std::size_t(half.width) * 4;
-        if (image.opaque)
-            halve_row<average_opaque>(a, b, image.width, half.width, to);
-        else
-            halve_row<average>(a, b, image.width, half.width, to);
+        const std::span a = from.row(2 * y), b = from.row(std::min(2 * y + 1, image.height - 1));
+        halve_rows(a.data(), b.data(), image.width, half.width, to.row(y).data());
     }
     return out;
 }
@@ -95,10 +93,11 @@ void cut_tile(std::span<const std::byte> texels, const Level& level, std::size_t
     const int row = int(number) / level.columns(), column = int(number) % level.columns();
     const int x0 = column * tile_content - tile_border;
     const int first = std::max(0, -x0), last = std::min(tile_size, level.width - x0);
+    const Grid<const std::byte> rows{texels.data(), 4 * level.width, level.height};
     std::byte* to = tile.data();
     for (int y = 0; y < tile_size; ++y, to += tile_size * 4) {
         const int sy = std::clamp(row * tile_content + y - tile_border, 0, level.height - 1);
-        const std::byte* from = texels.data() + std::size_t(sy) * std::size_t(level.width) * 4;
+        const std::byte* from = rows.row(sy).data();
         for (int x = 0; x < first; ++x) std::memcpy(to + 4 * x, from, 4);
         std::memcpy(to + 4 * first, from + 4 * std::size_t(x0 + first), 4 * std::size_t(last - first));
         for (int x = last; x < tile_size; ++x)
@@ -112,13 +111,13 @@ Level thumbnail_size(int width, int height, int longest) {
 }
 
 RgbaImage reduced(const RgbaImage& image, const Level& size) {
-    RgbaImage out{size.width, size.height, {}, image.opaque};
-    out.rgba.resize(std::size_t(size.width) * std::size_t(size.height) * 4);
+    RgbaImage out = blank_image(size.width, size.height);
+    out.opaque = image.opaque;
     const cv::Mat from(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.rgba.data()));
     cv::Mat to(size.height, size.width, CV_8UC4, out.rgba.data());
-    // Below half the size neighbours alone would miss what lies between them.
-    const bool little = image.width < 2 * size.width && image.height < 2 * size.height;
-    cv::resize(from, to, to.size(), 0, 0, little ? cv::INTER_LINEAR : cv::INTER_AREA);
+    // Below half size, bilinear interpolation would skip pixels.
+    const bool above_half = image.width < 2 * size.width && image.height < 2 * size.height;
+    cv::resize(from, to, to.size(), 0, 0, above_half ? cv::INTER_LINEAR : cv::INTER_AREA);
     return out;
 }
 

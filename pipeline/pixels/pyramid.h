@@ -9,22 +9,23 @@
 
 namespace vantage {
 
-/// Alpha is 255 everywhere.
+/// Whether alpha is 255 everywhere.
 bool is_opaque(const RgbaImage& image);
 
-/// The next coarser level: 2x2 box in linear light, weighted by alpha; odd edges repeat their last texel, so
-/// a pixel coordinate halves exactly.
+/// The next coarser level: 2x2 box filter in linear light, weighted by alpha. Odd edges repeat their last
+/// texel, so that pixel coordinates halve exactly.
 RgbaImage halve(const RgbaImage& image);
 
-/// Cuts one stored tile (row by row from the upper left) with its border out of a level of 4-byte texels;
-/// edges of the level repeat their last texel. `texels` has level.width * level.height * 4 bytes, `tile`
-/// tile_bytes.
+/// Cuts one stored tile with its border out of a level of 4-byte texels. Tiles are numbered row by row from
+/// the upper left; beyond the level's edges its last texel is repeated. `texels` holds level.width *
+/// level.height * 4 bytes, `tile` holds tile_bytes.
 void cut_tile(std::span<const std::byte> texels, const Level& level, std::size_t number,
               std::span<std::byte> tile);
 
-/// To a size that is no larger: area average, above half the size linear between texels.
+/// Scaled down to `size`: bilinear above half of the image's size, else the area average (OpenCV).
 RgbaImage reduced(const RgbaImage& image, const Level& size);
-/// At most `longest` pixels on the long side, never larger than the photo.
+
+/// The photo's size scaled down to at most `longest` pixels on the long side, never larger than the photo.
 Level thumbnail_size(int width, int height, int longest);
 
 }  // namespace vantage

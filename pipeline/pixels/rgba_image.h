@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -8,7 +9,12 @@ namespace vantage {
 struct RgbaImage {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
-    bool opaque = false;  ///< known to have alpha 255 everywhere
+    bool opaque = false;  ///< alpha is known to be 255 everywhere
 };
+
+/// An image of zeros, to be filled in.
+inline RgbaImage blank_image(int width, int height) {
+    return {width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4)};
+}
 
 }  // namespace vantage

@@ -1,9 +1,10 @@
 #pragma once
 #include <cstdint>
 
-/// On a function that loops over pixels: wider vectors where the processor has them. Results are the same
-/// bit for bit: no multiplication is fused with an addition.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(VANTAGE_SANITIZED)  // whose start comes too late
+/// Marks a function that loops over pixels. It is compiled for AVX2 and for the baseline, and the version is
+/// selected at program start. Both give bit-identical results, because AVX2 alone, without FMA, has
+/// no fused multiply-add. Off under the sanitizers, which start up after that selection.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(VANTAGE_SANITIZED)
 #define VANTAGE_SIMD __attribute__((target_clones("avx2", "default")))
 #else
 #define VANTAGE_SIMD
@@ -11,12 +12,12 @@
 
 namespace vantage {
 
-/// Numbers that such a loop works on at once, where it is written out.
+/// Vectors for loops vectorized by hand, and their number of elements.
 inline constexpr int lanes = 8;
 using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
 using Floats = float __attribute__((vector_size(4 * lanes)));
 
 }  // namespace vantage
 
-/// On a function that such a loop calls: part of it, and as wide.
+/// Marks a function called in such a loop: it must be inlined to be compiled for the same instruction set.
 #define VANTAGE_INLINE __attribute__((always_inline)) inline

@@ -8,11 +8,12 @@
 namespace vantage {
 namespace {
 
-/// By Resampling.
+/// Indexed by Resampling.
 constexpr int interpolations[] = {cv::INTER_NEAREST, cv::INTER_LINEAR, cv::INTER_CUBIC, cv::INTER_LANCZOS4};
 
-/// Where the lens draws what a pinhole draws at (u, v); no number beyond the lens's range, as lens_range().
-Eigen::Vector2d drawn_at(const Camera& camera, double range, double u, double v) {
+/// The pixel at which the lens images what a pinhole camera images at (u, v); NaN if the ray is beyond
+/// `range`, the lens's lens_range().
+Eigen::Vector2d distorted_pixel(const Camera& camera, double range, double u, double v) {
     const Intrinsics& k = camera.intrinsics;
     const Eigen::Vector2d ray((u - k.cx) / k.fx, (v - k.cy) / k.fy);
     if (!(ray.norm() <= range)) return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -31,7 +32,7 @@ double largest_displacement(const Camera& camera) {
         for (int i = 0; i <= n; ++i) {
             const Eigen::Vector2d p(double(i) * camera.intrinsics.width / n,
                                     double(j) * camera.intrinsics.height / n);
-            const double d = (drawn_at(camera, range, p.x(), p.y()) - p).norm();
+            const double d = (distorted_pixel(camera, range, p.x(), p.y()) - p).norm();
             if (std::isfinite(d)) largest = std::max(largest, d);
         }
     return largest;
@@ -42,12 +43,13 @@ RgbaImage undistort(const RgbaImage& photo, const Camera& camera, Resampling res
     cv::Mat map(photo.height, photo.width, CV_32FC2);
     for (int y = 0; y < photo.height; ++y)
         for (int x = 0; x < photo.width; ++x) {
-            // OpenCV counts pixel centres at integers.
-            const Eigen::Vector2d p = drawn_at(camera, range, x + 0.5, y + 0.5).array() - 0.5;
-            const bool good = p.allFinite() && p.cwiseAbs().maxCoeff() < 1e6;
-            map.at<cv::Vec2f>(y, x) = good ? cv::Vec2f(float(p.x()), float(p.y())) : cv::Vec2f(-1e6f, -1e6f);
+            // OpenCV has pixel centers at integers.
+            const Eigen::Vector2d p = distorted_pixel(camera, range, x + 0.5, y + 0.5).array() - 0.5;
+            const bool usable = p.allFinite() && p.cwiseAbs().maxCoeff() < 1e6;
+            map.at<cv::Vec2f>(y, x) =
+                usable ? cv::Vec2f(float(p.x()), float(p.y())) : cv::Vec2f(-1e6f, -1e6f);
         }
-    RgbaImage out{photo.width, photo.height, std::vector<std::uint8_t>(photo.rgba.size())};
+    RgbaImage out = blank_image(photo.width, photo.height);
     const cv::Mat from(photo.height, photo.width, CV_8UC4, const_cast<std::uint8_t*>(photo.rgba.data()));
     cv::Mat to(out.height, out.width, CV_8UC4, out.rgba.data());
     cv::remap(from, to, map, {}, interpolations[int(resampling)], cv::BORDER_REPLICATE);

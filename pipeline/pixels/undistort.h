@@ -5,12 +5,12 @@
 
 namespace vantage {
 
-/// Largest distance in pixels between where the lens and where the pinhole draws a pixel, sampled on a grid
-/// over the photo. 0 for a pinhole; never NaN.
+/// Largest displacement by the lens relative to a pinhole camera, in pixels, sampled on a grid over the
+/// photo. 0 for a camera without distortion; never NaN.
 double largest_displacement(const Camera& camera);
 
-/// Resamples the photo to the pinhole camera of the same intrinsics (OpenCV). Pixels whose ray the
-/// photo does not hold get alpha 0.
+/// Resamples the photo to the pinhole camera of the same intrinsics (OpenCV). Pixels whose ray is outside the
+/// photo get alpha 0.
 RgbaImage undistort(const RgbaImage& photo, const Camera& camera, Resampling resampling);
 
 }  // namespace vantage

@@ -32,7 +32,7 @@ double pixels(const PhotoInput& photo) { return double(photo.decoded.width) * ph
 constexpr double seconds_per_pixel = 15e-9, seconds_per_triangle = 0.12e-6;
 
 fs::path speed_file() {
-    const fs::path cache = usual_identity_cache();
+    const fs::path cache = default_identity_cache();
     return cache.empty() ? fs::path() : cache.parent_path() / "speed";
 }
 

@@ -10,35 +10,37 @@
 
 namespace vantage {
 
-/// What is read of photos, each when it is wanted; those that were wanted last stay. Thread-safe.
+/// Data per photo, read on demand; the least recently used is evicted. Thread-safe, but two threads that
+/// request the same photo at once may both read it.
 template <class T>
 class LruCache {
   public:
-    LruCache(std::size_t most, std::function<T(std::uint32_t photo)> read)
-        : most_(most), read_(std::move(read)) {}
+    /// `capacity`: number of photos.
+    LruCache(std::size_t capacity, std::function<T(std::uint32_t photo)> read)
+        : capacity_(capacity), read_(std::move(read)) {}
 
     std::shared_ptr<const T> get(std::uint32_t photo) {
         {
             const std::scoped_lock lock(mutex_);
-            const auto known = std::ranges::find(entries_, photo, &Entry::first);
-            if (known != entries_.end()) {
-                entries_.splice(entries_.begin(), entries_, known);
+            const auto found = std::ranges::find(entries_, photo, &Entry::first);
+            if (found != entries_.end()) {
+                entries_.splice(entries_.begin(), entries_, found);
                 return entries_.front().second;
             }
         }
-        const auto read = std::make_shared<const T>(read_(photo));
+        const auto data = std::make_shared<const T>(read_(photo));
         const std::scoped_lock lock(mutex_);
-        entries_.emplace_front(photo, read);
-        if (entries_.size() > most_) entries_.pop_back();
-        return read;
+        entries_.emplace_front(photo, data);
+        if (entries_.size() > capacity_) entries_.pop_back();
+        return data;
     }
 
   private:
     using Entry = std::pair<std::uint32_t, std::shared_ptr<const T>>;
-    std::size_t most_;
+    std::size_t capacity_;
     std::function<T(std::uint32_t photo)> read_;
     std::mutex mutex_;
-    std::list<Entry> entries_;
+    std::list<Entry> entries_;  ///< most recently used first
 };
 
 }  // namespace vantage

@@ -6,9 +6,9 @@
 
 namespace vantage {
 
-OnProgress until_stopped(const std::atomic<bool>* stop, std::string kept, OnProgress report) {
-    return [stop, kept = std::move(kept), report = std::move(report)](const Progress& p) {
-        if (stop && *stop) throw Error(Exit::interrupted, kept);
+OnProgress until_stopped(const std::atomic<bool>* stop, std::string message, OnProgress report) {
+    return [stop, message = std::move(message), report = std::move(report)](const Progress& p) {
+        if (stop && *stop) throw Error(Exit::interrupted, message);
         if (report) report(p);
     };
 }

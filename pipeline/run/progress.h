@@ -6,17 +6,18 @@
 
 namespace vantage {
 
-/// What is going on, for a progress line.
+/// The state of a long operation, for a progress line.
 struct Progress {
     const char* stage;
-    std::string photo;
+    std::string photo;  ///< empty if the step concerns the whole scene
     std::size_t done, total;
 };
 
-/// Called now and then by long work, from one thread at a time; what it throws ends the work.
+/// Called during long operations, by one thread at a time. An exception from it aborts the operation.
 using OnProgress = std::function<void(const Progress&)>;
 
-/// Reports, and throws Error(interrupted, `kept`) once the flag is set; null: never.
-OnProgress until_stopped(const std::atomic<bool>* stop, std::string kept, OnProgress report);
+/// Calls `report`, if there is one, until `*stop` is set, then throws Error(interrupted, `message`). A null
+/// `stop` is never set.
+OnProgress until_stopped(const std::atomic<bool>* stop, std::string message, OnProgress report);
 
 }  // namespace vantage

@@ -10,13 +10,13 @@ namespace vantage {
 namespace {
 
 template <class Content>
-Content read(const std::filesystem::path& file, std::size_t most) {
+Content read(const std::filesystem::path& file, std::size_t max_bytes) {
     std::ifstream in(file, std::ios::binary | std::ios::ate);
     if (!in) throw Error(Exit::input, file.string() + ": cannot open");
     if (std::filesystem::is_directory(file))
-        throw Error(Exit::input, file.string() + ": is a folder, expected a file");
+        throw Error(Exit::input, file.string() + ": expected a file, found a folder");
     Content content;
-    content.resize(std::min(std::size_t(in.tellg()), most));
+    content.resize(std::min(std::size_t(in.tellg()), max_bytes));
     in.seekg(0);
     if (!in.read(reinterpret_cast<char*>(content.data()), std::streamsize(content.size())))
         throw Error(Exit::input, file.string() + ": cannot read");
@@ -25,8 +25,8 @@ Content read(const std::filesystem::path& file, std::size_t most) {
 
 }  // namespace
 
-std::vector<std::byte> read_file(const std::filesystem::path& file, std::size_t most) {
-    return read<std::vector<std::byte>>(file, most);
+std::vector<std::byte> read_file(const std::filesystem::path& file, std::size_t max_bytes) {
+    return read<std::vector<std::byte>>(file, max_bytes);
 }
 
 std::string read_text(const std::filesystem::path& file) {

@@ -7,11 +7,11 @@
 
 namespace vantage {
 
-/// The bytes of a file, or its first `most`. Throws Error(input).
+/// The bytes of a file, at most the first `max_bytes`. Throws Error(input).
 std::vector<std::byte> read_file(const std::filesystem::path& file,
-                                 std::size_t most = std::numeric_limits<std::size_t>::max());
+                                 std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
 
-/// All of a file as characters. Throws Error(input).
+/// The whole file as text. Throws Error(input).
 std::string read_text(const std::filesystem::path& file);
 
 }  // namespace vantage

@@ -9,17 +9,19 @@
 
 namespace vantage {
 
-/// When which thread did what. Thread-safe; a span costs about a microsecond.
+/// A record of what each thread did, and when. Thread-safe; recording a span takes about a microsecond.
 class Trace {
   public:
     struct Span {
         const char* what;
-        std::string photo;  ///< empty where it is of the whole scene
-        unsigned thread;    ///< in the order in which threads first did something
-        double begin, end;  ///< s since the trace began
+        std::string photo;  ///< empty if the work concerns the whole scene
+        unsigned thread;    ///< numbered in the order of the threads' first spans
+        double begin, end;  ///< s since the trace was created
     };
 
+    /// `what` must be a string literal: only the pointer is kept.
     void add(const char* what, const std::string& photo, double begin, double end);
+    /// Seconds since the trace was created.
     double now() const;
     std::vector<Span> spans() const;
 
@@ -30,7 +32,7 @@ class Trace {
     std::vector<Span> spans_;
 };
 
-/// A span from here to the end of the block; nothing without a trace.
+/// Records the time from its construction to the end of the scope; nothing if the trace is null.
 class Traced {
   public:
     Traced(Trace* trace, const char* what, std::string photo = {})
@@ -48,7 +50,7 @@ class Traced {
     double begin_;
 };
 
-/// Writes the Trace Event Format that chrome://tracing and Perfetto open. Throws Error(storage).
+/// Writes the Trace Event Format, which chrome://tracing and Perfetto open. Throws Error(storage).
 void write_trace(const std::filesystem::path& file, const std::vector<Trace::Span>& spans);
 
 }  // namespace vantage

@@ -21,7 +21,7 @@ std::optional<fs::path> in_configs(const std::string& name) {
 
 fs::path find_config_file(const std::string& name) {
     if (const auto file = in_configs(name)) return *file;
-    throw Error(Exit::usage, "configs/" + name + ": is not there");
+    throw Error(Exit::usage, "configs/" + name + ": not found");
 }
 
 fs::path find_preset(const std::string& name) {

@@ -4,11 +4,11 @@
 
 namespace vantage {
 
-/// A file of configs/, beside the program or in the sources. Throws Error(usage) where there is none of that
-/// name.
+/// A file of configs/, either installed with the program (../share/vantage/configs) or in the source tree.
+/// Throws Error(usage) if neither has it.
 std::filesystem::path find_config_file(const std::string& name);
 
-/// A TOML file of this name, or the preset NAME.toml of configs/. Throws Error(usage) if there is neither.
+/// The file `name` if it exists, else the preset configs/NAME.toml. Throws Error(usage) if neither exists.
 std::filesystem::path find_preset(const std::string& name);
 
 }  // namespace vantage

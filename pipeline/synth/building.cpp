@@ -23,7 +23,8 @@ struct Builder {
         model.materials.push_back(material);
     }
 
-    /// The parallelogram at `corner`, counter-clockwise along u then v seen from outside.
+    /// A parallelogram with edges u and v at `corner`; its normal is along u x v. Divided into
+    /// quads with sides of at most `max_edge`, unless that is 0.
     void quad(const Vector3d& corner, const Vector3d& u, const Vector3d& v, Material material) {
         const auto pieces = [&](double length) {
             return max_edge > 0 ? std::max(1, int(std::ceil(length / max_edge))) : 1;
@@ -43,7 +44,7 @@ struct Builder {
     }
 };
 
-/// One bay of the facade: the wall around an opening, the recess' four sides and the panel at its back.
+/// One bay of the facade: the wall around an opening, the recess, and the panel at its back.
 void bay(Builder& b, const Vector3d& corner, double w, double h, double recess, Material panel) {
     const double l = 0.22 * w, r = w - l, low = 0.18 * h, top = 0.85 * h;
     const auto wall = [&](double x0, double z0, double x1, double z1) {
@@ -54,13 +55,13 @@ void bay(Builder& b, const Vector3d& corner, double w, double h, double recess, 
     wall(0, top, w, h);
     wall(0, low, l, top);
     wall(r, low, w, top);
-    const Vector3d in(0, recess, 0), across(r - l, 0, 0), tall(0, 0, top - low),
+    const Vector3d in(0, recess, 0), across(r - l, 0, 0), up(0, 0, top - low),
         at = corner + Vector3d(l, 0, low);
-    b.quad(at + in, across, tall, panel);
-    b.quad(at, in, tall, Material::plaster);                 // left side, looks right
-    b.quad(at + across + in, -in, tall, Material::plaster);  // right side, looks left
-    b.quad(at, across, in, Material::plaster);               // sill
-    b.quad(at + tall + in, across, -in, Material::plaster);  // lintel
+    b.quad(at + in, across, up, panel);
+    b.quad(at, in, up, Material::plaster);                 // left side, faces right
+    b.quad(at + across + in, -in, up, Material::plaster);  // right side, faces left
+    b.quad(at, across, in, Material::plaster);             // sill
+    b.quad(at + up + in, across, -in, Material::plaster);  // lintel
 }
 
 void facade(Builder& b, const SynthSpec::Building& s) {
@@ -71,6 +72,7 @@ void facade(Builder& b, const SynthSpec::Building& s) {
             bay(b, {i * w - s.width / 2, 0, floor * h}, w, h, s.recess, panels[(i + 2 * floor) % 4]);
 }
 
+/// The other three walls, the ceiling, the two slopes of the roof, and the gables.
 void shell(Builder& b, const SynthSpec::Building& s) {
     const double x = s.width / 2;
     const Vector3d up(0, 0, s.height), back(0, s.depth, 0), across(s.width, 0, 0);
@@ -78,10 +80,10 @@ void shell(Builder& b, const SynthSpec::Building& s) {
     b.quad({-x, s.depth, 0}, -back, up, Material::brick);
     b.quad({x, s.depth, 0}, -across, up, Material::brick);
     const double rise = 0.3 * s.height, eaves = 0.4;
-    const Vector3d slope(0, s.depth / 2 + eaves, rise), wide(s.width + 2 * eaves, 0, 0);
-    b.quad({-x - eaves, -eaves, s.height}, wide, slope, Material::roof);
-    b.quad({x + eaves, s.depth + eaves, s.height}, -wide, Vector3d(0, -slope.y(), rise), Material::roof);
-    b.quad({-x - eaves, s.depth + eaves, s.height}, wide, Vector3d(0, -s.depth - 2 * eaves, 0),
+    const Vector3d slope(0, s.depth / 2 + eaves, rise), ridge(s.width + 2 * eaves, 0, 0);
+    b.quad({-x - eaves, -eaves, s.height}, ridge, slope, Material::roof);
+    b.quad({x + eaves, s.depth + eaves, s.height}, -ridge, Vector3d(0, -slope.y(), rise), Material::roof);
+    b.quad({-x - eaves, s.depth + eaves, s.height}, ridge, Vector3d(0, -s.depth - 2 * eaves, 0),
            Material::plaster);
     for (const double side : {-1.0, 1.0}) {
         const Vector3d a(side * x, side > 0 ? 0 : s.depth, s.height),
@@ -93,6 +95,7 @@ void shell(Builder& b, const SynthSpec::Building& s) {
     }
 }
 
+/// A box without its bottom.
 void box(Builder& b, const Vector3d& center, const Vector3d& half, Material material) {
     const Vector3d x(2 * half.x(), 0, 0), y(0, 2 * half.y(), 0), z(0, 0, 2 * half.z());
     const Vector3d low = center - half, high = center + half;
@@ -103,6 +106,7 @@ void box(Builder& b, const Vector3d& center, const Vector3d& half, Material mate
     b.quad(low + z, x, y, material);
 }
 
+/// A point of the (2,3) torus knot, lying in the xz plane, t in [0, 2 pi).
 Vector3d knot_at(double t) {
     const double r = 2 + std::cos(3 * t);
     return Vector3d(r * std::cos(2 * t), -std::sin(3 * t) * 1.2, r * std::sin(2 * t)) / 4.2;
@@ -137,8 +141,8 @@ SynthModel build_model(const SynthSpec& spec) {
     Builder b{{}, spec.building.max_edge};
     facade(b, spec.building);
     shell(b, spec.building);
-    const double side = spec.building.width;
-    b.quad({-side, -side, 0}, {2 * side, 0, 0}, {0, side, 0}, Material::paving);
+    const double ground = spec.building.width;
+    b.quad({-ground, -ground, 0}, {2 * ground, 0, 0}, {0, ground, 0}, Material::paving);
     const double plinth = 0.9, size = spec.object.size;
     const Vector3d foot(0, -spec.object.distance, 0);
     box(b, foot + Vector3d(0, 0, plinth / 2), {0.45 * size, 0.35 * size, plinth / 2}, Material::plaster);

@@ -8,14 +8,14 @@
 
 namespace vantage {
 
-/// A mesh with a material a triangle.
+/// A mesh and the material of each triangle.
 struct SynthModel {
     Mesh mesh;
     std::vector<Material> materials;
 };
 
-/// A facade along x at y = 0 that looks towards -y, z up: coarse walls, windows in deep recesses, a roof, the
-/// ground, and a finely meshed torus knot on a plinth in front.
+/// A building with its facade along x at y = 0, facing -y, with z up: coarse walls, windows in deep recesses,
+/// a roof and the ground, and a finely meshed torus knot on a plinth in front of it.
 SynthModel build_model(const SynthSpec& spec);
 
 }  // namespace vantage

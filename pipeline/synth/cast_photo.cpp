@@ -13,11 +13,11 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/// The pinhole coordinates that the lens draws at `drawn`, by Newton's method. Empty beyond the lens' fold.
-std::optional<Vector2d> undrawn(const Lens& lens, const Vector2d& drawn) {
-    Vector2d x = drawn;
+/// The inverse of distort() by Newton's method; nothing where the lens model folds back.
+std::optional<Vector2d> undistort_point(const Lens& lens, const Vector2d& distorted) {
+    Vector2d x = distorted;
     for (int i = 0; i < 30; ++i) {
-        const Vector2d error = distort(lens, x) - drawn;
+        const Vector2d error = distort(lens, x) - distorted;
         if (error.norm() < 1e-12) return x;
         const double h = 1e-6;
         Eigen::Matrix2d J;
@@ -26,10 +26,11 @@ std::optional<Vector2d> undrawn(const Lens& lens, const Vector2d& drawn) {
         if (!(J.determinant() > 1e-3)) return std::nullopt;
         x -= J.inverse() * error;
     }
-    return (distort(lens, x) - drawn).norm() < 1e-9 ? std::optional(x) : std::nullopt;
+    return (distort(lens, x) - distorted).norm() < 1e-9 ? std::optional(x) : std::nullopt;
 }
 
-struct Lit {
+/// The model under a sun and a sky.
+struct LitScene {
     const SynthModel& model;
     const RayScene& rays;
 
@@ -38,7 +39,7 @@ struct Lit {
         const auto n = [&](std::size_t i) { return model.mesh.normals[t[i]].cast<double>(); };
         return (n(0) * (1 - hit.uv.sum()) + n(1) * hit.uv.x() + n(2) * hit.uv.y()).normalized();
     }
-    /// Linear light that leaves the first surface along the ray, or the sky.
+    /// Linear light along the ray from the first surface it hits, or from the sky.
     Vector3f color(const Vector3d& eye, const Vector3d& direction) const {
         const auto hit = rays.first_hit(eye, direction);
         if (!hit) {
@@ -54,6 +55,7 @@ struct Lit {
     }
 };
 
+/// The sRGB byte of linear light.
 std::uint8_t encode(float linear) {
     const float l = std::clamp(linear, 0.0f, 1.0f);
     const float s = l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1 / 2.4f) - 0.055f;
@@ -64,27 +66,27 @@ std::uint8_t encode(float linear) {
 
 std::vector<std::uint8_t> cast_photo(const SynthModel& model, const RayScene& rays, const Camera& camera,
                                      int samples, const PhotoExposure& exposure) {
-    const Lit scene{model, rays};
+    const LitScene scene{model, rays};
     const Intrinsics& k = camera.intrinsics;
     const Vector3d eye = camera.cam_from_world.center();
     const Eigen::Matrix3d world_from_cam = camera.cam_from_world.R.transpose();
     const double half_diagonal = 0.5 * std::hypot(k.width, k.height),
                  a = 1 / std::sqrt(1 - exposure.falloff) - 1;
-    std::vector<std::uint8_t> rgb(std::size_t(k.width) * std::size_t(k.height) * 3);
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(std::size_t(k.width) * std::size_t(k.height) * 3);
     for (int y = 0; y < k.height; ++y)
         for (int x = 0; x < k.width; ++x) {
             Vector3f sum = Vector3f::Zero();
             for (int s = 0; s < samples * samples; ++s) {
                 const double u = x + (s % samples + 0.5) / samples, v = y + (s / samples + 0.5) / samples;
-                const Vector2d drawn((u - k.cx) / k.fx, (v - k.cy) / k.fy);
-                const auto ray = camera.lens.distorts() ? undrawn(camera.lens, drawn) : std::optional(drawn);
+                const Vector2d p((u - k.cx) / k.fx, (v - k.cy) / k.fy);
+                const auto ray = camera.lens.distorts() ? undistort_point(camera.lens, p) : std::optional(p);
                 if (ray) sum += scene.color(eye, world_from_cam * Vector3d(ray->x(), ray->y(), 1));
             }
             const double r = std::hypot(x + 0.5 - k.cx, y + 0.5 - k.cy) / half_diagonal;
             const double light = 1 / std::pow(1 + a * r * r, 2) / (samples * samples);
             for (std::size_t c = 0; c < 3; ++c)
-                rgb[(std::size_t(y) * std::size_t(k.width) + std::size_t(x)) * 3 + c] =
-                    encode(sum[Eigen::Index(c)] * float(light * exposure.gain[c]));
+                rgb.push_back(encode(sum[Eigen::Index(c)] * float(light * exposure.gain[c])));
         }
     return rgb;
 }

@@ -9,19 +9,21 @@
 
 namespace vantage {
 
-/// How a photo is exposed: light times the gain of each channel, and times 1/(1 + a r^2)^2, r = 1 at half the
-/// diagonal from the principal point, with which `falloff` of it is lost there.
+/// Exposure of a photo. Linear light is multiplied by the gain of its channel and by 1 / (1 + a r^2)^2, where
+/// r is the distance from the principal point, 1 at half the image's diagonal, and a is such that `falloff`
+/// is the share of light lost at r = 1.
 struct PhotoExposure {
     std::array<double, 3> gain{1, 1, 1};
     double falloff = 0;
 };
 
-/// What the camera photographs, lens included: sRGB, 3 bytes a pixel, first row on top, `samples` along a
-/// pixel's side. `rays` are of the model's mesh; both in the coordinates of the pose.
+/// Renders the photo that the camera takes, including lens distortion: sRGB, 3 bytes per pixel, top row
+/// first, `samples` x `samples` rays per pixel. `rays` is made from the model's mesh.
 std::vector<std::uint8_t> cast_photo(const SynthModel& model, const RayScene& rays, const Camera& camera,
                                      int samples, const PhotoExposure& exposure = {});
 
-/// Linear z at pixel centres of the pinhole camera, +inf beside the model.
+/// Linear z at the pixel centers of the camera without its lens distortion, row by row from the top; +inf if
+/// the ray misses the model.
 std::vector<float> cast_depth(const RayScene& rays, const Camera& camera);
 
 }  // namespace vantage

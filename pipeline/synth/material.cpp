@@ -11,7 +11,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/// Integer hash to [0, 1).
+/// Hash of integer coordinates, in [0, 1).
 double hashed(std::int64_t x, std::int64_t y, std::int64_t z) {
     std::uint64_t h = std::uint64_t(x) * 0x9E3779B97F4A7C15ull ^ std::uint64_t(y) * 0xC2B2AE3D27D4EB4Full ^
                       std::uint64_t(z) * 0x165667B19E3779F9ull;
@@ -21,7 +21,7 @@ double hashed(std::int64_t x, std::int64_t y, std::int64_t z) {
     return double(h >> 11) * 0x1p-53;
 }
 
-/// Value noise in [0, 1], one lattice cell a unit.
+/// Value noise in [0, 1] on the unit lattice.
 double noise(const Vector3d& p) {
     const Vector3d f = p.array().floor(), t = p - f;
     const Vector3d s = t.array() * t.array() * (3 - 2 * t.array());
@@ -36,14 +36,14 @@ double noise(const Vector3d& p) {
     return sum;
 }
 
-/// Sum of octaves from `frequency` a metre upwards, in [0, 1].
+/// Sum of octaves of noise, the coarsest of `frequency` per meter, in [0, 1].
 double turbulence(const Vector3d& p, double frequency, int octaves) {
     double sum = 0, weight = 0.5;
     for (int o = 0; o < octaves; ++o, frequency *= 2.1, weight *= 0.55) sum += weight * noise(p * frequency);
     return std::min(1.0, sum);
 }
 
-/// Coordinates in the surface, in metres: across and up for walls, x and y for floors.
+/// Coordinates in the surface, in meters: across and up on walls, x and y on floors.
 Vector2d across_and_up(const Vector3d& p, const Vector3d& n) {
     if (std::abs(n.z()) > 0.9) return {p.x(), p.y()};
     return {std::abs(n.x()) > std::abs(n.y()) ? p.y() : p.x(), p.z()};
@@ -51,11 +51,13 @@ Vector2d across_and_up(const Vector3d& p, const Vector3d& n) {
 
 Vector3f mix(const Vector3f& a, const Vector3f& b, double t) { return a + (b - a) * float(t); }
 
-/// Rows of rectangles, every second row shifted by half; `joint` wide joints.
+/// A point of masonry.
 struct Course {
-    double id;  ///< [0,1), one a stone
+    double id;  ///< [0, 1), random per brick
     bool joint;
 };
+
+/// Masonry in running bond, with bricks of width x height, including joints of width `joint`, all in meters.
 Course course(const Vector2d& p, double width, double height, double joint) {
     const double row = std::floor(p.y() / height);
     const double x = p.x() / width + (std::int64_t(row) & 1 ? 0.5 : 0.0), column = std::floor(x);
@@ -70,8 +72,7 @@ Vector3f brick(const Vector3d& p, const Vector2d& uv) {
     return mix({0.30f, 0.09f, 0.06f}, {0.55f, 0.24f, 0.15f}, 0.6 * c.id + 0.4 * grain);
 }
 
-/// Vertical bars whose period falls from 20 cm at one metre to 4 mm at the next: shows what resolution is
-/// left.
+/// Vertical bars whose period falls from 20 cm to 4 mm within each meter, to show the resolution.
 Vector3f grating(const Vector2d& uv) {
     const double x = uv.x() - std::floor(uv.x());
     const double period = 0.2 * std::pow(0.02, x);
@@ -79,7 +80,7 @@ Vector3f grating(const Vector2d& uv) {
     return bar || row ? Vector3f(0.04f, 0.045f, 0.06f) : Vector3f(0.72f, 0.72f, 0.68f);
 }
 
-/// A page of lettering, 1.2 m wide, by OpenCV's vector font.
+/// A page of text in OpenCV's vector font.
 const cv::Mat& page() {
     static const cv::Mat drawn = [] {
         cv::Mat m(1024, 1024, CV_8U, cv::Scalar(230));
@@ -105,8 +106,8 @@ const cv::Mat& page() {
 
 Vector3f text(const Vector2d& uv) {
     const cv::Mat& m = page();
-    const double metres = 1.2, left = 0.528;  // a page begins where the demo scene's panels do
-    const double across = (uv.x() - left) / metres, up = uv.y() / metres;
+    const double width = 1.2, left = 0.528;  // m; a page starts at the edge of the demo scene's panels
+    const double across = (uv.x() - left) / width, up = uv.y() / width;
     const double u = across - std::floor(across), v = up - std::floor(up);
     const double x = u * (m.cols - 1), y = (1 - v) * (m.rows - 1);
     const int x0 = std::min(int(x), m.cols - 2), y0 = std::min(int(y), m.rows - 2);
@@ -117,7 +118,7 @@ Vector3f text(const Vector2d& uv) {
     return mix({0.05f, 0.04f, 0.08f}, {0.80f, 0.76f, 0.64f}, ink / 255);
 }
 
-/// Panes with bars between; curtains behind, so that the pane is a surface and no mirror.
+/// Panes and glazing bars; a curtain is painted on the panes, so that they neither reflect nor transmit.
 Vector3f window(const Vector3d& p, const Vector2d& uv) {
     const double x = std::fmod(std::abs(uv.x()) + 0.17, 0.42), y = std::fmod(std::abs(uv.y()) + 0.1, 0.55);
     if (x < 0.045 || y < 0.045) return Vector3f(0.75f, 0.74f, 0.70f);

@@ -6,8 +6,8 @@ namespace vantage {
 
 enum class Material : std::uint8_t { brick, plaster, window, grating, text, roof, paving, marble };
 
-/// Diffuse reflectance (linear, [0,1]) of a material at a point of the scene, in metres, with the surface's
-/// unit normal. Fine detail down to millimetres: what a baked texture would lose.
+/// Diffuse reflectance (linear RGB, [0, 1]) of a material at a point, in meters, on a surface with this unit
+/// normal. Detail goes down to millimeters, which a baked texture would lose.
 Eigen::Vector3f albedo(Material material, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
 
 }  // namespace vantage

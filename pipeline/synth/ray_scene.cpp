@@ -26,7 +26,7 @@ RTCRay ray_of(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, d
     return ray;
 }
 
-// Embree 4 drops the context that Embree 3 asks for.
+// Embree 3 requires a context; Embree 4 does not.
 #if RTC_VERSION_MAJOR >= 4
 void intersect(RTCScene scene, RTCRayHit& hit) { rtcIntersect1(scene, &hit); }
 void occlude(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &ray); }
@@ -70,23 +70,23 @@ std::span<const std::uint32_t> flat(std::span<const std::array<std::uint32_t, 3>
 
 RayScene::RayScene(const Mesh& mesh) : RayScene(rounded(mesh.positions), flat(mesh.triangles)) {}
 
-RayScene::RayScene(std::span<const Eigen::Vector3f> from, std::span<const std::uint32_t> corners)
+RayScene::RayScene(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices)
     : state_(std::make_unique<State>()) {
     state_->device = rtcNewDevice(nullptr);
-    if (!state_->device) throw std::runtime_error("Embree gives no device");
+    if (!state_->device) throw std::runtime_error("Embree cannot create a device");
     state_->scene = rtcNewScene(state_->device);
     rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
     const RTCGeometry geometry = rtcNewGeometry(state_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* positions = static_cast<float*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, from.size()));
-    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, corners.size() / 3));
-    if (!positions || !indices) {
+    auto* vertex_buffer = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, positions.size()));
+    auto* index_buffer = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, indices.size() / 3));
+    if (!vertex_buffer || !index_buffer) {
         rtcReleaseGeometry(geometry);
-        throw Error(Exit::memory, "Embree has too little memory for the mesh");
+        throw Error(Exit::memory, "not enough memory for Embree to hold the mesh");
     }
-    std::memcpy(positions, from.data(), from.size_bytes());
-    std::memcpy(indices, corners.data(), corners.size_bytes());
+    std::memcpy(vertex_buffer, positions.data(), positions.size_bytes());
+    std::memcpy(index_buffer, indices.data(), indices.size_bytes());
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(state_->scene, geometry);
     rtcReleaseGeometry(geometry);

@@ -10,26 +10,27 @@
 
 namespace vantage {
 
-/// Where a ray meets a mesh first.
+/// The first intersection of a ray with a mesh.
 struct RayHit {
     std::uint32_t triangle;
-    double distance;     ///< in units of the direction's length
-    Eigen::Vector2d uv;  ///< barycentric, of the triangle's second and third vertex
+    double distance;     ///< in lengths of the direction
+    Eigen::Vector2d uv;  ///< barycentric coordinates of the triangle's second and third vertices
 };
 
-/// Ray casting by Embree, of robust traversal, independent of OpenGL. Thread-safe. Positions are single
-/// precision about the mesh's first vertex's neighbourhood: meant for scenes near the origin.
+/// Casts rays with Embree (robust traversal), independently of OpenGL. Thread-safe. Positions are rounded to
+/// single precision, so the scene should be near the origin.
 class RayScene {
   public:
-    /// Both copy. Throw Error(memory) if the mesh does not fit in memory, std::runtime_error if Embree fails.
+    /// Both copy the mesh. Throw Error(memory) if it is too large, std::runtime_error if Embree fails.
     explicit RayScene(const Mesh& mesh);
     RayScene(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices);
     ~RayScene();
     RayScene(RayScene&&) noexcept;
 
+    /// The first hit at `nearest` lengths of the direction or more.
     std::optional<RayHit> first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                     double nearest = 0) const;
-    /// Anything between the shares `nearest` and `farthest` of the direction.
+    /// Whether anything is hit from `nearest` to `farthest` lengths of the direction.
     bool occluded(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double nearest,
                   double farthest) const;
 

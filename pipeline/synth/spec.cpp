@@ -12,12 +12,13 @@
 namespace vantage {
 namespace {
 
-/// One table of the file; says so when a key is wrong or nobody asked for it.
+/// A table of the file. Throws Error(input) for an invalid value when read, and for unread keys when
+/// destroyed.
 class Table {
   public:
     Table(const std::filesystem::path& file, const toml::table& root, std::string name)
         : file_(file), name_(std::move(name)), table_(root[name_].as_table()) {
-        if (!table_ && root.contains(name_)) fail(name_, "is not a table");
+        if (!table_ && root.contains(name_)) fail(name_, "not a table");
     }
     template <class T>
     void read(const char* key, T& value, double low, double high) {
@@ -32,7 +33,7 @@ class Table {
         if (!table_ || std::uncaught_exceptions()) return;
         for (const auto& [key, node] : *table_)
             if (!known_.contains(std::string(key.str())))
-                fail(name_ + "." + std::string(key.str()), "is not known");
+                fail(name_ + "." + std::string(key.str()), "unknown key");
     }
 
   private:
@@ -59,7 +60,7 @@ void check_tables(const std::filesystem::path& file, const toml::table& root) {
                                            "lens",  "exposure", "error"};
     for (const auto& [key, node] : root)
         if (!known.contains(key.str()))
-            throw Error(Exit::input, file.string() + ": " + std::string(key.str()) + ": is not known");
+            throw Error(Exit::input, file.string() + ": " + std::string(key.str()) + ": unknown table");
 }
 
 }  // namespace

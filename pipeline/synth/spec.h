@@ -3,41 +3,41 @@
 
 namespace vantage {
 
-/// A synthetic scene as data/*.toml describes it. Lengths in metres, angles in degrees.
+/// The specification of a synthetic scene, as in data/*.toml. Lengths are in meters, angles in degrees.
 struct SynthSpec {
     unsigned seed = 1;
     struct Building {
         double width = 12, height = 7.5, depth = 6, recess = 0.7;
         int bays = 5, floors = 2;
-        double max_edge = 0;  ///< longest edge of a wall's triangles; 0: two triangles a wall piece
+        double max_edge = 0;  ///< longest side of the quads that walls are divided into; 0: not divided
     } building;
     struct Object {
         double size = 1.3;  ///< radius of the torus knot
         int triangles = 40000;
-        double distance = 3;  ///< in front of the facade
+        double distance = 3;  ///< from the facade
     } object;
     struct Photos {
         int count = 12, width = 1200, height = 900;
-        double fov = 55;             ///< horizontal
+        double fov = 55;             ///< horizontal field of view
         double radius = 13;          ///< of the arc in front of the facade
-        double arc = 100;            ///< its angle
+        double arc = 100;            ///< angle of the arc
         double low = 1.7, high = 5;  ///< camera heights, alternating
-        int samples = 3;             ///< along a pixel's side
+        int samples = 3;             ///< per pixel, in x and in y
     } photos;
     struct Lens {
         double k1 = 0, k2 = 0;  ///< radial, OpenCV
     } lens;
     struct Exposure {
-        double stops = 0;          ///< photos differ by up to this much to either side
-        double white_balance = 0;  ///< stops, a channel, on top of it
-        double falloff = 0;        ///< share of the light that the lens loses in the corner
+        double stops = 0;          ///< random exposure of each photo, up to +/- this
+        double white_balance = 0;  ///< in addition, random per channel, up to +/- this many stops
+        double falloff = 0;        ///< share of the light lost at the corners
     } exposure;
     struct Error {
-        double pixels = 0;  ///< by how much each written camera is off, at the facade
+        double pixels = 0;  ///< error of each written camera, in px at the facade
     } error;
 };
 
-/// Throws Error(input) naming the file and the key that is unknown, of the wrong type or out of range.
+/// Throws Error(input) naming the file and a key that is unknown, of the wrong type or out of range.
 SynthSpec read_spec(const std::filesystem::path& file);
 
 }  // namespace vantage

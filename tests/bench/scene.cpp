@@ -14,7 +14,7 @@
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/synth/cast_photo.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "player/measure/photo_pixels.h"
 #include "scene/error.h"
 #include "scene/make_folder.h"
@@ -52,11 +52,11 @@ std::string stamp_of(const fs::path& input) {
     return out;
 }
 
-void synthesise_once(const SynthSpec& spec, const fs::path& input, const fs::path& folder) {
+void synthesize_once(const SynthSpec& spec, const fs::path& input, const fs::path& folder) {
     const std::string stamp = stamp_of(input);
     if (made_from(folder, stamp)) return;
     fs::remove_all(folder);
-    synthesise(spec, folder, {});
+    synthesize(spec, folder, {});
     mark_made_from(folder, stamp);
 }
 
@@ -209,7 +209,7 @@ BenchScene open_scene(const fs::path& input, const fs::path& work, const Effort&
         scene.name = input.stem();
         scene.spec = read_spec(input);
         scene.folder = work / scene.name;
-        synthesise_once(*scene.spec, input, scene.folder);
+        synthesize_once(*scene.spec, input, scene.folder);
     } else {
         scene.folder = fs::weakly_canonical(input);
         scene.name = scene.folder.filename();

@@ -40,7 +40,7 @@ struct BenchScene {
     std::vector<TrueView> views;
 };
 
-/// Makes a scene ready in `work`: a folder of a scan, or a specification (TOML) that is synthesised first.
+/// Makes a scene ready in `work`: a folder of a scan, or a specification (TOML) that is synthesized first.
 /// What an earlier call left there, from the same files, is used again. Throws Error.
 BenchScene open_scene(const std::filesystem::path& input, const std::filesystem::path& work,
                       const Effort& effort);

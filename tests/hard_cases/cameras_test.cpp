@@ -16,7 +16,7 @@
 #include "pipeline/pixels/undistort.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "tests/temporary_folder.h"
@@ -220,7 +220,7 @@ class CameraFiles : public TemporaryFolder {
         SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
         spec.photos.count = 3;
         spec.photos.samples = 1;
-        synthesise(spec, dir / "scene", {});
+        synthesize(spec, dir / "scene", {});
     }
     /// Replaces the first line of a file that begins with `from`.
     void replace(const char* file, const std::string& from, const std::string& line) {

@@ -16,7 +16,7 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/stages/vertex_coordinates.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "pipeline/visibility/frame_triangles.h"
 #include "pipeline/visibility/gl_geometry.h"
 #include "pipeline/visibility/photo_geometry.h"
@@ -449,7 +449,7 @@ TEST_F(Depth, ThePlayerShowsTheNearestOfSurfacesBetweenOneAndAMillion) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.photos.count = 2;
     spec.photos.samples = 1;
-    synthesise(spec, dir / "scene", {});
+    synthesize(spec, dir / "scene", {});
     SceneInput scene = read_scene(discover(dir / "scene"));
     const Intrinsics k = scene.photos[0].camera.intrinsics;
     scene.mesh = {};

@@ -24,7 +24,7 @@
 #include "pipeline/run/progress.h"
 #include "pipeline/stages/seen_hull.h"
 #include "pipeline/stages/surface_samples.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
 #include "player/verify/finite_targets.h"
 #include "scene/error.h"
@@ -53,7 +53,7 @@ class Geometry : public TemporaryFolder {
         spec.photos.width = 200;
         spec.photos.height = 150;
         spec.object.triangles = 1500;
-        synthesise(spec, dir / "scene", {});
+        synthesize(spec, dir / "scene", {});
         scene = read_scene(discover(dir / "scene"));
     }
 
@@ -193,7 +193,7 @@ TEST_F(Geometry, WhatHasNoAreaShowsNowhere) {
     const Result with = shown(mesh);
     expect_same(sound.pictures, with.pictures);
     ASSERT_EQ(with.warnings.size(), 1u);
-    EXPECT_NE(with.warnings[0].find("2 broken triangles"), std::string::npos) << with.warnings[0];
+    EXPECT_NE(with.warnings[0].find("2 invalid triangles"), std::string::npos) << with.warnings[0];
 }
 
 TEST_F(Geometry, DuplicatesChangeNothing) {
@@ -234,7 +234,7 @@ TEST_F(Geometry, TrianglesOfVerticesThatAreNoPlaceAreLeftOut) {
     const Result with = shown(mesh);
     expect_same(sound.pictures, with.pictures);
     ASSERT_EQ(with.warnings.size(), 1u);
-    EXPECT_NE(with.warnings[0].find("15 broken triangles"), std::string::npos) << with.warnings[0];
+    EXPECT_NE(with.warnings[0].find("15 invalid triangles"), std::string::npos) << with.warnings[0];
 }
 
 TEST_F(Geometry, CornersThatAreNoPlaceDoNotTakeTheirNeighboursInStl) {

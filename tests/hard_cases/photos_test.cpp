@@ -20,7 +20,7 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/results/check.h"
 #include "pipeline/run/progress.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
 
@@ -108,7 +108,7 @@ TEST_F(HardPhotos, AnotherSizeThanItsCamerasIsRefusedBeforeMemoryIsTaken) {
     ASSERT_NE(at, std::string::npos);
     for (std::size_t i = 5; i < 9; i += 2) bytes[at + i] = char(0xfd), bytes[at + i + 1] = char(0xe8);
     const std::string why = refusal(put("huge.jpg", bytes), {64, 48});  // 17 GB, if it were believed
-    EXPECT_NE(why.find("65000x65000, its camera expects 64x48"), std::string::npos) << why;
+    EXPECT_NE(why.find("65000x65000, but its camera expects 64x48"), std::string::npos) << why;
 }
 
 TEST_F(HardPhotos, ByWhateverExtensionAPhotoIsWhatItHolds) {
@@ -179,7 +179,7 @@ TEST_F(HardPhotos, AsWideAsNoTextureIsPrepared) {
     const int width = 100000, height = 3;
     spec.photos.width = 1000;  // of which the photo below is a strip, stretched
     spec.photos.height = 3;
-    synthesise(spec, dir / "scene", {});
+    synthesize(spec, dir / "scene", {});
     fs::remove_all(dir / "scene" / "images");
     fs::create_directories(dir / "scene" / "images");
     std::vector<std::uint8_t> pixels(std::size_t(width) * height * 3);
@@ -212,7 +212,7 @@ TEST_F(HardPhotos, APhotoOfAnotherShapeThanItsCameraIsLeftOutAndNamed) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.photos.count = 3;
     spec.photos.samples = 1;
-    synthesise(spec, dir / "scene", {});
+    synthesize(spec, dir / "scene", {});
     const fs::path second = dir / "scene" / "images" / "0001.jpg";
     fs::remove(second);
     write("scene/images/0001.jpg", 50, 70, 3, noise(50, 70, 3));

@@ -9,7 +9,7 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
 #include "scene/package_reader.h"
 
@@ -26,7 +26,7 @@ class PreparedScene : public TemporaryFolder {
 
     void SetUp() override {
         TemporaryFolder::SetUp();
-        synthesise(spec(), dir / "scene", {});
+        synthesize(spec(), dir / "scene", {});
         change(dir / "scene");
         prepare(read_scene(discover(dir / "scene")), settings(), file, [](const Progress&) {});
         package = std::make_unique<PackageReader>(file);

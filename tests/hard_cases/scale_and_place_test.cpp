@@ -16,7 +16,7 @@
 #include "pipeline/results/check.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
@@ -105,7 +105,7 @@ class ScaleAndPlace : public TemporaryFolder {
         spec.photos.count = 3;
         spec.photos.arc = 50;
         spec.photos.samples = 2;
-        synthesise(spec, dir / "scene", {});
+        synthesize(spec, dir / "scene", {});
         scene = read_scene(discover(dir / "scene"));
         subdivide_large_triangles(
             scene.mesh);  // so that preparing adds none, and vertices keep their numbers

@@ -17,7 +17,7 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "player/camera/shots.h"
 #include "player/render/picture.h"
 #include "scene/package_reader.h"
@@ -62,7 +62,7 @@ class EndToEnd : public TemporaryFolder {
   protected:
     static SynthSpec tiny() { return read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"); }
     fs::path make(const SynthSpec& spec) {
-        synthesise(spec, dir / "scene", {});
+        synthesize(spec, dir / "scene", {});
         return dir / "scene";
     }
     Prepared prepared(const fs::path& folder) { return Prepared(folder, dir / "scene.vantage"); }
@@ -473,7 +473,7 @@ TEST_F(EndToEnd, ALensIsTakenOut) {
     spec.photos.count = 3;
     Prepared p = prepared(make(spec));
     spec.lens = {};
-    synthesise(spec, dir / "straight", {});
+    synthesize(spec, dir / "straight", {});
     EXPECT_TRUE(p.package->photos()[0].flags & package::photo_undistorted);
     for (const std::uint32_t i : p.photos) {
         const PhotoInput& photo = p.scene.photos[i];

@@ -13,7 +13,7 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "player/measure/left_out.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
@@ -34,7 +34,7 @@ class Evaluate : public TemporaryFolder {
         spec.photos.height = 600;
         spec.photos.arc = 40;
         spec.photos.samples = 2;
-        synthesise(spec, dir / "scene", {});
+        synthesize(spec, dir / "scene", {});
         scene = read_scene(discover(dir / "scene"));
     }
     std::vector<LeftOut> evaluate() {

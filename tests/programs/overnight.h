@@ -13,7 +13,7 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "scene/package_writer.h"
 #include "scene/part_file.h"
 #include "tests/temporary_folder.h"
@@ -36,7 +36,7 @@ class Overnight : public TemporaryFolder {
         SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
         spec.photos.count = 6;
         spec.photos.samples = 1;
-        synthesise(spec, scene, {});
+        synthesize(spec, scene, {});
         ::setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);
         ::setenv("MESA_SHADER_CACHE_DIR", fs::temp_directory_path().c_str(),
                  1);  // compiled once for all tests

@@ -17,7 +17,7 @@
 #include "pipeline/results/check.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "scene/part_file.h"
@@ -47,7 +47,7 @@ int number_from(const char* variable, int usual) {
 TEST_F(Overnight, KilledAtAnyInstantGoesOnToTheSameBytes) {
     if (const char* other = std::getenv("VANTAGE_KILLED_SCENE")) {
         fs::remove_all(scene);
-        synthesise(read_spec(other), scene, {});
+        synthesize(read_spec(other), scene, {});
     }
     const auto start = std::chrono::steady_clock::now();
     const std::string bytes = undisturbed();
@@ -165,7 +165,7 @@ TEST_F(Overnight, RefinedAfterwardsIsAsIfPreparedSo) {
     fs::remove_all(scene);
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.exposure = {0.7, 0.2, 0.3};
-    synthesise(spec, scene, {});
+    synthesize(spec, scene, {});
     prepare_here();
     const std::string agreeing = slurp(file);
     PrepareSettings off;
@@ -187,7 +187,7 @@ TEST_F(Overnight, RegisteredAfterwardsOrByMergingIsAsIfPreparedSo) {
     spec.photos.count = 5;
     spec.photos.samples = 1;
     spec.error.pixels = 4;
-    synthesise(spec, scene, {});
+    synthesize(spec, scene, {});
     // Whoever is told to stop while cameras are solved for goes on later.
     std::atomic<bool> stop{false};
     PrepareRun stopped;
@@ -327,16 +327,16 @@ TEST_F(Overnight, BadPhotosAreLeftOutAndNamed) {
     other.photos.count = 1;
     other.photos.width = 120;
     other.photos.height = 110;
-    synthesise(other, dir / "other", {});
+    synthesize(other, dir / "other", {});
     fs::copy_file(discover(dir / "other").photos / "0000.jpg", all[4], fs::copy_options::overwrite_existing);
     const Outcome done = prepare_program();
     EXPECT_EQ(done.code, int(Exit::incomplete)) << done.err;
     for (const std::string& line :
-         {"left out " + all[0].filename().string() + ": JPEG is damaged or cut short",
-          "left out " + all[1].filename().string() + ": has a camera and no photo",
+         {"left out " + all[0].filename().string() + ": JPEG is corrupt or truncated",
+          "left out " + all[1].filename().string() + ": has a camera but no photo",
           std::string("left out stranger.jpg: has no camera"),
           "left out " + all[3].filename().string() + ": ",
-          "left out " + all[4].filename().string() + ": is 120x110, its camera is for "})
+          "left out " + all[4].filename().string() + ": is 120x110, but its camera expects "})
         EXPECT_NE(done.out.find(line), std::string::npos) << line << "\n" << done.out;
     std::printf("%s", done.out.c_str());
     const std::vector<Issue> issues = check_package(file, {.deep = true, .against = scene});
@@ -355,7 +355,7 @@ TEST_F(Overnight, StrictStopsAtAPhotoThatIsCutShort) {
     const Outcome strict = prepare_program("--strict");
     EXPECT_EQ(strict.code, int(Exit::input));
     EXPECT_TRUE(one_line(strict.err)) << strict.err;
-    EXPECT_NE(strict.err.find("0000.jpg: JPEG is damaged or cut short"), std::string::npos) << strict.err;
+    EXPECT_NE(strict.err.find("0000.jpg: JPEG is corrupt or truncated"), std::string::npos) << strict.err;
 }
 
 TEST_F(Overnight, InputThatVanishesMidwayEndsItAndNothingIsLost) {

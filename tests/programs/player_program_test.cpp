@@ -12,7 +12,7 @@
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "tests/temporary_folder.h"
@@ -32,7 +32,7 @@ class PlayerProgram : public TemporaryFolder {
     fs::path file = dir / "scene.vantage";
     void SetUp() override {
         TemporaryFolder::SetUp();
-        synthesise(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
+        synthesize(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
         prepare(read_scene(discover(dir / "scene")), {}, file, [](const Progress&) {});
     }
 

@@ -12,7 +12,7 @@
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "player/camera/camera_path.h"
 #include "player/render/picture.h"
 #include "player/render/renderer.h"
@@ -35,7 +35,7 @@ class Streaming : public TemporaryFolder {
         spec.photos.width = 1200;
         spec.photos.height = 900;
         spec.photos.samples = 1;
-        synthesise(spec, dir / "scene", {});
+        synthesize(spec, dir / "scene", {});
         prepare(read_scene(discover(dir / "scene")), {}, file, [](const Progress&) {});
     }
     static std::vector<std::uint32_t> all(const PackageReader& package) {

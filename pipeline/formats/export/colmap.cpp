@@ -17,7 +17,8 @@ std::string camera_line(std::size_t id, const NamedCamera& photo) {
     const std::string pinhole = fmt::format("{} {} {} {} {} {}", k.width, k.height, k.fx, k.fy, k.cx, k.cy);
     if (!lens.distorts()) return fmt::format("{} PINHOLE {}\n", id, pinhole);
     if (lens.model != LensModel::opencv || !four_terms)
-        throw Error(Exit::input, photo.photo + ": COLMAP text is written for lenses of four terms only");
+        throw Error(Exit::input,
+                    photo.photo + ": COLMAP text is written only for OPENCV lenses with at most four terms");
     return fmt::format("{} OPENCV {} {} {} {} {}\n", id, pinhole, lens.p[0], lens.p[1], lens.p[2], lens.p[3]);
 }
 
@@ -40,7 +41,7 @@ void write_colmap_text(const std::filesystem::path& folder, std::span<const Name
         images << image_line(i + 1, photos[i]);
     }
     if (!cameras.flush() || !images.flush())
-        throw Error(Exit::storage, folder.string() + ": cannot write the cameras");
+        throw Error(Exit::storage, folder.string() + ": cannot write cameras");
 }
 
 }  // namespace vantage

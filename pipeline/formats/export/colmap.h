@@ -7,15 +7,15 @@
 
 namespace vantage {
 
-/// A photo's file name and its camera.
+/// A photo's camera.
 struct NamedCamera {
-    std::string photo;
+    std::string photo;  ///< file name
     Camera camera;
 };
 
-/// Writes cameras.txt and images.txt (COLMAP text: PINHOLE, or OPENCV for a lens of that model with four
-/// terms), a camera a photo, to full double precision. Throws Error(storage), and Error(input) for a lens
-/// that has no such model.
+/// Writes cameras.txt and images.txt in COLMAP's text format, one camera per photo, to full double precision.
+/// The model is PINHOLE, or OPENCV for a distorting lens. Throws Error(storage), and Error(input) for a lens
+/// that OPENCV cannot express (another model, or more than four terms).
 void write_colmap_text(const std::filesystem::path& folder, std::span<const NamedCamera> photos);
 
 }  // namespace vantage

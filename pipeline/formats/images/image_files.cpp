@@ -17,9 +17,9 @@ const ImageFiles& load() {
         if (void* library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL))
             if (const void* table = ::dlsym(library, "vantage_image_files"))
                 return *static_cast<const ImageFiles*>(table);
-    const char* why = ::dlerror();
-    throw Error(Exit::usage,
-                std::string("libvantage_images.so cannot be loaded: ") + (why ? why : "it is incomplete"));
+    const char* reason = ::dlerror();
+    throw Error(Exit::usage, std::string("cannot load libvantage_images.so: ") +
+                                 (reason ? reason : "a symbol is missing"));
 }
 
 }  // namespace

@@ -13,27 +13,29 @@ struct PhotoSize {
     int width = 0, height = 0;
 };
 
-/// What an image file's header says.
+/// The contents of an image file's header.
 struct PhotoHeader {
     PhotoSize size;       ///< as stored
-    std::string profile;  ///< description of its ICC profile, empty where it has none or it is sRGB
+    std::string profile;  ///< description of the ICC profile; empty if there is none or it is sRGB
     int orientation = 1;  ///< EXIF, 1 to 8
 };
 
+/// Type of a channel's values.
 enum class Sample { u8, f32 };
 
-/// Image files of all kinds, by OpenImageIO. With all that it links it takes longer to load than many a
-/// package to check, so it is a library of its own, loaded when something other than a JPEG is first met.
-/// Functions throw Error(input) or Error(storage) naming the file.
+/// Reading and writing of image files by OpenImageIO. With its dependencies, OpenImageIO takes longer to load
+/// than many packages take to check, so it is in a library of its own, which is loaded on first use: a plain
+/// JPEG does not need it. The functions throw Error(input) or Error(storage) naming the file.
 struct ImageFiles {
     PhotoHeader (*header)(const std::filesystem::path& file);
     RgbaImage (*read)(const std::filesystem::path& file);
-    /// Interleaved pixels, rows from the top, in the format that the extension names (PNG, EXR, JPEG at
-    /// quality 97 with full colour resolution). Four channels are straight RGBA.
+    /// Writes interleaved pixels, top row first, in the format of the file's extension: PNG, EXR, or JPEG at
+    /// quality 97 without chroma subsampling. Four channels are RGBA with straight alpha.
     void (*write)(const std::filesystem::path& file, int width, int height, int channels, Sample sample,
                   std::span<const std::byte> pixels);
 };
-/// Throws Error(usage) where the library is not beside the program.
+
+/// Loads the library on the first call. Throws Error(usage) if it cannot be loaded.
 const ImageFiles& image_files();
 
 }  // namespace vantage

@@ -1,4 +1,4 @@
-// The library behind image_files(): OpenImageIO.
+// The library that image_files() loads.
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
@@ -9,17 +9,18 @@
 namespace vantage {
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
-    throw Error(Exit::input, file.string() + ": " + why.substr(0, why.find('\n')));
+/// Throws Error(input) with the first line of `reason`.
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& reason) {
+    throw Error(Exit::input, file.string() + ": " + reason.substr(0, reason.find('\n')));
 }
 
 PhotoHeader read_header(const std::filesystem::path& file) {
     const auto in = OIIO::ImageInput::open(file.string());
-    if (!in) refuse(file, "not a readable photo: " + OIIO::geterror());
+    if (!in) fail(file, "not a readable photo: " + OIIO::geterror());
     const OIIO::ImageSpec& spec = in->spec();
     PhotoHeader header{{spec.width, spec.height}, {}, spec.get_int_attribute("Orientation", 1)};
     if (!spec.find_attribute("ICCProfile")) return header;
-    header.profile = spec.get_string_attribute("ICCProfile:profile_description", "without a name");
+    header.profile = spec.get_string_attribute("ICCProfile:profile_description", "unnamed");
     if (header.profile.find("sRGB") != std::string::npos) header.profile.clear();
     return header;
 }
@@ -28,16 +29,16 @@ RgbaImage read(const std::filesystem::path& file) {
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::ImageBuf image(file.string(), 0, 0, nullptr, &config);
-    if (!image.read(0, 0, true, OIIO::TypeDesc::UINT8)) refuse(file, "cannot read: " + image.geterror());
+    if (!image.read(0, 0, true, OIIO::TypeDesc::UINT8)) fail(file, "cannot read: " + image.geterror());
     const OIIO::ImageSpec& spec = image.spec();
+    // Gray, gray with alpha, RGB, RGBA; -1: filled.
     const int n = spec.nchannels;
     const int order[] = {0, n >= 3 ? 1 : 0, n >= 3 ? 2 : 0, n == 2 ? 1 : n >= 4 ? 3 : -1};
     const float fill[] = {0, 0, 0, 1};
     const OIIO::ImageBuf rgba = OIIO::ImageBufAlgo::channels(image, 4, order, fill);
-    RgbaImage photo{spec.width, spec.height,
-                    std::vector<std::uint8_t>(std::size_t(spec.width) * std::size_t(spec.height) * 4)};
+    RgbaImage photo = blank_image(spec.width, spec.height);
     if (!rgba.get_pixels(rgba.roi(), OIIO::TypeDesc::UINT8, photo.rgba.data()))
-        refuse(file, "cannot read: " + rgba.geterror());
+        fail(file, "cannot read: " + rgba.geterror());
     return photo;
 }
 

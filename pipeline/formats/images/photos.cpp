@@ -2,17 +2,18 @@
 
 #include <turbojpeg.h>
 
-#include <algorithm>
+#include <array>
 #include <memory>
 #include <string_view>
 
 #include "pipeline/run/read_file.h"
+#include "scene/grid.h"
 
 namespace vantage {
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
-    throw Error(Exit::input, file.string() + ": " + why);
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& reason) {
+    throw Error(Exit::input, file.string() + ": " + reason);
 }
 
 const unsigned char* data(std::span<const std::byte> b) {
@@ -25,7 +26,7 @@ bool is_jpeg(std::span<const std::byte> b) {
 
 using Decoder = std::unique_ptr<void, int (*)(tjhandle)>;
 
-/// Adobe's CMYK is stored inverted: a channel is ink left out, so colour is the product with K.
+/// Adobe stores CMYK inverted, 255 meaning no ink, so each color channel is multiplied by K.
 RgbaImage from_cmyk(const RgbaImage& cmyk) {
     RgbaImage out = cmyk;
     for (std::size_t i = 0; i < out.rgba.size(); i += 4) {
@@ -50,44 +51,46 @@ JpegHeader jpeg_header(std::span<const std::byte> bytes) {
     return h;
 }
 
-[[noreturn]] void refuse_size(const std::filesystem::path& file, PhotoSize is, PhotoSize expected) {
-    refuse(file, "is " + std::to_string(is.width) + "x" + std::to_string(is.height) +
-                     ", its camera expects " + std::to_string(expected.width) + "x" +
-                     std::to_string(expected.height));
+[[noreturn]] void fail_size(const std::filesystem::path& file, PhotoSize actual, PhotoSize expected) {
+    fail(file, "is " + std::to_string(actual.width) + "x" + std::to_string(actual.height) +
+                   ", but its camera expects " + std::to_string(expected.width) + "x" +
+                   std::to_string(expected.height));
 }
 
-/// One is the other, perhaps turned.
-bool fits(PhotoSize is, PhotoSize expected) {
-    return (is.width == expected.width && is.height == expected.height) ||
-           (is.width == expected.height && is.height == expected.width);
+/// Whether the sizes are equal, possibly after a rotation by 90 degrees.
+bool fits(PhotoSize actual, PhotoSize expected) {
+    return (actual.width == expected.width && actual.height == expected.height) ||
+           (actual.width == expected.height && actual.height == expected.width);
 }
 
 RgbaImage decode_jpeg(const std::filesystem::path& file, std::span<const std::byte> bytes,
                       PhotoSize expected) {
     const JpegHeader h = jpeg_header(bytes);
-    if (!h.readable) refuse(file, std::string("not a readable JPEG: ") + tjGetErrorStr2(h.decoder.get()));
-    // Before memory is taken for what a broken header says.
-    if (!fits({h.width, h.height}, expected)) refuse_size(file, {h.width, h.height}, expected);
-    RgbaImage photo{h.width, h.height,
-                    std::vector<std::uint8_t>(std::size_t(h.width) * std::size_t(h.height) * 4), true};
+    if (!h.readable) fail(file, std::string("not a readable JPEG: ") + tjGetErrorStr2(h.decoder.get()));
+    // Checked before memory is allocated: a corrupt header may claim any size.
+    if (!fits({h.width, h.height}, expected)) fail_size(file, {h.width, h.height}, expected);
+    RgbaImage photo = blank_image(h.width, h.height);
+    photo.opaque = true;
     const bool cmyk = h.space == TJCS_CMYK || h.space == TJCS_YCCK;
     if (tjDecompress2(h.decoder.get(), data(bytes), bytes.size(), photo.rgba.data(), h.width, 0, h.height,
                       cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_ACCURATEDCT))
-        refuse(file, std::string("JPEG is damaged or cut short: ") + tjGetErrorStr2(h.decoder.get()));
+        fail(file, std::string("JPEG is corrupt or truncated: ") + tjGetErrorStr2(h.decoder.get()));
     if (cmyk) return from_cmyk(photo);
     return photo;
 }
 
-/// Turns by EXIF orientation 5 to 8, those that swap width and height.
-RgbaImage turned(const RgbaImage& p, int orientation) {
-    RgbaImage out{p.height, p.width, std::vector<std::uint8_t>(p.rgba.size()), p.opaque};
+/// Applies an EXIF orientation that swaps width and height: 5 to 8.
+RgbaImage transposed(const RgbaImage& p, int orientation) {
+    using Pixel = std::array<std::uint8_t, 4>;
+    RgbaImage out = blank_image(p.height, p.width);
+    out.opaque = p.opaque;
+    const Grid<const Pixel> from{reinterpret_cast<const Pixel*>(p.rgba.data()), p.width, p.height};
+    const Grid<Pixel> to{reinterpret_cast<Pixel*>(out.rgba.data()), out.width, out.height};
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x) {
             const int sx = orientation == 5 || orientation == 6 ? y : p.width - 1 - y;
             const int sy = orientation == 5 || orientation == 8 ? x : p.height - 1 - x;
-            const std::size_t from = (std::size_t(sy) * std::size_t(p.width) + std::size_t(sx)) * 4;
-            const std::size_t to = (std::size_t(y) * std::size_t(out.width) + std::size_t(x)) * 4;
-            std::copy_n(p.rgba.begin() + std::ptrdiff_t(from), 4, out.rgba.begin() + std::ptrdiff_t(to));
+            to(x, y) = from(sx, sy);
         }
     return out;
 }
@@ -95,7 +98,7 @@ RgbaImage turned(const RgbaImage& p, int orientation) {
 }  // namespace
 
 PhotoHeader read_photo_header(const std::filesystem::path& file) {
-    // Size and profile of a JPEG stand before the picture.
+    // In a JPEG, the size and the profile come before the image data.
     const std::vector<std::byte> head = read_file(file, std::size_t(1) << 18);
     const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
     if (is_jpeg(head) && text.find("ICC_PROFILE") == text.npos)
@@ -112,9 +115,10 @@ RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::b
                        PhotoSize expected) {
     RgbaImage photo = is_jpeg(bytes) ? decode_jpeg(file, bytes, expected) : image_files().read(file);
     if (photo.width == expected.height && photo.height == expected.width && photo.width != photo.height)
-        if (const int o = image_files().header(file).orientation; o >= 5 && o <= 8) photo = turned(photo, o);
+        if (const int o = image_files().header(file).orientation; o >= 5 && o <= 8)
+            photo = transposed(photo, o);
     if (photo.width != expected.width || photo.height != expected.height)
-        refuse_size(file, {photo.width, photo.height}, expected);
+        fail_size(file, {photo.width, photo.height}, expected);
     return photo;
 }
 

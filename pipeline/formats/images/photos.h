@@ -8,19 +8,19 @@
 
 namespace vantage {
 
-/// Its orientation is read only where the file is not a plain JPEG. Throws Error(input).
+/// Reads a photo's header; a JPEG without an ICC profile is always given orientation 1. Throws Error(input).
 PhotoHeader read_photo_header(const std::filesystem::path& file);
 
-/// Decodes a photo: JPEG by libjpeg-turbo, all else by OpenImageIO (grey, 16-bit, float, alpha, CMYK). Pixels
-/// stay as stored, because cameras are calibrated on stored pixels; where the stored size is the expected one
-/// turned, the photo's EXIF orientation is applied. Throws Error(input) for a cut, broken or differently
-/// sized photo.
+/// Decodes a photo: JPEG by libjpeg-turbo, everything else by OpenImageIO (gray, 16-bit, float, alpha, CMYK).
+/// Pixels stay as stored, because cameras are calibrated on stored pixels; only if the stored size has width
+/// and height of `expected` swapped is the EXIF orientation applied. Throws Error(input) if the photo is
+/// truncated, corrupt or of another size.
 RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected);
-/// The same from the file's bytes, where they are in memory already.
+/// The same from the file's bytes; `file` names them in messages and, unless they are a JPEG, is read again.
 RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
                        PhotoSize expected);
 
-/// The message of an error about this photo without the file's name and place: "JPEG is damaged ...".
+/// The message of an error about this file without its path: "JPEG is corrupt ...".
 std::string reason_of(const Error& error, const std::filesystem::path& file);
 
 }  // namespace vantage

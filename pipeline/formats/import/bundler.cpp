@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// Photo names in order: the first word of each line.
+/// The names of the photos, in the order of the cameras: the first word of each line of list.txt.
 std::vector<std::string> photo_list(const std::filesystem::path& bundle) {
     const auto folder = bundle.parent_path();
     for (const std::filesystem::path& file :
@@ -17,13 +17,13 @@ std::vector<std::string> photo_list(const std::filesystem::path& bundle) {
         Tokens in(file);
         std::vector<std::string> names;
         while (!in.at_end()) {
-            names.emplace_back(in.word("a photo's name"));
+            names.emplace_back(in.word("a photo name"));
             in.line();
         }
         return names;
     }
     throw Error(Exit::input,
-                bundle.string() + ": expected the photos' names in list.txt beside it, found none");
+                bundle.string() + ": expected a list.txt with the photo names next to it, found none");
 }
 
 }  // namespace
@@ -38,7 +38,8 @@ CameraSet read_bundler(const std::filesystem::path& file) {
     in.number<std::size_t>("the number of points");
     if (cameras != names.size())
         throw Error(Exit::input, file.string() + ": has " + std::to_string(cameras) +
-                                     " cameras, its list names " + std::to_string(names.size()) + " photos");
+                                     " cameras, but its list has " + std::to_string(names.size()) +
+                                     " photo names");
     for (const std::string& photo : names) {
         Camera c;
         const double f = in.number<double>("a focal length");
@@ -50,7 +51,7 @@ CameraSet read_bundler(const std::filesystem::path& file) {
         for (int i = 0; i < 9; ++i) R(i / 3, i % 3) = in.number<double>("a rotation");
         for (double& v : t) v = in.number<double>("a translation");
         if (f == 0) {
-            set.warnings.push_back(photo + ": not registered by Bundler, left out");
+            set.warnings.push_back(photo + ": not registered by Bundler; left out");
             continue;
         }
         c.intrinsics.fx = c.intrinsics.fy = f;

@@ -17,11 +17,11 @@ CameraSet read_cameras(const std::filesystem::path& path) {
     if (extension == ".rz3")
         throw Error(Exit::input,
                     path.string() +
-                        ": REALVIZ cameras are not read, because no public text says how the "
-                        "file gives axes, order of rotations and unit of the focal length; expected "
+                        ": REALVIZ cameras are not supported, because no public documentation states the "
+                        "axes, the order of rotations and the unit of the focal length; expected "
                         "COLMAP, Bundler or MeshLab cameras");
     throw Error(Exit::input, path.string() +
-                                 ": expected cameras as a COLMAP folder (cameras and images, .bin or .txt) "
+                                 ": expected a COLMAP folder (cameras and images, .bin or .txt), "
                                  "a Bundler .out or a MeshLab .mlp file");
 }
 

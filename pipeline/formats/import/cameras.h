@@ -7,29 +7,29 @@
 
 namespace vantage {
 
-/// Cameras as a file gives them.
+/// The cameras of a file.
 struct CameraSet {
     struct Entry {
-        std::string photo;  ///< as the file names it, folders included
-        Camera camera;      ///< where `size_known` is false, focal lengths and lens only
-        bool size_known;    ///< false for Bundler: the principal point is the photo's centre
+        std::string photo;  ///< name in the file, folders included
+        Camera camera;      ///< without `size_known`, size and principal point are not set
+        bool size_known;    ///< false for Bundler, whose principal point is the photo's center
     };
-    std::string format;
+    std::string format;  ///< display name: "COLMAP text", "Bundler", ...
     std::vector<Entry> entries;
     std::vector<std::string> warnings;
 };
 
-/// A COLMAP folder (text or binary), a Bundler .out file or a MeshLab .mlp project. Throws Error(input)
-/// naming file and item.
+/// Reads a COLMAP folder (text or binary), a Bundler .out file or a MeshLab .mlp project. This and the
+/// readers below throw Error(input) naming the file and the item.
 CameraSet read_cameras(const std::filesystem::path& path);
 
 CameraSet read_colmap_text(const std::filesystem::path& folder);
 CameraSet read_colmap_binary(const std::filesystem::path& folder);
-/// The photos' names come from list.txt, or NAME.list.txt, beside the file.
+/// Photo names come from list.txt or NAME.list.txt next to the file, or from list.txt in the folder above.
 CameraSet read_bundler(const std::filesystem::path& file);
-/// Rasters of a MeshLab project. CenterPx is taken from the photo's upper left corner, as the programs that
-/// write such projects with an off-centre principal point do (MeshLab itself uses it for the size alone). A
-/// mesh that the project moves is an error, because the mesh is read apart from it.
+/// Reads the rasters of a MeshLab project. CenterPx is measured from the photo's upper left corner, as in
+/// programs that write projects with an off-center principal point (MeshLab itself uses it for the size
+/// only). A mesh with a transformation is an error, because the mesh is not read through the project.
 CameraSet read_meshlab(const std::filesystem::path& file);
 
 }  // namespace vantage

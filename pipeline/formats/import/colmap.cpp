@@ -11,20 +11,20 @@
 namespace vantage {
 namespace {
 
-/// COLMAP's camera models: where each parameter goes. Index i of `focal_center` and `lens` says which
-/// parameter it is, -1 where the model has none.
+/// A camera model of COLMAP. Elements of `focal_center` and `distortion` are indices into COLMAP's
+/// parameters, -1 if the model does not have the value.
 struct Model {
     const char* name;
     std::size_t parameters;
     std::array<int, 4> focal_center;  ///< fx fy cx cy
     LensModel lens;
-    std::array<int, 8> distortion;
+    std::array<int, 8> distortion;  ///< as Lens::p
 };
-constexpr std::array<int, 8> none{-1, -1, -1, -1, -1, -1, -1, -1};
-/// In the order of COLMAP's model numbers.
+constexpr std::array<int, 8> no_distortion{-1, -1, -1, -1, -1, -1, -1, -1};
+/// In the order of COLMAP's model IDs.
 constexpr Model models[] = {
-    {"SIMPLE_PINHOLE", 3, {0, 0, 1, 2}, LensModel::none, none},
-    {"PINHOLE", 4, {0, 1, 2, 3}, LensModel::none, none},
+    {"SIMPLE_PINHOLE", 3, {0, 0, 1, 2}, LensModel::none, no_distortion},
+    {"PINHOLE", 4, {0, 1, 2, 3}, LensModel::none, no_distortion},
     {"SIMPLE_RADIAL", 4, {0, 0, 1, 2}, LensModel::opencv, {3, -1, -1, -1, -1, -1, -1, -1}},
     {"RADIAL", 5, {0, 0, 1, 2}, LensModel::opencv, {3, 4, -1, -1, -1, -1, -1, -1}},
     {"OPENCV", 8, {0, 1, 2, 3}, LensModel::opencv, {4, 5, 6, 7, -1, -1, -1, -1}},
@@ -50,7 +50,7 @@ Camera camera_of(const Model& m, int width, int height, const std::vector<double
     return c;
 }
 
-/// A binary file read front to back; every read is checked against what is left.
+/// A binary file, read sequentially; every read is bounds-checked.
 class Bytes {
   public:
     explicit Bytes(std::filesystem::path file) : file_(std::move(file)), data_(read_text(file_)) {}
@@ -73,7 +73,7 @@ class Bytes {
         if (count > (data_.size() - at_) / each) need(data_.size());
         at_ += count * each;
     }
-    /// A count of records of at least `each` bytes.
+    /// The number of records that follow, each of at least `each` bytes; checked against the file's size.
     std::uint64_t count(std::uint64_t each) {
         const auto n = read<std::uint64_t>();
         if (n > (data_.size() - at_) / each) need(data_.size());
@@ -84,7 +84,7 @@ class Bytes {
   private:
     void need(std::size_t n) const {
         if (n > data_.size() - at_)
-            throw Error(Exit::input, file_.string() + ": is cut short at byte " + std::to_string(at_));
+            throw Error(Exit::input, file_.string() + ": truncated at byte " + std::to_string(at_));
     }
     std::filesystem::path file_;
     std::string data_;
@@ -96,7 +96,7 @@ void add_image(CameraSet& set, const std::map<std::uint32_t, Camera>& cameras, s
     const auto it = cameras.find(camera);
     if (it == cameras.end())
         throw Error(Exit::input, file.string() + ": photo " + photo + " has camera " +
-                                     std::to_string(camera) + ", which the cameras file does not have");
+                                     std::to_string(camera) + ", which is not in the cameras file");
     Camera c = it->second;
     c.cam_from_world = pose;
     set.entries.push_back({photo, c, true});
@@ -108,7 +108,7 @@ std::map<std::uint32_t, Camera> text_cameras(const std::filesystem::path& file) 
     for (;;) {
         if (in.skip_comment()) continue;
         if (in.at_end()) return cameras;
-        const auto id = in.number<std::uint32_t>("a camera's number");
+        const auto id = in.number<std::uint32_t>("a camera ID");
         const std::string wanted(in.word("a camera model"));
         const Model* model = nullptr;
         for (const Model& m : models)
@@ -133,7 +133,7 @@ std::map<std::uint32_t, Camera> binary_cameras(const std::filesystem::path& file
         const auto width = in.read<std::uint64_t>(), height = in.read<std::uint64_t>();
         if (width > 1u << 20 || height > 1u << 20)
             throw Error(Exit::input,
-                        file.string() + ": camera " + std::to_string(id) + " has an impossible size");
+                        file.string() + ": camera " + std::to_string(id) + " has an invalid size");
         std::vector<double> p(models[model].parameters);
         for (double& v : p) v = in.read<double>();
         cameras[id] = camera_of(models[model], int(width), int(height), p);
@@ -150,15 +150,15 @@ CameraSet read_colmap_text(const std::filesystem::path& folder) {
     for (;;) {
         if (in.skip_comment()) continue;
         if (in.at_end()) return set;
-        in.number<std::uint64_t>("an image's number");
+        in.number<std::uint64_t>("an image ID");
         double q[4];
         Eigen::Vector3d t;
         for (double& v : q) v = in.number<double>("a quaternion");
         for (double& v : t) v = in.number<double>("a translation");
-        const auto camera = in.number<std::uint32_t>("a camera's number");
-        if (in.at_line_end()) in.fail("a photo's name", "the end of the line");
+        const auto camera = in.number<std::uint32_t>("a camera ID");
+        if (in.at_line_end()) in.fail("a photo name", "the end of the line");
         const std::string photo(in.line());
-        in.line();  // the 2D points, perhaps none
+        in.line();  // the 2D points; may be empty
         add_image(set, cameras, camera, photo, from_colmap(q[0], q[1], q[2], q[3], t), folder / "images.txt");
     }
 }

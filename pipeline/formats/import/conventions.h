@@ -4,21 +4,21 @@
 
 #include "scene/camera.h"
 
-/// The one place where other programs' camera conventions become ours (+z forward, x right, y down).
+/// Conversions from other programs' camera conventions to ours: x right, y down, z forward.
 namespace vantage {
 
-/// Bundler looks along -z with y up: both the camera's y and z axes turn.
+/// Bundler's cameras look along -z with y up, so the y and z axes change sign.
 inline Pose from_bundler(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) {
-    const Eigen::Vector3d turn(1, -1, -1);
-    return {turn.asDiagonal() * R, turn.asDiagonal() * t};
+    const Eigen::Vector3d flip(1, -1, -1);
+    return {flip.asDiagonal() * R, flip.asDiagonal() * t};
 }
 
-/// MeshLab (VCG) looks along -z with y up, too; its translation is the camera's centre, negated.
+/// MeshLab's cameras (VCG) also look along -z with y up; the translation is the negated camera center.
 inline Pose from_meshlab(const Eigen::Matrix3d& R, const Eigen::Vector3d& minus_center) {
     return from_bundler(R, R * minus_center);
 }
 
-/// COLMAP's cam_from_world is ours; the quaternion is (w, x, y, z).
+/// COLMAP's convention is ours. The quaternion (w, x, y, z) need not be normalized.
 inline Pose from_colmap(double w, double x, double y, double z, const Eigen::Vector3d& t) {
     const double n = std::sqrt(w * w + x * x + y * y + z * z);
     w /= n, x /= n, y /= n, z /= n;

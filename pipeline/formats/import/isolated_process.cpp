@@ -17,7 +17,7 @@
 namespace vantage {
 namespace {
 
-/// Bytes that the process could write to: what RLIMIT_DATA limits.
+/// This process's private writable memory in bytes, which RLIMIT_DATA limits.
 std::uint64_t writable_bytes() {
     std::ifstream statm("/proc/self/statm");
     std::uint64_t pages[6]{};
@@ -25,15 +25,15 @@ std::uint64_t writable_bytes() {
     return pages[5] * std::uint64_t(::sysconf(_SC_PAGESIZE));
 }
 
-void limit(int resource, std::uint64_t most) {
-    const rlimit r{most, most};
+void limit(int resource, std::uint64_t max) {
+    const rlimit r{max, max};
     ::setrlimit(resource, &r);
 }
 
-[[noreturn]] void be_the_child(const ProcessLimits& limits, const std::string& out,
-                               const std::function<std::vector<std::byte>()>& work) {
-    const int nowhere = ::open("/dev/null", O_RDWR);
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
+[[noreturn]] void run_child(const ProcessLimits& limits, const std::string& out,
+                            const std::function<std::vector<std::byte>()>& work) {
+    const int null = ::open("/dev/null", O_RDWR);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(null, stream);
     for (const int crash : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) ::signal(crash, SIG_DFL);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, limits.seconds);
@@ -56,7 +56,7 @@ std::vector<std::byte> run_isolated(const ProcessLimits& limits,
     if (memory < 0) throw std::system_error(errno, std::generic_category(), "memfd_create");
     const std::string out = "/proc/self/fd/" + std::to_string(memory);
     const pid_t child = ::fork();
-    if (child == 0) be_the_child(limits, out, work);
+    if (child == 0) run_child(limits, out, work);
     if (child < 0) {
         ::close(memory);
         throw std::system_error(errno, std::generic_category(), "fork");

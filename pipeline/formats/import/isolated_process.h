@@ -7,13 +7,13 @@
 namespace vantage {
 
 struct ProcessLimits {
-    std::uint64_t bytes;  ///< of memory more than this process has
-    unsigned seconds;     ///< of processor time
+    std::uint64_t bytes;  ///< memory on top of what this process uses
+    unsigned seconds;     ///< CPU time
 };
 
-/// Runs code that a file from strangers may bring down in a process of its own, and returns what it returned;
-/// nothing where it threw, died or went beyond the limits. Whatever it prints is lost. Throws
-/// std::system_error where no process can be made.
+/// Runs `work`, which an untrusted file may crash, in a forked process and returns its result; nothing if it
+/// throws, crashes or exceeds the limits. Its output is discarded. Throws std::system_error if no process can
+/// be started.
 std::vector<std::byte> run_isolated(const ProcessLimits& limits,
                                     const std::function<std::vector<std::byte>()>& work);
 

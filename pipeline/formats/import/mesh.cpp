@@ -12,33 +12,33 @@
 namespace vantage {
 namespace {
 
-/// STL repeats every corner: equal positions become one vertex. Positions must be numbers, or they have no
-/// order.
+/// Merges vertices of equal position, because STL stores every corner of every triangle. Positions must not
+/// be NaN, which has no order.
 void weld(Mesh& mesh) {
     std::map<std::array<double, 3>, std::uint32_t> first;
-    std::vector<std::uint32_t> to(mesh.positions.size());
+    std::vector<std::uint32_t> merged(mesh.positions.size());
     Mesh welded;
-    for (std::size_t i = 0; i < to.size(); ++i) {
+    for (std::size_t i = 0; i < merged.size(); ++i) {
         const Eigen::Vector3d& p = mesh.positions[i];
-        const auto [it, fresh] =
+        const auto [it, inserted] =
             first.try_emplace({p.x(), p.y(), p.z()}, std::uint32_t(welded.positions.size()));
-        if (fresh) welded.positions.push_back(p);
-        to[i] = it->second;
+        if (inserted) welded.positions.push_back(p);
+        merged[i] = it->second;
     }
     for (const auto& t : mesh.triangles)
-        if (const std::array<std::uint32_t, 3> w{to[t[0]], to[t[1]], to[t[2]]};
+        if (const std::array<std::uint32_t, 3> w{merged[t[0]], merged[t[1]], merged[t[2]]};
             w[0] != w[1] && w[1] != w[2] && w[2] != w[0])
             welded.triangles.push_back(w);
     mesh = std::move(welded);
 }
 
-/// A position whose square is a number in single precision, too.
+/// Whether the coordinates and their squares are finite in single precision.
 bool usable(const Eigen::Vector3d& p) { return p.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < 1e18; }
 
-/// Drops triangles with a missing or repeated vertex or one that is not usable. Vertices that then belong to
-/// no triangle move to one that does: where they are must not count as the model's extent. Without triangles,
-/// unusable ones move to the first usable one. Returns how many triangles went.
-std::size_t drop_broken(Mesh& mesh) {
+/// Drops triangles with a missing, repeated or unusable vertex and returns their number. Vertices that belong
+/// to no triangle are moved onto one that does, so that they do not enlarge the model's extent. In a mesh
+/// without triangles, unusable vertices are moved onto the first usable one.
+std::size_t drop_invalid_triangles(Mesh& mesh) {
     const auto bad = [&](std::uint32_t v) { return v == no_vertex || !usable(mesh.positions[v]); };
     const std::size_t dropped = std::erase_if(mesh.triangles, [&](const auto& t) {
         return bad(t[0]) || bad(t[1]) || bad(t[2]) || t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
@@ -49,13 +49,14 @@ std::size_t drop_broken(Mesh& mesh) {
     for (std::size_t v = 0; mesh.triangles.empty() && v < used.size(); ++v)
         used[v] = usable(mesh.positions[v]);
     const auto first = std::ranges::find(used, true) - used.begin();
-    const Eigen::Vector3d stand_in =
+    const Eigen::Vector3d replacement =
         first == std::ssize(used) ? Eigen::Vector3d::Zero().eval() : mesh.positions[std::size_t(first)];
     for (std::size_t v = 0; v < used.size(); ++v)
-        if (!used[v]) mesh.positions[v] = stand_in;
+        if (!used[v]) mesh.positions[v] = replacement;
     return dropped;
 }
 
+/// Gives every vertex a unit normal: its own if it is valid, else the area-weighted mean of its faces'.
 void complete_normals(Mesh& mesh) {
     mesh.normals.resize(mesh.positions.size(), Eigen::Vector3f::Zero());
     const auto has_direction = [](const Eigen::Vector3f& n) {
@@ -70,7 +71,7 @@ void complete_normals(Mesh& mesh) {
         }
         for (std::size_t v = 0; v < sum.size(); ++v) {
             if (has_direction(mesh.normals[v])) continue;
-            const double length = sum[v].norm();  // zero for a vertex of no triangle: any unit vector will do
+            const double length = sum[v].norm();  // 0 for a vertex of no triangle: any normal will do
             mesh.normals[v] =
                 length > 0 ? (sum[v] / length).cast<float>().eval() : Eigen::Vector3f::UnitZ().eval();
         }
@@ -85,11 +86,11 @@ Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warn
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
-    Mesh mesh = extension == ".ply" ? read_ply(file) : read_by_openmesh(file);
+    Mesh mesh = extension == ".ply" ? read_ply(file) : read_with_openmesh(file);
     if (mesh.positions.empty()) throw Error(Exit::input, file.string() + ": has no vertices");
-    if (const std::size_t n = drop_broken(mesh))
+    if (const std::size_t n = drop_invalid_triangles(mesh))
         warnings.push_back(file.filename().string() + ": " + std::to_string(n) +
-                           " broken triangles left out");
+                           " invalid triangles dropped");
     if (extension == ".stl") weld(mesh);
     complete_normals(mesh);
     return mesh;

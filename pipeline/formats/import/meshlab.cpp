@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-/// The numbers of an attribute, at least `count`.
+/// The numbers of a camera's attribute. Throws Error(input) if there are fewer than `count`.
 std::vector<double> numbers(const std::filesystem::path& file, const pugi::xml_node& camera, const char* name,
                             std::size_t count) {
     std::istringstream in(camera.attribute(name).value());
@@ -27,15 +27,15 @@ CameraSet::Entry read_raster(const std::filesystem::path& file, const pugi::xml_
     const pugi::xml_node camera = raster.child("VCGCamera"), plane = raster.child("Plane");
     const std::string label = raster.attribute("label").value();
     const auto read = [&](const char* name, std::size_t count) { return numbers(file, camera, name, count); };
-    const auto viewport = read("ViewportPx", 2), millimetres = read("PixelSizeMm", 2),
+    const auto viewport = read("ViewportPx", 2), pixel_size = read("PixelSizeMm", 2),
                focal = read("FocalMm", 1), center = read("CenterPx", 2),
                rotation = read("RotationMatrix", 16), translation = read("TranslationVector", 3);
     for (const double v : viewport)
         if (!(v >= 1 && v <= 1 << 20))
-            throw Error(Exit::input, file.string() + ": " + label + ": ViewportPx is no photo's size");
+            throw Error(Exit::input, file.string() + ": " + label + ": ViewportPx is not a valid photo size");
     CameraSet::Entry entry{plane ? plane.attribute("fileName").value() : label, {}, true};
-    entry.camera.intrinsics = {int(viewport[0]),          int(viewport[1]), focal[0] / millimetres[0],
-                               focal[0] / millimetres[1], center[0],        center[1]};
+    entry.camera.intrinsics = {int(viewport[0]),         int(viewport[1]), focal[0] / pixel_size[0],
+                               focal[0] / pixel_size[1], center[0],        center[1]};
     Eigen::Matrix3d R;
     for (int i = 0; i < 9; ++i) R(i / 3, i % 3) = rotation[std::size_t(i / 3 * 4 + i % 3)];
     entry.camera.cam_from_world = from_meshlab(R, {translation[0], translation[1], translation[2]});
@@ -44,12 +44,12 @@ CameraSet::Entry read_raster(const std::filesystem::path& file, const pugi::xml_
                     file.string() + ": " + label + ": expected a perspective camera (CameraType 0)");
     const auto lens = read("LensDistortion", 2);
     if (lens[0] != 0 || lens[1] != 0)
-        warnings.push_back(label +
-                           ": MeshLab's lens distortion is not applied, as in MeshLab's own projections");
+        warnings.push_back(label + ": lens distortion ignored, as in MeshLab's own projections");
     return entry;
 }
 
-bool moves(const pugi::xml_node& mesh) {
+/// Whether the project transforms the mesh.
+bool is_transformed(const pugi::xml_node& mesh) {
     std::istringstream in(mesh.child_value("MLMatrix44"));
     in.imbue(std::locale::classic());
     int i = 0;
@@ -68,17 +68,18 @@ CameraSet read_meshlab(const std::filesystem::path& file) {
         throw Error(Exit::input, file.string() + ": expected a MeshLab project: " + parsed.description());
     CameraSet set{"MeshLab", {}, {}};
     for (const pugi::xml_node mesh : project.child("MeshGroup").children("MLMesh"))
-        if (moves(mesh))
+        if (is_transformed(mesh))
             throw Error(Exit::input,
                         file.string() + ": " + mesh.attribute("label").value() +
-                            ": is moved by its MLMatrix44; expected a mesh saved with the matrix applied");
+                            ": transformed by its MLMatrix44; expected a mesh saved with the matrix applied");
     for (const pugi::xml_node raster : project.child("RasterGroup").children("MLRaster"))
         if (raster.child("VCGCamera"))
             set.entries.push_back(read_raster(file, raster, set.warnings));
         else
             set.warnings.push_back(std::string(raster.attribute("label").value()) +
-                                   ": has no camera, left out");
-    if (set.entries.empty()) throw Error(Exit::input, file.string() + ": holds no raster with a camera");
+                                   ": has no camera; left out");
+    if (set.entries.empty())
+        throw Error(Exit::input, file.string() + ": expected a raster with a camera, found none");
     return set;
 }
 

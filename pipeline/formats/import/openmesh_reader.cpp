@@ -9,7 +9,6 @@
 
 #include "pipeline/formats/import/isolated_process.h"
 #include "pipeline/formats/import/ply.h"
-#include "scene/bytes_of.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -19,41 +18,41 @@ using namespace OpenMesh;
 
 std::uint8_t to_byte(float v) { return std::uint8_t(std::clamp(v, 0.0f, 1.0f) * 255 + 0.5f); }
 
-/// Collects what OpenMesh's readers find, as it is in the file of `bytes`. They believe its counts and go on
-/// when it has ended, so for more than it has room for std::length_error is thrown.
+/// Collects the mesh from OpenMesh's readers unchanged. The readers trust the counts in the file and go on
+/// past its end, so more elements than a file of `bytes` bytes can hold throw std::length_error.
 class Collector : public IO::BaseImporter {
   public:
     Mesh mesh;
 
-    explicit Collector(std::uint64_t bytes) : most_(bytes / 2) {}  // numbers: "0 " is the shortest
+    explicit Collector(std::uint64_t bytes) : max_numbers_(bytes / 2) {}  // the shortest is "0 "
 
     VertexHandle add_vertex(const Vec3f& p) override { return add_vertex(Vec3d(p)); }
     VertexHandle add_vertex(const Vec3d& p) override {
-        if (mesh.positions.size() >= most_ / 3) throw std::length_error("vertices");
+        if (mesh.positions.size() >= max_numbers_ / 3) throw std::length_error("vertices");
         mesh.positions.emplace_back(p[0], p[1], p[2]);
         return VertexHandle(int(mesh.positions.size()) - 1);
     }
     VertexHandle add_vertex() override { return add_vertex(Vec3d(0, 0, 0)); }
     FaceHandle add_face(const VHandles& corners) override {
-        if (faces_ >= most_ || corners.size() > most_ - mesh.triangles.size())
+        if (faces_ >= max_numbers_ || corners.size() > max_numbers_ - mesh.triangles.size())
             throw std::length_error("corners");
         const auto at = [&](std::size_t i) {
-            return known(corners[i]) ? std::uint32_t(corners[i].idx()) : no_vertex;
+            return exists(corners[i]) ? std::uint32_t(corners[i].idx()) : no_vertex;
         };
         for (std::size_t i = 2; i < corners.size(); ++i) mesh.triangles.push_back({at(0), at(i - 1), at(i)});
         return FaceHandle(int(faces_++));
     }
     void set_point(VertexHandle v, const Vec3f& p) override {
-        if (known(v)) mesh.positions[std::size_t(v.idx())] = {double(p[0]), double(p[1]), double(p[2])};
+        if (exists(v)) mesh.positions[std::size_t(v.idx())] = {double(p[0]), double(p[1]), double(p[2])};
     }
     void set_normal(VertexHandle v, const Vec3f& n) override {
-        if (!known(v)) return;
+        if (!exists(v)) return;
         mesh.normals.resize(mesh.positions.size(), Eigen::Vector3f::Zero());
         mesh.normals[std::size_t(v.idx())] = {n[0], n[1], n[2]};
     }
     void set_normal(VertexHandle v, const Vec3d& n) override { set_normal(v, Vec3f(n)); }
     void set_color(VertexHandle v, const Vec4uc& c) override {
-        if (!known(v)) return;
+        if (!exists(v)) return;
         mesh.colors.resize(mesh.positions.size(), {255, 255, 255, 255});
         mesh.colors[std::size_t(v.idx())] = {c[0], c[1], c[2], c[3]};
     }
@@ -66,7 +65,7 @@ class Collector : public IO::BaseImporter {
     std::size_t n_faces() const override { return faces_; }
     std::size_t n_edges() const override { return 0; }
 
-    // Not part of a mesh as we use it.
+    // Unused parts of a mesh.
     HalfedgeHandle add_edge(VertexHandle, VertexHandle) override { return HalfedgeHandle(); }
     FaceHandle add_face(HalfedgeHandle) override { return FaceHandle(); }
     void add_face_texcoords(FaceHandle, VertexHandle, const std::vector<Vec2f>&) override {}
@@ -97,8 +96,8 @@ class Collector : public IO::BaseImporter {
     void add_texture_information(int, std::string) override {}
 
   private:
-    bool known(VertexHandle v) const { return v.idx() >= 0 && std::size_t(v.idx()) < mesh.positions.size(); }
-    std::uint64_t most_, faces_ = 0;
+    bool exists(VertexHandle v) const { return v.idx() >= 0 && std::size_t(v.idx()) < mesh.positions.size(); }
+    std::uint64_t max_numbers_, faces_ = 0;
 };
 
 template <class T>
@@ -119,7 +118,7 @@ void take(std::span<const std::byte>& from, std::vector<T>& values) {
     from = from.subspan(sizeof bytes + bytes);
 }
 
-std::vector<std::byte> bytes_of(const Mesh& mesh) {
+std::vector<std::byte> serialized(const Mesh& mesh) {
     std::vector<std::byte> out;
     append(out, mesh.positions);
     append(out, mesh.normals);
@@ -128,7 +127,7 @@ std::vector<std::byte> bytes_of(const Mesh& mesh) {
     return out;
 }
 
-Mesh mesh_of(std::span<const std::byte> bytes) {
+Mesh deserialized(std::span<const std::byte> bytes) {
     Mesh mesh;
     take(bytes, mesh.positions);
     take(bytes, mesh.normals);
@@ -139,7 +138,7 @@ Mesh mesh_of(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-Mesh read_by_openmesh(const std::filesystem::path& file) {
+Mesh read_with_openmesh(const std::filesystem::path& file) {
     const std::uint64_t size = std::filesystem::file_size(file);
     const ProcessLimits limits{.bytes = (std::uint64_t(4) << 20) + 64 * size,
                                .seconds = 60 + unsigned(size / 100'000)};
@@ -147,11 +146,11 @@ Mesh read_by_openmesh(const std::filesystem::path& file) {
         Collector in(size);
         IO::Options options = IO::Options::VertexNormal | IO::Options::VertexColor;
         if (!IO::IOManager().read(file.string(), in, options)) return std::vector<std::byte>();
-        return bytes_of(in.mesh);
+        return serialized(in.mesh);
     });
     if (bytes.empty())
         throw Error(Exit::input, file.string() + ": not a readable mesh, expected PLY, OBJ, STL or OFF");
-    Mesh mesh = mesh_of(bytes);
+    Mesh mesh = deserialized(bytes);
     if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), {255, 255, 255, 255});
     return mesh;
 }

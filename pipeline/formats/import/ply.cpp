@@ -47,7 +47,7 @@ struct Ply {
     }
 };
 
-Type type_named(const Ply& ply, const std::string& name) {
+Type parse_type(const Ply& ply, const std::string& name) {
     static const std::map<std::string, Type> types{
         {"char", Type::i8},   {"int8", Type::i8},     {"uchar", Type::u8},   {"uint8", Type::u8},
         {"short", Type::i16}, {"int16", Type::i16},   {"ushort", Type::u16}, {"uint16", Type::u16},
@@ -67,10 +67,10 @@ void read_property(Ply& ply, std::istringstream& words) {
         std::string count;
         words >> count >> type;
         p.list = true;
-        p.count_type = type_named(ply, count);
+        p.count_type = parse_type(ply, count);
     }
-    p.type = type_named(ply, type);
-    if (!(words >> p.name)) ply.fail("a property's name");
+    p.type = parse_type(ply, type);
+    if (!(words >> p.name)) ply.fail("a property name");
     ply.elements.back().properties.push_back(p);
 }
 
@@ -102,7 +102,7 @@ Ply read_header(const std::filesystem::path& file, std::span<const char> bytes) 
             read_format(ply, name);
         } else if (key == "element") {
             Element e;
-            if (!(words >> e.name >> e.count)) ply.fail("an element's name and count");
+            if (!(words >> e.name >> e.count)) ply.fail("an element name and count");
             ply.elements.push_back(e);
         } else if (key == "property") {
             read_property(ply, words);
@@ -123,7 +123,7 @@ void convert_as(const char* from, std::size_t stride, bool swapped, std::span<do
     }
 }
 
-/// Binary values that stand `stride` bytes apart.
+/// Converts binary values that are `stride` bytes apart.
 void convert(Type type, const char* from, std::size_t stride, bool swapped, std::span<double> out) {
     switch (type) {
         case Type::i8:
@@ -145,7 +145,7 @@ void convert(Type type, const char* from, std::size_t stride, bool swapped, std:
     }
 }
 
-/// The values after the header, in order.
+/// Reads the values after the header in order.
 class Values {
   public:
     explicit Values(const Ply& ply) : ply_(ply), rest_(ply.body) {}
@@ -155,14 +155,14 @@ class Values {
         next(type, {&value, 1});
         return value;
     }
-    /// As many of one type.
+    /// Fills `out` with values of one type.
     void next(Type type, std::span<double> out) {
         if (ply_.format == Format::text)
             for (double& v : out) v = from_text();
         else
             convert(type, take(out.size() * size_of(type)), size_of(type), swapped(), out);
     }
-    /// Rows of values, each row of these types: a column a type.
+    /// Reads whole rows of these types into one column per type.
     void next_rows(std::span<const Type> types, std::span<const std::span<double>> columns) {
         const std::size_t rows = columns.empty() ? 0 : columns[0].size();
         if (ply_.format == Format::text) {
@@ -176,21 +176,21 @@ class Values {
         for (std::size_t i = 0; i < types.size(); from += size_of(types[i++]))
             convert(types[i], from, stride, swapped(), columns[i]);
     }
-    /// No element of `count` can hold fewer bytes (as text, a digit and a blank a value): a count that the
-    /// file cannot have is refused before it is used.
-    void expect(std::size_t count, std::size_t bytes_each, std::size_t values_each) const {
+    /// Rejects a count of elements for which the rest of the file is too short, before memory is allocated.
+    /// In text, a value takes at least a digit and a blank.
+    void check_count(std::size_t count, std::size_t bytes_each, std::size_t values_each) const {
         const std::size_t each = ply_.format == Format::text ? 2 * values_each : bytes_each;
-        if (count > (rest_.size() + 1) / std::max<std::size_t>(1, each)) cut();
+        if (count > (rest_.size() + 1) / std::max<std::size_t>(1, each)) fail_truncated();
     }
 
-    [[noreturn]] void cut() const { ply_.fail("more values than the file holds: it is cut short"); }
+    [[noreturn]] void fail_truncated() const { ply_.fail("more values: the file is truncated"); }
 
   private:
     double from_text() {
         const auto blank = [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; };
         const auto begin = std::find_if_not(rest_.begin(), rest_.end(), blank);
         const auto end = std::find_if(begin, rest_.end(), blank);
-        if (begin == end) cut();
+        if (begin == end) fail_truncated();
         double value = 0;
         const char *from = &*begin, *to = from + (end - begin);
         const auto [stop, error] = std::from_chars(from, to, value);
@@ -199,7 +199,7 @@ class Values {
         return value;
     }
     const char* take(std::size_t bytes) {
-        if (rest_.size() < bytes) cut();
+        if (rest_.size() < bytes) fail_truncated();
         const char* from = rest_.data();
         rest_ = rest_.subspan(bytes);
         return from;
@@ -216,23 +216,24 @@ void read_list(Values& values, const Property& p, std::vector<double>& list) {
     const double n = values.next(p.count_type);
     list.clear();
     if (!(n >= 0)) return;
-    if (!(n < 1e15)) values.cut();
-    values.expect(std::size_t(n), size_of(p.type), 1);
+    if (!(n < 1e15)) values.fail_truncated();
+    values.check_count(std::size_t(n), size_of(p.type), 1);
     list.resize(static_cast<std::size_t>(n));
     values.next(p.type, list);
 }
 
-std::size_t least_bytes(const Element& e) {
+/// Size of an element in a binary file if all its lists are empty.
+std::size_t min_bytes(const Element& e) {
     std::size_t bytes = 0;
     for (const Property& p : e.properties) bytes += size_of(p.list ? p.count_type : p.type);
     return bytes;
 }
 
-/// A column a property of one value, row by row.
+/// The values of each scalar property.
 using Columns = std::map<std::string, std::vector<double>>;
 
 Columns read_columns(Values& values, const Element& e) {
-    values.expect(e.count, least_bytes(e), e.properties.size());
+    values.check_count(e.count, min_bytes(e), e.properties.size());
     Columns columns;
     std::vector<Type> types;
     std::vector<std::span<double>> to;
@@ -268,7 +269,7 @@ void add_fan(const std::vector<double>& face, Mesh& mesh) {
     for (std::size_t i = 2; i < face.size(); ++i) mesh.triangles.push_back({at(0), at(i - 1), at(i)});
 }
 
-/// Strips, each ended by -1; every second triangle is turned.
+/// Triangle strips, each terminated by -1; every second triangle has the opposite winding.
 void add_strips(const std::vector<double>& strip, Mesh& mesh) {
     const auto at = [&](std::size_t i) { return corner(strip[i], mesh.positions.size()); };
     std::size_t first = 0;
@@ -283,7 +284,7 @@ void add_strips(const std::vector<double>& strip, Mesh& mesh) {
 }
 
 void read_faces(Values& values, const Element& e, Mesh& mesh) {
-    values.expect(e.count, least_bytes(e), e.properties.size());
+    values.check_count(e.count, min_bytes(e), e.properties.size());
     mesh.triangles.reserve(mesh.triangles.size() + e.count);
     std::vector<double> list;
     for (std::size_t row = 0; row < e.count; ++row)
@@ -298,8 +299,8 @@ void read_faces(Values& values, const Element& e, Mesh& mesh) {
         }
 }
 
-std::uint8_t to_byte(double v, bool is_share) {
-    v = is_share ? v * 255 : v;
+std::uint8_t to_byte(double v, bool is_fraction) {
+    v = is_fraction ? v * 255 : v;
     return std::uint8_t(std::lround(std::clamp(std::isfinite(v) ? v : 0.0, 0.0, 255.0)));
 }
 

@@ -9,7 +9,8 @@
 
 namespace vantage {
 
-/// Reads white-space separated words and numbers, whatever the locale. Errors name the file and line.
+/// Reads whitespace-separated words and numbers, independent of the locale. `what` names the expected item in
+/// errors, which are Error(input) and give the file and line.
 class Tokens {
   public:
     explicit Tokens(std::filesystem::path file)
@@ -23,7 +24,7 @@ class Tokens {
         skip_blanks(false);
         return rest_.empty() || rest_.front() == '\n';
     }
-    /// The rest of the line, without its end.
+    /// Consumes the rest of the line and returns it without its end and trailing spaces.
     std::string_view line() {
         const std::size_t end = std::min(rest_.find('\n'), rest_.size());
         std::string_view out = rest_.substr(0, end);
@@ -49,7 +50,7 @@ class Tokens {
             fail(what, "'" + std::string(w.substr(0, 40)) + "'");
         return value;
     }
-    std::size_t bytes_left() const { return rest_.size(); }
+    /// Skips a line that starts with #; false if there is none.
     bool skip_comment() {
         skip_blanks(true);
         if (rest_.empty() || rest_.front() != '#') return false;

@@ -9,7 +9,7 @@
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/cast_photo.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "player/measure/picture_metrics.h"
 #include "tests/bench/exhibit.h"
 #include "tests/bench/statistics.h"

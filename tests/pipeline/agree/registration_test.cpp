@@ -13,7 +13,7 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "scene/package_reader.h"
 #include "scene/quantile.h"
 #include "tests/datasets.h"
@@ -101,7 +101,7 @@ class RegistrationOfTruth : public TemporaryFolder {
 };
 
 TEST_F(RegistrationOfTruth, DisturbedCamerasComeBack) {
-    synthesise(read_spec(VANTAGE_SOURCE_DIR "/data/demo.toml"), scene, {});
+    synthesize(read_spec(VANTAGE_SOURCE_DIR "/data/demo.toml"), scene, {});
     for (const double pixels : {0.5, 2.0, 5.0}) {
         SceneInput given = truth();
         disturb(given, pixels, 12);
@@ -116,7 +116,7 @@ TEST_F(RegistrationOfTruth, DisturbedCamerasComeBack) {
 }
 
 TEST_F(RegistrationOfTruth, UndisturbedCamerasStay) {
-    synthesise(spec(), scene, {});
+    synthesize(spec(), scene, {});
     EXPECT_FALSE(registration(prepare_folder()).decision.on);
     expect_unchanged(truth());
     prepare_folder(EffectChoice::on);
@@ -124,7 +124,7 @@ TEST_F(RegistrationOfTruth, UndisturbedCamerasStay) {
 }
 
 TEST_F(RegistrationOfTruth, WhatIsFoundOfAPairIsWhatItsCamerasAreOff) {
-    synthesise(spec(), scene, {});
+    synthesize(spec(), scene, {});
     SceneInput input = truth();
     // One photo turned about its vertical axis, so that all it shows is 3 px to the side of where it should
     // be.
@@ -151,7 +151,7 @@ TEST_F(RegistrationOfTruth, WhatIsFoundOfAPairIsWhatItsCamerasAreOff) {
 }
 
 TEST_F(RegistrationOfTruth, SwappedCamerasAreFoundAndNamedAndStay) {
-    synthesise(spec(), scene, {});
+    synthesize(spec(), scene, {});
     SceneInput input = truth();
     std::swap(input.photos[2].camera, input.photos[5].camera);
     const auto done = prepare_as(input);
@@ -163,7 +163,7 @@ TEST_F(RegistrationOfTruth, SwappedCamerasAreFoundAndNamedAndStay) {
 }
 
 TEST_F(RegistrationOfTruth, ACameraThatIsWrongIsNamed) {
-    synthesise(spec(), scene, {});
+    synthesize(spec(), scene, {});
     SceneInput input = truth();
     Pose& pose = input.photos[3].camera.cam_from_world;
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.12, Eigen::Vector3d::UnitY()).toRotationMatrix();
@@ -178,7 +178,7 @@ TEST_F(RegistrationOfTruth, ACameraThatIsWrongIsNamed) {
 TEST_F(RegistrationOfTruth, DegenerateInputsAreSaidAndLeftAlone) {
     SynthSpec s = spec();
     s.photos.count = 4;
-    synthesise(s, scene, {});
+    synthesize(s, scene, {});
     const auto expect = [&](const SceneInput& input, const std::string& said) {
         const auto done = prepare_as(input, EffectChoice::on);
         EXPECT_FALSE(registration(done).decision.on) << said;
@@ -203,7 +203,7 @@ TEST_F(RegistrationOfTruth, DegenerateInputsAreSaidAndLeftAlone) {
     s.building.bays = 2;
     s.building.floors = 1;
     s.object.distance = 1.7;
-    synthesise(s, dir / "other", {});
+    synthesize(s, dir / "other", {});
     other.mesh = read_scene(discover(dir / "other")).mesh;
     for (auto& p : other.mesh.positions) p = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()) * p;
     expect(other, "wrong mesh, or wrong cameras?");
@@ -221,7 +221,7 @@ TEST_F(RegistrationOfTruth, DegenerateInputsAreSaidAndLeftAlone) {
 TEST_F(RegistrationOfTruth, IdenticalPhotosStay) {
     SynthSpec s = spec();
     s.photos.count = 2;
-    synthesise(s, scene, {});
+    synthesize(s, scene, {});
     SceneInput input = truth();
     fs::copy_file(input.photos[0].file, input.photos[1].file, fs::copy_options::overwrite_existing);
     input.photos[1].camera = input.photos[0].camera;
@@ -237,7 +237,7 @@ TEST_F(RegistrationOfTruth, AFlatSurfaceHoldsNoCamera) {
     s.photos.count = 3;
     s.building.recess = 0.01;
     s.error.pixels = 3;
-    synthesise(s, scene, {});
+    synthesize(s, scene, {});
     SceneInput input = scene_with_cameras(scene, scene / "sparse");
     Mesh& mesh = input.mesh;
     mesh = {};
@@ -256,7 +256,7 @@ TEST_F(RegistrationOfTruth, AFlatSurfaceHoldsNoCamera) {
 TEST_F(RegistrationOfTruth, GoesOnFromWhatWasFound) {
     SynthSpec s = spec();
     s.error.pixels = 3;
-    synthesise(s, scene, {});
+    synthesize(s, scene, {});
     const SceneInput input = scene_with_cameras(scene, scene / "sparse");
     prepare_as(input);
     const std::string fresh = slurp(file);

@@ -298,7 +298,7 @@ TEST_F(Import, PointsStripsAndBrokenFacesOfPly) {
         EXPECT_GT((b - a).cross(c - a).z(), 0) << "all wound alike";
     }
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_NE(warnings[0].find("1 broken"), std::string::npos);
+    EXPECT_NE(warnings[0].find("1 invalid"), std::string::npos);
 }
 
 TEST(ImportReal, BundlerAndColmapAgreeOnSceaux) {

@@ -13,7 +13,7 @@
 #include "pipeline/results/check.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "scene/package_reader.h"
 #include "tests/datasets.h"
 #include "tests/temporary_folder.h"
@@ -43,7 +43,7 @@ TEST_F(Prepare, SceauxSmallIsSoundCurrentAndTheSameTwice) {
 }
 
 TEST_F(Prepare, OpenGlRendersWhatTheProcessorDoes) {
-    synthesise(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
+    synthesize(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
     for (const RenderBy by : {RenderBy::opengl, RenderBy::processor}) {
         PrepareSettings settings;
         settings.render_by = by;
@@ -83,7 +83,7 @@ TEST_F(Prepare, OddPhotoSizesAreSound) {
         spec.photos.width = width;
         spec.photos.height = height;
         const fs::path scene = dir / ("scene" + std::to_string(width));
-        synthesise(spec, scene, {});
+        synthesize(spec, scene, {});
         prepare(read_scene(discover(scene)), {}, dir / "a.vantage", quiet);
         for (const Issue& i : check_package(dir / "a.vantage", {.deep = true, .against = scene}))
             ADD_FAILURE() << i.text;
@@ -93,7 +93,7 @@ TEST_F(Prepare, OddPhotoSizesAreSound) {
 TEST_F(Prepare, VerticesKeepWhatIsTheirsInWhateverOrder) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.photos.count = 1;
-    synthesise(spec, dir / "scene", {});
+    synthesize(spec, dir / "scene", {});
     SceneInput scene = read_scene(discover(dir / "scene"));
     subdivide_large_triangles(scene.mesh);  // so that preparing adds none
     const auto code = [](const Eigen::Vector3f& p) {

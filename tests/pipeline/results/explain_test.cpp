@@ -9,7 +9,7 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -19,7 +19,7 @@ namespace {
 class Explain : public TemporaryFolder {
   protected:
     std::string explained(const PrepareSettings& settings) {
-        synthesise(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
+        synthesize(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
         const SceneInput scene = read_scene(discover(dir / "scene"));
         prepare(scene, settings, dir / "p.vantage", [](const Progress&) {});
         std::string all;

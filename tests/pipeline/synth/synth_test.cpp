@@ -7,7 +7,7 @@
 
 #include "pipeline/synth/building.h"
 #include "pipeline/synth/ray_scene.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 
 using namespace vantage;

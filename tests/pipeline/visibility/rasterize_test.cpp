@@ -14,7 +14,7 @@
 #include "pipeline/package/chunk_plan.h"
 #include "pipeline/stages/vertex_coordinates.h"
 #include "pipeline/synth/ray_scene.h"
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 #include "pipeline/visibility/gl_geometry.h"
 #include "pipeline/visibility/photo_geometry.h"
 #include "tests/temporary_folder.h"
@@ -111,7 +111,7 @@ TEST_F(Rasterise, AgreesWithOpenGl) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
     spec.photos.count = 3;
     spec.photos.samples = 1;
-    synthesise(spec, dir / "scene", {});
+    synthesize(spec, dir / "scene", {});
     SceneInput scene = read_scene(discover(dir / "scene"));
     const PackedModel model = pack_model(scene.mesh, 256);
     const gl::HeadlessContext context(gl::Debug::on);

@@ -1,4 +1,4 @@
-#include "pipeline/synth/synthesise.h"
+#include "pipeline/synth/synthesize.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ using Eigen::Vector3f;
 
 constexpr double radians = std::numbers::pi / 180;
 
-/// [-1, 1), the same on every platform.
+/// Uniform in [-1, 1), with the same results on every platform.
 double signed_unit(std::mt19937& engine) { return double(engine()) * 0x1p-31 - 1; }
 
 Pose look_at(const Vector3d& eye, const Vector3d& target) {
@@ -35,11 +35,11 @@ Pose look_at(const Vector3d& eye, const Vector3d& target) {
     return pose;
 }
 
-/// A camera turned and moved at random, by `pixels` at distance `distance` together.
-Camera disturbed(Camera camera, double pixels, double distance, std::mt19937& engine) {
+/// The camera rotated and shifted in random directions, by about `pixels` in all at `distance`.
+Camera perturbed(Camera camera, double pixels, double distance, std::mt19937& engine) {
     const auto direction = [&] {
         const double z = signed_unit(engine), y = signed_unit(engine), x = signed_unit(engine);
-        const Vector3d v(x, y, z);  // arguments are computed in any order
+        const Vector3d v(x, y, z);  // not drawn as arguments, whose order of evaluation is unspecified
         return Vector3d(v / std::max(v.norm(), 1e-3));
     };
     const double angle = pixels / camera.intrinsics.fx / std::numbers::sqrt2;
@@ -87,14 +87,14 @@ std::vector<NamedCamera> place_cameras(const SynthSpec& spec) {
     std::mt19937 engine(spec.seed);
     std::vector<NamedCamera> photos;
     for (int i = 0; i < s.count; ++i) {
-        const double share = s.count > 1 ? double(i) / (s.count - 1) - 0.5 : 0.0;
-        const double angle = share * s.arc * radians;
+        const double along = s.count > 1 ? double(i) / (s.count - 1) - 0.5 : 0.0;
+        const double angle = along * s.arc * radians;
         const Vector3d eye(s.radius * std::sin(angle), -s.radius * std::cos(angle), i % 2 ? s.high : s.low);
         const double up = signed_unit(engine) * 0.3, aside = signed_unit(engine) * 0.6;
         const Vector3d target(aside, -spec.object.distance / 2, 0.42 * spec.building.height + up);
         const double f = s.width / (2 * std::tan(s.fov / 2 * radians));
         Camera camera;
-        // The principal point is off the centre, as it is in life.
+        // Off-center principal point, as in real cameras.
         camera.intrinsics = {
             s.width, s.height, f, f, s.width / 2.0 + 0.006 * s.width, s.height / 2.0 - 0.004 * s.width};
         if (spec.lens.k1 != 0 || spec.lens.k2 != 0)
@@ -105,7 +105,7 @@ std::vector<NamedCamera> place_cameras(const SynthSpec& spec) {
     return photos;
 }
 
-void synthesise(const SynthSpec& spec, const std::filesystem::path& folder,
+void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
                 const std::function<void(std::size_t, std::size_t)>& progress) {
     const SynthModel model = build_model(spec);
     const RayScene rays(model.mesh);
@@ -115,7 +115,7 @@ void synthesise(const SynthSpec& spec, const std::filesystem::path& folder,
     std::mt19937 engine(spec.seed + 1);
     for (NamedCamera& photo : written)
         if (spec.error.pixels > 0)
-            photo.camera = disturbed(photo.camera, spec.error.pixels, spec.photos.radius, engine);
+            photo.camera = perturbed(photo.camera, spec.error.pixels, spec.photos.radius, engine);
     std::filesystem::create_directories(folder / "images");
     std::filesystem::create_directories(folder / "truth" / "depth");
     write_colmap_text(folder / "sparse", written);
