@@ -22,6 +22,7 @@
 #include "pipeline/run/for_each_photo.h"
 #include "scene/error.h"
 #include "scene/markup.h"
+#include "scene/page_style.h"
 
 namespace vantage {
 namespace {
@@ -31,16 +32,16 @@ using nlohmann::json;
 using package::PhotoRecord;
 using package::Type;
 
-constexpr const char* style = R"(
-body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 78rem; padding: 0 1rem; color: #222; }
-h1 { margin-bottom: .2rem; } h2 { margin-top: 2.5rem; }
-table { border-collapse: collapse; } th, td { padding: .2rem .9rem .2rem 0; text-align: left; border-bottom: 1px solid #ddd; }
-td.n, th.n { text-align: right; } .well { color: #117733; } .bad { color: #b02a20; }
+/// Follows page_style.
+constexpr const char* report_style = R"(
+h2 { margin-top: 2.5rem; }
+td.n, th.n { text-align: right; } .well { color: var(--better); } .bad { color: var(--worse); }
 .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1.2rem; }
-.grid figure { margin: 0; } .grid img { width: 100%; } figcaption { font-size: 13px; } img { max-width: 100%; height: auto; display: block; }
-.bar { display: flex; height: 1.6rem; margin: .5rem 0; } .legend span { margin-right: 1.2rem; white-space: nowrap; }
+.grid img { width: 100%; } figcaption { font-size: 13px; }
+.bar { display: flex; height: 1.6rem; margin: .5rem 0; }
+.legend span { margin-right: 1.2rem; white-space: nowrap; }
 .legend i { display: inline-block; width: .9rem; height: .9rem; margin-right: .35rem; vertical-align: -.1rem; }
-.model { display: flex; flex-wrap: wrap; gap: 1rem; align-items: end; } .model figure { margin: 0; }
+.model { display: flex; flex-wrap: wrap; gap: 1rem; align-items: end; }
 )";
 
 std::string cell(const std::string& text) { return "<td>" + escaped(text) + "</td>"; }
@@ -191,7 +192,8 @@ void write_report(const fs::path& file, const PackageReader& package, const std:
     if (!meta.is_object()) throw Error(Exit::damaged, package.path().string() + ": META: cannot be parsed");
     const std::vector<UnusablePhoto> left_out = left_out_of(package);
     std::ofstream out(file, std::ios::binary);
-    out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << style << "</style>\n"
+    out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << page_style << report_style
+        << "</style>\n"
         << heading(package, meta, left_out, run) << left_out_part(left_out) << warnings_part(meta)
         << effects_part(meta) << coverage_part(package);
     if (run && run->prepared.agreement) {
