@@ -240,8 +240,7 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--memory", o->settings.memory,
                   "memory limit in bytes, such as 800M: fewer photos in flight")
         ->transform(CLI::AsSizeValue(false));
-    c->add_option("--hold-out", o->settings.hold_out,
-                  "photos to store without their pixels, as camera positions only")
+    c->add_option("--hold-out", o->settings.hold_out, "photos to store as cameras only, without their pixels")
         ->delimiter(',');
     c->add_flag(
         "--explain", o->explain,
