@@ -194,8 +194,8 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
                       const OnProgress& progress, const PrepareRun& run) {
     expect_usable(scene, run.strict);
     if (settings.photo_size > 0) reduce_photos(scene, settings.photo_size);
-    std::optional<IdentityCache> usual;
-    IdentityCache& identities = run.identities ? *run.identities : usual.emplace();
+    std::optional<IdentityCache> default_cache;
+    IdentityCache& identities = run.identities ? *run.identities : default_cache.emplace();
     progress({"inspect", "", 0, scene.photos.size()});
     PhotoPrefetch prefetch(scene, photos_to_prefetch(scene, settings, run.share, out),
                            threads_of(settings) - 1, run.trace);

@@ -122,8 +122,8 @@ Finding finding_of(InputChange::Kind kind) {
 }
 
 void check_against(const PackageReader& reader, const CheckDepth& depth, Issues& out) {
-    std::optional<IdentityCache> usual;
-    IdentityCache& identities = depth.identities ? *depth.identities : usual.emplace();
+    std::optional<IdentityCache> default_cache;
+    IdentityCache& identities = depth.identities ? *depth.identities : default_cache.emplace();
     for (const InputChange& change : changed_inputs(reader, discover(depth.against), identities))
         add(out, finding_of(change.kind), change.text);
 }

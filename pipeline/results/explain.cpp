@@ -44,12 +44,13 @@ struct Compared {
 };
 template <class Compare>
 Compared compare(const std::vector<Cost>& costs, const std::string& option, const std::string& value,
-                 const std::string& usual, const std::string& metric, const Compare& between) {
+                 const std::string& reference, const std::string& metric, const Compare& between) {
     Compared out;
     for (const Cost& a : costs) {
         if (a.option != option || a.value != value || !a.values.contains(metric)) continue;
         for (const Cost& b : costs) {
-            if (b.option != option || b.value != usual || b.scene != a.scene || !b.values.contains(metric))
+            if (b.option != option || b.value != reference || b.scene != a.scene ||
+                !b.values.contains(metric))
                 continue;
             const double d = between(a.values.at(metric), b.values.at(metric));
             if (!std::isfinite(d)) continue;
@@ -87,12 +88,12 @@ std::string decibels(const Compared& d) {
 
 /// Compared with another value: ratios of preparation time, package size and frame time, and PSNR.
 std::string compared_with(const std::vector<Cost>& costs, const std::string& option, const std::string& value,
-                          const std::string& usual) {
+                          const std::string& reference) {
     const auto ratio = [&](const char* metric) {
-        return compare(costs, option, value, usual, metric, [](double a, double b) { return a / b; });
+        return compare(costs, option, value, reference, metric, [](double a, double b) { return a / b; });
     };
     const Compared error =
-        compare(costs, option, value, usual, "psnr", [](double a, double b) { return a - b; });
+        compare(costs, option, value, reference, "psnr", [](double a, double b) { return a - b; });
     if (!error.scenes) return "not measured";
     std::string out;
     // Differences within the timing noise are omitted.
@@ -149,8 +150,8 @@ std::string explain_size(const std::vector<Cost>& costs, int size, int longest) 
 }
 
 std::string explain_number(const std::vector<Cost>& costs, const std::string& option, double value,
-                           double usual) {
-    const std::string v = nearest(costs, option, value), u = nearest(costs, option, usual);
+                           double reference) {
+    const std::string v = nearest(costs, option, value), u = nearest(costs, option, reference);
     if (v.empty()) return "not measured";
     if (v != u)
         return fmt::format("compared with {}: {} (measured at {})", u, compared_with(costs, option, v, u), v);
@@ -168,7 +169,7 @@ std::string explain_number(const std::vector<Cost>& costs, const std::string& op
 std::vector<std::string> explain(const PrepareSettings& s, const SceneInput& scene,
                                  const PackageReader& package) {
     const std::vector<Cost> costs = read_costs();
-    const PrepareSettings usual;
+    const PrepareSettings defaults;
     int longest = 0;
     for (const PhotoInput& p : scene.photos)
         longest = std::max({longest, p.camera.intrinsics.width, p.camera.intrinsics.height});
@@ -186,11 +187,11 @@ std::vector<std::string> explain(const PrepareSettings& s, const SceneInput& sce
     const auto number = [&](const char* option, double value, double common) {
         out.push_back(line(option, fmt::format("{:g}", value), explain_number(costs, option, value, common)));
     };
-    number("border-width", s.border_width, usual.border_width);
-    number("border-threshold", s.border_threshold, usual.border_threshold);
-    number("thumbnail", s.thumbnail, usual.thumbnail);
+    number("border-width", s.border_width, defaults.border_width);
+    number("border-threshold", s.border_threshold, defaults.border_threshold);
+    number("thumbnail", s.thumbnail, defaults.thumbnail);
     out.back() += "; PSNR of the first picture, rendered from thumbnails only";
-    number("cluster-triangles", s.cluster_triangles, usual.cluster_triangles);
+    number("cluster-triangles", s.cluster_triangles, defaults.cluster_triangles);
     if (effect_on(package.scene(), Effect::undistortion))
         out.push_back(line("resampling", name(s.resampling), explain_resampling(costs, name(s.resampling))));
     const bool fragment = effect_on(package.scene(), Effect::per_fragment);
