@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "scene/checksum.h"
-#include "scene/error.h"
+#include "scene/damaged_package.h"
 #include "scene/lost_package.h"
 #include "scene/tiling.h"
 
@@ -29,7 +29,7 @@ namespace {
 
 constexpr std::uint32_t largest_thumbnail = 4096;  ///< px along a side
 
-/// What makes a photo's record unusable; null if it is sound.
+/// Why a photo's record is unusable; null if it is valid.
 const char* flaw_of(const package::PhotoRecord& p) {
     const auto finite = [](const auto& values) {
         return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
@@ -75,8 +75,8 @@ struct PackageReader::Mapping {
         if (fd >= 0) ::close(fd);
     }
 
-    [[noreturn]] void damaged(const std::string& what) const {
-        throw Error(Exit::damaged, path.string() + ": " + what);
+    [[noreturn]] void damaged(Defect defect, const std::string& what) const {
+        throw DamagedPackage(defect, path.string() + ": " + what);
     }
 
     void map() {
@@ -89,7 +89,8 @@ struct PackageReader::Mapping {
         ::flock(fd, LOCK_SH | LOCK_NB);  // fails only in the process that writes the file
         size = std::uint64_t(st.st_size);
         if (size < sizeof(package::Header))
-            damaged("not a Vantage package: " + std::to_string(size) + " bytes, a header has 64");
+            damaged(Defect::not_a_package,
+                    "not a Vantage package: " + std::to_string(size) + " bytes, a header has 64");
         void* p = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, fd, 0);
         if (p == MAP_FAILED)
             throw Error(Exit::input, path.string() + ": cannot map: " + std::strerror(errno));
@@ -105,26 +106,28 @@ struct PackageReader::Mapping {
         const package::Header& h = header();
         const bool part = is_part();
         if (part && expect == Expect::whole && h.shares > 0 && h.directory_checksum != 0)
-            damaged("header: holds share " + std::to_string(h.share) + " of " + std::to_string(h.shares) +
-                    " of the photos; join the shares with 'vantage merge'");
-        if (part && expect == Expect::whole) damaged("header: preparation of this package was not finished");
+            damaged(Defect::unfinished, "header: holds share " + std::to_string(h.share) + " of " +
+                                            std::to_string(h.shares) +
+                                            " of the photos; join the shares with 'vantage merge'");
+        if (part && expect == Expect::whole)
+            damaged(Defect::unfinished, "header: preparation of this package was not finished");
         if (!part && std::memcmp(h.magic, package::magic, sizeof h.magic) != 0)
-            damaged("header: not a Vantage package");
+            damaged(Defect::not_a_package, "header: not a Vantage package");
         if (h.header_checksum != checksum({data, offsetof(package::Header, header_checksum)}))
-            damaged("header: checksum does not match");
+            damaged(Defect::header_checksum, "header: checksum does not match");
         if (h.version != package::version)
-            damaged("header: format version " + std::to_string(h.version) + ", this program reads " +
-                    std::to_string(package::version));
+            damaged(Defect::format_version, "header: format version " + std::to_string(h.version) +
+                                                ", this program reads " + std::to_string(package::version));
         if (h.file_size != size)
-            damaged("header: the file has " + std::to_string(size) + " bytes, expected " +
-                    std::to_string(h.file_size));
+            damaged(Defect::truncated, "header: the file has " + std::to_string(size) + " bytes, expected " +
+                                           std::to_string(h.file_size));
         return h;
     }
 
     void read_directory(const package::Header& h) {
         if (h.directory_offset % 8 || h.directory_offset > size ||
             h.directory_count > (size - h.directory_offset) / sizeof(DirectoryEntry))
-            damaged("directory: lies outside the file");
+            damaged(Defect::directory, "directory: lies outside the file");
         const auto* first = reinterpret_cast<const DirectoryEntry*>(data + h.directory_offset);
         directory.assign(first, first + h.directory_count);
         // A part's entries are written one by one; a torn one is ignored.
@@ -132,11 +135,11 @@ struct PackageReader::Mapping {
         if (growing)
             std::erase_if(directory, [&](const DirectoryEntry& e) { return e.type == 0 || !fits(e); });
         else if (checksum(std::as_bytes(std::span(directory))) != h.directory_checksum)
-            damaged("directory: checksum does not match");
+            damaged(Defect::directory, "directory: checksum does not match");
         for (const DirectoryEntry& e : directory) {
             if (!fits(e))
-                damaged("directory: entry " + std::to_string(&e - directory.data()) +
-                        " lies outside the file");
+                damaged(Defect::directory, "directory: entry " + std::to_string(&e - directory.data()) +
+                                               " lies outside the file");
             index[{e.type, e.photo, e.level}] = &e;
         }
     }
@@ -183,7 +186,8 @@ std::size_t PackageReader::blocks(const DirectoryEntry& e) const {
 
 std::span<const std::byte> PackageReader::block(const DirectoryEntry& e, std::size_t i) const {
     if (i >= blocks(e))
-        map_->damaged(describe(e, *this) + ": block " + std::to_string(i) + " does not exist");
+        map_->damaged(Defect::chunk_missing,
+                      describe(e, *this) + ": block " + std::to_string(i) + " does not exist");
     return {map_->data + e.offset + e.head_length + i * e.block_length, e.block_length};
 }
 
@@ -225,26 +229,30 @@ std::span<const std::byte> PackageReader::checked(Type type, std::uint32_t photo
     if (!e) {
         const auto t = std::uint32_t(type);
         if (required)
-            map_->damaged("chunk " + std::string(reinterpret_cast<const char*>(&t), 4) + " is missing");
+            map_->damaged(Defect::chunk_missing,
+                          "chunk " + std::string(reinterpret_cast<const char*>(&t), 4) + " is missing");
         return {};
     }
-    if (!head_sound(*e)) map_->damaged(describe(*e, *this) + ": checksum does not match");
+    if (!head_sound(*e))
+        map_->damaged(Defect::chunk_checksum, describe(*e, *this) + ": checksum does not match");
     if (e->head_length % record)
-        map_->damaged(describe(*e, *this) + ": length is not a multiple of its record's");
+        map_->damaged(Defect::invalid_record,
+                      describe(*e, *this) + ": length is not a multiple of its record size");
     return bytes(e);
 }
 
 package::SceneRecord PackageReader::checked_scene() const {
     const auto records = this->records<package::SceneRecord>(Type::scene);
-    if (records.size() != 1) map_->damaged("SCEN: expected one record");
+    if (records.size() != 1) map_->damaged(Defect::invalid_record, "SCEN: expected one record");
     const package::SceneRecord s = records[0];
     for (int i = 0; i < 3; ++i)
         if (!std::isfinite(s.origin[i]) || !(s.bounds_min[i] <= s.bounds_max[i]))
-            map_->damaged("SCEN: origin or bounds are not finite");
-    const auto expect_count = [&](Type type, std::uint64_t count, std::uint64_t record, const char* what) {
+            map_->damaged(Defect::invalid_record, "SCEN: origin or bounds are not finite");
+    const auto expect_count = [&](Type type, std::uint64_t count, std::uint64_t record,
+                                  const std::string& what) {
         const DirectoryEntry* e = find(type);
         if (!e || count > e->length / record || e->length != count * record)
-            map_->damaged(std::string(what) + ": length does not fit the scene's counts");
+            map_->damaged(Defect::invalid_record, what + ": length does not match the scene's counts");
     };
     expect_count(Type::photos, s.photos, sizeof(package::PhotoRecord), "PHOT");
     expect_count(Type::positions, s.vertices, 12, "VPOS");
@@ -265,7 +273,7 @@ std::span<const package::PhotoRecord> PackageReader::photos() const {
         std::vector<package::PhotoRecord> photos(given.begin(), given.end());
         for (std::size_t i = 0; i < photos.size(); ++i)
             if (const char* flaw = flaw_of(photos[i]))
-                map_->damaged("PHOT " + std::to_string(i) + ": " + flaw);
+                map_->damaged(Defect::invalid_record, "PHOT " + std::to_string(i) + ": " + flaw);
         map_->photos = std::move(photos);
     });
     return map_->photos;

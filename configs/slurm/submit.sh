@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Prepares one package on a Slurm cluster: an array of jobs, each a share of the photos, and a merge after them.
+# Prepares one package on a Slurm cluster: a job array with one share of the photos per job, followed by a merge.
 #   configs/slurm/submit.sh INPUT PACKAGE SHARES [OPTIONS OF vantage prepare]
 #   configs/slurm/submit.sh scans/chapel chapel.vantage 8 --config overnight
-# INPUT and PACKAGE lie on a disk that all nodes see. $VANTAGE: the program, if not on the PATH; $SBATCH_OPTIONS: more for
-# both jobs, such as "--partition=night --time=8:00:00". A job that is cut off goes on where it was when it is submitted
-# again. Prints the number of the merge: 'srun --dependency=afterany:NUMBER true' waits for it.
+# INPUT and PACKAGE are on a file system shared by all nodes. $VANTAGE: the program, if not on the PATH. $SBATCH_OPTIONS:
+# options for all jobs, such as "--partition=night --time=8:00:00". Interrupted jobs continue when submitted again.
+# Prints the job ID of the merge: 'srun --dependency=afterany:ID true' waits for it.
 set -euo pipefail
 if [ $# -lt 3 ]; then
   sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
@@ -18,7 +18,7 @@ mkdir -p "$logs"
 quoted() { printf ' %q' "$@"; }
 out=$(printf '%q' "$package")
 
-# A share that lacks a photo (exit code 9) is merged all the same: the merge says so in the end.
+# A share with photos left out (exit code 9) is still merged; the merge then exits with code 9.
 share="$(quoted "$vantage" prepare "$input" --progress lines "$@") --shard \$SLURM_ARRAY_TASK_ID/$shares"
 share+=" -o $out.\$SLURM_ARRAY_TASK_ID.share || [ \$? = 9 ]"
 # shellcheck disable=SC2086

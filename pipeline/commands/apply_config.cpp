@@ -18,12 +18,13 @@ std::string text(const fs::path& file, std::string_view key, const toml::node& v
     if (const auto* i = value.as_integer()) return std::to_string(i->get());
     if (const auto* d = value.as_floating_point()) return fmt::format("{}", d->get());
     if (const auto* b = value.as_boolean()) return b->get() ? "true" : "false";
-    throw Error(Exit::usage,
-                fmt::format("{}: {}: expected a text, a number or a list of them", file.string(), key));
+    throw Error(Exit::usage, fmt::format("{}: {}: expected a string, a number, a boolean or a list of them",
+                                         file.string(), key));
 }
 
 void apply(CLI::Option& option, const fs::path& file, std::string_view key, const toml::node& value) {
-    if (const auto* list = value.as_array(); list && !list->empty())  // CLI11 flags read beyond none
+    if (const auto* list = value.as_array();
+        list && !list->empty())  // with no result, CLI11 flags read out of bounds
         for (const toml::node& item : *list) option.add_result(text(file, key, item));
     else
         option.add_result(text(file, key, value));
@@ -48,7 +49,7 @@ void apply_config(CLI::App& command, const std::string& name) {
     for (const auto& [key, value] : table) {
         CLI::Option* option = command.get_option_no_throw("--" + std::string(key.str()));
         if (option == nullptr || key == "config")
-            throw Error(Exit::usage, fmt::format("{}: {}: is not a setting, see 'vantage {} --help'",
+            throw Error(Exit::usage, fmt::format("{}: {}: unknown setting, see 'vantage {} --help'",
                                                  file.string(), key.str(), command.get_name()));
         if (option->count() == 0) apply(*option, file, key.str(), value);
     }

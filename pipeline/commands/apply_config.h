@@ -4,9 +4,10 @@
 
 namespace vantage {
 
-/// Gives `command` the settings of a TOML file: each key is the name of one of its long options, each value
-/// what would stand on the command line (lists for options that take several). Options given there stay.
-/// `name` is a file, or a preset of configs/ without its extension. Throws Error(usage) naming file and key.
+/// Applies the settings in a TOML file to `command`: each key is the name of a long option, each value what
+/// the command line would take (a list for options with several values). Options given on the command line
+/// take precedence. `name` is a file, or a preset in configs/ without its extension. Throws Error(usage) with
+/// file and key.
 void apply_config(CLI::App& command, const std::string& name);
 
 }  // namespace vantage

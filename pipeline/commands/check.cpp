@@ -18,7 +18,7 @@ struct CheckOptions {
     std::vector<std::string> files;
     std::string junit;
     CheckDepth depth;
-    bool json = false, rehash = false;
+    bool json = false, rehash = false, list_findings = false;
 };
 
 struct Checked {
@@ -27,7 +27,7 @@ struct Checked {
     double seconds;
 };
 
-/// Of one package, the folder itself; of several, the folder in it that is called like the package.
+/// The inputs of a package: the folder itself if there is one package, else its subfolder of the same name.
 fs::path inputs_of(const CheckOptions& o, const fs::path& file) {
     if (o.depth.against.empty() || o.files.size() == 1) return o.depth.against;
     return o.depth.against / file.stem();
@@ -45,12 +45,14 @@ Checked check_one(const CheckOptions& o, IdentityCache& identities, const std::s
 
 std::string all_text(const std::vector<Issue>& issues) {
     std::string text;
-    for (const Issue& i : issues) text += (text.empty() ? "" : "\n") + i.text;
+    for (const Issue& i : issues)
+        text += fmt::format("{}[{}] {}", text.empty() ? "" : "\n", i.row().id, i.text);
     return text;
 }
 
 void print_lines(const Checked& c, bool deep) {
-    for (const Issue& i : c.issues) fmt::print("{}: {}: {}\n", c.file, kind_name(i.kind), i.text);
+    for (const Issue& i : c.issues)
+        fmt::print("{}: {} [{}]: {}\n", c.file, kind_name(i.row().kind), i.row().id, i.text);
     if (c.issues.empty()) fmt::print("{}: sound{}\n", c.file, deep ? ", every tile read" : "");
     std::fflush(stdout);
 }
@@ -59,14 +61,28 @@ void print_issues_json(const std::vector<Checked>& all) {
     nlohmann::json out{{"packages", nlohmann::json::array()}};
     for (const Checked& c : all) {
         nlohmann::json issues = nlohmann::json::array();
-        for (const Issue& i : c.issues) issues.push_back({{"kind", kind_name(i.kind)}, {"text", i.text}});
+        for (const Issue& i : c.issues)
+            issues.push_back({{"id", i.row().id},
+                              {"severity", severity_name(i.row().severity)},
+                              {"kind", kind_name(i.row().kind)},
+                              {"text", i.text}});
         out["packages"].push_back(
             {{"file", c.file}, {"sound", c.issues.empty()}, {"issues", issues}, {"seconds", c.seconds}});
     }
     fmt::print("{}\n", out.dump(1));
 }
 
+void print_findings() {
+    for (const FindingRow& row : finding_table())
+        fmt::print("{:<22} {:<8} {:<11} {}\n", row.id, severity_name(row.severity), kind_name(row.kind),
+                   row.meaning);
+}
+
 int run_check(const CheckOptions& o) {
+    if (o.list_findings) {
+        print_findings();
+        return int(Exit::ok);
+    }
     IdentityCache identities(default_identity_cache(), o.rehash);
     std::vector<Checked> all;
     std::vector<Issue> issues;
@@ -87,22 +103,27 @@ int run_check(const CheckOptions& o) {
 
 void add_check(CLI::App& app, Run& run) {
     auto o = std::make_shared<CheckOptions>();
-    CLI::App* c = app.add_subcommand("check", "Check that packages are whole, sound, current and complete");
+    CLI::App* c = app.add_subcommand("check", "Check packages for damage, changed inputs and missing photos");
     c->footer(
         "Examples:\n  vantage check chapel.vantage\n"
         "  vantage check --deep --against scans/chapel chapel.vantage\n"
         "  vantage check shelf/*.vantage --against scans --junit checks.xml   (shelf/a.vantage against "
         "scans/a)\n"
         "Exit code, the worst of all packages: 3 unreadable, 4 damaged, 5 stale, 9 incomplete, 0 none of "
-        "these.");
-    c->add_option("FILES", o->files, "the packages")->required();
+        "these.\nEach finding has a stable identifier, see --list-findings.");
+    c->add_option("FILES", o->files, "the packages");
     c->add_flag("--deep", o->depth.deep, "read every tile");
-    c->add_option("--against", o->depth.against,
-                  "the input folder it was prepared from; of several packages, the folder that holds theirs");
-    c->add_flag("--rehash", o->rehash, "read all inputs, not only their sizes and times");
+    c->add_option(
+        "--against", o->depth.against,
+        "compare with the input folder; for several packages, with its subfolders of the same names");
+    c->add_flag("--rehash", o->rehash, "detect changed inputs by content, not by size and timestamps");
     c->add_flag("--json", o->json, "machine-readable output");
     c->add_option("--junit", o->junit, "write a JUnit file for CI");
-    c->callback([o, &run] { run = [o] { return run_check(*o); }; });
+    c->add_flag("--list-findings", o->list_findings, "list everything that can be found, and exit");
+    c->callback([o, &run] {
+        if (o->files.empty() && !o->list_findings) throw CLI::RequiredError("FILES");
+        run = [o] { return run_check(*o); };
+    });
 }
 
 }  // namespace vantage

@@ -2,7 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-/// One file a verb: each adds its subcommand to the command line and says what to run when it is chosen.
+/// One file per subcommand: each adds its options to the command line and sets `run` when it is chosen.
 namespace vantage {
 
 using Run = std::function<int()>;

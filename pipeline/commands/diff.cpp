@@ -18,7 +18,7 @@ struct DiffOptions {
 void print(const std::vector<Difference>& all) {
     for (const Difference& d : all)
         fmt::print("{}{}{}: {}\n", d.of, d.what.empty() ? "" : ": ", d.what, d.text);
-    if (all.empty()) fmt::print("the same\n");
+    if (all.empty()) fmt::print("identical\n");
 }
 
 void print_json(const std::vector<Difference>& all) {
@@ -39,15 +39,15 @@ int run_diff(const DiffOptions& o) {
 
 void add_diff(CLI::App& app, Run& run) {
     auto o = std::make_shared<DiffOptions>();
-    CLI::App* c = app.add_subcommand("diff", "Say what differs between two packages, artefact by artefact");
+    CLI::App* c =
+        app.add_subcommand("diff", "List the differences between two packages, artifact by artifact");
     c->footer(
         "Examples:\n  vantage diff chapel.vantage chapel-new.vantage\n"
         "  vantage diff a.vantage b.vantage -o differences   (with pictures)\n"
-        "Exit code: 0 the same, 10 different.");
+        "Exit code: 0 identical, 10 different.");
     c->add_option("A", o->a, "a package")->required();
-    c->add_option("B", o->b, "another")->required();
-    c->add_option("-o,--output", o->folder,
-                  "folder to write pictures of the differences and their page into");
+    c->add_option("B", o->b, "the package to compare it with")->required();
+    c->add_option("-o,--output", o->folder, "folder for pictures of the differences and an HTML page");
     c->add_flag("--json", o->json, "machine-readable output");
     c->callback([o, &run] { run = [o] { return run_diff(*o); }; });
 }

@@ -71,7 +71,8 @@ void print_package(const nlohmann::json& j) {
 
 void add_info(CLI::App& app, Run& run) {
     auto o = std::make_shared<InfoOptions>();
-    CLI::App* c = app.add_subcommand("info", "Say what a package holds, which effects it calls for and why");
+    CLI::App* c =
+        app.add_subcommand("info", "Show what a package contains, and which effects are on and why");
     c->footer("Example:\n  vantage info --json chapel.vantage");
     c->add_option("FILE", o->file, "the package")->required();
     c->add_flag("--json", o->json, "machine-readable output");

@@ -6,7 +6,7 @@
 
 namespace vantage {
 
-/// Names the photos that a package lacks, a line each on the output, and says whether it is complete.
+/// Prints the photos that a package lacks, one per line. Returns `incomplete` if there are any, else `ok`.
 Exit report_left_out(const std::vector<UnusablePhoto>& left_out);
 
 }  // namespace vantage

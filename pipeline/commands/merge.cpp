@@ -34,14 +34,14 @@ void add_merge(CLI::App& app, Run& run) {
     auto o = std::make_shared<MergeOptions>();
     CLI::App* c = app.add_subcommand("merge", "Join the shares of a preparation into one package");
     c->footer(
-        "Each share comes from 'vantage prepare INPUT -o SHARE --shard i/n', on whatever machine; the result "
-        "is the\n"
-        "same, byte by byte, as that of one machine. A merge that was cut off goes on when it is run again.\n"
+        "Each share is written by 'vantage prepare INPUT -o SHARE --shard i/n', on any machine. The result "
+        "is\n"
+        "byte-for-byte the package of a single run. An interrupted merge continues when it is run again.\n"
         "Example:\n  vantage merge chapel-*.share -o chapel.vantage --remove");
     c->add_option("SHARES", o->shares, "all shares of one preparation, in any order")->required();
     c->add_option("-o,--output", o->out, "the package to write")->required();
     c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();
-    c->add_flag("--remove", o->remove, "remove the shares once the package is whole");
+    c->add_flag("--remove", o->remove, "remove the shares when the package is complete");
     c->callback([o, &run] { run = [o] { return run_merge(*o); }; });
 }
 

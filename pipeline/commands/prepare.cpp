@@ -77,7 +77,7 @@ Share share(const std::string& text) {
     return s;
 }
 
-/// What the package there lacks, if it is what this run would make; else nothing.
+/// The photos that the existing package lacks, if it is what this run would make; otherwise none.
 std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const InputFiles& files,
                                                   IdentityCache& identities) {
     if (!std::filesystem::exists(o.out)) return {};
@@ -103,10 +103,10 @@ void print_scene(const SceneInput& scene) {
 
 std::string some(const std::vector<std::string>& photos) {
     const std::string first = photos.front();
-    return photos.size() == 1 ? first : fmt::format("{} photos, {} the first", photos.size(), first);
+    return photos.size() == 1 ? first : fmt::format("{} photos, the first {}", photos.size(), first);
 }
 
-/// What was made and what was kept; with `why`, the reasons.
+/// Prints how many chunks each stage made and kept; with `why`, the reasons.
 void print_done(const PrepareResult& done, bool why) {
     std::size_t kept = 0;
     for (const PrepareResult::Stage& s : done.stages) kept += s.kept;
@@ -120,8 +120,8 @@ void print_done(const PrepareResult& done, bool why) {
 
 void print_needs(const ResourceEstimate& n) {
     fmt::print(
-        "needs    about {:.0f} s, at most {:.0f} MB of memory ({} photos at a time), {:.0f} MB of the disk's "
-        "{:.0f}\n",
+        "needs    about {:.0f} s, at most {:.0f} MB of memory ({} photos at a time), {:.0f} MB of disk "
+        "({:.0f} MB free)\n",
         std::ceil(n.seconds), double(n.memory) / 1e6, n.in_flight, double(n.disk) / 1e6,
         double(n.disk_free) / 1e6);
     std::fflush(stdout);
@@ -176,7 +176,7 @@ int run_prepare(PrepareOptions o) {
     print_done(done, o.explain);
     fmt::print("package  {} ({:.1f} MB, {:.1f} s)\n", o.out, double(std::filesystem::file_size(o.out)) / 1e6,
                s);
-    fmt::print("memory   {:.0f} MB at most\n", double(memory_peak()) / 1e6);
+    fmt::print("memory   {:.0f} MB peak\n", double(memory_peak()) / 1e6);
     if (report) fmt::print("report   {}\n", report_file(o).string());
     if (o.explain && o.share.empty())
         for (const std::string& l : explain(o.settings, scene, PackageReader(o.out))) fmt::print("{}\n", l);
@@ -194,62 +194,63 @@ void add_prepare(CLI::App& app, Run& run) {
         "  vantage prepare chapel -o look.vantage --config preview\n"
         "  vantage prepare chapel -o c.vantage --effect per-fragment=on --hold-out 0003,0007\n"
         "  vantage prepare chapel -o chapel-3.share --shard 3/8\n"
-        "Run again, it goes on where it was cut off, and redoes only what a change calls for.");
-    c->add_option("INPUT", o->input, "folder that holds mesh, cameras and photos");
+        "Run again, it continues where it was interrupted and repeats only what a change affects.");
+    c->add_option("INPUT", o->input, "folder with mesh, cameras and photos");
     c->add_option("--mesh", o->mesh, "mesh file: PLY, OBJ, STL, OFF");
     c->add_option("--cameras", o->cameras, "COLMAP folder, Bundler .out, MeshLab .mlp");
     c->add_option("--photos", o->photos, "folder of photos");
     c->add_option("-o,--output", o->out, "the package to write")->required();
-    c->add_option("--config", o->config,
-                  "settings: a TOML file, or a preset of configs/ by name; the command line overrules it");
+    c->add_option(
+        "--config", o->config,
+        "settings: a TOML file, or the name of a preset in configs/; the command line overrides them");
     c->add_option("--distance", o->distance, "border distance: auto, exact, jfa, jfa+1, 1+jfa, jfa^2")
         ->capture_default_str();
     c->add_option("--border-width", o->settings.border_width,
-                  "px at 3072 px width where the border mask reaches 1")
+                  "distance at which the border mask reaches 1, in px of a photo 3072 px wide")
         ->check(real_range(1.0, 4096.0))
         ->capture_default_str();
-    c->add_option("--border-threshold", o->settings.border_threshold, "relative depth step of a border")
+    c->add_option("--border-threshold", o->settings.border_threshold,
+                  "relative depth step that makes a border")
         ->check(real_range(1e-6, 10.0))
         ->capture_default_str();
-    c->add_option("--thumbnail", o->settings.thumbnail, "px on the thumbnail's long side")
+    c->add_option("--thumbnail", o->settings.thumbnail, "long side of the thumbnails in px")
         ->check(CLI::Range(16, 4096))
         ->capture_default_str();
     c->add_option("--photo-size", o->settings.photo_size,
-                  "px on the long side that photos are reduced to; 0 = as they are")
+                  "reduce photos to this long side in px; 0 = full size")
         ->check(CLI::Range(0, 1 << 16))
         ->capture_default_str();
     c->add_option("--resampling", o->resampling,
-                  "of photos whose lens bends lines: nearest, linear, cubic, lanczos")
+                  "filter for photos with lens distortion: nearest, linear, cubic, lanczos")
         ->capture_default_str();
     c->add_option("--refine", o->refine,
-                  "full: make photos agree where they do not, their cameras, colours, and what passes before "
-                  "them; colour: their colours only; off: leave them as they are")
-        ->check(CLI::IsMember({"off", "colour", "full"}))
+                  "full: correct cameras and colors and mask moving objects where photos disagree; color: "
+                  "correct colors only; off: change nothing")
+        ->check(CLI::IsMember({"off", "color", "full"}))
+        ->transform([](const std::string& s) { return s == "colour" ? "color" : s; })  // the former name
         ->capture_default_str();
-    c->add_option("--render-by", o->render_by,
-                  "what renders the model from the photos' cameras: auto (a graphics card where there is "
-                  "one), opengl, "
-                  "processor")
+    c->add_option(
+         "--render-by", o->render_by,
+         "renderer of the model as seen from the photos: auto (a GPU if there is one), opengl, processor")
         ->capture_default_str();
-    c->add_option("--cluster-triangles", o->settings.cluster_triangles, "triangles a cluster")
+    c->add_option("--cluster-triangles", o->settings.cluster_triangles, "triangles per cluster")
         ->check(CLI::Range(1, 512))
         ->capture_default_str();
     c->add_option("--threads", o->settings.threads, "photos in flight; 0 = all cores")->capture_default_str();
-    c->add_option("--memory", o->settings.memory, "bytes that must do, such as 800M: fewer photos in flight")
+    c->add_option("--memory", o->settings.memory,
+                  "memory limit in bytes, such as 800M: fewer photos in flight")
         ->transform(CLI::AsSizeValue(false));
-    c->add_option("--hold-out", o->settings.hold_out, "photos whose camera is kept and whose pixels are not")
+    c->add_option("--hold-out", o->settings.hold_out, "photos to store as cameras only, without their pixels")
         ->delimiter(',');
     c->add_flag(
         "--explain", o->explain,
-        "say why each stage ran, and what each setting costs and gives up, as measured by vantage-bench");
-    c->add_flag("--strict", o->strict,
-                "stop at the first photo that cannot be used, instead of leaving it out");
-    c->add_flag("--rehash", o->rehash,
-                "read all files to see what has changed, not only their sizes and times");
-    c->add_option("--shard", o->share, "i/n: only every n-th photo, to be joined by 'vantage merge'");
-    c->add_option("--report", o->report, "the HTML report; usually beside the package");
-    c->add_flag("--no-report", o->no_report, "write no report");
-    c->add_option("--trace", o->trace, "write when which thread did what, for Perfetto or chrome://tracing");
+        "print why each stage ran, and the cost and loss of each setting as measured by vantage-bench");
+    c->add_flag("--strict", o->strict, "stop at the first unusable photo instead of leaving it out");
+    c->add_flag("--rehash", o->rehash, "detect changed files by content, not by size and timestamps");
+    c->add_option("--shard", o->share, "i/n: only every n-th photo, for 'vantage merge'");
+    c->add_option("--report", o->report, "file for the HTML report (default: next to the package)");
+    c->add_flag("--no-report", o->no_report, "do not write a report");
+    c->add_option("--trace", o->trace, "write a trace of all threads for Perfetto or chrome://tracing");
     c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();
     c->add_option("--effect", o->effects, "NAME=on|off|auto, see 'vantage info'");
     c->callback([o, c, &run] {

@@ -71,7 +71,8 @@ void ProgressLine::show(const Progress& p) {
 }
 
 OnProgress shown_until_signal(ProgressLine& line) {
-    return until_stopped(&stop_on_signals(), "stopped: what was copied is kept; run the same again to go on",
+    return until_stopped(&stop_on_signals(),
+                         "stopped: what was copied is kept; run the same command again to continue",
                          [&line](const Progress& p) { line.show(p); });
 }
 

@@ -6,12 +6,12 @@
 
 namespace vantage {
 
-/// How progress is told: a bar that rewrites itself, plain lines, a JSON object a line, or not at all.
+/// How progress is shown: a bar that updates in place, plain lines, one JSON object per line, or not at all.
 enum class ProgressStyle { bar, lines, json, none };
 /// "auto" is a bar on a terminal and lines elsewhere. Throws Error(usage).
 ProgressStyle progress_style(const std::string& name);
 
-/// What is done, and for each stage how fast and how long it will take, on the error stream.
+/// Shows progress on stderr, with the rate and remaining time of the current stage.
 class ProgressLine {
   public:
     explicit ProgressLine(ProgressStyle style) : style_(style) {}
@@ -28,8 +28,8 @@ class ProgressLine {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Shows on the line, which must live as long; after a signal to stop throws Error(interrupted), for work
-/// that copies and goes on where it was.
+/// A callback for resumable copying: shows progress on `line`, which must outlive it, and throws
+/// Error(interrupted) after a signal to stop.
 OnProgress shown_until_signal(ProgressLine& line);
 
 }  // namespace vantage

@@ -45,21 +45,20 @@ int run_refine(const RefineOptions& o) {
 
 void add_refine(CLI::App& app, Run& run) {
     auto o = std::make_shared<RefineOptions>();
-    CLI::App* c = app.add_subcommand("refine", "Settle anew how the photos of a package agree");
+    CLI::App* c = app.add_subcommand("refine", "Recompute registration, colors and consensus of a package");
     c->footer(
-        "Tiles are copied, and photos compared by what the package holds of them; only what comes from "
-        "cameras "
-        "that move is made anew.\n"
+        "Needs only the package: tiles are copied, and only data that depends on moved cameras is "
+        "recomputed.\n"
         "Examples:\n  vantage refine chapel.vantage --exposure off -o as-taken.vantage\n"
         "  vantage refine chapel.vantage --registration on\n"
         "  vantage refine chapel.vantage");
     c->add_option("FILE", o->file, "the package")->required();
-    c->add_option("-o,--output", o->out, "the package to write (default FILE itself)");
+    c->add_option("-o,--output", o->out, "the package to write (default: replace FILE)");
     for (const EffectRow& row : effect_table())
         if (from_all_photos(row))
             c->add_option(std::string("--") + row.option,
                           o->effects.emplace(row.effect, "auto").first->second,
-                          "auto (by the evidence), on or off")
+                          "auto (on if the evidence calls for it), on or off")
                 ->check(CLI::IsMember({"auto", "on", "off"}))
                 ->capture_default_str();
     c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();

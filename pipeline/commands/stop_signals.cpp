@@ -13,13 +13,13 @@ namespace {
 std::atomic<bool> stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// Only what is allowed in a signal handler.
+/// Async-signal-safe.
 void on_signal(int) {
     if (stop.exchange(true)) ::_exit(int(Exit::interrupted));
     static constexpr char text[] =
-        "\nstopping: the photos in hand are finished first; once more stops at once\n";
+        "\nstopping after the photos in flight; a second signal stops immediately\n";
     if (::write(STDERR_FILENO, text, sizeof text - 1) < 0) {
-        // Nobody reads.
+        // stderr is closed.
     }
 }
 

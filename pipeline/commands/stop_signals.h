@@ -3,9 +3,9 @@
 
 namespace vantage {
 
-/// From now on SIGINT and SIGTERM set the flag, so that the work in hand can be finished; a second one ends
-/// the program at once, with the exit code of an interruption. That is safe: what is done is kept as it is
-/// done.
+/// Installs handlers for SIGINT and SIGTERM that set the returned flag, so that work in flight can be
+/// finished. A second signal exits immediately with Exit::interrupted, which is safe: results are saved as
+/// they are made.
 const std::atomic<bool>& stop_on_signals();
 
 }  // namespace vantage

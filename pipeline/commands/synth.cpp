@@ -13,9 +13,10 @@ void add_synth(CLI::App& app, Run& run) {
         std::string spec, out;
     };
     auto o = std::make_shared<SynthOptions>();
-    CLI::App* c = app.add_subcommand("synth", "Make a synthetic scene with known truth from a specification");
+    CLI::App* c = app.add_subcommand(
+        "synth", "Generate a synthetic scene with known ground truth from a specification");
     c->footer("Example:\n  vantage synth data/demo.toml -o demo-scene");
-    c->add_option("SPEC", o->spec, "TOML specification, see data/")->required();
+    c->add_option("SPEC", o->spec, "TOML specification, such as those in data/")->required();
     c->add_option("-o,--output", o->out, "folder to write into")->required();
     c->callback([o, &run] {
         run = [o] {

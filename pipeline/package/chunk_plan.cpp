@@ -11,12 +11,12 @@ using package::Type;
 
 namespace {
 
-/// Of the tile pyramid, also where the photo was left out: it may be readable one day.
+/// Levels of the tile pyramid. Photos that were left out keep theirs: they may become readable.
 int planned_levels(const package::PhotoRecord& p) {
     return p.flags & package::photo_held_out ? 0 : level_count(int(p.width), int(p.height));
 }
 
-/// A share knows nothing of photos together.
+/// A share has no results that depend on all photos: neither REGI nor PAIR.
 std::vector<ChunkPlan> plan_scene(const package::SceneRecord& s, const LayoutSizes& sizes, bool share) {
     const auto whole = [](Type type, std::uint64_t bytes) {
         return ChunkPlan{type, package::scene_wide, 0, bytes};

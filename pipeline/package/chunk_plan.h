@@ -11,10 +11,10 @@ namespace vantage {
 /// What a package's layout depends on, besides its photos.
 struct LayoutSizes {
     std::uint64_t meta_bytes;
-    bool colors;  ///< the mesh has them
+    bool colors;  ///< the mesh has vertex colors
 };
-/// Every chunk in file order, coarse before fine; of the photos' chunks, those of a share. Photos that were
-/// left out have their place.
+/// Every chunk in file order, coarse before fine; for a share, the per-photo chunks of its photos only. Space
+/// is also reserved for photos that were left out.
 std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const LayoutSizes& sizes,
                                    std::span<const package::PhotoRecord> photos, Share share = {});
 }  // namespace vantage

@@ -22,7 +22,7 @@ std::uint64_t allocated(const fs::path& file) {
     return ::stat(file.c_str(), &st) == 0 ? std::uint64_t(st.st_blocks) * 512 : 0;
 }
 
-/// Whether no PackageReader has it open.
+/// Whether no PackageReader has the file open.
 bool unused(const fs::path& file) {
     const int fd = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
     const bool free = fd >= 0 && ::flock(fd, LOCK_EX | LOCK_NB) == 0;
@@ -44,7 +44,7 @@ std::uint64_t disk_space_for(const fs::path& out) {
     std::error_code error;
     const fs::path folder = fs::absolute(out, error).parent_path();
     const fs::space_info space = fs::space(folder, error);
-    if (error) return std::numeric_limits<std::uint64_t>::max();  // creating the file will say what is wrong
+    if (error) return std::numeric_limits<std::uint64_t>::max();  // creating the file will report the error
     return space.available + allocated(part_of(out));
 }
 

@@ -118,7 +118,7 @@ std::uint64_t content_of(Stage stage, std::uint32_t photo, int levels, const Pac
 
 std::string reason_to_run(Stage stage, const std::string& photo, const PhotoState& wanted,
                           const json& settings, const EarlierPackages& earlier) {
-    if (earlier.empty()) return "nothing was prepared before";
+    if (earlier.empty()) return "there is no earlier package";
     const StageRow& row = stage_row(stage);
     for (const auto& package : earlier) {
         const auto i = package->photo(photo);
@@ -127,16 +127,16 @@ std::string reason_to_run(Stage stage, const std::string& photo, const PhotoStat
         const std::size_t s = std::size_t(stage);
         if (row.pixels != PixelInput::none && had.photo != wanted.photo)
             return "the photo's file has changed";
-        if (had.stages[s].key == 0) return "it was not made before";
+        if (had.stages[s].key == 0) return "the stage has not run before";
         if (row.model && had.pose != wanted.pose) return "the photo's camera has changed";
-        if (had.stages[s].key == wanted.stages[s].key) return "what was there is damaged";
+        if (had.stages[s].key == wanted.stages[s].key) return "its data in the earlier package is damaged";
         for (const std::string& setting : row.settings)
             if (package->settings().is_object() &&
                 package->settings().value(setting, json{}) != settings.value(setting, json{}))
                 return "the setting " + setting + " has changed";
         if (row.model && had.model != wanted.model) return "the model has changed";
         if (row.model && had.camera != wanted.camera) return "the photo's camera has changed";
-        return "what it is made from, or how, has changed";
+        return "an input or the program has changed";
     }
     return "the photo is new";
 }

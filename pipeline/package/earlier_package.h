@@ -16,10 +16,10 @@ namespace vantage {
 /// same inputs.
 class EarlierPackage {
   public:
-    /// `in_place`: it is the very file that is being written. Throws Error if it is no package.
+    /// `in_place`: the file is the one being written. Throws Error if it is not a package.
     EarlierPackage(const std::filesystem::path& file, bool in_place);
 
-    /// The index of the photo of this name; nothing if it is not there or its record is not intact.
+    /// The index of the photo of this name; none if it is missing or its record is damaged.
     std::optional<std::uint32_t> photo(const std::string& name) const;
     const package::PhotoRecord& record(std::uint32_t photo) const;
     const package::PhotoState& state(std::uint32_t photo) const;
@@ -28,11 +28,11 @@ class EarlierPackage {
         return !in_place_ && reader_.header().shares == 0 && reader_.find(package::Type::registration);
     }
     const PackageReader& reader() const { return reader_; }
-    /// The settings it was prepared with, as named in META; null if META cannot be read.
+    /// The settings it was prepared with, as stored in META; null if META cannot be read.
     const nlohmann::json& settings() const { return settings_; }
 
-    /// Passes the chunks of a stage to the writer if all of them are present and sound and were made under
-    /// the key and from the pose in `wanted`, for a photo of as many levels. Completes `wanted`. Thread-safe.
+    /// Passes a stage's chunks to the writer if all are present and intact, and were made with the key and
+    /// pose in `wanted` for a photo of as many levels. Sets the stage's content in `wanted`. Thread-safe.
     bool reuse(package::Stage stage, std::uint32_t from, std::uint32_t to, int levels,
                package::PhotoState& wanted, PackageWriter& writer) const;
 
@@ -49,14 +49,14 @@ class EarlierPackage {
 };
 using EarlierPackages = std::vector<std::unique_ptr<EarlierPackage>>;
 
-/// What earlier runs left of the package `out`, best first: its part (if the writer resumed it, or the one it
-/// moved aside), then the finished package. Unreadable ones are skipped.
+/// The packages that earlier runs left for `out`, best first: the part (resumed by the writer, or moved
+/// aside), then the finished package. Unreadable files are skipped.
 EarlierPackages earlier_packages(const std::filesystem::path& out, bool resumed);
 
 /// XXH3-64 of the checksums of a stage's chunks, as the writer sealed them.
 std::uint64_t content_of(package::Stage stage, std::uint32_t photo, int levels, const PackageWriter& writer);
 
-/// Why a stage has to run for this photo, for people.
+/// Why a stage has to run for this photo, as a message.
 std::string reason_to_run(package::Stage stage, const std::string& photo, const package::PhotoState& wanted,
                           const nlohmann::json& settings, const EarlierPackages& earlier);
 

@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Bytes of padding, for results.
+/// Bytes of padding, reserved for results.
 constexpr std::size_t padding = 8192;
 constexpr std::size_t max_findings = 8;
 
@@ -58,8 +58,8 @@ json findings_json(std::span<const std::string> findings, std::size_t listed) {
     return out;
 }
 
-/// Padded to `bytes`. If the text is longer, findings and evidence give way: neither is needed to show the
-/// package.
+/// Padded to `bytes`. If the text is longer, findings and evidence are dropped: neither is needed to render
+/// the package.
 std::string fitted(json meta, std::size_t bytes) {
     std::string out = meta.dump(1);
     if (out.size() > bytes) {

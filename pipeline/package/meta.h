@@ -12,20 +12,21 @@
 
 namespace vantage {
 
-/// The program and its version, as META names it.
+/// The program and its version, as stored in META.
 inline constexpr const char* tool_name = "vantage " VANTAGE_VERSION;
 
-/// The settings as META names them.
+/// The settings as stored in META.
 nlohmann::json settings_json(const PrepareSettings& settings);
 
-/// META: where the package comes from, as JSON: tool, settings, inputs with length and checksum, effects with
-/// their evidence, photos left out, warnings, names of scalar layers; padded, to leave space for what is
-/// measured once all photos are prepared. Throws Error(input).
+/// META, the package's provenance as JSON: tool, settings, inputs with length and checksum, effects with
+/// their evidence, photos left out, warnings, names of scalar layers. Padded to leave space for results that
+/// depend on all photos. Throws Error(input).
 std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
                       const std::vector<EffectDecision>& effects, IdentityCache& identities);
 
-/// META with these effects' decisions in place of its own, and findings (warnings about photos and cameras),
-/// one line each. The length stays the same: findings that do not fit are counted instead of listed.
+/// META with these decisions instead of its own for the same effects, and with findings (warnings about
+/// photos and cameras), one line each. The length stays the same: findings that do not fit are counted, not
+/// listed.
 std::string with_results(const std::string& meta, std::span<const EffectDecision> decisions,
                          std::span<const std::string> findings);
 /// META with other choices for its effects; the length stays the same.
@@ -37,7 +38,7 @@ EffectDecision decision_in(const std::string& meta, Effect effect);
 std::vector<std::string> findings_in(const std::string& meta);
 /// The effects that were forced on or off.
 std::map<Effect, EffectChoice> choices_in(const std::string& meta);
-/// The settings that are read by the stages that look at the model; the others keep their defaults.
+/// The settings read by the stages that use the model; all others have their defaults.
 PrepareSettings geometry_settings_in(const std::string& meta);
 
 }  // namespace vantage

@@ -10,15 +10,15 @@
 
 namespace vantage {
 
-/// Into a photo's or a registration's record: a pose relative to the origin.
+/// Stores a pose, relative to the origin, in a photo or registration record.
 template <class Record>
 void set_pose(const Pose& pose, Record& r) {
     Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(r.R) = pose.R;
     Eigen::Map<Eigen::Vector3d>(r.t) = pose.t;
 }
 
-/// A record a photo, in the scene's order; what the photos' stages find out is left empty. Throws
-/// Error(usage) for a photo to hold out that the scene has not.
+/// One record per photo, in the scene's order; fields measured by the per-photo stages are left empty. Throws
+/// Error(usage) if a photo to hold out is not in the scene.
 std::vector<package::PhotoRecord> photo_records(const SceneInput& scene, const PrepareSettings& settings,
                                                 const Eigen::Vector3d& origin);
 

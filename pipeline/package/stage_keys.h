@@ -14,12 +14,12 @@ namespace vantage {
 /// XXH3-64 of a pose relative to the origin.
 std::uint64_t pose_checksum(const Pose& cam_from_origin);
 
-/// XXH3-64 of what the per-photo stages read of the model.
+/// XXH3-64 of the model data that the per-photo stages read.
 std::uint64_t model_checksum(const PackedModel& model, const std::vector<Eigen::Vector3f>& normals);
 
 /// One key per stage of a photo, over all of the stage's inputs, the settings it reads and its version; and
-/// the checksums of the inputs themselves. A key leaves out the pose, which PhotoState holds apart:
-/// registration changes it after everything else is known. `stencil`: zeros if the photo has none.
+/// the checksums of the inputs themselves. The keys exclude the pose, which PhotoState stores separately,
+/// because registration changes it after all other inputs are known. `stencil`: zeros if the photo has none.
 /// `left_out`, `record` and the stages' contents are left empty.
 package::PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Pose& cam_from_origin,
                                const FileIdentity& file, const FileIdentity& stencil);

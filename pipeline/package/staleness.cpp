@@ -15,110 +15,115 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using Lines = std::vector<std::string>;
+using Changes = std::vector<InputChange>;
 
-/// "" if the file is unchanged.
-std::string change_of(const fs::path& file, const json& was, IdentityCache& identities) {
-    if (!fs::exists(file)) return file.string() + ": is gone";
-    const bool same = fs::file_size(file) == was.at("bytes").get<std::uint64_t>() &&
-                      identities.of(file) == FileIdentity{was.at("bytes"), was.at("xxh3")};
-    return same ? "" : file.string() + ": has changed since the package was prepared";
+void add_missing(const std::string& file, Changes& out) {
+    out.push_back({InputChange::Kind::missing, file + ": no longer exists"});
 }
 
-Lines changed_cameras(const json& meta, const fs::path& cameras, IdentityCache& identities) {
-    Lines out;
+void add_new(const fs::path& file, Changes& out) {
+    out.push_back({InputChange::Kind::added, file.string() + ": was added after the package was prepared"});
+}
+
+void compare(const fs::path& file, const json& was, IdentityCache& identities, Changes& out) {
+    if (!fs::exists(file)) return add_missing(file.string(), out);
+    const bool same = fs::file_size(file) == was.at("bytes").get<std::uint64_t>() &&
+                      identities.of(file) == FileIdentity{was.at("bytes"), was.at("xxh3")};
+    if (!same)
+        out.push_back(
+            {InputChange::Kind::changed, file.string() + ": has changed since the package was prepared"});
+}
+
+void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& identities, Changes& out) {
     const auto now = camera_files(cameras);
     for (const json& was : meta.at("inputs").at("cameras")) {
         const auto name = was.at("name").get<std::string>();
         const auto file =
             std::ranges::find(now, name, [](const fs::path& f) { return f.filename().string(); });
-        out.push_back(change_of(file == now.end() ? cameras / name : *file, was, identities));
+        compare(file == now.end() ? cameras / name : *file, was, identities, out);
     }
-    return out;
 }
 
-/// Photos in the folder that the package does not know.
-Lines new_photos(const PackageReader& package, const json& meta, const fs::path& folder) {
+/// Photos in the folder that are not in the package.
+void add_new_photos(const PackageReader& package, const json& meta, const fs::path& folder, Changes& out) {
     std::set<std::string> known;
     for (const package::PhotoRecord& p : package.photos()) known.insert(p.name);
     for (const json& l : meta.at("left_out")) known.insert(l.at("name").get<std::string>());
-    Lines found;
+    std::set<fs::path> found;
     for (const auto& entry : fs::directory_iterator(folder))
         if (is_photo(entry.path()) && !known.contains(entry.path().filename().string()))
-            found.push_back(entry.path().string() + ": is new since the package was prepared");
-    std::ranges::sort(found);
-    return found;
+            found.insert(entry.path());
+    for (const fs::path& photo : found) add_new(photo, out);
 }
 
-Lines changed_photos(const PackageReader& package, const json& meta, const fs::path& folder,
-                     IdentityCache& identities) {
-    Lines out;
+void compare_photos(const PackageReader& package, const json& meta, const fs::path& folder,
+                    IdentityCache& identities, Changes& out) {
     const auto photos = package.photos();
     const json& files = meta.at("inputs").at("photos");
     for (std::size_t i = 0; i < photos.size() && i < files.size(); ++i) {
         if (photos[i].flags & package::photo_held_out) continue;
         const json was{{"bytes", photos[i].source_bytes}, {"xxh3", photos[i].source_checksum}};
-        out.push_back(change_of(folder / files[i].get<std::string>(), was, identities));
+        compare(folder / files[i].get<std::string>(), was, identities, out);
     }
-    return out;
 }
 
-Lines changed_stencils(const PackageReader& package, const json& meta, const fs::path& folder,
-                       IdentityCache& identities) {
-    Lines out;
+void compare_stencils(const PackageReader& package, const json& meta, const fs::path& folder,
+                      IdentityCache& identities, Changes& out) {
     const auto photos = package.photos();
     const json& files = meta.at("inputs").at("photos");
     const json stencils = meta.at("inputs").value("stencils", json::object());
     for (std::size_t i = 0; i < photos.size() && i < files.size(); ++i) {
         const fs::path stencil = find_stencil(folder / files[i].get<std::string>());
         const json was = stencils.value(photos[i].name, json{});
-        if (was.is_object())
-            out.push_back(stencil.empty() ? was.at("name").get<std::string>() + ": is gone"
-                                          : change_of(stencil, was, identities));
+        if (was.is_object() && stencil.empty())
+            add_missing(was.at("name").get<std::string>(), out);
+        else if (was.is_object())
+            compare(stencil, was, identities, out);
         else if (!stencil.empty())
-            out.push_back(stencil.string() + ": is new since the package was prepared");
+            add_new(stencil, out);
     }
-    return out;
 }
 
-Lines changed_left_out(const json& meta, const fs::path& folder) {
-    Lines out;
+/// Photos that were left out and whose file has appeared or disappeared.
+void compare_left_out(const json& meta, const fs::path& folder, Changes& out) {
     for (const json& l : meta.at("left_out")) {
         const fs::path photo = folder / l.at("name").get<std::string>();
-        if (const bool there = fs::exists(photo); there != l.at("there").get<bool>())
-            out.push_back(photo.string() + (there ? ": is there now" : ": is gone"));
+        const bool exists = fs::exists(photo);
+        if (exists == l.at("there").get<bool>()) continue;
+        if (exists)
+            add_new(photo, out);
+        else
+            add_missing(photo.string(), out);
     }
-    return out;
 }
 
 }  // namespace
 
-Lines changed_inputs(const PackageReader& package, const InputFiles& files, IdentityCache& identities) {
+Changes changed_inputs(const PackageReader& package, const InputFiles& files, IdentityCache& identities) {
     const json meta = parse_meta(package);
     try {
-        Lines out{change_of(files.mesh, meta.at("inputs").at("mesh"), identities)};
-        for (const Lines& lines :
-             {changed_cameras(meta, files.cameras, identities),
-              changed_photos(package, meta, files.photos, identities),
-              changed_stencils(package, meta, files.photos, identities), changed_left_out(meta, files.photos),
-              new_photos(package, meta, files.photos)})
-            out.insert(out.end(), lines.begin(), lines.end());
-        std::erase(out, "");
+        Changes out;
+        compare(files.mesh, meta.at("inputs").at("mesh"), identities, out);
+        compare_cameras(meta, files.cameras, identities, out);
+        compare_photos(package, meta, files.photos, identities, out);
+        compare_stencils(package, meta, files.photos, identities, out);
+        compare_left_out(meta, files.photos, out);
+        add_new_photos(package, meta, files.photos, out);
         return out;
     } catch (const json::exception& e) {
         throw Error(Exit::damaged, package.path().string() + ": META: " + e.what());
     }
 }
 
-Lines changed_settings(const PackageReader& package, const PrepareSettings& settings) {
+std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings) {
     const json meta = parse_meta(package), now = settings_json(settings);
-    Lines out;
+    std::vector<std::string> out;
     if (const json was = meta.value("tool", json{}); was != tool_name)
         out.push_back("prepared by " + was.dump() + ", this is " + tool_name);
     const json was = meta.value("config", json::object());
     for (const auto& [key, value] : now.items())
         if (const json before = was.value(key, json{}); before != value)
-            out.push_back("the setting " + key + " was " + before.dump() + ", is " + value.dump());
+            out.push_back("setting " + key + ": was " + before.dump() + ", is now " + value.dump());
     return out;
 }
 

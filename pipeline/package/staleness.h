@@ -9,14 +9,20 @@
 
 namespace vantage {
 
-/// What has changed since the package was prepared from these inputs, one line each: "mesh.ply: has changed
-/// since the package was prepared". Empty if it is current. Throws Error(damaged) for an unreadable META.
-std::vector<std::string> changed_inputs(const PackageReader& package, const InputFiles& files,
+/// A difference between an input of a package and the file that there is now.
+struct InputChange {
+    enum class Kind { changed, added, missing };
+    Kind kind;
+    std::string text;  ///< "mesh.ply: has changed since the package was prepared"
+};
+/// The inputs that have changed since the package was prepared; empty if it is current. Throws Error(damaged)
+/// if META cannot be read.
+std::vector<InputChange> changed_inputs(const PackageReader& package, const InputFiles& files,
                                         IdentityCache& identities);
-/// The same for the settings and the version of the program.
+/// The settings, and the version of the program, that differ from those of the package, one line each.
 std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings);
 
-/// The photos that a package lacks: those without a camera or a file, and those that could not be decoded.
+/// The photos that a package lacks: those without a camera or file, and those that could not be decoded.
 std::vector<UnusablePhoto> left_out_of(const PackageReader& package);
 
 }  // namespace vantage

@@ -18,7 +18,7 @@ void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo,
 std::vector<std::byte> join_tiles(const PackageReader& reader, const package::DirectoryEntry& e,
                                   const Level& level) {
     if (reader.blocks(e) != std::size_t(level.tiles()) || e.block_length != tile_bytes)
-        throw Error(Exit::damaged, describe(e, reader) + ": does not have the tiles of its size");
+        throw Error(Exit::damaged, describe(e, reader) + ": tiles do not match the level's size");
     std::vector<std::byte> out(std::size_t(level.width) * std::size_t(level.height) * 4);
     for (int y = 0; y < level.height; ++y)
         for (int column = 0; column < level.columns(); ++column) {
@@ -36,7 +36,8 @@ std::vector<std::byte> join_tiles(const PackageReader& reader, const package::Di
 std::vector<std::byte> read_level(const PackageReader& reader, const package::PhotoRecord& r,
                                   std::uint32_t photo, package::Type type, int level) {
     const package::DirectoryEntry* e = reader.find(type, photo, std::uint32_t(level));
-    if (!e) throw Error(Exit::damaged, reader.path().string() + ": " + r.name + ": a level is missing");
+    if (!e)
+        throw Error(Exit::damaged, reader.path().string() + ": " + r.name + ": a pyramid level is missing");
     std::vector<std::byte> texels = join_tiles(reader, *e, level_size(int(r.width), int(r.height), level));
     reader.forget(reader.raw(*e));
     return texels;

@@ -55,7 +55,7 @@ void write_weights(const PackageReader& part, PackageWriter& writer, std::uint32
     }
 }
 
-/// 0 if the photo is contradicted nowhere.
+/// 0 if no part of the photo is contradicted.
 std::uint64_t key_of(const ConsensusMap& map) {
     if (std::ranges::all_of(map.weight, [](std::uint8_t w) { return w == 255; })) return 0;
     return checksum(bytes_of(map.weight));
@@ -79,11 +79,10 @@ EffectDecision decide_consensus(std::span<const PhotoRecord> photos, const std::
                                 EffectChoice choice) {
     const auto worst = std::ranges::max_element(maps, {}, &ConsensusMap::disagreeing);
     if (worst == maps.end() || std::ranges::all_of(maps, [](const auto& m) { return m.weight.empty(); }))
-        return decide(Effect::consensus, choice, 0, "no photo shares its surface with two others");
-    return decide(
-        Effect::consensus, choice, worst->disagreeing,
-        fmt::format("{:.2f} % of what {} shows of the model is contradicted by others, the most of any photo",
-                    100 * worst->disagreeing, photos[std::size_t(worst - maps.begin())].name));
+        return decide(Effect::consensus, choice, 0, "no photo shares surface with two others");
+    return decide(Effect::consensus, choice, worst->disagreeing,
+                  fmt::format("other photos contradict {:.2f} % of the surface in {}, the most of any photo",
+                              100 * worst->disagreeing, photos[std::size_t(worst - maps.begin())].name));
 }
 
 }  // namespace
@@ -96,7 +95,7 @@ Consensus find_consensus(const FinishInput& in, const PackageReader& part, const
     out.disagreeing.resize(photos.records.size());
     std::vector<ConsensusMap> maps(photos.records.size());
     if (choice == EffectChoice::off) {
-        out.decision = decide(Effect::consensus, choice, 0, "not looked at");
+        out.decision = decide(Effect::consensus, choice, 0, "not measured");
     } else {
         const auto pairs =
             photo_pairs(photos.records, samples.spans(), thinned(in.geometry.discs, samples.step), neighbors);

@@ -32,7 +32,7 @@ Registration find_registration(const FinishInput& in, const PackageReader& part,
     return register_photos(input, choice);
 }
 
-/// Determines the photos' cameras, and rewrites what depends on those that move.
+/// Determines the photos' cameras and rewrites the chunks that depend on those that move.
 Registration register_cameras(const FinishInput& in, const PackageReader& part, const PhotoSamples& samples,
                               PhotoTables& photos) {
     const auto fingerprints =

@@ -13,14 +13,14 @@
 
 namespace vantage {
 
-/// A package whose photos are all written.
+/// A package whose per-photo chunks are all written.
 struct FinishInput {
     const GeometryContext& geometry;
     std::filesystem::path out;  ///< the package that the writer writes
     std::string meta;           ///< see make_meta
     std::map<Effect, EffectChoice> choices;
     package::SceneRecord scene;
-    std::vector<Pose> given;            ///< relative to the origin; records have others if `known` moved them
+    std::vector<Pose> given;            ///< relative to the origin; moved photos' records differ if `known`
     std::optional<Registration> known;  ///< found by an earlier package from the same inputs
     std::vector<package::PairRecord> known_pairs;  ///< measured by earlier packages
     unsigned threads = 0;                          ///< 0: all cores
@@ -30,7 +30,7 @@ struct FinishInput {
 /// Content of single photos that other photos contradict.
 struct Consensus {
     EffectDecision decision;
-    std::vector<double> disagreeing;  ///< per photo: the contradicted share of the surface in it
+    std::vector<double> disagreeing;  ///< per photo: the contradicted share of its visible surface
 };
 
 /// Results that depend on all photos together.
@@ -44,8 +44,8 @@ struct Agreement {
 std::vector<SurfaceDisc> thinned(std::span<const SurfaceDisc> discs, std::size_t step);
 
 /// Determines cameras, colors and consensus from all photos and finishes the package: writes META, SCEN,
-/// PHOT, STAT, REGI and PAIR, and rewrites what depends on cameras that moved. Throws Error(storage), and
-/// whatever `progress` throws.
+/// PHOT, STAT, REGI and PAIR, and rewrites the chunks that depend on moved cameras. Throws Error(storage),
+/// and whatever `progress` throws.
 Agreement finish_package(const FinishInput& input, PhotoTables& photos);
 
 }  // namespace vantage

@@ -14,7 +14,7 @@
 
 namespace vantage {
 
-/// What the stages that look at the model read; the same for all photos.
+/// Inputs of the stages that use the model; the same for all photos.
 struct GeometryContext {
     const PackedModel& model;
     const std::vector<SurfaceDisc>& discs;
@@ -25,7 +25,7 @@ struct GeometryContext {
     Trace* trace = nullptr;  ///< may be null
 };
 
-/// A photo's place in the scene: its index, name and camera.
+/// A photo's index, name and camera.
 struct PosedPhoto {
     std::uint32_t index;
     std::string name;
@@ -33,7 +33,7 @@ struct PosedPhoto {
     Pose pose;  ///< relative to the origin
 };
 
-/// What these stages read of the photo's pixels.
+/// The pixel data that these stages read.
 struct CoarsePixels {
     std::vector<std::uint8_t> valid;  ///< at `mask_level`, one byte per texel; empty if the photo is opaque
     RgbaImage samples;                ///< the photo at `sample_level`
@@ -44,9 +44,8 @@ std::vector<std::uint8_t> validity(const RgbaImage& level);
 /// Projects the model into the photo and selects the triangles that may reach into its frame.
 PhotoView view_of(const GeometryContext& context, const PosedPhoto& photo);
 
-/// Writes texture coordinates, masks, coverage and color samples, those in `missing`, from what the photo's
-/// camera sees of the model and from `pixels` (waited for only if needed); records what it measures in
-/// `record`.
+/// Writes texture coordinates, masks, coverage and color samples, as far as they are in `missing`, from the
+/// rendered `geometry` and from `pixels` (awaited only if needed). Stores its measurements in `record`.
 void make_from_geometry(const GeometryContext& context, const PosedPhoto& photo, const StageSet& missing,
                         const PhotoView& view, PhotoGeometry geometry, std::future<CoarsePixels> pixels,
                         package::PhotoRecord& record);

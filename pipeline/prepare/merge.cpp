@@ -27,11 +27,12 @@ PackageReader open_share(const fs::path& file) {
     PackageReader share(file, PackageReader::Expect::part);
     const package::Header& h = share.header();
     if (h.shares == 0 || h.directory_checksum == 0)
-        throw Error(Exit::input, file.string() + ": is not a finished share, expected what --shard wrote");
+        throw Error(Exit::input,
+                    file.string() + ": not a finished share, expected a file written with --shard");
     return share;
 }
 
-/// All shares, by their number.
+/// All shares, sorted by number.
 std::vector<PackageReader> open_shares(const std::vector<fs::path>& files) {
     if (files.empty()) throw Error(Exit::usage, "no shares to merge");
     std::vector<PackageReader> shares;
@@ -43,12 +44,12 @@ std::vector<PackageReader> open_shares(const std::vector<fs::path>& files) {
         const auto count = std::ranges::count(shares, n, number);
         if (count != 1)
             throw Error(Exit::input, "share " + std::to_string(n) + " of " + std::to_string(expected) +
-                                         (count ? " is there more than once" : " is missing"));
+                                         (count ? " is given more than once" : " is missing"));
     }
     return shares;
 }
 
-/// Scene-wide chunks must agree, but for what is said of single photos.
+/// Scene-wide chunks must agree, except for the per-photo records in PHOT and STAT.
 void expect_same_scene(const PackageReader& a, const PackageReader& b) {
     for (const DirectoryEntry& e : a.directory()) {
         if (e.photo != package::scene_wide || e.type == std::uint32_t(Type::photos) ||
@@ -69,7 +70,7 @@ void merge_photo(std::uint32_t i, const EarlierPackages& parts, PackageWriter& w
     const auto holder =
         std::ranges::find_if(parts, [&](const auto& part) { return bool(part->photo(record.name)); });
     if (holder == parts.end())
-        throw Error(Exit::damaged, std::string(record.name) + ": is in none of the parts");
+        throw Error(Exit::damaged, std::string(record.name) + ": found in none of the parts");
     const std::uint32_t at = *(*holder)->photo(record.name);
     record = (*holder)->record(at);
     state = (*holder)->state(at);
@@ -83,14 +84,14 @@ void merge_photo(std::uint32_t i, const EarlierPackages& parts, PackageWriter& w
             });
             if (!taken)
                 throw Error(Exit::damaged,
-                            std::string(record.name) + ": its " + stage_row(stage).name + " is damaged");
+                            std::string(record.name) + ": damaged data of stage " + stage_row(stage).name);
         }
     }
     writer.note(Type::photos, i, bytes_of_one(record));
     writer.note(Type::states, i, bytes_of_one(state));
 }
 
-/// The model as a package holds it; normals beside it.
+/// The package's model, without normals.
 PackedModel model_of(const PackageReader& package) {
     const auto copy = [&]<class T>(std::vector<T>& to, Type type) {
         const auto records = package.records<T>(type);
@@ -113,12 +114,14 @@ bool is_written_last(const DirectoryEntry& e) {
 void copy_scene(const PackageReader& from, PackageWriter& writer) {
     for (const DirectoryEntry& e : from.directory()) {
         if (e.photo != package::scene_wide || is_written_last(e)) continue;
-        if (!from.sound(e)) throw Error(Exit::damaged, from.path().string() + ": " + describe(e, from));
+        if (!from.sound(e))
+            throw Error(Exit::damaged,
+                        from.path().string() + ": " + describe(e, from) + ": checksum does not match");
         writer.copy(from, e, package::scene_wide);
     }
 }
 
-/// Moves cameras that were registered from other inputs back to the poses given.
+/// Moves cameras that were registered from other inputs back to their given poses.
 void move_back(const FinishInput& in, PhotoTables& photos) {
     const PackageReader part(part_of(in.out), PackageReader::Expect::part);
     for (std::uint32_t i = 0; i < photos.records.size(); ++i) {
@@ -140,7 +143,7 @@ void merge(const std::vector<fs::path>& files, const fs::path& out, const OnProg
 
 namespace {
 
-/// Copies model and photos of the parts into the package, as far as an earlier run has not.
+/// Copies the parts' model and photos into the package, except what an interrupted run already copied.
 PhotoTables copy_parts(std::span<const PackageReader> parts, const fs::path& out, PackageWriter& writer,
                        const OnProgress& progress) {
     const PackageReader& first = parts.front();

@@ -9,14 +9,14 @@
 
 namespace vantage {
 
-/// Joins the shares that `prepare` made of one scene (PrepareRun::share) into the package that one run gives,
-/// byte by byte. What an earlier merge copied already is kept. Throws Error(input) unless every share is
-/// there once and all come from the same inputs and settings, Error(damaged) for a share that is not sound.
+/// Joins the shares that `prepare` made of one scene (PrepareRun::share) into a package that is byte-for-byte
+/// that of a single run. An interrupted merge is resumed. Throws Error(input) unless each share is given
+/// exactly once and all come from the same inputs and settings; Error(damaged) if a share is damaged.
 void merge(const std::vector<std::filesystem::path>& shares, const std::filesystem::path& out,
            const OnProgress& progress = {});
 
-/// Copies what parts of one scene hold into one package, under this META and scene record, and settles anew
-/// what only all photos together tell. Throws Error(damaged) for what is not sound.
+/// Copies the parts of one scene into one package with this META and scene record, and recomputes the results
+/// that depend on all photos. Throws Error(damaged) if a part is damaged.
 void join(std::span<const PackageReader> parts, const std::string& meta, const package::SceneRecord& scene,
           const std::filesystem::path& out, const OnProgress& progress = {});
 

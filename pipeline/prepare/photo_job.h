@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// What the stages of every photo read and write to.
+/// Inputs and outputs that the stages of all photos share.
 struct PhotoContext {
     const SceneInput& scene;
     const SceneKey& key;
@@ -20,15 +20,15 @@ struct PhotoContext {
     const EarlierPackages& earlier;
     PackageWriter& writer;
     Trace* trace;  ///< may be null
-    bool strict;   ///< a photo that cannot be used ends the run
+    bool strict;   ///< an unusable photo ends the run
 };
 
-/// One photo on its way through the stages.
+/// A photo in flight.
 struct PhotoJob {
     const PhotoContext& context;
     const PhotoInput& photo;
     PosedPhoto at;
-    bool spare_core;  ///< a core is idle that no other photo will use
+    bool spare_core;  ///< a core is idle, and no other photo will need it
 };
 
 }  // namespace vantage

@@ -28,8 +28,8 @@ bool reuse(const PhotoContext& c, Stage stage, std::uint32_t i, package::PhotoRe
     return false;
 }
 
-/// Whether an earlier run failed to decode this very file; then the reason is copied, and decoding not tried
-/// again.
+/// Whether an earlier run failed to decode the same file. If so, copies the reason, so that decoding is not
+/// tried again.
 bool known_unreadable(const PhotoContext& c, const std::string& name, PhotoState& state) {
     for (const auto& package : c.earlier) {
         const auto j = package->photo(name);
@@ -50,7 +50,7 @@ void record_reason(PhotoState& state, const PhotoInput& photo, const Error& erro
     std::memcpy(state.left_out, reason.c_str(), reason.size() + 1);
 }
 
-/// Keeps the photo's camera, and the tiles' key: it tells the next run which file was tried.
+/// Keeps the photo's camera and the tiles' key, by which the next run recognizes the file.
 void leave_out(const PhotoContext& c, std::uint32_t i, const Pose& pose, package::PhotoRecord& r,
                PhotoState& state) {
     for (const StageRow& row : stage_table())
@@ -61,8 +61,8 @@ void leave_out(const PhotoContext& c, std::uint32_t i, const Pose& pose, package
     Eigen::Map<Eigen::Vector3d>(r.corrected_direction) = pose.direction();
 }
 
-/// Starts the stages that look at the model: on a spare core at once, else when they are waited for. A GPU
-/// starts rendering at once.
+/// Starts the stages that use the model: immediately on a spare core, otherwise when their result is awaited.
+/// A GPU starts rendering immediately.
 std::future<void> start_geometry(const PhotoJob& job, const StageSet& missing,
                                  std::future<CoarsePixels> pixels, package::PhotoRecord& r) {
     const GeometryContext& geometry = job.context.geometry;
@@ -92,8 +92,8 @@ void make_stages(const PhotoJob& job, const StageSet& missing, std::optional<Pho
     if (geometry.valid()) geometry.get();
 }
 
-/// Reuses what can be reused and makes the rest; returns what it made. If the photo cannot be decoded, the
-/// reason is recorded in its state.
+/// Reuses chunks where possible and runs the other stages; returns those that ran. If the photo cannot be
+/// decoded, the reason is recorded in its state.
 std::vector<Stage> make_missing(const PhotoJob& job, std::optional<PhotoFile>& file, package::PhotoRecord& r,
                                 PhotoState& state) {
     const auto stages = stages_of(r);
@@ -107,8 +107,8 @@ std::vector<Stage> make_missing(const PhotoJob& job, std::optional<PhotoFile>& f
             missing.add(row.stage);
         }
     }
-    // A file that can no longer be read is the disk's fault and ends the run; one that cannot be decoded is
-    // left out.
+    // A file that can no longer be read is a disk error and ends the run; one that cannot be decoded is left
+    // out.
     if (file && missing.needs_pixels(r.flags & package::photo_has_alpha)) file->bytes();
     try {
         make_stages(job, missing, file, r);

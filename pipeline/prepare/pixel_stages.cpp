@@ -22,7 +22,7 @@ RgbaImage decoded(const PhotoJob& job, PhotoFile& file) {
     return decode_photo(job.photo.file, file.bytes(), job.photo.decoded);
 }
 
-/// Throws Error(input) if it is not the photo's size.
+/// Throws Error(input) if its size is not the photo's.
 RgbaImage read_stencil(const std::filesystem::path& file, const RgbaImage& photo) {
     try {
         return read_photo(file, {photo.width, photo.height});
@@ -31,7 +31,7 @@ RgbaImage read_stencil(const std::filesystem::path& file, const RgbaImage& photo
     }
 }
 
-/// Makes the photo transparent where the stencil is black (below half) or transparent itself.
+/// Makes the photo transparent where the stencil is dark (below 128) or transparent.
 void cut_out(RgbaImage& image, const RgbaImage& stencil) {
     for (std::size_t p = 0; p < image.rgba.size(); p += 4)
         if (stencil.rgba[p] < 128 || stencil.rgba[p + 3] < 128) image.rgba[p + 3] = 0;

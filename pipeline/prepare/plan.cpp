@@ -22,9 +22,9 @@ double spread(const Mesh& mesh) {
     return squares > 0 ? std::sqrt(squares) : 1;
 }
 
-/// The finest density, rounded up to a power of two so that the masks do not all change with every photo that
-/// is added or removed: an octave is twelve steps of the depth mask. The power counts octaves of the model's
-/// size, because in units of the input the masks would be rounded differently.
+/// The finest density, rounded up to a power of two so that adding or removing a photo does not change every
+/// mask: an octave is twelve steps of the depth mask. The powers are relative to the model's size: in input
+/// units, rounding would depend on the unit.
 double reference_density(const SceneInput& scene) {
     const double size = spread(scene.mesh);
     return std::exp2(std::ceil(std::log2(finest_density(scene) * size))) / size;

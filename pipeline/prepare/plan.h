@@ -21,14 +21,14 @@ struct PreparePlan {
     std::uint64_t names = 0;  ///< checksum of the photos' names, in order
 };
 
-/// Replaces the cameras by those of photos reduced to at most `longest` pixels on the long side.
+/// Scales the cameras to photos reduced to at most `longest` pixels on the long side.
 void reduce_photos(SceneInput& scene, int longest);
 
 /// Subdivides, clusters and packs the model; the scene's mesh is subdivided and reordered alike.
 PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace* trace);
 
-/// Inspects the scene and plans the package's chunks, of a share if one is given. Throws Error(input), and
-/// Error(usage) for a held-out photo that the scene does not have.
+/// Inspects the scene and plans the chunks of the package or share. Throws Error(input), and Error(usage) if
+/// a photo to hold out is not in the scene.
 PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const PrepareSettings& settings,
                       Share share, IdentityCache& identities, Trace* trace);
 

@@ -25,7 +25,7 @@ namespace {
 
 using package::Type;
 
-/// Counts stages made and kept, with the reasons for those made.
+/// Counts the stages that ran, with reasons, and those whose chunks were kept.
 class StageCounts {
   public:
     StageCounts(const SceneInput& scene, nlohmann::json settings, const EarlierPackages& earlier)
@@ -60,8 +60,7 @@ void expect_usable(const SceneInput& scene, bool strict) {
         throw Error(Exit::input, scene.left_out.front().photo + ": " + scene.left_out.front().why);
 }
 
-/// The photos to decode while the model is prepared: none if there may be chunks to reuse or memory is
-/// limited.
+/// The photos to decode while the model is prepared: none if memory is limited or chunks may be reused.
 std::vector<std::size_t> photos_to_prefetch(const SceneInput& scene, const PrepareSettings& settings,
                                             const Share& share, const std::filesystem::path& out) {
     std::vector<std::size_t> first;
@@ -195,8 +194,8 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
                       const OnProgress& progress, const PrepareRun& run) {
     expect_usable(scene, run.strict);
     if (settings.photo_size > 0) reduce_photos(scene, settings.photo_size);
-    std::optional<IdentityCache> usual;
-    IdentityCache& identities = run.identities ? *run.identities : usual.emplace();
+    std::optional<IdentityCache> default_cache;
+    IdentityCache& identities = run.identities ? *run.identities : default_cache.emplace();
     progress({"inspect", "", 0, scene.photos.size()});
     PhotoPrefetch prefetch(scene, photos_to_prefetch(scene, settings, run.share, out),
                            threads_of(settings) - 1, run.trace);

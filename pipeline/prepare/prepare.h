@@ -23,19 +23,20 @@ struct Agreement;
 
 /// Options of a run that do not change the package.
 struct PrepareRun {
-    const std::atomic<bool>* stop = nullptr;  ///< once set, photos in flight are finished and no more begun
-    bool strict = false;                      ///< a photo that cannot be used ends the run
-    IdentityCache* identities = nullptr;      ///< null: the user's usual cache
-    Share share{};                            ///< of the photos; by default all
-    Trace* trace = nullptr;                   ///< records what each thread does
-    std::function<void(const ResourceEstimate&)> on_estimate{};  ///< called before the first photo is begun
+    const std::atomic<bool>* stop =
+        nullptr;                          ///< when set, photos in flight are finished and no others started
+    bool strict = false;                  ///< an unusable photo ends the run
+    IdentityCache* identities = nullptr;  ///< null: the user's default cache
+    Share share{};                        ///< of the photos; default: all
+    Trace* trace = nullptr;               ///< records what each thread does
+    std::function<void(const ResourceEstimate&)> on_estimate{};  ///< called before the first photo is started
 };
 
 /// What a run did.
 struct PrepareResult {
     struct Stage {
         std::size_t made = 0, kept = 0;
-        std::map<std::string, std::vector<std::string>> why;  ///< reason: photos that the stage ran for
+        std::map<std::string, std::vector<std::string>> why;  ///< per reason: photos that the stage ran for
     };
     std::array<Stage, std::size_t(package::Stage::count)> stages;
     std::vector<UnusablePhoto> left_out;

@@ -7,9 +7,9 @@
 
 namespace vantage {
 
-/// Settles anew how a package's photos agree, with these choices for their effects: `out` holds
-/// what `prepare` would give with them. It may be `file` itself, which stays until the new one is whole.
-/// Throws Error(damaged) for a package that is not sound.
+/// Recomputes a package's results that depend on all photos (registration, colors, consensus) with these
+/// choices for their effects: `out` becomes what `prepare` would write with them. `out` may be `file`, which
+/// is replaced when the new package is complete. Throws Error(damaged) if the package is damaged.
 void refine_package(const std::filesystem::path& file, const std::map<Effect, EffectChoice>& choices,
                     const std::filesystem::path& out, const OnProgress& progress = {});
 

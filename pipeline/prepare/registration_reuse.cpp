@@ -20,12 +20,12 @@ using package::RegistrationRecord;
 using package::Stage;
 using package::Type;
 
-/// Incremented whenever a change to the code changes what registration finds.
+/// Incremented whenever a change to the code changes the result of registration.
 constexpr std::uint64_t version = 1;
 
 std::uint64_t hash(std::span<const std::uint64_t> values) { return checksum(std::as_bytes(values)); }
 
-/// A copy of the records of a chunk without blocks; none if it is missing or not sound.
+/// A copy of the records of a chunk without blocks; empty if it is missing or damaged.
 template <class T>
 std::vector<T> sound_records(const PackageReader& package, Type type) {
     const package::DirectoryEntry* e = package.find(type);

@@ -15,19 +15,18 @@ namespace vantage {
 
 /// The poses of the scene's cameras, relative to the origin.
 std::vector<Pose> given_poses(const SceneInput& scene, const Eigen::Vector3d& origin);
-/// The poses that a package's scene came with, before registration.
+/// The poses given to `prepare`, as stored in a package.
 std::vector<Pose> given_poses(const PackageReader& package);
 
-/// XXH3-64, per photo, of what it shows and from where: its tiles, camera and model, the pose as given, and
-/// what rendered it.
+/// XXH3-64, per photo, of the inputs of its registration: its tiles, camera, model, given pose and renderer.
 std::vector<std::uint64_t> registration_fingerprints(std::span<const package::PhotoState> states,
                                                      std::span<const Pose> given, bool opengl);
-/// XXH3-64 of all of them and of the choice.
+/// XXH3-64 of all fingerprints and of the choice.
 std::uint64_t registration_key(std::span<const std::uint64_t> fingerprints, EffectChoice choice);
 
-/// The registration that a package holds under this key; nothing if it has another key or is not sound.
+/// The registration stored in a package; none if it has another key or is damaged.
 std::optional<Registration> registration_of(const PackageReader& package, std::uint64_t key);
-/// The pairs of photos that a package holds; none if they are not sound.
+/// The pairs of photos stored in a package; none if they are damaged.
 std::vector<package::PairRecord> pairs_of(const PackageReader& package);
 /// The pairs of all finished earlier packages.
 std::vector<package::PairRecord> pairs_of(const EarlierPackages& earlier);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A line of /proc/self/status, in bytes.
+/// A field of /proc/self/status, in bytes.
 std::uint64_t status_bytes(const char* key) {
     std::ifstream in("/proc/self/status");
     for (std::string line; std::getline(in, line);)
@@ -47,15 +47,17 @@ double machine_speed() {
 std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& model) {
     double most = 0;
     for (const PhotoInput& photo : scene.photos) {
-        const double lens = photo.camera.lens.distorts() ? 12 : 0;  // a copy, and where each pixel comes from
-        // RGBA with its halves 6, the file 1, and at a quarter of the pixels maps, distances and masks 28.
+        const double lens =
+            photo.camera.lens.distorts() ? 12 : 0;  // a copy and the source position of each pixel
+        // Bytes per pixel: RGBA and its pyramid 6, the file 1, and 28 for maps, distances and masks at a
+        // quarter of the pixels.
         most = std::max(most, pixels(photo) * (14 + lens));
     }
     return std::uint64_t(most + 44.0 * double(model.vertices) + 28.0 * double(model.triangles));
 }
 
 std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl) {
-    // The views of the report; a software renderer with its shaders, buffers and bins of triangles.
+    // The report's views; for OpenGL a software renderer's shaders, buffers and triangle bins.
     return std::uint64_t(18e6 + (opengl ? 160e6 + 150.0 * double(model.triangles) : 0));
 }
 
@@ -70,7 +72,7 @@ unsigned photos_in_flight(const PrepareSettings& settings, std::uint64_t base, s
     const unsigned threads = threads_of(settings);
     if (settings.memory == 0) return threads;
     if (settings.memory < base + photo_bytes)
-        throw Error(Exit::usage, fmt::format("--memory {}M: these photos and this model take {}M at least",
+        throw Error(Exit::usage, fmt::format("--memory {}M: these photos and this model need at least {}M",
                                              settings.memory >> 20, ((base + photo_bytes) >> 20) + 1));
     return unsigned(std::min<std::uint64_t>(threads, (settings.memory - base) / photo_bytes));
 }

@@ -8,21 +8,21 @@
 
 namespace vantage {
 
-/// What a preparation takes, estimated before its photos are begun.
+/// The resources that a preparation needs, estimated before the first photo is started.
 struct ResourceEstimate {
     std::uint64_t disk, disk_free;  ///< bytes
     std::uint64_t memory;           ///< bytes, peak
-    unsigned in_flight;             ///< photos at a time
+    unsigned in_flight;             ///< photos processed concurrently
     double seconds;                 ///< if nothing can be reused
 };
 
 /// Memory per photo in flight, in bytes: its pixels, the rendered maps of the model, and masks.
 std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& model);
 
-/// Memory in bytes that is still to be allocated for the scene, however many photos are in flight.
+/// Memory in bytes still to be allocated for the scene, independent of the number of photos in flight.
 std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl);
 
-/// Resident memory of this process in bytes, now and at its peak; 0 if the system does not tell.
+/// Resident memory of this process in bytes, now and at its peak; 0 if unknown.
 std::uint64_t memory_now();
 std::uint64_t memory_peak();
 
@@ -30,12 +30,12 @@ std::uint64_t memory_peak();
 unsigned threads_of(const PrepareSettings& settings);
 
 /// Photos in flight that the settings' threads and memory allow, given `base` bytes for the scene. Throws
-/// Error(usage) if the memory does not suffice for one.
+/// Error(usage) if the memory is too small for one photo.
 unsigned photos_in_flight(const PrepareSettings& settings, std::uint64_t base, std::uint64_t photo_bytes);
 
-/// Seconds that the photos will take, scaled by the speed of this machine in the last run.
+/// Expected seconds for all photos, scaled by this machine's speed in earlier runs.
 double expected_seconds(const SceneInput& scene, const package::SceneRecord& model, unsigned in_flight);
-/// Saves the ratio for the next estimate. Errors are ignored.
+/// Saves the ratio of actual to expected time for the next estimate. Errors are ignored.
 void remember_speed(double expected, double took);
 
 }  // namespace vantage

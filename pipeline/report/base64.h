@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// RFC 4648, padded, in one line.
+/// Base64 as in RFC 4648: padded, without line breaks.
 std::string base64(std::string_view bytes);
 
 }  // namespace vantage

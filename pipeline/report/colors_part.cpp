@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-/// A grey card as this photo had it, beside the mean photo's.
+/// A gray card as exposed in this photo, next to the same card in the mean photo.
 std::string card(const std::array<double, 3>& ln_gain) {
     std::string channels;
     for (const double g : ln_gain)
@@ -25,8 +25,9 @@ std::string card(const std::array<double, 3>& ln_gain) {
 std::string row(const package::PhotoRecord& photo, const ColorFit& fit, std::size_t i) {
     const auto& g = fit.ln_gain[i];
     if (fit.samples[i] == 0)
-        return fmt::format("<tr><td>{}<td><td class=n colspan=5>shares too little surface with others</tr>\n",
-                           escaped(photo.name));
+        return fmt::format(
+            "<tr><td>{}<td><td class=n colspan=5>too little surface shared with other photos</tr>\n",
+            escaped(photo.name));
     const double stops = -(g[0] + g[1] + g[2]) / 3 / std::log(2.0);
     return fmt::format(
         "<tr><td>{}<td>{}<td class=n>{:+.2f}<td class=n>{:.3f} {:.3f} {:.3f}<td class=n>{:.1f} %<td "
@@ -35,7 +36,7 @@ std::string row(const package::PhotoRecord& photo, const ColorFit& fit, std::siz
         percent(fit.photo_before[i]), percent(fit.photo_after[i]), fit.samples[i]);
 }
 
-/// Light from the middle to the corner, a line a lens.
+/// Relative illumination from the center to the corner, one line per lens.
 std::string falloff_curves(const ColorFit& fit) {
     constexpr int width = 320, height = 130;
     std::string lines;
@@ -49,7 +50,7 @@ std::string falloff_curves(const ColorFit& fit) {
     }
     if (lines.empty()) return {};
     return fmt::format(
-        "<p>What the lens leaves of the light, from the middle (left) to the corner:</p>\n<svg width={0} "
+        "<p>Relative illumination, from the center of the photo (left) to its corners:</p>\n<svg width={0} "
         "height={1} font-size=11><path d=\"M30 10V{2}H{3}\" fill=none stroke=#999 /><text x=2 y=14>100 "
         "%</text><text x=8 y={4}>0 %</text>{5}</svg>\n",
         width, height, height - 20, width - 10, height - 16, lines);
@@ -59,14 +60,14 @@ std::string falloff_curves(const ColorFit& fit) {
 
 std::string colors_part(std::span<const package::PhotoRecord> photos, const ColorRefinement& r) {
     if (!r.fit.shares_surface()) return {};
-    std::string out =
-        "<h2>Exposure</h2>\n<p>" + escaped(r.exposure.evidence) +
-        (r.exposure.on ? ": they are shown in the mean photo's exposure." : ": they are shown as they are.") +
-        "</p>\n";
+    std::string out = "<h2>Exposure</h2>\n<p>" + escaped(r.exposure.evidence) +
+                      (r.exposure.on ? ". All photos are shown at the mean photo's exposure."
+                                     : ". Photos are shown at their own exposure.") +
+                      "</p>\n";
     if (r.falloff.on) out += falloff_curves(r.fit);
     out +=
-        "<table><tr><th>photo<th>a grey card in it, and in the mean photo<th class=n>stops<th class=n>gain, "
-        "red green blue<th class=n>differs by<th class=n>with gains<th class=n>discs shared</tr>\n";
+        "<table><tr><th>photo<th>gray card in this and in the mean photo<th class=n>stops<th class=n>gains "
+        "(red, green, blue)<th class=n>difference<th class=n>after gains<th class=n>shared discs</tr>\n";
     for (std::size_t i = 0; i < photos.size(); ++i)
         if (photos[i].levels) out += row(photos[i], r.fit, i);
     return out + "</table>\n";

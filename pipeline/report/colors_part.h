@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// HTML: how far the photos' colours disagree, what makes them agree, photo by photo, and the lenses'
+/// HTML: the color differences between photos, the gains that correct them, per photo, and the lenses'
 /// falloff.
 std::string colors_part(std::span<const package::PhotoRecord> photos, const ColorRefinement& refinement);
 

@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// HTML: which photos show what others agree is not there, the worst first.
+/// HTML: the photos with content that others contradict, worst first.
 std::string consensus_part(std::span<const package::PhotoRecord> photos, const Consensus& consensus);
 
 }  // namespace vantage

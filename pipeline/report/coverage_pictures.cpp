@@ -18,7 +18,7 @@ const std::array<CoverageClass, 5> coverage_classes{{{"no photo", {196, 48, 40}}
                                                      {"one photo", {232, 140, 44}},
                                                      {"two photos", {226, 205, 70}},
                                                      {"three or four", {122, 182, 92}},
-                                                     {"five and more", {46, 125, 110}}}};
+                                                     {"five or more", {46, 125, 110}}}};
 
 namespace {
 
@@ -37,7 +37,7 @@ struct Geometry {
     }
 };
 
-/// Parallel projection along an axis onto a picture, looked at from its positive side.
+/// Parallel projection of the model along an axis, seen from its positive side.
 struct ParallelView {
     int right, down, depth;  ///< axes of the world
     float right_sign;
@@ -53,7 +53,7 @@ struct ParallelView {
 };
 
 ParallelView look_along(int axis, const Eigen::Vector3f& low, const Eigen::Vector3f& high, int size) {
-    // Upright where z or y is up; a picture from above has y upwards.
+    // Upright if z or y is up; seen along z, y points up.
     const int right = axis == 0 ? 1 : 0, down = axis == 2 ? 1 : 2;
     const Eigen::Vector3f extent = (high - low).cwiseMax((high - low).maxCoeff() * 1e-3f);
     const float scale = float(size - 8) / std::max(extent[right], extent[down]);
@@ -63,7 +63,7 @@ ParallelView look_along(int axis, const Eigen::Vector3f& low, const Eigen::Vecto
     return p;
 }
 
-/// The triangle that every pixel shows, and for the opposite view the last behind it.
+/// The nearest triangle of each pixel, and the farthest, which the opposite view shows.
 struct Canvas {
     static constexpr std::uint32_t nothing = ~0u;
     struct Pixel {
@@ -81,7 +81,7 @@ struct Canvas {
         if (z < p.nearest) p.nearest = z, p.first = number;
         if (z > p.farthest) p.farthest = z, p.last = number;
     }
-    /// Of the same view, with triangles of higher numbers.
+    /// Adds a canvas of the same view whose triangles have higher numbers.
     void add(const Canvas& others) {
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             Pixel& p = pixels[i];
@@ -92,7 +92,7 @@ struct Canvas {
     }
 };
 
-/// Every pixel whose centre lies in the triangle; at least the one that holds its first corner.
+/// Fills the pixels whose centers lie in the triangle, and always the one that contains its first corner.
 void fill(Canvas& canvas, const std::array<Eigen::Vector3f, 3>& p, std::uint32_t number) {
     const auto pixel = [](float v, int end) { return std::clamp(int(v), 0, end - 1); };
     const int w = canvas.width, h = canvas.height;
@@ -125,7 +125,7 @@ std::array<std::uint8_t, 3> shaded(unsigned photos, const std::array<Eigen::Vect
     return color;
 }
 
-/// The opposite view has left and right changed.
+/// The opposite view is mirrored left to right.
 RgbaImage picture(const Canvas& canvas, bool opposite, const Geometry& g, const std::vector<unsigned>& photos,
                   int axis) {
     RgbaImage image{canvas.width, canvas.height, std::vector<std::uint8_t>(canvas.pixels.size() * 4, 255),
@@ -146,7 +146,7 @@ RgbaImage picture(const Canvas& canvas, bool opposite, const Geometry& g, const 
 
 }  // namespace
 
-std::vector<unsigned> photos_a_triangle(const PackageReader& package) {
+std::vector<unsigned> photos_per_triangle(const PackageReader& package) {
     const std::uint64_t triangles = package.scene().triangles;
     std::vector<unsigned> count(triangles, 0);
     for (std::uint32_t i = 0; i < package.photos().size(); ++i) {
@@ -185,7 +185,7 @@ std::array<ParallelView, 3> views(const Geometry& g, int size) {
     return {look_along(0, low, high, size), look_along(1, low, high, size), look_along(2, low, high, size)};
 }
 
-/// All triangles in all views, a share of them on each core.
+/// All triangles in all views, divided among the cores.
 std::vector<Canvas> draw(const Geometry& g, const std::array<ParallelView, 3>& views) {
     const std::size_t triangles = g.indices.size() / 3;
     const std::size_t shares = std::clamp(std::thread::hardware_concurrency(), 1u, 8u);

@@ -8,12 +8,12 @@
 
 namespace vantage {
 
-/// How many photos see each triangle, at least in part.
-std::vector<unsigned> photos_a_triangle(const PackageReader& package);
+/// The number of photos that see each triangle, at least in part.
+std::vector<unsigned> photos_per_triangle(const PackageReader& package);
 
-/// The share of the model's surface that 0, 1, 2, 3 to 4, and more photos see.
+/// The shares of the model's surface that 0, 1, 2, 3 or 4, and 5 or more photos see.
 std::array<double, 5> covered_area(const PackageReader& package, const std::vector<unsigned>& photos);
-/// What those classes are called, and their colours, sRGB.
+/// The name and sRGB color of such a class.
 struct CoverageClass {
     const char* name;
     std::array<std::uint8_t, 3> color;
@@ -21,10 +21,11 @@ struct CoverageClass {
 extern const std::array<CoverageClass, 5> coverage_classes;
 
 struct CoveragePicture {
-    std::string from;  ///< the direction looked from: "+x", "-x", ...
+    std::string from;  ///< the side it is seen from: "+x", "-x", ...
     RgbaImage image;
 };
-/// The model from the six directions of its axes, in parallel projection, coloured by how many photos see it.
+/// The model seen along its axes from all six sides, in parallel projection, colored by the number of photos
+/// that see it; `size` is the longer side in pixels.
 std::vector<CoveragePicture> coverage_pictures(const PackageReader& package,
                                                const std::vector<unsigned>& photos, int size);
 

@@ -14,9 +14,9 @@ namespace vantage {
 namespace {
 
 constexpr int quality = 85;
-constexpr int ground = 200;  ///< grey under alpha
+constexpr int ground = 200;  ///< gray level behind transparent pixels
 
-std::vector<std::uint8_t> on_grey(const RgbaImage& picture) {
+std::vector<std::uint8_t> on_gray(const RgbaImage& picture) {
     std::vector<std::uint8_t> rgb(picture.rgba.size() / 4 * 3);
     for (std::size_t p = 0; p < picture.rgba.size() / 4; ++p) {
         const int alpha = picture.rgba[4 * p + 3];
@@ -30,15 +30,14 @@ std::vector<std::uint8_t> on_grey(const RgbaImage& picture) {
 
 std::string embedded_picture(const RgbaImage& picture, const std::string& description) {
     const std::unique_ptr<void, int (*)(tjhandle)> encoder(tjInitCompress(), tjDestroy);
-    const std::vector<std::uint8_t> rgb = on_grey(picture);
+    const std::vector<std::uint8_t> rgb = on_gray(picture);
     unsigned char* bytes = nullptr;
     unsigned long size = 0;
     const int failed = tjCompress2(encoder.get(), rgb.data(), picture.width, 0, picture.height, TJPF_RGB,
                                    &bytes, &size, TJSAMP_420, quality, 0);
     const std::unique_ptr<unsigned char, void (*)(unsigned char*)> owned(bytes, tjFree);
     if (failed)
-        throw Error(Exit::storage,
-                    std::string("a picture cannot be encoded: ") + tjGetErrorStr2(encoder.get()));
+        throw Error(Exit::storage, std::string("cannot encode a picture: ") + tjGetErrorStr2(encoder.get()));
     return fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}\" src=\"data:image/jpeg;base64,{}\">",
                        picture.width, picture.height, escaped(description),
                        base64(std::string_view(reinterpret_cast<const char*>(bytes), size)));

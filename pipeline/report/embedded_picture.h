@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// An <img> element that holds its picture as JPEG; alpha is shown on grey. Throws Error(storage) where the
-/// picture cannot be encoded.
+/// An <img> element with the picture embedded as JPEG, blended over gray. Throws Error(storage) if it cannot
+/// be encoded.
 std::string embedded_picture(const RgbaImage& picture, const std::string& description);
 
 }  // namespace vantage

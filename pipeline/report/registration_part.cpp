@@ -15,9 +15,9 @@ using package::PairRecord;
 using package::PhotoRecord;
 
 constexpr std::size_t most_maps = 12;
-constexpr double cell = 22, arrow = 10;  ///< px of the page: of a cell, and of a displacement by one pixel
+constexpr double cell = 22, arrow = 10;  ///< CSS px: side of a cell, length of a displacement of 1 px
 
-/// Where each part of a photo is found in another, as arrows from where it was expected.
+/// Arrows from where each part of a photo is expected in another to where it was found.
 std::string map(const PairRecord& p) {
     std::string arrows;
     for (int row = 0; row < package::pair_rows; ++row)
@@ -45,26 +45,27 @@ std::string maps(std::span<const PhotoRecord> photos, std::vector<PairRecord> pa
     std::ranges::stable_sort(pairs, std::greater{}, &PairRecord::median);
     pairs.resize(std::min(pairs.size(), most_maps));
     std::string out =
-        "<p>The pairs that disagree most. Arrows: from where the cameras expect each part of the first "
-        "photo to where it is found in the second, ten times as long; red beyond 1.5 px.</p>\n<div "
+        "<p>The pairs that disagree most. Arrows run from where the cameras predict each part of the first "
+        "photo in the second to where it was found, magnified ten times; red: more than 1.5 px.</p>\n<div "
         "class=grid>\n";
     for (const PairRecord& p : pairs)
         out += fmt::format(
-            "<figure>{}<figcaption><b>{}</b>, <b>{}</b>: {:.2f} px (a tenth beyond {:.1f}), shifted by "
-            "{:.2f}; {} of {} corners found; {:.0f}&deg; apart, colours {:.1f} %</figcaption></figure>\n",
+            "<figure>{}<figcaption><b>{}</b>, <b>{}</b>: median {:.2f} px, 90th percentile {:.1f} px, shift "
+            "{:.2f} px; {} of {} corners found; {:.0f}&deg; apart, colors differ by {:.1f} "
+            "%</figcaption></figure>\n",
             map(p), escaped(photos[p.a].name), escaped(photos[p.b].name), double(p.median), double(p.p90),
             shift(p), p.matches, p.corners, double(p.angle) * 57.29578, 100 * std::expm1(double(p.color)));
     return out + "</div>\n";
 }
 
 std::string photo_row(const PhotoRecord& photo, const Registration& r, std::size_t i) {
-    const double lies = median_displacement(r.pairs, std::uint32_t(i));
+    const double displacement = median_displacement(r.pairs, std::uint32_t(i));
     const PhotoRegistration& p = r.photos[i];
     const std::string moved = p.pose ? fmt::format("<td class=n>{:.2f} px<td class=n>{:.2f} &rarr; {:.2f} px",
                                                    p.by, p.before, p.after)
                                      : "<td class=n>as given<td>";
     return fmt::format("<tr><td>{}<td class=n>{}{}</tr>\n", escaped(photo.name),
-                       lies > 0 ? fmt::format("{:.2f} px", lies) : "not compared", moved);
+                       displacement > 0 ? fmt::format("{:.2f} px", displacement) : "not compared", moved);
 }
 
 }  // namespace
@@ -75,9 +76,8 @@ std::string registration_part(std::span<const PhotoRecord> photos, const Registr
     if (r.pairs.empty()) return out;
     out += maps(photos, r.pairs);
     out +=
-        "<table><tr><th>photo<th class=n>lies from the others<th class=n>camera moved by<th class=n>corners "
-        "that "
-        "judge</tr>\n";
+        "<table><tr><th>photo<th class=n>median displacement<th class=n>camera moved by<th class=n>held-out "
+        "corners</tr>\n";
     for (std::size_t i = 0; i < photos.size(); ++i)
         if (photos[i].levels) out += photo_row(photos[i], r, i);
     return out + "</table>\n";

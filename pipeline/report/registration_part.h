@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// HTML: how far photos of one surface lie from each other, photo by photo and pair by pair, with maps of the
-/// worst pairs, and which cameras were moved.
+/// HTML: the displacements between photos of the same surface, per photo and for the worst pairs as maps, and
+/// the cameras that were moved.
 std::string registration_part(std::span<const package::PhotoRecord> photos, const Registration& registration);
 
 }  // namespace vantage

@@ -22,6 +22,7 @@
 #include "pipeline/run/for_each_photo.h"
 #include "scene/error.h"
 #include "scene/markup.h"
+#include "scene/page_style.h"
 
 namespace vantage {
 namespace {
@@ -31,16 +32,16 @@ using nlohmann::json;
 using package::PhotoRecord;
 using package::Type;
 
-constexpr const char* style = R"(
-body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 78rem; padding: 0 1rem; color: #222; }
-h1 { margin-bottom: .2rem; } h2 { margin-top: 2.5rem; }
-table { border-collapse: collapse; } th, td { padding: .2rem .9rem .2rem 0; text-align: left; border-bottom: 1px solid #ddd; }
-td.n, th.n { text-align: right; } .well { color: #117733; } .bad { color: #b02a20; }
+/// Follows page_style.
+constexpr const char* report_style = R"(
+h2 { margin-top: 2.5rem; }
+td.n, th.n { text-align: right; } .well { color: var(--better); } .bad { color: var(--worse); }
 .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1.2rem; }
-.grid figure { margin: 0; } .grid img { width: 100%; } figcaption { font-size: 13px; } img { max-width: 100%; height: auto; display: block; }
-.bar { display: flex; height: 1.6rem; margin: .5rem 0; } .legend span { margin-right: 1.2rem; white-space: nowrap; }
+.grid img { width: 100%; } figcaption { font-size: 13px; }
+.bar { display: flex; height: 1.6rem; margin: .5rem 0; }
+.legend span { margin-right: 1.2rem; white-space: nowrap; }
 .legend i { display: inline-block; width: .9rem; height: .9rem; margin-right: .35rem; vertical-align: -.1rem; }
-.model { display: flex; flex-wrap: wrap; gap: 1rem; align-items: end; } .model figure { margin: 0; }
+.model { display: flex; flex-wrap: wrap; gap: 1rem; align-items: end; }
 )";
 
 std::string cell(const std::string& text) { return "<td>" + escaped(text) + "</td>"; }
@@ -52,21 +53,20 @@ std::string heading(const PackageReader& package, const json& meta,
     const std::string name = escaped(package.path().filename().string());
     std::string out = "<title>" + name + "</title>\n<h1>" + name + "</h1>\n";
     out += left_out.empty()
-               ? "<p class=well>Complete: every photo is in it.</p>\n"
+               ? "<p class=well>Complete: contains every photo.</p>\n"
                : fmt::format(
                      "<p class=bad>Incomplete: {} left out, see below.</p>\n",
                      left_out.size() == 1 ? "one photo is" : fmt::format("{} photos are", left_out.size()));
     out += fmt::format("<p>{} photos, {} vertices, {} triangles, {:.1f} MB; prepared by {}",
                        package.photos().size(), s.vertices, s.triangles, double(package.size()) / 1e6,
                        escaped(meta.value("tool", "")));
-    if (run)
-        out += fmt::format(" in {:.1f} s with {:.0f} MB of memory at most", run->seconds, run->memory_mb);
+    if (run) out += fmt::format(" in {:.1f} s, peak memory {:.0f} MB", run->seconds, run->memory_mb);
     return out + ".</p>\n";
 }
 
 std::string left_out_part(const std::vector<UnusablePhoto>& left_out) {
     if (left_out.empty()) return {};
-    std::string out = "<h2>Left out</h2>\n<table><tr><th>photo<th>why</tr>\n";
+    std::string out = "<h2>Left out</h2>\n<table><tr><th>photo<th>reason</tr>\n";
     for (const UnusablePhoto& l : left_out) out += "<tr>" + cell(l.photo) + cell(l.why) + "</tr>\n";
     return out + "</table>\n";
 }
@@ -81,8 +81,8 @@ std::string warnings_part(const json& meta) {
 
 std::string effects_part(const json& meta) {
     std::string out =
-        "<h2>Effects</h2>\n<p>What the scene calls for, and by which evidence; the rest costs nothing.</p>\n"
-        "<table><tr><th>effect<th><th>evidence<th class=n>measured<th class=n>on above</tr>\n";
+        "<h2>Effects</h2>\n<p>An effect is on if the scene needs it; effects that are off cost nothing.</p>\n"
+        "<table><tr><th>effect<th><th>evidence<th class=n>measured<th class=n>threshold</tr>\n";
     for (const json& e : meta.value("effects", json::array())) {
         const std::string unit = e.value("unit", "");
         out += "<tr>" + cell(e.value("name", "")) +
@@ -100,9 +100,9 @@ std::string css(const std::array<std::uint8_t, 3>& c) {
 }
 
 std::string coverage_part(const PackageReader& package) {
-    const std::vector<unsigned> photos = photos_a_triangle(package);
+    const std::vector<unsigned> photos = photos_per_triangle(package);
     const auto area = covered_area(package, photos);
-    std::string out = "<h2>Coverage</h2>\n<p>How many photos see the model's surface.</p>\n<div class=bar>";
+    std::string out = "<h2>Coverage</h2>\n<p>The number of photos that see the surface.</p>\n<div class=bar>";
     for (std::size_t c = 0; c < area.size(); ++c)
         out += fmt::format("<div style=\"width:{:.3f}%;background:{}\"></div>", 100 * area[c],
                            css(coverage_classes[c].color));
@@ -117,7 +117,7 @@ std::string coverage_part(const PackageReader& package) {
     return out + "</div>\n";
 }
 
-/// Angle, depth and border mask as red, green and blue, at the level that is about as large as the thumbnail.
+/// Angle, depth and border masks as red, green and blue, at a level of about the thumbnail's size.
 RgbaImage mask_picture(const PackageReader& package, std::uint32_t i, const PhotoRecord& p) {
     int l = mask_level;
     while (l + 1 < mask_levels_end(int(p.levels)) && std::max(p.width, p.height) >> l > 320) ++l;
@@ -136,7 +136,7 @@ RgbaImage thumbnail(const PackageReader& package, std::uint32_t i, const PhotoRe
 std::string photo_figure(const PackageReader& package, std::uint32_t i, const PhotoRecord& p) {
     std::string flags;
     if (p.flags & package::photo_undistorted) flags += ", undistorted";
-    if (p.flags & package::photo_has_alpha) flags += ", with transparent parts";
+    if (p.flags & package::photo_has_alpha) flags += ", partly transparent";
     return "<figure>" + embedded_picture(thumbnail(package, i, p), p.name) +
            embedded_picture(mask_picture(package, i, p), std::string("masks of ") + p.name) +
            fmt::format(
@@ -146,10 +146,11 @@ std::string photo_figure(const PackageReader& package, std::uint32_t i, const Ph
 }
 
 void write_photos_part(std::ofstream& out, const PackageReader& package) {
-    out << "<h2>Photos</h2>\n<p>Below each its masks: angle in red, depth in green, border in blue; grey is "
-           "not seen.</p>\n<div class=grid>\n";
+    out << "<h2>Photos</h2>\n<p>Each photo with its masks below: angle in red, depth in green, border in "
+           "blue; "
+           "gray: no surface seen.</p>\n<div class=grid>\n";
     const auto photos = package.photos();
-    constexpr std::size_t batch = 16;  // the page is not held in memory
+    constexpr std::size_t batch = 16;  // bounds the memory for encoded pictures
     for (std::size_t first = 0; first < photos.size(); first += batch) {
         std::vector<std::string> figures(std::min(batch, photos.size() - first));
         for_each_photo(figures.size(), 0, [&](std::size_t n) {
@@ -157,14 +158,14 @@ void write_photos_part(std::ofstream& out, const PackageReader& package) {
             if (photos[i].levels) figures[n] = photo_figure(package, std::uint32_t(i), photos[i]);
         });
         for (const std::string& figure : figures) out << figure;
-        package.forget_all();  // what lies beside the chunks read was mapped, too
+        package.forget_all();  // reading ahead mapped more than the chunks
     }
     out << "</div>\n";
 }
 
 std::string run_part(const ReportRun& run) {
     std::string out =
-        "<h2>What was done</h2>\n<table><tr><th>stage<th class=n>made<th class=n>kept<th>why</tr>\n";
+        "<h2>Stages</h2>\n<table><tr><th>stage<th class=n>made<th class=n>kept<th>reason</tr>\n";
     for (std::size_t s = 0; s < run.prepared.stages.size(); ++s) {
         const PrepareResult::Stage& stage = run.prepared.stages[s];
         std::string why;
@@ -175,8 +176,8 @@ std::string run_part(const ReportRun& run) {
                number(std::to_string(stage.kept)) + cell(why) + "</tr>\n";
     }
     out +=
-        "</table>\n<h2>Where the time went</h2>\n" + timeline(run.spans) +
-        "<table><tr><th>what<th class=n>times<th class=n>in all<th class=n>median<th class=n>longest</tr>\n";
+        "</table>\n<h2>Time</h2>\n" + timeline(run.spans) +
+        "<table><tr><th>task<th class=n>count<th class=n>total<th class=n>median<th class=n>longest</tr>\n";
     for (const StageTime& t : stage_times(run.spans))
         out += "<tr>" + cell(t.stage) + number(std::to_string(t.count)) +
                number(fmt::format("{:.2f} s", t.total)) + number(fmt::format("{:.1f} ms", 1000 * t.median)) +
@@ -188,10 +189,11 @@ std::string run_part(const ReportRun& run) {
 
 void write_report(const fs::path& file, const PackageReader& package, const std::optional<ReportRun>& run) {
     const json meta = json::parse(package.meta(), nullptr, false);
-    if (!meta.is_object()) throw Error(Exit::damaged, package.path().string() + ": META: not readable");
+    if (!meta.is_object()) throw Error(Exit::damaged, package.path().string() + ": META: cannot be parsed");
     const std::vector<UnusablePhoto> left_out = left_out_of(package);
     std::ofstream out(file, std::ios::binary);
-    out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << style << "</style>\n"
+    out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << page_style << report_style
+        << "</style>\n"
         << heading(package, meta, left_out, run) << left_out_part(left_out) << warnings_part(meta)
         << effects_part(meta) << coverage_part(package);
     if (run && run->prepared.agreement) {

@@ -9,16 +9,16 @@
 
 namespace vantage {
 
-/// What is known of the run that made a package, beside the package.
+/// Data about the run that made a package.
 struct ReportRun {
     PrepareResult prepared;
     std::vector<Trace::Span> spans;
     double seconds = 0, memory_mb = 0;
 };
 
-/// Writes one self-contained HTML page about a package: whether it is complete, the effects with their
-/// evidence, how much of the model how many photos see, each photo with its masks, warnings, and where the
-/// time went. Throws Error(storage).
+/// Writes a self-contained HTML page about a package: whether it is complete, warnings, the effects with
+/// their evidence, coverage of the model, each photo with its masks, and for a run the stages and their
+/// times. Throws Error(storage), and Error(damaged) if META cannot be parsed.
 void write_report(const std::filesystem::path& file, const PackageReader& package,
                   const std::optional<ReportRun>& run);
 

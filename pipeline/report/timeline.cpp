@@ -12,7 +12,7 @@ namespace vantage {
 namespace {
 
 constexpr double width = 1100, left = 70, lane = 26, axis = 22;
-/// Paul Tol's "muted" and "light", which most eyes tell apart.
+/// From Paul Tol's "muted" and "light" palettes, which color-blind readers can tell apart.
 constexpr std::array palette{"#332288", "#88ccee", "#44aa99", "#117733", "#999933", "#ddcc77",
                              "#cc6677", "#882255", "#aa4499", "#666666", "#ee8866", "#77aadd",
                              "#bbcc33", "#ffaabb", "#000000", "#aaaa00"};
@@ -57,7 +57,7 @@ std::string timeline(const std::vector<Trace::Span>& spans) {
     }
     const double height = threads * lane + axis;
     std::string out = fmt::format(
-        "<svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"what each thread did when\" "
+        "<svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"tasks of each thread over time\" "
         "font-size=\"12\">{}",
         width, height, ticks(end, height));
     for (unsigned t = 0; t < threads; ++t)

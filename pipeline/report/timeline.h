@@ -6,11 +6,11 @@
 
 namespace vantage {
 
-/// An SVG drawing of what each thread did when: a lane a thread, a colour a stage, with a legend and, to
-/// point at, names and times.
+/// The run as an SVG timeline: one lane per thread, one color per stage, with a legend; names and times are
+/// tooltips.
 std::string timeline(const std::vector<Trace::Span>& spans);
 
-/// A stage's share of the work.
+/// The time spent in a stage.
 struct StageTime {
     std::string stage;
     std::size_t count;

@@ -22,52 +22,56 @@ namespace {
 using package::Type;
 using Issues = std::vector<Issue>;
 
-void damaged(Issues& out, std::string text) { out.push_back({Exit::damaged, std::move(text)}); }
+void add(Issues& out, Finding finding, std::string text) { out.push_back({finding, std::move(text)}); }
 
 void check_checksums(const PackageReader& reader, bool deep, Issues& out) {
     for (const package::DirectoryEntry& e : reader.directory()) {
         if (!reader.head_sound(e)) {
-            damaged(out, describe(e, reader) + ": checksum does not match");
+            add(out, Finding::chunk_checksum, describe(e, reader) + ": checksum does not match");
             continue;
         }
         if (!deep) continue;
         for (std::size_t b = 0; b < reader.blocks(e); ++b)
             if (!reader.block_sound(e, b))
-                damaged(out, fmt::format("{}: tile {} of {}: checksum does not match", describe(e, reader), b,
-                                         reader.blocks(e)));
+                add(out, Finding::tile_checksum,
+                    fmt::format("{}: tile {} of {}: checksum does not match", describe(e, reader), b,
+                                reader.blocks(e)));
     }
 }
 
 void check_model(const PackageReader& reader, Issues& out) {
     for (const auto& p : reader.records<std::array<float, 3>>(Type::positions))
         if (!std::isfinite(p[0] + p[1] + p[2])) {
-            damaged(out, "VPOS: a position is not finite");
+            add(out, Finding::non_finite_position, "VPOS: a position is not finite");
             break;
         }
     for (const auto& n : reader.records<std::array<float, 3>>(Type::normals))
         if (!(std::abs(std::hypot(n[0], n[1], n[2]) - 1) < 1e-3f)) {
-            damaged(out, "VNRM: a normal is not of unit length");
+            add(out, Finding::normal_length, "VNRM: a normal is not of unit length");
             break;
         }
 }
 
 void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std::uint32_t i, Issues& out) {
     const bool without_pixels = p.flags & (package::photo_held_out | package::photo_left_out);
-    if (without_pixels != (p.levels == 0)) damaged(out, fmt::format("{}: flags and levels disagree", p.name));
+    if (without_pixels != (p.levels == 0))
+        add(out, Finding::level_flag_mismatch, fmt::format("{}: flags and levels disagree", p.name));
     if (without_pixels) return;
     const auto uvs = reader.records<std::array<float, 2>>(Type::coordinates, i);
     for (const auto& uv : uvs) {
         const bool marked = uv[0] == -1 && uv[1] == -1;
         if (!marked && !(uv[0] >= 0 && uv[0] <= 1 && uv[1] >= 0 && uv[1] <= 1)) {
-            damaged(out, fmt::format("{}: a texture coordinate is outside the photo and not marked", p.name));
+            add(out, Finding::coordinate_range,
+                fmt::format("{}: a texture coordinate is outside the photo and not marked", p.name));
             break;
         }
     }
     if (reader.records<package::SampleRecord>(Type::samples, i).size() != surface_discs)
-        damaged(out, fmt::format("{}: SAMP has not {} discs", p.name, surface_discs));
+        add(out, Finding::chunk_length,
+            fmt::format("{}: SAMP does not have {} discs", p.name, surface_discs));
 }
 
-/// Depth is positive or +inf, and a mask says "valid" exactly where depth is finite.
+/// Depth is positive or +inf, and a texel of the mask is valid exactly if its depth is finite.
 void check_mask_meaning(const PackageReader& reader, std::uint32_t i, std::uint32_t level, Issues& out) {
     const auto* masks = reader.find(Type::masks, i, level);
     const auto* depth = reader.find(Type::depth, i, level);
@@ -78,7 +82,8 @@ void check_mask_meaning(const PackageReader& reader, std::uint32_t i, std::uint3
             float z;
             std::memcpy(&z, d.data() + t, 4);
             if (!(z > 0) || (std::isfinite(z) != (std::to_integer<int>(m[t + 3]) > 0))) {
-                damaged(out, describe(*masks, reader) + fmt::format(": tile {} disagrees with the depth", b));
+                add(out, Finding::mask_depth_mismatch,
+                    describe(*masks, reader) + fmt::format(": tile {} disagrees with the depth", b));
                 return;
             }
         }
@@ -88,16 +93,18 @@ void check_mask_meaning(const PackageReader& reader, std::uint32_t i, std::uint3
 void check_states(const PackageReader& reader, Issues& out) {
     const auto photos = reader.photos();
     const auto states = reader.records<package::PhotoState>(Type::states);
-    if (states.size() != photos.size()) return damaged(out, "STAT: has not one entry a photo");
+    if (states.size() != photos.size())
+        return add(out, Finding::chunk_length, "STAT: does not have one entry per photo");
     for (std::size_t i = 0; i < photos.size(); ++i)
         if (!sealed(states[i], photos[i]))
-            damaged(out, fmt::format("STAT: the entry of {} does not belong to it", photos[i].name));
+            add(out, Finding::state_record_mismatch,
+                fmt::format("STAT: the entry of {} does not match its record", photos[i].name));
 }
 
 void check_structure(const PackageReader& reader, bool deep, Issues& out) {
     check_checksums(reader, deep, out);
     if (!out.empty()) return;
-    for (std::string& line : misshapen(reader)) damaged(out, std::move(line));
+    for (std::string& line : misshapen(reader)) add(out, Finding::misshapen, std::move(line));
     if (!out.empty()) return;
     check_model(reader, out);
     check_states(reader, out);
@@ -109,41 +116,49 @@ void check_structure(const PackageReader& reader, bool deep, Issues& out) {
     }
 }
 
+Finding finding_of(InputChange::Kind kind) {
+    if (kind == InputChange::Kind::changed) return Finding::input_changed;
+    return kind == InputChange::Kind::added ? Finding::input_new : Finding::input_missing;
+}
+
 void check_against(const PackageReader& reader, const CheckDepth& depth, Issues& out) {
-    std::optional<IdentityCache> usual;
-    IdentityCache& identities = depth.identities ? *depth.identities : usual.emplace();
-    for (const std::string& change : changed_inputs(reader, discover(depth.against), identities))
-        out.push_back({Exit::stale, change});
+    std::optional<IdentityCache> default_cache;
+    IdentityCache& identities = depth.identities ? *depth.identities : default_cache.emplace();
+    for (const InputChange& change : changed_inputs(reader, discover(depth.against), identities))
+        add(out, finding_of(change.kind), change.text);
+}
+
+/// The error's message without the package's path.
+std::string text_of(const Error& e, const std::filesystem::path& file) {
+    std::string text = e.what();
+    if (text.starts_with(file.string() + ": ")) text.erase(0, file.string().size() + 2);
+    return text;
 }
 
 }  // namespace
 
-const char* kind_name(Exit kind) {
-    if (kind == Exit::input) return "unreadable";
-    if (kind == Exit::damaged) return "damaged";
-    return kind == Exit::stale ? "stale" : "incomplete";
-}
-
 Exit worst(const Issues& issues) {
     for (const Exit kind : {Exit::input, Exit::damaged, Exit::stale, Exit::incomplete})
-        if (std::ranges::count(issues, kind, &Issue::kind) > 0) return kind;
+        if (std::ranges::any_of(issues, [&](const Issue& i) { return i.row().kind == kind; })) return kind;
     return Exit::ok;
 }
 
 Issues check_package(const std::filesystem::path& file, const CheckDepth& depth) {
     Issues out;
+    Finding unreadable = Finding::cannot_open;
     try {
         const PackageReader reader(file);
+        unreadable = Finding::input_unreadable;  // from here on, only inputs are opened
         check_structure(reader, depth.deep, out);
         if (!out.empty()) return out;
         if (!depth.against.empty()) check_against(reader, depth, out);
         for (const UnusablePhoto& l : left_out_of(reader))
-            out.push_back({Exit::incomplete, l.photo + ": left out: " + l.why});
+            add(out, Finding::photo_left_out, l.photo + ": left out: " + l.why);
+    } catch (const DamagedPackage& e) {
+        add(out, finding_of(e.defect()), text_of(e, file));
     } catch (const Error& e) {
         if (e.code() != Exit::damaged && e.code() != Exit::input) throw;
-        std::string text = e.what();
-        if (text.starts_with(file.string() + ": ")) text.erase(0, file.string().size() + 2);
-        out.push_back({e.code(), text});
+        add(out, e.code() == Exit::input ? unreadable : Finding::invalid_meta, text_of(e, file));
     }
     return out;
 }

@@ -3,32 +3,33 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/results/check_findings.h"
 #include "scene/error.h"
 
 namespace vantage {
 
 class IdentityCache;
 
-/// One thing that is wrong with a package, and how wrong.
+/// A finding about a package.
 struct Issue {
-    Exit kind;  ///< input (cannot be read), damaged, stale or incomplete
-    std::string text;
+    Finding finding;
+    std::string text;  ///< where, and what was expected and found
+
+    const FindingRow& row() const { return finding_row(finding); }
 };
 
-/// "unreadable", "damaged", "stale", "incomplete".
-const char* kind_name(Exit kind);
-/// The one that stands for all: what cannot be trusted at all comes before what is old, and that before what
-/// is not everything. ok where there is none.
+/// The exit code for all issues: unreadable before damaged before stale before incomplete; ok without issues.
 Exit worst(const std::vector<Issue>& issues);
 
-/// What a check goes into.
+/// How much a check covers.
 struct CheckDepth {
-    bool deep = false;                    ///< every tile's checksum, and what it means
-    std::filesystem::path against{};      ///< the package's input folder, where it is to be compared
-    IdentityCache* identities = nullptr;  ///< what is known of files; null: the user's usual cache
+    bool deep = false;                    ///< also verify every tile's checksum and the masks' meaning
+    std::filesystem::path against{};      ///< compare with this input folder, unless empty
+    IdentityCache* identities = nullptr;  ///< checksums of input files; null: the user's default cache
 };
 
-/// Structure, checksums of heads, meaning and completeness; problems of opening are issues as well.
+/// Checks structure, checksums of chunks without tiles, contents and completeness. A package that cannot be
+/// opened is an issue, too. Throws Error(storage).
 std::vector<Issue> check_package(const std::filesystem::path& file, const CheckDepth& depth);
 
 }  // namespace vantage

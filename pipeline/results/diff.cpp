@@ -28,23 +28,23 @@ void diff_json(const char* of, const json& a, const json& b, Differences& out) {
     if (b.is_object()) keys.update(b);
     for (const auto& [key, value] : keys.items())
         if (const json was = a.value(key, json{}), is = b.value(key, json{}); was != is)
-            out.push_back({of, key, was.dump() + " against " + is.dump()});
+            out.push_back({of, key, was.dump() + " vs. " + is.dump()});
 }
 
 void diff_meta(const PackageReader& a, const PackageReader& b, Differences& out) {
     const json of_a = json::parse(a.meta(), nullptr, false), of_b = json::parse(b.meta(), nullptr, false);
     if (!of_a.is_object() || !of_b.is_object()) {
-        if (a.meta() != b.meta()) out.push_back({"settings", "", "META cannot be read"});
+        if (a.meta() != b.meta()) out.push_back({"settings", "", "META cannot be parsed"});
         return;
     }
     if (of_a.value("tool", "") != of_b.value("tool", ""))
-        out.push_back({"settings", "tool", of_a.value("tool", "") + " against " + of_b.value("tool", "")});
+        out.push_back({"settings", "tool", of_a.value("tool", "") + " vs. " + of_b.value("tool", "")});
     diff_json("settings", of_a.value("config", json{}), of_b.value("config", json{}), out);
     diff_json("inputs", of_a.value("inputs", json{}), of_b.value("inputs", json{}), out);
     for (const char* list : {"effects", "left_out", "warnings"})
         if (of_a.value(list, json{}) != of_b.value(list, json{}))
             out.push_back({"inputs", list,
-                           of_a.value(list, json{}).dump() + " against " + of_b.value(list, json{}).dump()});
+                           of_a.value(list, json{}).dump() + " vs. " + of_b.value(list, json{}).dump()});
 }
 
 bool same_chunk(const DirectoryEntry* a, const DirectoryEntry* b) {
@@ -56,16 +56,16 @@ void diff_model(const PackageReader& a, const PackageReader& b, Differences& out
     const package::SceneRecord &of_a = a.scene(), &of_b = b.scene();
     if (of_a.vertices != of_b.vertices || of_a.triangles != of_b.triangles)
         out.push_back({"model", "size",
-                       fmt::format("{} vertices, {} triangles against {}, {}", of_a.vertices, of_a.triangles,
+                       fmt::format("{} vertices, {} triangles vs. {}, {}", of_a.vertices, of_a.triangles,
                                    of_b.vertices, of_b.triangles)});
     const std::pair<Type, const char*> parts[] = {
         {Type::positions, "positions"}, {Type::normals, "normals"}, {Type::indices, "triangles"},
-        {Type::clusters, "clusters"},   {Type::colors, "colours"},  {Type::scalars, "scalars"}};
+        {Type::clusters, "clusters"},   {Type::colors, "colors"},   {Type::scalars, "scalars"}};
     for (const auto& [type, what] : parts)
-        if (!same_chunk(a.find(type), b.find(type))) out.push_back({"model", what, "not the same"});
+        if (!same_chunk(a.find(type), b.find(type))) out.push_back({"model", what, "different"});
 }
 
-/// Differences of byte texels, or of depths as a share of the depth.
+/// Differences between byte texels, or between depths relative to the depth.
 struct Texels {
     std::size_t tiles = 0, differing = 0;
     double largest = 0, total = 0;
@@ -84,7 +84,7 @@ void compare_bytes(std::span<const std::byte> a, std::span<const std::byte> b, T
         out.add(std::abs(std::to_integer<int>(a[i]) - std::to_integer<int>(b[i])));
 }
 
-/// Seen against unseen is a difference of everything.
+/// Seen vs. unseen counts as 100 %.
 void compare_depths(std::span<const std::byte> a, std::span<const std::byte> b, Texels& out) {
     for (std::size_t i = 0; i + 4 <= a.size(); i += 4) {
         float x, y;
@@ -106,9 +106,9 @@ std::string compare_tiles(const PackageReader& a, const DirectoryEntry& of_a, co
         ++t.differing;
         depth ? compare_depths(x, y, t) : compare_bytes(x, y, t);
     }
-    return depth ? fmt::format("{} of {} tiles, by {:.2g} % of the depth at most", t.differing, t.tiles,
+    return depth ? fmt::format("{} of {} tiles, by at most {:.2g} % of the depth", t.differing, t.tiles,
                                100 * t.largest)
-                 : fmt::format("{} of {} tiles, by {:.0f} of 255 at most, {:.2f} in the mean of those tiles",
+                 : fmt::format("{} of {} tiles, by at most {:.0f} of 255, mean {:.2f} over those tiles",
                                t.differing, t.tiles, t.largest, t.mean());
 }
 
@@ -125,7 +125,8 @@ std::string compare_coordinates(const PackageReader& a, const PackageReader& b, 
         else
             farthest = std::max(farthest, std::hypot(double(x[v][0] - y[v][0]) * photo.width,
                                                      double(x[v][1] - y[v][1]) * photo.height));
-    return fmt::format("{} vertices seen by one only, the others by {:.3g} px at most", visibility, farthest);
+    return fmt::format("{} vertices visible in only one, the others at most {:.3g} px apart", visibility,
+                       farthest);
 }
 
 std::string compare_visible(const PackageReader& a, const PackageReader& b, std::uint32_t i,
@@ -134,46 +135,47 @@ std::string compare_visible(const PackageReader& a, const PackageReader& b, std:
     if (x.size() != y.size()) return "of another model";
     int bits = 0;
     for (std::size_t w = 0; w < x.size(); ++w) bits += std::popcount(x[w] ^ y[w]);
-    return fmt::format("{} triangles seen otherwise", bits);
+    return fmt::format("visibility of {} triangles differs", bits);
 }
 
-/// The finest chunk that differs says how much; coarser ones follow from it.
+/// Called for the finest level that differs; coarser levels follow from it.
 std::string compare_chunk(const PackageReader& a, const PackageReader& b, Type type, std::uint32_t level,
                           std::uint32_t i, std::uint32_t j, const PhotoRecord& photo) {
     const DirectoryEntry *x = a.find(type, i, level), *y = b.find(type, j, level);
-    if (!x || !y) return "is in one only";
-    if (x->length != y->length || x->head_length != y->head_length) return "is of another size";
+    if (!x || !y) return "present in only one";
+    if (x->length != y->length || x->head_length != y->head_length) return "different size";
     if (a.blocks(*x) > 0) return fmt::format("level {}: {}", level, compare_tiles(a, *x, b, *y));
     if (type == Type::coordinates) return compare_coordinates(a, b, i, j, photo);
     if (type == Type::visible) return compare_visible(a, b, i, j);
-    if (type != Type::thumbnail) return "not the same";
+    if (type != Type::thumbnail) return "different";
     Texels t;
     compare_bytes(a.bytes(x), b.bytes(y), t);
-    return fmt::format("by {:.0f} of 255 at most", t.largest);
+    return fmt::format("by at most {:.0f} of 255", t.largest);
 }
 
 void diff_photo(const PackageReader& a, const PackageReader& b, std::uint32_t i, std::uint32_t j,
                 Differences& out) {
     const PhotoRecord &p = a.photos()[i], &q = b.photos()[j];
-    if (p.source_checksum != q.source_checksum) out.push_back({p.name, "file", "another photo of that name"});
+    if (p.source_checksum != q.source_checksum)
+        out.push_back({p.name, "file", "different file of the same name"});
     if (p.flags != q.flags)
-        out.push_back({p.name, "state", fmt::format("flags {} against {}", p.flags, q.flags)});
+        out.push_back({p.name, "state", fmt::format("flags {} vs. {}", p.flags, q.flags)});
     if (std::memcmp(&p.fx, &q.fx, offsetof(PhotoRecord, corrected_direction) - offsetof(PhotoRecord, fx)) !=
         0)
-        out.push_back({p.name, "camera", "not the same"});
+        out.push_back({p.name, "camera", "different"});
     if (!std::ranges::equal(p.gain, q.gain) || !std::ranges::equal(p.falloff, q.falloff))
         out.push_back({p.name, "exposure",
-                       fmt::format("gains {:.4f} {:.4f} {:.4f} against {:.4f} {:.4f} {:.4f}", p.gain[0],
+                       fmt::format("gains {:.4f} {:.4f} {:.4f} vs. {:.4f} {:.4f} {:.4f}", p.gain[0],
                                    p.gain[1], p.gain[2], q.gain[0], q.gain[1], q.gain[2])});
     for (std::size_t s = 0; s < stage_count; ++s) {
-        std::set<Type> told;
+        std::set<Type> reported;
         for (const auto& [type, level] : chunks_of(stage_row(Stage(s)), int(std::max(p.levels, q.levels))))
-            if (!told.contains(type) && !same_chunk(a.find(type, i, level), b.find(type, j, level))) {
+            if (!reported.contains(type) && !same_chunk(a.find(type, i, level), b.find(type, j, level))) {
                 const char* what = type == Type::depth     ? "depth"
                                    : type == Type::visible ? "visible triangles"
                                                            : stage_row(Stage(s)).name;
                 out.push_back({p.name, what, compare_chunk(a, b, type, level, i, j, p)});
-                told.insert(type);
+                reported.insert(type);
             }
     }
 }

@@ -1,14 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
+#include <optional>
+#include <span>
 
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/results/diff.h"
 #include "scene/error.h"
 #include "scene/make_folder.h"
+#include "scene/markup.h"
+#include "scene/page_style.h"
+#include "scene/side_by_side.h"
 
 namespace vantage {
 namespace {
@@ -19,9 +23,13 @@ using package::PhotoRecord;
 using package::Type;
 
 constexpr int longest = 800;  ///< px of a picture on the page
-constexpr int gain = 8;       ///< of the difference, so that small ones show
 
-/// The finest level that a page can show.
+/// Follows page_style.
+constexpr const char* diff_style = R"(
+body { max-width: 90rem; } img { width: 100%; } figure { margin-bottom: 2rem; }
+)";
+
+/// The finest level that fits on the page.
 int shown_level(const PhotoRecord& p, Type type) {
     int l = type == Type::masks ? mask_level : 0;
     while (std::max(p.width, p.height) >> l > unsigned(longest)) ++l;
@@ -33,24 +41,16 @@ struct Pair {
     std::vector<std::byte> a, b;
 };
 
-/// Colour, or one of the masks as grey: A, B and what differs, one beside the other.
-std::vector<std::byte> side_by_side(const Pair& pair, int mask) {
-    const auto w = std::size_t(pair.size.width), h = std::size_t(pair.size.height);
-    std::vector<std::byte> out(3 * w * h * 4, std::byte{255});
-    for (std::size_t y = 0; y < h; ++y)
-        for (std::size_t x = 0; x < w; ++x)
-            for (std::size_t c = 0; c < 3; ++c) {
-                const std::size_t from = (y * w + x) * 4 + (mask < 0 ? c : std::size_t(mask));
-                const std::size_t to = (y * 3 * w + x) * 4 + c;
-                const int a = std::to_integer<int>(pair.a[from]), b = std::to_integer<int>(pair.b[from]);
-                out[to] = pair.a[from];
-                out[to + 4 * w] = pair.b[from];
-                out[to + 8 * w] = std::byte(std::min(255, gain * std::abs(a - b)));
-            }
+/// The opaque color of RGBA8 texels, or one of their channels (a mask) as gray.
+std::vector<std::uint8_t> shown(std::span<const std::byte> texels, std::optional<std::size_t> mask) {
+    std::vector<std::uint8_t> out(texels.size(), 255);
+    for (std::size_t p = 0; p < texels.size(); p += 4)
+        for (std::size_t c = 0; c < 3; ++c)
+            out[p + c] = std::to_integer<std::uint8_t>(texels[p + mask.value_or(c)]);
     return out;
 }
 
-/// The pixels of both, where both have them in one size and they differ.
+/// The pixels of both packages, if the chunks have the same size and differ.
 std::optional<Pair> differing(const PackageReader& a, const PackageReader& b, std::uint32_t i,
                               std::uint32_t j, Type type, std::uint32_t level) {
     const PhotoRecord& p = a.photos()[i];
@@ -63,15 +63,14 @@ std::optional<Pair> differing(const PackageReader& a, const PackageReader& b, st
 void write_page(const fs::path& folder, const PackageReader& a, const PackageReader& b,
                 const std::vector<std::pair<std::string, std::string>>& pictures) {
     std::ofstream out(folder / "index.html");
-    out << "<!doctype html><meta charset=utf-8><title>What differs</title>\n<style>body{font:15px/1.5 "
-           "system-ui,"
-           "sans-serif;margin:2rem auto;max-width:90rem;padding:0 1rem}img{width:100%}figure{margin:0 0 "
-           "2rem}</style>\n"
-        << "<h1>What differs</h1><p>Left " << a.path().filename().string() << ", middle "
-        << b.path().filename().string() << ", right the difference, " << gain << " times.</p>\n";
+    const auto name = [](const PackageReader& p) { return escaped(p.path().filename().string()); };
+    out << "<!doctype html>\n<html lang=en><meta charset=utf-8><title>Differences</title>\n<style>"
+        << page_style << diff_style << "</style>\n<h1>Differences</h1>\n<p>Left: " << name(a)
+        << ", middle: " << name(b) << ", right: the difference, multiplied by " << shown_gain << ".</p>\n";
     for (const auto& [caption, file] : pictures)
-        out << "<figure><figcaption>" << caption << "</figcaption><img src=\"" << file
+        out << "<figure><figcaption>" << escaped(caption) << "</figcaption><img src=\"" << escaped(file)
             << "\" alt=\"\"></figure>\n";
+    out << "</html>\n";
     out.flush();
     if (!out) throw Error(Exit::storage, (folder / "index.html").string() + ": cannot write");
 }
@@ -86,15 +85,17 @@ void write_difference_pictures(const PackageReader& a, const PackageReader& b, c
         const auto j = b.photo_index(photos[i].name);
         if (!j) continue;
         const std::string name = photos[i].name, stem = name.substr(0, name.rfind('.'));
-        const auto add = [&](Type type, const char* what, int mask) {
+        const auto add = [&](Type type, const char* what, std::optional<std::size_t> mask) {
             const auto pair = differing(a, b, i, *j, type, std::uint32_t(shown_level(photos[i], type)));
             if (!pair) return;
             const std::string file = stem + "-" + what + ".png";
+            const auto picture =
+                side_by_side(shown(pair->a, mask), shown(pair->b, mask), std::size_t(pair->size.width));
             image_files().write(folder / file, 3 * pair->size.width, pair->size.height, 4, Sample::u8,
-                                side_by_side(*pair, mask));
+                                std::as_bytes(std::span(picture)));
             pictures.push_back({name + ": " + what, file});
         };
-        add(Type::tiles, "tiles", -1);
+        add(Type::tiles, "tiles", {});
         add(Type::masks, "angle", 0);
         add(Type::masks, "depth", 1);
         add(Type::masks, "border", 2);

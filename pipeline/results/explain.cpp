@@ -17,7 +17,7 @@
 namespace vantage {
 namespace {
 
-/// A value of an option as it was measured on one scene.
+/// Measurements of one value of an option on one scene.
 struct Cost {
     std::string option, value, scene;
     std::map<std::string, double> values;
@@ -33,23 +33,24 @@ std::vector<Cost> read_costs() {
             out.push_back({c.at("option"), c.at("value"), c.at("scene"), c.at("values")});
         return out;
     } catch (const nlohmann::json::exception&) {
-        throw Error(Exit::usage, file.string() + ": expected costs as vantage-bench --costs writes them");
+        throw Error(Exit::usage, file.string() + ": expected a file written by vantage-bench --costs");
     }
 }
 
-/// A quantity over the scenes on which both values were measured.
+/// A comparison over the scenes on which both values were measured.
 struct Compared {
     double mean = 0, least = 0, most = 0;
     std::size_t scenes = 0;
 };
 template <class Compare>
 Compared compare(const std::vector<Cost>& costs, const std::string& option, const std::string& value,
-                 const std::string& usual, const std::string& metric, const Compare& between) {
+                 const std::string& reference, const std::string& metric, const Compare& between) {
     Compared out;
     for (const Cost& a : costs) {
         if (a.option != option || a.value != value || !a.values.contains(metric)) continue;
         for (const Cost& b : costs) {
-            if (b.option != option || b.value != usual || b.scene != a.scene || !b.values.contains(metric))
+            if (b.option != option || b.value != reference || b.scene != a.scene ||
+                !b.values.contains(metric))
                 continue;
             const double d = between(a.values.at(metric), b.values.at(metric));
             if (!std::isfinite(d)) continue;
@@ -63,7 +64,7 @@ Compared compare(const std::vector<Cost>& costs, const std::string& option, cons
     return out;
 }
 
-/// A metric as it is, its mean over the scenes.
+/// The mean of a metric over the scenes.
 double plain(const std::vector<Cost>& costs, const std::string& option, const std::string& value,
              const std::string& metric) {
     return compare(costs, option, value, value, metric, [](double a, double) { return a; }).mean;
@@ -81,28 +82,28 @@ std::string line(const std::string& option, const std::string& value, const std:
 }
 
 std::string decibels(const Compared& d) {
-    if (std::abs(d.mean) < 0.005 && d.most - d.least < 0.05) return "the same picture";
+    if (std::abs(d.mean) < 0.005 && d.most - d.least < 0.05) return "identical picture";
     return fmt::format("{:+.2f} dB ({:+.2f} to {:+.2f} over {} scenes)", d.mean, d.least, d.most, d.scenes);
 }
 
-/// Beside another value: shares of the time, bytes and frame, and decibels.
-std::string beside(const std::vector<Cost>& costs, const std::string& option, const std::string& value,
-                   const std::string& usual) {
+/// Compared with another value: ratios of preparation time, package size and frame time, and PSNR.
+std::string compared_with(const std::vector<Cost>& costs, const std::string& option, const std::string& value,
+                          const std::string& reference) {
     const auto ratio = [&](const char* metric) {
-        return compare(costs, option, value, usual, metric, [](double a, double b) { return a / b; });
+        return compare(costs, option, value, reference, metric, [](double a, double b) { return a / b; });
     };
     const Compared error =
-        compare(costs, option, value, usual, "psnr", [](double a, double b) { return a - b; });
+        compare(costs, option, value, reference, "psnr", [](double a, double b) { return a - b; });
     if (!error.scenes) return "not measured";
     std::string out;
-    // What is within the noise of timing is not worth a word.
+    // Differences within the timing noise are omitted.
     const auto add = [&](const char* metric, const char* what, double noise) {
         const Compared r = ratio(metric);
-        if (r.scenes && std::abs(r.mean - 1) > noise) out += fmt::format("{:.2f} of the {}, ", r.mean, what);
+        if (r.scenes && std::abs(r.mean - 1) > noise) out += fmt::format("{:.2f}x the {}, ", r.mean, what);
     };
     add("prepare_s", "time", 0.15);
-    add("package_bytes", "bytes", 0.005);
-    add("frame_ms", "time of a frame", 0.15);
+    add("package_bytes", "size", 0.005);
+    add("frame_ms", "frame time", 0.15);
     return out + decibels(error);
 }
 
@@ -111,17 +112,17 @@ std::string explain_distance(const std::vector<Cost>& costs, const std::string& 
     const auto value = [&](const char* of, const char* metric) {
         return plain(costs, "distance", of, metric);
     };
-    const std::string takes = fmt::format("{:.0f} ms a photo", value(method.c_str(), "photo_ms"));
+    const std::string takes = fmt::format("{:.0f} ms per photo", value(method.c_str(), "photo_ms"));
     const double off = value(method.c_str(), "distance_worst");
-    if (off == 0) return takes + ", nothing given up";
-    return fmt::format("{} (exact: {:.0f}), a distance is at worst {:.2f} px off", takes,
+    if (off == 0) return takes + ", no loss";
+    return fmt::format("{} (exact: {:.0f}), largest distance error {:.2f} px", takes,
                        value("exact", "photo_ms"), off);
 }
 
 std::string explain_resampling(const std::vector<Cost>& costs, const std::string& wanted) {
     std::string out;
     for (const std::string& r : measured_values(costs, "resampling"))
-        out += fmt::format("{}{} {:.0f} ms a photo, {:.1f} dB from a photo without the lens",
+        out += fmt::format("{}{} {:.0f} ms per photo, {:.1f} dB against a photo without distortion",
                            out.empty() ? "" : "; ", r == wanted ? "this: " : r,
                            plain(costs, "resampling", r, "photo_ms"), plain(costs, "resampling", r, "psnr"));
     return out.empty() ? "not measured" : out;
@@ -140,25 +141,26 @@ std::string nearest(const std::vector<Cost>& costs, const std::string& option, d
 
 std::string explain_size(const std::vector<Cost>& costs, int size, int longest) {
     const auto at = [&](double share) {
-        return beside(costs, "photo-size", nearest(costs, "photo-size", share), "1.0");
+        return compared_with(costs, "photo-size", nearest(costs, "photo-size", share), "1.0");
     };
-    if (size == 0 || size >= longest) return "nothing given up; at half the side " + at(0.5);
+    if (size == 0 || size >= longest) return "no loss; at half the side length: " + at(0.5);
     const double share = double(size) / std::max(1, longest);
-    return fmt::format("of {} px, {:.2f} of the side: {} (measured at {})", longest, share, at(share),
+    return fmt::format("{:.2f} of {} px: {} (measured at {})", share, longest, at(share),
                        nearest(costs, "photo-size", share));
 }
 
 std::string explain_number(const std::vector<Cost>& costs, const std::string& option, double value,
-                           double usual) {
-    const std::string v = nearest(costs, option, value), u = nearest(costs, option, usual);
+                           double reference) {
+    const std::string v = nearest(costs, option, value), u = nearest(costs, option, reference);
     if (v.empty()) return "not measured";
-    if (v != u) return fmt::format("beside {}: {} (measured at {})", u, beside(costs, option, v, u), v);
-    std::string out = "as usual";
+    if (v != u)
+        return fmt::format("compared with {}: {} (measured at {})", u, compared_with(costs, option, v, u), v);
+    std::string out = "default";
     const std::set<std::string> all = measured_values(costs, option);
     for (const std::string& other :
          {*std::ranges::min_element(all, {}, [](const auto& t) { return std::stod(t); }),
           *std::ranges::max_element(all, {}, [](const auto& t) { return std::stod(t); })})
-        if (other != v) out += fmt::format("; {}: {}", other, beside(costs, option, other, v));
+        if (other != v) out += fmt::format("; {}: {}", other, compared_with(costs, option, other, v));
     return out;
 }
 
@@ -167,7 +169,7 @@ std::string explain_number(const std::vector<Cost>& costs, const std::string& op
 std::vector<std::string> explain(const PrepareSettings& s, const SceneInput& scene,
                                  const PackageReader& package) {
     const std::vector<Cost> costs = read_costs();
-    const PrepareSettings usual;
+    const PrepareSettings defaults;
     int longest = 0;
     for (const PhotoInput& p : scene.photos)
         longest = std::max({longest, p.camera.intrinsics.width, p.camera.intrinsics.height});
@@ -185,17 +187,18 @@ std::vector<std::string> explain(const PrepareSettings& s, const SceneInput& sce
     const auto number = [&](const char* option, double value, double common) {
         out.push_back(line(option, fmt::format("{:g}", value), explain_number(costs, option, value, common)));
     };
-    number("border-width", s.border_width, usual.border_width);
-    number("border-threshold", s.border_threshold, usual.border_threshold);
-    number("thumbnail", s.thumbnail, usual.thumbnail);
-    out.back() += "; dB of the first picture, made of thumbnails alone";
-    number("cluster-triangles", s.cluster_triangles, usual.cluster_triangles);
+    number("border-width", s.border_width, defaults.border_width);
+    number("border-threshold", s.border_threshold, defaults.border_threshold);
+    number("thumbnail", s.thumbnail, defaults.thumbnail);
+    out.back() += "; PSNR of the first picture, rendered from thumbnails only";
+    number("cluster-triangles", s.cluster_triangles, defaults.cluster_triangles);
     if (effect_on(package.scene(), Effect::undistortion))
         out.push_back(line("resampling", name(s.resampling), explain_resampling(costs, name(s.resampling))));
     const bool fragment = effect_on(package.scene(), Effect::per_fragment);
-    out.push_back(line("per-fragment", fragment ? "on" : "off",
-                       "beside the other: " +
-                           beside(costs, "per-fragment", fragment ? "on" : "off", fragment ? "off" : "on")));
+    out.push_back(line(
+        "per-fragment", fragment ? "on" : "off",
+        fmt::format("compared with {}: {}", fragment ? "off" : "on",
+                    compared_with(costs, "per-fragment", fragment ? "on" : "off", fragment ? "off" : "on"))));
     return out;
 }
 

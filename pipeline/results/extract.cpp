@@ -29,7 +29,7 @@ void write_photo(const PackageReader& reader, std::uint32_t i, const package::Ph
     const auto image = [&](Type type, std::uint32_t l, const fs::path& file, int channels, Sample format) {
         const Level size = level_size(int(p.width), int(p.height), int(l));
         const auto* e = reader.find(type, i, l);
-        if (!e) throw Error(Exit::damaged, name + ": a level is missing");
+        if (!e) throw Error(Exit::damaged, name + ": a pyramid level is missing");
         image_files().write(file, size.width, size.height, channels, format, join_tiles(reader, *e, size));
     };
     image(Type::tiles, 0, folder / "photos" / (stem + ".png"), 4, Sample::u8);

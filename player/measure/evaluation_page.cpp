@@ -8,18 +8,18 @@
 
 #include "scene/error.h"
 #include "scene/markup.h"
+#include "scene/page_style.h"
 
 namespace vantage {
 namespace {
 
-constexpr const char* style = R"(
-body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 78rem; padding: 0 1rem; color: #222;
-       background: #fff; }
-table { border-collapse: collapse; margin: 1rem 0 2rem; }
-th, td { padding: .25rem .8rem; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap; }
+/// Follows page_style.
+constexpr const char* evaluation_style = R"(
+table { margin: 1rem 0 2rem; }
+th, td { padding: .25rem .8rem; text-align: right; white-space: nowrap; }
 th:first-child, td:first-child, td:last-child, th:last-child { text-align: left; }
 td:last-child { white-space: normal; }
-figure { margin: 0 0 2rem; } figure div { display: grid; grid-template-columns: repeat(3, 1fr); gap: .5rem; }
+figure { margin-bottom: 2rem; } figure div { display: grid; grid-template-columns: repeat(3, 1fr); gap: .5rem; }
 img { width: 100%; background: #ccc; } figcaption { margin: .3rem 0; }
 .rest { display: grid; grid-template-columns: repeat(2, 1fr); gap: 1rem; } .rest figure { margin: 0; }
 img.crop { image-rendering: pixelated; background: none; }
@@ -118,7 +118,7 @@ void write_evaluation_page(const std::filesystem::path& folder, const std::strin
                            const std::vector<LeftOut>& results, int worst) {
     std::ofstream out(folder / "index.html");
     out << "<!doctype html><html lang=en><meta charset=utf-8><title>" << escaped(title) << "</title>\n<style>"
-        << style << "</style>\n<h1>" << escaped(title)
+        << page_style << evaluation_style << "</style>\n<h1>" << escaped(title)
         << "</h1>\n<p>Each photo was left out, its view rendered from the others, and compared with the "
            "photo. "
            "Left to right: the photo, the picture, their difference after the best gain (black: none, "

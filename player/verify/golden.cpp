@@ -6,6 +6,7 @@
 #include "player/camera/camera_path.h"
 #include "player/camera/navigation.h"
 #include "scene/error.h"
+#include "scene/side_by_side.h"
 
 namespace vantage {
 
@@ -54,19 +55,8 @@ GoldenDifference compare_pictures(const Picture& stored, const Picture& now, int
 }
 
 Picture side_by_side(const Picture& stored, const Picture& now) {
-    constexpr int gain = 8;
-    const auto w = std::size_t(stored.width);
-    Picture out{3 * stored.width, stored.height, std::vector<std::uint8_t>(3 * stored.rgba.size(), 255), {}};
-    for (std::size_t p = 0; p < stored.rgba.size() / 4; ++p) {
-        const std::size_t to = 4 * ((p / w) * 3 * w + p % w);
-        for (std::size_t c = 0; c < 4; ++c) {
-            const int a = stored.rgba[4 * p + c], b = now.rgba[4 * p + c];
-            out.rgba[to + c] = std::uint8_t(a);
-            out.rgba[to + 4 * w + c] = std::uint8_t(b);
-            if (c < 3) out.rgba[to + 8 * w + c] = std::uint8_t(std::min(255, gain * std::abs(a - b)));
-        }
-    }
-    return out;
+    return {
+        3 * stored.width, stored.height, side_by_side(stored.rgba, now.rgba, std::size_t(stored.width)), {}};
 }
 
 }  // namespace vantage

@@ -8,18 +8,18 @@
 
 #include "scene/error.h"
 #include "scene/markup.h"
+#include "scene/page_style.h"
 #include "tests/bench/page_parts.h"
 #include "tests/bench/quantity.h"
 
 namespace vantage::bench {
 namespace {
 
-constexpr const char* style = R"(
-:root { color-scheme: light dark; --ink: #222; --soft: #666; --paper: #fff; --line: #ddd; --shade: #f5f5f3;
-        --worse: #b3261e; --better: #14713d; --worse-back: #fdecea; --better-back: #e8f5ec; }
-body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 100rem; padding: 0 1.5rem;
-       color: var(--ink); background: var(--paper); }
-h1 { margin-bottom: .3rem; } h2 { margin: 3rem 0 .4rem; border-top: 1px solid var(--line); padding-top: 1.2rem; }
+/// Follows page_style.
+constexpr const char* bench_style = R"(
+:root { color-scheme: light dark; --shade: #f5f5f3; --worse-back: #fdecea; --better-back: #e8f5ec; }
+body { max-width: 100rem; padding: 0 1.5rem; }
+h2 { margin: 3rem 0 .4rem; border-top: 1px solid var(--line); padding-top: 1.2rem; }
 h3 { margin: 1.6rem 0 .4rem; } p, ul.machine { max-width: 62rem; } p { margin: .4rem 0; }
 a { color: inherit; text-decoration-color: var(--soft); }
 ul.machine { list-style: none; padding: 0; color: var(--soft); font-size: 13px; }
@@ -29,19 +29,19 @@ ul.machine { list-style: none; padding: 0; color: var(--soft); font-size: 13px; 
 nav ol { columns: 20rem; margin: .5rem 0; padding-left: 1.4rem; } nav li { break-inside: avoid; }
 .scene { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(28rem, 100%), 1fr));
          gap: 1rem 1.5rem; align-items: start; }
-figure { margin: 0; min-width: 0; } figcaption { font-size: 12px; color: var(--soft); margin-top: .2rem; }
+figure { min-width: 0; } figcaption { font-size: 12px; color: var(--soft); margin-top: .2rem; }
 figure.plot { max-width: 42rem; } svg.plot { display: block; height: auto; }
 .exhibits { margin: 1rem 0; display: grid; gap: .8rem;
             grid-template-columns: repeat(auto-fill, minmax(min(13rem, 100%), 1fr)); align-items: start; }
 .exhibits.lines { grid-template-columns: repeat(var(--line), minmax(0, 1fr)); max-width: calc(var(--line) * 17rem); }
 .exhibits.few { margin: 0; grid-template-columns: repeat(auto-fill, minmax(min(11rem, 100%), 1fr)); }
-.exhibits img { width: 100%; display: block; background: #ccc; }
+.exhibits img { width: 100%; background: #ccc; }
 .exhibits .chosen img { outline: 2px solid var(--ink); }
 .missing { padding: 2rem .5rem; text-align: center; color: var(--soft); background: var(--shade); }
 summary { cursor: pointer; color: var(--soft); margin: .6rem 0; }
 .scroll { overflow-x: auto; }
-table { border-collapse: collapse; margin: .6rem 0; font-size: 13px; font-variant-numeric: tabular-nums; }
-th, td { padding: .22rem .7rem; text-align: right; border-bottom: 1px solid var(--line); white-space: nowrap; }
+table { margin: .6rem 0; font-size: 13px; font-variant-numeric: tabular-nums; }
+th, td { padding: .22rem .7rem; text-align: right; white-space: nowrap; }
 th { font-weight: 600; vertical-align: bottom; white-space: normal; max-width: 9rem; }
 th small { font-weight: 400; color: var(--soft); }
 th:nth-child(-n+2), td:nth-child(-n+2), td:nth-child(4), .moved :is(th, td):nth-child(-n+5),
@@ -168,7 +168,7 @@ void write_body(std::ostream& out, const PageContent& page) {
     const std::string title = escaped(page.input.title);
     out << "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport "
            "content=\"width=device-width\"><title>"
-        << title << "</title>\n<style>" << style << "</style>\n<h1>" << title
+        << title << "</title>\n<style>" << page_style << bench_style << "</style>\n<h1>" << title
         << "</h1>\n<ul class=machine>\n<li>"
         << "Vantage " << escaped(page.input.now.version) << ", effort " << escaped(page.input.now.effort)
         << "\n";

@@ -18,7 +18,7 @@ struct Candidate {
 const std::array<Candidate, 4>& candidates() {
     static const std::array<Candidate, 4> all{
         Candidate{"off", {"--refine", "off"}},
-        Candidate{"colour", {"--refine", "colour"}},
+        Candidate{"colour", {"--refine", "color"}},
         Candidate{"full", {}},
         Candidate{"full, cameras always registered", {"--effect", "registration=on"}},
     };

@@ -190,6 +190,6 @@ TEST_F(Prepare, DamageIsNamedInEveryChunkAndAtEveryCut) {
         fs::resize_file(file, e->offset);
         const auto issues = check_package(file, {});
         ASSERT_EQ(issues.size(), 1u);
-        EXPECT_EQ(issues[0].kind, Exit::damaged);
+        EXPECT_EQ(issues[0].row().kind, Exit::damaged);
     }
 }

@@ -1,0 +1,64 @@
+#pragma once
+#include <span>
+#include <string>
+
+#include "scene/damaged_package.h"
+#include "scene/error.h"
+
+namespace vantage {
+
+/// Everything that `vantage check` can find.
+enum class Finding {
+    cannot_open,
+    not_a_package,
+    unfinished_package,
+    header_checksum,
+    format_version,
+    truncated,
+    damaged_directory,
+    chunk_missing,
+    chunk_checksum,
+    tile_checksum,
+    invalid_record,
+    invalid_meta,
+    misshapen,
+    non_finite_position,
+    normal_length,
+    level_flag_mismatch,
+    coordinate_range,
+    chunk_length,
+    mask_depth_mismatch,
+    state_record_mismatch,
+    input_unreadable,
+    input_changed,
+    input_new,
+    input_missing,
+    photo_left_out
+};
+
+enum class Severity {
+    warning,  ///< the package is intact
+    error     ///< the package cannot be trusted, or not be checked
+};
+const char* severity_name(Severity severity);
+
+/// A row of the table of findings.
+struct FindingRow {
+    Finding finding;
+    const char* id;  ///< stable, for scripts: kebab-case
+    Severity severity;
+    Exit kind;  ///< of the exit codes: input (unreadable), damaged, stale or incomplete
+    const char* meaning;
+};
+/// In the order of Finding.
+std::span<const FindingRow> finding_table();
+const FindingRow& finding_row(Finding finding);
+Finding finding_of(Defect defect);
+
+/// "unreadable", "damaged", "stale", "incomplete".
+const char* kind_name(Exit kind);
+
+/// The row as a line of the table in docs/check-findings.md.
+std::string markdown_row(const FindingRow& row);
+
+}  // namespace vantage

@@ -1,0 +1,17 @@
+#pragma once
+
+namespace vantage {
+
+/// CSS shared by all HTML pages. A page's own rules follow it and may override it.
+inline constexpr const char* page_style = R"(
+:root { --ink: #222; --soft: #666; --paper: #fff; --line: #ddd; --worse: #b02a20; --better: #117733; }
+body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 78rem; padding: 0 1rem;
+       color: var(--ink); background: var(--paper); }
+h1 { margin-bottom: .3rem; }
+table { border-collapse: collapse; }
+th, td { padding: .2rem .9rem .2rem 0; text-align: left; border-bottom: 1px solid var(--line); }
+figure { margin: 0; }
+img { display: block; max-width: 100%; height: auto; }
+)";
+
+}  // namespace vantage

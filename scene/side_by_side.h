@@ -1,0 +1,17 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vantage {
+
+/// Factor of the differences in side_by_side, so that small ones are visible.
+inline constexpr int shown_gain = 8;
+
+/// Two RGBA8 pictures of one size and `shown_gain` times the difference of their colors (opaque), left to
+/// right: a picture of 3 * width pixels per row.
+std::vector<std::uint8_t> side_by_side(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b,
+                                       std::size_t width);
+
+}  // namespace vantage
