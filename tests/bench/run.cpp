@@ -16,13 +16,13 @@
 #include "pipeline/input/file_identity.h"
 #include "scene/error.h"
 #include "scene/make_folder.h"
-#include "tests/bench/costs.h"
-#include "tests/bench/gnuplot.h"
-#include "tests/bench/log.h"
-#include "tests/bench/page.h"
-#include "tests/bench/sweep.h"
-#include "tests/bench/tables.h"
-#include "tests/bench/timing.h"
+#include "tests/bench/measure/timing.h"
+#include "tests/bench/page/page.h"
+#include "tests/bench/plots/gnuplot.h"
+#include "tests/bench/results/costs.h"
+#include "tests/bench/results/log.h"
+#include "tests/bench/results/tables.h"
+#include "tests/bench/sweeps/sweep.h"
 
 namespace vantage::bench {
 namespace {

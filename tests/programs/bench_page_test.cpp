@@ -7,12 +7,12 @@
 
 #include "pipeline/report/base64.h"
 #include "scene/error.h"
-#include "tests/bench/front.h"
-#include "tests/bench/gnuplot.h"
-#include "tests/bench/moved.h"
-#include "tests/bench/page.h"
-#include "tests/bench/quantity.h"
-#include "tests/bench/tables.h"
+#include "tests/bench/page/page.h"
+#include "tests/bench/plots/gnuplot.h"
+#include "tests/bench/results/front.h"
+#include "tests/bench/results/moved.h"
+#include "tests/bench/results/quantity.h"
+#include "tests/bench/results/tables.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;

@@ -7,9 +7,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "tests/bench/log.h"
-#include "tests/bench/sweep.h"
-#include "tests/bench/tables.h"
+#include "tests/bench/results/log.h"
+#include "tests/bench/results/tables.h"
+#include "tests/bench/sweeps/sweep.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;

@@ -1,0 +1,75 @@
+#include "tests/bench/results/measurement.h"
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace vantage::bench {
+namespace {
+
+using Kind = Metric::Kind;
+constexpr double same = 0.002, timed = 0.25;
+
+// Decibels and SSIM are beside the truth, exposure set right; percentages of what could be right.
+constexpr Metric table[] = {
+    {"psnr", "PSNR", "dB", Kind::error, false, same},
+    {"ssim", "SSIM", "", Kind::error, false, same},
+    {"worst", "worst 0.1 % of the pixels", "of 255", Kind::error, true, 0.01},
+    {"uncoloured", "left uncoloured", "%", Kind::error, true, 0.01},
+    {"psnr_exact", "PSNR beside the exact setting", "dB", Kind::error, false, same},
+    {"mask_mean", "border mask, mean error", "of 255", Kind::error, true, same},
+    {"mask_worst", "border mask, worst 0.1 %", "of 255", Kind::error, true, same},
+    {"distance_worst", "border distance, worst", "px", Kind::error, true, same},
+    {"false_hidden", "seen, called hidden", "%", Kind::error, true, same},
+    {"false_visible", "hidden, called seen", "%", Kind::error, true, same},
+    {"px_median", "median error", "px", Kind::error, true, same},
+    {"px_worst", "worst 0.1 %", "px", Kind::error, true, same},
+    {"uncovered", "not covered, though some photo sees it", "%", Kind::error, true, same},
+    {"changes", "photos swapped a frame", "", Kind::error, true, same},
+    {"photo_ms", "preparing, a photo", "ms", Kind::time, true, timed},
+    {"prepare_s", "preparing", "s", Kind::time, true, timed},
+    {"frame_ms", "a frame", "ms", Kind::time, true, timed},
+    {"open_ms", "opening", "ms", Kind::time, true, timed},
+    {"first_ms", "first picture", "ms", Kind::time, true, timed},
+    {"plan_ms", "planning a frame", "ms", Kind::time, true, timed},
+    {"fetch_ms", "a tile, from file to memory", "ms", Kind::time, true, timed},
+    {"tile_ms", "a tile, from file to texture", "ms", Kind::time, true, timed},
+    {"point_ns", "a point", "ns", Kind::time, true, timed},
+    {"photo_bytes", "a photo's bytes", "B", Kind::bytes, true, same},
+    {"package_bytes", "the package", "B", Kind::bytes, true, same},
+    {"read_bytes", "read for a view", "B", Kind::bytes, true, same},
+    {"texel_bytes", "a texel", "B", Kind::bytes, true, same},
+    {"vertex_bytes", "a vertex and photo", "B", Kind::bytes, true, same},
+    {"target_bytes", "a frame's targets", "B", Kind::bytes, true, same},
+    {"memory_bytes", "peak memory", "B", Kind::bytes, true, timed},
+    {"photos", "photos blended", "", Kind::other, true, same},
+    {"pixels", "photo pixels", "MP", Kind::other, true, same},
+    {"exponent", "exponent of nearness", "", Kind::other, true, same},
+    {"sharpness", "angle at which a photo counts 1/e", "rad", Kind::other, true, same},
+    {"triangle_px", "triangle size", "px", Kind::other, true, same},
+};
+
+}  // namespace
+
+std::span<const Metric> metrics() { return table; }
+
+const Metric& metric(const std::string& name) {
+    for (const Metric& m : table)
+        if (name == m.name) return m;
+    throw std::out_of_range("no metric is called " + name);
+}
+
+nlohmann::json to_json(const Measurement& m) {
+    nlohmann::json exhibits = nlohmann::json::array();
+    for (const Exhibit& e : m.exhibits) exhibits.push_back({{"caption", e.caption}, {"file", e.file}});
+    return {{"sweep", m.sweep}, {"scene", m.scene},   {"curve", m.curve},   {"setting", m.setting},
+            {"exact", m.exact}, {"chosen", m.chosen}, {"values", m.values}, {"exhibits", exhibits}};
+}
+
+Measurement measurement(const nlohmann::json& j) {
+    Measurement m{j.at("sweep"), j.at("scene"),  j.at("curve"),  j.at("setting"),
+                  j.at("exact"), j.at("chosen"), j.at("values"), {}};
+    for (const auto& e : j.at("exhibits")) m.exhibits.push_back({e.at("caption"), e.at("file")});
+    return m;
+}
+
+}  // namespace vantage::bench
