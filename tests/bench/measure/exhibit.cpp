@@ -6,6 +6,7 @@
 
 #include "scene/error.h"
 #include "scene/make_folder.h"
+#include "tests/bench/scenes/crop.h"
 
 namespace vantage::bench {
 
@@ -17,10 +18,10 @@ Window worst_window(const Picture& a, const Picture& b) {
     std::vector<double> blocks(std::size_t(columns * rows), 0);
     for (int y = 0; y < a.height; ++y)
         for (int x = 0; x < a.width; ++x) {
-            const std::size_t i = 4 * (std::size_t(y) * std::size_t(a.width) + std::size_t(x));
-            if (a.rgba[i + 3] < 128) continue;
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double d = double(a.rgba[i + c]) - double(b.rgba[i + c]);
+            const std::uint8_t *p = texel(a, x, y), *q = texel(b, x, y);
+            if (p[3] < 128) continue;
+            for (int c = 0; c < 3; ++c) {
+                const double d = double(p[c]) - double(q[c]);
                 blocks[std::size_t(y / step * columns + x / step)] += d * d;
             }
         }
@@ -49,10 +50,9 @@ Picture enlarged(const Picture& p, int width, int height) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const auto from = [](int at, int here, int there) {
-                return std::size_t(std::int64_t(at) * here / there);
+                return int(std::int64_t(at) * here / there);
             };
-            const std::uint8_t* t = p.rgba.data() + 4 * (from(y, p.height, height) * std::size_t(p.width) +
-                                                         from(x, p.width, width));
+            const std::uint8_t* t = texel(p, from(x, p.width, width), from(y, p.height, height));
             out.rgba.insert(out.rgba.end(), t, t + 4);
         }
     return out;
@@ -63,9 +63,7 @@ Exhibit keep_exhibit(const std::filesystem::path& folder, const std::string& nam
     cv::Mat out(window.height, window.width, CV_8UC3);
     for (int y = 0; y < window.height; ++y)
         for (int x = 0; x < window.width; ++x) {
-            const std::size_t i =
-                4 * (std::size_t(y + window.y) * std::size_t(picture.width) + std::size_t(x + window.x));
-            const std::uint8_t* p = picture.rgba.data() + i;
+            const std::uint8_t* p = texel(picture, x + window.x, y + window.y);
             out.at<cv::Vec3b>(y, x) = p[3] < 128 ? cv::Vec3b(255, 0, 255) : cv::Vec3b(p[2], p[1], p[0]);
         }
     make_folder(folder);

@@ -9,18 +9,15 @@
 #include "player/measure/picture_metrics.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/timing.h"
+#include "tests/bench/scenes/evenly_spread.h"
 
 namespace vantage::bench {
 namespace {
 
-constexpr double same_pictures = 100;  // dB
-
 std::vector<std::uint32_t> allowed(const TrueView& view, const PictureSetting& s) {
     const std::size_t all = view.photos.size();
     const auto some = std::size_t(std::clamp(std::lround(s.photos * double(all)), 1L, long(all)));
-    std::vector<std::uint32_t> out;
-    for (std::size_t i = 0; i < some; ++i) out.push_back(view.photos[(2 * i + 1) * all / (2 * some)]);
-    return out;
+    return evenly_spread(view.photos, some);
 }
 
 std::vector<bool> both(std::vector<bool> a, const std::vector<bool>& b) {
@@ -65,7 +62,7 @@ class Frames {
 /// Gain for gain, decibels between two pictures of a view where both are coloured.
 double beside(const Picture& exact, const Picture& picture, const TrueView& view) {
     const auto scored = both(both(scored_pixels(exact, 0), scored_pixels(picture, 0)), view.seeable);
-    return std::min(same_pictures, score(exact, picture, scored).psnr);
+    return std::min(psnr_cap, score(exact, picture, scored).psnr);
 }
 
 /// None: how many there are.
@@ -122,7 +119,7 @@ PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Pi
             seeable += view.seeable[i];
             holes += view.seeable[i] && pictures[v].rgba[4 * i + 3] < 128;
         }
-        out.psnr += share * std::min(same_pictures, s.psnr_gain);
+        out.psnr += share * std::min(psnr_cap, s.psnr_gain);
         out.ssim += share * s.ssim;
         out.worst += share * s.worst;
         out.uncoloured += share * 100 * double(holes) / double(std::max<std::size_t>(1, seeable));

@@ -1,16 +1,11 @@
 #include "tests/bench/measure/prepared.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-
 #include <cstdlib>
 #include <fstream>
 
 #include "scene/error.h"
+#include "tests/bench/measure/run_program.h"
 #include "tests/bench/measure/timing.h"
-
-extern char** environ;
 
 namespace vantage::bench {
 namespace {
@@ -37,27 +32,13 @@ PrepareCost run_prepare(const std::filesystem::path& folder, const std::filesyst
                         const std::vector<std::string>& options) {
     std::vector<std::string> words{VANTAGE_PROGRAM, "prepare", folder.string(), "-o", package.string()};
     words.insert(words.end(), options.begin(), options.end());
-    std::vector<char*> arguments;
-    for (std::string& w : words) arguments.push_back(w.data());
-    arguments.push_back(nullptr);
-    const std::filesystem::path said = package.string() + ".log";
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, 1, said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    posix_spawn_file_actions_adddup2(&actions, 1, 2);
+    const std::filesystem::path log = package.string() + ".log";
     PrepareCost cost;
     int status = -1;
-    cost.seconds =
-        milliseconds([&] {
-            pid_t child = 0;
-            if (::posix_spawn(&child, VANTAGE_PROGRAM, &actions, nullptr, arguments.data(), environ) == 0)
-                ::waitpid(child, &status, 0);
-        }) /
-        1000;
-    posix_spawn_file_actions_destroy(&actions);
-    if (status != 0) throw Error(Exit::input, std::string(VANTAGE_PROGRAM) + " prepare: " + last_line(said));
-    cost.memory_bytes = 1e6 * number_after(said, "memory");
-    std::filesystem::remove(said);
+    cost.seconds = milliseconds([&] { status = run_program(words, log, log); }) / 1000;
+    if (status != 0) throw Error(Exit::input, std::string(VANTAGE_PROGRAM) + " prepare: " + last_line(log));
+    cost.memory_bytes = 1e6 * number_after(log, "memory");
+    std::filesystem::remove(log);
     return cost;
 }
 

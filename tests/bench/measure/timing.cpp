@@ -1,6 +1,6 @@
 #include "tests/bench/measure/timing.h"
 
-#include "player/render/frame_statistics.h"
+#include "scene/quantile.h"
 
 namespace vantage::bench {
 
@@ -10,7 +10,7 @@ std::vector<double> medians_in_turn(std::size_t settings, int repeats,
     for (int r = 0; r < repeats; ++r)
         for (std::size_t i = 0; i < settings; ++i) rounds[i].push_back(time(i));
     std::vector<double> out;
-    for (std::vector<double>& r : rounds) out.push_back(frame_statistics(std::move(r)).median);
+    for (std::vector<double>& r : rounds) out.push_back(quantile(std::move(r), 0.5));
     return out;
 }
 

@@ -24,12 +24,6 @@ namespace {
 
 constexpr std::size_t long_table = 16, many_exhibits = 12, few_exhibits = 6;
 
-std::optional<double> value(const Measurement& row, const char* metric) {
-    const auto found = row.values.find(metric);
-    if (found == row.values.end() || !std::isfinite(found->second)) return std::nullopt;
-    return found->second;
-}
-
 /// One column's numbers, with as many places as make its largest 4 digits long, if its smallest bears that.
 struct Column {
     const Metric* metric;
@@ -37,7 +31,7 @@ struct Column {
     int places = -1;  ///< -1: each has its own
 
     std::string text(const Measurement& row) const {
-        const std::optional<double> v = value(row, metric->name);
+        const std::optional<double> v = finite_value(row, metric->name);
         if (!v || places < 0) return v ? number(*v * scale.factor) : number(NAN);
         char out[64];
         std::snprintf(out, sizeof out, "%.*f", places, std::abs(*v) * scale.factor);
@@ -50,7 +44,7 @@ struct Column {
 Column column(const Metric& metric, std::span<const Measurement> rows) {
     std::vector<double> values;
     for (const Measurement& row : rows)
-        if (const auto v = value(row, metric.name); v && *v != 0) values.push_back(std::abs(*v));
+        if (const auto v = finite_value(row, metric.name); v && *v != 0) values.push_back(std::abs(*v));
     Column out{&metric, scale_of(values, metric.unit)};
     if (values.empty()) return out;
     const auto [low, high] = std::ranges::minmax(values);
@@ -168,8 +162,8 @@ PlotAxis axis_for(const char* name, bool log) {
 }
 
 PlotPoint point_for(const PageContent& page, const Measurement& row, const Plot& plot) {
-    PlotPoint p{value(row, plot.x).value_or(NAN), value(row, plot.y).value_or(NAN), row.setting, row.chosen,
-                row.exact};
+    PlotPoint p{finite_value(row, plot.x).value_or(NAN), finite_value(row, plot.y).value_or(NAN), row.setting,
+                row.chosen, row.exact};
     const Moved *x = find_moved(page, row, plot.x), *y = find_moved(page, row, plot.y);
     if (x || y) p.before = {{x ? x->before : p.x, y ? y->before : p.y}};
     return p;
@@ -181,7 +175,7 @@ void write_plot(std::ostream& out, const PageContent& page, const Sweep& sweep, 
     keep_plot(page.folder / "plots", sweep.name + (" " + spec.title), svg);
     std::string without;
     for (const Measurement& row : rows)
-        if (!value(row, plot.x) || !value(row, plot.y))
+        if (!finite_value(row, plot.x) || !finite_value(row, plot.y))
             without += (without.empty() ? "" : "; ") + row.curve + ", " + row.setting;
     out << "<figure class=plot>" << svg;
     if (!without.empty())

@@ -12,9 +12,9 @@ bool takes_part(const Tradeoff& t) { return std::isfinite(t.cost) && std::isfini
 
 /// The value, negative where more is better.
 double turned(const Measurement& row, const Metric& metric) {
-    const auto found = row.values.find(metric.name);
-    if (found == row.values.end()) return std::numeric_limits<double>::quiet_NaN();
-    return metric.less_is_better ? found->second : -found->second;
+    const std::optional<double> value = finite_value(row, metric.name);
+    if (!value) return std::numeric_limits<double>::quiet_NaN();
+    return metric.less_is_better ? *value : -*value;
 }
 
 }  // namespace

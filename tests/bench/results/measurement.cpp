@@ -1,5 +1,6 @@
 #include "tests/bench/results/measurement.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -56,6 +57,12 @@ const Metric& metric(const std::string& name) {
     for (const Metric& m : table)
         if (name == m.name) return m;
     throw std::out_of_range("no metric is called " + name);
+}
+
+std::optional<double> finite_value(const Measurement& row, const std::string& metric) {
+    const auto found = row.values.find(metric);
+    if (found == row.values.end() || !std::isfinite(found->second)) return std::nullopt;
+    return found->second;
 }
 
 nlohmann::json to_json(const Measurement& m) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ std::span<const Metric> metrics();
 /// Throws std::out_of_range for a name that is not in the table.
 const Metric& metric(const std::string& name);
 
+/// dB; the PSNR of equal pictures, and the most that is stored.
+constexpr double psnr_cap = 100;
+
 /// A part of a picture that shows what the numbers mean.
 struct Exhibit {
     std::string caption;
@@ -38,6 +42,9 @@ struct Measurement {
     std::map<std::string, double> values;
     std::vector<Exhibit> exhibits;
 };
+
+/// The row's value of that metric; none if it lacks one, or if it is not finite.
+std::optional<double> finite_value(const Measurement& row, const std::string& metric);
 
 nlohmann::json to_json(const Measurement& m);
 /// Throws nlohmann::json::exception.

@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "tests/bench/measure/statistics.h"
+#include "scene/quantile.h"
 
 namespace vantage::bench {
 namespace {
@@ -22,12 +22,6 @@ Rows by_name(std::span<const Measurement> rows) {
     return out;
 }
 
-std::optional<double> finite(const Measurement& m, const char* metric) {
-    const auto found = m.values.find(metric);
-    if (found == m.values.end() || !std::isfinite(found->second)) return std::nullopt;
-    return found->second;
-}
-
 /// Calls use(now, before, metric) for each value that there was before of a setting that there still is.
 template <class Use>
 void each_pair(const Rows& now, const Rows& before, const Use& use) {
@@ -35,7 +29,7 @@ void each_pair(const Rows& now, const Rows& before, const Use& use) {
         const auto then = before.find(key);
         if (then == before.end()) continue;
         for (const Metric& m : metrics())
-            if (finite(*then->second, m.name)) use(*row, *then->second, m);
+            if (finite_value(*then->second, m.name)) use(*row, *then->second, m);
     }
 }
 
@@ -63,9 +57,9 @@ Largest largest(std::span<const Measurement> now, std::span<const Measurement> b
 double machine_drift(const Rows& now, const Rows& before, std::size_t& times) {
     std::vector<double> ratios;
     each_pair(now, before, [&](const Measurement& n, const Measurement& b, const Metric& m) {
-        const std::optional<double> t = finite(n, m.name);
-        if (m.kind == Metric::Kind::time && t && *t > 0 && *finite(b, m.name) > 0)
-            ratios.push_back(*t / *finite(b, m.name));
+        const std::optional<double> t = finite_value(n, m.name);
+        if (m.kind == Metric::Kind::time && t && *t > 0 && *finite_value(b, m.name) > 0)
+            ratios.push_back(*t / *finite_value(b, m.name));
     });
     times = ratios.size();
     return times < 5 ? 1 : quantile(ratios, 0.5);
@@ -99,8 +93,8 @@ Comparison compare(std::span<const Measurement> now, std::span<const Measurement
     const Largest most = largest(now, before);
     each_pair(rows, earlier, [&](const Measurement& n, const Measurement& b, const Metric& m) {
         ++c.compared;
-        const double then = *finite(b, m.name) * (m.kind == Metric::Kind::time ? c.drift : 1);
-        const std::optional<double> value = finite(n, m.name);
+        const double then = *finite_value(b, m.name) * (m.kind == Metric::Kind::time ? c.drift : 1);
+        const std::optional<double> value = finite_value(n, m.name);
         const double by = value ? change(m, *value, then) * (m.less_is_better ? 1 : -1) : 1e6;
         const double share = std::max(then, value.value_or(then)) / most.at({n.sweep, m.name});
         if (std::abs(by) > 1)

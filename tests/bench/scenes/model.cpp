@@ -1,9 +1,8 @@
 #include "tests/bench/scenes/model.h"
 
-#include <algorithm>
-
 #include "pipeline/visibility/gl_geometry.h"
 #include "pipeline/visibility/photo_geometry.h"
+#include "tests/bench/scenes/evenly_spread.h"
 
 namespace vantage::bench {
 
@@ -17,11 +16,9 @@ BenchModel::BenchModel(SceneInput scene) : scene_(std::move(scene)) {
 }
 
 std::vector<Camera> BenchModel::some_cameras(std::size_t count) const {
-    const std::size_t all = scene_.photos.size(), some = std::min(count, all);
-    std::vector<Camera> out;
-    for (std::size_t i = 0; i < some; ++i)
-        out.push_back(scene_.photos[(2 * i + 1) * all / (2 * some)].camera);
-    return out;
+    std::vector<Camera> all;
+    for (const PhotoInput& photo : scene_.photos) all.push_back(photo.camera);
+    return evenly_spread(all, count);
 }
 
 PhotoGeometry BenchModel::geometry(const Intrinsics& intrinsics, const Pose& pose) const {

@@ -18,6 +18,8 @@
 #include "player/measure/photo_pixels.h"
 #include "scene/error.h"
 #include "scene/make_folder.h"
+#include "tests/bench/scenes/crop.h"
+#include "tests/bench/scenes/surface_points.h"
 
 namespace vantage::bench {
 namespace {
@@ -95,10 +97,7 @@ std::vector<bool> seeable_pixels(const PackageReader& package, const RayScene& r
             const auto hit = rays.first_hit(eye, ray);
             if (!hit) continue;
             const Eigen::Vector3d point = eye + hit->distance * ray;
-            const auto corner = [&](std::size_t i) -> Eigen::Vector3d {
-                return positions[indices[3 * std::size_t(hit->triangle) + i]].cast<double>();
-            };
-            Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+            Eigen::Vector3d normal = area_vector(corners(positions, indices, hit->triangle));
             if (normal.dot(eye - point) < 0) normal = -normal;
             const auto sees = [&](const Sees& c) {
                 const auto p = project(c.k, c.pose, point);
@@ -124,15 +123,6 @@ Intrinsics middle_of(const Intrinsics& k, const Effort& effort) {
     return {w, h, k.fx, k.fy, k.cx - (k.width - w) / 2, k.cy - (k.height - h) / 2};
 }
 
-Picture window(const Picture& p, int x0, int y0, int width, int height) {
-    Picture out{width, height, {}, {}};
-    for (int y = 0; y < height; ++y) {
-        const auto row = p.rgba.begin() + 4 * (std::ptrdiff_t(y + y0) * p.width + x0);
-        out.rgba.insert(out.rgba.end(), row, row + 4 * width);
-    }
-    return out;
-}
-
 /// Every second view is a close one: the middle of a frame at full size.
 bool close_up(std::size_t view) { return view % 2 == 1; }
 
@@ -153,8 +143,8 @@ std::vector<TrueView> left_out_views(const PackageReader& package, const Effort&
         if (close_up(v)) {
             const Intrinsics whole = view.view.intrinsics, k = middle_of(whole, effort);
             view.view.intrinsics = k;
-            view.truth = window(view.truth, (whole.width - k.width) / 2, (whole.height - k.height) / 2,
-                                k.width, k.height);
+            view.truth = crop(view.truth, (whole.width - k.width) / 2, (whole.height - k.height) / 2, k.width,
+                              k.height);
             view.name += ", close";
         }
         view.photos.resize(photos);

@@ -13,14 +13,17 @@ Eigen::Matrix3d corners(std::span<const Eigen::Vector3f> positions, std::span<co
     return c;
 }
 
+Eigen::Vector3d area_vector(const Eigen::Matrix3d& c) {
+    return (c.col(1) - c.col(0)).cross(c.col(2) - c.col(0));
+}
+
 std::vector<SurfacePoint> surface_points(std::span<const Eigen::Vector3f> positions,
                                          std::span<const std::uint32_t> indices, std::size_t count,
                                          unsigned seed) {
     std::vector<double> area_up_to;
     double area = 0;
     for (std::size_t t = 0; t < indices.size() / 3; ++t) {
-        const Eigen::Matrix3d c = corners(positions, indices, t);
-        area += (c.col(1) - c.col(0)).cross(c.col(2) - c.col(0)).norm();
+        area += area_vector(corners(positions, indices, t)).norm();
         area_up_to.push_back(area);
     }
     std::vector<SurfacePoint> out;

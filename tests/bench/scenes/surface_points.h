@@ -22,5 +22,7 @@ std::vector<SurfacePoint> surface_points(std::span<const Eigen::Vector3f> positi
 /// The corners of a triangle, one a column.
 Eigen::Matrix3d corners(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices,
                         std::size_t triangle);
+/// Perpendicular to the triangle, counterclockwise corners facing its tip; its length is twice the area.
+Eigen::Vector3d area_vector(const Eigen::Matrix3d& corners);
 
 }  // namespace vantage::bench

@@ -11,9 +11,11 @@
 #include "pipeline/stages/borders.h"
 #include "pipeline/visibility/border_distance.h"
 #include "pipeline/visibility/photo_geometry.h"
+#include "scene/grid.h"
+#include "scene/quantile.h"
 #include "scene/tiling.h"
 #include "tests/bench/measure/exhibit.h"
-#include "tests/bench/measure/statistics.h"
+#include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/scenes/model.h"
 #include "tests/bench/sweeps/sweep.h"
@@ -59,10 +61,8 @@ std::vector<float> distances(const std::string& method, const std::vector<std::u
 float bilinear(const std::vector<std::uint8_t>& mask, int w, int h, double x, double y) {
     const double u = std::clamp(x - 0.5, 0.0, w - 1.0), v = std::clamp(y - 0.5, 0.0, h - 1.0);
     const int i = std::min(int(u), std::max(0, w - 2)), j = std::min(int(v), std::max(0, h - 2));
-    const auto at = [&](int a, int b) {
-        return double(
-            mask[std::size_t(std::min(b, h - 1)) * std::size_t(w) + std::size_t(std::min(a, w - 1))]);
-    };
+    const Grid<const std::uint8_t> texels{mask.data(), w, h};
+    const auto at = [&](int a, int b) { return double(texels(std::min(a, w - 1), std::min(b, h - 1))); };
     const double s = u - i, t = v - j;
     return float((1 - t) * ((1 - s) * at(i, j) + s * at(i + 1, j)) +
                  t * ((1 - s) * at(i, j + 1) + s * at(i + 1, j + 1)));
@@ -78,12 +78,11 @@ void add_errors(const std::vector<std::uint8_t>& mask, const Map& map, const std
                 const Map& full, Errors& e) {
     const int w = map.depth.width, h = map.depth.height;
     const double sx = double(w) / full.depth.width, sy = double(h) / full.depth.height;
-    for (int y = 0; y < full.depth.height; ++y)
-        for (int x = 0; x < full.depth.width; ++x) {
-            const std::size_t i = std::size_t(y) * std::size_t(full.depth.width) + std::size_t(x);
+    const Grid<const std::uint8_t> expected{truth.data(), full.depth.width, full.depth.height};
+    for (int y = 0; y < expected.height; ++y)
+        for (int x = 0; x < expected.width; ++x)
             e.mask.push_back(
-                std::abs(bilinear(mask, w, h, (x + 0.5) * sx, (y + 0.5) * sy) - float(truth[i])));
-        }
+                std::abs(bilinear(mask, w, h, (x + 0.5) * sx, (y + 0.5) * sy) - float(expected(x, y))));
 }
 
 /// One scale: all methods on the same photos.

@@ -10,9 +10,10 @@
 #include "pipeline/input/read_scene.h"
 #include "pipeline/synth/ray_scene.h"
 #include "pipeline/visibility/photo_geometry.h"
+#include "scene/grid.h"
 #include "scene/tiling.h"
 #include "tests/bench/measure/exhibit.h"
-#include "tests/bench/measure/statistics.h"
+#include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/scenes/model.h"
 #include "tests/bench/scenes/surface_points.h"
@@ -119,9 +120,9 @@ bool seen(const Map& map, const Tolerance& tolerance, const Tested& point) {
     const Eigen::Vector3f p = map.R * point.position.cast<float>() + map.t;
     const int x = int(std::floor(map.fx * p.x() / p.z() + map.cx - 0.5f)),
               y = int(std::floor(map.fy * p.y() / p.z() + map.cy - 0.5f));
+    const Grid<const float> z{map.z.data(), map.width, map.height};
     const auto at = [&](int i, int j) {
-        return map.z[std::size_t(std::clamp(j, 0, map.height - 1)) * std::size_t(map.width) +
-                     std::size_t(std::clamp(i, 0, map.width - 1))];
+        return z(std::clamp(i, 0, map.width - 1), std::clamp(j, 0, map.height - 1));
     };
     const float farthest = std::max({at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)});
     float slack = tolerance.share * p.z();
@@ -152,10 +153,9 @@ std::optional<Tested> tested(const BenchModel& model, const RayScene& rays, cons
                              const SurfacePoint& place) {
     const Eigen::Matrix3d c = corners(model.positions(), model.indices(), place.triangle);
     const Eigen::Vector3d p = c * place.weights;
-    const Eigen::Vector3d facing = (c.col(1) - c.col(0)).cross(c.col(2) - c.col(0));
     const auto drawn = project(camera.intrinsics, camera.cam_from_world, p);
     if (!drawn || !in_frame(camera.intrinsics, drawn->pixel) ||
-        !(facing.dot(camera.cam_from_world.center() - p) > 0))
+        !(area_vector(c).dot(camera.cam_from_world.center() - p) > 0))
         return {};
     Eigen::Vector3f normal = Eigen::Vector3f::Zero();
     for (std::size_t i = 0; i < 3; ++i)

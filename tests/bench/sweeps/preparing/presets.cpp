@@ -1,9 +1,9 @@
 // The presets of configs/ among the settings that could be: preparation, bytes and frames together.
 #include <fmt/format.h>
 
+#include "scene/quantile.h"
 #include "tests/bench/measure/pictures.h"
 #include "tests/bench/measure/prepared.h"
-#include "tests/bench/measure/statistics.h"
 #include "tests/bench/sweeps/sweep.h"
 
 namespace vantage::bench {

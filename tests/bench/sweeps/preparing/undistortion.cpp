@@ -12,8 +12,9 @@
 #include "pipeline/synth/synthesise.h"
 #include "player/measure/picture_metrics.h"
 #include "tests/bench/measure/exhibit.h"
-#include "tests/bench/measure/statistics.h"
+#include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"
+#include "tests/bench/scenes/evenly_spread.h"
 #include "tests/bench/sweeps/sweep.h"
 
 namespace vantage::bench {
@@ -23,15 +24,12 @@ constexpr Resampling resamplings[] = {Resampling::nearest, Resampling::linear, R
                                       Resampling::lanczos};
 constexpr std::size_t settings = std::size(resamplings) + 1;  // the last: from a photo of twice the size
 constexpr const char* twice = "lanczos, photo of twice the size";
-constexpr double psnr_most = 100;
 
 /// At most `count` of the specified cameras, evenly spread, at most `width` wide, with a lens.
 std::vector<Camera> cameras(const SynthSpec& spec, std::size_t count, int width) {
-    const std::vector<NamedCamera> all = place_cameras(spec);
-    const std::size_t some = std::min(count, all.size());
     std::vector<Camera> out;
-    for (std::size_t i = 0; i < some; ++i) {
-        Camera c = all[(2 * i + 1) * all.size() / (2 * some)].camera;
+    for (const NamedCamera& named : evenly_spread(place_cameras(spec), count)) {
+        Camera c = named.camera;
         if (!c.lens.distorts()) c.lens = {LensModel::opencv, {-0.12, 0.03}};
         const Intrinsics& k = c.intrinsics;
         const int w = std::min(width, k.width);
@@ -95,7 +93,7 @@ void add(const RgbaImage& truth, const RgbaImage& image, double ms, Result& resu
     const Picture shown = picture(image);
     const PictureScore s = score(picture(truth), shown, scored_pixels(shown));
     if (s.pixels == 0) return;  // the lens holds none of the pinhole's rays
-    result.psnr.push_back(std::min(s.psnr, psnr_most));
+    result.psnr.push_back(std::min(s.psnr, psnr_cap));
     result.ssim.push_back(s.ssim);
     result.worst.push_back(s.worst);
     result.ms.push_back(ms);

@@ -4,8 +4,9 @@
 #include <algorithm>
 
 #include "player/camera/camera_path.h"
+#include "scene/quantile.h"
+#include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/pictures.h"
-#include "tests/bench/measure/statistics.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/sweeps/sweep.h"
 

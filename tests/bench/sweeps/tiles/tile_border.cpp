@@ -4,6 +4,7 @@
 
 #include "player/measure/photo_pixels.h"
 #include "scene/tiling.h"
+#include "tests/bench/scenes/crop.h"
 #include "tests/bench/sweeps/sweep.h"
 #include "tests/bench/sweeps/tiles/tile_pixels.h"
 
@@ -21,22 +22,21 @@ Cut cut_all(const Picture& image, int border) {
     Cut out{content, (image.width + content - 1) / content, {}};
     for (int y = 0; y < image.height; y += content)
         for (int x = 0; x < image.width; x += content)
-            out.tiles.push_back({tile_size, tile_size, cut(image, x - border, y - border, tile_size), {}});
+            out.tiles.push_back(crop(image, x - border, y - border, tile_size, tile_size));
     return out;
 }
 
 /// Linear between four texels, clamped at the image's edges; alpha, too.
 std::array<double, 4> bilinear(const Picture& image, double x, double y) {
     const double fx = std::floor(x - 0.5), fy = std::floor(y - 0.5), s = x - 0.5 - fx, t = y - 0.5 - fy;
-    const auto texel = [&](int i, int j) {
-        return &image.rgba[4 * (std::size_t(std::clamp(int(fy) + j, 0, image.height - 1)) *
-                                    std::size_t(image.width) +
-                                std::size_t(std::clamp(int(fx) + i, 0, image.width - 1)))];
+    const auto at = [&](int i, int j) {
+        return texel(image, std::clamp(int(fx) + i, 0, image.width - 1),
+                     std::clamp(int(fy) + j, 0, image.height - 1));
     };
     std::array<double, 4> out;
     for (std::size_t c = 0; c < 4; ++c)
-        out[c] = (1 - t) * ((1 - s) * texel(0, 0)[c] + s * texel(1, 0)[c]) +
-                 t * ((1 - s) * texel(0, 1)[c] + s * texel(1, 1)[c]);
+        out[c] = (1 - t) * ((1 - s) * at(0, 0)[c] + s * at(1, 0)[c]) +
+                 t * ((1 - s) * at(0, 1)[c] + s * at(1, 1)[c]);
     return out;
 }
 

@@ -12,8 +12,9 @@
 #include "gl/object.h"
 #include "scene/tiling.h"
 #include "tests/bench/measure/exhibit.h"
-#include "tests/bench/measure/statistics.h"
+#include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"
+#include "tests/bench/scenes/evenly_spread.h"
 #include "tests/bench/sweeps/sweep.h"
 #include "tests/bench/sweeps/tiles/tile_layers.h"
 #include "tests/bench/sweeps/tiles/tile_pixels.h"
@@ -127,7 +128,7 @@ Tile tile_of(std::span<const std::byte> block, const Level& level, int number) {
 
 /// Tiles of the photos' three finest levels, evenly spread over all of them.
 std::vector<Tile> some_tiles(const PackageReader& package, const Effort& effort) {
-    std::vector<Tile> all, out;
+    std::vector<Tile> all;
     for (const std::uint32_t photo : some_photos(package, effort.photos))
         for (std::uint32_t l = 0; l < std::min(3u, package.photos()[photo].levels); ++l) {
             const package::PhotoRecord& p = package.photos()[photo];
@@ -137,9 +138,7 @@ std::vector<Tile> some_tiles(const PackageReader& package, const Effort& effort)
                 all.push_back(tile_of(package.block(*entry, b), level, int(b)));
         }
     const std::size_t most = std::clamp(effort.points / 200, std::size_t(8), std::size_t(300));
-    const std::size_t some = std::min(most, all.size());
-    for (std::size_t i = 0; i < some; ++i) out.push_back(all[(2 * i + 1) * all.size() / (2 * some)]);
-    return out;
+    return evenly_spread(all, most);
 }
 
 /// Tiles of a photo's whole pyramid, mean.
@@ -210,7 +209,7 @@ double upload_ms(const Format& f, const Coded& coded, const std::vector<Tile>& r
 std::size_t worst_tile(const Format& f, const Coded& coded, const std::vector<Tile>& tiles) {
     Bytes tile(tile_bytes);
     std::size_t worst = 0;
-    double least = 2 * psnr_most;
+    double least = 2 * psnr_cap;
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         Differences d;
         decode(f, coded.tiles[i], tile);

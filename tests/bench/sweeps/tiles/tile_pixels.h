@@ -5,15 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "player/render/picture.h"
 #include "scene/package_reader.h"
+#include "tests/bench/results/measurement.h"
 
 namespace vantage::bench {
 
 using Bytes = std::vector<std::uint8_t>;
 using Texels = std::span<const std::uint8_t>;  ///< RGBA, row by row
-
-constexpr double psnr_most = 100;
 
 /// Differences of channels from what they should be, up to 255.
 class Differences {
@@ -26,7 +24,7 @@ class Differences {
     bool empty() const { return all_ == 0; }
     double psnr() const {
         const double mean = squares_ / double(std::max(all_, std::uint64_t(1)));
-        return mean > 0 ? std::min(psnr_most, 10 * std::log10(255 * 255 / mean)) : psnr_most;
+        return mean > 0 ? std::min(psnr_cap, 10 * std::log10(255 * 255 / mean)) : psnr_cap;
     }
     /// What 99.9 % are no larger than.
     double worst() const {
@@ -45,8 +43,5 @@ class Differences {
 
 /// Of the photos that have tiles, at most `count`, evenly spread.
 std::vector<std::uint32_t> some_photos(const PackageReader& package, std::size_t count);
-
-/// A square out of an image; its edges repeat their last texel.
-Bytes cut(const Picture& image, int x0, int y0, int size);
 
 }  // namespace vantage::bench

@@ -9,8 +9,10 @@
 #include "player/measure/photo_pixels.h"
 #include "player/plan/sampling.h"
 #include "scene/tiling.h"
-#include "tests/bench/measure/statistics.h"
+#include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"
+#include "tests/bench/scenes/crop.h"
+#include "tests/bench/scenes/surface_points.h"
 #include "tests/bench/sweeps/sweep.h"
 #include "tests/bench/sweeps/tiles/tile_layers.h"
 #include "tests/bench/sweeps/tiles/tile_pixels.h"
@@ -110,10 +112,8 @@ Blocks shown_blocks(const PackageReader& package, const Surface& surface, const 
                 pose.R.transpose() * Eigen::Vector3d((x + 0.5 - k.cx) / k.fx, (y + 0.5 - k.cy) / k.fy, 1);
             const auto hit = surface.rays.first_hit(eye, ray);
             if (!hit) continue;
-            const auto corner = [&](std::size_t i) -> Eigen::Vector3d {
-                return surface.positions[surface.indices[3 * hit->triangle + i]].cast<double>();
-            };
-            const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+            const Eigen::Vector3d normal =
+                area_vector(corners(surface.positions, surface.indices, hit->triangle)).normalized();
             mark_point(surface, sources, view.view, eye + hit->distance * ray, normal, out);
         }
     return out;
@@ -135,7 +135,7 @@ std::vector<Bytes> cut_some(const Picture& image, int size) {
     const int count = std::clamp((1 << 22) / (size * size), 4, 256);
     std::vector<Bytes> out;
     for (int i = 0; i < count; ++i)
-        out.push_back(cut(image, i * size % image.width, i * size / image.width * size, size));
+        out.push_back(crop(image, i * size % image.width, i * size / image.width * size, size, size).rgba);
     return out;
 }
 

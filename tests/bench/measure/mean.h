@@ -1,8 +1,6 @@
 #pragma once
 #include <vector>
 
-#include "scene/quantile.h"
-
 namespace vantage::bench {
 
 /// 0 for none.
@@ -12,7 +10,5 @@ double mean(const std::vector<T>& values) {
     for (const T& v : values) sum += double(v);
     return values.empty() ? 0 : sum / double(values.size());
 }
-
-using vantage::quantile;
 
 }  // namespace vantage::bench
