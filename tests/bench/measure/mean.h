@@ -3,7 +3,7 @@
 
 namespace vantage::bench {
 
-/// 0 for none.
+/// 0 if there are no values.
 template <class T>
 double mean(const std::vector<T>& values) {
     double sum = 0;

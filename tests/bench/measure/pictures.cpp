@@ -25,7 +25,7 @@ std::vector<bool> both(std::vector<bool> a, const std::vector<bool>& b) {
     return a;
 }
 
-/// Frames of one view as a window draws them, each finished.
+/// Draws frames of one view as a window does, waiting for each to finish.
 class Frames {
   public:
     Frames(Renderer& renderer, const TrueView& view, const PictureSetting& s)
@@ -39,7 +39,7 @@ class Frames {
         settings_.complete = false;
     }
     FrameReport draw() const {
-        // A clock that runs a thousand times as fast: nothing is still fading in.
+        // Milliseconds instead of seconds, so that no photo is still fading in.
         const double now =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
                 .count();
@@ -59,13 +59,13 @@ class Frames {
     gl::Framebuffer target_;
 };
 
-/// Gain for gain, decibels between two pictures of a view where both are coloured.
-double beside(const Picture& exact, const Picture& picture, const TrueView& view) {
+/// PSNR of a picture against the exact one, without gains, where both are colored.
+double psnr_against(const Picture& exact, const Picture& picture, const TrueView& view) {
     const auto scored = both(both(scored_pixels(exact, 0), scored_pixels(picture, 0)), view.seeable);
     return std::min(psnr_cap, score(exact, picture, scored).psnr);
 }
 
-/// None: how many there are.
+/// The exact setting to compare a curve with, of that curve if possible; settings.size() if there is none.
 std::size_t exact_of(std::span<const PictureSetting> settings, const std::string& curve) {
     std::size_t found = settings.size();
     for (std::size_t i = settings.size(); i-- > 0;)
@@ -87,7 +87,7 @@ void keep_extremes(const BenchScene& scene, std::span<const PictureSetting> sett
         if (settings[i].chosen) chosen = i;
     }
     std::size_t exact = exact_of(settings, settings[worst].curve);
-    if (exact == settings.size())  // then the best
+    if (exact == settings.size())  // fall back to the best
         exact = std::size_t(
             std::ranges::max_element(out, {}, [](const Measurement& m) { return m.values.at("psnr"); }) -
             out.begin());
@@ -122,7 +122,7 @@ PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Pi
         out.psnr += share * std::min(psnr_cap, s.psnr_gain);
         out.ssim += share * s.ssim;
         out.worst += share * s.worst;
-        out.uncoloured += share * 100 * double(holes) / double(std::max<std::size_t>(1, seeable));
+        out.uncolored += share * 100 * double(holes) / double(std::max<std::size_t>(1, seeable));
     }
     return out;
 }
@@ -147,7 +147,7 @@ void settle(Renderer& renderer, const TrueView& view, const PictureSetting& s) {
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& s) {
     settle(renderer, view, s);
     const Frames frames(renderer, view, s);
-    // Samples are drawn one after the other, each as the first.
+    // Samples are drawn one after another, each at the cost of the first.
     return milliseconds([&] { frames.draw(); }) * (s.timed_whole ? s.side * s.side : 1);
 }
 
@@ -169,7 +169,7 @@ std::vector<Measurement> measure_pictures(const std::filesystem::path& file, con
         out.back().values.merge(std::map<std::string, double>{{"psnr", e.psnr},
                                                               {"ssim", e.ssim},
                                                               {"worst", e.worst},
-                                                              {"uncoloured", e.uncoloured},
+                                                              {"uncoloured", e.uncolored},
                                                               {"photos", photos}});
     }
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -178,7 +178,7 @@ std::vector<Measurement> measure_pictures(const std::filesystem::path& file, con
         const std::vector<Picture>& exact = pictures[of];
         double sum = 0;
         for (std::size_t v = 0; v < exact.size(); ++v)
-            sum += beside(exact[v], pictures[i][v], scene.views[v]);
+            sum += psnr_against(exact[v], pictures[i][v], scene.views[v]);
         out[i].values["psnr_exact"] = sum / double(exact.size());
     }
     std::vector<Picture> firsts;

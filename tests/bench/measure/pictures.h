@@ -11,42 +11,42 @@
 
 namespace vantage::bench {
 
-/// A point of a curve that is measured by the pictures it gives.
+/// A point of a curve that is measured by rendering pictures.
 struct PictureSetting {
     std::string curve, setting;
     bool exact = false, chosen = false;
     RenderSettings settings;
-    int side = 2;              ///< samples along a pixel's side, in pictures that are compared with the truth
-    bool timed_whole = false;  ///< a frame takes all of the samples, else one
-    bool timed = true;         ///< frames are; else it is known that they take no other time
-    double photos = 1;         ///< share of those that may be blended, evenly spread
-    std::map<std::string, double> known{};  ///< metrics that come with the setting
+    int side = 2;  ///< samples along the side of a pixel, in pictures that are compared with the truth
+    bool timed_whole = false;               ///< time a frame with all samples instead of one
+    bool timed = true;                      ///< measure frame times; false if they are known not to differ
+    double photos = 1;                      ///< fraction of the allowed photos to use, evenly spread
+    std::map<std::string, double> known{};  ///< metrics given by the setting itself
 };
 
-/// How far a scene's views are from the truth where that is seeable; means over the views.
+/// Errors of a scene's views against the truth over the seeable pixels; means over the views.
 struct PictureErrors {
-    double psnr = 0, ssim = 0, worst = 0;  ///< as PictureScore, after gains
-    double uncoloured = 0;                 ///< per cent of what is seeable
+    double psnr = 0, ssim = 0, worst = 0;  ///< as in PictureScore, after gains
+    double uncolored = 0;                  ///< percent of the seeable pixels
 };
 PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Picture> pictures);
 
-/// All of a scene's views with these settings.
+/// Renders all views of a scene with these settings.
 std::vector<Picture> render_views(Renderer& renderer, const BenchScene& scene, const PictureSetting& setting);
 
-/// Draws frames of the view until one misses nothing.
+/// Draws frames of the view until one has all its tiles, 1000 at most.
 void settle(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
-/// Milliseconds of a frame that stands still, everything resident; of all its samples where they are timed.
+/// Milliseconds per frame of a still view with everything resident; includes all samples if `timed_whole`.
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
-/// Of a package of the scene: psnr, ssim, worst, uncoloured, photos and frame_ms of each, and psnr_exact:
-/// beside the exact setting of the same curve, or else of another, where there is one. Keeps parts of
-/// pictures where the worst differs most from the exact.
+/// Measures each setting on a package of the scene: psnr, ssim, worst, uncoloured, photos, frame_ms, and
+/// psnr_exact against the exact setting of the same curve, or of another curve if it has none. Exhibits show
+/// the window in which the worst setting differs most from the exact one.
 std::vector<Measurement> measure_pictures(const std::filesystem::path& package, const BenchScene& scene,
                                           const Effort& effort, std::span<const PictureSetting> settings,
                                           const std::filesystem::path& folder, const std::string& tag);
 
-/// Enough for all that a package has.
+/// Enough to hold whole packages.
 MemoryBudget ample_memory();
 
 }  // namespace vantage::bench

@@ -7,20 +7,21 @@
 
 namespace vantage::bench {
 
-/// What `vantage prepare` took.
+/// Resources that `vantage prepare` used.
 struct PrepareCost {
     double seconds = 0;  ///< wall
     double memory_bytes =
-        0;  ///< peak, as it says itself: what the system keeps of a child counts its parent's, too
+        0;  ///< peak as it reports itself; the system's figure for a child includes its parent's
 };
 
-/// Runs the program as a user does, `vantage prepare FOLDER -o PACKAGE OPTIONS...`. Throws Error(input) with
-/// its last line where it fails.
+/// Runs `vantage prepare FOLDER -o PACKAGE OPTIONS...` as its own process. If it fails, throws Error(input)
+/// with the last line of its output.
 PrepareCost run_prepare(const std::filesystem::path& folder, const std::filesystem::path& package,
                         const std::vector<std::string>& options);
 
-/// What measure_pictures() finds of one setting on a package prepared for it, package_bytes, prepare_s and
-/// memory_bytes; beside nothing else, so without psnr_exact and the truth's exhibit.
+/// Prepares a package with these options and measures one setting on it: the values of measure_pictures()
+/// plus package_bytes, prepare_s and memory_bytes. There is no other setting to compare with, hence no
+/// psnr_exact and no exhibit of the truth.
 Measurement measure_prepared(const BenchScene& scene, const Effort& effort,
                              const std::vector<std::string>& options, const PictureSetting& setting,
                              const std::filesystem::path& folder, const std::string& tag);

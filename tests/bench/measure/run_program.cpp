@@ -18,7 +18,7 @@ namespace vantage::bench {
 ScratchFolder::ScratchFolder() {
     std::error_code none;
     std::string name = (std::filesystem::temp_directory_path(none) / "vantage-bench-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw Error(Exit::storage, name + ": cannot be made");
+    if (!::mkdtemp(name.data())) throw Error(Exit::storage, name + ": cannot be created");
     path_ = name;
 }
 

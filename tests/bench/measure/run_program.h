@@ -5,7 +5,7 @@
 
 namespace vantage::bench {
 
-/// A folder of its own among the temporary files, gone with this. Throws Error(storage).
+/// A temporary folder, removed by the destructor. Throws Error(storage).
 class ScratchFolder {
   public:
     ScratchFolder();
@@ -18,8 +18,8 @@ class ScratchFolder {
     std::filesystem::path path_;
 };
 
-/// Runs a program found on the PATH, no shell between, what it writes going to files. Its exit status; -1 if
-/// a signal ended it, 127 if it is not to be found.
+/// Runs a program from the PATH without a shell, its output redirected to files; `out` and `err` may be the
+/// same. Returns its exit status, -1 if a signal ended it, 127 if it cannot be started.
 int run_program(const std::vector<std::string>& words, const std::filesystem::path& out,
                 const std::filesystem::path& err);
 

@@ -5,7 +5,7 @@
 
 namespace vantage::bench {
 
-/// Milliseconds that `work` takes.
+/// Wall time of `work`, milliseconds.
 template <class Work>
 double milliseconds(const Work& work) {
     const auto start = std::chrono::steady_clock::now();
@@ -13,8 +13,8 @@ double milliseconds(const Work& work) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Medians of `repeats` rounds over all settings, in turn, so that a machine that drifts does so for all.
-/// `time(i)` gives the milliseconds of setting i.
+/// Median time of each setting over `repeats` rounds. Each round times all settings in turn, so that drift of
+/// the machine affects them equally. `time(i)` returns the milliseconds of setting i.
 std::vector<double> medians_in_turn(std::size_t settings, int repeats,
                                     const std::function<double(std::size_t)>& time);
 

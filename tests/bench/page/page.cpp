@@ -63,25 +63,25 @@ td.better, tr.better td:nth-child(n+6) { color: var(--better); } td.better { bac
 )";
 
 constexpr const char* introduction = R"(<section id=reading><h2>How to read this</h2>
-<p>Wherever Vantage takes a short cut, there is an exact way too, and a curve between them. A point is one
-setting: how far its result is from the truth, against what it costs in time or bytes. The arrow at each axis
-says which way is better, so that one corner of every plot is the best.</p>
-<p>The grey steps are the <b>front</b>: of all that was measured, nothing is as good as a point on it and
-cheaper, or as cheap and better. Find the cost that you can bear, go to the front, and take the setting there. A
-setting off the front is a poor bargain; the tables say by how much. Point at a mark to see its name and values.</p>
+<p>For every approximation in Vantage there is an exact method, and settings in between. Each point is one setting:
+its error against its cost in time or bytes. The arrow on each axis points in the better direction, so the best
+corner of every plot is easy to find.</p>
+<p>The gray staircase is the <b>Pareto front</b>: compared with any point on it, no measured setting is as
+good and cheaper, or as cheap and better. Pick the highest cost you can afford and use the setting on the front there.
+Settings off the front are dominated; the tables give the margin. Hover over a point for its name and values.</p>
 <ul class=key>
 <li><svg width=22 height=16><circle cx=11 cy=8 r=3 fill=#0072B2 /><circle cx=11 cy=8 r=6.5 fill=none stroke=#333
-stroke-width=1.4 /></svg>what Vantage does if not told otherwise
+stroke-width=1.4 /></svg>the default of Vantage
 <li><svg width=22 height=16><rect x=7.5 y=4.5 width=7 height=7 fill=#0072B2 /></svg>exact
-<li><svg width=22 height=16><path d="M2,2 V8 H12 V14 H21" fill=none stroke=#b4b4b4 /></svg>the front
+<li><svg width=22 height=16><path d="M2,2 V8 H12 V14 H21" fill=none stroke=#b4b4b4 /></svg>front
 <li><svg width=22 height=16><path d="M4,13 L18,4" stroke=#9a9a9a /><circle cx=4 cy=13 r=2.7 fill=none stroke=#9a9a9a
-stroke-width=1.2 /><circle cx=18 cy=4 r=3 fill=#0072B2 /></svg>where an earlier run had a point that has moved
+stroke-width=1.2 /><circle cx=18 cy=4 r=3 fill=#0072B2 /></svg>position of a changed point in the earlier run
 </ul></section>
 )";
 
 bool is_presets(const SweepPart& part) { return std::string_view(part.sweep->name) == "presets"; }
 
-/// A sweep's scenes one after the other, as they first appear; what no sweep is called comes last.
+/// Sorts by sweep and then by scene in order of first appearance; rows of unknown sweeps come last.
 void sort_rows(const PageInput& input, std::vector<Measurement>& rows) {
     std::vector<std::string> scenes;
     for (const Measurement& m : rows)
@@ -114,8 +114,9 @@ std::vector<SweepPart> parts(std::span<const Sweep> sweeps, std::span<const Meas
 void write_contents(std::ostream& out, const PageContent& page) {
     out << "<nav><ol>\n<li><a href=\"#reading\">How to read this</a>\n";
     if (page.comparison)
-        out << "<li><a href=\"#moved\">What moved</a> (" << page.comparison->moved.size() << ")\n";
-    out << "<li><a href=\"#defaults\">Where the defaults lie</a>\n";
+        out << "<li><a href=\"#moved\">Changes since the earlier run</a> (" << page.comparison->moved.size()
+            << ")\n";
+    out << "<li><a href=\"#defaults\">The defaults against the front</a>\n";
     for (const bool presets : {false, true})
         for (const SweepPart& part : page.sweeps)
             if (!part.scenes.empty() && is_presets(part) == presets)
@@ -137,10 +138,10 @@ void write_default(std::ostream& out, const SweepPart& part, const ScenePart& s,
 }
 
 void write_defaults(std::ostream& out, const PageContent& page) {
-    out << "<section id=defaults><h2>Where the defaults lie</h2>\n<p>What Vantage does if not told "
-           "otherwise, "
-           "on the first plot of each sweep.</p>\n<div class=scroll><table class=words><thead><tr><th>sweep"
-           "<th>scene<th>setting<th>error<th>cost<th>beside the front</thead><tbody>\n";
+    out << "<section id=defaults><h2>The defaults against the front</h2>\n<p>The default "
+           "settings of Vantage on the first plot of each sweep.</p>\n<div class=scroll><table "
+           "class=words><thead><tr><th>sweep"
+           "<th>scene<th>setting<th>error<th>cost<th>against the front</thead><tbody>\n";
     for (const SweepPart& part : page.sweeps)
         for (const ScenePart& s : part.scenes)
             for (std::size_t i = 0; i < s.rows.size(); ++i)
@@ -149,7 +150,7 @@ void write_defaults(std::ostream& out, const PageContent& page) {
     out << "</tbody></table></div></section>\n";
 }
 
-/// What is not on the page, lest it be missed.
+/// Notes what is not on the page.
 void write_rest(std::ostream& out, const PageContent& page, std::size_t rows) {
     std::string unmeasured;
     for (const SweepPart& part : page.sweeps) {
@@ -161,7 +162,7 @@ void write_rest(std::ostream& out, const PageContent& page, std::size_t rows) {
         out << "<p class=note>Not measured in this run: " << escaped(unmeasured) << ".</p>\n";
     if (rows)
         out << "<p class=note>" << rows
-            << " measurements of sweeps that this program does not have are left out.</p>\n";
+            << " measurements of sweeps unknown to this program are left out.</p>\n";
 }
 
 void write_body(std::ostream& out, const PageContent& page) {

@@ -11,14 +11,15 @@ namespace vantage::bench {
 
 struct PageInput {
     std::string title;
-    std::span<const Sweep> sweeps;  ///< in the page's order; one named "presets" has a section of its own
+    std::span<const Sweep>
+        sweeps;  ///< in the order of the page; one named "presets" gets its own kind of section
     Run now;
-    std::optional<Run> before;  ///< an earlier run, to show what has moved
+    std::optional<Run> before;  ///< an earlier run to compare with
 };
 
-/// Writes folder/index.html, one file with all plots and exhibits in it. Exhibits are read from `folder`; one
-/// that is not there is said to be missing. Throws Error(input) where gnuplot is missing or fails,
-/// Error(storage), std::out_of_range for a plot of something that is no metric.
+/// Writes folder/index.html, a single file that contains all plots and exhibits, and the plots as
+/// folder/plots. Exhibits are read from `folder`; a missing one is marked as missing. Throws Error(input) if
+/// gnuplot is missing or fails, Error(storage), std::out_of_range for a plot of an unknown metric.
 void write_page(const std::filesystem::path& folder, const PageInput& input);
 
 }  // namespace vantage::bench

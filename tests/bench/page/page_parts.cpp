@@ -1,4 +1,4 @@
-// What the sections of the page are made of: plots, tables of rows, exhibits, verdicts.
+// The parts of the page's sections: plots, tables of rows, exhibits, verdicts.
 #include "tests/bench/page/page_parts.h"
 
 #include <algorithm>
@@ -24,11 +24,12 @@ namespace {
 
 constexpr std::size_t long_table = 16, many_exhibits = 12, few_exhibits = 6;
 
-/// One column's numbers, with as many places as make its largest 4 digits long, if its smallest bears that.
+/// The numbers of one column: all with the decimal places that give the largest 4 significant digits, unless
+/// the smallest would lose too many.
 struct Column {
     const Metric* metric;
     Scale scale;
-    int places = -1;  ///< -1: each has its own
+    int places = -1;  ///< -1: each number has its own
 
     std::string text(const Measurement& row) const {
         const std::optional<double> v = finite_value(row, metric->name);
@@ -66,7 +67,7 @@ void write_row(std::ostream& out, const PageContent& page, const Measurement& ro
     out << (row.chosen ? "<tr class=chosen>" : "<tr>") << "<td>" << escaped(row.curve) << "<td>"
         << escaped(row.setting) << "<td>" << (on_front ? "●" : "") << "<td>"
         << (row.exact ? "<span class=tag>exact</span>" : "")
-        << (row.chosen ? "<span class=tag>chosen</span>" : "");
+        << (row.chosen ? "<span class=tag>default</span>" : "");
     for (const Column& c : columns) {
         const Moved* moved = find_moved(page, row, c.metric->name);
         out << "<td";
@@ -88,11 +89,11 @@ void write_exhibit(std::ostream& out, const PageContent& page, const Measurement
     const std::string data = exhibit_data(page.folder / e.file);
     out << "<figure" << (row.chosen ? " class=chosen" : "") << ">";
     if (data.empty())
-        out << "<div class=missing>the picture is missing</div>";
+        out << "<div class=missing>missing picture</div>";
     else
         out << "<img decoding=async alt=\"" << escaped(e.caption) << "\" src=\"" << data << "\">";
     out << "<figcaption>" << escaped(e.caption) << (row.exact ? " <span class=tag>exact</span>" : "")
-        << (row.chosen ? " <span class=tag>chosen</span>" : "") << "</figcaption></figure>\n";
+        << (row.chosen ? " <span class=tag>default</span>" : "") << "</figcaption></figure>\n";
 }
 
 std::size_t pictures(std::span<const Measurement> rows) {
@@ -101,7 +102,7 @@ std::size_t pictures(std::span<const Measurement> rows) {
     return count;
 }
 
-/// As a file of its own, on white, named for its title: "blending-sceaux-psnr-against-a-frame.svg".
+/// Saves the plot on white, named for its title: "blending-sceaux-psnr-against-frame-time.svg".
 void keep_plot(const std::filesystem::path& folder, const std::string& title, std::string svg) {
     std::string name;
     for (const char c : title) {
@@ -116,7 +117,8 @@ void keep_plot(const std::filesystem::path& folder, const std::string& title, st
         throw Error(Exit::storage, (folder / name).string() + ".svg: cannot be written");
 }
 
-/// How a picture grid begins; a curve's pictures fill a line of it if they are 3 to 8.
+/// The start tag of a picture grid. If no curve has more than 8 pictures and one has at least 3, a row of the
+/// grid holds one curve.
 std::string exhibits_grid(std::span<const Measurement> rows) {
     std::map<std::string, std::size_t> curves;
     for (const Measurement& row : rows) curves[row.curve] += row.exhibits.size();
@@ -150,10 +152,10 @@ std::string verdict(std::span<const Measurement> rows, std::size_t i, const Plot
     const std::string name =
         (rows[*best].curve == rows[i].curve ? "" : rows[*best].curve + ", ") + rows[*best].setting;
     const double by = points[i].error - points[*best].error;
-    if (by == 0) return "no better than " + name + ", which costs less";
+    if (by == 0) return "no better than " + name + ", which is cheaper";
     if (by <= m.noise * std::abs(points[i].error)) return "as good as " + name + ", which costs no more";
     return quantity(by, m.unit, 3) + (m.less_is_better ? " above" : " below") +
-           " the best that costs no more (" + name + ")";
+           " the best setting at no higher cost (" + name + ")";
 }
 
 PlotAxis axis_for(const char* name, bool log) {
@@ -179,7 +181,7 @@ void write_plot(std::ostream& out, const PageContent& page, const Sweep& sweep, 
             without += (without.empty() ? "" : "; ") + row.curve + ", " + row.setting;
     out << "<figure class=plot>" << svg;
     if (!without.empty())
-        out << "<figcaption>Not drawn, having no finite value: " << escaped(without) << "</figcaption>";
+        out << "<figcaption>Not drawn (no finite value): " << escaped(without) << "</figcaption>";
     out << "</figure>\n";
 }
 

@@ -19,10 +19,10 @@ struct ScenePart {
 };
 struct SweepPart {
     const Sweep* sweep;
-    std::vector<ScenePart> scenes;  ///< none where it was not measured
+    std::vector<ScenePart> scenes;  ///< empty if it was not measured
 };
 
-/// What all parts of a page are written from.
+/// The data behind all parts of a page.
 struct PageContent {
     const PageInput& input;
     std::filesystem::path folder;
@@ -30,26 +30,27 @@ struct PageContent {
     std::optional<Comparison> comparison;
 };
 
-/// Where a value was in the earlier run; none where it has not moved.
+/// The change of a value since the earlier run; null if it has not moved.
 const Moved* find_moved(const PageContent& page, const Measurement& row, const char* metric);
 
-/// "worse", "better" or "" where the metric is neither.
+/// CSS class: "worse", "better", or "" if the metric is neither or the value is gone.
 const char* verdict_class(const Moved& moved);
 
-/// In words, how far row `i` is from the front of a plot; empty where it is not on that plot.
+/// Describes how far row `i` is from the front of a plot; empty if it is not on the plot.
 std::string verdict(std::span<const Measurement> rows, std::size_t i, const Plot& plot);
 
 PlotAxis axis_for(const char* metric, bool log);
-/// Without `quiet` and what else depends on the plot's purpose.
+/// Leaves `quiet`, which depends on the plot, unset.
 PlotPoint point_for(const PageContent& page, const Measurement& row, const Plot& plot);
-/// A plot, and below it what it could not show; besides, as folder/plots/SWEEP-TITLE.svg. Throws
+/// Writes a plot with a list of the rows it cannot show, and saves it as folder/plots/SWEEP-TITLE.svg. Throws
 /// Error(storage).
 void write_plot(std::ostream& out, const PageContent& page, const Sweep& sweep, const PlotSpec& spec,
                 std::span<const Measurement> rows, const Plot& plot);
-/// All rows; marked those on the front of `plot`, if there is one.
+/// Writes a table of all rows; those on the front of `plot`, if not null, are marked.
 void write_rows(std::ostream& out, const PageContent& page, std::span<const Measurement> rows,
                 const Plot* plot);
-/// Ends the grid of a scene's plots, the rows' pictures in it if they are few, below it if they are many.
+/// Ends the grid of a scene's plots. The rows' pictures go into the grid if there are few, otherwise below
+/// it.
 void close_scene(std::ostream& out, const PageContent& page, std::span<const Measurement> rows);
 
 void write_moved(std::ostream& out, const PageContent& page);

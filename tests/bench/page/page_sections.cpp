@@ -1,4 +1,4 @@
-// The sections of the page: what moved, a sweep, the presets.
+// The sections of the page: changes since an earlier run, a sweep, the presets.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,7 +19,7 @@ std::string signed_quantity(double value, const std::string& unit) {
     return (value > 0 ? "+" : "") + quantity(value, unit, 3);
 }
 
-/// A ratio of times and bytes, a difference of errors.
+/// As a ratio for times and bytes, as a difference for errors.
 std::string change(const Moved& m) {
     if (!m.now) return "no longer measured";
     const bool ratio = m.metric->kind == Metric::Kind::time || m.metric->kind == Metric::Kind::bytes;
@@ -28,8 +28,8 @@ std::string change(const Moved& m) {
 }
 
 void write_moved_rows(std::ostream& out, std::span<const Moved> moved) {
-    out << "<div class=scroll><table class=moved><thead><tr><th>sweep<th>scene<th>curve<th>setting<th>what"
-           "<th>before<th>now<th>change<th>times its noise</thead><tbody>\n";
+    out << "<div class=scroll><table class=moved><thead><tr><th>sweep<th>scene<th>curve<th>setting<th>metric"
+           "<th>before<th>now<th>change<th>multiple of noise</thead><tbody>\n";
     for (const Moved& m : moved) {
         out << "<tr class=\"" << verdict_class(m) << "\">";
         for (const std::string& text :
@@ -63,20 +63,19 @@ void write_list(std::ostream& out, const char* what, const std::vector<std::stri
 
 void write_drift(std::ostream& out, const Comparison& c) {
     if (c.times < 5)
-        out << "<p>There are too few times to tell how the machine has drifted; they are compared as they "
-               "are.</p>\n";
+        out << "<p>There are too few times to estimate the drift of the machine; they are compared without "
+               "correction.</p>\n";
     else
-        out << "<p>Machines drift, so times are compared as ratios after division by the median ratio: the "
-               "same took "
-            << number(c.drift, 3) << " times as long as before, by the median of " << c.times
-            << " times. Earlier times below, and in the plots, are multiplied by that.</p>\n";
+        out << "<p>Times are compared after correction for the drift of the machine: the same work took "
+            << number(c.drift, 3) << " times as long as before (median ratio of " << c.times
+            << " times). Earlier times below and in the plots are multiplied by that.</p>\n";
 }
 
 std::string plot_title(const ScenePart& s, const Plot& plot) {
     return s.scene + ": " + metric(plot.y).title + " against " + metric(plot.x).title;
 }
 
-/// The curves of a sweep in the order in which they were measured.
+/// The curves of a sweep, in the order of measurement.
 std::vector<PlotCurve> curves(const PageContent& page, std::span<const Measurement> rows, const Plot& plot) {
     std::vector<PlotCurve> out;
     for (const Measurement& row : rows) {
@@ -99,7 +98,7 @@ bool is_preset(const Measurement& row) {
 
 bool has(std::span<const Measurement> rows, const Plot& plot) { return !front(rows, plot.x, plot.y).empty(); }
 
-/// Those that every presets sweep has, if they were measured, and what else it asks for.
+/// The standard plots of presets and those of the sweep, as far as they were measured.
 std::vector<Plot> plots_of_presets(const Sweep& sweep, std::span<const Measurement> rows) {
     std::vector<Plot> out(std::begin(preset_plots), std::end(preset_plots));
     for (const Plot& p : sweep.plots)
@@ -111,7 +110,7 @@ std::vector<Plot> plots_of_presets(const Sweep& sweep, std::span<const Measureme
     return out;
 }
 
-/// Presets by name, the others small, named only on the front.
+/// Presets with names; candidates small, with names only on the front.
 std::vector<PlotCurve> preset_curves(const PageContent& page, std::span<const Measurement> rows,
                                      const Plot& plot) {
     std::vector<PlotCurve> out = {{"presets", {}, false, false}, {"candidates", {}, false, true}};
@@ -144,7 +143,7 @@ void write_verdicts(std::ostream& out, std::span<const Measurement> rows, const 
 void write_head(std::ostream& out, const Sweep& sweep, const std::string& title) {
     out << "<section id=\"sweep-" << escaped(sweep.name) << "\"><h2>" << escaped(title) << "</h2>\n<p>"
         << escaped(sweep.question) << "</p>\n<p class=note>Measured against " << escaped(sweep.truth)
-        << ". Precision of the exact end: " << escaped(sweep.precision) << ".</p>\n";
+        << ". Precision of the exact setting: " << escaped(sweep.precision) << ".</p>\n";
 }
 
 }  // namespace
@@ -152,22 +151,21 @@ void write_head(std::ostream& out, const Sweep& sweep, const std::string& title)
 void write_moved(std::ostream& out, const PageContent& page) {
     const Comparison& c = *page.comparison;
     const Run &now = page.input.now, &before = *page.input.before;
-    out << "<section id=moved><h2>What moved</h2>\n<p>Compared with the run of Vantage "
+    out << "<section id=moved><h2>Changes since the earlier run</h2>\n<p>Compared with a run of Vantage "
         << escaped(before.version) << ", effort " << escaped(before.effort);
     for (const std::string& line : before.machine) out << "; " << escaped(line);
     out << ".</p>\n";
     if (now.effort != before.effort)
-        out << "<p class=warning>That run was of another effort: what is measured on fewer photos or views "
-               "differs without anything having changed.</p>\n";
+        out << "<p class=warning>That run had a different effort: values measured on other photos or views "
+               "differ even if nothing has changed.</p>\n";
     write_drift(out, c);
     if (c.moved.empty())
         out << "<p><b>Nothing moved</b>: all " << c.compared
-            << " values are where they were, to within their "
-            << "noise.</p>\n";
+            << " values are the same within their noise.</p>\n";
     else
         out << "<p>Of " << c.compared << " values, " << c.moved.size()
-            << " moved by more than their noise, the worst first:</p>\n";
-    // Apart, so that neither hides the other.
+            << " moved by more than their noise, worst first:</p>\n";
+    // Two tables, so that neither hides the other.
     std::vector<Moved> errors, costs;
     for (const Moved& m : c.moved)
         (m.metric->kind == Metric::Kind::time || m.metric->kind == Metric::Kind::bytes ? costs : errors)
@@ -175,7 +173,7 @@ void write_moved(std::ostream& out, const PageContent& page) {
     write_moved_group(out, "Accuracy", errors);
     write_moved_group(out, "Time and bytes", costs);
     write_list(out, "new settings", c.appeared);
-    write_list(out, "settings that are gone", c.vanished);
+    write_list(out, "removed settings", c.vanished);
     out << "</section>\n";
 }
 

@@ -11,7 +11,7 @@ namespace vantage::bench {
 namespace {
 
 constexpr double padding = 0.07;
-constexpr double least = 1e-100, most = 1e100;  // beyond, arithmetic on ranges would overflow
+constexpr double least = 1e-100, most = 1e100;  // ranges beyond would overflow
 
 std::string with_places(double value, int places) {
     char text[64];
@@ -20,7 +20,7 @@ std::string with_places(double value, int places) {
     return (value < 0 && !zero ? "−" : "") + std::string(text);
 }
 
-/// The least of 1, 2, 5 times a power of ten that is no less.
+/// The smallest of 1, 2 and 5 times a power of ten that is at least `least`.
 double round_step(double least) {
     const double decade = std::pow(10.0, std::floor(std::log10(least)));
     for (const double m : {1.0, 2.0, 5.0})
@@ -54,7 +54,7 @@ std::vector<Axis::Tick> log_ticks(double low, double high) {
     return out;
 }
 
-/// Values so close together that ticks between them would be many digits long are drawn as one.
+/// Values within 1e-4 of each other are drawn as one, since ticks between them would need many digits.
 void set_even_range(Axis& axis, double low, double high) {
     const double size = std::max(std::abs(low), std::abs(high)), middle = low / 2 + high / 2;
     const bool positive = low >= 0;

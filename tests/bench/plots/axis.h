@@ -8,7 +8,7 @@
 
 namespace vantage::bench {
 
-/// An axis of a plot: its range in `scale.unit`, wider than the values.
+/// An axis of a plot. Its range, in `scale.unit`, extends a little beyond the values.
 struct Axis {
     struct Tick {
         double at;  ///< in `scale.unit`
@@ -17,16 +17,16 @@ struct Axis {
     Scale scale;
     bool log = false;
     double low = 0, high = 1;
-    std::optional<double> floor;  ///< where values <= 0 are drawn on a log axis that has some
+    std::optional<double> floor;  ///< position of values <= 0 on a log axis, if there are any
     std::vector<Tick> ticks;
 };
 
-/// For values in `unit`; those that are not finite do not count. Logarithmic if wished and any is positive.
+/// An axis for values in `unit`; non-finite ones are ignored. Logarithmic if `log` and any value is positive.
 Axis axis_of(std::span<const double> values, bool log, const std::string& unit);
 
-/// Where a value is drawn, in `scale.unit`.
+/// The position of a value, in `scale.unit`.
 double drawn_at(const Axis& axis, double value);
-/// Such a place as a share of the axis' length, from its low end.
+/// That position as a fraction of the axis length, from the low end.
 double share_along(const Axis& axis, double at);
 
 }  // namespace vantage::bench

@@ -20,25 +20,25 @@
 namespace vantage::bench {
 namespace {
 
-// Okabe and Ito's colours, which colour-blind readers tell apart, without those too pale for lines.
-constexpr const char* colours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                   "#E69F00", "#56B4E9", "#5B5B5B"};
-// The same, dark enough for small text.
+// The color-blind-safe palette of Okabe and Ito, without the colors that are too pale for lines.
+constexpr const char* colors[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                  "#E69F00", "#56B4E9", "#5B5B5B"};
+// The same hues, dark enough for small text.
 constexpr const char* inks[] = {"#005A8C", "#A34700", "#00694D", "#94486F", "#855C00", "#22719F", "#444444"};
 constexpr int shapes[] = {7, 9, 13, 11};  // gnuplot's filled circle, triangles and diamond
 constexpr int square = 5, circle = 6;
-constexpr const char *ink = "#333333", *pale = "#E4E4E4", *grey = "#9A9A9A";
+constexpr const char *ink = "#333333", *pale = "#E4E4E4", *gray = "#9A9A9A";
 constexpr double width = 520, body = 330, title_height = 34, axis_height = 56, key_row = 17;
 constexpr double label_size = 10, text_size = 11.5;
 
-/// A number as gnuplot reads it.
+/// A number in gnuplot's syntax.
 std::string plain(double value) {
     char text[40];
     std::snprintf(text, sizeof text, "%.10g", value);
     return text;
 }
 
-/// As gnuplot's single-quoted string, in which nothing is expanded.
+/// As a single-quoted string of gnuplot, which expands nothing.
 std::string quoted(const std::string& text) {
     std::string out = "'";
     for (const char c : text) out += c == '\'' ? "''" : std::string(1, std::uint8_t(c) < 32 ? ' ' : c);
@@ -55,7 +55,7 @@ struct KeyEntry {
     std::size_t curve;
 };
 
-/// A plot with every place on it settled, pixels, y down.
+/// A plot with all positions computed; pixels, y down.
 struct Layout {
     const PlotSpec& plot;
     Axis x, y;
@@ -63,7 +63,7 @@ struct Layout {
     double height = 0;
     std::vector<KeyEntry> key;
 
-    /// In the axes' units.
+    /// The position of a point, in the axes' units.
     Spot place(double px, double py) const { return {drawn_at(x, px), drawn_at(y, py)}; }
     Spot pixel(const Spot& place) const {
         return {area.left + share_along(x, place.x) * (area.right - area.left),
@@ -113,7 +113,7 @@ std::vector<Tradeoff> tradeoffs(const PlotSpec& plot) {
     return out;
 }
 
-/// What is possible at a cost, as steps out to the axes' far ends, in the axes' units.
+/// The front as a staircase that extends to the far ends of the axes, in the axes' units.
 std::vector<Spot> staircase(const Layout& l) {
     const std::vector<Tradeoff> points = tradeoffs(l.plot);
     const double sx = l.plot.x.less_is_better ? 1 : -1, sy = l.plot.y.less_is_better ? 1 : -1;
@@ -128,7 +128,7 @@ std::vector<Spot> staircase(const Layout& l) {
     return out;
 }
 
-/// The curve's points along the side on which it is longer, in the axes' units.
+/// The curve's points sorted along its longer dimension, in the axes' units.
 std::vector<Spot> path(const Layout& l, const PlotCurve& c) {
     std::vector<Spot> out;
     for (const PlotPoint& p : c.points)
@@ -151,10 +151,11 @@ void add_segments(const Layout& l, const std::vector<Spot>& path, Obstacles& o) 
 
 double radius(const PlotPoint& p) { return p.chosen ? 7.5 : 5.5; }
 
-/// Wishes for all points that are drawn, in their order: chosen and exact first and what stands out from
-/// muted curves, then the ends of each axis, then the front, then the rest.
-std::vector<LabelWish> label_wishes(const Layout& l) {
-    std::vector<LabelWish> out;
+/// Label requests of all drawn points, in their order. Ranks: 0 for chosen and exact points and those that
+/// are not muted on a plot with muted curves, 1 for the extremes along each axis, 2 for the front, 3 for the
+/// rest.
+std::vector<LabelRequest> label_requests(const Layout& l) {
+    std::vector<LabelRequest> out;
     const bool background = std::ranges::any_of(l.plot.curves, &PlotCurve::muted);
     each_point(l.plot, [&](const PlotCurve& c, const PlotPoint& p) {
         const bool first = p.chosen || p.exact || (background && !c.muted);
@@ -190,7 +191,7 @@ std::string axis_title(const PlotAxis& a, const Axis& axis) {
            (brackets.empty() ? "" : " (" + brackets + ")") + (a.less_is_better ? "" : "    better →");
 }
 
-/// gnuplot's commands. Texts lie where the layout wants them, in pixels; the rest in the axes' units.
+/// gnuplot's commands. Texts are placed in pixels as the layout says, everything else in the axes' units.
 class Script {
   public:
     explicit Script(const Layout& l) : l_(l) {
@@ -200,17 +201,17 @@ class Script {
              << "set lmargin at screen " << plain(a.left / width) << "\nset rmargin at screen "
              << plain(a.right / width) << "\nset tmargin at screen " << plain(1 - a.top / l.height)
              << "\nset bmargin at screen " << plain(1 - a.bottom / l.height) << "\n"
-             << "set border 3 linewidth 1 linecolor rgb '" << grey << "'\n"
+             << "set border 3 linewidth 1 linecolor rgb '" << gray << "'\n"
              << "set grid linetype 1 linewidth 0.7 linecolor rgb '" << pale << "'\n";
         axis("x", l.x);
         axis("y", l.y);
     }
 
     void text(const Spot& at, const std::string& words, const std::string& how, double size = text_size,
-              const char* colour = ink) {
+              const char* color = ink) {
         if (!words.empty())
             out_ << "set label " << quoted(words) << " at " << screen(at) << " font '," << plain(size)
-                 << "' textcolor rgb '" << colour << "' front " << how << "\n";
+                 << "' textcolor rgb '" << color << "' front " << how << "\n";
     }
     void mark(const Spot& at, const std::string& style) {
         out_ << "set label '' at " << screen(at) << " point " << style << "\n";
@@ -255,14 +256,14 @@ class Script {
     std::vector<std::string> plots_;
 };
 
-std::string stroke(const char* colour, double wide) {
-    return "linewidth " + plain(wide) + " linecolor rgb '" + colour + "'";
+std::string stroke(const char* color, double wide) {
+    return "linewidth " + plain(wide) + " linecolor rgb '" + color + "'";
 }
-std::string shaped(int shape, double size, const char* colour, double wide = 1) {
-    return "pointtype " + std::to_string(shape) + " pointsize " + plain(size) + " " + stroke(colour, wide);
+std::string shaped(int shape, double size, const char* color, double wide = 1) {
+    return "pointtype " + std::to_string(shape) + " pointsize " + plain(size) + " " + stroke(color, wide);
 }
 
-/// As small as it takes, within reason, to fit.
+/// The font size, from 8 to text_size, at which the text fits the length.
 double fitting(const std::string& words, double length) {
     return std::clamp(text_size * length / text_width(words, text_size), 8.0, text_size);
 }
@@ -273,22 +274,22 @@ void write_titles(const Layout& l, Script& s) {
     s.text({4, 14}, l.plot.title, "left", text_size + 1);
     s.text({across, l.area.bottom + 36}, x, "center", fitting(x, width - 20));
     s.text({9, down}, y, "center rotate by 90", fitting(y, body + title_height));
-    if (tradeoffs(l.plot).empty()) s.text({across, down}, "nothing was measured", "center");
+    if (tradeoffs(l.plot).empty()) s.text({across, down}, "no data", "center");
 }
 
-const char* colour(const PlotSpec& plot, std::size_t curve) {
-    return plot.curves[curve].muted ? grey : colours[curve % std::size(colours)];
+const char* color(const PlotSpec& plot, std::size_t curve) {
+    return plot.curves[curve].muted ? gray : colors[curve % std::size(colors)];
 }
 
 void write_labels(const Layout& l, Script& s) {
-    const std::vector<LabelWish> wishes = label_wishes(l);
-    const std::vector<std::optional<LabelPlace>> places = place_labels(wishes, obstacles(l), label_size);
+    const std::vector<LabelRequest> requests = label_requests(l);
+    const std::vector<std::optional<LabelPlace>> places = place_labels(requests, obstacles(l), label_size);
     std::size_t i = 0;
     each_point(l.plot, [&](const PlotCurve& c, const PlotPoint&) {
         constexpr const char* anchors[] = {"left", "center", "right"};
         const auto curve = std::size_t(&c - l.plot.curves.data());
         if (places[i])
-            s.text(places[i]->at, wishes[i].text, anchors[places[i]->anchor], label_size,
+            s.text(places[i]->at, requests[i].text, anchors[places[i]->anchor], label_size,
                    c.muted ? ink : inks[curve % std::size(inks)]);
         ++i;
     });
@@ -299,28 +300,28 @@ void draw_before(const Layout& l, Script& s) {
     each_point(l.plot, [&](const PlotCurve&, const PlotPoint& p) {
         if (!moved(p)) return;
         then.push_back(l.place((*p.before)[0], (*p.before)[1]));
-        s.line({then.back(), l.place(p.x, p.y)}, stroke(grey, 1));
+        s.line({then.back(), l.place(p.x, p.y)}, stroke(gray, 1));
     });
-    s.marks(then, shaped(circle, 0.55, grey, 1.2));
+    s.marks(then, shaped(circle, 0.55, gray, 1.2));
 }
 
 void draw_curve(const Layout& l, std::size_t i, Script& s) {
     const PlotCurve& c = l.plot.curves[i];
     const std::string mark =
-        shaped(c.muted ? shapes[0] : shapes[i % std::size(shapes)], c.muted ? 0.4 : 0.6, colour(l.plot, i));
+        shaped(c.muted ? shapes[0] : shapes[i % std::size(shapes)], c.muted ? 0.4 : 0.6, color(l.plot, i));
     std::vector<Spot> ordinary, exact, chosen;
     for (const PlotPoint& p : c.points) {
         if (!drawn(p)) continue;
         (p.exact ? exact : ordinary).push_back(l.place(p.x, p.y));
         if (p.chosen) chosen.push_back(l.place(p.x, p.y));
     }
-    if (c.line) s.line(path(l, c), stroke(colour(l.plot, i), 1.3));
+    if (c.line) s.line(path(l, c), stroke(color(l.plot, i), 1.3));
     s.marks(ordinary, mark);
-    s.marks(exact, shaped(square, 0.65, colour(l.plot, i)));
+    s.marks(exact, shaped(square, 0.65, color(l.plot, i)));
     s.marks(chosen, shaped(circle, 1.25, ink, 1.4));
     for (const KeyEntry& k : l.key) {
         if (k.curve != i) continue;
-        if (c.line) s.rule(k.mark, 8, stroke(colour(l.plot, i), 1.3));
+        if (c.line) s.rule(k.mark, 8, stroke(color(l.plot, i), 1.3));
         s.mark(k.mark, mark);
         s.text({k.mark.x + 12, k.mark.y}, c.name, "left");
     }
@@ -336,7 +337,7 @@ std::string script(const Layout& l) {
     return s.finished();
 }
 
-/// Unseen discs over the points, for a pointer to find their names.
+/// Invisible discs over the points that show their names as tooltips.
 std::string tips(const Layout& l) {
     std::string out = "<g fill=\"transparent\" stroke=\"none\">\n";
     each_point(l.plot, [&](const PlotCurve& c, const PlotPoint& p) {
@@ -350,7 +351,7 @@ std::string tips(const Layout& l) {
     return out + "</g>\n";
 }
 
-/// gnuplot repeats the line it stumbled over before it says why.
+/// The line of gnuplot's output with the reason; the command it failed at comes before it.
 std::string complaint(const std::filesystem::path& file) {
     std::ifstream in(file);
     std::string first, line;
@@ -371,13 +372,14 @@ std::string drawn_by_gnuplot(const std::string& script) {
     out.close();
     if (!out) throw Error(Exit::storage, file.string() + ": cannot be written");
     const int status = run_program({"gnuplot", "-d", file.string()}, svg, errors);
-    if (status == 127) throw Error(Exit::input, "gnuplot is missing: install Debian's package gnuplot-nox");
+    if (status == 127)
+        throw Error(Exit::input, "gnuplot is missing; on Debian, install the package gnuplot-nox");
     if (status != 0) throw Error(Exit::input, "gnuplot failed: " + complaint(errors));
     std::ifstream in(svg, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// FNV-1a: one plot, one prefix.
+/// A prefix that is unique to the plot (FNV-1a).
 std::string prefix(const std::string& script) {
     std::uint64_t hash = 14695981039346656037U;
     for (const char c : script) hash = (hash ^ std::uint8_t(c)) * 1099511628211U;
@@ -393,7 +395,7 @@ std::string svg_plot(const PlotSpec& plot) {
     const std::string commands = script(layout);
     const std::string svg =
         inline_svg(drawn_by_gnuplot(commands), prefix(commands), plot.title, tips(layout));
-    if (svg.empty()) throw Error(Exit::input, "gnuplot drew no SVG");
+    if (svg.empty()) throw Error(Exit::input, "gnuplot wrote no SVG");
     return svg;
 }
 

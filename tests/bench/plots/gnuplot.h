@@ -7,25 +7,25 @@
 namespace vantage::bench {
 
 struct PlotPoint {
-    double x = 0, y = 0;  ///< in the axes' units; not drawn unless both are finite
+    double x = 0, y = 0;  ///< in the axes' units; drawn only if both are finite
     std::string label;
-    bool chosen = false;                            ///< ringed
-    bool exact = false;                             ///< a square
-    bool quiet = false;                             ///< its label is seen only when it is pointed at
-    std::optional<std::array<double, 2>> before{};  ///< where an earlier run had it
+    bool chosen = false;                            ///< drawn with a ring
+    bool exact = false;                             ///< drawn as a square
+    bool quiet = false;                             ///< label shown only on hover
+    std::optional<std::array<double, 2>> before{};  ///< position in an earlier run
 };
 
 struct PlotCurve {
-    std::string name;  ///< in the key, if there are several
+    std::string name;  ///< shown in the key if there are several curves
     std::vector<PlotPoint> points;
-    bool line = true;    ///< through its points, along its longer side
-    bool muted = false;  ///< small and grey
+    bool line = true;    ///< connect the points, along the longer dimension
+    bool muted = false;  ///< small and gray
 };
 
 struct PlotAxis {
     std::string title;
-    std::string unit;  ///< of the points; bytes and times are drawn in one that suits them
-    bool log = false;  ///< zeros are drawn at a floor, and the axis says so
+    std::string unit;  ///< of the points; bytes and times are rescaled for display
+    bool log = false;  ///< values <= 0 are drawn at the edge, as the axis title notes
     bool less_is_better = true;
 };
 
@@ -35,9 +35,9 @@ struct PlotSpec {
     std::vector<PlotCurve> curves;
 };
 
-/// The plot as an SVG element as wide as what it stands in, to be put into HTML; its ids are its own. Points
-/// show their names when pointed at. Throws Error(input) where gnuplot is missing or fails, Error(storage)
-/// where its script cannot be written.
+/// The plot as an SVG element for HTML, as wide as its container. Its ids are unique to the plot, and points
+/// show their labels as tooltips. Throws Error(input) if gnuplot is missing or fails, Error(storage) if its
+/// script cannot be written.
 std::string svg_plot(const PlotSpec& plot);
 
 }  // namespace vantage::bench

@@ -14,35 +14,35 @@ struct Box {
 };
 bool overlap(const Box& a, const Box& b);
 
-/// Roughly what a text takes in a sans-serif font.
+/// Approximate width of a text in a sans-serif font, in units of `font_size`.
 double text_width(const std::string& utf8, double font_size);
 
-struct LabelWish {
+struct LabelRequest {
     Spot point;
     std::string text;
     double radius = 5.5;  ///< of the point's mark
-    int rank = 0;         ///< least first; 0 is kept even over another point's mark
+    int rank = 0;         ///< lowest placed first; 0 may cover another point's mark
 };
 struct Mark {
     Spot at;
     double radius = 5.5;
 };
-/// What labels keep clear of.
+/// Shapes that labels avoid.
 struct Obstacles {
-    Box area;  ///< none may leave it
+    Box area;  ///< labels stay inside
     std::vector<Mark> marks;
-    std::vector<std::pair<Spot, Spot>> lines;  ///< crossed only where nothing else is free
+    std::vector<std::pair<Spot, Spot>> lines;  ///< crossed only if no other place is free
 };
 
-/// A text's middle line at that end of it, so that a font that is wider than thought grows away from the
-/// point.
+/// Anchor position at half the height of a text. The anchor is the end next to the point, so that a font
+/// wider than estimated extends away from it.
 struct LabelPlace {
     Spot at;
-    enum Anchor { left, centre, right } anchor = left;
+    enum Anchor { left, center, right } anchor = left;
 };
 
-/// Where each text goes; none where it would lie on another.
-std::vector<std::optional<LabelPlace>> place_labels(const std::vector<LabelWish>& wishes,
+/// The place of each text; none if every place is outside the area or taken.
+std::vector<std::optional<LabelPlace>> place_labels(const std::vector<LabelRequest>& requests,
                                                     const Obstacles& obstacles, double font_size);
 
 }  // namespace vantage::bench

@@ -26,7 +26,7 @@ std::string without(std::string text, std::string_view begin, std::string_view e
     return text;
 }
 
-/// Groups with nothing in them, which gnuplot writes many of.
+/// gnuplot writes many empty groups.
 std::string without_empty_groups(const std::string& text) {
     std::string out;
     std::size_t at = 0;
@@ -43,7 +43,7 @@ std::string without_empty_groups(const std::string& text) {
     return out.append(text, at);
 }
 
-/// Only inside tags: what a reader sees stays.
+/// Changes only tags, never visible text.
 std::string with_own_ids(const std::string& text, const std::string& prefix) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {

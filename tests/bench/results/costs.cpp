@@ -10,7 +10,7 @@
 namespace vantage::bench {
 namespace {
 
-/// The option of prepare that a measurement is a value of, and that value; empty for others.
+/// The option of `vantage prepare` that a measurement varies, and its value; both empty if it varies none.
 struct Value {
     std::string option, value;
 };
@@ -21,7 +21,7 @@ Value value_of(const Measurement& m, double most_pixels) {
     if (m.sweep == "preparing") return {m.curve, m.setting};
     if (m.sweep == "presets" && m.setting == "full exact")
         return {"per-fragment", m.curve == "coordinates per fragment" ? "on" : "off"};
-    // Photos differ in size: what counts is the share of their side that is left.
+    // Photos differ in size, so the value is relative: the fraction of the side length that is kept.
     if (m.sweep == "photos" && m.values.contains("pixels"))
         return {"photo-size", nlohmann::json(std::sqrt(m.values.at("pixels") / most_pixels)).dump()};
     return {};

@@ -8,8 +8,9 @@
 
 namespace vantage::bench {
 
-/// Writes what `vantage prepare --explain` reads (pipeline/explain.h): of the settings of prepare, what each
-/// cost and gave up on each scene. `about`: the machine, a line each. Throws Error(storage).
+/// Writes the file that `vantage prepare --explain` reads (pipeline/results/explain.h): for each setting of
+/// prepare, its cost and error on each scene. `about` describes the machine, as in Run. Throws
+/// Error(storage).
 void write_costs(const std::filesystem::path& file, const std::vector<std::string>& about,
                  std::span<const Measurement> measurements);
 

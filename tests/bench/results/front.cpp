@@ -8,10 +8,10 @@
 namespace vantage::bench {
 namespace {
 
-bool takes_part(const Tradeoff& t) { return std::isfinite(t.cost) && std::isfinite(t.error); }
+bool is_finite(const Tradeoff& t) { return std::isfinite(t.cost) && std::isfinite(t.error); }
 
-/// The value, negative where more is better.
-double turned(const Measurement& row, const Metric& metric) {
+/// The value, negated if more is better, so that less is always better.
+double oriented(const Measurement& row, const Metric& metric) {
     const std::optional<double> value = finite_value(row, metric.name);
     if (!value) return std::numeric_limits<double>::quiet_NaN();
     return metric.less_is_better ? *value : -*value;
@@ -22,7 +22,7 @@ double turned(const Measurement& row, const Metric& metric) {
 std::vector<std::size_t> front(std::span<const Tradeoff> points) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (takes_part(points[i])) order.push_back(i);
+        if (is_finite(points[i])) order.push_back(i);
     std::ranges::sort(order, {},
                       [&](std::size_t i) { return std::tuple(points[i].cost, points[i].error, i); });
     std::vector<std::size_t> out;
@@ -35,11 +35,11 @@ std::vector<std::size_t> front(std::span<const Tradeoff> points) {
 }
 
 std::optional<std::size_t> best_within_cost(std::span<const Tradeoff> points, std::size_t i) {
-    if (i >= points.size() || !takes_part(points[i])) return std::nullopt;
+    if (i >= points.size() || !is_finite(points[i])) return std::nullopt;
     std::size_t best = i;
     const auto rank = [&](std::size_t j) { return std::tuple(points[j].error, points[j].cost); };
     for (std::size_t j = 0; j < points.size(); ++j)
-        if (takes_part(points[j]) && points[j].cost <= points[i].cost && rank(j) < rank(best)) best = j;
+        if (is_finite(points[j]) && points[j].cost <= points[i].cost && rank(j) < rank(best)) best = j;
     return best;
 }
 
@@ -47,7 +47,7 @@ std::vector<Tradeoff> tradeoffs(std::span<const Measurement> rows, const std::st
                                 const std::string& error) {
     const Metric &c = metric(cost), &e = metric(error);
     std::vector<Tradeoff> out;
-    for (const Measurement& row : rows) out.push_back({turned(row, c), turned(row, e)});
+    for (const Measurement& row : rows) out.push_back({oriented(row, c), oriented(row, e)});
     return out;
 }
 

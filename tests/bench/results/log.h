@@ -8,11 +8,11 @@
 
 namespace vantage::bench {
 
-/// The jobs that are done, on disk as each ends: a run that was cut off goes on from there.
+/// The completed jobs, appended to a file as each one ends, so that an interrupted run can resume.
 class Log {
   public:
-    /// `run` says what must be the same for a former run to be gone on with; a log of another run is begun
-    /// anew. What was half written is dropped. Throws Error(storage).
+    /// Resumes the log if its recorded `run` is the same, and starts a new one otherwise. A partly written
+    /// last line is dropped. Throws Error(storage).
     Log(const std::filesystem::path& file, const std::string& run);
 
     bool holds(const std::string& job) const { return seconds_.contains(job); }
@@ -20,12 +20,13 @@ class Log {
     void add(const std::string& job, double seconds, const std::vector<Measurement>& measurements);
 
     std::size_t jobs() const { return seconds_.size(); }
+    /// Total of all jobs.
     double seconds() const;
     const std::vector<Measurement>& measurements() const { return measurements_; }
 
   private:
     std::filesystem::path file_;
-    std::map<std::string, double> seconds_;  ///< a job
+    std::map<std::string, double> seconds_;  ///< by job
     std::vector<Measurement> measurements_;
 };
 

@@ -8,37 +8,37 @@
 
 namespace vantage::bench {
 
-/// A quantity that a measurement may hold.
+/// A quantity that can be measured.
 struct Metric {
     const char* name;   ///< key of Measurement::values
     const char* title;  ///< for axes and tables
     const char* unit;
     enum class Kind { error, time, bytes, other } kind;
     bool less_is_better;
-    /// Share by which it may move from run to run without having changed.
+    /// Relative difference between runs up to which a value counts as unchanged.
     double noise;
 };
 std::span<const Metric> metrics();
-/// Throws std::out_of_range for a name that is not in the table.
+/// Throws std::out_of_range for an unknown metric.
 const Metric& metric(const std::string& name);
 
 /// dB; the PSNR of equal pictures, and the most that is stored.
 constexpr double psnr_cap = 100;
 
-/// A part of a picture that shows what the numbers mean.
+/// A part of a picture, to illustrate the numbers.
 struct Exhibit {
     std::string caption;
-    std::string file;  ///< JPEG, relative to the bench's folder
+    std::string file;  ///< JPEG, relative to the output folder
 };
 
-/// One point of a curve: what one setting of a knob costs, and how far it is from the truth.
+/// One point of a curve: the cost and the error of one setting of a knob.
 struct Measurement {
     std::string sweep;    ///< "border"
     std::string scene;    ///< "sceaux"
-    std::string curve;    ///< what stays the same along a line: "masks at 1/2"
-    std::string setting;  ///< the knob here: "jfa+1"
-    bool exact = false;   ///< the knob's exact end
-    bool chosen = false;  ///< what the product does if not told otherwise
+    std::string curve;    ///< the fixed settings along a line: "masks at 1/2"
+    std::string setting;  ///< of the knob at this point: "jfa+1"
+    bool exact = false;   ///< the exact end of the knob
+    bool chosen = false;  ///< the default of the program
     std::map<std::string, double> values;
     std::vector<Exhibit> exhibits;
 };
@@ -47,7 +47,7 @@ struct Measurement {
 std::optional<double> finite_value(const Measurement& row, const std::string& metric);
 
 nlohmann::json to_json(const Measurement& m);
-/// Throws nlohmann::json::exception.
+/// Curves and settings that have been renamed get their present names. Throws nlohmann::json::exception.
 Measurement measurement(const nlohmann::json& json);
 
 }  // namespace vantage::bench

@@ -22,7 +22,7 @@ Rows by_name(std::span<const Measurement> rows) {
     return out;
 }
 
-/// Calls use(now, before, metric) for each value that there was before of a setting that there still is.
+/// Calls use(now, before, metric) for each finite value of the earlier run whose row is in both runs.
 template <class Use>
 void each_pair(const Rows& now, const Rows& before, const Use& use) {
     for (const auto& [key, row] : now) {
@@ -33,7 +33,8 @@ void each_pair(const Rows& now, const Rows& before, const Use& use) {
     }
 }
 
-/// Ratios for times, machines being quicker or slower by a factor; shares of the larger for the rest.
+/// In multiples of the noise: by ratio for times, since machines differ in speed by a factor, and otherwise
+/// by the difference relative to the larger value.
 double change(const Metric& m, double now, double before) {
     const double larger = std::max(std::abs(now), std::abs(before));
     if (std::abs(now - before) < 1e-9) return 0;
@@ -65,17 +66,17 @@ double machine_drift(const Rows& now, const Rows& before, std::size_t& times) {
     return times < 5 ? 1 : quantile(ratios, 0.5);
 }
 
-/// What `some` has and `other` has not; where a sweep was not measured on a scene at all, only that is said.
+/// Rows that are only in `some`. If `other` has no row of a sweep on a scene, that is listed as one entry.
 std::vector<std::string> only_in(const Rows& some, const Rows& other) {
-    std::set<Part> parts, told;
+    std::set<Part> parts, listed;
     for (const auto& [key, row] : other) parts.insert(part(*row));
     std::vector<std::string> out;
     for (const auto& [key, row] : some) {
         if (other.contains(key)) continue;
         if (parts.contains(part(*row)))
             out.push_back(full_name(*row));
-        else if (told.insert(part(*row)).second)
-            out.push_back(row->sweep + ", " + row->scene + ", all of it");
+        else if (listed.insert(part(*row)).second)
+            out.push_back(row->sweep + ", " + row->scene + ", all settings");
     }
     return out;
 }

@@ -10,7 +10,7 @@
 namespace vantage::bench {
 namespace {
 
-/// Of one family only units of that family are made.
+/// Units are converted only within their family.
 struct Unit {
     const char* name;
     char family;

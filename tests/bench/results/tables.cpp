@@ -19,7 +19,7 @@ std::string quoted(const std::string& text) {
     return out + "\"";
 }
 
-/// Empty for a metric of another version.
+/// Empty for an unknown metric, which another version may have written.
 std::string unit(const std::string& name) {
     for (const Metric& m : metrics())
         if (name == m.name) return m.unit;
@@ -70,13 +70,13 @@ Run read_json(const std::filesystem::path& file) {
     try {
         const nlohmann::json j = nlohmann::json::parse(in);
         if (j.at("format") != format)
-            throw Error(Exit::input, file.string() + ": is of format " + j.at("format").dump() +
-                                         ", expected \"" + format + "\"");
+            throw Error(Exit::input, file.string() + ": format " + j.at("format").dump() + ", expected \"" +
+                                         format + "\"");
         Run run{j.at("version"), j.at("effort"), j.at("machine"), {}};
         for (const nlohmann::json& row : j.at("measurements")) run.measurements.push_back(measurement(row));
         return run;
     } catch (const nlohmann::json::exception& e) {
-        throw Error(Exit::input, file.string() + ": is not a table of measurements: " + e.what());
+        throw Error(Exit::input, file.string() + ": not a table of measurements: " + e.what());
     }
 }
 

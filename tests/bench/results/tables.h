@@ -8,21 +8,21 @@
 
 namespace vantage::bench {
 
-/// All that was measured in one go, and on what.
+/// The measurements of one run, and what they were made on.
 struct Run {
     std::string version;               ///< of Vantage
     std::string effort;                ///< Effort::name
-    std::vector<std::string> machine;  ///< a line each: processor, renderer, date
+    std::vector<std::string> machine;  ///< one entry each: processor, renderer, date
     std::vector<Measurement> measurements;
 };
 
-/// A line a value: sweep,scene,curve,setting,exact,chosen,metric,unit,value (RFC 4180); an empty value is not
-/// finite. Throws Error(storage).
+/// One line per value: sweep,scene,curve,setting,exact,chosen,metric,unit,value (RFC 4180). Non-finite values
+/// are empty. Throws Error(storage).
 void write_csv(const std::filesystem::path& file, std::span<const Measurement> measurements);
 
-/// Values that are not finite are left out, JSON having none. Throws Error(storage).
+/// Non-finite values, which JSON cannot hold, are left out. Throws Error(storage).
 void write_json(const std::filesystem::path& file, const Run& run);
-/// Throws Error(input), naming the file, where it is not one that write_json() wrote.
+/// Throws Error(input), which names the file, if it was not written by write_json().
 Run read_json(const std::filesystem::path& file);
 
 }  // namespace vantage::bench

@@ -26,16 +26,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a thing was made from, kept beside it; a thing is used again where that is still the same.
-bool made_from(const fs::path& thing, const std::string& stamp) {
-    std::ifstream in(thing.string() + ".from");
-    return fs::exists(thing) && std::string(std::istreambuf_iterator<char>(in), {}) == stamp;
+/// Whether a product exists and was made from the sources of this stamp, which is stored beside it.
+bool made_from(const fs::path& product, const std::string& stamp) {
+    std::ifstream in(product.string() + ".from");
+    return fs::exists(product) && std::string(std::istreambuf_iterator<char>(in), {}) == stamp;
 }
-void mark_made_from(const fs::path& thing, const std::string& stamp) {
-    std::ofstream(thing.string() + ".from") << stamp;
+void mark_made_from(const fs::path& product, const std::string& stamp) {
+    std::ofstream(product.string() + ".from") << stamp;
 }
 
-/// This program and all files below, by size and time.
+/// Identifies this program by its bytes, and all files under `input` by size and timestamp.
 std::string stamp_of(const fs::path& input) {
     std::vector<std::string> lines;
     const auto add = [&](const fs::path& file) {
@@ -54,7 +54,7 @@ std::string stamp_of(const fs::path& input) {
     return out;
 }
 
-void synthesise_once(const SynthSpec& spec, const fs::path& input, const fs::path& folder) {
+void synthesize_once(const SynthSpec& spec, const fs::path& input, const fs::path& folder) {
     const std::string stamp = stamp_of(input);
     if (made_from(folder, stamp)) return;
     fs::remove_all(folder);
@@ -69,19 +69,18 @@ void prepare_once(const fs::path& folder, const fs::path& package) {
     mark_made_from(package, stamp);
 }
 
-/// A photo's camera as it sees the model, to ask whether it sees a point.
-struct Sees {
+struct PhotoCamera {
     Intrinsics k;
     Pose pose;
     Eigen::Vector3d eye;
 };
 
-/// The pixels whose surface one of the photos sees, from in front and with nothing between.
+/// The pixels whose surface faces one of the photos and is visible in it.
 std::vector<bool> seeable_pixels(const PackageReader& package, const RayScene& rays, const View& view,
                                  const std::vector<std::uint32_t>& photos) {
     const auto positions = package.records<Eigen::Vector3f>(package::Type::positions);
     const auto indices = package.records<std::uint32_t>(package::Type::indices);
-    std::vector<Sees> cameras;
+    std::vector<PhotoCamera> cameras;
     for (const std::uint32_t p : photos) {
         const package::PhotoRecord& r = package.photos()[p];
         cameras.push_back({intrinsics(r), cam_from_origin(r), cam_from_origin(r).center()});
@@ -99,7 +98,7 @@ std::vector<bool> seeable_pixels(const PackageReader& package, const RayScene& r
             const Eigen::Vector3d point = eye + hit->distance * ray;
             Eigen::Vector3d normal = area_vector(corners(positions, indices, hit->triangle));
             if (normal.dot(eye - point) < 0) normal = -normal;
-            const auto sees = [&](const Sees& c) {
+            const auto sees = [&](const PhotoCamera& c) {
                 const auto p = project(c.k, c.pose, point);
                 return p && in_frame(c.k, p->pixel) && normal.dot(c.eye - point) > 0 &&
                        !rays.occluded(c.eye, point - c.eye, 0, 1 - 1e-4);
@@ -110,34 +109,34 @@ std::vector<bool> seeable_pixels(const PackageReader& package, const RayScene& r
     return {seeable.begin(), seeable.end()};
 }
 
-/// The finest pyramid level that the effort allows.
+/// The finest pyramid level within the effort's size limit.
 int level_for(const Effort& effort, int width, int height) {
     int level = 0;
     while (std::max(width, height) >> level > effort.longest) ++level;
     return level;
 }
 
-/// A window in the middle of a frame, of at most the effort's size: what a viewer sees who stands near.
+/// A window at the center of a frame, within the effort's size limit, as a viewer up close sees it.
 Intrinsics middle_of(const Intrinsics& k, const Effort& effort) {
     const int w = std::min(k.width, effort.longest), h = std::min(k.height, effort.longest * 2 / 3);
     return {w, h, k.fx, k.fy, k.cx - (k.width - w) / 2, k.cy - (k.height - h) / 2};
 }
 
-/// Every second view is a close one: the middle of a frame at full size.
+/// Every other view is a close-up: the center of a frame at full resolution.
 bool close_up(std::size_t view) { return view % 2 == 1; }
 
-/// Photos left out, evenly spread.
-std::vector<TrueView> left_out_views(const PackageReader& package, const Effort& effort) {
+/// Held-out photos, evenly spread.
+std::vector<TrueView> held_out_views(const PackageReader& package, const Effort& effort) {
     std::vector<TrueView> views;
     const std::size_t photos = package.photos().size(), count = std::min(effort.views, photos);
     for (std::size_t v = 0; v < count; ++v) {
-        const auto left_out = std::uint32_t((v + 1) * photos / (count + 1));
-        const package::PhotoRecord& record = package.photos()[left_out];
+        const auto held_out = std::uint32_t((v + 1) * photos / (count + 1));
+        const package::PhotoRecord& record = package.photos()[held_out];
         const int wanted = close_up(v) ? 0 : level_for(effort, int(record.width), int(record.height));
         const int level = std::min(wanted, int(record.levels) - 1);
         TrueView view{record.name,
                       view_of_level(record, level),
-                      level_of_photo(package, package::Type::tiles, left_out, level),
+                      level_of_photo(package, package::Type::tiles, held_out, level),
                       {},
                       {}};
         if (close_up(v)) {
@@ -149,13 +148,13 @@ std::vector<TrueView> left_out_views(const PackageReader& package, const Effort&
         }
         view.photos.resize(photos);
         std::iota(view.photos.begin(), view.photos.end(), 0u);
-        std::erase(view.photos, left_out);
+        std::erase(view.photos, held_out);
         views.push_back(std::move(view));
     }
     return views;
 }
 
-/// Between the photos' cameras, and a little nearer; the truth by ray casting, 16 rays a pixel.
+/// Between the photos' cameras and slightly closer; the truth is ray-cast with 16 rays per pixel.
 std::vector<TrueView> cast_views(const PackageReader& package, const SynthSpec& spec, const Effort& effort) {
     SynthSpec between = spec;
     between.photos.count = 2 * spec.photos.count - 1;
@@ -192,14 +191,15 @@ std::vector<TrueView> cast_views(const PackageReader& package, const SynthSpec& 
 
 BenchScene open_scene(const fs::path& input, const fs::path& work, const Effort& effort) {
     if (!fs::is_directory(input) && !(fs::is_regular_file(input) && input.extension() == ".toml"))
-        throw Error(Exit::input, input.string() + ": expected a scan's folder, or a specification (.toml)");
+        throw Error(Exit::input,
+                    input.string() + ": expected the folder of a scan, or a specification (.toml)");
     make_folder(work);
     BenchScene scene;
     if (input.extension() == ".toml") {
         scene.name = input.stem();
         scene.spec = read_spec(input);
         scene.folder = work / scene.name;
-        synthesise_once(*scene.spec, input, scene.folder);
+        synthesize_once(*scene.spec, input, scene.folder);
     } else {
         scene.folder = fs::weakly_canonical(input);
         scene.name = scene.folder.filename();
@@ -208,8 +208,8 @@ BenchScene open_scene(const fs::path& input, const fs::path& work, const Effort&
     prepare_once(scene.folder, scene.package);
     const PackageReader package(scene.package);
     if (package.photos().size() < 2)
-        throw Error(Exit::input, input.string() + ": has one photo, expected two or more to compare");
-    scene.views = scene.spec ? cast_views(package, *scene.spec, effort) : left_out_views(package, effort);
+        throw Error(Exit::input, input.string() + ": needs at least two photos to compare");
+    scene.views = scene.spec ? cast_views(package, *scene.spec, effort) : held_out_views(package, effort);
     const RayScene rays(package.records<Eigen::Vector3f>(package::Type::positions),
                         package.records<std::uint32_t>(package::Type::indices));
     for (TrueView& v : scene.views) v.seeable = seeable_pixels(package, rays, v.view, v.photos);

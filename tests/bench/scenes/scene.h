@@ -12,36 +12,36 @@
 
 namespace vantage::bench {
 
-/// How much is measured.
+/// How much to measure.
 struct Effort {
     std::string name;    ///< "smoke", "short" or "full"
-    int longest;         ///< px on the long side of the pictures that are compared, at most
-    std::size_t views;   ///< true views of a scene
-    std::size_t photos;  ///< of a scene that are looked at where each costs
-    int repeats;         ///< of everything that is timed
-    std::size_t points;  ///< on the surface, where geometry is sampled
+    int longest;         ///< px, limit for the long side of compared pictures
+    std::size_t views;   ///< reference views per scene
+    std::size_t photos;  ///< per scene, in sweeps whose time grows with them
+    int repeats;         ///< of each timing
+    std::size_t points;  ///< on the surface, in sweeps that sample geometry
 };
 
-/// A view whose picture is known.
+/// A view with a reference picture.
 struct TrueView {
     std::string name;
     View view;                          ///< relative to the package's origin
     Picture truth;                      ///< the photo itself, or the ray-cast picture
-    std::vector<std::uint32_t> photos;  ///< that may be blended: all, without the one left out
-    std::vector<bool> seeable;          ///< a pixel: shows surface that one of `photos` sees, by ray casting
+    std::vector<std::uint32_t> photos;  ///< that may be blended: all but the one held out
+    std::vector<bool> seeable;  ///< per pixel: shows surface that one of `photos` sees, by ray casting
 };
 
-/// A scene to measure on: its files as a user has them, and its package as `vantage prepare` makes it.
+/// A scene to measure on: its input files, and its package as `vantage prepare` writes it by default.
 struct BenchScene {
     std::string name;
     std::filesystem::path folder;   ///< mesh, cameras, photos
-    std::optional<SynthSpec> spec;  ///< of a synthetic one: any view's truth can be had
+    std::optional<SynthSpec> spec;  ///< if synthetic, so that any view can be ray-cast
     std::filesystem::path package;
     std::vector<TrueView> views;
 };
 
-/// Makes a scene ready in `work`: a folder of a scan, or a specification (TOML) that is synthesised first.
-/// What an earlier call left there, from the same files, is used again. Throws Error.
+/// Prepares a scene in `work` from the folder of a scan, or from a specification (TOML), which is synthesized
+/// first. Results of an earlier call from the same files are reused. Throws Error.
 BenchScene open_scene(const std::filesystem::path& input, const std::filesystem::path& work,
                       const Effort& effort);
 

@@ -7,22 +7,21 @@
 
 namespace vantage::bench {
 
-/// A place on a triangle: what each of its corners counts for, together 1. Single precision holds the weights
-/// exactly.
+/// A point on a triangle by its barycentric weights, which sum to 1 and are exact in single precision.
 struct SurfacePoint {
     std::size_t triangle;
     Eigen::Vector3d weights;
 };
 
-/// Random places, uniform by area, the same ones for the same seed; none where the triangles have no area.
+/// Random points, uniform by area and reproducible by seed; none if the triangles have no area.
 std::vector<SurfacePoint> surface_points(std::span<const Eigen::Vector3f> positions,
                                          std::span<const std::uint32_t> indices, std::size_t count,
                                          unsigned seed);
 
-/// The corners of a triangle, one a column.
+/// The corners of a triangle, one per column.
 Eigen::Matrix3d corners(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices,
                         std::size_t triangle);
-/// Perpendicular to the triangle, counterclockwise corners facing its tip; its length is twice the area.
+/// Normal on the side from which the corners run counterclockwise; its length is twice the area.
 Eigen::Vector3d area_vector(const Eigen::Matrix3d& corners);
 
 }  // namespace vantage::bench

@@ -10,32 +10,32 @@
 
 namespace vantage::bench {
 
-/// Measurements that belong together: what one is compared with is timed in the same minute. What a run was
-/// cut off in is done again.
+/// Measurements made together, so that values to be compared are timed within the same minute. A job that is
+/// interrupted runs again from its start.
 struct Job {
-    std::string name;  ///< unique in a scene's sweep
+    std::string name;  ///< unique within a sweep of a scene
     std::function<std::vector<Measurement>()> run;
 };
 
-/// What is plotted over what.
+/// One metric plotted against another.
 struct Plot {
     const char* x;  ///< metric
     const char* y;
     bool log_x = true, log_y = false;
 };
 
-/// A knob, or several that hang together.
+/// The measurements over one knob, or over several that interact.
 struct Sweep {
     const char* name;
     const char* title;
-    const char* question;   ///< what a reader learns from it
-    const char* truth;      ///< what it is measured against
-    const char* precision;  ///< to what its exact end reproduces that
+    const char* question;   ///< that the sweep answers
+    const char* truth;      ///< reference that errors are measured against
+    const char* precision;  ///< how closely the exact end reproduces the reference
     std::vector<Plot> plots;
-    /// The jobs on a scene; none where the scene does not have what is swept. `folder` takes exhibits.
+    /// The jobs on a scene; none if the sweep does not apply to it. Exhibits are written to `folder`.
     std::vector<Job> (*jobs)(const BenchScene& scene, const Effort& effort,
                              const std::filesystem::path& folder);
-    bool apart = false;  ///< curves are knobs of their own, and are not compared with each other
+    bool apart = false;  ///< each curve is a knob of its own; curves are not compared with each other
 };
 std::span<const Sweep> sweeps();
 

@@ -1,4 +1,4 @@
-// How far photos are made to agree before they are blended, and what that takes.
+// How far photos are made to agree before they are blended, and what that costs.
 #include <array>
 
 #include "tests/bench/measure/pictures.h"
@@ -46,9 +46,9 @@ extern const Sweep agreeing_sweep;
 const Sweep agreeing_sweep{
     "agreeing",
     "Making photos agree",
-    "What do agreeing colours, cameras and masks for strangers buy, and what do they take?",
-    "the photo left out, or the ray-cast picture",
-    "nothing left to the evidence",
+    "What do color agreement, camera registration and consensus masks gain, and what do they cost?",
+    "the held-out photo, or the ray-cast picture",
+    "not applicable; the exact setting registers cameras regardless of the evidence",
     {{"prepare_s", "psnr"}, {"prepare_s", "ssim"}},
     jobs};
 

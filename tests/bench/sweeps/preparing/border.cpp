@@ -1,4 +1,4 @@
-// The border mask's distance: how it is found, and at which size.
+// The border mask's distances: how they are computed, and at which size.
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -23,18 +23,18 @@
 namespace vantage::bench {
 namespace {
 
-// Chamfer distances (Borgefors 1986, OpenCV's 5x5) are no choice of prepare: slower than exact here, and
-// wrong.
+// Chamfer distances (Borgefors 1986, OpenCV's 5x5) are not an option of prepare: they are slower than the
+// exact ones here, and approximate.
 constexpr const char* methods[] = {"exact", "chamfer", "jfa", "jfa+1", "1+jfa", "jfa^2"};
 
-/// A photo's depth at a share of its size, and the mask's full width there.
+/// A photo's depth at a fraction of its size, and the full border width there, pixels.
 struct Map {
     DepthMap depth;
     float full_width;
 };
 
 Map depth_map(const BenchModel& model, const Camera& camera, double scale) {
-    // The maps are rendered at half of what the intrinsics say.
+    // Maps are rendered at half the size in the intrinsics.
     const Intrinsics& k = camera.intrinsics;
     const auto times = [&](int n) { return std::max(2, int(std::lround(n * scale * (1 << mask_level)))); };
     PhotoGeometry g = model.geometry(k.scaled(times(k.width), times(k.height)), camera.cam_from_world);
@@ -57,7 +57,7 @@ std::vector<float> distances(const std::string& method, const std::vector<std::u
     return flood_distance(jump_flood, borders, w, h, distance_method(method));
 }
 
-/// What the player reads of a mask at a place: linear between four texels.
+/// The mask as the player samples it, bilinearly.
 float bilinear(const std::vector<std::uint8_t>& mask, int w, int h, double x, double y) {
     const double u = std::clamp(x - 0.5, 0.0, w - 1.0), v = std::clamp(y - 0.5, 0.0, h - 1.0);
     const int i = std::min(int(u), std::max(0, w - 2)), j = std::min(int(v), std::max(0, h - 2));
@@ -69,8 +69,8 @@ float bilinear(const std::vector<std::uint8_t>& mask, int w, int h, double x, do
 }
 
 struct Errors {
-    std::vector<float> mask;  ///< absolute, a pixel of the full photo
-    double distance = 0;      ///< worst, pixels of the full photo
+    std::vector<float> mask;  ///< absolute, per pixel of the full photo
+    double distance = 0;      ///< largest, pixels of the full photo
     double bytes = 0;
 };
 
@@ -85,7 +85,7 @@ void add_errors(const std::vector<std::uint8_t>& mask, const Map& map, const std
                 std::abs(bilinear(mask, w, h, (x + 0.5) * sx, (y + 0.5) * sy) - float(expected(x, y))));
 }
 
-/// One scale: all methods on the same photos.
+/// All methods at one scale, on the same photos.
 std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, int level,
                                  const std::filesystem::path& folder) {
     const gl::HeadlessContext context;
@@ -121,7 +121,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, 
             errors[m].bytes = 4.0 * w * h;
             ms[m].push_back(medians[m]);
             if (!out[m].exhibits.empty()) continue;
-            const Picture right = grey_picture(truth, fw, fh), wrong = grey_picture(masks[m], w, h);
+            const Picture right = gray_picture(truth, fw, fh), wrong = gray_picture(masks[m], w, h);
             const Picture scaled = enlarged(wrong, fw, fh);
             out[m].exhibits.push_back(keep_exhibit(
                 folder, scene.name + "-border-" + std::to_string(level) + "-" + std::to_string(m),
@@ -156,9 +156,8 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 extern const Sweep border_sweep;
 const Sweep border_sweep{"border",
                          "Distance to the nearest border",
-                         "Jump flooding is quick on a graphics card and errs a little; masks at half the "
-                         "size cost a quarter. What do "
-                         "they do to the border mask?",
+                         "Jump flooding is fast on a graphics card but slightly inexact, and masks at half "
+                         "the size cost a quarter. How large are the errors in the border mask?",
                          "the exact distance transform at full size",
                          "0 of 255",
                          {{"photo_ms", "mask_mean"}, {"photo_bytes", "mask_worst"}},

@@ -1,4 +1,4 @@
-// Texture coordinates: kept a vertex and interpolated, or computed a fragment.
+// Texture coordinates: stored per vertex and interpolated, or computed per fragment.
 #include <meshoptimizer.h>
 
 #include <Eigen/Geometry>
@@ -27,26 +27,26 @@ struct Kind {
     const char* name;
     double vertex_bytes;
 };
-constexpr std::array<Kind, kinds> kind_table{{{"16 bit unorm a vertex", 4},
-                                              {"float a vertex", 8},
-                                              {"homogeneous float a vertex", 12},
+constexpr std::array<Kind, kinds> kind_table{{{"16-bit unorm per vertex", 4},
+                                              {"float per vertex", 8},
+                                              {"homogeneous float per vertex", 12},
                                               {"per fragment", 0}}};
 
 using Triangles = std::vector<std::uint32_t>;
 
-/// As many triangles as meshoptimizer gets down to, of a share of them.
+/// The model simplified to 1/`divisor` of its triangles, as far as meshoptimizer can.
 Triangles simplified(const BenchModel& model, unsigned divisor) {
     const Triangles& all = model.indices();
     if (divisor == 1 || all.empty()) return all;
     Triangles out(all.size());
     const auto& p = model.positions();
-    // Any error will do: it is a model of larger triangles that is asked for, not one that looks the same.
+    // Any error is allowed: only the size of the triangles matters, not the look of the model.
     out.resize(meshopt_simplify(out.data(), all.data(), all.size(), p.front().data(), p.size(),
                                 sizeof(Eigen::Vector3f), all.size() / 3 / divisor * 3, 1e9f));
     return out;
 }
 
-/// Of the triangles, those whose corners are all in the photo's frame.
+/// The triangles with all corners in the photo's frame.
 Triangles in_photo(const BenchModel& model, const Triangles& triangles, const Camera& camera) {
     const auto inside = [&](std::uint32_t v) {
         const auto p = project(camera.intrinsics, camera.cam_from_world, model.positions()[v].cast<double>());
@@ -59,7 +59,7 @@ Triangles in_photo(const BenchModel& model, const Triangles& triangles, const Ca
     return out;
 }
 
-/// A photo's coordinates a vertex, in all representations.
+/// Coordinates of the vertices in a photo, in all representations.
 struct Vertices {
     std::vector<std::array<std::uint16_t, 2>> unorm16;
     std::vector<Eigen::Vector2f> floats;
@@ -84,20 +84,20 @@ Vertices vertices(const BenchModel& model, const Camera& camera) {
     return out;
 }
 
-/// A place to compute a coordinate at: three corners and, in single precision, their weights.
+/// A point on a triangle: its corners and, in single precision, their weights.
 struct Place {
     std::array<std::uint32_t, 3> corner;
     Eigen::Vector3f weights;
 };
 
-/// What a vertex shader hands over to a fragment: linear over the triangle in space.
+/// Interpolated from the corners as between vertex and fragment shader, linearly in space.
 template <class T>
 T interpolated(const std::vector<T>& values, const Place& at) {
     return values[at.corner[0]] * at.weights[0] + values[at.corner[1]] * at.weights[1] +
            values[at.corner[2]] * at.weights[2];
 }
 
-/// The photo as a shader has it.
+/// The camera in single precision, as shaders use it.
 struct Single {
     Eigen::Matrix3f R;
     Eigen::Vector3f t;
@@ -113,7 +113,7 @@ Single single(const Camera& camera) {
             {float(k.width), float(k.height)}};
 }
 
-/// The photo's pixel, all in single precision.
+/// The photo's pixel, computed in single precision.
 Eigen::Array2f pixel(Kept kept, const BenchModel& model, const Vertices& v, const Single& photo,
                      const Place& at) {
     switch (kept) {
@@ -135,7 +135,7 @@ Eigen::Array2f pixel(Kept kept, const BenchModel& model, const Vertices& v, cons
         case Kept::count:
             break;
     }
-    // As shaders/blend.frag, from a position relative to the model.
+    // As in shaders/blend.frag, from a position relative to the model's origin.
     const Eigen::Vector3f p = photo.R * interpolated(model.positions(), at) + photo.t;
     return photo.focal * p.head<2>().array() / p.z() + photo.center;
 }
@@ -145,7 +145,7 @@ struct Result {
     std::vector<double> point_ns;
 };
 
-/// All representations in one photo.
+/// Adds the results of all representations in one photo.
 void add(const BenchModel& model, const Triangles& triangles, const Camera& camera, const Effort& effort,
          std::array<Result, kinds>& results, std::vector<float>& triangle_px) {
     const Triangles shown = in_photo(model, triangles, camera);
@@ -157,7 +157,7 @@ void add(const BenchModel& model, const Triangles& triangles, const Camera& came
             return project(camera.intrinsics, camera.cam_from_world, p);
         };
         const auto here = at(c * s.weights), p = at(c.col(0)), q = at(c.col(1)), r = at(c.col(2));
-        if (!here || !p || !q || !r) continue;  // between points before the photo: rounding alone
+        if (!here || !p || !q || !r) continue;  // its corners are in front, so only rounding can do this
         const Eigen::Vector2d e = q->pixel - p->pixel, f = r->pixel - p->pixel;
         triangle_px.push_back(float(std::sqrt(std::abs(e.x() * f.y() - e.y() * f.x()) / 2)));
         const auto* i = &shown[3 * s.triangle];
@@ -182,7 +182,7 @@ void add(const BenchModel& model, const Triangles& triangles, const Camera& came
     }
 }
 
-/// All representations on the model of a share of the triangles.
+/// All representations on the model simplified by `divisor`.
 std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, unsigned divisor) {
     const gl::HeadlessContext context;
     const BenchModel model(read_scene(discover(scene.folder)));
@@ -198,7 +198,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, 
     for (std::size_t k = 0; k < kinds; ++k) {
         Measurement m;
         m.curve = kind_table[k].name;
-        m.setting = divisor == 1 ? "mesh as it is" : "mesh 1/" + std::to_string(divisor);
+        m.setting = divisor == 1 ? "full mesh" : "mesh 1/" + std::to_string(divisor);
         m.exact = Kept(k) == Kept::nothing;
         m.chosen = divisor == 1 && Kept(k) == chosen;
         m.values = {{"px_median", quantile(results[k].px, 0.5)},
@@ -222,16 +222,16 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 }  // namespace
 
 extern const Sweep coordinates_sweep;
-const Sweep coordinates_sweep{"coordinates",
-                              "Texture coordinates",
-                              "Coordinates kept a vertex are quick to look up, but perspective is not linear "
-                              "over a triangle. From which "
-                              "triangle size must every fragment be projected?",
-                              "projection in double precision of random points on the triangles",
-                              "0.001 px",
-                              {{"triangle_px", "px_median", true, true},
-                               {"triangle_px", "px_worst", true, true},
-                               {"point_ns", "px_worst", true, true}},
-                              jobs};
+const Sweep coordinates_sweep{
+    "coordinates",
+    "Texture coordinates",
+    "Coordinates stored per vertex are fast to look up, but perspective is not linear "
+    "over a triangle. Above which triangle size must every fragment be projected?",
+    "projection in double precision of random points on the triangles",
+    "0.001 px",
+    {{"triangle_px", "px_median", true, true},
+     {"triangle_px", "px_worst", true, true},
+     {"point_ns", "px_worst", true, true}},
+    jobs};
 
 }  // namespace vantage::bench

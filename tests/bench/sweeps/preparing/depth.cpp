@@ -1,4 +1,4 @@
-// A photo's depth map: which size, how many bits and which tolerance tell seen from hidden.
+// A photo's depth map: the size, bits and tolerance needed to classify points as visible or hidden.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -24,8 +24,8 @@ namespace {
 
 enum class Bits { float32, unorm24, unorm16, half16 };
 
-/// By how much a point may lie behind the depths around it: a share of depth, the map's footprint along the
-/// slope, or the larger of the two as shaders/blend.frag has it.
+/// How far a point may lie behind the depths around it: by a fraction of its depth, by the footprint of the
+/// map's pixel along the slope, or by the larger of the two as in shaders/blend.frag.
 struct Tolerance {
     float share;
     bool footprint;
@@ -34,7 +34,7 @@ constexpr Tolerance players{0.004f, true};
 
 struct Setting {
     const char *curve, *name;
-    int level;  ///< of the photo's pyramid, that the map has the size of
+    int level;  ///< pyramid level of the photo that the map matches in size
     Bits bits;
     Tolerance tolerance;
     bool chosen = false;
@@ -58,10 +58,10 @@ constexpr Setting settings[] = {
     {tolerances, "0.02", 1, Bits::float32, {0.02f, false}, false, false, true},
     {tolerances, "footprint", 1, Bits::float32, {0, true}},
     {tolerances, "player's", 1, Bits::float32, players, true, false, true},
-    {"rays", "a ray each", 0, Bits::float32, {}, false, true},
+    {"rays", "one ray per point", 0, Bits::float32, {}, false, true},
 };
 
-/// Linear depth as the player reads it, and the camera whose pixels are the map's.
+/// A linear depth map as the player reads it, with its camera.
 struct Map {
     int width = 0, height = 0;
     std::vector<float> z;
@@ -71,8 +71,7 @@ struct Map {
 };
 
 Map render_map(const BenchModel& model, const Camera& camera, int level) {
-    // The maps are rendered at half of what the intrinsics say; with them come angles and texture
-    // coordinates.
+    // Maps are rendered at half the size in the intrinsics, with angles and texture coordinates.
     const Level size = level_size(camera.intrinsics.width, camera.intrinsics.height, level);
     const Intrinsics k = camera.intrinsics.scaled(size.width << mask_level, size.height << mask_level);
     PhotoGeometry g = model.geometry(k, camera.cam_from_world);
@@ -88,7 +87,7 @@ Map render_map(const BenchModel& model, const Camera& camera, int level) {
             float(k.cy * s)};
 }
 
-/// What is left of the depths in so many bits; +inf, beside the model, stays.
+/// The depths after quantization; +inf, off the model, is kept.
 std::vector<float> stored(const std::vector<float>& z, Bits how) {
     if (how == Bits::float32) return z;
     float nearest = std::numeric_limits<float>::infinity(), farthest = 0;
@@ -100,7 +99,7 @@ std::vector<float> stored(const std::vector<float>& z, Bits how) {
     std::vector<float> out = z;
     for (float& d : out) {
         if (!std::isfinite(d)) continue;
-        if (how == Bits::half16)  // beside the farthest, so that the scene's unit does not count
+        if (how == Bits::half16)  // relative to the farthest, to be independent of the scene's unit
             d = farthest * float(Eigen::half(d / farthest));
         else if (step > 0)
             d = float(double(nearest) + step * std::round((double(d) - double(nearest)) / step));
@@ -108,15 +107,15 @@ std::vector<float> stored(const std::vector<float>& z, Bits how) {
     return out;
 }
 
-/// A point that faces the photo and lies in its frame.
-struct Tested {
+/// A surface point that faces the photo and lies in its frame.
+struct TestPoint {
     Eigen::Vector3d position;
-    Eigen::Vector3f normal;  ///< interpolated, as shaders have it
-    bool seen;               ///< by the ray from the photo
+    Eigen::Vector3f normal;  ///< interpolated, as in shaders
+    bool seen;               ///< according to a ray from the photo
 };
 
 /// As `seen` in shaders/blend.frag.
-bool seen(const Map& map, const Tolerance& tolerance, const Tested& point) {
+bool seen(const Map& map, const Tolerance& tolerance, const TestPoint& point) {
     const Eigen::Vector3f p = map.R * point.position.cast<float>() + map.t;
     const int x = int(std::floor(map.fx * p.x() / p.z() + map.cx - 0.5f)),
               y = int(std::floor(map.fy * p.y() / p.z() + map.cy - 0.5f));
@@ -134,8 +133,8 @@ bool seen(const Map& map, const Tolerance& tolerance, const Tested& point) {
     return p.z() <= farthest + slack;
 }
 
-/// A third of a pixel's footprint, as vertex_coordinates() has it: what is closer to the point than that is
-/// the surface itself. As a share of the distance.
+/// A third of a pixel's footprint, as in vertex_coordinates(), as a fraction of the distance: hits closer to
+/// the point than that are on its own surface.
 double near_enough(const Intrinsics& k) { return 0.3 / std::max(k.fx, k.fy); }
 
 bool seen_from_photo(const RayScene& rays, const Camera& camera, const Eigen::Vector3d& point) {
@@ -143,14 +142,14 @@ bool seen_from_photo(const RayScene& rays, const Camera& camera, const Eigen::Ve
     return !rays.occluded(eye, point - eye, 0, 1 - near_enough(camera.intrinsics));
 }
 
-/// The exact end: the same line, traversed from its other end.
+/// The exact end: the same line, traced from the other end.
 bool sees_photo(const RayScene& rays, const Camera& camera, const Eigen::Vector3d& point) {
     return !rays.occluded(point, camera.cam_from_world.center() - point, near_enough(camera.intrinsics), 1);
 }
 
-/// A point of the mesh, if the photo may show it.
-std::optional<Tested> tested(const BenchModel& model, const RayScene& rays, const Camera& camera,
-                             const SurfacePoint& place) {
+/// A point of the mesh, if it faces the photo and lies in its frame.
+std::optional<TestPoint> test_point(const BenchModel& model, const RayScene& rays, const Camera& camera,
+                                    const SurfacePoint& place) {
     const Eigen::Matrix3d c = corners(model.positions(), model.indices(), place.triangle);
     const Eigen::Vector3d p = c * place.weights;
     const auto drawn = project(camera.intrinsics, camera.cam_from_world, p);
@@ -161,12 +160,12 @@ std::optional<Tested> tested(const BenchModel& model, const RayScene& rays, cons
     for (std::size_t i = 0; i < 3; ++i)
         normal += float(place.weights[Eigen::Index(i)]) *
                   model.scene().mesh.normals[model.indices()[3 * place.triangle + i]];
-    return Tested{p, normal, seen_from_photo(rays, camera, p)};
+    return TestPoint{p, normal, seen_from_photo(rays, camera, p)};
 }
 
-/// Answers for all points, and the milliseconds of that.
-double answer(const Setting& setting, const Map& map, const RayScene& rays, const Camera& camera,
-              const std::vector<Tested>& points, std::vector<char>& out) {
+/// Classifies all points into `out`; returns the milliseconds.
+double classify(const Setting& setting, const Map& map, const RayScene& rays, const Camera& camera,
+                const std::vector<TestPoint>& points, std::vector<char>& out) {
     return milliseconds([&] {
         for (std::size_t i = 0; i < points.size(); ++i)
             out[i] = setting.ray ? sees_photo(rays, camera, points[i].position)
@@ -175,13 +174,13 @@ double answer(const Setting& setting, const Map& map, const RayScene& rays, cons
 }
 
 struct Result {
-    double hidden = 0, visible = 0;  ///< points of which that is wrong
+    double hidden = 0, visible = 0;  ///< counts of points wrongly classified so
     std::vector<double> photo_ms, bytes, point_ns;
 };
 
-/// All settings on one photo.
+/// Adds the results of all settings on one photo.
 void add(const BenchModel& model, const RayScene& rays, const Camera& camera, int repeats,
-         const std::vector<Tested>& points, std::array<Result, std::size(settings)>& results) {
+         const std::vector<TestPoint>& points, std::array<Result, std::size(settings)>& results) {
     std::array<Map, 4> rendered;
     const auto render_ms = medians_in_turn(rendered.size(), repeats, [&](std::size_t level) {
         return milliseconds([&] { rendered[level] = render_map(model, camera, int(level)); });
@@ -201,7 +200,7 @@ void add(const BenchModel& model, const RayScene& rays, const Camera& camera, in
         results[s].photo_ms.push_back(render_ms[level] + store_ms);
     }
     const auto ms = medians_in_turn(std::size(settings), repeats, [&](std::size_t s) {
-        return answer(settings[s], maps[s], rays, camera, points, answers[s]);
+        return classify(settings[s], maps[s], rays, camera, points, answers[s]);
     });
     for (std::size_t s = 0; s < std::size(settings); ++s) {
         results[s].point_ns.push_back(ms[s] * 1e6 / double(points.size()));
@@ -212,8 +211,8 @@ void add(const BenchModel& model, const RayScene& rays, const Camera& camera, in
     }
 }
 
-/// What another camera sees of the model: light what the photo shows, dark what is hidden from it; red what
-/// is wrongly called seen, blue what is wrongly called hidden; white what does not face the photo.
+/// The model from another camera: light where it is visible in the photo, dark where hidden, red where
+/// wrongly visible, blue where wrongly hidden, white where the surface does not face the photo.
 Picture error_picture(const BenchModel& model, const RayScene& rays, const Camera& photo, const Camera& from,
                       const Setting& setting) {
     const Intrinsics& full = from.intrinsics;
@@ -227,17 +226,18 @@ Picture error_picture(const BenchModel& model, const RayScene& rays, const Camer
             const Eigen::Vector3d ray((x + 0.5 - k.cx) / k.fx, (y + 0.5 - k.cy) / k.fy, 1);
             const auto hit = rays.first_hit(from.cam_from_world.center(), world_from_cam * ray);
             std::array<std::uint8_t, 4> color{255, 255, 255, 255};
-            const auto point = hit ? tested(model, rays, photo,
-                                            {hit->triangle, {1 - hit->uv.sum(), hit->uv.x(), hit->uv.y()}})
-                                   : std::nullopt;
+            const auto point =
+                hit ? test_point(model, rays, photo,
+                                 {hit->triangle, {1 - hit->uv.sum(), hit->uv.x(), hit->uv.y()}})
+                    : std::nullopt;
             if (point) {
-                const bool said = seen(map, setting.tolerance, *point);
+                const bool visible = seen(map, setting.tolerance, *point);
                 const float facing = std::abs(
                     point->normal.normalized().dot((world_from_cam * ray).normalized().cast<float>()));
                 const auto shade = std::uint8_t((point->seen ? 120 : 40) + 100 * facing);
                 color = {shade, shade, shade, 255};
-                if (said && !point->seen) color = {220, 30, 30, 255};
-                if (!said && point->seen) color = {30, 70, 230, 255};
+                if (visible && !point->seen) color = {220, 30, 30, 255};
+                if (!visible && point->seen) color = {30, 70, 230, 255};
             }
             out.rgba.insert(out.rgba.end(), color.begin(), color.end());
         }
@@ -266,7 +266,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
                                  const std::filesystem::path& folder) {
     const gl::HeadlessContext context;
     const BenchModel model(read_scene(discover(scene.folder)));
-    if (model.indices().empty()) return {};  // points hide nothing
+    if (model.indices().empty()) return {};  // a point cloud hides nothing
     std::optional<RayScene> rays;
     const double tree_ms = milliseconds([&] { rays.emplace(model.positions(), model.indices()); });
     const auto places = surface_points(model.positions(), model.indices(), effort.points, 1);
@@ -274,14 +274,14 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
     std::array<Result, std::size(settings)> results;
     std::size_t points = 0;
     for (const Camera& camera : cameras) {
-        std::vector<Tested> here;
+        std::vector<TestPoint> here;
         for (const SurfacePoint& place : places)
-            if (const auto point = tested(model, *rays, camera, place)) here.push_back(*point);
+            if (const auto point = test_point(model, *rays, camera, place)) here.push_back(*point);
         points += here.size();
         if (!here.empty()) add(model, *rays, camera, effort.repeats, here, results);
     }
     if (points == 0) return {};
-    // Rays need no map, but a tree over the model, which serves all photos.
+    // Rays need no map but a tree over the model, which all photos share.
     results.back().photo_ms = {tree_ms / double(model.scene().photos.size())};
     std::vector<Measurement> out = listed(results, points);
     for (std::size_t s = 0; s < out.size(); ++s) {
@@ -289,7 +289,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
         const Picture p = error_picture(model, *rays, cameras.front(), cameras.back(), settings[s]);
         out[s].exhibits.push_back(keep_exhibit(folder, scene.name + "-depth-" + std::to_string(s),
                                                std::string(settings[s].curve) + ": " + settings[s].name +
-                                                   " (red: wrongly seen, blue: wrongly hidden)",
+                                                   " (red: wrongly visible, blue: wrongly hidden)",
                                                p, {0, 0, p.width, p.height}));
     }
     return out;
@@ -303,11 +303,11 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 
 extern const Sweep depth_sweep;
 const Sweep depth_sweep{"depth",
-                        "Seen or hidden",
-                        "What must a photo's depth map be, in size, bits and tolerance, to tell what the "
-                        "photo sees of the surface?",
+                        "Visible or hidden",
+                        "Which size, bits and tolerance must a photo's depth map have to tell which surface "
+                        "points the photo sees?",
                         "a ray from the photo to each of random points on the surface",
-                        "0.001 % of the points, where rays along one line from either end round differently",
+                        "0.001 % of the points, where rays from the two ends of a line round differently",
                         {{"photo_bytes", "false_visible", true, false},
                          {"photo_bytes", "false_hidden", true, false},
                          {"point_ns", "false_visible", true, false}},

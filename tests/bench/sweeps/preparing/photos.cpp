@@ -1,4 +1,4 @@
-// What one more photo, or twice the pixels, would have bought.
+// What more photos, or photos with more pixels, gain.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::vector<Measurement> measure_counts(const BenchScene& scene, const Effort& e
     return out;
 }
 
-/// Prepared from photos of fewer pixels; all blended.
+/// Packages prepared from downscaled photos, all of them blended.
 std::vector<Measurement> measure_resolutions(const BenchScene& scene, const Effort& effort,
                                              const fs::path& folder) {
     std::uint32_t longest = 0;
@@ -42,7 +42,7 @@ std::vector<Measurement> measure_resolutions(const BenchScene& scene, const Effo
     std::vector<Measurement> out;
     for (const int divisor : {1, 2, 4, 8}) {
         const std::string size = std::to_string(std::max(16u, longest / std::uint32_t(divisor)));
-        const PictureSetting one{"pixels a photo", size + " px", divisor == 1, divisor == 1, {}};
+        const PictureSetting one{"pixels per photo", size + " px", divisor == 1, divisor == 1, {}};
         out.push_back(measure_prepared(scene, effort, {"--photo-size", size}, one, folder,
                                        fmt::format("pixels-{}", divisor)));
         out.back().values["pixels"] = pixels / (divisor * divisor);
@@ -59,10 +59,10 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const fs::p
 
 extern const Sweep photos_sweep;
 const Sweep photos_sweep{"photos",
-                         "How many photos, of how many pixels",
-                         "What would one more photo, or twice the pixels, have bought?",
-                         "the photo left out, or the ray-cast picture",
-                         "all photos at full size",
+                         "Number and resolution of photos",
+                         "What would more photos, or photos with more pixels, have gained?",
+                         "the held-out photo, or the ray-cast picture",
+                         "not applicable; the exact setting is all photos at full size",
                          {{"package_bytes", "psnr"}, {"photos", "psnr"}, {"pixels", "psnr"}},
                          jobs,
                          true};

@@ -1,4 +1,4 @@
-// The presets of configs/ among the settings that could be: preparation, bytes and frames together.
+// The presets of configs/ among other combinations of settings: preparation, bytes and frame times.
 #include <fmt/format.h>
 
 #include "scene/quantile.h"
@@ -32,7 +32,7 @@ std::vector<Candidate> candidates(bool full) {
     return out;
 }
 
-/// In turn, so that a machine that drifts does so for all.
+/// In turn, so that drift of the machine affects all candidates equally.
 std::vector<PrepareCost> prepare_all(const BenchScene& scene, const std::vector<Candidate>& all,
                                      int repeats) {
     std::vector<std::vector<double>> seconds(all.size());
@@ -75,10 +75,10 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const fs::p
 extern const Sweep presets_sweep;
 const Sweep presets_sweep{
     "presets",
-    "Presets among the settings that could be",
-    "Which settings does no other beat on both axes, and where among them lie the presets?",
-    "the photo left out, or the ray-cast picture",
-    "nothing approximated that prepare can leave exact",
+    "Presets among other settings",
+    "Which settings are on the Pareto front, and how far from it are the presets?",
+    "the held-out photo, or the ray-cast picture",
+    "not applicable; the preset overnight approximates nothing that prepare can do exactly",
     {{"prepare_s", "psnr"}, {"package_bytes", "psnr"}, {"frame_ms", "psnr"}},
     jobs};
 

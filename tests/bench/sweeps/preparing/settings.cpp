@@ -1,4 +1,4 @@
-// Settings of prepare, one at a time.
+// Settings of prepare, varied one at a time.
 #include "pipeline/settings/settings.h"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ std::vector<Knob> knobs() {
             {"thumbnail", {128, 256, 512, 1024}, double(usual.thumbnail)}};
 }
 
-/// What stands first: thumbnails alone where they are swept, else the picture as it ends up.
+/// For the thumbnail option, a picture from thumbnails alone; otherwise the final picture.
 PictureSetting picture_setting(const Knob& knob, double value) {
     PictureSetting s{knob.option, fmt::format("{:g}", value), false, value == knob.usual, {}};
     s.settings.photos = window_photos;
@@ -59,15 +59,15 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const fs::p
 }  // namespace
 
 extern const Sweep preparing_sweep;
-const Sweep preparing_sweep{"preparing",
-                            "Settings of prepare, one at a time",
-                            "Borders, clusters and thumbnails: what does each setting change in the picture, "
-                            "in a frame, in the package? "
-                            "(Thumbnails by the picture made of them alone.)",
-                            "the photo left out, or the ray-cast picture",
-                            "nothing, having none: the truth decides",
-                            {{"prepare_s", "psnr"}, {"frame_ms", "psnr"}, {"package_bytes", "psnr"}},
-                            jobs,
-                            true};
+const Sweep preparing_sweep{
+    "preparing",
+    "Settings of prepare, one at a time",
+    "How do border, cluster and thumbnail settings affect the picture, the frame time and "
+    "the package? (Thumbnails are judged by a picture made from them alone.)",
+    "the held-out photo, or the ray-cast picture",
+    "not applicable: no setting is exact",
+    {{"prepare_s", "psnr"}, {"frame_ms", "psnr"}, {"package_bytes", "psnr"}},
+    jobs,
+    true};
 
 }  // namespace vantage::bench

@@ -1,4 +1,4 @@
-// Undistortion: what resampling a photo to a pinhole costs it, beside the photo a pinhole would have taken.
+// Undistortion: the error of resampling a photo to a pinhole camera, against a photo cast without a lens.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,10 +22,11 @@ namespace {
 
 constexpr Resampling resamplings[] = {Resampling::nearest, Resampling::linear, Resampling::cubic,
                                       Resampling::lanczos};
-constexpr std::size_t settings = std::size(resamplings) + 1;  // the last: from a photo of twice the size
+constexpr std::size_t settings =
+    std::size(resamplings) + 1;  // the last starts from a photo of twice the size
 constexpr const char* twice = "lanczos, photo of twice the size";
 
-/// At most `count` of the specified cameras, evenly spread, at most `width` wide, with a lens.
+/// At most `count` of the specified cameras, evenly spread, at most `width` pixels wide, all with a lens.
 std::vector<Camera> cameras(const SynthSpec& spec, std::size_t count, int width) {
     std::vector<Camera> out;
     for (const NamedCamera& named : evenly_spread(place_cameras(spec), count)) {
@@ -54,13 +55,13 @@ Camera doubled(Camera camera) {
     return camera;
 }
 
-/// A photo as the lens draws it, the same of twice the size, and as a pinhole would.
+/// Photos cast through the lens, through the lens at twice the size, and through a pinhole.
 struct Cast {
     Camera camera;
     RgbaImage lens, lens_doubled, pinhole;
 };
 
-/// `samples` along a pixel's side, even.
+/// Casts all photos; `samples` along the side of a pixel must be even.
 std::vector<Cast> cast_all(const SynthSpec& spec, const std::vector<Camera>& cameras, int samples) {
     const SynthModel model = build_model(spec);
     const RayScene rays(model.mesh);
@@ -70,7 +71,7 @@ std::vector<Cast> cast_all(const SynthSpec& spec, const std::vector<Camera>& cam
         const Camera& camera = cameras[i / 3];
         if (i % 3 == 0)
             c.camera = camera, c.lens = cast(model, rays, camera, samples);
-        else if (i % 3 == 1)  // as many samples in all
+        else if (i % 3 == 1)  // the same number of samples in total
             c.lens_doubled = cast(model, rays, doubled(camera), samples / 2);
         else
             c.pinhole = cast(model, rays, {camera.intrinsics, {}, camera.cam_from_world}, samples);
@@ -92,7 +93,7 @@ struct Result {
 void add(const RgbaImage& truth, const RgbaImage& image, double ms, Result& result) {
     const Picture shown = picture(image);
     const PictureScore s = score(picture(truth), shown, scored_pixels(shown));
-    if (s.pixels == 0) return;  // the lens holds none of the pinhole's rays
+    if (s.pixels == 0) return;  // no ray of the pinhole is in the lens's view
     result.psnr.push_back(std::min(s.psnr, psnr_cap));
     result.ssim.push_back(s.ssim);
     result.worst.push_back(s.worst);
@@ -103,7 +104,7 @@ struct Results {
     std::array<Result, settings> full, halved;
 };
 
-/// All settings on one photo, and the next coarser level of each.
+/// Adds the results of all settings on one photo, and of the next coarser level of each.
 void add(const Cast& c, int repeats, Results& results) {
     std::array<RgbaImage, settings> images, halves;
     const auto ms = medians_in_turn(settings, repeats, [&](std::size_t s) {
@@ -132,7 +133,7 @@ Measurement measured(const char* curve, std::size_t setting, const Result& r) {
 
 std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
                                  const std::filesystem::path& folder) {
-    // Casting takes most of the time. With fewer samples the truth is noisier than some of what is measured.
+    // Casting takes most of the time, but with fewer samples the truth is noisier than some measured errors.
     const bool smoke = effort.name == "smoke";
     const int width = smoke ? 160 : (effort.name == "full" ? 640 : 400);
     const std::vector<Cast> photos =
@@ -143,7 +144,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
     if (results.full[0].psnr.empty() || results.halved[0].psnr.empty()) return out;
     for (std::size_t s = 0; s < settings; ++s) out.push_back(measured("as undistorted", s, results.full[s]));
     for (std::size_t s = 0; s < settings; ++s)
-        out.push_back(measured("a level coarser", s, results.halved[s]));
+        out.push_back(measured("one level coarser", s, results.halved[s]));
     const Picture truth = picture(photos.front().pinhole);
     const Window window = worst_window(truth, picture(undistorted(photos.front(), 0)));
     for (const std::size_t s : {std::size_t(0), settings - 2, settings - 1})
@@ -166,11 +167,11 @@ extern const Sweep undistortion_sweep;
 const Sweep undistortion_sweep{
     "undistortion",
     "Undistorting photos",
-    "A photo taken through a lens is resampled to a pinhole's. What does that cost it, and how much of that "
-    "is "
-    "left where the player shows a coarser level?",
-    "the photo that a camera of the same place without a lens would have taken, cast by rays",
-    "37 dB as undistorted, 42 dB a level coarser (data/tiny.toml): what 36 samples a pixel leave of aliasing",
+    "Photos taken through a lens are resampled to a pinhole camera. How much quality does that lose, and how "
+    "much of the loss remains where the player shows a coarser level?",
+    "the ray-cast photo of the same camera without a lens",
+    "37 dB as undistorted, 42 dB one level coarser (data/tiny.toml); the rest is "
+    "aliasing at 36 samples per pixel",
     {{"photo_ms", "psnr", true, false}, {"photo_ms", "worst", true, false}},
     jobs,
     true};

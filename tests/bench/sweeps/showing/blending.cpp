@@ -1,4 +1,4 @@
-// How photos are blended: the mode, how many, how sharply; how many a pass; in which precision.
+// How photos are blended: mode, number, sharpness, photos per pass, and precision.
 #include <fmt/format.h>
 
 #include "player/render/frame_targets.h"
@@ -59,7 +59,7 @@ std::vector<PictureSetting> passes(int) {
     std::vector<PictureSetting> out;
     for (const int n : {16, 8, 4, 2, 1}) {
         PictureSetting s{
-            "photos a pass", fmt::format("{}", n), n == 16, n == RenderSettings{}.photos_per_pass, {}};
+            "photos per pass", fmt::format("{}", n), n == 16, n == RenderSettings{}.photos_per_pass, {}};
         s.settings.photos_per_pass = n;
         out.push_back(s);
     }
@@ -112,26 +112,27 @@ std::vector<Job> sum_jobs(const BenchScene& scene, const Effort& effort,
 extern const Sweep blending_sweep, exponent_sweep, sums_sweep;
 const Sweep blending_sweep{
     "blending",
-    "How photos are blended, and how many",
-    "More photos cost time in every frame. How many are enough, and which way of weighing them?",
-    "the photo left out, or the ray-cast picture; beside it, the same mode with all photos",
-    "the picture of all photos itself",
+    "Blending modes and number of photos",
+    "More photos cost time in every frame. How many are enough, and which weighting is best?",
+    "the held-out photo, or the ray-cast picture; also against the same mode with all photos",
+    "it is itself the picture of all photos",
     {{"frame_ms", "psnr"}, {"photos", "psnr"}, {"photos", "psnr_exact"}},
     photo_jobs};
-const Sweep exponent_sweep{"exponent",
-                           "How sharply near photos are preferred",
-                           "One photo alone is sharp and shows its borders; many are soft. Where between?",
-                           "the photo left out, or the ray-cast picture",
-                           "nothing, having none: the truth decides",
-                           {{"sharpness", "psnr"}, {"exponent", "psnr"}, {"frame_ms", "psnr"}},
-                           exponent_jobs,
-                           true};
+const Sweep exponent_sweep{
+    "exponent",
+    "Preference for photos at small angles",
+    "A single photo is sharp but shows its borders; many photos blur. Which setting is best?",
+    "the held-out photo, or the ray-cast picture",
+    "not applicable: no setting is exact",
+    {{"sharpness", "psnr"}, {"exponent", "psnr"}, {"frame_ms", "psnr"}},
+    exponent_jobs,
+    true};
 const Sweep sums_sweep{
     "sums",
-    "Photos a pass, and the precision of their sums",
-    "Fewer, larger passes and smaller sums cost less bandwidth. Do they change the picture?",
+    "Photos per pass and precision of the sums",
+    "Fewer, larger passes and smaller sums need less bandwidth. Do they change the picture?",
     "all photos in one pass, in single precision",
-    "50 dB beside it, whatever the passes",
+    "at least 50 dB with any number of passes",
     {{"frame_ms", "psnr_exact"}, {"target_bytes", "psnr_exact", true}},
     sum_jobs,
     true};

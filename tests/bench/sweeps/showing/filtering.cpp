@@ -1,5 +1,4 @@
-// How a photo's pixels are read: between levels, along slanted surfaces, how sharply, how many samples a
-// pixel.
+// How a photo's pixels are sampled: between levels, on slanted surfaces, sharpness, samples per pixel.
 #include <fmt/format.h>
 
 #include "tests/bench/measure/pictures.h"
@@ -16,7 +15,7 @@ PictureSetting setting(std::string curve, std::string name, int side) {
     return s;
 }
 
-/// `most` samples along a pixel's side stand for all.
+/// The exact setting has `most` samples along the side of a pixel.
 std::vector<PictureSetting> settings(int most) {
     std::vector<PictureSetting> out{setting("samples", fmt::format("{0}x{0}", most), most)};
     out.back().exact = true;
@@ -52,10 +51,11 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 extern const Sweep filtering_sweep;
 const Sweep filtering_sweep{
     "filtering",
-    "How a photo's pixels are read",
-    "A sample a pixel shimmers and blurs; four cost four times as much. What do taps and biases save?",
-    "the photo left out, or the ray-cast picture; beside it, 64 samples a pixel",
-    "the picture of the most samples itself",
+    "Filtering of photos",
+    "One sample per pixel shimmers and blurs, and four cost four times as much. What can anisotropic taps "
+    "and level biases save?",
+    "the held-out photo, or the ray-cast picture; also against 36 samples per pixel (smoke: 16)",
+    "it is itself the picture with the most samples",
     {{"frame_ms", "psnr_exact"}, {"frame_ms", "psnr"}},
     jobs};
 

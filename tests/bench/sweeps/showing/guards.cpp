@@ -1,4 +1,4 @@
-// What it takes not to believe a file, a lens or a picture.
+// What validation of files, lenses and pictures costs.
 #include <cstring>
 
 #include "gl/context.h"
@@ -18,7 +18,7 @@ namespace {
 
 using package::Type;
 
-/// `time(guarded)` gives milliseconds.
+/// Compares times with and without a guard; `time(guarded)` returns milliseconds.
 template <class Time>
 std::vector<Measurement> compare(const char* curve, const char* metric, int repeats, const Time& time) {
     const std::vector<double> ms =
@@ -31,7 +31,7 @@ std::vector<Measurement> compare(const char* curve, const char* metric, int repe
     return out;
 }
 
-/// From the system's cache into memory, as tiles are streamed.
+/// Copies from the page cache into memory, as tiles are streamed.
 std::vector<Measurement> tiles(const BenchScene& scene, const Effort& effort) {
     const PackageReader package(scene.package);
     const package::DirectoryEntry* chunk = package.find(Type::tiles, 0, 0);
@@ -50,7 +50,7 @@ std::vector<Measurement> tiles(const BenchScene& scene, const Effort& effort) {
 }
 
 std::vector<Measurement> opening(const BenchScene& scene, const Effort& effort) {
-    return compare("records that fit each other", "open_ms", effort.repeats, [&](bool guarded) {
+    return compare("consistency of the records", "open_ms", effort.repeats, [&](bool guarded) {
         return milliseconds([&] {
             const PackageReader package(scene.package);
             package.photos();
@@ -61,7 +61,7 @@ std::vector<Measurement> opening(const BenchScene& scene, const Effort& effort) 
 
 std::vector<Measurement> lenses(const BenchScene& scene, const Effort& effort) {
     const SceneInput input = read_scene(discover(scene.folder));
-    return compare("where a lens folds back", "photo_ms", effort.repeats, [&](bool guarded) {
+    return compare("valid range of the lenses", "photo_ms", effort.repeats, [&](bool guarded) {
         return milliseconds([&] {
                    for (const PhotoInput& photo : input.photos)
                        if (guarded) lens_range(photo.camera.lens);
@@ -77,7 +77,7 @@ std::vector<Measurement> targets(const BenchScene& scene, const Effort& effort) 
     const TrueView& view = scene.views.front();
     const PictureSetting setting{"", "", false, false, {}};
     settle(renderer, view, setting);
-    return compare("counting what is no number (verify)", "frame_ms", effort.repeats, [&](bool guarded) {
+    return compare("counting non-finite pixels (verify)", "frame_ms", effort.repeats, [&](bool guarded) {
         return milliseconds([&] {
             renderer.draw(view.view, setting.settings, view.photos, {}, 0);
             if (guarded) count_non_finite(renderer.targets());
@@ -97,10 +97,10 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 
 extern const Sweep guards_sweep;
 const Sweep guards_sweep{"guards",
-                         "Guards",
-                         "What does it take not to believe a file, a lens or a picture?",
-                         "the same without the guard",
-                         "what is let through is sound",
+                         "Validation",
+                         "What do the checks of files, lenses and pictures cost?",
+                         "the same work without the check",
+                         "not applicable: the output is the same",
                          {},
                          jobs,
                          true};

@@ -1,4 +1,4 @@
-// What must be loaded before there is a picture: thumbnails alone, coarser levels, everything.
+// What is loaded before the first picture: thumbnails only, coarser levels, everything.
 #include <fmt/format.h>
 
 #include "gl/context.h"
@@ -30,7 +30,7 @@ struct Opened {
     double ms = 0, bytes = 0;
 };
 
-/// From opening the package to the first frame that misses nothing.
+/// From opening the package to the first complete frame.
 Opened open_and_show(const BenchScene& scene, const PictureSetting& s) {
     const gl::HeadlessContext context;
     Opened out;
@@ -53,7 +53,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
     });
     std::vector<Measurement> out;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        // Each on its own: what another setting has loaded would be shown.
+        // A new renderer for each: tiles that another setting has loaded would be shown.
         const PackageReader package(scene.package);
         const gl::HeadlessContext context;
         Renderer renderer(package, ample_memory());
@@ -62,7 +62,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
         out.push_back({"", "", all[i].curve, all[i].setting, all[i].exact, all[i].chosen, {}, {}});
         out.back().values = {{"psnr", e.psnr},
                              {"ssim", e.ssim},
-                             {"uncoloured", e.uncoloured},
+                             {"uncoloured", e.uncolored},
                              {"read_bytes", opened[i].bytes},
                              {"first_ms", ms[i]}};
         const Picture& truth = scene.views.front().truth;
@@ -82,13 +82,12 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 }  // namespace
 
 extern const Sweep loading_sweep;
-const Sweep loading_sweep{
-    "loading",
-    "What must be loaded before there is a picture",
-    "Thumbnails are there at once; tiles take their time. How good is the picture at each step?",
-    "the photo left out, or the ray-cast picture",
-    "the picture of full resolution itself",
-    {{"first_ms", "psnr"}, {"read_bytes", "psnr"}},
-    jobs};
+const Sweep loading_sweep{"loading",
+                          "Time to the first picture",
+                          "Thumbnails load at once, tiles take longer. How good is the picture at each step?",
+                          "the held-out photo, or the ray-cast picture",
+                          "it is itself the picture at full resolution",
+                          {{"first_ms", "psnr"}, {"read_bytes", "psnr"}},
+                          jobs};
 
 }  // namespace vantage::bench

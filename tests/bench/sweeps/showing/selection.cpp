@@ -1,4 +1,4 @@
-// Which photos are blended: how they are chosen, and whether the choice remembers the last one.
+// Which photos are blended: how they are chosen, and whether the choice has hysteresis.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
     return measure_pictures(scene.package, scene, effort, settings(), folder, "selection");
 }
 
-/// Photos that are new in the choice, a frame of an orbit, and what planning costs.
+/// Changes of the choice per frame along a path, and the cost of planning.
 Measurement fly(const PlanScene& scene, const CameraPath& path, PlanSettings settings, const char* name,
                 bool remembers, const TrueView& from) {
     std::vector<std::uint32_t> former;
@@ -117,17 +117,17 @@ std::vector<Job> path_jobs(const BenchScene& scene, const Effort&, const std::fi
 extern const Sweep selection_sweep, hysteresis_sweep;
 const Sweep selection_sweep{"selection",
                             "Which photos are blended",
-                            "The nearest photos may not see what is in view; a set cover does. What is left "
-                            "uncoloured, and what does it cost?",
-                            "the photo left out, or the ray-cast picture; what photos see, by ray casting",
-                            "0 % uncoloured but for the borders of the depth maps (0.2 %)",
+                            "The nearest photos may not see everything in view; a set cover does. What stays "
+                            "uncolored, and what does each choice cost?",
+                            "the held-out photo, or the ray-cast picture; visibility by ray casting",
+                            "0 % uncolored, except at borders of depth maps (0.2 %)",
                             {{"frame_ms", "psnr"}, {"photos", "uncoloured", true, true}, {"photos", "psnr"}},
                             jobs};
 const Sweep hysteresis_sweep{
     "hysteresis",
-    "A choice that remembers the last one",
-    "Photos that come and go are seen as flicker. How many change a frame, on an orbit of 90 frames?",
-    "all photos: nothing changes",
+    "Hysteresis in the choice of photos",
+    "Photos that come and go cause flicker. How many change per frame on an orbit of 90 frames?",
+    "all photos, so that nothing changes",
     "0 changes, 0 % uncovered",
     {{"plan_ms", "changes"}, {"photos", "changes"}, {"photos", "uncovered", true, true}},
     path_jobs};

@@ -1,4 +1,4 @@
-// How far tiles reach into their neighbours.
+// How far tiles overlap their neighbors.
 #include <array>
 #include <random>
 
@@ -11,7 +11,7 @@
 namespace vantage::bench {
 namespace {
 
-/// A level cut into tiles of 256 texels of which `border` on each side are the neighbours'.
+/// A level cut into tiles of 256x256 texels, of which `border` on each side belong to the neighbors.
 struct Cut {
     int content, columns;
     std::vector<Picture> tiles;
@@ -26,7 +26,7 @@ Cut cut_all(const Picture& image, int border) {
     return out;
 }
 
-/// Linear between four texels, clamped at the image's edges; alpha, too.
+/// Bilinear sample of all four channels, clamped at the edges of the image.
 std::array<double, 4> bilinear(const Picture& image, double x, double y) {
     const double fx = std::floor(x - 0.5), fy = std::floor(y - 0.5), s = x - 0.5 - fx, t = y - 0.5 - fy;
     const auto at = [&](int i, int j) {
@@ -40,11 +40,11 @@ std::array<double, 4> bilinear(const Picture& image, double x, double y) {
     return out;
 }
 
-/// Samples through the tiles beside samples of the whole, at random places.
+/// Compares samples of the tiles with samples of the whole image at random positions.
 void compare(const Picture& whole, int border, std::size_t points, Differences& all) {
     const Cut tiles = cut_all(whole, border);
     std::mt19937 engine(3);
-    // 256ths of a texel, as graphics cards have it, so that rounding does not count.
+    // Positions in 256ths of a texel, as on graphics cards, so that rounding has no effect.
     const auto place = [&](int length) { return double(engine() % (std::uint32_t(length) * 256)) / 256; };
     for (std::size_t i = 0; i < points; ++i) {
         const double x = place(whole.width), y = place(whole.height);
@@ -73,7 +73,7 @@ std::vector<Measurement> measure_borders(const BenchScene& scene, const Effort& 
         Measurement m;
         m.curve = "border";
         m.setting = std::to_string(borders[b]);
-        m.exact = borders[b] >= 1;  // four texels reach half a texel beyond the tile's own
+        m.exact = borders[b] >= 1;  // bilinear samples reach half a texel beyond the tile's own
         m.chosen = borders[b] == tile_border;
         m.values = {{"psnr", all[b].psnr()}, {"worst", all[b].worst()}, {"texel_bytes", 4 * share * share}};
         out.push_back(std::move(m));
@@ -89,8 +89,8 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 
 extern const Sweep tile_border_sweep;
 const Sweep tile_border_sweep{"tile-border",
-                              "How far tiles reach into their neighbours",
-                              "A sample at a tile's edge needs its neighbours' texels. How many?",
+                              "Overlap of tiles",
+                              "Samples at the edge of a tile need texels of its neighbors. How many?",
                               "samples of the whole photo",
                               "0 of 255",
                               {{"texel_bytes", "psnr"}, {"texel_bytes", "worst"}},

@@ -1,4 +1,4 @@
-// How tiles of colour are coded.
+// How color tiles are coded.
 #include <squish.h>
 #include <zstd.h>
 
@@ -31,7 +31,7 @@ struct Format {
     bool lossless = false, chosen = false, shown = false;
     bool bc1() const { return codec == Codec::bc1_range || codec == Codec::bc1_cluster; }
 };
-// BC1 and JPEG have no place for alpha: what is transparent in a photo would need it beside them.
+// BC1 and JPEG have no alpha, which would have to be stored separately.
 constexpr Format formats[] = {{"RAW", Codec::raw, 0, true, true, true},
                               {"BC1, range fit", Codec::bc1_range, 0, false, false, true},
                               {"BC1, cluster fit", Codec::bc1_cluster},
@@ -90,7 +90,7 @@ Bytes encode(const Format& f, Texels tile) {
     return out;
 }
 
-/// `tile` has a tile's size.
+/// `tile` must have the size of a tile.
 void decode(const Format& f, Texels coded, Bytes& tile) {
     if (f.codec == Codec::raw) {
         std::memcpy(tile.data(), coded.data(), tile.size());
@@ -109,7 +109,7 @@ void decode(const Format& f, Texels coded, Bytes& tile) {
     }
 }
 
-/// A stored tile, and the part of it that is the photo's: beyond its edges the last texel is repeated.
+/// A stored tile, and the part of it inside the photo; beyond that, edge texels are repeated.
 struct Tile {
     Texels texels;
     int left, top, right, bottom;
@@ -126,7 +126,7 @@ Tile tile_of(std::span<const std::byte> block, const Level& level, int number) {
             std::min(tile_size, level.height - y0)};
 }
 
-/// Tiles of the photos' three finest levels, evenly spread over all of them.
+/// Tiles of the photos' three finest levels, evenly spread.
 std::vector<Tile> some_tiles(const PackageReader& package, const Effort& effort) {
     std::vector<Tile> all;
     for (const std::uint32_t photo : some_photos(package, effort.photos))
@@ -141,8 +141,8 @@ std::vector<Tile> some_tiles(const PackageReader& package, const Effort& effort)
     return evenly_spread(all, most);
 }
 
-/// Tiles of a photo's whole pyramid, mean.
-double tiles_a_photo(const PackageReader& package) {
+/// Mean number of tiles in a photo's pyramid.
+double tiles_per_photo(const PackageReader& package) {
     std::vector<double> out;
     for (const package::PhotoRecord& p : package.photos()) {
         double n = 0;
@@ -153,7 +153,7 @@ double tiles_a_photo(const PackageReader& package) {
     return mean(out);
 }
 
-/// Opaque RGB of a tile beside what it should be.
+/// Compares the opaque pixels of a tile with the truth.
 void compare(const Tile& truth, const Bytes& tile, Differences& all) {
     for (int y = truth.top; y < truth.bottom; ++y)
         for (int x = truth.left; x < truth.right; ++x) {
@@ -163,10 +163,10 @@ void compare(const Tile& truth, const Bytes& tile, Differences& all) {
         }
 }
 
-/// A format's tiles, coded.
+/// The tiles coded in one format.
 struct Coded {
     std::vector<Bytes> tiles;
-    double encode_ms = 0;  ///< a tile
+    double encode_ms = 0;  ///< per tile
     double texel_bytes = 0;
     Differences differences;
 };
@@ -186,7 +186,7 @@ Coded coded(const Format& f, const std::vector<Tile>& tiles) {
     return out;
 }
 
-/// Milliseconds a tile, from its bytes in memory to a texture that the card has.
+/// Milliseconds per tile, from its bytes in memory to a texture on the card.
 double upload_ms(const Format& f, const Coded& coded, const std::vector<Tile>& raw, Layers& rgba,
                  Layers* bc1) {
     Bytes tile(tile_bytes);
@@ -205,7 +205,7 @@ double upload_ms(const Format& f, const Coded& coded, const std::vector<Tile>& r
            double(raw.size());
 }
 
-/// The tile that a format changes most, of those that lie in their photo as a whole; else the first.
+/// The tile with the largest error of those entirely inside their photo; the first if there is none.
 std::size_t worst_tile(const Format& f, const Coded& coded, const std::vector<Tile>& tiles) {
     Bytes tile(tile_bytes);
     std::size_t worst = 0;
@@ -245,7 +245,7 @@ std::vector<Measurement> measure_formats(const BenchScene& scene, const Effort& 
     const std::vector<Tile> tiles = some_tiles(package, effort);
     if (tiles.empty()) return {};
     std::array<Coded, std::size(formats)> all;
-    coded(formats[0], tiles);  // brings them into memory, so that no disk is timed
+    coded(formats[0], tiles);  // reads the tiles into memory, so that the disk is not timed
     for (std::size_t f = 0; f < std::size(formats); ++f) all[f] = coded(formats[f], tiles);
     if (all[0].differences.empty()) return {};  // nothing opaque
     Layers rgba(GL_SRGB8_ALPHA8, tile_size, 16);
@@ -263,12 +263,12 @@ std::vector<Measurement> measure_formats(const BenchScene& scene, const Effort& 
         m.setting = formats[f].name;
         m.exact = formats[f].lossless;
         m.chosen = formats[f].chosen;
-        // Coding all of a photo's tiles, scaled up from these.
+        // photo_ms is extrapolated from these tiles to all tiles of a photo.
         m.values = {{"psnr", all[f].differences.psnr()},
                     {"worst", all[f].differences.worst()},
                     {"texel_bytes", all[f].texel_bytes},
                     {"tile_ms", ms[f]},
-                    {"photo_ms", all[f].encode_ms * tiles_a_photo(package)}};
+                    {"photo_ms", all[f].encode_ms * tiles_per_photo(package)}};
         out.push_back(std::move(m));
     }
     show(scene, folder, tiles, all, out);
@@ -282,13 +282,13 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 }  // namespace
 
 extern const Sweep tile_format_sweep;
-const Sweep tile_format_sweep{
-    "tile-format",
-    "How tiles are coded",
-    "Tiles are stored as the graphics card takes them. What would a coded format save, and cost?",
-    "the photo's texels as they were prepared",
-    "0 of 255",
-    {{"texel_bytes", "psnr"}, {"tile_ms", "psnr"}, {"texel_bytes", "worst"}},
-    jobs};
+const Sweep tile_format_sweep{"tile-format",
+                              "Tile formats",
+                              "Tiles are stored as uncompressed texels for direct upload. What would a "
+                              "compressed format save, and cost?",
+                              "the prepared texels of the photo",
+                              "0 of 255",
+                              {{"texel_bytes", "psnr"}, {"tile_ms", "psnr"}, {"texel_bytes", "worst"}},
+                              jobs};
 
 }  // namespace vantage::bench

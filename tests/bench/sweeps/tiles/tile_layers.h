@@ -5,7 +5,7 @@
 
 namespace vantage::bench {
 
-/// Layers of an array texture that tiles are put into, in turn.
+/// An array texture whose layers are overwritten in turn.
 class Layers {
   public:
     Layers(GLenum format, int size, int count)

@@ -13,7 +13,7 @@ namespace vantage::bench {
 using Bytes = std::vector<std::uint8_t>;
 using Texels = std::span<const std::uint8_t>;  ///< RGBA, row by row
 
-/// Differences of channels from what they should be, up to 255.
+/// Accumulates the differences of channels from the truth, clamped to 255.
 class Differences {
   public:
     void add(double difference) {
@@ -26,7 +26,7 @@ class Differences {
         const double mean = squares_ / double(std::max(all_, std::uint64_t(1)));
         return mean > 0 ? std::min(psnr_cap, 10 * std::log10(255 * 255 / mean)) : psnr_cap;
     }
-    /// What 99.9 % are no larger than.
+    /// The 99.9th percentile of the absolute differences.
     double worst() const {
         std::uint64_t up_to = 0;
         for (std::size_t i = 0; i < counts_.size(); ++i)
@@ -35,13 +35,13 @@ class Differences {
     }
 
   private:
-    static constexpr std::size_t steps = 16;  ///< to a grey level
+    static constexpr std::size_t steps = 16;  ///< per gray level
     double squares_ = 0;
     std::uint64_t all_ = 0;
     std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(255 * steps + 1);
 };
 
-/// Of the photos that have tiles, at most `count`, evenly spread.
+/// At most `count` of the photos that have tiles, evenly spread.
 std::vector<std::uint32_t> some_photos(const PackageReader& package, std::size_t count);
 
 }  // namespace vantage::bench

@@ -1,4 +1,4 @@
-// How large tiles are: small ones hold less that is not shown, large ones are fewer.
+// Tile size: small tiles hold fewer texels that are not shown, large tiles need fewer requests.
 #include <Eigen/Geometry>
 #include <array>
 #include <unordered_set>
@@ -20,7 +20,7 @@
 namespace vantage::bench {
 namespace {
 
-/// Texels of a photo's level in squares of 8, which every tile's content is a multiple of.
+/// A square of 8x8 texels in a level of a photo; the content of every tile size is a multiple of it.
 constexpr int block_size = 8;
 struct Block {
     std::uint32_t photo, level, x, y;
@@ -39,7 +39,7 @@ struct Source {
     Eigen::Vector3d center;
 };
 
-/// The package's model for casting rays.
+/// The package's model, ready for ray casting.
 struct Surface {
     std::vector<Eigen::Vector3f> positions;
     std::vector<std::uint32_t> indices;
@@ -55,7 +55,7 @@ Surface surface(const PackageReader& package) {
     return {std::move(positions), {indices.begin(), indices.end()}, std::move(rays)};
 }
 
-/// The blocks that a trilinear sample of the photo takes.
+/// Marks the blocks that a trilinear sample of the photo reads.
 void mark(const Source& source, const SurfaceSample& sample, const Eigen::Vector2d& pixel, Blocks& out) {
     // As footprint_of() and color_at() in the shaders.
     const double lod =
@@ -68,7 +68,7 @@ void mark(const Source& source, const SurfaceSample& sample, const Eigen::Vector
     }
 }
 
-/// Marks what up to four photos show of a point: those nearest in angle of the ones that see it.
+/// Marks what the up to four photos nearest in angle that see a point show of it.
 void mark_point(const Surface& surface, const std::vector<Source>& sources, const View& view,
                 const Eigen::Vector3d& p, const Eigen::Vector3d& normal, Blocks& out) {
     const auto sample = surface_sample(view, p, normal, 1);
@@ -77,7 +77,7 @@ void mark_point(const Surface& surface, const std::vector<Source>& sources, cons
     std::vector<std::pair<double, const Source*>> by_angle;
     for (const Source& s : sources) {
         const Eigen::Vector3d to_photo = s.center - p;
-        // Photos from behind show the surface's other side.
+        // Photos from behind show the other side of the surface.
         if (normal.dot(to_photo) * normal.dot(to_eye) > 0)
             by_angle.emplace_back(-to_photo.normalized().dot(to_eye), &s);
     }
@@ -94,7 +94,7 @@ void mark_point(const Surface& surface, const std::vector<Source>& sources, cons
     }
 }
 
-/// The blocks that a view shows, by a ray every `step` pixels.
+/// The blocks that a view shows, from one ray every `step` pixels.
 Blocks shown_blocks(const PackageReader& package, const Surface& surface, const TrueView& view, int step) {
     std::vector<Source> sources;
     for (const std::uint32_t i : view.photos) {
@@ -119,7 +119,7 @@ Blocks shown_blocks(const PackageReader& package, const Surface& surface, const 
     return out;
 }
 
-/// Bytes of the tiles that hold these blocks, the border around each tile's content included.
+/// Bytes of the tiles that hold these blocks, borders included.
 double tile_bytes_of(const Blocks& blocks, int size) {
     if (size == block_size) return double(blocks.size()) * size * size * 4;
     constexpr std::uint64_t mask = (1u << 17) - 1;
@@ -130,7 +130,7 @@ double tile_bytes_of(const Blocks& blocks, int size) {
     return double(tiles.size()) * size * size * 4;
 }
 
-/// Tiles of a size, cut out of an image: some 16 MB, so that they are not all in the processor's caches.
+/// About 16 MB of tiles of one size, cut out of an image, too many for the processor's caches.
 std::vector<Bytes> cut_some(const Picture& image, int size) {
     const int count = std::clamp((1 << 22) / (size * size), 4, 256);
     std::vector<Bytes> out;
@@ -139,18 +139,17 @@ std::vector<Bytes> cut_some(const Picture& image, int size) {
     return out;
 }
 
-// The first has no border: what is shown, as if that could be read alone.
+// The first has no border: the blocks shown, as if they could be read individually.
 constexpr int tile_sizes[] = {block_size, 64, 128, 256, 512, 1024};
 
-/// Milliseconds to upload a tile, by size.
+/// Milliseconds to upload a tile of each size.
 std::vector<double> upload_ms(const Picture& image, int repeats) {
     std::vector<std::vector<Bytes>> tiles;
     std::vector<Layers> layers;
     for (const int size : tile_sizes) {
         tiles.push_back(cut_some(image, size));
         layers.emplace_back(GL_SRGB8_ALPHA8, size, 4);
-        for (int i = 0; i < 4; ++i)
-            layers.back().put_rgba(tiles.back()[0].data());  // its memory is there now
+        for (int i = 0; i < 4; ++i) layers.back().put_rgba(tiles.back()[0].data());  // allocates the memory
     }
     std::vector<double> ms = medians_in_turn(std::size(tile_sizes), repeats, [&](std::size_t s) {
         return milliseconds([&] {
@@ -199,10 +198,10 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const std::
 extern const Sweep tile_size_sweep;
 const Sweep tile_size_sweep{
     "tile-size",
-    "How large tiles are",
-    "Tiles are 256 texels wide. What must be read for a view if they are larger, or smaller?",
-    "the blocks of 8 texels that the view shows, by rays",
-    "those blocks themselves",
+    "Tile size",
+    "Tiles are 256 texels wide. How much must be read for a view if they are larger or smaller?",
+    "the blocks of 8x8 texels that the view shows, by ray casting",
+    "they are those blocks themselves",
     {{"tile_ms", "read_bytes", true, true}},
     jobs};
 
