@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# How many photos it takes to cover what is seen: the set cover against the search by normals and the nearest n. From each photo's camera, with that
-# photo left out, at a quarter of its size; what any other photo colours and the chosen do not, as a share, mean over
-# the views.
+# How many photos are needed to cover a view: the set cover against the choice by normals and the nearest n. Views are
+# those of the photos' cameras at a quarter of their size, with the photo itself held out. Prints the share of the
+# pixels colored by any other photo that the chosen ones leave uncolored, mean over the views.
 # usage: choice.sh PLAYER PACKAGE...
 player=$1
 shift
@@ -10,9 +10,9 @@ for package in "$@"; do
   photos=$("$player" "$package" --list | awk '{ sub(/\.[^.]*$/, "", $1); print $1 }')
   most=$(echo "$photos" | wc -l)
   for photo in $photos; do
-    view() {  # view OPTIONS: photos used, per cent coloured
+    view() {  # view OPTIONS: photos used, percent colored
       "$player" "$package" --offscreen --photo "$photo" --exclude "$photo" --scale 0.25 --samples 1 -o "$picture" "$@" |
-        awk '{ for (i = 2; i <= NF; i++) { if ($i == "photos") p = $(i - 1); if ($i == "coloured") c = $(i - 2) } print p, c }'
+        awk '{ for (i = 2; i <= NF; i++) { if ($i == "photos") p = $(i - 1); if ($i == "colored") c = $(i - 2) } print p, c }'
     }
     echo "all $(view)"
     echo "cover $(view --choose cover --blended 1)"
@@ -25,5 +25,5 @@ for package in "$@"; do
   done | awk -v package="$(basename "$package")" '
     $1 == "all" { all = $3 }
     { if (!($1 in n)) names[++count] = $1; n[$1]++; photos[$1] += $2; if (all > 0) left[$1] += (all - $3) / all; }
-    END { for (i = 1; i <= count; i++) { k = names[i]; printf "%-22s %-11s %5.2f photos  %7.3f %% left uncoloured\n", package, k, photos[k] / n[k], 100 * left[k] / n[k] } }'
+    END { for (i = 1; i <= count; i++) { k = names[i]; printf "%-22s %-11s %5.2f photos  %7.3f %% left uncolored\n", package, k, photos[k] / n[k], 100 * left[k] / n[k] } }'
 done

@@ -1,4 +1,4 @@
-// vantage-bench: what accuracy costs in time and bytes.
+// vantage-bench: measures what accuracy costs in time and bytes.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv) {
     using namespace vantage;
-    CLI::App app("vantage-bench measures what each accuracy costs, and writes it as a page.");
+    CLI::App app("vantage-bench measures what each level of accuracy costs and reports it as an HTML page.");
     bench::RunOptions options;
     bench::add_run_options(app, options);
     try {

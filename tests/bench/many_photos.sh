@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What it takes to make 20 to 320 photos of one scene agree: asking the evidence (always), and registering every camera
-# (forced, for the scene does not call for it). Writes many_photos.tsv and many_photos.svg into FOLDER, where the scenes
-# stay for another time.
+# The cost of making 20 to 320 photos of one scene agree: of gathering the evidence, which prepare always does, and of
+# registering every camera, which is forced since the scene does not need it. Writes many_photos.tsv and
+# many_photos.svg into FOLDER, where the scenes are kept for reuse.
 # usage: many_photos.sh VANTAGE FOLDER [PHOTOS...]
 set -euo pipefail
 vantage=$1
@@ -11,7 +11,7 @@ shift 2
 mkdir -p "$folder"
 demo=$(dirname "$0")/../../data/demo.toml
 
-seconds() {  # seconds TRACE SPAN...: that they took together
+seconds() {  # seconds TRACE SPANS: total duration of the spans in the trace
   tr '{' '\n' <"$1" | grep -oP "\"dur\":[0-9.]+,\"name\":\"($2)\"" | awk -F'[:,]' '{ s += $2 } END { printf "%.2f", s / 1e6 }'
 }
 prepare() {  # prepare SCENE OPTIONS...: peak memory, MB
@@ -53,11 +53,11 @@ set pointsize 0.6
 set xrange [10:600]
 set title "seconds"
 set yrange [0.1:30000]
-plot "$table" every ::1 using 1:5 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "registering (where called for)", \
-  "" every ::1 using 1:4 with linespoints linewidth 2 pointtype 7 linecolor rgb "#2e7d32" title "asking for strangers (always)", \
-  "" every ::1 using 1:3 with linespoints linewidth 2 pointtype 7 linecolor rgb "#1565c0" title "measuring cameras (always)"
-set title "MB at most"
+plot "$table" every ::1 using 1:5 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "camera registration (if needed)", \
+  "" every ::1 using 1:4 with linespoints linewidth 2 pointtype 7 linecolor rgb "#2e7d32" title "consensus masks (always)", \
+  "" every ::1 using 1:3 with linespoints linewidth 2 pointtype 7 linecolor rgb "#1565c0" title "camera evidence (always)"
+set title "peak memory, MB"
 set yrange [10:2000]
-plot "$table" every ::1 using 1:6 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "registering", \
-  "" every ::1 using 1:2 with linespoints linewidth 2 pointtype 7 linecolor rgb "#1565c0" title "preparing otherwise"
+plot "$table" every ::1 using 1:6 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "with registration", \
+  "" every ::1 using 1:2 with linespoints linewidth 2 pointtype 7 linecolor rgb "#1565c0" title "without registration"
 PLOT

@@ -16,24 +16,24 @@
 #include "pipeline/input/file_identity.h"
 #include "scene/error.h"
 #include "scene/make_folder.h"
-#include "tests/bench/costs.h"
-#include "tests/bench/gnuplot.h"
-#include "tests/bench/log.h"
-#include "tests/bench/page.h"
-#include "tests/bench/sweep.h"
-#include "tests/bench/tables.h"
-#include "tests/bench/timing.h"
+#include "tests/bench/measure/timing.h"
+#include "tests/bench/page/page.h"
+#include "tests/bench/plots/gnuplot.h"
+#include "tests/bench/results/costs.h"
+#include "tests/bench/results/log.h"
+#include "tests/bench/results/tables.h"
+#include "tests/bench/sweeps/sweep.h"
 
 namespace vantage::bench {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Longest, views, photos, repeats, points.
+// Name, longest, views, photos, repeats, points.
 const Effort efforts[] = {
     {"smoke", 200, 2, 2, 1, 2000}, {"short", 400, 2, 2, 2, 20000}, {"full", 640, 2, 3, 3, 200000}};
 
-const Effort& effort_called(const std::string& name) {
+const Effort& effort_named(const std::string& name) {
     const auto found = std::ranges::find(efforts, name, &Effort::name);
     if (found == std::end(efforts))
         throw Error(Exit::usage, "--set " + name + ": expected smoke, short or full");
@@ -45,8 +45,8 @@ fs::path datasets() {
     return root ? root : "../shared/datasets";
 }
 
-/// What a set is measured on where nothing is said: synthetic scenes, and the real ones that are there.
-std::vector<fs::path> usual_inputs(const std::string& set) {
+/// The default inputs of a set: synthetic scenes, and those of the real scans that are present.
+std::vector<fs::path> default_inputs(const std::string& set) {
     const fs::path data = fs::path(VANTAGE_SOURCE_DIR) / "data";
     if (set == "smoke") return {data / "tiny.toml"};
     std::vector<fs::path> out{data / "small.toml"};
@@ -69,8 +69,9 @@ std::vector<std::string> machine() {
     const gl::Device device = gl::current_device();
     const std::time_t now = std::time(nullptr);
     return {fmt::format("{}, {} cores", processor(), std::thread::hardware_concurrency()),
-            fmt::format("OpenGL: {}{}", device.renderer,
-                        device.software ? " (software: frame times say nothing of a graphics card's)" : ""),
+            fmt::format(
+                "OpenGL: {}{}", device.renderer,
+                device.software ? " (software: frame times do not predict those of a graphics card)" : ""),
             fmt::format("{:%Y-%m-%d}", fmt::gmtime(now))};
 }
 
@@ -88,7 +89,7 @@ void run_job(Log& log, const std::string& key, const Sweep& sweep, const BenchSc
     log.add(key, ms / 1000, found);
 }
 
-/// A line a job: on a terminal the last one stands while it is measured.
+/// Prints one line per job; its name appears while it is being measured.
 void run_scene(const RunOptions& o, const Effort& effort, const BenchScene& scene, Log& log) {
     for (const Sweep& sweep : sweeps()) {
         if (!wanted(o, sweep.name)) continue;
@@ -105,7 +106,7 @@ void run_scene(const RunOptions& o, const Effort& effort, const BenchScene& scen
     }
 }
 
-/// Of what must be the same for a run to be gone on with.
+/// What must be unchanged for a run to be resumed: the effort and this program.
 std::string identity(const Effort& effort) {
     return fmt::format("{} {:016x}", effort.name, identify(fs::read_symlink("/proc/self/exe")).checksum);
 }
@@ -115,7 +116,7 @@ int list_sweeps() {
     return int(Exit::ok);
 }
 
-/// The tables and the page of a run.
+/// Writes the tables and the page of a run.
 int write_results(const RunOptions& o, const Run& now) {
     make_folder(o.folder);
     std::optional<Run> before;
@@ -133,20 +134,21 @@ int write_results(const RunOptions& o, const Run& now) {
 void add_run_options(CLI::App& app, RunOptions& o) {
     app.add_option(
         "INPUT", o.inputs,
-        "folders of scans, or specifications of synthetic scenes (TOML); else those of the set, real ones "
-        "from $VANTAGE_DATASETS");
-    app.add_option("--set", o.set, "how much is measured: smoke (a minute), short (ten), full")
+        "folders of scans, or specifications of synthetic scenes (TOML); default: those of the set, with "
+        "real scans from $VANTAGE_DATASETS");
+    app.add_option("--set", o.set, "how much to measure: smoke (about a minute), short (about ten), full")
         ->capture_default_str();
-    app.add_option("--only", o.only, "sweeps to run, see --list")->delimiter(',');
-    app.add_option("-o,--output", o.folder, "folder to write into, and to go on from")->capture_default_str();
-    app.add_option("--against", o.against, "results.json of an earlier run: the page shows what moved");
-    app.add_option("--costs", o.costs, "write here what 'vantage prepare --explain' tells");
-    app.add_option("--redraw", o.redraw, "results.json of a run: its page again, nothing measured");
-    app.add_flag("--list", o.list, "name the sweeps and leave");
+    app.add_option("--only", o.only, "sweeps to run, comma-separated; see --list")->delimiter(',');
+    app.add_option("-o,--output", o.folder, "output folder; an interrupted run there is resumed")
+        ->capture_default_str();
+    app.add_option("--against", o.against,
+                   "results.json of an earlier run; the page shows what has changed since");
+    app.add_option("--costs", o.costs, "also write the costs file that 'vantage prepare --explain' reads");
+    app.add_option("--redraw", o.redraw, "results.json of a run; write its page again without measuring");
+    app.add_flag("--list", o.list, "list the sweeps and exit");
     app.footer(
-        "Writes index.html (one file, readable offline), results.csv and results.json. A run that was cut "
-        "off goes on "
-        "where it\nstopped; one by another build begins anew.\n"
+        "Writes index.html (self-contained), results.csv and results.json. An interrupted run resumes where\n"
+        "it stopped, unless --set or the program has changed since.\n"
         "Examples:\n  vantage-bench\n  vantage-bench --set full -o full\n"
         "  vantage-bench scans/chapel --only blending,selection -o chapel\n"
         "  vantage-bench --set short -o new --against old/results.json");
@@ -155,18 +157,18 @@ void add_run_options(CLI::App& app, RunOptions& o) {
 int run(const RunOptions& o) {
     if (o.list) return list_sweeps();
     if (!o.redraw.empty()) return write_results(o, read_json(o.redraw));
-    const Effort& effort = effort_called(o.set);
+    const Effort& effort = effort_named(o.set);
     for (const std::string& name : o.only)
         if (std::ranges::find(sweeps(), name, [](const Sweep& s) { return std::string(s.name); }) ==
             sweeps().end())
-            throw Error(Exit::usage, "--only " + name + ": no such sweep, see --list");
-    if (!o.against.empty()) read_json(o.against);  // what is wrong with it is said now
+            throw Error(Exit::usage, "--only " + name + ": no such sweep; see --list");
+    if (!o.against.empty()) read_json(o.against);  // fail early if it is invalid
     std::vector<fs::path> inputs(o.inputs.begin(), o.inputs.end());
-    if (inputs.empty()) inputs = usual_inputs(effort.name);
-    svg_plot({});  // where gnuplot is missing, that is said now and not after an hour
+    if (inputs.empty()) inputs = default_inputs(effort.name);
+    svg_plot({});  // fail early if gnuplot is missing
     make_folder(o.folder);
     Log log(o.folder / "log.jsonl", identity(effort));
-    if (log.jobs()) fmt::print("going on after {} jobs\n", log.jobs());
+    if (log.jobs()) fmt::print("resuming after {} completed jobs\n", log.jobs());
     for (const fs::path& input : inputs) {
         fmt::print("{}\n", input.string());
         std::fflush(stdout);

@@ -14,7 +14,7 @@ struct RunOptions {
 };
 void add_run_options(CLI::App& app, RunOptions& options);
 
-/// Runs the sweeps, or goes on with them, and writes the page. Throws Error.
+/// Runs the sweeps, resuming an interrupted run, and writes the page. Returns the exit code. Throws Error.
 int run(const RunOptions& options);
 
 }  // namespace vantage::bench

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# The player flies at random for MINUTES over a package larger than its memory while that is damaged in place, restored and
-# replaced. Writes frames.csv, soak.svg (frame time and memory over the flight) and soak.txt (what of it counts) into FOLDER;
-# fails where the player ended before its time or by an error.
-# usage: soak.sh PLAYER PACKAGE FOLDER [MINUTES [OPTIONS OF THE PLAYER...]]
+# The player flies at random for MINUTES (default 30) over a package larger than its memory budget, while the file is
+# damaged in place, restored and replaced. Writes frames.csv, soak.svg (frame time and memory over time) and soak.txt
+# (summary) into FOLDER. Exits with the player's code if it is not 0.
+# usage: soak.sh PLAYER PACKAGE FOLDER [MINUTES [PLAYER-OPTIONS...]]
 set -euo pipefail
 player=$1
 sound=$(realpath "$2")
@@ -14,14 +14,14 @@ shown=$folder/shown.vantage opened=$folder/opened.vantage
 rm -f "$shown" "$opened"
 trap 'rm -f "$shown" "$opened"' EXIT
 cp "$sound" "$shown"
-ln "$shown" "$opened"  # the file that the player has, whatever replaces its name
+ln "$shown" "$opened"  # keeps the file that the player has opened reachable after it is replaced
 bytes=$(stat -c %s "$sound")
 
 "$player" bench "$shown" --paths flight --modes stream --repeats 1 --minutes "$minutes" --warm \
   --graphics-memory 96 --memory 8 --size 640x360 -o "$folder" "$@" >"$folder/bench.txt" 2>&1 &
 flight=$!
 trap 'kill $flight 2>/dev/null || true; rm -f "$shown" "$opened" "$folder/next.vantage"' EXIT
-sleep 10  # until it shows something
+sleep 10  # until the first frames
 
 RANDOM=7
 place() { echo $(((RANDOM * 32768 * 32768 + RANDOM * 32768 + RANDOM) % (bytes / 4096))); }
@@ -32,11 +32,11 @@ median() { awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
 megabytes() { awk '{ printf "%.1f MB", $1 / 1e6 }'; }
 figures() {
   echo "frames                      $rows, median $middle ms, slowest $(column 5 | tail -1) ms," \
-    "$(column 5 | awk -v m="$middle" '$1 > 3 * m' | wc -l) above three times the median"
-  echo "damaged tiles at once       $(column 9 | tail -1)"
-  echo "memory of the process       $(column 14 .1 .2 | median | megabytes) after a tenth," \
+    "$(column 5 | awk -v m="$middle" '$1 > 3 * m' | wc -l) over three times the median"
+  echo "most damaged tiles at once  $(column 9 | tail -1)"
+  echo "resident memory             $(column 14 .1 .2 | median | megabytes) after a tenth," \
     "$(column 14 .9 1 | median | megabytes) at the end"
-  echo "of it not of the package    $(column 15 .1 .2 | median | megabytes) after a tenth," \
+  echo "anonymous memory            $(column 15 .1 .2 | median | megabytes) after a tenth," \
     "$(column 15 .9 1 | median | megabytes) at the end"
   echo "OpenGL objects              $(column 13 .1 .2 | median | megabytes) after a tenth," \
     "$(column 13 .9 1 | median | megabytes) at the end"
@@ -67,7 +67,7 @@ fi
   [ $code = 0 ] && figures
 } | tee "$folder/soak.txt"
 [ $code = 0 ] || exit $code
-# Every five seconds: minutes, slowest and mean frame, memory.
+# Per five seconds: minutes, slowest and mean frame in ms, anonymous memory and OpenGL objects in MB.
 awk -F, 'NR > 1 {
     at += $5; sum += $5; ++n; slowest = $5 > slowest ? $5 : slowest
     if (at >= next_at) {
@@ -88,10 +88,10 @@ set offsets 0, 0, graph 0.45, 0
 set lmargin 9
 set ylabel "ms"
 plot 3 * $middle with lines dashtype 2 linecolor rgb "#888888" title "three times the median frame", \
-  "$folder/soak.tsv" using 1:2 with lines linecolor rgb "#c62828" title "slowest of five seconds", \
-  "" using 1:3 with lines linewidth 2 linecolor rgb "#1565c0" title "their mean"
+  "$folder/soak.tsv" using 1:2 with lines linecolor rgb "#c62828" title "slowest in five seconds", \
+  "" using 1:3 with lines linewidth 2 linecolor rgb "#1565c0" title "mean in five seconds"
 set ylabel "MB"
 set xlabel "minutes"
-plot "$folder/soak.tsv" using 1:4 with lines linewidth 2 linecolor rgb "#c62828" title "memory of the process but for the package", \
+plot "$folder/soak.tsv" using 1:4 with lines linewidth 2 linecolor rgb "#c62828" title "anonymous memory of the process", \
   "" using 1:5 with lines linewidth 2 linecolor rgb "#1565c0" title "OpenGL objects"
 PLOT

@@ -7,12 +7,12 @@
 
 #include "pipeline/report/base64.h"
 #include "scene/error.h"
-#include "tests/bench/front.h"
-#include "tests/bench/gnuplot.h"
-#include "tests/bench/moved.h"
-#include "tests/bench/page.h"
-#include "tests/bench/quantity.h"
-#include "tests/bench/tables.h"
+#include "tests/bench/page/page.h"
+#include "tests/bench/plots/gnuplot.h"
+#include "tests/bench/results/front.h"
+#include "tests/bench/results/moved.h"
+#include "tests/bench/results/quantity.h"
+#include "tests/bench/results/tables.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -123,6 +123,16 @@ TEST_F(BenchTables, JsonReadsBackAsItWas) {
     EXPECT_EQ(back.measurements[0].exhibits[0].file, "exhibits/a.jpg");
 }
 
+TEST_F(BenchTables, FormerNamesOfCurvesAndSettingsAreTranslated) {
+    bench::Run run{"0.1.0", "short", {}, {row("mesh as it is", {}), row("jfa", {})}};
+    run.measurements[0].curve = "float a vertex";
+    write_json(dir / "run.json", run);
+    const bench::Run back = read_json(dir / "run.json");
+    EXPECT_EQ(back.measurements[0].curve, "float per vertex");
+    EXPECT_EQ(back.measurements[0].setting, "full mesh");
+    EXPECT_EQ(back.measurements[1].setting, "jfa");
+}
+
 TEST_F(BenchTables, WhatIsNoTableIsNamed) {
     const auto complaint = [&](const char* text) -> std::string {
         std::ofstream(dir / "odd.json") << text;
@@ -199,7 +209,7 @@ TEST(Plot, OnePointOrNoneStillMakesAPlot) {
     expect_sound(svg_plot(plot_of({{5, nan_value, "not drawn"}})));
     const std::string none = svg_plot(plot_of({}));
     expect_sound(none);
-    EXPECT_NE(none.find("nothing was measured"), std::string::npos);
+    EXPECT_NE(none.find("no data"), std::string::npos);
     expect_sound(svg_plot({}));
 }
 
@@ -325,7 +335,7 @@ TEST_F(BenchPage, RefersToNothingOutsideItself) {
             EXPECT_TRUE(html[value] == '#' || html.compare(value, 5, "data:") == 0) << html.substr(at, 60);
         }
     EXPECT_NE(html.find("data:image/jpeg;base64," + base64("not really a JPEG")), std::string::npos);
-    EXPECT_NE(html.find("the picture is missing"), std::string::npos);
+    EXPECT_NE(html.find("missing picture"), std::string::npos);
     EXPECT_EQ(html.find("@import"), std::string::npos);
     EXPECT_EQ(html.find("<script"), std::string::npos);
 }
@@ -362,9 +372,8 @@ TEST_F(BenchPage, WhatIsNotFiniteIsADash) {
     for (const char* odd : {">nan", ">inf", "NaN", "-nan"})
         EXPECT_EQ(html.find(odd), std::string::npos) << odd;
     EXPECT_NE(html.find("<td>–"), std::string::npos);
-    EXPECT_NE(
-        html.find("Not drawn, having no finite value: masks at 1/2, setting 2; masks at 1/2, setting 3"),
-        std::string::npos);
+    EXPECT_NE(html.find("Not drawn (no finite value): masks at 1/2, setting 2; masks at 1/2, setting 3"),
+              std::string::npos);
 }
 
 TEST_F(BenchPage, SaysHowFarAPresetIsFromTheFront) {
@@ -373,7 +382,7 @@ TEST_F(BenchPage, SaysHowFarAPresetIsFromTheFront) {
         input.now.measurements.push_back(m);
     const std::string html = page();
     EXPECT_NE(html.find("<td>preview<td>on the front"), std::string::npos);
-    EXPECT_NE(html.find("<td>default<td>2.00 dB below the best that costs no more (trial)"),
+    EXPECT_NE(html.find("<td>default<td>2.00 dB below the best setting at no higher cost (trial)"),
               std::string::npos);
     EXPECT_NE(html.find("<td>overnight<td>on the front"), std::string::npos);
 }

@@ -7,9 +7,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "tests/bench/log.h"
-#include "tests/bench/sweep.h"
-#include "tests/bench/tables.h"
+#include "tests/bench/results/log.h"
+#include "tests/bench/results/tables.h"
+#include "tests/bench/sweeps/sweep.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -102,7 +102,7 @@ TEST_F(VantageBench, GoesOnWhereItWasCutOff) {
     // As if killed while the last job was written.
     std::ofstream(dir / "out" / "log.jsonl") << whole.substr(0, whole.size() - 40);
     ASSERT_EQ(run(options), 0) << said;
-    EXPECT_NE(said.find("going on after 4 jobs"), std::string::npos) << said;
+    EXPECT_NE(said.find("resuming after 4 completed jobs"), std::string::npos) << said;
     const std::string again = slurp(dir / "out" / "log.jsonl");
     const std::size_t kept = whole.rfind('\n', whole.size() - 2);
     EXPECT_EQ(again.substr(0, kept), whole.substr(0, kept)) << "what was measured is not measured again";

@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "player/render/picture.h"
+#include "tests/bench/results/measurement.h"
+
+namespace vantage::bench {
+
+/// A part of a picture, in pixels.
+struct Window {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// The window, at most 360x240, in which two pictures of the same size differ most where `a` is opaque.
+Window worst_window(const Picture& a, const Picture& b);
+
+/// A picture of one gray value per pixel.
+Picture gray_picture(const std::vector<std::uint8_t>& gray, int width, int height);
+/// Resized by nearest neighbor.
+Picture enlarged(const Picture& picture, int width, int height);
+
+/// Saves that part as `folder`/`name`.jpg, transparent pixels in magenta. Throws Error(storage).
+Exhibit keep_exhibit(const std::filesystem::path& folder, const std::string& name, const std::string& caption,
+                     const Picture& picture, const Window& window);
+
+}  // namespace vantage::bench

@@ -1,0 +1,14 @@
+#pragma once
+#include <vector>
+
+namespace vantage::bench {
+
+/// 0 if there are no values.
+template <class T>
+double mean(const std::vector<T>& values) {
+    double sum = 0;
+    for (const T& v : values) sum += double(v);
+    return values.empty() ? 0 : sum / double(values.size());
+}
+
+}  // namespace vantage::bench

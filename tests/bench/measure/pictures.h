@@ -1,0 +1,52 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "player/render/renderer.h"
+#include "tests/bench/results/measurement.h"
+#include "tests/bench/scenes/scene.h"
+
+namespace vantage::bench {
+
+/// A point of a curve that is measured by rendering pictures.
+struct PictureSetting {
+    std::string curve, setting;
+    bool exact = false, chosen = false;
+    RenderSettings settings;
+    int side = 2;  ///< samples along the side of a pixel, in pictures that are compared with the truth
+    bool timed_whole = false;               ///< time a frame with all samples instead of one
+    bool timed = true;                      ///< measure frame times; false if they are known not to differ
+    double photos = 1;                      ///< fraction of the allowed photos to use, evenly spread
+    std::map<std::string, double> known{};  ///< metrics given by the setting itself
+};
+
+/// Errors of a scene's views against the truth over the seeable pixels; means over the views.
+struct PictureErrors {
+    double psnr = 0, ssim = 0, worst = 0;  ///< as in PictureScore, after gains
+    double uncolored = 0;                  ///< percent of the seeable pixels
+};
+PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Picture> pictures);
+
+/// Renders all views of a scene with these settings.
+std::vector<Picture> render_views(Renderer& renderer, const BenchScene& scene, const PictureSetting& setting);
+
+/// Draws frames of the view until one has all its tiles, 1000 at most.
+void settle(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
+
+/// Milliseconds per frame of a still view with everything resident; includes all samples if `timed_whole`.
+double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
+
+/// Measures each setting on a package of the scene: psnr, ssim, worst, uncoloured, photos, frame_ms, and
+/// psnr_exact against the exact setting of the same curve, or of another curve if it has none. Exhibits show
+/// the window in which the worst setting differs most from the exact one.
+std::vector<Measurement> measure_pictures(const std::filesystem::path& package, const BenchScene& scene,
+                                          const Effort& effort, std::span<const PictureSetting> settings,
+                                          const std::filesystem::path& folder, const std::string& tag);
+
+/// Enough to hold whole packages.
+MemoryBudget ample_memory();
+
+}  // namespace vantage::bench

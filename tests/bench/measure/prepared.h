@@ -1,0 +1,29 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/bench/measure/pictures.h"
+
+namespace vantage::bench {
+
+/// Resources that `vantage prepare` used.
+struct PrepareCost {
+    double seconds = 0;  ///< wall
+    double memory_bytes =
+        0;  ///< peak as it reports itself; the system's figure for a child includes its parent's
+};
+
+/// Runs `vantage prepare FOLDER -o PACKAGE OPTIONS...` as its own process. If it fails, throws Error(input)
+/// with the last line of its output.
+PrepareCost run_prepare(const std::filesystem::path& folder, const std::filesystem::path& package,
+                        const std::vector<std::string>& options);
+
+/// Prepares a package with these options and measures one setting on it: the values of measure_pictures()
+/// plus package_bytes, prepare_s and memory_bytes. There is no other setting to compare with, hence no
+/// psnr_exact and no exhibit of the truth.
+Measurement measure_prepared(const BenchScene& scene, const Effort& effort,
+                             const std::vector<std::string>& options, const PictureSetting& setting,
+                             const std::filesystem::path& folder, const std::string& tag);
+
+}  // namespace vantage::bench

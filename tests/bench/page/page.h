@@ -1,0 +1,25 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "tests/bench/results/tables.h"
+#include "tests/bench/sweeps/sweep.h"
+
+namespace vantage::bench {
+
+struct PageInput {
+    std::string title;
+    std::span<const Sweep>
+        sweeps;  ///< in the order of the page; one named "presets" gets its own kind of section
+    Run now;
+    std::optional<Run> before;  ///< an earlier run to compare with
+};
+
+/// Writes folder/index.html, a single file that contains all plots and exhibits, and the plots as
+/// folder/plots. Exhibits are read from `folder`; a missing one is marked as missing. Throws Error(input) if
+/// gnuplot is missing or fails, Error(storage), std::out_of_range for a plot of an unknown metric.
+void write_page(const std::filesystem::path& folder, const PageInput& input);
+
+}  // namespace vantage::bench

@@ -1,0 +1,38 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tests/bench/results/measurement.h"
+
+namespace vantage::bench {
+
+/// A cost and an error; lower is better for both. Points with a non-finite value are ignored.
+struct Tradeoff {
+    double cost = 0, error = 0;
+};
+
+/// The Pareto front: indices, sorted by cost, of the points that no other point dominates (is at least as
+/// good on both axes and better on one). Equal points are all included.
+std::vector<std::size_t> front(std::span<const Tradeoff> points);
+
+/// Of the points that cost no more than point `i`, the one with the least error, and of equals the cheapest.
+/// None if point `i` has a non-finite value or does not exist.
+std::optional<std::size_t> best_within_cost(std::span<const Tradeoff> points, std::size_t i);
+
+/// Two metrics of each row, negated where more is better; NaN if a row lacks the metric or it is non-finite.
+/// Throws std::out_of_range for an unknown metric.
+std::vector<Tradeoff> tradeoffs(std::span<const Measurement> rows, const std::string& cost,
+                                const std::string& error);
+
+/// The Pareto front of the rows by two metrics. Throws std::out_of_range for an unknown metric.
+std::vector<std::size_t> front(std::span<const Measurement> rows, const std::string& cost,
+                               const std::string& error);
+/// By how much, in the metric's unit, the best row that costs no more beats row `i` in `error`: 0 on the
+/// front, NaN if row `i` lacks either metric. Throws std::out_of_range for an unknown metric.
+double beaten_by(std::span<const Measurement> rows, std::size_t i, const std::string& cost,
+                 const std::string& error);
+
+}  // namespace vantage::bench

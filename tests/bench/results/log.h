@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/bench/results/measurement.h"
+
+namespace vantage::bench {
+
+/// The completed jobs, appended to a file as each one ends, so that an interrupted run can resume.
+class Log {
+  public:
+    /// Resumes the log if its recorded `run` is the same, and starts a new one otherwise. A partly written
+    /// last line is dropped. Throws Error(storage).
+    Log(const std::filesystem::path& file, const std::string& run);
+
+    bool holds(const std::string& job) const { return seconds_.contains(job); }
+    /// Throws Error(storage).
+    void add(const std::string& job, double seconds, const std::vector<Measurement>& measurements);
+
+    std::size_t jobs() const { return seconds_.size(); }
+    /// Total of all jobs.
+    double seconds() const;
+    const std::vector<Measurement>& measurements() const { return measurements_; }
+
+  private:
+    std::filesystem::path file_;
+    std::map<std::string, double> seconds_;  ///< by job
+    std::vector<Measurement> measurements_;
+};
+
+}  // namespace vantage::bench

@@ -1,0 +1,109 @@
+#include "tests/bench/results/measurement.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace vantage::bench {
+namespace {
+
+using Kind = Metric::Kind;
+constexpr double same = 0.002, timed = 0.25;
+
+// PSNR and SSIM compare with the truth after exposure is matched; percentages are of the pixels or points
+// that could be right.
+constexpr Metric table[] = {
+    {"psnr", "PSNR", "dB", Kind::error, false, same},
+    {"ssim", "SSIM", "", Kind::error, false, same},
+    {"worst", "worst 0.1 % of the pixels", "of 255", Kind::error, true, 0.01},
+    {"uncoloured", "left uncolored", "%", Kind::error, true, 0.01},
+    {"psnr_exact", "PSNR against the exact setting", "dB", Kind::error, false, same},
+    {"mask_mean", "border mask, mean error", "of 255", Kind::error, true, same},
+    {"mask_worst", "border mask, worst 0.1 %", "of 255", Kind::error, true, same},
+    {"distance_worst", "border distance, worst", "px", Kind::error, true, same},
+    {"false_hidden", "visible, classified as hidden", "%", Kind::error, true, same},
+    {"false_visible", "hidden, classified as visible", "%", Kind::error, true, same},
+    {"px_median", "median error", "px", Kind::error, true, same},
+    {"px_worst", "worst 0.1 %", "px", Kind::error, true, same},
+    {"uncovered", "not covered, though visible in a photo", "%", Kind::error, true, same},
+    {"changes", "photos swapped per frame", "", Kind::error, true, same},
+    {"photo_ms", "preparation per photo", "ms", Kind::time, true, timed},
+    {"prepare_s", "preparation", "s", Kind::time, true, timed},
+    {"frame_ms", "frame time", "ms", Kind::time, true, timed},
+    {"open_ms", "opening", "ms", Kind::time, true, timed},
+    {"first_ms", "first picture", "ms", Kind::time, true, timed},
+    {"plan_ms", "planning time per frame", "ms", Kind::time, true, timed},
+    {"fetch_ms", "per tile, from file to memory", "ms", Kind::time, true, timed},
+    {"tile_ms", "per tile, from file to texture", "ms", Kind::time, true, timed},
+    {"point_ns", "per point", "ns", Kind::time, true, timed},
+    {"photo_bytes", "per photo", "B", Kind::bytes, true, same},
+    {"package_bytes", "package", "B", Kind::bytes, true, same},
+    {"read_bytes", "read per view", "B", Kind::bytes, true, same},
+    {"texel_bytes", "per texel", "B", Kind::bytes, true, same},
+    {"vertex_bytes", "per vertex and photo", "B", Kind::bytes, true, same},
+    {"target_bytes", "render targets", "B", Kind::bytes, true, same},
+    {"memory_bytes", "peak memory", "B", Kind::bytes, true, timed},
+    {"photos", "photos blended", "", Kind::other, true, same},
+    {"pixels", "photo pixels", "MP", Kind::other, true, same},
+    {"exponent", "angle exponent", "", Kind::other, true, same},
+    {"sharpness", "angle at which a photo's weight is 1/e", "rad", Kind::other, true, same},
+    {"triangle_px", "triangle size", "px", Kind::other, true, same},
+};
+
+/// Curves and settings that earlier versions wrote, and their present names.
+constexpr const char* renamed[][2] = {
+    {"photos a pass", "photos per pass"},
+    {"pixels a photo", "pixels per photo"},
+    {"a level coarser", "one level coarser"},
+    {"16 bit unorm a vertex", "16-bit unorm per vertex"},
+    {"float a vertex", "float per vertex"},
+    {"homogeneous float a vertex", "homogeneous float per vertex"},
+    {"mesh as it is", "full mesh"},
+    {"a ray each", "one ray per point"},
+    {"records that fit each other", "consistency of the records"},
+    {"where a lens folds back", "valid range of the lenses"},
+    {"counting what is no number (verify)", "counting non-finite pixels (verify)"},
+};
+std::string present_name(const std::string& name) {
+    for (const auto& [before, now] : renamed)
+        if (name == before) return now;
+    return name;
+}
+
+}  // namespace
+
+std::span<const Metric> metrics() { return table; }
+
+const Metric& metric(const std::string& name) {
+    for (const Metric& m : table)
+        if (name == m.name) return m;
+    throw std::out_of_range(name + ": unknown metric");
+}
+
+std::optional<double> finite_value(const Measurement& row, const std::string& metric) {
+    const auto found = row.values.find(metric);
+    if (found == row.values.end() || !std::isfinite(found->second)) return std::nullopt;
+    return found->second;
+}
+
+nlohmann::json to_json(const Measurement& m) {
+    nlohmann::json exhibits = nlohmann::json::array();
+    for (const Exhibit& e : m.exhibits) exhibits.push_back({{"caption", e.caption}, {"file", e.file}});
+    return {{"sweep", m.sweep}, {"scene", m.scene},   {"curve", m.curve},   {"setting", m.setting},
+            {"exact", m.exact}, {"chosen", m.chosen}, {"values", m.values}, {"exhibits", exhibits}};
+}
+
+Measurement measurement(const nlohmann::json& j) {
+    Measurement m{j.at("sweep"),
+                  j.at("scene"),
+                  present_name(j.at("curve")),
+                  present_name(j.at("setting")),
+                  j.at("exact"),
+                  j.at("chosen"),
+                  j.at("values"),
+                  {}};
+    for (const auto& e : j.at("exhibits")) m.exhibits.push_back({e.at("caption"), e.at("file")});
+    return m;
+}
+
+}  // namespace vantage::bench

@@ -1,0 +1,53 @@
+#pragma once
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vantage::bench {
+
+/// A quantity that can be measured.
+struct Metric {
+    const char* name;   ///< key of Measurement::values
+    const char* title;  ///< for axes and tables
+    const char* unit;
+    enum class Kind { error, time, bytes, other } kind;
+    bool less_is_better;
+    /// Relative difference between runs up to which a value counts as unchanged.
+    double noise;
+};
+std::span<const Metric> metrics();
+/// Throws std::out_of_range for an unknown metric.
+const Metric& metric(const std::string& name);
+
+/// dB; the PSNR of equal pictures, and the most that is stored.
+constexpr double psnr_cap = 100;
+
+/// A part of a picture, to illustrate the numbers.
+struct Exhibit {
+    std::string caption;
+    std::string file;  ///< JPEG, relative to the output folder
+};
+
+/// One point of a curve: the cost and the error of one setting of a knob.
+struct Measurement {
+    std::string sweep;    ///< "border"
+    std::string scene;    ///< "sceaux"
+    std::string curve;    ///< the fixed settings along a line: "masks at 1/2"
+    std::string setting;  ///< of the knob at this point: "jfa+1"
+    bool exact = false;   ///< the exact end of the knob
+    bool chosen = false;  ///< the default of the program
+    std::map<std::string, double> values;
+    std::vector<Exhibit> exhibits;
+};
+
+/// The row's value of that metric; none if it lacks one, or if it is not finite.
+std::optional<double> finite_value(const Measurement& row, const std::string& metric);
+
+nlohmann::json to_json(const Measurement& m);
+/// Curves and settings that have been renamed get their present names. Throws nlohmann::json::exception.
+Measurement measurement(const nlohmann::json& json);
+
+}  // namespace vantage::bench

@@ -1,0 +1,25 @@
+#pragma once
+#include <span>
+#include <string>
+
+namespace vantage::bench {
+
+/// A readable unit for a set of values.
+struct Scale {
+    double factor = 1;  ///< from the metric's unit to `unit`
+    std::string unit;
+};
+
+/// For values in `unit`: the largest of B to GB or ns to s in which the maximum is at least 1 and the
+/// geometric mean of minimum and maximum at least 0.1. Any other unit is kept. Values that are not positive
+/// and finite are ignored.
+Scale scale_of(std::span<const double> values, const std::string& unit);
+
+/// "10⁻⁷"
+std::string power_of_ten(int exponent);
+/// Rounded to `digits` significant digits, with a true minus sign; an en dash if non-finite.
+std::string number(double value, int digits = 4);
+/// With its unit: "12.3 MB".
+std::string quantity(double value, const std::string& unit, int digits = 4);
+
+}  // namespace vantage::bench

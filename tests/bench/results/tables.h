@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tests/bench/results/measurement.h"
+
+namespace vantage::bench {
+
+/// The measurements of one run, and what they were made on.
+struct Run {
+    std::string version;               ///< of Vantage
+    std::string effort;                ///< Effort::name
+    std::vector<std::string> machine;  ///< one entry each: processor, renderer, date
+    std::vector<Measurement> measurements;
+};
+
+/// One line per value: sweep,scene,curve,setting,exact,chosen,metric,unit,value (RFC 4180). Non-finite values
+/// are empty. Throws Error(storage).
+void write_csv(const std::filesystem::path& file, std::span<const Measurement> measurements);
+
+/// Non-finite values, which JSON cannot hold, are left out. Throws Error(storage).
+void write_json(const std::filesystem::path& file, const Run& run);
+/// Throws Error(input), which names the file, if it was not written by write_json().
+Run read_json(const std::filesystem::path& file);
+
+}  // namespace vantage::bench

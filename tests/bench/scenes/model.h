@@ -1,0 +1,31 @@
+#pragma once
+#include <vector>
+
+#include "pipeline/input/scene_input.h"
+#include "pipeline/visibility/gl_geometry.h"
+#include "pipeline/visibility/photo_geometry.h"
+
+namespace vantage::bench {
+
+/// A scene's model on the graphics card as in the pipeline, positions relative to the first vertex. Belongs
+/// to the OpenGL thread.
+class BenchModel {
+  public:
+    explicit BenchModel(SceneInput scene);
+
+    const SceneInput& scene() const { return scene_; }
+    const std::vector<Eigen::Vector3f>& positions() const { return positions_; }
+    const std::vector<std::uint32_t>& indices() const { return indices_; }
+    /// At most `count` of the photos' cameras, evenly spread, relative to the same origin.
+    std::vector<Camera> some_cameras(std::size_t count) const;
+    /// Depth, angles and coordinates as prepare() computes them, in maps of half the intrinsics' size.
+    PhotoGeometry geometry(const Intrinsics& intrinsics, const Pose& pose) const;
+
+  private:
+    SceneInput scene_;
+    std::vector<Eigen::Vector3f> positions_;
+    std::vector<std::uint32_t> indices_;
+    ModelBuffers buffers_;
+};
+
+}  // namespace vantage::bench

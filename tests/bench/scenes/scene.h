@@ -1,0 +1,48 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/input/scene_input.h"
+#include "pipeline/synth/spec.h"
+#include "player/camera/view.h"
+#include "player/render/picture.h"
+
+namespace vantage::bench {
+
+/// How much to measure.
+struct Effort {
+    std::string name;    ///< "smoke", "short" or "full"
+    int longest;         ///< px, limit for the long side of compared pictures
+    std::size_t views;   ///< reference views per scene
+    std::size_t photos;  ///< per scene, in sweeps whose time grows with them
+    int repeats;         ///< of each timing
+    std::size_t points;  ///< on the surface, in sweeps that sample geometry
+};
+
+/// A view with a reference picture.
+struct TrueView {
+    std::string name;
+    View view;                          ///< relative to the package's origin
+    Picture truth;                      ///< the photo itself, or the ray-cast picture
+    std::vector<std::uint32_t> photos;  ///< that may be blended: all but the one held out
+    std::vector<bool> seeable;  ///< per pixel: shows surface that one of `photos` sees, by ray casting
+};
+
+/// A scene to measure on: its input files, and its package as `vantage prepare` writes it by default.
+struct BenchScene {
+    std::string name;
+    std::filesystem::path folder;   ///< mesh, cameras, photos
+    std::optional<SynthSpec> spec;  ///< if synthetic, so that any view can be ray-cast
+    std::filesystem::path package;
+    std::vector<TrueView> views;
+};
+
+/// Prepares a scene in `work` from the folder of a scan, or from a specification (TOML), which is synthesized
+/// first. Results of an earlier call from the same files are reused. Throws Error.
+BenchScene open_scene(const std::filesystem::path& input, const std::filesystem::path& work,
+                      const Effort& effort);
+
+}  // namespace vantage::bench

@@ -1,0 +1,27 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vantage::bench {
+
+/// A point on a triangle by its barycentric weights, which sum to 1 and are exact in single precision.
+struct SurfacePoint {
+    std::size_t triangle;
+    Eigen::Vector3d weights;
+};
+
+/// Random points, uniform by area and reproducible by seed; none if the triangles have no area.
+std::vector<SurfacePoint> surface_points(std::span<const Eigen::Vector3f> positions,
+                                         std::span<const std::uint32_t> indices, std::size_t count,
+                                         unsigned seed);
+
+/// The corners of a triangle, one per column.
+Eigen::Matrix3d corners(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices,
+                        std::size_t triangle);
+/// Normal on the side from which the corners run counterclockwise; its length is twice the area.
+Eigen::Vector3d area_vector(const Eigen::Matrix3d& corners);
+
+}  // namespace vantage::bench

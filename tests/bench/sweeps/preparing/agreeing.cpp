@@ -1,0 +1,55 @@
+// How far photos are made to agree before they are blended, and what that costs.
+#include <array>
+
+#include "tests/bench/measure/pictures.h"
+#include "tests/bench/measure/prepared.h"
+#include "tests/bench/sweeps/sweep.h"
+
+namespace vantage::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Candidate {
+    const char* name;
+    std::vector<std::string> options;
+};
+
+const std::array<Candidate, 4>& candidates() {
+    static const std::array<Candidate, 4> all{
+        Candidate{"off", {"--refine", "off"}},
+        Candidate{"colour", {"--refine", "color"}},
+        Candidate{"full", {}},
+        Candidate{"full, cameras always registered", {"--effect", "registration=on"}},
+    };
+    return all;
+}
+
+std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, const fs::path& folder) {
+    std::vector<Measurement> out;
+    for (std::size_t i = 0; i < candidates().size(); ++i) {
+        const Candidate& c = candidates()[i];
+        PictureSetting s{
+            "refine", c.name, i + 1 == candidates().size(), std::string_view(c.name) == "full", {}};
+        out.push_back(measure_prepared(scene, effort, c.options, s, folder, "agreeing-" + std::to_string(i)));
+    }
+    return out;
+}
+
+std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const fs::path& folder) {
+    return {{"refine", [=, &scene] { return measure(scene, effort, folder); }}};
+}
+
+}  // namespace
+
+extern const Sweep agreeing_sweep;
+const Sweep agreeing_sweep{
+    "agreeing",
+    "Making photos agree",
+    "What do color agreement, camera registration and consensus masks gain, and what do they cost?",
+    "the held-out photo, or the ray-cast picture",
+    "not applicable; the exact setting registers cameras regardless of the evidence",
+    {{"prepare_s", "psnr"}, {"prepare_s", "ssim"}},
+    jobs};
+
+}  // namespace vantage::bench

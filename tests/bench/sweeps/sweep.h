@@ -1,0 +1,42 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tests/bench/results/measurement.h"
+#include "tests/bench/scenes/scene.h"
+
+namespace vantage::bench {
+
+/// Measurements made together, so that values to be compared are timed within the same minute. A job that is
+/// interrupted runs again from its start.
+struct Job {
+    std::string name;  ///< unique within a sweep of a scene
+    std::function<std::vector<Measurement>()> run;
+};
+
+/// One metric plotted against another.
+struct Plot {
+    const char* x;  ///< metric
+    const char* y;
+    bool log_x = true, log_y = false;
+};
+
+/// The measurements over one knob, or over several that interact.
+struct Sweep {
+    const char* name;
+    const char* title;
+    const char* question;   ///< that the sweep answers
+    const char* truth;      ///< reference that errors are measured against
+    const char* precision;  ///< how closely the exact end reproduces the reference
+    std::vector<Plot> plots;
+    /// The jobs on a scene; none if the sweep does not apply to it. Exhibits are written to `folder`.
+    std::vector<Job> (*jobs)(const BenchScene& scene, const Effort& effort,
+                             const std::filesystem::path& folder);
+    bool apart = false;  ///< each curve is a knob of its own; curves are not compared with each other
+};
+std::span<const Sweep> sweeps();
+
+}  // namespace vantage::bench
