@@ -8,25 +8,29 @@
 namespace vantage {
 namespace {
 
-constexpr double least_use = 0.1;  ///< share of the disagreement that gains must take away
+constexpr double min_improvement = 0.1;  ///< share of the disagreement that gains must remove
 
 EffectDecision decide_exposure(const ColorFit& fit, EffectChoice wanted) {
     if (!fit.shares_surface())
-        return decide(Effect::exposure, wanted, 0, "no two photos show enough of the same surface");
-    const bool helps = fit.after <= (1 - least_use) * fit.before;
-    const std::string found = fmt::format("photos of one surface differ by {:.1f} %, with gains by {:.1f} %",
-                                          percent(fit.before), percent(fit.after));
-    return decide(Effect::exposure, wanted, helps ? fit.before : 0, found);
+        return decide(Effect::exposure, wanted, 0, "no two photos share enough surface");
+    const bool helps = fit.after <= (1 - min_improvement) * fit.before;
+    return decide(
+        Effect::exposure, wanted, helps ? fit.before : 0,
+        fmt::format("the photos' colors of the same surface differ by {:.1f} % (median), with gains "
+                    "by {:.1f} %",
+                    percent(fit.before), percent(fit.after)));
 }
 
+/// The share of the light that is lost in the corner.
 double corner_loss(const Falloff& f) { return -std::expm1(-log_falloff(f, 1)); }
 
 EffectDecision decide_falloff(const ColorFit& fit, EffectChoice wanted) {
-    double most = 0;
-    for (const Falloff& f : fit.falloff) most = std::max(most, corner_loss(f));
-    return decide(Effect::falloff, wanted, most,
-                  most > 0 ? fmt::format("corners lose up to {:.0f} % of the light", 100 * most)
-                           : "no lens loses light in the corners that other photos would show");
+    double largest = 0;
+    for (const Falloff& f : fit.falloff) largest = std::max(largest, corner_loss(f));
+    return decide(Effect::falloff, wanted, largest,
+                  largest > 0
+                      ? fmt::format("lenses lose up to {:.0f} % of the light in the corners", 100 * largest)
+                      : "no lens falloff was found");
 }
 
 }  // namespace
@@ -39,7 +43,7 @@ ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samp
     ColorRefinement out{fit_colors(samples, lens, falloff != EffectChoice::off), lens, {}, {}};
     out.exposure = decide_exposure(out.fit, exposure);
     out.falloff = decide_falloff(out.fit, falloff);
-    // Where colours agree as they are, nothing is done about the lens either.
+    // If colors agree as they are, falloff is left alone, too.
     if (!out.exposure.on && falloff == EffectChoice::automatic) out.falloff.on = false;
     return out;
 }

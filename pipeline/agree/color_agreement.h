@@ -10,19 +10,20 @@
 
 namespace vantage {
 
-/// How far the photos' colours disagree, what makes them agree, and whether the scene calls for it.
+/// How much the photos' colors disagree, the gains and falloff that reduce it, and whether the scene needs
+/// them.
 struct ColorRefinement {
     ColorFit fit;
-    std::vector<std::uint32_t> lens;  ///< a photo
+    std::vector<std::uint32_t> lens;  ///< per photo, see lenses_of
     EffectDecision exposure, falloff;
 };
 
-/// `samples`: a photo's discs, or none. Gains and falloff count only where photos disagree (by the effects'
-/// thresholds) and a tenth of it goes away, or where they are forced.
+/// Exposure gains are on if photos disagree by more than the effect's threshold and gains remove at least a
+/// tenth of that; falloff is on above its own threshold, but not without gains. `choices` overrides both.
 ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samples samples,
                               const std::map<Effect, EffectChoice>& choices);
 
-/// Into the records of the photos that are shown: gain and falloff, as far as their effects are on.
+/// Writes gains and falloff into the photos' records; identity for effects that are off.
 void apply_colors(const ColorRefinement& refinement, std::span<package::PhotoRecord> photos);
 
 }  // namespace vantage

@@ -10,18 +10,18 @@
 namespace vantage {
 namespace {
 
-constexpr double scale = 0.12;       ///< of the robust weights, in ln of linear light
-constexpr double first_scale = 0.6;  ///< from which it comes down
-constexpr int iterations = 5;        ///< weights and solutions
-constexpr int least_photos = 3;      ///< of a lens, to tell its falloff from what is photographed
-constexpr double most_gain = 4;
-constexpr double least_corner = 0.05, most_corner = 0.6;  ///< share of the light that a corner loses
-constexpr double least_use = 0.02;                        ///< share of the cost that a falloff must take away
+constexpr double scale = 0.12;         ///< of the robust weights, ln of linear light
+constexpr double initial_scale = 0.6;  ///< halved with every iteration down to `scale`
+constexpr int iterations = 5;
+constexpr int min_photos = 3;  ///< of a lens, to separate falloff from the subject
+constexpr double max_gain = 4;
+constexpr double min_corner = 0.05, max_corner = 0.6;  ///< share of the light lost in the corner
+constexpr double min_improvement = 0.02;               ///< share of the cost that falloff must remove
 
-/// The unknowns, and how many terms of its falloff each lens has.
+/// The unknowns, and the number of falloff terms of each lens.
 struct Model {
     Eigen::MatrixXd gain;     ///< photos x 3
-    Eigen::VectorXd falloff;  ///< 3 a lens
+    Eigen::VectorXd falloff;  ///< 3 per lens
     std::vector<int> terms;
     std::span<const std::uint32_t> lens;
 
@@ -36,7 +36,8 @@ struct Model {
     }
 };
 
-/// Of each observation, after the disc's own colour is taken off, under the weights.
+/// Calls visit(observation, e^2) with the mean square over channels of the residual to the disc's weighted
+/// mean color.
 template <class Visit>
 void each_residual(const SharedDiscs& obs, const Model& m, const std::vector<double>& weights,
                    const Visit& visit) {
@@ -57,14 +58,14 @@ void each_residual(const SharedDiscs& obs, const Model& m, const std::vector<dou
     });
 }
 
-/// Cauchy's cost of a model, at the last scale.
+/// Cauchy cost of a model at the final scale.
 double cost(const SharedDiscs& obs, const Model& m, const std::vector<double>& weights) {
     double sum = 0;
     each_residual(obs, m, weights, [&](std::size_t, double e2) { sum += std::log1p(e2 / (scale * scale)); });
     return sum;
 }
 
-/// Normal equations under weights, discs eliminated. The matrices are the same for all channels.
+/// Weighted normal equations with the discs' colors eliminated. A, B and C are the same for all channels.
 struct Normal {
     Eigen::MatrixXd A;  ///< photos x photos
     Eigen::MatrixXd B;  ///< photos x falloff
@@ -73,17 +74,17 @@ struct Normal {
     Eigen::MatrixXd d;  ///< falloff x 3
 };
 
-/// What a disc's observation contributes: its weight, and that times what it says.
-struct Weighted {
+/// An observation's contribution: its weight, and its features and values times that weight.
+struct WeightedObservation {
     Eigen::Index photo, lens;  ///< row of the gain, first row of the falloff
     double weight;
-    Eigen::Vector3d features;  ///< r^2, r^4, r^6, as many as its lens has terms
+    Eigen::Vector3d features;  ///< r^2, r^4, r^6; 0 beyond the lens's terms
     Eigen::RowVector3d ln;
 };
 
-Weighted weighted(const Observation& o, double weight, const Model& m) {
+WeightedObservation weighted(const Observation& o, double weight, const Model& m) {
     const std::uint32_t lens = m.lens[o.photo];
-    Weighted w{o.photo, 3 * Eigen::Index(lens), weight, Eigen::Vector3d::Zero(), {}};
+    WeightedObservation w{o.photo, 3 * Eigen::Index(lens), weight, Eigen::Vector3d::Zero(), {}};
     double power = 1;
     for (int t = 0; t < m.terms[lens]; ++t) w.features[t] = power *= double(o.radius2);
     w.features *= weight;
@@ -91,13 +92,13 @@ Weighted weighted(const Observation& o, double weight, const Model& m) {
     return w;
 }
 
-/// The features of a disc's photos that one lens took.
+/// Sum of a disc's weighted features over the photos of one lens.
 struct LensSum {
     Eigen::Index lens;
     Eigen::Vector3d features;
 };
 
-void add(std::vector<LensSum>& lenses, const Weighted& w) {
+void add(std::vector<LensSum>& lenses, const WeightedObservation& w) {
     const auto it = std::ranges::find(lenses, w.lens, &LensSum::lens);
     if (it == lenses.end())
         lenses.push_back({w.lens, w.features});
@@ -110,7 +111,7 @@ Normal normal_equations(const SharedDiscs& obs, const Model& m, const std::vecto
     Normal n{Eigen::MatrixXd::Zero(photos, photos), Eigen::MatrixXd::Zero(photos, terms),
              Eigen::MatrixXd::Zero(terms, terms), Eigen::MatrixXd::Zero(photos, 3),
              Eigen::MatrixXd::Zero(terms, 3)};
-    std::vector<Weighted> ws;
+    std::vector<WeightedObservation> ws;
     std::vector<LensSum> lenses;
     obs.each_disc([&](std::span<const Observation> disc, std::size_t at) {
         ws.clear();
@@ -118,15 +119,15 @@ Normal normal_equations(const SharedDiscs& obs, const Model& m, const std::vecto
         double sum = 0;
         Eigen::RowVector3d ln = Eigen::RowVector3d::Zero();
         for (std::size_t i = 0; i < disc.size(); ++i) {
-            const Weighted& w = ws.emplace_back(weighted(disc[i], weights[at + i], m));
+            const WeightedObservation& w = ws.emplace_back(weighted(disc[i], weights[at + i], m));
             sum += w.weight;
             ln += w.ln;
             add(lenses, w);
         }
         ln /= sum;
-        for (const Weighted& a : ws) {
+        for (const WeightedObservation& a : ws) {
             n.A(a.photo, a.photo) += a.weight;
-            for (const Weighted& b : ws) n.A(a.photo, b.photo) -= a.weight * b.weight / sum;
+            for (const WeightedObservation& b : ws) n.A(a.photo, b.photo) -= a.weight * b.weight / sum;
             n.b.row(a.photo) += a.weight * ln - a.ln;
             n.B.block<1, 3>(a.photo, a.lens) += a.features.transpose();
             for (const LensSum& l : lenses)
@@ -143,7 +144,7 @@ Normal normal_equations(const SharedDiscs& obs, const Model& m, const std::vecto
 
 void solve(const SharedDiscs& obs, const std::vector<double>& weights, Model& m) {
     Normal n = normal_equations(obs, m, weights);
-    // Fixes what nothing else does: each component's mean, photos and lenses without observations.
+    // Determines the null space: each component's mean, photos and lenses without observations.
     const double ridge = 1e-7 * (n.A.trace() / double(n.A.rows()) + 1);
     n.A.diagonal().array() += ridge;
     n.C.diagonal().array() += ridge;
@@ -155,7 +156,7 @@ void solve(const SharedDiscs& obs, const std::vector<double>& weights, Model& m)
         for (int t = m.terms[l]; t < 3; ++t) m.falloff[3 * Eigen::Index(l) + t] = 0;
 }
 
-/// The weights that a model gives, at a scale; under those before, each disc's own colour.
+/// The model's weights at a scale; the discs' colors are means under the weights `before`.
 std::vector<double> robust_weights(const SharedDiscs& obs, const Model& m, const std::vector<double>& before,
                                    double at) {
     std::vector<double> weights(before.size());
@@ -163,7 +164,7 @@ std::vector<double> robust_weights(const SharedDiscs& obs, const Model& m, const
     return weights;
 }
 
-/// Weights that follow the solution, solutions that follow the weights.
+/// Alternates between solving and reweighting; the scale halves from `from` down to `scale`.
 void iterate(const SharedDiscs& obs, Model& m, std::vector<double>& weights, double from) {
     for (int i = 0; i < iterations; ++i) {
         const double at = std::max(scale, from * std::pow(0.5, i));
@@ -172,7 +173,8 @@ void iterate(const SharedDiscs& obs, Model& m, std::vector<double>& weights, dou
     }
 }
 
-bool sound(const Falloff& f) {
+/// The falloff grows outward and is within bounds in the corner.
+bool is_plausible(const Falloff& f) {
     double before = 0;
     for (int i = 1; i <= 64; ++i) {
         const double now = log_falloff(f, i / 64.0);
@@ -180,7 +182,7 @@ bool sound(const Falloff& f) {
         before = now;
     }
     const double lost = 1 - std::exp(-before);
-    return lost >= least_corner && lost <= most_corner;
+    return lost >= min_corner && lost <= max_corner;
 }
 
 std::vector<int> photos_of(std::span<const std::uint32_t> lens, std::size_t lenses) {
@@ -189,24 +191,26 @@ std::vector<int> photos_of(std::span<const std::uint32_t> lens, std::size_t lens
     return count;
 }
 
-/// The most terms with which every lens's falloff is one that a lens can have.
+/// Fits falloff with the most terms that leave every lens's falloff plausible; none if it does not help.
 void fit_falloff(const SharedDiscs& obs, Model& m, std::vector<double>& weights) {
     const Model without = m;
     const double cost_without = cost(obs, m, weights);
     const std::vector<int> photos = photos_of(m.lens, m.terms.size());
-    for (std::size_t l = 0; l < m.terms.size(); ++l) m.terms[l] = photos[l] >= least_photos ? 3 : 0;
+    for (std::size_t l = 0; l < m.terms.size(); ++l) m.terms[l] = photos[l] >= min_photos ? 3 : 0;
     for (;;) {
         iterate(obs, m, weights, scale);
-        bool all_sound = true;
+        bool all_plausible = true;
         for (std::size_t l = 0; l < m.terms.size(); ++l)
-            if (m.terms[l] > 0 && !sound(m.of_lens(l))) --m.terms[l], all_sound = false;
-        if (all_sound) break;
+            if (m.terms[l] > 0 && !is_plausible(m.of_lens(l))) --m.terms[l], all_plausible = false;
+        if (all_plausible) break;
     }
-    if (cost(obs, m, weights) < (1 - least_use) * cost_without) return;
+    if (cost(obs, m, weights) < (1 - min_improvement) * cost_without) return;
     m = without;
 }
 
-void centre(Model& m, const std::vector<std::uint32_t>& component, const std::vector<std::size_t>& count) {
+/// Makes the mean gain of each component 1 and limits the gains.
+void center_gains(Model& m, const std::vector<std::uint32_t>& component,
+                  const std::vector<std::size_t>& count) {
     for (std::uint32_t root = 0; root < component.size(); ++root) {
         Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
         int members = 0;
@@ -215,17 +219,17 @@ void centre(Model& m, const std::vector<std::uint32_t>& component, const std::ve
         for (std::size_t i = 0; i < component.size() && members; ++i)
             if (component[i] == root && count[i]) m.gain.row(Eigen::Index(i)) -= sum / members;
     }
-    m.gain = m.gain.cwiseMax(-std::log(most_gain)).cwiseMin(std::log(most_gain));
+    m.gain = m.gain.cwiseMax(-std::log(max_gain)).cwiseMin(std::log(max_gain));
 }
 
-/// Each photo of a disc against the next.
+/// Medians of the differences between consecutive photos of each disc, cyclically.
 void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<double>& of_photo) {
     std::vector<float> differences;
     std::vector<std::vector<float>> by_photo(of_photo.size());
     obs.each_disc([&](std::span<const Observation> disc, std::size_t) {
         for (std::size_t i = 0; i < disc.size(); ++i) {
             const Observation &a = disc[i], &b = disc[(i + 1) % disc.size()];
-            if (i + 1 == disc.size() && i < 2) break;  // two are one pair
+            if (i + 1 == disc.size() && i < 2) break;  // two photos are one pair
             double d = 0;
             for (int c = 0; c < 3; ++c) d += std::abs(m.corrected(a, c) - m.corrected(b, c)) / 3;
             differences.push_back(float(d));
@@ -234,7 +238,8 @@ void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<do
         }
     });
     all = double(upper_median(std::span(differences)));
-    for (std::size_t i = 0; i < of_photo.size(); ++i) of_photo[i] = double(upper_median(std::span(by_photo[i])));
+    for (std::size_t i = 0; i < of_photo.size(); ++i)
+        of_photo[i] = double(upper_median(std::span(by_photo[i])));
 }
 
 }  // namespace
@@ -275,9 +280,9 @@ ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool w
             std::vector<int>(lenses, 0), lens};
     measure(obs, m, fit.before, fit.photo_before);
     std::vector<double> weights(obs.all.size(), 1);
-    iterate(obs, m, weights, first_scale);
+    iterate(obs, m, weights, initial_scale);
     if (with_falloff) fit_falloff(obs, m, weights);
-    centre(m, fit.component, fit.samples);
+    center_gains(m, fit.component, fit.samples);
     measure(obs, m, fit.after, fit.photo_after);
     for (std::size_t i = 0; i < photos; ++i)
         for (std::size_t c = 0; c < 3; ++c) fit.ln_gain[i][c] = m.gain(Eigen::Index(i), Eigen::Index(c));

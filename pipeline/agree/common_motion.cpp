@@ -14,14 +14,15 @@ using Eigen::Vector3d;
 using Matrix7 = Eigen::Matrix<double, 7, 7>;
 using Vector7 = Eigen::Matrix<double, 7, 1>;
 
-/// Calls for every photo that shows a track.
+/// Calls visit(photo) for every photo that shows the track.
 template <class Visit>
-void each_sight(const Track& track, const Visit& visit) {
+void for_each_photo_of(const Track& track, const Visit& visit) {
     visit(track.photo);
     for (const Match& m : track.matches) visit(m.photo);
 }
 
-/// d pixel / d (turn, move, ln scale) of the point.
+/// Derivative of the pixel with respect to the similarity: rotation about `middle` (rad), translation (units
+/// of `size`), ln scale.
 Eigen::Matrix<double, 2, 7> derivative(const Intrinsics& k, const Pose& pose, const Vector3d& x,
                                        const Vector3d& middle, double size) {
     const Vector3d p = pose.R * x + pose.t;
@@ -40,7 +41,7 @@ Eigen::Matrix<double, 2, 7> derivative(const Intrinsics& k, const Pose& pose, co
 
 }  // namespace
 
-Pose moved_with(const Pose& pose, const Similarity& s) {
+Pose compose(const Pose& pose, const Similarity& s) {
     return {pose.R * s.R, (pose.R * s.t + pose.t) / s.scale};
 }
 
@@ -55,13 +56,13 @@ Similarity common_motion(std::span<const Intrinsics> intrinsics, std::span<const
     for (const Track& s : tracks) middle += s.point / double(tracks.size());
     double size = 0;
     for (const Track& s : tracks) size += (s.point - middle).norm() / double(tracks.size());
-    // Of a point, and no surface, neither turns nor scale can be told.
+    // A single point determines neither rotation nor scale.
     const Pose& first = given[tracks.front().photo];
     if (!(size > 1e-9 * (first.R * middle + first.t).norm())) return {};
     Matrix7 normal = Matrix7::Zero();
     Vector7 right = Vector7::Zero();
     for (const Track& s : tracks)
-        each_sight(s, [&](std::uint32_t i) {
+        for_each_photo_of(s, [&](std::uint32_t i) {
             const auto a = project(intrinsics[i], given[i], s.point),
                        b = project(intrinsics[i], now[i], s.point);
             if (!a || !b) return;
@@ -84,7 +85,7 @@ double median_motion(std::span<const Intrinsics> intrinsics, std::span<const Pos
                      std::span<const Track> tracks, std::optional<std::uint32_t> photo) {
     std::vector<double> moved;
     for (const Track& s : tracks)
-        each_sight(s, [&](std::uint32_t i) {
+        for_each_photo_of(s, [&](std::uint32_t i) {
             if (photo && *photo != i) return;
             const auto p = project(intrinsics[i], a[i], s.point), q = project(intrinsics[i], b[i], s.point);
             if (p && q) moved.push_back((p->pixel - q->pixel).norm());

@@ -13,42 +13,43 @@
 #include "pipeline/run/lru_cache.h"
 #include "pipeline/stages/surface_samples.h"
 #include "scene/error.h"
+#include "scene/quantile.h"
 #include "scene/srgb.h"
 #include "scene/tiling.h"
-#include "scene/quantile.h"
 
 namespace vantage {
 namespace {
 
 using package::Type;
 
-constexpr float beyond = 0.35f;  ///< ln of linear light
-constexpr float depth_step = 0.02f;
-constexpr std::size_t most_others = 6;
-constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+constexpr float tolerance = 0.35f;   ///< ln of linear light
+constexpr float depth_step = 0.02f;  ///< relative depth difference on one surface
+constexpr std::size_t max_others = 6;
+constexpr float no_color = std::numeric_limits<float>::quiet_NaN();
 
 const std::array<float, 256>& ln_of_byte() {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> t;
         for (std::size_t i = 0; i < t.size(); ++i)
-            t[i] = float(std::log(std::max(linear_from_srgb(double(i) / 255), 0.004)));
+            t[i] = float(std::log(std::max(linear_of_srgb_byte()[i], 0.004)));
         return t;
     }();
     return table;
 }
 
-/// The colours around a place in another photo: from `low` to `high`, `middle` at the place itself.
+/// Colors in the 3x3 texels around a place in another photo: their range, and that of the place itself. ln of
+/// linear light.
 struct Shown {
     std::array<float, 3> low, high, middle;
 };
 
-/// Nothing where that photo does not see the place.
+/// False if the photo does not see `p`, which is in its camera space.
 bool shown_at(const ConsensusView& v, const Eigen::Vector3f& p, Shown& out) {
     if (!(p.z() > 0)) return false;
     const float x = float(v.k.fx) * p.x() / p.z() + float(v.k.cx),
                 y = float(v.k.fy) * p.y() / p.z() + float(v.k.cy);
     if (!(x >= 1 && y >= 1 && x < float(v.width - 1) && y < float(v.height - 1))) return false;
-    const auto* middle = &v.texels[std::size_t(y) * std::size_t(v.width) + std::size_t(x)];
+    const ConsensusView::Texel* middle = &v.grid()(int(x), int(y));
     if (!(std::abs(middle->z - p.z()) <= depth_step * p.z()) || !std::isfinite(middle->ln[0])) return false;
     for (std::size_t c = 0; c < 3; ++c) out.low[c] = out.high[c] = out.middle[c] = middle->ln[c];
     for (std::ptrdiff_t j = -1; j <= 1; ++j)
@@ -63,30 +64,29 @@ bool shown_at(const ConsensusView& v, const Eigen::Vector3f& p, Shown& out) {
     return true;
 }
 
-float median(std::array<float, most_others>& v, std::size_t n) { return upper_median(std::span(v).first(n)); }
+float median(std::array<float, max_others>& v, std::size_t n) { return upper_median(std::span(v).first(n)); }
 
-/// 0 to 1, of a colour among what others show in its place.
-float weight_among(const float* ln, const std::array<Shown, most_others>& others, std::size_t n) {
+/// Weight in [0, 1] of a color, given what `n` others show of the same place.
+float weight_among(const float* ln, const std::array<Shown, max_others>& others, std::size_t n) {
     float deviation = 0, spread = 0;
     for (std::size_t c = 0; c < 3; ++c) {
-        std::array<float, most_others> values, off;
+        std::array<float, max_others> values, off;
         for (std::size_t j = 0; j < n; ++j) {
             values[j] = others[j].middle[c];
             off[j] = std::max({0.0f, others[j].low[c] - ln[c], ln[c] - others[j].high[c]});
         }
         const float middle = median(values, n);
         deviation = std::max(deviation, median(off, n));
-        std::array<float, most_others> from_middle;
+        std::array<float, max_others> from_middle;
         for (std::size_t j = 0; j < n; ++j) from_middle[j] = std::abs(others[j].middle[c] - middle);
-        // Of two, both differ by it.
+        // The median of two is not meaningful.
         spread = std::max(spread, n == 2 ? std::max(from_middle[0], from_middle[1]) : median(from_middle, n));
     }
-    if (spread > beyond) return 1;
-    const float from = beyond + 2 * spread;
-    return std::clamp(2 - deviation / from, 0.0f, 1.0f);
+    if (spread > tolerance) return 1;
+    return std::clamp(2 - deviation / (tolerance + 2 * spread), 0.0f, 1.0f);
 }
 
-/// Single texels are noise; what is left reaches over its blurred edge.
+/// Removes single texels, which are noise, and grows the rest over its blurred edges.
 cv::Mat cleaned(const cv::Mat& raw) {
     cv::Mat out;
     cv::medianBlur(raw, out, 3);
@@ -119,7 +119,7 @@ ConsensusView read_consensus_view(const PackageReader& package, const package::P
             const auto lens = float(log_falloff(falloff, falloff_radius(v.k, {x + 0.5, y + 0.5})));
             for (std::size_t c = 0; c < 3; ++c)
                 t.ln[c] = std::to_integer<int>(rgba[4 * at + 3]) < 255
-                              ? nothing
+                              ? no_color
                               : ln_of_byte()[std::to_integer<std::size_t>(rgba[4 * at + c])] + gain[c] + lens;
         }
     return v;
@@ -136,25 +136,25 @@ ConsensusMap consensus_of(const ConsensusView& photo, std::span<const ConsensusV
         to.push_back({R.cast<float>(), (o->pose.t - R * photo.pose.t).cast<float>()});
     }
     cv::Mat raw(photo.height, photo.width, CV_8U, cv::Scalar(255));
-    std::size_t judged = 0;
+    std::size_t compared = 0;
     for (int y = 0; y < photo.height; ++y)
         for (int x = 0; x < photo.width; ++x) {
-            const auto& t = photo.texels[std::size_t(y) * std::size_t(photo.width) + std::size_t(x)];
+            const ConsensusView::Texel& t = photo.grid()(x, y);
             if (!std::isfinite(t.z) || !std::isfinite(t.ln[0])) continue;
             const Eigen::Vector3f p(float((x + 0.5 - photo.k.cx) / photo.k.fx) * t.z,
                                     float((y + 0.5 - photo.k.cy) / photo.k.fy) * t.z, t.z);
-            std::array<Shown, most_others> seen;
+            std::array<Shown, max_others> seen;
             std::size_t n = 0;
-            for (std::size_t j = 0; j < others.size() && n < most_others; ++j)
+            for (std::size_t j = 0; j < others.size() && n < max_others; ++j)
                 n += shown_at(*others[j], to[j].R * p + to[j].t, seen[n]);
             if (n < 2) continue;
-            ++judged;
+            ++compared;
             raw.at<std::uint8_t>(y, x) = std::uint8_t(std::lround(255 * weight_among(t.ln, seen, n)));
         }
     const cv::Mat clean = cleaned(raw);
     ConsensusMap out{photo.width, photo.height, {clean.begin<std::uint8_t>(), clean.end<std::uint8_t>()}, 0};
     const auto low = std::ranges::count_if(out.weight, [](std::uint8_t w) { return w < 128; });
-    out.disagreeing = judged ? double(low) / double(judged) : 0;
+    out.disagreeing = compared ? double(low) / double(compared) : 0;
     return out;
 }
 

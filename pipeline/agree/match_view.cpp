@@ -13,6 +13,7 @@ namespace {
 
 using package::Type;
 
+/// One level of a photo's colors or depth.
 cv::Mat level_of(const PackageReader& package, const package::PhotoRecord& r, std::uint32_t photo, Type type,
                  int level, int cv_type) {
     const Level size = level_size(int(r.width), int(r.height), level);
@@ -22,14 +23,14 @@ cv::Mat level_of(const PackageReader& package, const package::PhotoRecord& r, st
     return out;
 }
 
-/// Photos differ in exposure, and what they show in haze and shade: what matters is where its detail lies.
-cv::Mat normalised(const cv::Mat& grey) {
+/// Normalizes by local mean and contrast, which differ with exposure, haze and shadow; leaves the detail.
+cv::Mat normalize_contrast(const cv::Mat& gray) {
     cv::Mat x, mean, square;
-    grey.convertTo(x, CV_32F);
+    gray.convertTo(x, CV_32F);
     const cv::Size window(25, 25);
     cv::boxFilter(x, mean, CV_32F, window);
     cv::sqrBoxFilter(x, square, CV_32F, window);
-    cv::Mat out(grey.size(), CV_8U);
+    cv::Mat out(gray.size(), CV_8U);
     for (int y = 0; y < out.rows; ++y) {
         const auto *v = x.ptr<float>(y), *m = mean.ptr<float>(y), *s = square.ptr<float>(y);
         auto* o = out.ptr<std::uint8_t>(y);
@@ -53,15 +54,15 @@ MatchView read_match_view(const PackageReader& package, const package::PhotoReco
                   cam_from_origin(r),
                   {},
                   level_of(package, r, photo, Type::depth, l, CV_32F)};
-    cv::Mat grey;
+    cv::Mat gray;
     if (l < int(r.levels)) {
-        cv::cvtColor(level_of(package, r, photo, Type::tiles, l, CV_8UC4), grey, cv::COLOR_RGBA2GRAY);
+        cv::cvtColor(level_of(package, r, photo, Type::tiles, l, CV_8UC4), gray, cv::COLOR_RGBA2GRAY);
     } else {
         cv::Mat finer;
         cv::cvtColor(level_of(package, r, photo, Type::tiles, 0, CV_8UC4), finer, cv::COLOR_RGBA2GRAY);
-        cv::resize(finer, grey, {size.width, size.height}, 0, 0, cv::INTER_AREA);
+        cv::resize(finer, gray, {size.width, size.height}, 0, 0, cv::INTER_AREA);
     }
-    out.grey = normalised(grey);
+    out.gray = normalize_contrast(gray);
     return out;
 }
 

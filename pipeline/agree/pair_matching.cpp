@@ -12,13 +12,13 @@
 namespace vantage {
 namespace {
 
-constexpr std::uint32_t least_matches = 20;
+constexpr std::uint32_t min_matches = 20;
 
 std::int16_t in_64ths(double pixels) {
     return std::int16_t(std::clamp(std::lround(64 * pixels), -32767l, 32767l));
 }
 
-/// Displacements of one pair: all of them, and by the part of the photo that they are in.
+/// Displacements of one pair, overall and per cell of the first photo.
 class Displacements {
   public:
     Displacements(std::span<const Track> tracks, std::uint32_t other, const Intrinsics& k) {
@@ -29,7 +29,7 @@ class Displacements {
                     cells_[cell(s.pixel, k)].add(m.moved);
                 }
     }
-    void summarise(package::PairRecord& r) const {
+    void summarize(package::PairRecord& r) const {
         r.matches = std::uint32_t(all_.x.size());
         r.median = float(quantile(all_.length, 0.5));
         r.p90 = float(quantile(all_.length, 0.9));
@@ -83,41 +83,41 @@ Matching match_pairs(const PackageReader& package, std::span<const package::Phot
                      std::span<const Pose> poses, std::span<const PhotoPair> pairs,
                      const MatchSettings& how) {
     Matching out;
-    std::vector<std::pair<std::size_t, std::size_t>> charts;  // pairs of one first photo
+    std::vector<std::pair<std::size_t, std::size_t>> groups;  // ranges of pairs with the same first photo
     for (std::size_t p = 0; p < pairs.size(); ++p) {
         out.pairs.push_back(record_of(pairs[p]));
-        if (charts.empty() || pairs[charts.back().first].a != pairs[p].a) charts.emplace_back(p, p);
-        charts.back().second = p + 1;
+        if (groups.empty() || pairs[groups.back().first].a != pairs[p].a) groups.emplace_back(p, p);
+        groups.back().second = p + 1;
     }
     LruCache<MatchView> views(12, [&](std::uint32_t photo) {
         return read_match_view(package, photos[photo], photo, how.long_side);
     });
-    std::vector<std::vector<Track>> tracks(charts.size());
+    std::vector<std::vector<Track>> tracks(groups.size());
     std::mutex mutex;
     std::size_t done = 0;
-    for_each_photo(charts.size(), how.threads, [&](std::size_t c) {
-        const std::uint32_t a = pairs[charts[c].first].a;
+    for_each_photo(groups.size(), how.threads, [&](std::size_t c) {
+        const std::uint32_t a = pairs[groups[c].first].a;
         const auto own = views.get(a);
         SurfaceChart chart(*own, poses[a], a, how.corners);
-        for (std::size_t p = charts[c].first; p < charts[c].second; ++p) {
+        for (std::size_t p = groups[c].first; p < groups[c].second; ++p) {
             const std::uint32_t b = pairs[p].b;
             out.pairs[p].corners = std::uint32_t(chart.match(*views.get(b), poses[b], b));
-            Displacements(chart.tracks(), b, intrinsics(photos[a])).summarise(out.pairs[p]);
+            Displacements(chart.tracks(), b, intrinsics(photos[a])).summarize(out.pairs[p]);
         }
         tracks[c] = chart.tracks();
         std::erase_if(tracks[c], [](const Track& s) { return s.matches.empty(); });
         package.forget_all();
         const std::scoped_lock lock(mutex);
-        if (how.progress) how.progress({"match", photos[a].name, ++done, charts.size()});
+        if (how.progress) how.progress({"match", photos[a].name, ++done, groups.size()});
     });
     for (std::vector<Track>& s : tracks) out.tracks.insert(out.tracks.end(), s.begin(), s.end());
     return out;
 }
 
-bool trusted(const package::PairRecord& p) { return p.matches >= least_matches && !contradicts(p); }
+bool trusted(const package::PairRecord& p) { return p.matches >= min_matches && !contradicts(p); }
 
 bool contradicts(const package::PairRecord& p) {
-    return p.corners >= least_matches && 4 * p.matches < p.corners;
+    return p.corners >= min_matches && 4 * p.matches < p.corners;
 }
 
 double median_displacement(std::span<const package::PairRecord> pairs) {
@@ -128,7 +128,7 @@ double median_displacement(std::span<const package::PairRecord> pairs, std::uint
     return median_of(pairs, [&](const package::PairRecord& p) { return p.a == photo || p.b == photo; });
 }
 
-double median_displacement_beside(std::span<const package::PairRecord> pairs, std::uint32_t photo) {
+double median_displacement_without(std::span<const package::PairRecord> pairs, std::uint32_t photo) {
     return median_of(pairs, [&](const package::PairRecord& p) { return p.a != photo && p.b != photo; });
 }
 

@@ -10,33 +10,35 @@
 
 namespace vantage {
 
-/// How photos are matched.
+/// Settings of match_pairs.
 struct MatchSettings {
-    int long_side;  ///< px that photos are reduced to
-    int corners;    ///< a photo, at most
+    int long_side;  ///< of the reduced photos, px
+    int corners;    ///< maximum per photo
     unsigned threads;
-    OnProgress progress{};  ///< by photos; may be empty
+    OnProgress progress{};  ///< per photo; may be empty
 };
 
-/// What matching found: pairs in order, and the tracks of all photos.
+/// Result of match_pairs: pairs in the given order, and the tracks of all photos.
 struct Matching {
     std::vector<package::PairRecord> pairs;
     std::vector<Track> tracks;
 };
 
-/// Matches pairs through the model under these poses. Photos are read as they are needed, and no more than a
-/// few are in memory. Throws Error(damaged).
+/// Matches pairs of photos through the model, with these poses. Reads photos on demand and keeps a bounded
+/// number in memory. `pairs` are sorted by their first photo. Throws Error(damaged).
 Matching match_pairs(const PackageReader& package, std::span<const package::PhotoRecord> photos,
                      std::span<const Pose> poses, std::span<const PhotoPair> pairs, const MatchSettings& how);
 
-/// There are enough matches to tell anything.
+/// The pair has at least 20 matches and does not contradict.
 bool trusted(const package::PairRecord& pair);
-/// Corners could be compared, and were not found again: these photos do not show one surface.
+/// At least 20 corners were compared and fewer than a quarter matched: the photos do not show the same
+/// surface.
 bool contradicts(const package::PairRecord& pair);
 
-/// Median displacement of trusted pairs, of those with one photo, or of those without it; 0 without any.
+/// Median of the trusted pairs' median displacements, in px: over all pairs, those with a photo, or those
+/// without it; 0 if there are none.
 double median_displacement(std::span<const package::PairRecord> pairs);
 double median_displacement(std::span<const package::PairRecord> pairs, std::uint32_t photo);
-double median_displacement_beside(std::span<const package::PairRecord> pairs, std::uint32_t photo);
+double median_displacement_without(std::span<const package::PairRecord> pairs, std::uint32_t photo);
 
 }  // namespace vantage

@@ -12,8 +12,8 @@
 namespace vantage {
 namespace {
 
-constexpr std::uint32_t least_shared = 30;
-constexpr std::size_t compared_discs = 128;
+constexpr std::uint32_t min_shared = 30;
+constexpr std::size_t max_compared = 128;
 
 using Bits = std::vector<std::uint64_t>;
 
@@ -31,11 +31,11 @@ std::uint32_t count_shared(const Bits& a, const Bits& b) {
     return n;
 }
 
-/// Of at most so many discs as it takes for a median.
+/// Computes the pair's median angle and color difference from a subset of about `max_compared` discs.
 void compare(const Bits& a, const Bits& b, std::span<const Eigen::Vector3d, 2> eyes, Samples samples,
              std::span<const SurfaceDisc> discs, PhotoPair& pair) {
     std::vector<double> angles, colors;
-    const std::size_t step = 1 + pair.shared / compared_discs;
+    const std::size_t step = 1 + pair.shared / max_compared;
     std::size_t n = 0;
     for (std::size_t d = 0; d < discs.size() && d / 64 < std::min(a.size(), b.size()); ++d) {
         if (!((a[d / 64] & b[d / 64]) >> d % 64 & 1) || n++ % step) continue;
@@ -53,13 +53,13 @@ void compare(const Bits& a, const Bits& b, std::span<const Eigen::Vector3d, 2> e
     pair.color = quantile(std::move(colors), 0.5);
 }
 
-/// Much of the same from nearly the same direction.
+/// Favors much shared surface and similar directions.
 double worth(const PhotoPair& p) { return p.shared * std::exp(-std::pow(p.angle / 0.35, 2)); }
 
 }  // namespace
 
 std::vector<PhotoPair> photo_pairs(std::span<const package::PhotoRecord> photos, Samples samples,
-                                   std::span<const SurfaceDisc> discs, std::size_t most) {
+                                   std::span<const SurfaceDisc> discs, std::size_t per_photo) {
     std::vector<Bits> seen;
     std::vector<Eigen::Vector3d> eyes;
     for (std::size_t i = 0; i < photos.size(); ++i) {
@@ -70,17 +70,17 @@ std::vector<PhotoPair> photo_pairs(std::span<const package::PhotoRecord> photos,
     for (std::uint32_t a = 0; a < photos.size(); ++a) {
         std::vector<PhotoPair> pairs;
         for (std::uint32_t b = 0; b < photos.size(); ++b)
-            if (const std::uint32_t n = a == b ? 0 : count_shared(seen[a], seen[b]); n >= least_shared)
+            if (const std::uint32_t n = a == b ? 0 : count_shared(seen[a], seen[b]); n >= min_shared)
                 pairs.push_back({std::min(a, b), std::max(a, b), n});
-        // Angles take longer than counting: only where much is shared.
-        const std::size_t near = std::min(pairs.size(), 4 * most);
-        std::ranges::partial_sort(pairs, pairs.begin() + std::ptrdiff_t(near), std::greater{},
+        // Angles are more expensive than counts: only for the candidates that share the most.
+        const std::size_t candidates = std::min(pairs.size(), 4 * per_photo);
+        std::ranges::partial_sort(pairs, pairs.begin() + std::ptrdiff_t(candidates), std::greater{},
                                   &PhotoPair::shared);
-        pairs.resize(near);
+        pairs.resize(candidates);
         for (PhotoPair& p : pairs)
             compare(seen[p.a], seen[p.b], std::array{eyes[p.a], eyes[p.b]}, samples, discs, p);
         std::ranges::stable_sort(pairs, std::greater{}, worth);
-        pairs.resize(std::min(pairs.size(), most));
+        pairs.resize(std::min(pairs.size(), per_photo));
         chosen.insert(chosen.end(), pairs.begin(), pairs.end());
     }
     const auto order = [](const PhotoPair& p) { return std::pair(p.a, p.b); };

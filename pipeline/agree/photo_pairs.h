@@ -9,18 +9,18 @@
 
 namespace vantage {
 
-/// Two photos that show some of the same surface.
+/// Two photos that share surface.
 struct PhotoPair {
     std::uint32_t a, b;    ///< a < b
-    std::uint32_t shared;  ///< discs that both show
-    double angle = 0;      ///< between their directions to that surface, radians, median
-    double color = 0;      ///< median |ln ratio| of the discs' linear light, mean of the channels
+    std::uint32_t shared;  ///< number of discs that both show
+    double angle = 0;      ///< median angle between their rays to those discs, radians
+    double color = 0;      ///< median |ln ratio| of linear light, mean of the channels
 };
 
-/// For each photo the `most` others that show most of what it shows from nearly the same direction, each pair
-/// once, in order. A pair shares 30 discs at least. Time: a few operations a disc for all pairs, and the
-/// angles and colours of those that are near.
+/// For each photo up to `per_photo` others that share the most surface from similar directions; each pair
+/// once, sorted by (a, b). A pair shares at least 30 discs. Counts shared discs for all pairs with bit
+/// operations, and computes angles and colors only for candidates.
 std::vector<PhotoPair> photo_pairs(std::span<const package::PhotoRecord> photos, Samples samples,
-                                   std::span<const SurfaceDisc> discs, std::size_t most);
+                                   std::span<const SurfaceDisc> discs, std::size_t per_photo);
 
 }  // namespace vantage

@@ -8,10 +8,10 @@
 namespace vantage {
 namespace {
 
-/// A track's point in one photo.
-struct Observed {
+/// Reprojection error in px of a track's point in one photo.
+struct ReprojectionError {
     const FittedCamera& camera;
-    Eigen::Vector3d point, right, down;  ///< the last two span its tangent plane; of a pixel's length
+    Eigen::Vector3d point, right, down;  ///< `right`, `down`: tangents, one pixel long
     Eigen::Vector2d pixel;
 
     template <class T>
@@ -31,6 +31,7 @@ struct Observed {
     }
 };
 
+/// Prior that pulls a camera to its given pose.
 struct Anchor {
     double weight;
     template <class T>
@@ -40,36 +41,37 @@ struct Anchor {
     }
 };
 
-void add_star(ceres::Problem& problem, std::span<const FittedCamera> cameras, const Track& track,
-              double* slide, ceres::LossFunction* loss, std::vector<PoseChange>& change) {
+void add_track(ceres::Problem& problem, std::span<const FittedCamera> cameras, const Track& track,
+               double* slide, ceres::LossFunction* loss, std::vector<PoseChange>& change) {
     const FittedCamera& own = cameras[track.photo];
     const double pixel = (own.given.R * track.point + own.given.t).norm() / std::sqrt(own.k.fx * own.k.fy);
     const Eigen::Vector3d right = track.normal.unitOrthogonal() * pixel, down = track.normal.cross(right);
     const auto add = [&](std::uint32_t photo, const Eigen::Vector2d& at) {
-        using Cost = ceres::AutoDiffCostFunction<Observed, 2, 6, 2>;
-        problem.AddResidualBlock(new Cost(new Observed{cameras[photo], track.point, right, down, at}), loss,
-                                 change[photo].data(), slide);
+        using Cost = ceres::AutoDiffCostFunction<ReprojectionError, 2, 6, 2>;
+        problem.AddResidualBlock(
+            new Cost(new ReprojectionError{cameras[photo], track.point, right, down, at}), loss,
+            change[photo].data(), slide);
     };
     add(track.photo, track.pixel);
     for (const Match& m : track.matches) add(m.photo, m.pixel);
 }
 
-/// Without the matches that can be no residual, or empty where the track's own photo has none. `poses` are
-/// the cameras' as changed so far.
+/// The track without matches that have no finite residual under `poses`. No matches are left if its own photo
+/// has none.
 Track usable(const Track& track, std::span<const FittedCamera> cameras, std::span<const Pose> poses) {
     Track out = track;
-    const auto shows = [&](std::uint32_t photo, const Eigen::Vector2d& pixel) {
+    const auto finite = [&](std::uint32_t photo, const Eigen::Vector2d& pixel) {
         const auto seen = project(cameras[photo].k, poses[photo], track.point);
         return seen && std::isfinite((seen->pixel - pixel).squaredNorm());
     };
-    std::erase_if(out.matches, [&](const Match& m) { return !shows(m.photo, m.pixel); });
-    if (!shows(track.photo, track.pixel) || !track.normal.allFinite()) out.matches.clear();
+    std::erase_if(out.matches, [&](const Match& m) { return !finite(m.photo, m.pixel); });
+    if (!finite(track.photo, track.pixel) || !track.normal.allFinite()) out.matches.clear();
     return out;
 }
 
 }  // namespace
 
-Pose changed(const FittedCamera& camera, const PoseChange& c) {
+Pose apply_change(const FittedCamera& camera, const PoseChange& c) {
     const double f = std::sqrt(camera.k.fx * camera.k.fy);
     const Eigen::Vector3d turn = Eigen::Vector3d(c[0], c[1], c[2]) / f;
     Eigen::Matrix3d R;
@@ -88,11 +90,11 @@ PoseFit fit_poses(std::span<const FittedCamera> cameras, std::span<const Track> 
     std::vector<PoseChange> found = change;
     auto order = std::make_shared<ceres::ParameterBlockOrdering>();
     std::vector<Pose> poses;
-    for (std::size_t i = 0; i < cameras.size(); ++i) poses.push_back(changed(cameras[i], change[i]));
+    for (std::size_t i = 0; i < cameras.size(); ++i) poses.push_back(apply_change(cameras[i], change[i]));
     for (std::size_t s = 0; s < tracks.size(); ++s) {
         const Track track = usable(tracks[s], cameras, poses);
         if (track.matches.empty()) continue;
-        add_star(problem, cameras, track, slides[s].data(), &loss, found);
+        add_track(problem, cameras, track, slides[s].data(), &loss, found);
         order->AddElementToGroup(slides[s].data(), 0);
     }
     for (std::size_t i = 0; i < cameras.size(); ++i) {
@@ -109,11 +111,11 @@ PoseFit fit_poses(std::span<const FittedCamera> cameras, std::span<const Track> 
     options.max_num_iterations = 100;
     options.function_tolerance = 1e-9;
     options.logging_type = ceres::SILENT;
-    options.num_threads = 1;  // sums in one order, so that the same input gives the same bytes
+    options.num_threads = 1;  // a fixed order of summation, so that results are reproducible
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
     if (!summary.IsSolutionUsable()) return {};
-    change = std::move(found);  // Ceres takes no step that raises the cost
+    change = std::move(found);  // Ceres never returns a higher cost
     return {summary.initial_cost, summary.final_cost, true};
 }
 

@@ -10,27 +10,28 @@
 
 namespace vantage {
 
-/// A camera whose pose is to be fitted.
+/// A camera whose pose is fitted.
 struct FittedCamera {
     Intrinsics k;         ///< of the full-size photo
-    Pose given;           ///< what the scene came with: the anchor
-    double distance = 1;  ///< to what it sees: a move is worth as many pixels as the turn that looks alike
-    bool fixed = false;
+    Pose given;           ///< the scene's pose, to which the anchor pulls
+    double distance = 1;  ///< median depth of what it sees; scales translation to pixels
+    bool fixed = false;   ///< keeps its pose
 };
 
-/// Six numbers a camera, in pixels: turns about its own axes times the focal length, and moves times focal
-/// length over distance.
+/// Six parameters per camera, in pixels: rotation about its own axes (rad) times the focal length, and
+/// translation in camera space times focal length over distance.
 using PoseChange = std::array<double, 6>;
-Pose changed(const FittedCamera& camera, const PoseChange& change);
+/// The given pose after the change.
+Pose apply_change(const FittedCamera& camera, const PoseChange& change);
 
-/// Moves the cameras so that tracks' points, which may slide on the surface but not leave it, lie where the
-/// photos show them: sum over observations of Cauchy(|residual| / 1 px), and an anchor that holds each of the
-/// six numbers to zero as if it had been seen so, `anchor` observations strong, each `sigma` pixels good.
-/// `change` is where to begin, and the result; it is left as it was where the solver finds nothing better.
-/// Ceres, Schur complement over the points. Returns the cost before and after.
+/// Bundle adjustment of poses with surface points that slide in their tangent planes. Minimizes the
+/// reprojection errors (Cauchy loss at 1 px) plus an anchor prior that pulls each of the six parameters to
+/// zero with the weight of `anchor` observations of standard deviation `sigma` px. Solved by Ceres with the
+/// Schur complement over the points. `change`: the initial values, and the result; unchanged if the solver
+/// finds nothing better.
 struct PoseFit {
-    double before = 0, after = 0;
-    bool usable = false;
+    double before = 0, after = 0;  ///< cost
+    bool usable = false;           ///< false: no residuals, or the solver failed
 };
 PoseFit fit_poses(std::span<const FittedCamera> cameras, std::span<const Track> tracks, double anchor,
                   double sigma, std::vector<PoseChange>& change);

@@ -13,26 +13,29 @@ namespace {
 
 constexpr std::size_t matched_pairs_per_photo = 6;
 constexpr int corners = 500;
-constexpr int coarse = 800, fine = 1600;  ///< px along photos' longer side
-/// Against the anchor stand thousands of corners, whose errors (the mesh's) are not independent, though.
+constexpr int coarse = 800, fine = 1600;  ///< px on the photos' longer side
+/// Weight of the anchor, in observations: small against thousands of corners, but above 1, because the mesh's
+/// errors correlate those of the corners.
 constexpr double anchor = 5;
-/// The common motion stays where photos notice: where without it corners lie farther off by this share of it.
-constexpr double noticed = 0.05;
-constexpr double settled = 0.05;  ///< px
+/// The common motion is kept if removing it worsens holdout corners by this share of it.
+constexpr double min_support = 0.05;
+constexpr double converged = 0.05;  ///< px
 constexpr int attempts = 3;
 
-/// Every fifth track is not solved for, so that it may judge.
-std::vector<Track> stars_that(bool judge, std::span<const Track> tracks) {
+enum class Subset { fitting, holdout };
+
+/// Every fifth track is held out of the fit to judge its result.
+std::vector<Track> subset(std::span<const Track> tracks, Subset wanted) {
     std::vector<Track> out;
     for (std::size_t s = 0; s < tracks.size(); ++s)
-        if ((s % 5 == 4) == judge) out.push_back(tracks[s]);
+        if ((s % 5 == 4 ? Subset::holdout : Subset::fitting) == wanted) out.push_back(tracks[s]);
     return out;
 }
 
-/// Median displacement of the judging tracks' matches with each photo, and of all (last); 0 without any.
-std::vector<double> judged(const Matching& m, std::size_t photos) {
+/// Median displacement in px of the holdout tracks' matches: per photo, then overall; 0 if there are none.
+std::vector<double> holdout_displacement(const Matching& m, std::size_t photos) {
     std::vector<std::vector<double>> of(photos + 1);
-    for (const Track& s : stars_that(true, m.tracks))
+    for (const Track& s : subset(m.tracks, Subset::holdout))
         for (const Match& match : s.matches)
             for (const std::size_t i : {std::size_t(s.photo), std::size_t(match.photo), photos})
                 of[i].push_back(match.moved.norm());
@@ -43,7 +46,7 @@ std::vector<double> judged(const Matching& m, std::size_t photos) {
 
 std::vector<Pose> poses_of(std::span<const FittedCamera> cameras, std::span<const PoseChange> change) {
     std::vector<Pose> out;
-    for (std::size_t i = 0; i < cameras.size(); ++i) out.push_back(changed(cameras[i], change[i]));
+    for (std::size_t i = 0; i < cameras.size(); ++i) out.push_back(apply_change(cameras[i], change[i]));
     return out;
 }
 
@@ -57,7 +60,7 @@ PoseRounds::PoseRounds(const RegistrationInput& in)
         cameras_.push_back({intrinsics_.back(), given_.back(), p.seen_distance > 0 ? p.seen_distance : 1});
     }
     before_ = match(given_, fine);
-    sigma_ = std::max(3 * judged(before_, in.photos.size()).back(), 0.1);
+    sigma_ = std::max(3 * holdout_displacement(before_, in.photos.size()).back(), 0.1);
 }
 
 Matching PoseRounds::match(const Poses& poses, int long_side) const {
@@ -71,39 +74,39 @@ std::vector<PoseChange> PoseRounds::solve(const std::vector<FittedCamera>& camer
     for (const int long_side : long_sides) {
         const Poses before = poses_of(cameras, change);
         const Matching m = match(before, long_side);
-        if (!fit_poses(cameras, stars_that(false, m.tracks), anchor, sigma_, change).usable) break;
+        if (!fit_poses(cameras, subset(m.tracks, Subset::fitting), anchor, sigma_, change).usable) break;
         if (long_side == fine &&
-            median_motion(intrinsics_, before, poses_of(cameras, change), m.tracks) < settled)
+            median_motion(intrinsics_, before, poses_of(cameras, change), m.tracks) < converged)
             break;
     }
     return change;
 }
 
-PoseRounds::Placed PoseRounds::without_common_motion(const Poses& now) const {
+PoseRounds::Solution PoseRounds::without_common_motion(const Poses& now) const {
     Matching after = match(now, fine);
     const Similarity back = inverse(common_motion(intrinsics_, given_, now, after.tracks));
-    Poses without;
-    for (const Pose& p : now) without.push_back(moved_with(p, back));
-    const double common = median_motion(intrinsics_, now, without, after.tracks);
-    Matching without_it = match(without, fine);
+    Poses moved_back;
+    for (const Pose& p : now) moved_back.push_back(compose(p, back));
+    const double common = median_motion(intrinsics_, now, moved_back, after.tracks);
+    Matching without = match(moved_back, fine);
     const std::size_t n = in_.photos.size();
-    const double worse = judged(without_it, n).back() - judged(after, n).back();
-    if (worse < noticed * common) return {std::move(without), std::move(without_it), common, false};
+    const double worse = holdout_displacement(without, n).back() - holdout_displacement(after, n).back();
+    if (worse < min_support * common) return {std::move(moved_back), std::move(without), common, false};
     return {now, std::move(after), common, true};
 }
 
-std::vector<PhotoRegistration> PoseRounds::registered(std::string& evidence) const {
+std::vector<PhotoRegistration> PoseRounds::run(std::string& evidence) const {
     const std::size_t n = in_.photos.size();
     constexpr std::array from_coarse{coarse, fine, fine, fine, fine};
     constexpr std::array once_more{fine};
     std::vector<FittedCamera> cameras = cameras_;
     std::vector<PoseChange> change = solve(cameras, std::vector<PoseChange>(n, PoseChange{}), from_coarse);
-    Placed now = without_common_motion(poses_of(cameras, change));
-    evidence += fmt::format("; what all cameras moved together, {:.2f} px, was {}", now.common,
-                            now.common_kept ? "kept, because photos notice it" : "taken back");
-    const std::vector<double> before = judged(before_, n);
+    Solution now = without_common_motion(poses_of(cameras, change));
+    evidence += fmt::format("; the common motion of all cameras, {:.2f} px, was {}", now.common_motion,
+                            now.common_kept ? "kept because holdout corners support it" : "removed");
+    const std::vector<double> before = holdout_displacement(before_, n);
     for (int attempt = 1;; ++attempt) {
-        const std::vector<double> after = judged(now.matched, n);
+        const std::vector<double> after = holdout_displacement(now.matched, n);
         std::vector<PhotoRegistration> out(n);
         bool worse = false;
         for (std::size_t i = 0; i < n; ++i) {

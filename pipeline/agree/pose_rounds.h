@@ -7,35 +7,35 @@
 
 namespace vantage {
 
-/// Solves for cameras: matching, fitting, and matching again with what was found.
+/// Alternates between matching photos and fitting their poses.
 class PoseRounds {
   public:
     explicit PoseRounds(const RegistrationInput& input);
-    /// A photo's new pose, where it makes others agree better with it; adds to `evidence` what all cameras
-    /// did together.
-    std::vector<PhotoRegistration> registered(std::string& evidence) const;
+    /// New poses for the photos whose holdout corners they improve. Appends the common motion to `evidence`.
+    /// Throws Error(damaged).
+    std::vector<PhotoRegistration> run(std::string& evidence) const;
 
   private:
     using Poses = std::vector<Pose>;
     Matching match(const Poses& poses, int long_side) const;
     std::vector<PoseChange> solve(const std::vector<FittedCamera>& cameras, std::vector<PoseChange> change,
                                   std::span<const int> long_sides) const;
-    /// Cameras, what matching finds under them, and the slide along the model that was or was not taken back.
-    struct Placed {
+    /// Poses, the matches under them, and the common motion of all cameras.
+    struct Solution {
         Poses poses;
         Matching matched;
-        double common;  ///< px, median
-        bool common_kept;
+        double common_motion;  ///< px, median
+        bool common_kept;      ///< false: it was removed from `poses`
     };
-    Placed without_common_motion(const Poses& now) const;
+    Solution without_common_motion(const Poses& now) const;  ///< unless holdout corners support it
 
     const RegistrationInput& in_;
     std::vector<PhotoPair> pairs_;
     std::vector<Intrinsics> intrinsics_;
     std::vector<FittedCamera> cameras_;
     Poses given_;
-    Matching before_;
-    double sigma_;  ///< px, how far cameras may well be off
+    Matching before_;  ///< under the given poses
+    double sigma_;     ///< px, expected error of the given poses
 };
 
 }  // namespace vantage

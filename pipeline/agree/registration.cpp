@@ -20,17 +20,18 @@ namespace {
 using package::PairRecord;
 using package::PhotoRecord;
 
-constexpr int evidence_size = 800, evidence_corners = 300;  ///< px along the longer side; a photo
-constexpr double usual = 1, usual_shift = 1.5;              ///< px: more calls for registration
-constexpr double odd_photo = 2, least_odd = 0.75;           ///< times what is usual among the others, and px
+constexpr int evidence_size = 800, evidence_corners = 300;  ///< px on the longer side; per photo
+constexpr double max_displacement = 1, max_shift = 1.5;     ///< px; registration is needed above
+constexpr double outlier_ratio = 2;   ///< of a photo's displacement to that of the others
+constexpr double min_outlier = 0.75;  ///< px
 
-/// Of all that the measuring of a pair depends on.
+/// Key of everything that a pair's measurement depends on.
 std::uint64_t key_of(const RegistrationInput& in, const PhotoPair& pair) {
     const std::array parts{in.fingerprints[pair.a], in.fingerprints[pair.b]};
     return checksum(std::as_bytes(std::span(parts)));
 }
 
-/// Pairs as they were measured before, where nothing about them has changed; the others are matched.
+/// Reuses known pairs whose key is unchanged, and matches the others.
 std::vector<PairRecord> measure_pairs(const RegistrationInput& in) {
     const std::vector<PhotoPair> pairs =
         photo_pairs(in.photos, in.samples, in.discs, package::stored_pairs_per_photo);
@@ -38,12 +39,12 @@ std::vector<PairRecord> measure_pairs(const RegistrationInput& in) {
     for (const PairRecord& p : in.known) known[p.key] = &p;
     std::vector<PairRecord> out(pairs.size());
     std::vector<PhotoPair> unknown;
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> unknown_at;  // indices in `pairs`
     for (std::size_t p = 0; p < pairs.size(); ++p) {
         const auto it = known.find(key_of(in, pairs[p]));
         if (it == known.end()) {
             unknown.push_back(pairs[p]);
-            places.push_back(p);
+            unknown_at.push_back(p);
         } else {
             out[p] = *it->second;
             out[p].a = pairs[p].a;
@@ -54,28 +55,28 @@ std::vector<PairRecord> measure_pairs(const RegistrationInput& in) {
     for (const PhotoRecord& p : in.photos) given.push_back(cam_from_origin(p));
     const Matching m = match_pairs(in.package, in.photos, given, unknown,
                                    {evidence_size, evidence_corners, in.threads, in.progress});
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        out[places[i]] = m.pairs[i];
-        out[places[i]].key = key_of(in, unknown[i]);
+    for (std::size_t i = 0; i < unknown_at.size(); ++i) {
+        out[unknown_at[i]] = m.pairs[i];
+        out[unknown_at[i]].key = key_of(in, unknown[i]);
     }
     return out;
 }
 
 std::string name_of(const RegistrationInput& in, std::uint32_t photo) { return in.photos[photo].name; }
 
-/// Why nothing can be said, or "".
+/// Why registration cannot be measured, or "".
 std::string without_evidence(const RegistrationInput& in, std::span<const PairRecord> pairs) {
     const auto with_pixels =
         std::ranges::count_if(in.photos, [](const PhotoRecord& p) { return p.levels > 0; });
-    if (with_pixels < 2) return "one photo alone: there is nothing to compare it with";
-    if (pairs.empty()) return "no two photos show enough of the same surface, neither black nor white";
+    if (with_pixels < 2) return "fewer than two photos: nothing to compare";
+    if (pairs.empty()) return "no two photos share enough surface that is neither black nor white";
     if (std::ranges::any_of(pairs, trusted)) return {};
     return std::ranges::any_of(pairs, contradicts)
-               ? "photos do not show one surface through this model: wrong mesh, or wrong cameras?"
-               : "photos show too little detail to be matched";
+               ? "the photos contradict each other on this model: wrong mesh or wrong cameras?"
+               : "the photos show too little detail for matching";
 }
 
-/// The worst against what is usual; above 1 calls for registration.
+/// The largest disagreement relative to its threshold: registration is needed above 1. `found` describes it.
 double disagreement(const RegistrationInput& in, std::span<const PairRecord> pairs, std::string& found) {
     double worst_shift = 0;
     std::vector<double> p90;
@@ -88,21 +89,22 @@ double disagreement(const RegistrationInput& in, std::span<const PairRecord> pai
     }
     const double all = median_displacement(pairs);
     found = fmt::format(
-        "photos of one surface lie {:.2f} px apart (a tenth of their corners beyond {:.1f}); {} and {} "
-        "are shifted by {:.2f} px",
-        all, quantile(p90, 0.5), name_of(in, worst->a), name_of(in, worst->b), worst_shift);
-    double most = std::max(all / usual, worst_shift / usual_shift);
+        "pairs of photos agree to {:.2f} px (median; 90th percentile {:.1f} px); the largest shift is {:.2f} "
+        "px, between {} and {}",
+        all, quantile(p90, 0.5), worst_shift, name_of(in, worst->a), name_of(in, worst->b));
+    double largest = std::max(all / max_displacement, worst_shift / max_shift);
     for (std::uint32_t i = 0; i < in.photos.size(); ++i) {
-        const double own = median_displacement(pairs, i), usual_one = median_displacement_beside(pairs, i);
-        if (usual_one == 0 || own < least_odd || own / (odd_photo * usual_one) <= most) continue;
-        most = own / (odd_photo * usual_one);
-        found = fmt::format("{} lies {:.2f} px from the others, they {:.2f} px from each other",
-                            name_of(in, i), own, usual_one);
+        const double own = median_displacement(pairs, i), others = median_displacement_without(pairs, i);
+        if (others == 0 || own < min_outlier || own / (outlier_ratio * others) <= largest) continue;
+        largest = own / (outlier_ratio * others);
+        found =
+            fmt::format("{} is displaced by {:.2f} px relative to the other photos, which agree to {:.2f} px",
+                        name_of(in, i), own, others);
     }
-    return most;
+    return largest;
 }
 
-/// Smallest over largest extent of the discs that pairs were measured on.
+/// Whether the discs that photos see lie in a plane: smallest over largest variance at most 1e-5.
 bool is_flat(const RegistrationInput& in) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
@@ -119,8 +121,8 @@ bool is_flat(const RegistrationInput& in) {
     if (n == 0) return true;
     mean /= double(n);
     each([&](const Eigen::Vector3d& x) { spread += (x - mean) * (x - mean).transpose(); });
-    const Eigen::Vector3d extent = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues();
-    return !(extent(0) > 1e-5 * extent(2));
+    const Eigen::Vector3d variance = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues();
+    return !(variance(0) > 1e-5 * variance(2));
 }
 
 std::string outcome(const Registration& r) {
@@ -131,11 +133,11 @@ std::string outcome(const Registration& r) {
         before.push_back(p.before);
         after.push_back(p.after);
     }
-    if (by.empty()) return "no camera was changed: corners that were not solved for do not lie nearer";
+    if (by.empty()) return "no camera was moved, because holdout corners did not improve";
     return fmt::format(
-        "{} cameras were moved, by {:.2f} px (median), and corners that were not solved for lie {:.2f} "
-        "px apart instead of {:.2f}",
-        by.size(), quantile(by, 0.5), quantile(after, 0.5), quantile(before, 0.5));
+        "{} by {:.2f} px (median), which reduced the error of holdout corners from {:.2f} to {:.2f} px",
+        by.size() == 1 ? "1 camera was moved" : fmt::format("{} cameras were moved", by.size()),
+        quantile(by, 0.5), quantile(before, 0.5), quantile(after, 0.5));
 }
 
 }  // namespace
@@ -144,7 +146,7 @@ Registration register_photos(const RegistrationInput& in, EffectChoice choice) {
     Registration out;
     out.photos.resize(in.photos.size());
     if (choice == EffectChoice::off) {
-        out.decision = decide(Effect::registration, choice, 0, "not looked at");
+        out.decision = decide(Effect::registration, choice, 0, "not measured");
         return out;
     }
     out.pairs = measure_pairs(in);
@@ -158,14 +160,17 @@ Registration register_photos(const RegistrationInput& in, EffectChoice choice) {
     std::string found;
     const double measured = disagreement(in, out.pairs, found);
     out.decision = decide(Effect::registration, choice, measured, found);
-    if (!out.decision.on) return out;
+    if (!out.decision.on) {
+        out.decision.evidence += "; nothing to register";
+        return out;
+    }
     if (is_flat(in)) {
         out.decision.on = false;
-        out.decision.evidence += "; the surface is flat and does not hold cameras: they stay as they are";
+        out.decision.evidence += "; no camera was moved, because a flat surface does not determine them";
         return out;
     }
     const PoseRounds rounds(in);
-    out.photos = rounds.registered(out.decision.evidence);
+    out.photos = rounds.run(out.decision.evidence);
     out.decision.evidence += "; " + outcome(out);
     out.decision.on = std::ranges::any_of(out.photos, [](const auto& p) { return bool(p.pose); });
     return out;

@@ -11,41 +11,40 @@
 
 namespace vantage {
 
-/// What registration starts from.
+/// Input of register_photos.
 struct RegistrationInput {
-    const PackageReader& package;                  ///< its tiles, depth and samples
-    std::span<const package::PhotoRecord> photos;  ///< with the poses as given
+    const PackageReader& package;                  ///< with tiles, depth and samples
+    std::span<const package::PhotoRecord> photos;  ///< with the given poses
     Samples samples;
-    std::span<const SurfaceDisc> discs;           ///< as many as samples a photo
-    std::span<const std::uint64_t> fingerprints;  ///< of what each photo shows, and from where
-    std::span<const package::PairRecord> known;   ///< pairs that were measured before, by their keys
+    std::span<const SurfaceDisc> discs;           ///< as many as samples per photo
+    std::span<const std::uint64_t> fingerprints;  ///< of each photo's content and pose
+    std::span<const package::PairRecord> known;   ///< measured earlier, reused if their keys match
     unsigned threads = 0;
-    OnProgress progress{};  ///< of every matching; may be empty
+    OnProgress progress{};  ///< of each round of matching; may be empty
 };
 
-/// What registration made of one photo's camera.
+/// Registration of one photo's camera.
 struct PhotoRegistration {
-    std::optional<Pose> pose;      ///< relative to the origin; none where the given one stays
-    double by = 0;                 ///< pixels by which what the photo shows has moved, median
-    double before = 0, after = 0;  ///< displacement of corners that were not solved for, median px
+    std::optional<Pose> pose;      ///< relative to the origin; nullopt: the given pose is kept
+    double by = 0;                 ///< median motion of the surface in the photo, px
+    double before = 0, after = 0;  ///< median displacement of holdout corners, px
 };
 
-/// How well the photos fit each other through the model, and the cameras that make them fit better.
+/// How well the photos agree through the model, and the poses with which they agree better.
 struct Registration {
     EffectDecision decision;
     std::vector<PhotoRegistration> photos;
     std::vector<package::PairRecord> pairs;  ///< under the given cameras
-    std::vector<std::string> warnings;  ///< a line each: photos that do not fit, cameras that are swapped
+    std::vector<std::string> warnings;       ///< one line each: misplaced photos, swapped cameras
 };
 
-/// Measures, always: each photo with the two that are most alike, at 800 pixels along the longer side.
-/// Registration is called for where corners lie 1 px (median) from where the cameras expect them, a pair is
-/// shifted by 1.5 px as a whole, or one photo lies twice as far off as the others.
+/// Matches each photo with the two that share the most with it, at 800 px on the longer side, unless
+/// registration is off. Registration is needed if corners are displaced by 1 px (median), a pair is shifted
+/// by 1.5 px, or one photo is displaced by twice as much as the others.
 ///
-/// Then cameras are solved for, coarse to fine. What all of them did together is taken back, unless photos
-/// notice: a whole frame can slide along the model with no pair disagreeing. A photo keeps its new
-/// camera only where corners that were not solved for lie nearer each other than before. Throws
-/// Error(damaged).
+/// Cameras are then solved for, coarse to fine. Their common motion is a gauge freedom, because all cameras
+/// can slide along the model together without pairs disagreeing; it is removed unless holdout corners support
+/// it. A photo keeps its new camera only if holdout corners agree better than before. Throws Error(damaged).
 Registration register_photos(const RegistrationInput& input, EffectChoice choice);
 
 }  // namespace vantage

@@ -10,8 +10,8 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t least_samples = 30;
-constexpr std::size_t most_samples = std::size_t(1) << 20;  ///< of all photos together
+constexpr std::size_t min_samples = 30;
+constexpr std::size_t max_samples = std::size_t(1) << 20;  ///< over all photos
 
 SharedDiscs shared(Samples samples, const std::vector<bool>& use) {
     SharedDiscs out;
@@ -49,10 +49,10 @@ SharedDiscs shared_discs(Samples samples, std::vector<std::size_t>& count) {
     for (;;) {
         SharedDiscs obs = shared(samples, use);
         count = counted(obs, samples.size());
-        bool all_well = true;  // one that is left out leaves others with less
+        bool stable = true;  // leaving out a photo reduces the counts of others
         for (std::size_t i = 0; i < use.size(); ++i)
-            if (use[i] && count[i] < least_samples) use[i] = all_well = false;
-        if (all_well) return obs;
+            if (use[i] && count[i] < min_samples) use[i] = stable = false;
+        if (stable) return obs;
     }
 }
 
@@ -76,7 +76,7 @@ std::vector<std::uint32_t> components(const SharedDiscs& obs, std::size_t photos
 PhotoSamples read_samples(std::span<const package::PhotoRecord> photos,
                           const std::function<std::vector<std::byte>(std::uint32_t photo)>& read) {
     PhotoSamples out;
-    out.step = 1 + photos.size() * surface_discs / most_samples;
+    out.step = 1 + photos.size() * surface_discs / max_samples;
     out.of_photo.resize(photos.size());
     for (std::uint32_t i = 0; i < photos.size(); ++i) {
         if (photos[i].levels == 0) continue;

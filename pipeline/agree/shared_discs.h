@@ -9,35 +9,36 @@
 
 namespace vantage {
 
-/// A photo's discs of the surface, or none; of all photos.
+/// The samples of all photos: one record per disc, or none for a photo.
 using Samples = std::span<const std::span<const package::SampleRecord>>;
 
-/// The photo shows the disc.
+/// Whether the photo shows the disc.
 inline bool shown(const package::SampleRecord& s) { return s.linear[0] | s.linear[1] | s.linear[2]; }
 
-/// The samples of all photos; of very many photos every `step`-th disc only, so that memory does not grow
-/// with them.
+/// The samples of all photos. With many photos only every `step`-th disc is kept, which bounds the memory.
 struct PhotoSamples {
-    std::vector<std::vector<package::SampleRecord>> of_photo;  ///< none where a photo has none
+    std::vector<std::vector<package::SampleRecord>> of_photo;  ///< empty for photos without pixels
     std::size_t step = 1;
     std::vector<std::span<const package::SampleRecord>> spans() const {
         return {of_photo.begin(), of_photo.end()};
     }
 };
-/// From the bytes of SAMP, which `read` returns.
+/// `read` returns the bytes of a photo's SAMP chunk.
 PhotoSamples read_samples(std::span<const package::PhotoRecord> photos,
                           const std::function<std::vector<std::byte>(std::uint32_t photo)>& read);
 
-/// A disc in a photo: ln of its colour, and r^2 there.
+/// A disc in a photo: ln of its linear color, and the r^2 of the lens falloff, see falloff_radius.
 struct Observation {
     std::uint32_t photo;
     float ln[3], radius2;
 };
 
-/// Discs that several photos show.
+/// The discs that several photos show.
 struct SharedDiscs {
-    std::vector<Observation> all;
-    std::vector<std::size_t> first;  ///< observation of each disc, and the end
+    std::vector<Observation> all;    ///< disc by disc
+    std::vector<std::size_t> first;  ///< start of each disc in `all`, and the end
+
+    /// Calls visit(observations of a disc, index of the first).
     template <class Visit>
     void each_disc(const Visit& visit) const {
         for (std::size_t d = 0; d + 1 < first.size(); ++d)
@@ -45,10 +46,10 @@ struct SharedDiscs {
     }
 };
 
-/// Without photos that share fewer than 30 discs with others; `count`: how many each shares.
+/// Leaves out photos that share fewer than 30 discs with others. `count`: shared discs per photo.
 SharedDiscs shared_discs(Samples samples, std::vector<std::size_t>& count);
 
-/// For each photo the first one that it is connected with by discs that both show.
+/// Connected components by shared discs: for each photo, the first photo of its component.
 std::vector<std::uint32_t> components(const SharedDiscs& discs, std::size_t photos);
 
 }  // namespace vantage

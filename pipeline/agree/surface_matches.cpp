@@ -12,18 +12,18 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double block = 16;                ///< pixels of the level between corners
-constexpr double there_and_back = 0.75;     ///< pixels of the level
-constexpr double least_correlation = 0.75;  ///< over 13 x 13 pixels
-constexpr double depth_step = 0.02;         ///< of one surface, relative
+constexpr double block = 16;              ///< pixels of the level, between corners
+constexpr double max_round_trip = 0.75;   ///< pixels of the level, tracked there and back
+constexpr double min_correlation = 0.75;  ///< over `patch`
+constexpr double depth_step = 0.02;       ///< relative depth difference on one surface
 const cv::Size patch(13, 13);
 
-Vector2d vector_of(const cv::Point2f& p) { return {double(p.x), double(p.y)}; }
+Vector2d to_vector(const cv::Point2f& p) { return {double(p.x), double(p.y)}; }
 
-/// A photo drawn into another's chart: what it shows of the surface there. Where it shows nothing,
-/// `fallback`.
-cv::Mat drawn(const MatchView& chart, const MatchView& from, const Pose& from_pose, const cv::Mat& fallback,
-              cv::Mat& shown) {
+/// Warps `from` into the chart through the surface. `shown`: 255 if `from` sees the surface there; elsewhere
+/// the result is `fallback`.
+cv::Mat warp(const MatchView& chart, const MatchView& from, const Pose& from_pose, const cv::Mat& fallback,
+             cv::Mat& shown) {
     const Eigen::Matrix3f R = (from_pose.R * chart.pose.R.transpose()).cast<float>();
     const Eigen::Vector3f t =
         (from_pose.t - from_pose.R * chart.pose.R.transpose() * chart.pose.t).cast<float>();
@@ -31,7 +31,7 @@ cv::Mat drawn(const MatchView& chart, const MatchView& from, const Pose& from_po
     cv::Mat map_x(height, width, CV_32F), map_y(height, width, CV_32F);
     shown.create(height, width, CV_8U);
     const auto fx = float(from.k.fx), fy = float(from.k.fy), cx = float(from.k.cx), cy = float(from.k.cy);
-    const auto right = float(from.grey.cols - 1), bottom = float(from.grey.rows - 1);
+    const auto right = float(from.gray.cols - 1), bottom = float(from.gray.rows - 1);
     for (int y = 0; y < height; ++y) {
         const auto* z = chart.depth.ptr<float>(y);
         auto *u = map_x.ptr<float>(y), *v = map_y.ptr<float>(y);
@@ -46,19 +46,20 @@ cv::Mat drawn(const MatchView& chart, const MatchView& from, const Pose& from_po
             if (!(p.z() > 0)) continue;
             const float px = fx * p.x() / p.z() + cx - 0.5f, py = fy * p.y() / p.z() + cy - 0.5f;
             if (!(px >= 0 && py >= 0 && px <= right && py <= bottom)) continue;
-            const float there = from.depth.at<float>(int(py + 0.5f), int(px + 0.5f));
-            if (!(std::abs(there - p.z()) <= float(depth_step) * p.z())) continue;
+            const float seen_z = from.depth.at<float>(int(py + 0.5f), int(px + 0.5f));
+            if (!(std::abs(seen_z - p.z()) <= float(depth_step) * p.z())) continue;
             u[x] = px;
             v[x] = py;
             ok[x] = 255;
         }
     }
     cv::Mat out;
-    cv::remap(from.grey, out, map_x, map_y, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+    cv::remap(from.gray, out, map_x, map_y, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
     fallback.copyTo(out, ~shown);
     return out;
 }
 
+/// Normalized cross-correlation of two patches.
 double correlation(const cv::Mat& a, const cv::Point2f& at_a, const cv::Mat& b, const cv::Point2f& at_b) {
     cv::Mat p, q, result;
     cv::getRectSubPix(a, patch, at_a, p, CV_32F);
@@ -73,17 +74,17 @@ SurfaceChart::SurfaceChart(const MatchView& view, const Pose& pose, std::uint32_
     : view_(view), pose_(pose) {
     cv::Mat shown;
     if (pose.R == view.pose.R && pose.t == view.pose.t) {
-        grey_ = view.grey;
+        gray_ = view.gray;
         cv::compare(view.depth, std::numeric_limits<float>::infinity(), shown, cv::CMP_LT);
     } else {
-        grey_ = drawn(view, view, pose, view.grey, shown);
+        gray_ = warp(view, view, pose, view.gray, shown);
     }
     std::vector<cv::Point2f> found;
-    cv::goodFeaturesToTrack(grey_, found, corners, 0.01, block, shown, 5);
+    cv::goodFeaturesToTrack(gray_, found, corners, 0.01, block, shown, 5);
     for (const cv::Point2f& c : found) {
-        if (!smooth(vector_of(c))) continue;
-        const Vector3d x = lifted(vector_of(c)), right = lifted(vector_of(c) + Vector2d(2, 0)),
-                       down = lifted(vector_of(c) + Vector2d(0, 2));
+        if (!is_smooth(to_vector(c))) continue;
+        const Vector3d x = surface_point(to_vector(c)), right = surface_point(to_vector(c) + Vector2d(2, 0)),
+                       down = surface_point(to_vector(c) + Vector2d(0, 2));
         const Vector3d normal = (right - x).cross(down - x).stableNormalized();
         const auto seen = project(view.k, pose, x);
         if (!(normal.squaredNorm() > 0.5) || !seen) continue;
@@ -92,8 +93,7 @@ SurfaceChart::SurfaceChart(const MatchView& view, const Pose& pose, std::uint32_
     }
 }
 
-/// One surface all around, and within the photo.
-bool SurfaceChart::smooth(const Vector2d& at) const {
+bool SurfaceChart::is_smooth(const Vector2d& at) const {
     constexpr int reach = 7;
     const int x = int(std::lround(at.x())), y = int(std::lround(at.y()));
     if (x < reach || y < reach || x + reach >= view_.depth.cols || y + reach >= view_.depth.rows)
@@ -106,13 +106,13 @@ bool SurfaceChart::smooth(const Vector2d& at) const {
     return true;
 }
 
-/// The surface at a pixel, depth interpolated. OpenCV's pixel (0, 0) has its centre there.
-Vector3d SurfaceChart::lifted(const Vector2d& at) const {
+// OpenCV's pixel centers are at integers.
+Vector3d SurfaceChart::surface_point(const Vector2d& at) const {
     const int x = std::clamp(int(std::floor(at.x())), 0, view_.depth.cols - 2),
               y = std::clamp(int(std::floor(at.y())), 0, view_.depth.rows - 2);
     const double fx = at.x() - x, fy = at.y() - y;
     const auto inverse = [&](int i, int j) { return 1 / double(view_.depth.at<float>(y + j, x + i)); };
-    // Inverse depth is linear in the picture on a plane.
+    // On a plane, inverse depth is linear in the picture.
     const double z = 1 / ((1 - fy) * ((1 - fx) * inverse(0, 0) + fx * inverse(1, 0)) +
                           fy * ((1 - fx) * inverse(0, 1) + fx * inverse(1, 1)));
     const Vector3d in_camera((at.x() + 0.5 - view_.k.cx) / view_.k.fx * z,
@@ -123,7 +123,7 @@ Vector3d SurfaceChart::lifted(const Vector2d& at) const {
 std::size_t SurfaceChart::match(const MatchView& other, const Pose& other_pose, std::uint32_t other_photo) {
     if (corners_.empty()) return 0;
     cv::Mat shown;
-    const cv::Mat there = drawn(view_, other, other_pose, grey_, shown);
+    const cv::Mat warped = warp(view_, other, other_pose, gray_, shown);
     std::vector<std::size_t> which;
     std::vector<cv::Point2f> from, to, back;
     for (std::size_t c = 0; c < corners_.size(); ++c) {
@@ -137,18 +137,18 @@ std::size_t SurfaceChart::match(const MatchView& other, const Pose& other_pose, 
     cv::Mat error;
     const cv::Size window(15, 15);
     const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20, 0.01);
-    cv::calcOpticalFlowPyrLK(grey_, there, from, to, found, error, window, 3, until);
-    cv::calcOpticalFlowPyrLK(there, grey_, to, back, found_back, error, window, 3, until);
+    cv::calcOpticalFlowPyrLK(gray_, warped, from, to, found, error, window, 3, until);
+    cv::calcOpticalFlowPyrLK(warped, gray_, to, back, found_back, error, window, 3, until);
     for (std::size_t i = 0; i < from.size(); ++i) {
-        if (!found[i] || !found_back[i] || !smooth(vector_of(to[i])) ||
-            !(cv::norm(back[i] - from[i]) <= there_and_back) ||
+        if (!found[i] || !found_back[i] || !is_smooth(to_vector(to[i])) ||
+            !(cv::norm(back[i] - from[i]) <= max_round_trip) ||
             !shown.at<std::uint8_t>(int(std::lround(to[i].y)), int(std::lround(to[i].x))) ||
-            !(correlation(grey_, from[i], there, to[i]) >= least_correlation))
+            !(correlation(gray_, from[i], warped, to[i]) >= min_correlation))
             continue;
-        const auto seen = project(other.k, other_pose, lifted(vector_of(to[i])));
+        const auto seen = project(other.k, other_pose, surface_point(to_vector(to[i])));
         if (!seen) continue;
         tracks_[which[i]].matches.push_back({other_photo, at_full_size(seen->pixel, other.level),
-                                             at_full_size(vector_of(to[i] - from[i]), view_.level)});
+                                             at_full_size(to_vector(to[i] - from[i]), view_.level)});
     }
     return from.size();
 }

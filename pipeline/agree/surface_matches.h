@@ -12,36 +12,40 @@ namespace vantage {
 struct Match {
     std::uint32_t photo;
     Eigen::Vector2d pixel;  ///< full-size pixels of that photo
-    Eigen::Vector2d moved;  ///< away from where the cameras expect it, in this photo's full-size pixels
+    Eigen::Vector2d moved;  ///< from where the cameras predict it, in full-size pixels of this photo
 };
 
-/// A corner of a photo, on the surface, and where other photos show it.
+/// A corner of a photo, its point on the surface, and its matches in other photos.
 struct Track {
     std::uint32_t photo;
     Eigen::Vector2d pixel;          ///< full size
-    Eigen::Vector3d point, normal;  ///< relative to the origin; unit
+    Eigen::Vector3d point, normal;  ///< relative to the origin; the normal has unit length
     std::vector<Match> matches;
 };
 
-/// A photo's surface, and the photo drawn onto it: what others are matched with.
+/// A photo and the surface that it sees, onto which other photos are warped for matching. `view` must outlive
+/// it.
 class SurfaceChart {
   public:
-    /// `pose`: what is now thought of the camera; the surface stays what `view` saw. At most `corners` are
-    /// looked for, one a block of 16 pixels.
+    /// Finds up to `corners` corners (Shi and Tomasi 1994), at least 16 pixels of the level apart. `pose`:
+    /// the current estimate of the camera; the surface is that seen from `view.pose`.
     SurfaceChart(const MatchView& view, const Pose& pose, std::uint32_t photo, int corners);
 
     const std::vector<Track>& tracks() const { return tracks_; }
-    /// How many corners could be compared, and adds those that were found again to their tracks: displaced
-    /// there and back by the same (to 3/4 of a pixel), alike (correlation above 0.75), on one smooth surface.
+    /// Tracks the corners in another photo (pyramidal Lucas and Kanade 1981) and adds the matches to their
+    /// tracks. A match returns to within 0.75 px when tracked back, correlates by at least 0.75, and lies on
+    /// a smooth surface. Returns the number of corners that could be compared.
     std::size_t match(const MatchView& other, const Pose& other_pose, std::uint32_t other_photo);
 
   private:
-    Eigen::Vector3d lifted(const Eigen::Vector2d& pixel) const;
-    bool smooth(const Eigen::Vector2d& pixel) const;
+    /// The point on the surface, depth interpolated, relative to the origin.
+    Eigen::Vector3d surface_point(const Eigen::Vector2d& pixel) const;
+    /// The neighborhood is inside the photo and on one surface.
+    bool is_smooth(const Eigen::Vector2d& pixel) const;
 
     const MatchView& view_;
     Pose pose_;
-    cv::Mat grey_;
+    cv::Mat gray_;
     std::vector<cv::Point2f> corners_;
     std::vector<Track> tracks_;
 };

@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// Photos that do not show what the others show through the model, a line each; where two of them fit with
-/// each other's cameras, that is said. Throws Error(damaged).
+/// Warnings about photos that contradict the others, one line each, or one line for two that fit with each
+/// other's cameras. Throws Error(damaged).
 std::vector<std::string> misplaced_photos(const RegistrationInput& input,
                                           std::span<const package::PairRecord> pairs);
 

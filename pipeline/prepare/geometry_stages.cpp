@@ -42,7 +42,7 @@ void write_masks(const GeometryContext& c, const PosedPhoto& photo, PhotoGeometr
 void write_coverage(const GeometryContext& c, const PosedPhoto& photo, const FrameTriangles& triangles,
                     const PhotoGeometry& g, const std::vector<Eigen::Vector2f>& coordinates) {
     const Traced traced(c.trace, "coverage", photo.name);
-    const Coverage coverage = measure_coverage(c.model.clusters, c.model.indices, triangles.places, g,
+    const Coverage coverage = measure_coverage(c.model.clusters, c.model.indices, triangles.sources, g,
                                                coordinates, photo.intrinsics, photo.pose);
     c.writer.write(Type::coverage, photo.index, bytes_of(coverage.clusters));
     c.writer.write(Type::visible, photo.index, bytes_of(coverage.visible));

@@ -5,12 +5,14 @@
 #include <limits>
 
 #include "pipeline/pixels/simd.h"
+#include "scene/grid.h"
 
 namespace vantage {
 namespace {
 
-/// Which pixels of a row, but for its ends, lie on a depth discontinuity, by their 3x3 neighbourhoods.
-/// Without branches: what is no number compares false, and a neighbour that is not seen decides alone.
+/// Marks the pixels of a row, except its ends, whose 3x3 neighborhood contains a depth discontinuity or a
+/// silhouette. Branch-free: an unseen neighbor makes a border by itself, and the NaNs that it causes in the
+/// other test compare false.
 VANTAGE_SIMD void find_in_row(const float* above, const float* here, const float* below, int width,
                               float threshold, std::uint8_t* out) {
     constexpr float unseen = std::numeric_limits<float>::infinity();
@@ -22,7 +24,7 @@ VANTAGE_SIMD void find_in_row(const float* above, const float* here, const float
         const int outline = z < unseen ? seen != 8 : seen != 0;
         const float gx = (c + 2 * e + h) - (a + 2 * d + f), gy = (f + 2 * g + h) - (a + 2 * b + c);
         const float least = threshold * 8 * z;
-        // A plane is linear in 1/z however steep; a step is not.
+        // 1/z is linear on a plane at any slant, but not across a step.
         const float inverse = 1 / z,
                     bend_x = std::abs(1 / d + 1 / e - 2 * inverse) * std::max(std::max(d, e), z),
                     bend_y = std::abs(1 / b + 1 / g - 2 * inverse) * std::max(std::max(b, g), z);
@@ -33,7 +35,7 @@ VANTAGE_SIMD void find_in_row(const float* above, const float* here, const float
 }
 
 VANTAGE_SIMD void border_row(const float* distance, int width, int edge, float scale, std::uint8_t* out) {
-    constexpr float mixed = 1;  // pixels next to a border hold the colours of both sides
+    constexpr float mixed = 1;  // px: those next to a border mix the colors of both sides
     for (int x = 0; x < width; ++x) {
         const float outline = float(std::min(edge, std::min(x, width - 1 - x))) + 0.5f;
         const float code = std::min(distance[x] - mixed, outline) * scale;
@@ -45,11 +47,11 @@ VANTAGE_SIMD void border_row(const float* distance, int width, int edge, float s
 
 std::vector<std::uint8_t> find_borders(const DepthMap& d, float threshold) {
     std::vector<std::uint8_t> borders(d.z.size(), 0);
-    for (int y = 1; y + 1 < d.height; ++y) {
-        const float* here = d.z.data() + std::size_t(y) * std::size_t(d.width);
-        find_in_row(here - d.width, here, here + d.width, d.width, threshold,
-                    borders.data() + std::size_t(y) * std::size_t(d.width));
-    }
+    const Grid<const float> z{d.z.data(), d.width, d.height};
+    const Grid<std::uint8_t> border{borders.data(), d.width, d.height};
+    for (int y = 1; y + 1 < d.height; ++y)
+        find_in_row(z.row(y - 1).data(), z.row(y).data(), z.row(y + 1).data(), d.width, threshold,
+                    border.row(y).data());
     for (std::size_t i = 0; i < d.valid.size(); ++i)
         if (d.valid[i] == 0) borders[i] = 1;
     return borders;
@@ -59,10 +61,10 @@ std::vector<std::uint8_t> border_mask(const std::vector<float>& distance, int wi
                                       float full_width) {
     std::vector<std::uint8_t> mask(distance.size());
     const float scale = 255 / std::max(full_width, 1e-3f);
-    for (int y = 0; y < height; ++y) {
-        const std::size_t row = std::size_t(y) * std::size_t(width);
-        border_row(&distance[row], width, std::min(y, height - 1 - y), scale, &mask[row]);
-    }
+    const Grid<const float> from{distance.data(), width, height};
+    const Grid<std::uint8_t> to{mask.data(), width, height};
+    for (int y = 0; y < height; ++y)
+        border_row(from.row(y).data(), width, std::min(y, height - 1 - y), scale, to.row(y).data());
     return mask;
 }
 

@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Linear depth, +inf where nothing is seen, and validity (0 = no photo there; empty = all valid), row by
+/// Linear depth (+inf: nothing seen) and validity (0: the photo has no pixel there; empty: all valid), row by
 /// row.
 struct DepthMap {
     int width = 0, height = 0;
@@ -12,13 +12,14 @@ struct DepthMap {
     std::vector<std::uint8_t> valid;
 };
 
-/// 1 where the Sobel 3x3 response of depth, relative to depth, exceeds `threshold` and the depth is no plane
-/// seen at a slant (second difference of 1/z relative to 1/z exceeds a quarter of it), where seen meets
-/// unseen, and where a pixel is invalid. The outline of the photo is handled by border_distance.
+/// 1 at depth discontinuities, silhouettes and invalid pixels, otherwise 0 [C, M]. A discontinuity is a Sobel
+/// 3x3 response, relative to depth, above `threshold`, with a second difference of 1/z, relative to 1/z,
+/// above threshold / 4; the latter spares planes seen at a slant. The photo's outline is left to border_mask.
 std::vector<std::uint8_t> find_borders(const DepthMap& depth, float threshold);
 
-/// Border mask [0,255]: min(distance to border - 1, distance to the photo's outline) / `full_width`, clamped.
-/// The pixels beside a border weigh nothing, too: they hold the colours of both its sides.
+/// Border mask, 255 times min(distance to the border - 1, distance to the photo's outline) / `full_width`,
+/// clamped to [0, 255]. Distances and `full_width` in pixels of the mask. The 1 excludes pixels next to a
+/// border, which mix the colors of both sides.
 std::vector<std::uint8_t> border_mask(const std::vector<float>& distance, int width, int height,
                                       float full_width);
 

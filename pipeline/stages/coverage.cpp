@@ -6,12 +6,13 @@
 #include <limits>
 
 #include "pipeline/visibility/frame_triangles.h"
+#include "scene/grid.h"
 #include "scene/tiling.h"
 
 namespace vantage {
 namespace {
 
-/// A rectangle of map pixels that grows.
+/// Bounding rectangle of map pixels.
 struct Extent {
     int x0 = std::numeric_limits<int>::max(), y0 = x0, x1 = -1, y1 = -1;
     void add(int x, int y) {
@@ -31,21 +32,22 @@ class Bits {
     std::uint64_t first_;
 };
 
-/// Marks the triangles that the map's pixels see.
-void add_map(const PhotoGeometry& g, const std::vector<FrameTriangles::Place>& places,
+/// Marks the triangles in the photo's triangle map and extends their clusters' rectangles.
+void add_map(const PhotoGeometry& g, const std::vector<FrameTriangles::Source>& sources,
              std::vector<std::uint8_t>& seen, std::vector<Extent>& extents) {
+    const Grid<const std::uint32_t> map{g.triangles.data(), g.width, g.height};
     for (int y = 0; y < g.height; ++y) {
-        const std::uint32_t* row = &g.triangles[std::size_t(y) * std::size_t(g.width)];
+        const std::span<const std::uint32_t> row = map.row(y);
         std::uint32_t cluster = 0;
-        int first = 0, last = -1;  // pixels that see the cluster, with nothing but it between
+        int first = 0, last = -1;  // ends of the current run of pixels of `cluster`
         const auto add = [&] {
             if (last >= 0) extents[cluster].add(first, y), extents[cluster].add(last, y);
         };
         for (int x = 0; x < g.width; ++x) {
-            const std::uint32_t triangle = row[x];
-            if (triangle >= places.size()) continue;
+            const std::uint32_t triangle = row[std::size_t(x)];
+            if (triangle >= sources.size()) continue;
             seen[triangle] = 1;
-            if (const std::uint32_t c = places[triangle].cluster; c != cluster || last < 0)
+            if (const std::uint32_t c = sources[triangle].cluster; c != cluster || last < 0)
                 add(), cluster = c, first = x;
             last = x;
         }
@@ -53,39 +55,39 @@ void add_map(const PhotoGeometry& g, const std::vector<FrameTriangles::Place>& p
     }
 }
 
-/// Visible vertices count, too: a triangle may lie between the map's pixels. Triangles of a cluster stand
-/// together.
+/// Adds visible vertices, since a triangle may fall between the map's pixels. Triangles of one cluster are
+/// consecutive in `sources`.
 void add_vertices(const std::vector<std::uint32_t>& indices, const PhotoGeometry& g,
                   const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& k,
-                  const std::vector<FrameTriangles::Place>& places, const std::vector<std::uint8_t>& on_map,
+                  const std::vector<FrameTriangles::Source>& sources, const std::vector<std::uint8_t>& on_map,
                   std::vector<Extent>& extents, Bits whole, Bits part) {
     const Eigen::Vector2f size(float(k.width), float(k.height));
     const auto add = [&](std::uint32_t cluster, const Eigen::Vector2f& uv) {
         const Eigen::Vector2i p = uv.cwiseProduct(size).cast<int>() / (1 << mask_level);
         extents[cluster].add(std::clamp(p.x(), 0, g.width - 1), std::clamp(p.y(), 0, g.height - 1));
     };
-    for (std::size_t i = 0; i < places.size();) {
-        const std::uint32_t cluster = places[i].cluster;
-        const Eigen::Vector2f nothing(2, 2);
-        Eigen::Vector2f least = nothing, most(-1, -1);
-        for (; i < places.size() && places[i].cluster == cluster; ++i) {
-            const std::uint32_t* corners = &indices[3 * std::size_t(places[i].triangle)];
+    for (std::size_t i = 0; i < sources.size();) {
+        const std::uint32_t cluster = sources[i].cluster;
+        const Eigen::Vector2f outside(2, 2);
+        Eigen::Vector2f low = outside, high(-1, -1);
+        for (; i < sources.size() && sources[i].cluster == cluster; ++i) {
+            const std::uint32_t* corners = &indices[3 * std::size_t(sources[i].triangle)];
             int seen = 0;
             for (int v = 0; v < 3; ++v) {
                 const Eigen::Vector2f& uv = coordinates[corners[v]];
                 const bool visible = uv.x() >= 0;
                 seen += visible;
-                least = least.cwiseMin(visible ? uv : nothing);
-                most = most.cwiseMax(uv);
+                low = low.cwiseMin(visible ? uv : outside);
+                high = high.cwiseMax(uv);
             }
-            if (seen || on_map[i]) part.set(places[i].triangle);
-            if (seen == 3) whole.set(places[i].triangle);
+            if (seen || on_map[i]) part.set(sources[i].triangle);
+            if (seen == 3) whole.set(sources[i].triangle);
         }
-        if (most.x() >= 0) add(cluster, least), add(cluster, most);
+        if (high.x() >= 0) add(cluster, low), add(cluster, high);
     }
 }
 
-std::uint16_t unorm16(double v) { return std::uint16_t(std::clamp(v, 0.0, 65535.0)); }
+std::uint16_t clamped_u16(double v) { return std::uint16_t(std::clamp(v, 0.0, 65535.0)); }
 
 package::CoverageRecord record(const package::ClusterRecord& c, const Extent& e, const Bits& part,
                                const Intrinsics& k, const Pose& pose) {
@@ -97,13 +99,13 @@ package::CoverageRecord record(const package::ClusterRecord& c, const Extent& e,
     if (e.x1 < 0) return r;
     std::uint32_t seen = 0;
     for (std::uint32_t t = c.first_triangle; t < c.first_triangle + c.triangles; ++t) seen += part.at(t);
-    r.seen = std::max<std::uint16_t>(1, unorm16(65535.0 * seen / c.triangles));
-    // What is seen between two pixels of the map, and what the depth test lets pass, is within two of them.
+    r.seen = std::max<std::uint16_t>(1, clamped_u16(65535.0 * seen / c.triangles));
+    // Two pixels of margin: what falls between pixels, and what the player's depth test lets pass.
     const double w = 65535.0 * (1 << mask_level) / k.width, h = 65535.0 * (1 << mask_level) / k.height;
-    r.u0 = unorm16(std::floor((e.x0 - 2) * w));
-    r.v0 = unorm16(std::floor((e.y0 - 2) * h));
-    r.u1 = unorm16(std::ceil((e.x1 + 3) * w));
-    r.v1 = unorm16(std::ceil((e.y1 + 3) * h));
+    r.u0 = clamped_u16(std::floor((e.x0 - 2) * w));
+    r.v0 = clamped_u16(std::floor((e.y0 - 2) * h));
+    r.u1 = clamped_u16(std::ceil((e.x1 + 3) * w));
+    r.v1 = clamped_u16(std::ceil((e.y1 + 3) * h));
     return r;
 }
 
@@ -111,16 +113,16 @@ package::CoverageRecord record(const package::ClusterRecord& c, const Extent& e,
 
 Coverage measure_coverage(const std::vector<package::ClusterRecord>& clusters,
                           const std::vector<std::uint32_t>& indices,
-                          const std::vector<FrameTriangles::Place>& places, const PhotoGeometry& g,
+                          const std::vector<FrameTriangles::Source>& sources, const PhotoGeometry& g,
                           const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& k,
                           const Pose& pose) {
     const std::uint64_t words = package::visible_words(indices.size() / 3);
     Coverage out{{}, std::vector<std::uint64_t>(2 * words, 0)};
     Bits whole(out.visible, 0), part(out.visible, words);
     std::vector<Extent> extents(clusters.size());
-    std::vector<std::uint8_t> on_map(places.size(), 0);
-    add_map(g, places, on_map, extents);
-    add_vertices(indices, g, coordinates, k, places, on_map, extents, whole, part);
+    std::vector<std::uint8_t> on_map(sources.size(), 0);
+    add_map(g, sources, on_map, extents);
+    add_vertices(indices, g, coordinates, k, sources, on_map, extents, whole, part);
     out.clusters.reserve(clusters.size());
     for (std::size_t c = 0; c < clusters.size(); ++c)
         out.clusters.push_back(record(clusters[c], extents[c], part, k, pose));

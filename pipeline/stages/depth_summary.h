@@ -4,11 +4,11 @@
 
 namespace vantage {
 
-/// Of the finite depths of a map; the median is of some 16,000 of them.
+/// Of a map's finite depths. The median is that of a sample of about 16,000 pixels.
 struct DepthSummary {
     float nearest, farthest, median;
 };
-/// Depths are positive, +inf where nothing is seen; nothing where nothing is.
+/// Depths are positive, +inf if nothing is seen. nullopt if none is finite.
 std::optional<DepthSummary> summarize_depths(std::span<const float> z);
 
 }  // namespace vantage

@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t samples = 20000;  ///< vertices or triangles looked at a photo
+constexpr std::size_t samples = 20000;  ///< vertices or triangles examined per photo, about
 
 bool inside(const Intrinsics& k, const Eigen::Vector2d& p) {
     return p.x() >= 0 && p.y() >= 0 && p.x() < k.width && p.y() < k.height;
@@ -25,17 +25,17 @@ struct Measured {
 
 Measured lens(const SceneInput& scene) {
     double largest = 0;
-    std::string where = "no camera has lens distortion";
+    std::string evidence = "no camera has lens distortion";
     for (const PhotoInput& p : scene.photos)
         if (const double d = largest_displacement(p.camera); d > largest) {
             largest = d;
-            where = fmt::format("{} moves pixels by up to {:.2f} px ({} lens)", p.name, d,
-                                name(p.camera.lens.model));
+            evidence = fmt::format("the lens of {} displaces pixels by up to {:.2f} px ({} model)", p.name, d,
+                                   name(p.camera.lens.model));
         }
-    return {largest, where};
+    return {largest, evidence};
 }
 
-/// A triangle in a photo: its longest edge and its area, in pixels; no area where it lies beside the photo.
+/// A triangle in a photo: its longest edge in px, and its area in square px, 0 outside the photo.
 struct Footprint {
     double edge = 0, area = 0;
 };
@@ -44,34 +44,34 @@ Footprint footprint(const PhotoInput& photo, const Mesh& mesh, std::size_t trian
     const Intrinsics& k = photo.camera.intrinsics;
     const double whole = double(k.width) * k.height;
     Eigen::Vector2d pixel[3], low(1e300, 1e300), high(-1e300, -1e300);
-    int before = 0, within = 0;
+    int in_front = 0, in_frame = 0;
     for (std::size_t v = 0; v < 3; ++v) {
         const auto p = project(k, photo.camera.cam_from_world, mesh.positions[mesh.triangles[triangle][v]]);
         if (!p) continue;
-        pixel[before++] = p->pixel;
-        within += inside(k, p->pixel);
+        pixel[in_front++] = p->pixel;
+        in_frame += inside(k, p->pixel);
         low = low.cwiseMin(p->pixel);
         high = high.cwiseMax(p->pixel);
     }
-    // One that reaches behind the camera fills the photo and has no size.
-    if (before < 3) return {std::numeric_limits<double>::infinity(), within ? whole : 0.0};
+    // A triangle that reaches behind the camera counts as filling the photo.
+    if (in_front < 3) return {std::numeric_limits<double>::infinity(), in_frame ? whole : 0.0};
     if (high.x() < 0 || high.y() < 0 || low.x() > k.width || low.y() > k.height) return {};
     const Eigen::Vector2d a = pixel[1] - pixel[0], b = pixel[2] - pixel[0];
     return {std::max({a.norm(), b.norm(), (b - a).norm()}),
             std::min(whole, std::abs(a.x() * b.y() - a.y() * b.x()) / 2)};
 }
 
-/// Areas by edge length, in steps of 1/64 octave: as large for many photos as for few.
+/// Histogram of area over edge length, in steps of 1/64 octave. Its size does not depend on the scene.
 class AreaByEdge {
   public:
     void add(const Footprint& f) {
         total_ += f.area;
-        if (!std::isfinite(f.edge)) return;  // counts, and is longer than any
+        if (!std::isfinite(f.edge)) return;  // counts only in the total
         const double step = (std::log2(std::max(f.edge, 1e-30)) + octaves / 2) * steps;
         area_[std::size_t(std::clamp(step, 0.0, double(area_.size() - 1)))] += f.area;
     }
     bool empty() const { return !(total_ > 0); }
-    /// The edge length below which this share of the area lies; infinity where there is none.
+    /// The edge length in px below which this share of the area lies; infinite if there is none.
     double below(double share) const {
         double sum = 0;
         for (std::size_t i = 0; i < area_.size(); ++i)
@@ -85,8 +85,8 @@ class AreaByEdge {
     double total_ = 0;
 };
 
-/// The edge length below which 95 % of the photographed surface lies: by area, so that a few large triangles
-/// behind a dense object count for what they show.
+/// The 95th percentile of edge lengths by area, so that a few large triangles behind a dense object count for
+/// what they cover.
 Measured triangle_size(const SceneInput& scene) {
     AreaByEdge all;
     const std::size_t step = std::max<std::size_t>(1, scene.mesh.triangles.size() / samples);
@@ -96,9 +96,9 @@ Measured triangle_size(const SceneInput& scene) {
     if (all.empty()) return {std::numeric_limits<double>::infinity(), "no triangle lies inside a photo"};
     const double edge = all.below(0.95);
     if (!std::isfinite(edge))
-        return {edge, "a large part of the photographed surface reaches behind cameras"};
+        return {edge, "more than 5 % of the photographed surface is triangles that reach behind a camera"};
     return {edge,
-            fmt::format("95 % of the photographed surface is of triangles with edges below {:.1f} px", edge)};
+            fmt::format("95 % of the photographed surface is triangles with edges below {:.1f} px", edge)};
 }
 
 Measured focal_spread(const SceneInput& scene) {
@@ -108,14 +108,14 @@ Measured focal_spread(const SceneInput& scene) {
         low = std::min(low, f);
         high = std::max(high, f);
     }
-    return {high / low - 1, fmt::format("focal lengths from {:.3f} to {:.3f} photo widths", low, high)};
+    return {high / low - 1, fmt::format("focal lengths range from {:.3f} to {:.3f} photo widths", low, high)};
 }
 
 Measured unseen_colors(const SceneInput& scene) {
-    if (scene.mesh.colors.empty()) return {0, "the mesh has no vertex colours"};
+    if (scene.mesh.colors.empty()) return {0, "the mesh has no vertex colors"};
     const std::size_t step = std::max<std::size_t>(1, scene.mesh.positions.size() / samples);
-    std::size_t looked = 0, unseen = 0;
-    for (std::size_t v = 0; v < scene.mesh.positions.size(); v += step, ++looked)
+    std::size_t examined = 0, unseen = 0;
+    for (std::size_t v = 0; v < scene.mesh.positions.size(); v += step, ++examined)
         unseen += std::none_of(scene.photos.begin(), scene.photos.end(), [&](const PhotoInput& photo) {
             const auto p =
                 project(photo.camera.intrinsics, photo.camera.cam_from_world, scene.mesh.positions[v]);
@@ -123,13 +123,13 @@ Measured unseen_colors(const SceneInput& scene) {
                    scene.mesh.normals[v].cast<double>().dot(photo.camera.cam_from_world.center() -
                                                             scene.mesh.positions[v]) > 0;
         });
-    const double share = looked ? double(unseen) / double(looked) : 0;
+    const double share = examined ? double(unseen) / double(examined) : 0;
     return {share,
-            fmt::format("{:.2f} % of the coloured vertices face no photo that could hold them", 100 * share)};
+            fmt::format("{:.2f} % of the colored vertices lie inside no photo that they face", 100 * share)};
 }
 
 Measured measure(const EffectRow& row, const SceneInput& scene) {
-    if (from_all_photos(row)) return {0, "is told by all photos together, when they are there"};
+    if (from_all_photos(row)) return {0, "measured after all photos are processed"};
     switch (row.effect) {
         case Effect::undistortion:
             return lens(scene);

@@ -7,12 +7,12 @@
 
 namespace vantage {
 
-/// What the scene calls for: each effect of the table measured, decided, and explained.
-/// `choices` holds the effects that were forced.
+/// Decides for each effect whether the scene needs it, with the measurement and its evidence in words.
+/// `choices` overrides the decision.
 std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effect, EffectChoice>& choices);
 
-/// Pixels per unit on the surface in the photo that samples it most finely: sqrt(fx fy) / z over the
-/// (sampled) vertices inside each photo. 1 where no photo holds a vertex.
+/// The finest sampling of the surface by any photo, in pixels per unit: the maximum of sqrt(fx fy) / z over a
+/// sample of the vertices inside each photo. 1 if no vertex is inside a photo.
 double finest_density(const SceneInput& scene);
 
 }  // namespace vantage

@@ -14,7 +14,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-/// log2 of a positive normal float, to 2e-5: its exponent, and a polynomial of its mantissa, fitted to
+/// log2 of a positive normal float, to within 2e-5: the exponent plus a polynomial in the mantissa, fitted to
 /// log2(1 + m) and exact at both ends.
 inline float log2_of(float z) {
     const auto bits = std::bit_cast<std::uint32_t>(z);
@@ -37,7 +37,7 @@ VANTAGE_SIMD void combine(const float* z, const std::uint8_t* angle, const std::
     }
 }
 
-/// Four texels become one.
+/// Four texels to be reduced to one.
 struct Quad {
     std::uint32_t masks[4];
     float z[4];

@@ -4,11 +4,10 @@
 
 namespace vantage {
 
-/// RGBA8 masks at `mask_level`: angle, depth, border, consensus (255 where the photo sees the model: no photo
-/// has been compared yet).
-/// Depth channel: 255 + 12 log2(density / reference), at least 1, where density = f / z in pixels per unit;
-/// its square is the sampling rate of Callieri et al. 2008, and the logarithm keeps a far photo from becoming
-/// zero.
+/// RGBA8 masks at `mask_level`: angle, depth, border, consensus; all 0 if the photo does not see the model
+/// there. Depth: 255 + 12 log2(density / reference_density), clamped to [1, 255], with density = focal / z in
+/// pixels per unit; its square is the sampling rate of [C], and the logarithm keeps a distant photo from
+/// becoming 0. Consensus: 255, as no photos have been compared yet.
 std::vector<std::uint8_t> combine_masks(const std::vector<float>& z, const std::vector<std::uint8_t>& angle,
                                         const std::vector<std::uint8_t>& border, double focal,
                                         double reference_density);
@@ -20,8 +19,8 @@ struct MaskLevel {
     std::vector<float> z;
 };
 
-/// The next coarser level: masks are the mean of the valid ones among 2x2, depth is the farthest finite one
-/// (so that what any of them sees stays seen); odd edges repeat their last texel.
+/// The next coarser level. Masks are the mean of the valid texels among 2x2; depth is the farthest finite
+/// one, so that what any of them sees stays seen. Odd edges repeat the last texel.
 MaskLevel halve(const MaskLevel& level);
 
 }  // namespace vantage

@@ -13,10 +13,10 @@
 namespace vantage {
 namespace {
 
-/// Corners of a polygon, in the order of their angles, some perhaps the same.
+/// Corners of a convex polygon in angular order; some may coincide.
 using Octagon = std::array<Eigen::Vector2f, 8>;
 
-/// The farthest points to the left, up and left, up, and so on.
+/// The extreme points in eight directions: left, upper left, up, and so on.
 Octagon extreme_points(const std::vector<Eigen::Vector2f>& points) {
     Octagon out;
     out.fill(points.front());
@@ -44,13 +44,13 @@ VANTAGE_SIMD void find_inside(const Octagon& octagon, const float* points, std::
     }
 }
 
-/// Without the points inside the polygon of the extreme ones, which no hull touches (after Akl and Toussaint
+/// Drops the points inside the polygon of extreme points, which cannot be on the hull (Akl and Toussaint
 /// 1978).
 std::vector<cv::Point2f> outer_points(const std::vector<Eigen::Vector2f>& points) {
     const Octagon octagon = extreme_points(points);
-    const bool a_point = std::ranges::all_of(octagon, [&](const auto& p) { return p == octagon[0]; });
+    const bool single_point = std::ranges::all_of(octagon, [&](const auto& p) { return p == octagon[0]; });
     std::vector<std::uint8_t> inside(points.size(), 0);
-    if (!a_point) find_inside(octagon, points.front().data(), points.size(), inside.data());
+    if (!single_point) find_inside(octagon, points.front().data(), points.size(), inside.data());
     std::vector<cv::Point2f> outer;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (!inside[i]) outer.emplace_back(points[i].x(), points[i].y());

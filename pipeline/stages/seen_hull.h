@@ -6,13 +6,14 @@
 
 namespace vantage {
 
-/// The direction through the centroid of the convex hull of what a photo sees, and the hull's share of the
-/// photo
-/// ([P] 2.3.3). No visible point: the optical axis and 0; collinear points: through their mean, and 0.
+/// The convex hull of the visible vertices in a photo [P, 2.3.3]: the unit direction through its centroid and
+/// its area as a share of the photo. The optical axis and 0 if no vertex is visible; collinear points have
+/// the direction of their mean and area 0.
 struct SeenHull {
     Eigen::Vector3d direction;
     double area = 0;
 };
+/// `coordinates`: as from vertex_coordinates.
 SeenHull seen_hull(const std::vector<Eigen::Vector2f>& coordinates, const Intrinsics& intrinsics,
                    const Pose& cam_from_origin);
 

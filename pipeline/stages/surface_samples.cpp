@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "pipeline/pixels/pyramid.h"
+#include "scene/grid.h"
 #include "scene/srgb.h"
 #include "scene/tiling.h"
 
@@ -14,27 +15,18 @@ namespace vantage {
 namespace {
 
 constexpr double disc_pixels = 48;  ///< radius in the finest photo
-constexpr double least_pixels = 6;  ///< radius in a photo that is still sampled, foreshortened
-constexpr double least_cosine = 0.2;
+constexpr double min_pixels = 6;    ///< foreshortened radius in a photo
+constexpr double min_cosine = 0.2;
 
-const std::array<float, 256>& linear_of_byte() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> t;
-        for (std::size_t i = 0; i < t.size(); ++i) t[i] = float(linear_from_srgb(double(i) / 255));
-        return t;
-    }();
-    return table;
-}
-
-/// A point of a triangle, different for each number: the R2 sequence (Roberts 2018), folded.
-Eigen::Vector3f point_in(const std::array<Eigen::Vector3f, 3>& p, std::size_t number) {
-    float u = float(std::fmod(0.7548776662466927 * double(number), 1.0)),
-          v = float(std::fmod(0.5698402909980532 * double(number), 1.0));
+/// The n-th point in a triangle, by the R2 sequence (Roberts 2018) folded at the diagonal.
+Eigen::Vector3f point_in(const std::array<Eigen::Vector3f, 3>& p, std::size_t n) {
+    float u = float(std::fmod(0.7548776662466927 * double(n), 1.0)),
+          v = float(std::fmod(0.5698402909980532 * double(n), 1.0));
     if (u + v > 1) u = 1 - u, v = 1 - v;
     return p[0] + u * (p[1] - p[0]) + v * (p[2] - p[0]);
 }
 
-/// Where a disc is looked at: its centre, and points on three rings, each standing for about as much of it.
+/// Sample points on the unit disc: its center and three rings, each point for about the same area.
 constexpr std::size_t disc_points = 1 + 6 + 12 + 18;
 std::array<Eigen::Vector2f, disc_points> make_disc() {
     std::array<Eigen::Vector2f, disc_points> out;
@@ -48,7 +40,7 @@ std::array<Eigen::Vector2f, disc_points> make_disc() {
     return out;
 }
 
-/// A photo's coarser levels, from `sample_level` on.
+/// The photo's pyramid from `sample_level` on: at most six levels.
 std::vector<RgbaImage> levels_from(RgbaImage photo) {
     std::vector<RgbaImage> levels{std::move(photo)};
     while (levels.size() < 6 && std::min(levels.back().width, levels.back().height) > 1)
@@ -56,20 +48,24 @@ std::vector<RgbaImage> levels_from(RgbaImage photo) {
     return levels;
 }
 
-/// The texel at a position; nothing where it is not opaque.
+/// Linear color of the texel at a position; nullopt if it is not opaque.
 std::optional<Eigen::Vector3f> color_at(const RgbaImage& level, const Eigen::Vector2f& at) {
-    const auto& linear = linear_of_byte();
+    const auto& table = linear_of_srgb_byte();
+    const auto linear = [&](std::uint8_t code) { return float(table[code]); };
     const int x = std::min(int(at.x()), level.width - 1), y = std::min(int(at.y()), level.height - 1);
     const std::uint8_t* t = &level.rgba[4 * (std::size_t(y) * std::size_t(level.width) + std::size_t(x))];
     if (t[3] != 255) return {};
-    return Eigen::Vector3f(linear[t[0]], linear[t[1]], linear[t[2]]);
+    return Eigen::Vector3f(linear(t[0]), linear(t[1]), linear(t[2]));
 }
 
-/// One photo, as discs are looked up in it.
+/// Samples discs in one photo.
 class DiscSampler {
   public:
     DiscSampler(RgbaImage photo, const PhotoGeometry& geometry, const Intrinsics& k, const Pose& pose)
-        : levels_(levels_from(std::move(photo))), geometry_(geometry), k_(k), pose_(pose) {
+        : levels_(levels_from(std::move(photo))),
+          depth_{geometry.z.data(), geometry.width, geometry.height},
+          k_(k),
+          pose_(pose) {
         for (std::size_t l = 0; l < levels_.size(); ++l)
             scale_.push_back(std::exp2(-float(sample_level) - float(l)));
     }
@@ -78,47 +74,48 @@ class DiscSampler {
         const Eigen::Vector3d n = pose_.R * disc.normal.cast<double>(),
                               center = pose_.R * disc.center.cast<double>() + pose_.t;
         const double cosine = std::abs(n.dot(center)) / std::max(center.norm(), 1e-300);
-        if (!(center.z() > 0) || !(cosine > least_cosine)) return {};
-        // Foreshortened, so that texels do not reach beyond the disc.
+        if (!(center.z() > 0) || !(cosine > min_cosine)) return {};
+        // By the foreshortened size, so that texels do not extend beyond the disc.
         const double size = cosine * std::sqrt(k_.fx * k_.fy) * disc.radius / center.z();
-        if (!(size >= least_pixels) || !(size < k_.width)) return {};
+        if (!(size >= min_pixels) || !(size < k_.width)) return {};
         const double texel = std::log2(0.3 * size) - sample_level;
         const auto level = std::size_t(std::clamp(std::lround(texel), 0l, long(levels_.size()) - 1));
         const Eigen::Vector3d along = n.unitOrthogonal() * double(disc.radius), across = n.cross(along);
-        // The map may be off by a pixel of its own.
+        // The depth map may be off by one of its pixels.
         const double pixel_size = (1 << mask_level) * center.z() / std::min(k_.fx, k_.fy);
-        const Look look{center.cast<float>(), along.cast<float>(), across.cast<float>(),
-                        float(std::max(0.004 * center.z(), pixel_size / cosine)), level};
+        const ProjectedDisc in_camera{center.cast<float>(), along.cast<float>(), across.cast<float>(),
+                                      float(std::max(0.004 * center.z(), pixel_size / cosine)), level};
         static const auto points = make_disc();
         Eigen::Vector3f sum = Eigen::Vector3f::Zero();
         int seen = 0;
         for (const Eigen::Vector2f& d : points)
-            if (const auto c = seen_color(look, d)) sum += *c, ++seen;
+            if (const auto c = seen_color(in_camera, d)) sum += *c, ++seen;
         if (6 * seen < 5 * int(disc_points)) return {};
         return record(sum / float(seen), pixel(center));
     }
 
   private:
-    /// A disc in the camera's frame.
-    struct Look {
+    /// A disc in camera space, and how to look it up.
+    struct ProjectedDisc {
         Eigen::Vector3f center, along, across;
-        float slack;  ///< of z
+        float slack;  ///< tolerance of the depth test, scene units
         std::size_t level;
     };
     Eigen::Vector2d pixel(const Eigen::Vector3d& p) const {
         return {k_.fx * p.x() / p.z() + k_.cx, k_.fy * p.y() / p.z() + k_.cy};
     }
-    /// A point of the surface, where the photo sees it.
-    std::optional<Eigen::Vector3f> seen_color(const Look& look, const Eigen::Vector2f& d) const {
-        const Eigen::Vector3f p = look.center + d.x() * look.along + d.y() * look.across;
+    /// The photo's color at a point `d` of the unit disc; nullopt if the photo does not see it.
+    std::optional<Eigen::Vector3f> seen_color(const ProjectedDisc& disc, const Eigen::Vector2f& d) const {
+        const Eigen::Vector3f p = disc.center + d.x() * disc.along + d.y() * disc.across;
         if (!(p.z() > 0)) return {};
         const float inverse = 1 / p.z();
         const Eigen::Vector2f at(fx_ * p.x() * inverse + cx_, fy_ * p.y() * inverse + cy_);
         if (!(at.x() >= 0 && at.y() >= 0 && at.x() < width_ && at.y() < height_)) return {};
-        const std::size_t x = std::size_t(at.x()) >> mask_level, y = std::size_t(at.y()) >> mask_level;
-        if (!(std::abs(geometry_.z[y * std::size_t(geometry_.width) + x] - p.z()) <= look.slack)) return {};
-        return color_at(levels_[look.level], at * scale_[look.level]);
+        const float seen_z = depth_(int(at.x()) >> mask_level, int(at.y()) >> mask_level);
+        if (!(std::abs(seen_z - p.z()) <= disc.slack)) return {};
+        return color_at(levels_[disc.level], at * scale_[disc.level]);
     }
+    /// A zero record if a channel is nearly black or white.
     package::SampleRecord record(const Eigen::Vector3f& linear, const Eigen::Vector2d& at) const {
         static const auto dark = float(linear_from_srgb(15 / 255.0)),
                           bright = float(linear_from_srgb(240 / 255.0));
@@ -131,7 +128,7 @@ class DiscSampler {
 
     std::vector<RgbaImage> levels_;
     std::vector<float> scale_;  ///< of each level
-    const PhotoGeometry& geometry_;
+    Grid<const float> depth_;
     const Intrinsics& k_;
     const Pose& pose_;
     const float fx_ = float(k_.fx), fy_ = float(k_.fy), cx_ = float(k_.cx), cy_ = float(k_.cy),
@@ -161,7 +158,7 @@ std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> posit
         const double share = 0.5 * (whole > 0 ? area[t] / whole : 0) + 0.5 / double(triangles);
         passed += share * double(surface_discs);
         const auto p = corners(t);
-        // Its rounding must not cost the last disc.
+        // Rounding must not lose the last disc.
         const double until = t + 1 == triangles ? double(surface_discs) : passed;
         while (discs.size() < surface_discs && double(discs.size()) + 0.5 < until)
             discs.push_back(

@@ -12,34 +12,35 @@
 namespace vantage {
 namespace {
 
-/// Positions in triangles of at most this extent are exact in single precision.
+/// Coordinates relative to a corner of a triangle up to this extent are exact in single precision.
 constexpr int small_extent = 62 << position_bits;
 
-/// The vertices in a map's frame, by square bins, row by row; so those in a range of a row's bins stand
-/// together.
-struct Sights {
-    static constexpr int bin_bits = position_bits + 2;  ///< four pixels
+/// The vertices inside a map, sorted into square bins row by row, so that those in a range of bins of one row
+/// are contiguous.
+struct BinnedVertices {
+    static constexpr int bin_bits = position_bits + 2;  ///< bins of 4x4 pixels
     int columns = 0, rows = 0;
-    std::vector<std::uint32_t> first;  ///< vertex of a bin, and of the one after the last
-    // Each as long as there are vertices, and `lanes` more that nothing hides.
+    std::vector<std::uint32_t> first;  ///< start of each bin, and the end of the last
+    // One element per vertex, and `lanes` of padding that nothing hides.
     std::vector<std::int32_t> x, y, vertex, hidden;
     std::vector<float> inverse;
 };
 
-Sights bin(const PhotoProjection& p) {
-    constexpr int pixels = 1 << (Sights::bin_bits - position_bits);
-    Sights s;
+BinnedVertices bin_vertices(const PhotoProjection& p) {
+    constexpr int pixels = 1 << (BinnedVertices::bin_bits - position_bits);
+    BinnedVertices s;
     s.columns = (p.intrinsics.width + pixels - 1) / pixels;
     s.rows = (p.intrinsics.height + pixels - 1) / pixels;
     const auto in_frame = [&](const ProjectedVertex& v) {
-        return v.inverse > 0 && v.x >= 0 && v.y >= 0 && v.x >> Sights::bin_bits < s.columns &&
-               v.y >> Sights::bin_bits < s.rows;
+        return v.inverse > 0 && v.x >= 0 && v.y >= 0 && v.x >> BinnedVertices::bin_bits < s.columns &&
+               v.y >> BinnedVertices::bin_bits < s.rows;
     };
     const auto bin_of = [&](const ProjectedVertex& v) {
-        return std::size_t(v.y >> Sights::bin_bits) * std::size_t(s.columns) +
-               std::size_t(v.x >> Sights::bin_bits);
+        return std::size_t(v.y >> BinnedVertices::bin_bits) * std::size_t(s.columns) +
+               std::size_t(v.x >> BinnedVertices::bin_bits);
     };
-    // Counted two bins on, a bin's first is where the next of its vertices goes, one bin on.
+    // Counting sort. Counts are shifted by two bins, so that first[bin + 1] is the insertion position while
+    // filling and ends up as the start of bin + 1.
     s.first.assign(std::size_t(s.columns) * std::size_t(s.rows) + 2, 0);
     for (const ProjectedVertex& v : p.vertices)
         if (in_frame(v)) ++s.first[bin_of(v) + 2];
@@ -63,37 +64,37 @@ Sights bin(const PhotoProjection& p) {
 /// The bins that a range of positions touches.
 template <class Int>
 std::pair<int, int> bins(Int low, Int high, int count) {
-    return {int(std::clamp<Int>(low >> Sights::bin_bits, 0, count)),
-            int(std::clamp<Int>(high >> Sights::bin_bits, -1, count - 1))};
+    return {int(std::clamp<Int>(low >> BinnedVertices::bin_bits, 0, count)),
+            int(std::clamp<Int>(high >> BinnedVertices::bin_bits, -1, count - 1))};
 }
 
-/// Marks the vertices that small triangles hide: those whose lines of sight meet a triangle before `there` of
-/// the way. Returns the other triangles.
+/// Marks the vertices hidden by small triangles: those whose line of sight meets a triangle that does not
+/// contain them at less than `max_depth_ratio` of their depth. Returns the indices of the large triangles.
 VANTAGE_SIMD std::vector<std::uint32_t> hide_by_small(std::span<const ProjectedVertex> vertices,
-                                                      std::span<const std::uint32_t> indices, float there,
-                                                      Sights& s) {
-    std::vector<std::uint32_t> others;
+                                                      std::span<const std::uint32_t> indices,
+                                                      float max_depth_ratio, BinnedVertices& s) {
+    std::vector<std::uint32_t> large;
     for (std::size_t t = 0; 3 * t < indices.size(); ++t) {
         const std::uint32_t* corners = &indices[3 * t];
         const ProjectedVertex a = vertices[corners[0]], b = vertices[corners[1]], c = vertices[corners[2]];
-        const float least = std::min(std::min(a.inverse, b.inverse), c.inverse),
-                    most = std::max(std::max(a.inverse, b.inverse), c.inverse);
+        const float min_inverse = std::min(std::min(a.inverse, b.inverse), c.inverse),
+                    max_inverse = std::max(std::max(a.inverse, b.inverse), c.inverse);
         const int left = std::min(std::min(a.x, b.x), c.x), right = std::max(std::max(a.x, b.x), c.x),
                   top = std::min(std::min(a.y, b.y), c.y), bottom = std::max(std::max(a.y, b.y), c.y);
-        if (!(least > 0) || std::int64_t(right) - left > small_extent ||
+        if (!(min_inverse > 0) || std::int64_t(right) - left > small_extent ||
             std::int64_t(bottom) - top > small_extent) {
-            others.push_back(std::uint32_t(t));
+            large.push_back(std::uint32_t(t));
             continue;
         }
         const auto [x0, x1] = bins(left, right, s.columns);
         const auto [y0, y1] = bins(top, bottom, s.rows);
         if (x0 > x1 || y0 > y1) continue;
-        // Relative to the first corner; rounding must not open a gap between two triangles.
+        // Relative to the first corner. The slack keeps rounding from opening gaps between triangles.
         const float bx = float(b.x - a.x), by = float(b.y - a.y), cx = float(c.x - a.x),
                     cy = float(c.y - a.y), area = bx * cy - by * cx;
         const float extent = float(std::max(right - left, bottom - top)), slack = 4e-7f * extent * extent;
         if (!(std::abs(area) > slack)) continue;
-        const float sign = area > 0 ? 1 : -1, share = there / area;
+        const float sign = area > 0 ? 1 : -1, share = max_depth_ratio / area;
         for (int y = y0; y <= y1; ++y) {
             const std::size_t row = std::size_t(y) * std::size_t(s.columns);
             const std::size_t end = s.first[row + std::size_t(x1) + 1];
@@ -113,17 +114,19 @@ VANTAGE_SIMD std::vector<std::uint32_t> hide_by_small(std::span<const ProjectedV
                 const Ints other =
                     (vertex != int(corners[0])) & (vertex != int(corners[1])) & (vertex != int(corners[2]));
                 Floats nearest = (of_a * a.inverse + of_b * b.inverse + of_c * c.inverse) * share;
-                nearest = nearest > most * there ? Floats{} + most * there : nearest;
+                nearest = nearest > max_inverse * max_depth_ratio ? Floats{} + max_inverse * max_depth_ratio
+                                                                  : nearest;
                 hidden |= inside & other & (nearest > inverse);
                 std::memcpy(&s.hidden[i], &hidden, sizeof hidden);
             }
         }
     }
-    return others;
+    return large;
 }
 
-/// The same for a triangle, or a piece of one, of any size.
-void hide_by(const ProjectedPiece& p, const std::uint32_t* corners, double there, Sights& s) {
+/// The same for one clipped triangle of any size.
+void hide_by(const ProjectedPiece& p, const std::uint32_t* corners, double max_depth_ratio,
+             BinnedVertices& s) {
     const auto edge = [&](std::size_t a, std::size_t b, double x, double y) {
         return double(p.x[b] - p.x[a]) * (y - double(p.y[a])) -
                double(p.y[b] - p.y[a]) * (x - double(p.x[a]));
@@ -140,7 +143,7 @@ void hide_by(const ProjectedPiece& p, const std::uint32_t* corners, double there
             if (!((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) || area == 0) continue;
             if (std::count(corners, corners + 3, std::uint32_t(s.vertex[i]))) continue;
             const double nearest = p.clamped((u * p.inverse[0] + v * p.inverse[1] + w * p.inverse[2]) / area);
-            if (nearest * there > double(s.inverse[i])) s.hidden[i] = -1;
+            if (nearest * max_depth_ratio > double(s.inverse[i])) s.hidden[i] = -1;
         }
     }
 }
@@ -150,21 +153,22 @@ void hide_by(const ProjectedPiece& p, const std::uint32_t* corners, double there
 std::vector<Eigen::Vector2f> vertex_coordinates(const PhotoProjection& projection,
                                                 std::span<const std::uint32_t> indices,
                                                 const Intrinsics& photo) {
-    const double there = 1 - 0.3 / std::max(photo.fx, photo.fy);
-    Sights sights = bin(projection);
-    for (const std::uint32_t t : hide_by_small(projection.vertices, indices, float(there), sights)) {
+    const double max_depth_ratio = 1 - 0.3 / std::max(photo.fx, photo.fy);
+    BinnedVertices binned = bin_vertices(projection);
+    for (const std::uint32_t t :
+         hide_by_small(projection.vertices, indices, float(max_depth_ratio), binned)) {
         const std::uint32_t* corners = &indices[3 * std::size_t(t)];
         for (const ProjectedPiece& piece : clipped(projection, corners))
-            hide_by(piece, corners, there, sights);
+            hide_by(piece, corners, max_depth_ratio, binned);
     }
     std::vector<Eigen::Vector2f> out(projection.vertices.size(), Eigen::Vector2f(-1, -1));
-    // Positions are finer than a texture coordinate's last digit.
+    // Fixed-point positions are finer than single-precision texture coordinates.
     const double pixel = double(1 << mask_level) / (1 << position_bits), x = pixel / photo.width,
                  y = pixel / photo.height;
-    for (std::size_t i = 0; i < sights.first.back(); ++i)
-        if (const Eigen::Vector2d at(sights.x[i] * x, sights.y[i] * y);
-            !sights.hidden[i] && at.maxCoeff() < 1)
-            out[std::size_t(sights.vertex[i])] = at.cast<float>();
+    for (std::size_t i = 0; i < binned.first.back(); ++i)
+        if (const Eigen::Vector2d at(binned.x[i] * x, binned.y[i] * y);
+            !binned.hidden[i] && at.maxCoeff() < 1)
+            out[std::size_t(binned.vertex[i])] = at.cast<float>();
     return out;
 }
 

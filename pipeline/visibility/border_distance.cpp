@@ -8,30 +8,38 @@
 
 #include "gl/context.h"
 #include "gl/object.h"
+#include "scene/grid.h"
 
 namespace vantage {
 namespace {
 
-std::vector<int> strides(int longest, DistanceMethod variant) {
+/// The steps of jump flooding, in pixels, for a map whose longer side is `long_side`.
+std::vector<int> strides(int long_side, DistanceMethod variant) {
     std::vector<int> s;
     if (variant == DistanceMethod::one_plus_jfa) s.push_back(1);
-    const int top = int(std::bit_ceil(unsigned(std::max(2, longest)))) / 2;
+    const int first = int(std::bit_ceil(unsigned(std::max(2, long_side)))) / 2;
     const int rounds = variant == DistanceMethod::jfa_squared ? 2 : 1;
     for (int r = 0; r < rounds; ++r)
-        for (int k = top; k >= 1; k /= 2) s.push_back(k);
+        for (int k = first; k >= 1; k /= 2) s.push_back(k);
     if (variant == DistanceMethod::jfa_plus_1) s.push_back(1);
     return s;
 }
+
+/// A texel of the flooded textures: the nearest border pixel known so far.
+struct Seed {
+    std::int16_t x = -1, y = -1;
+};
+static_assert(sizeof(Seed) == 4, "GL_RG16I");
 
 }  // namespace
 
 std::vector<float> exact_distance(const std::vector<std::uint8_t>& borders, int width, int height) {
     std::vector<float> distance(borders.size(), std::numeric_limits<float>::infinity());
     if (std::find(borders.begin(), borders.end(), 1) == borders.end()) return distance;
-    cv::Mat away(height, width, CV_8UC1);
-    for (std::size_t i = 0; i < borders.size(); ++i) away.data[i] = borders[i] ? 0 : 255;
+    cv::Mat interior(height, width, CV_8UC1);
+    for (std::size_t i = 0; i < borders.size(); ++i) interior.data[i] = borders[i] ? 0 : 255;
     cv::Mat out(height, width, CV_32FC1, distance.data());
-    cv::distanceTransform(away, out, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
+    cv::distanceTransform(interior, out, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
     return distance;
 }
 
@@ -41,35 +49,33 @@ gl::Program jump_flood_program() {
 
 std::vector<float> flood_distance(const gl::Program& jump_flood, const std::vector<std::uint8_t>& borders,
                                   int width, int height, DistanceMethod variant) {
-    std::vector<std::int16_t> seeds(borders.size() * 2, -1);
+    std::vector<Seed> seeds(borders.size());
+    const Grid<Seed> seed{seeds.data(), width, height};
+    const Grid<const std::uint8_t> border{borders.data(), width, height};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            if (const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x); borders[i]) {
-                seeds[2 * i] = std::int16_t(x);
-                seeds[2 * i + 1] = std::int16_t(y);
-            }
-    gl::Texture known = gl::make_texture_2d("jump flood", GL_RG16I, width, height);
-    gl::Texture improved = gl::make_texture_2d("jump flood, next", GL_RG16I, width, height);
+            if (border(x, y)) seed(x, y) = {std::int16_t(x), std::int16_t(y)};
+    gl::Texture current = gl::make_texture_2d("jump flood", GL_RG16I, width, height);
+    gl::Texture next = gl::make_texture_2d("jump flood, next", GL_RG16I, width, height);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTextureSubImage2D(known.id(), 0, 0, 0, width, height, GL_RG_INTEGER, GL_SHORT, seeds.data());
+    glTextureSubImage2D(current.id(), 0, 0, 0, width, height, GL_RG_INTEGER, GL_SHORT, seeds.data());
     glUseProgram(jump_flood.id());
     for (const int stride : strides(std::max(width, height), variant)) {
-        glBindImageTexture(0, known.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RG16I);
-        glBindImageTexture(1, improved.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG16I);
+        glBindImageTexture(0, current.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RG16I);
+        glBindImageTexture(1, next.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG16I);
         glUniform1i(0, stride);
         glDispatchCompute(GLuint(width + 15) / 16, GLuint(height + 15) / 16, 1);
         glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-        std::swap(known, improved);
+        std::swap(current, next);
     }
-    glGetTextureImage(known.id(), 0, GL_RG_INTEGER, GL_SHORT, GLsizei(seeds.size() * 2), seeds.data());
+    glGetTextureImage(current.id(), 0, GL_RG_INTEGER, GL_SHORT, GLsizei(seeds.size() * sizeof(Seed)),
+                      seeds.data());
     gl::check("jump flooding");
     std::vector<float> distance(borders.size(), std::numeric_limits<float>::infinity());
+    const Grid<float> out{distance.data(), width, height};
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x);
-            if (seeds[2 * i] >= 0)
-                distance[i] = std::hypot(float(seeds[2 * i] - x), float(seeds[2 * i + 1] - y));
-        }
+        for (int x = 0; x < width; ++x)
+            if (const Seed s = seed(x, y); s.x >= 0) out(x, y) = std::hypot(float(s.x - x), float(s.y - y));
     return distance;
 }
 

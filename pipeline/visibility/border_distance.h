@@ -7,15 +7,15 @@
 
 namespace vantage {
 
-/// Exact Euclidean distance in pixels to the nearest border pixel's centre (OpenCV, Felzenszwalb), +inf with
-/// no border.
+/// Exact Euclidean distance in pixels to the center of the nearest border pixel; +inf if there is no border
+/// (OpenCV; Felzenszwalb and Huttenlocher 2012). `borders`: width x height, nonzero on a border.
 std::vector<float> exact_distance(const std::vector<std::uint8_t>& borders, int width, int height);
 
-/// The program that flood_distance runs.
+/// The compute program for flood_distance.
 gl::Program jump_flood_program();
 
-/// Jump flooding in compute, on the current OpenGL context. Same result as exact_distance up to the variant's
-/// error.
+/// The same by jump flooding in the current OpenGL context (Rong and Tan 2006). Distances are never too
+/// small; by how much they may be too large depends on the variant.
 std::vector<float> flood_distance(const gl::Program& jump_flood, const std::vector<std::uint8_t>& borders,
                                   int width, int height, DistanceMethod variant);
 

@@ -9,13 +9,13 @@ namespace vantage {
 FrameTriangles triangles_in_frame(const std::vector<package::ClusterRecord>& clusters,
                                   const std::vector<std::uint32_t>& indices, const Intrinsics& k,
                                   const Pose& pose) {
-    // Inward normals of the planes through the camera's centre and the frame's four sides.
+    // Inward unit normals of the view frustum's four side planes, in camera space.
     const Eigen::Vector3d sides[] = {
         Eigen::Vector3d(k.fx, 0, k.cx).normalized(), Eigen::Vector3d(-k.fx, 0, k.width - k.cx).normalized(),
         Eigen::Vector3d(0, k.fy, k.cy).normalized(), Eigen::Vector3d(0, -k.fy, k.height - k.cy).normalized()};
     FrameTriangles out;
     out.indices.reserve(indices.size());
-    out.places.reserve(indices.size() / 3);
+    out.sources.reserve(indices.size() / 3);
     for (std::uint32_t number = 0; number < clusters.size(); ++number) {
         const package::ClusterRecord& c = clusters[number];
         const Eigen::Vector3d center =
@@ -26,7 +26,7 @@ FrameTriangles triangles_in_frame(const std::vector<package::ClusterRecord>& clu
             continue;
         const auto first = indices.begin() + std::ptrdiff_t(c.first_triangle) * 3;
         out.indices.insert(out.indices.end(), first, first + std::ptrdiff_t(c.triangles) * 3);
-        for (std::uint32_t t = 0; t < c.triangles; ++t) out.places.push_back({c.first_triangle + t, number});
+        for (std::uint32_t t = 0; t < c.triangles; ++t) out.sources.push_back({c.first_triangle + t, number});
     }
     return out;
 }

@@ -7,16 +7,17 @@
 
 namespace vantage {
 
-/// Some of the model's triangles, in order.
+/// A subset of the model's triangles, in the model's order.
 struct FrameTriangles {
-    struct Place {
-        std::uint32_t triangle, cluster;  ///< in the model
+    struct Source {
+        std::uint32_t triangle, cluster;  ///< indices in the model
     };
-    std::vector<std::uint32_t> indices;  ///< three a triangle
-    std::vector<Place> places;           ///< one a triangle
+    std::vector<std::uint32_t> indices;  ///< three per triangle
+    std::vector<Source> sources;         ///< one per triangle
 };
 
-/// The triangles of all clusters that may reach into a camera's frame. Never drops one that does.
+/// The triangles of all clusters whose bounding spheres intersect the camera's view frustum. Conservative: no
+/// triangle that projects into the frame is missing.
 FrameTriangles triangles_in_frame(const std::vector<package::ClusterRecord>& clusters,
                                   const std::vector<std::uint32_t>& indices, const Intrinsics& intrinsics,
                                   const Pose& cam_from_origin);

@@ -14,21 +14,22 @@
 namespace vantage {
 namespace {
 
-bool floods(DistanceMethod method) {
+bool uses_jump_flooding(DistanceMethod method) {
     return method != DistanceMethod::automatic && method != DistanceMethod::exact;
 }
 
 bool wants_opengl(const PrepareSettings& settings) {
-    if (settings.render_by == RenderBy::processor && floods(settings.distance))
-        throw Error(Exit::usage, std::string("--distance ") + name(settings.distance) +
-                                     ": is flooded by OpenGL, not with --render-by processor");
-    return settings.render_by == RenderBy::opengl || floods(settings.distance) ||
+    if (settings.render_by == RenderBy::processor && uses_jump_flooding(settings.distance))
+        throw Error(Exit::usage,
+                    std::string("--distance ") + name(settings.distance) +
+                        ": jump flooding needs OpenGL and cannot be combined with --render-by processor");
+    return settings.render_by == RenderBy::opengl || uses_jump_flooding(settings.distance) ||
            (settings.render_by == RenderBy::automatic && gl::has_hardware());
 }
 
 }  // namespace
 
-/// The model's buffers are made on the OpenGL thread while others work, and released there.
+/// The model is uploaded asynchronously; its buffers are created and destroyed on the OpenGL thread.
 struct GeometryRenderer::OpenGl {
     GlThread thread;
     ModelBuffers buffers;
@@ -54,7 +55,7 @@ GeometryRenderer::GeometryRenderer(const PackedModel& model, const std::vector<E
     gl_->uploaded = gl_->thread
                         .submit([this] {
                             gl_->buffers = upload_model(model_.positions, normals_);
-                            if (floods(distance_)) gl_->buffers.jump_flood = jump_flood_program();
+                            if (uses_jump_flooding(distance_)) gl_->buffers.jump_flood = jump_flood_program();
                         })
                         .share();
 }
@@ -82,8 +83,8 @@ std::future<PhotoGeometry> GeometryRenderer::render(std::shared_ptr<const PhotoV
 std::vector<float> GeometryRenderer::distances(const std::vector<std::uint8_t>& borders, int width,
                                                int height, int reach) {
     if (distance_ == DistanceMethod::exact)
-        return reach <= farthest_near ? near_distance(borders, width, height, reach)
-                                      : exact_distance(borders, width, height);
+        return reach <= max_near_distance ? near_distance(borders, width, height, reach)
+                                          : exact_distance(borders, width, height);
     const ModelBuffers& buffers = gl_->model();
     return gl_->thread
         .submit([&] { return flood_distance(buffers.jump_flood, borders, width, height, distance_); })

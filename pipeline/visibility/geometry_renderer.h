@@ -13,33 +13,33 @@
 
 namespace vantage {
 
-/// What a photo's camera looks at.
+/// The model as projected into one photo.
 struct PhotoView {
     FrameTriangles triangles;
-    Eigen::Vector2d near_far;
+    Eigen::Vector2d near_far;  ///< clip planes, scene units
     PhotoProjection projection;
 };
 
-/// Renders what photos' cameras see of the model: on the graphics card, by a thread of its own, or by the
-/// processor in the caller's thread. Thread-safe.
+/// Renders depth, angle and triangle maps from the photos' cameras: with OpenGL on a thread of its own, or on
+/// the CPU in the caller's thread. Thread-safe.
 class GeometryRenderer {
   public:
-    /// Settles what is automatic in the settings: a graphics card where there is one, else the processor,
-    /// with exact distances. The model must outlive it. Throws Error(graphics) where OpenGL is asked for and
-    /// not to be had, Error(usage) where distances are to be flooded without it.
+    /// Resolves automatic settings: OpenGL with jump flooding if there is a graphics card, otherwise the CPU
+    /// with exact distances. `model` and `normals` must outlive the renderer. Throws Error(graphics) if
+    /// OpenGL is requested but unavailable, Error(usage) if jump flooding is requested without OpenGL.
     GeometryRenderer(const PackedModel& model, const std::vector<Eigen::Vector3f>& normals,
                      const PrepareSettings& settings);
     ~GeometryRenderer();
     GeometryRenderer(const GeometryRenderer&) = delete;
     GeometryRenderer& operator=(const GeometryRenderer&) = delete;
 
-    bool by_opengl() const;  ///< else by the processor
+    bool by_opengl() const;  ///< false: on the CPU
     DistanceMethod distance() const { return distance_; }
 
-    /// The processor renders when the result is asked for.
+    /// On the CPU, rendering is deferred to the future's get().
     std::future<PhotoGeometry> render(std::shared_ptr<const PhotoView> view, const Intrinsics& intrinsics,
                                       Trace* trace, const std::string& photo);
-    /// To the nearest border, +inf where it is farther than `reach` pixels or somewhat beyond.
+    /// Distance in pixels to the nearest border, at least up to `reach`; larger distances may be +inf.
     std::vector<float> distances(const std::vector<std::uint8_t>& borders, int width, int height, int reach);
 
   private:

@@ -38,16 +38,16 @@ void render_maps(const ModelBuffers& model, const Triangles& triangles, const In
                  Eigen::Vector2d near_far, PhotoGeometry& out) {
     const gl::Texture z = gl::make_texture_2d("linear depth", GL_R32F, out.width, out.height),
                       angle = gl::make_texture_2d("angle mask", GL_R8, out.width, out.height),
-                      seen = gl::make_texture_2d("triangles", GL_R32UI, out.width, out.height),
+                      triangle = gl::make_texture_2d("triangles", GL_R32UI, out.width, out.height),
                       depth = gl::make_texture_2d("depth", GL_DEPTH_COMPONENT32F, out.width, out.height);
-    const std::array colors{z.id(), angle.id(), seen.id()};
+    const std::array colors{z.id(), angle.id(), triangle.id()};
     const gl::Framebuffer target = gl::make_framebuffer("photo geometry", colors, depth.id());
-    const float farthest = 0;
-    const std::array nothing{std::numeric_limits<float>::infinity(), 0.0f, 0.0f, 0.0f};
+    const float farthest = 0;  // depth is reversed
+    const std::array unseen{std::numeric_limits<float>::infinity(), 0.0f, 0.0f, 0.0f};
     const std::array<float, 4> zero{};
     const std::array<GLuint, 4> no_triangle{~0u, 0, 0, 0};
     glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
-    glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, nothing.data());
+    glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, unseen.data());
     glClearNamedFramebufferfv(target.id(), GL_COLOR, 1, zero.data());
     glClearNamedFramebufferuiv(target.id(), GL_COLOR, 2, no_triangle.data());
     glUseProgram(model.geometry.id());
@@ -61,7 +61,7 @@ void render_maps(const ModelBuffers& model, const Triangles& triangles, const In
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(z.id(), 0, GL_RED, GL_FLOAT, GLsizei(out.z.size() * sizeof(float)), out.z.data());
     glGetTextureImage(angle.id(), 0, GL_RED, GL_UNSIGNED_BYTE, GLsizei(out.angle.size()), out.angle.data());
-    glGetTextureImage(seen.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+    glGetTextureImage(triangle.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
                       GLsizei(out.triangles.size() * sizeof(GLuint)), out.triangles.data());
 }
 

@@ -9,18 +9,19 @@
 
 namespace vantage {
 
-/// The model's vertices on the graphics card, positions relative to the origin. Belongs to the OpenGL thread.
+/// The model's vertices and the programs that draw them. Positions are relative to the origin. For use on the
+/// OpenGL thread only.
 struct ModelBuffers {
     gl::Buffer positions, normals;
     gl::VertexArray vertices;
     gl::Program geometry;
-    gl::Program jump_flood;  ///< empty where border distances are exact
+    gl::Program jump_flood;  ///< empty if border distances are exact
 };
 ModelBuffers upload_model(std::span<const Eigen::Vector3f> positions,
                           std::span<const Eigen::Vector3f> normals);
 
-/// Renders depth, angle and triangles. On the OpenGL thread. `indices` are the triangles that may reach into
-/// the photo, see triangles_in_frame. Throws gl::Failure when OpenGL fails.
+/// Renders the depth, angle and triangle maps; on the OpenGL thread. `indices`: three per triangle, see
+/// triangles_in_frame. `near_far`: clip planes, see depth_range. Throws gl::Failure on OpenGL errors.
 PhotoGeometry render_geometry(const ModelBuffers& model, std::span<const std::uint32_t> indices,
                               const Intrinsics& intrinsics, const Pose& cam_from_origin,
                               Eigen::Vector2d near_far);

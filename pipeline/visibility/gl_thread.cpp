@@ -31,7 +31,7 @@ GlThread::~GlThread() {
 void GlThread::push(std::function<void()> work) {
     {
         const std::scoped_lock lock(mutex_);
-        if (closed_) return;  // its future is told by the broken promise
+        if (closed_) return;  // the future reports a broken promise
         queue_.push_back(std::move(work));
     }
     wake_.notify_one();

@@ -10,8 +10,8 @@
 
 namespace vantage {
 
-/// The one thread that owns a headless OpenGL context. Work is run in the order it was submitted; exceptions
-/// come back through the futures. Starting takes a while and does not hold up the constructor.
+/// A thread that owns a headless OpenGL context. Runs submitted work in order; exceptions propagate through
+/// the futures. The context is created asynchronously, so the constructor does not block.
 class GlThread {
   public:
     GlThread();
@@ -24,7 +24,8 @@ class GlThread {
         push([task] { (*task)(); });
         return result;
     }
-    /// Waits for the start. Throws Error(graphics) when there is no OpenGL: then all work is refused.
+    /// Blocks until the context exists. Throws Error(graphics) if OpenGL is unavailable; submitted work then
+    /// fails with a broken promise.
     gl::Device device() const;
 
   private:

@@ -9,7 +9,8 @@
 namespace vantage {
 namespace {
 
-/// Distance within the column, `none` beyond the reach: from above into `to`, given the row before.
+/// Distance to the nearest border pixel at or above, in the same column, at most `none`; `before`: those of
+/// the row above.
 VANTAGE_SIMD void step(const std::uint8_t* border, const std::int16_t* before, std::int16_t* to, int width,
                        std::int16_t none) {
     for (int x = 0; x < width; ++x) {
@@ -18,13 +19,13 @@ VANTAGE_SIMD void step(const std::uint8_t* border, const std::int16_t* before, s
     }
 }
 
-/// The same from below, where it is nearer.
+/// Takes the nearest border pixel below into account, too.
 VANTAGE_SIMD void step_back(const std::int16_t* below, std::int16_t* to, int width, std::int16_t none) {
     for (int x = 0; x < width; ++x)
         to[x] = std::min(to[x], std::min<std::int16_t>(std::int16_t(below[x] + 1), none));
 }
 
-/// Rows are widened in pieces: many have no border within reach.
+/// Rows are processed in blocks, since many blocks have no border within reach.
 constexpr std::size_t block = 128;
 
 /// best[x] = min(best[x], squares[x + k] + k * k), for k of both signs up to the reach.
@@ -46,7 +47,7 @@ VANTAGE_SIMD void roots(const std::int16_t* best, float* out, int width, std::in
 }  // namespace
 
 std::vector<float> near_distance(const std::vector<std::uint8_t>& borders, int width, int height, int reach) {
-    reach = std::clamp(reach, 0, farthest_near);
+    reach = std::clamp(reach, 0, max_near_distance);
     const auto none = std::int16_t(reach + 1);
     const auto w = std::size_t(width), h = std::size_t(height), margin = std::size_t(reach);
     std::vector<std::int16_t> column(w * h);

@@ -4,12 +4,12 @@
 
 namespace vantage {
 
-/// The farthest that near_distance looks, in pixels.
-inline constexpr int farthest_near = 120;
+/// Largest reach of near_distance, in pixels: sums of two squares fit in 16 bits.
+inline constexpr int max_near_distance = 120;
 
-/// Exact Euclidean distance in pixels to the nearest border pixel's centre, +inf where it is beyond `reach`
-/// (at most farthest_near): separable, down the columns and then along the rows (Saito and Toriwaki 1994),
-/// and bounded, which makes it several times as fast as a transform of the whole.
+/// Exact Euclidean distance in pixels to the center of the nearest border pixel; +inf beyond `reach`, which
+/// is clamped to [0, max_near_distance]. Separable, columns before rows (Saito and Toriwaki 1994); the bound
+/// makes it several times as fast as an unbounded transform.
 std::vector<float> near_distance(const std::vector<std::uint8_t>& borders, int width, int height, int reach);
 
 }  // namespace vantage

@@ -12,8 +12,8 @@ Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Po
     double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
     for (const Eigen::Vector3f& p : positions) {
         const double z = axis.dot(p.cast<double>()) + pose.t.z();
-        nearest = std::min(nearest,
-                           std::max(z, 0.0));  // a triangle may reach past its corners to the camera's plane
+        // A vertex behind the camera may belong to a triangle that crosses the camera's plane.
+        nearest = std::min(nearest, std::max(z, 0.0));
         farthest = std::max(farthest, z);
     }
     return clip_range(nearest, farthest);

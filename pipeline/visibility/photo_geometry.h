@@ -8,18 +8,18 @@
 
 namespace vantage {
 
-/// What a photo's camera sees of the model.
+/// Maps of the model as seen by a photo's camera, row by row.
 struct PhotoGeometry {
-    int width = 0, height = 0;             ///< of the maps: the photo's at `mask_level`
-    std::vector<float> z;                  ///< linear depth, +inf where nothing is seen
+    int width = 0, height = 0;             ///< the photo's at `mask_level`
+    std::vector<float> z;                  ///< linear depth, +inf if nothing is seen
     std::vector<std::uint8_t> angle;       ///< max(0, n.v), unorm8
-    std::vector<std::uint32_t> triangles;  ///< which of the triangles given; none: 2^32 - 1
+    std::vector<std::uint32_t> triangles;  ///< index of the triangle drawn, 2^32 - 1 for none
 };
 
 /// The intrinsics of a photo's maps.
 Intrinsics map_intrinsics(const Intrinsics& photo);
 
-/// Near and far plane that hold the model, by its vertices' depths, see clip_range.
+/// Near and far planes that enclose all vertices, see clip_range.
 Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& cam_from_origin);
 
 /// Maps of a photo that sees nothing.

@@ -22,13 +22,13 @@ Point project(const Eigen::Vector3d& p, const Intrinsics& k) {
 
 PhotoProjection project_model(std::span<const Eigen::Vector3f> positions, const Intrinsics& map,
                               const Pose& pose, double near) {
-    constexpr double aside = 1 << 30;
+    constexpr double max_position = 1 << 30;
     PhotoProjection out{positions, map, pose, float(near), {}};
     out.vertices.reserve(positions.size());
     for (std::uint32_t v = 0; v < positions.size(); ++v) {
         const Eigen::Vector3d p = out.in_camera(v);
         const Point at = project(p, map);
-        if (p.z() > 0 && p.z() >= out.near && std::abs(at.x) < aside && std::abs(at.y) < aside)
+        if (p.z() > 0 && p.z() >= out.near && std::abs(at.x) < max_position && std::abs(at.y) < max_position)
             out.vertices.push_back(
                 {std::int32_t(nearest(at.x)), std::int32_t(nearest(at.y)), float(at.inverse)});
         else
@@ -37,15 +37,15 @@ PhotoProjection project_model(std::span<const Eigen::Vector3f> positions, const 
     return out;
 }
 
-double ProjectedPiece::clamped(double plane) const {
-    const auto [least, most] = std::minmax({inverse[0], inverse[1], inverse[2]});
-    return std::clamp(plane, least, most);
+double ProjectedPiece::clamped(double inverse_depth) const {
+    const auto [low, high] = std::minmax({inverse[0], inverse[1], inverse[2]});
+    return std::clamp(inverse_depth, low, high);
 }
 
 ProjectedPieces clipped(const PhotoProjection& projection, const std::uint32_t* corners) {
     const double near = projection.near;
     ProjectedPieces out;
-    if (!(near > 0)) return out;  // nothing is before the camera
+    if (!(near > 0)) return out;  // nothing lies in front of the camera
     std::array<Eigen::Vector3d, 4> kept;
     std::size_t n = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -61,7 +61,7 @@ ProjectedPieces clipped(const PhotoProjection& projection, const std::uint32_t* 
         const std::size_t from[3] = {0, i - 1, i};
         for (std::size_t c = 0; c < 3; ++c) {
             const Point at = project(kept[from[c]], projection.intrinsics);
-            // Farther out than any photo is wide; what is cut off there is out of it.
+            // Far outside any photo, but within 64 bits.
             constexpr double farthest = 1e18;
             piece.x[c] = nearest(std::clamp(at.x, -farthest, farthest));
             piece.y[c] = nearest(std::clamp(at.y, -farthest, farthest));

@@ -10,24 +10,26 @@
 
 namespace vantage {
 
-/// Positions on a map are in 1/2^14 of its pixels: finer than a single-precision texture coordinate, and maps
-/// may be 65536 pixels wide.
+/// Positions on a map are fixed-point, in 1/2^14 pixel: finer than a single-precision texture coordinate, and
+/// enough range for maps 65536 pixels wide.
 inline constexpr int position_bits = 14;
 
-/// A vertex on a photo's map. Nearer than the near plane, or too far aside for 32 bits: `inverse` is 0.
+/// A vertex on a photo's map. `inverse` is 0 if it is nearer than the near plane or its position overflows
+/// 32 bits.
 struct ProjectedVertex {
     std::int32_t x, y;
     float inverse;  ///< 1/z
 };
 
-/// The model as a photo's map sees it.
+/// The model projected into a photo's map. The spans' owners must outlive it.
 struct PhotoProjection {
     std::span<const Eigen::Vector3f> positions;
     Intrinsics intrinsics;  ///< of the map
     Pose cam_from_origin;
-    float near;
+    float near;  ///< near plane, scene units
     std::vector<ProjectedVertex> vertices;
 
+    /// A vertex in camera space.
     Eigen::Vector3d in_camera(std::uint32_t vertex) const {
         return cam_from_origin.R * positions[vertex].cast<double>() + cam_from_origin.t;
     }
@@ -36,22 +38,23 @@ struct PhotoProjection {
 PhotoProjection project_model(std::span<const Eigen::Vector3f> positions, const Intrinsics& map,
                               const Pose& cam_from_origin, double near);
 
-/// A triangle, or a piece of one, of any size, wholly beyond the near plane.
+/// A triangle of any size, clipped against the near plane.
 struct ProjectedPiece {
     std::array<std::int64_t, 3> x, y;
-    std::array<double, 3> inverse;
+    std::array<double, 3> inverse;  ///< 1/z
 
-    /// What slivers lose in precision stays between their corners.
-    double clamped(double plane) const;
+    /// Inverse depth, clamped to the range of the corners: slivers lose precision.
+    double clamped(double inverse_depth) const;
 };
 
-/// What of a triangle is beyond the near plane.
+/// The part of a triangle beyond the near plane: up to two triangles.
 struct ProjectedPieces {
     std::array<ProjectedPiece, 2> piece;
     int count = 0;
     auto begin() const { return piece.begin(); }
     auto end() const { return piece.begin() + count; }
 };
+/// `corners`: three vertex indices.
 ProjectedPieces clipped(const PhotoProjection& projection, const std::uint32_t* corners);
 
 }  // namespace vantage

@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-/// The cosine between a vertex's normal and the direction to the camera, of either sign.
+/// Cosine of the angle between each vertex's normal and the direction to the camera, in [-1, 1].
 VANTAGE_SIMD void vertex_cosines(const float* positions, const float* normals, const float* eye,
                                  std::size_t count, float* out) {
     for (std::size_t v = 0; v < count; ++v) {
@@ -24,13 +24,14 @@ VANTAGE_SIMD void vertex_cosines(const float* positions, const float* normals, c
     }
 }
 
-/// The same where a ray from the camera meets a triangle, by its interpolated normal.
+/// The same at the intersection of a camera ray with a triangle, with the interpolated normal. `corners` are
+/// relative to the camera.
 float cosine(std::array<Eigen::Vector3f, 3> corners, const std::array<Eigen::Vector3f, 3>& normals,
              const Eigen::Vector3f& ray) {
-    // In units of its distance, so that products neither vanish nor overflow.
+    // Scaled so that products neither underflow nor overflow.
     const float unit = std::max(corners[0].cwiseAbs().maxCoeff(), corners[1].cwiseAbs().maxCoeff());
     for (Eigen::Vector3f& c : corners) c /= unit;
-    // The weights of the corners are the volumes that the ray spans with the edges across.
+    // A corner's barycentric weight is the volume spanned by the ray and the opposite edge.
     Eigen::Vector3f n = Eigen::Vector3f::Zero();
     float volume = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -50,8 +51,8 @@ VANTAGE_SIMD void to_bytes(const float* value, const float* inverse_depth, std::
     }
 }
 
-/// The angle of every pixel (Callieri et al. 2008): on large triangles, along which the direction to the
-/// camera changes, pixel by pixel.
+/// The angle mask [C]. Large triangles, across which the direction to the camera varies, are shaded per
+/// pixel; for small ones the cosines are interpolated from the vertices.
 std::vector<std::uint8_t> shade(TriangleMap& map, const PhotoProjection& p,
                                 std::span<const Eigen::Vector3f> normals,
                                 std::span<const std::uint32_t> indices) {
@@ -72,7 +73,7 @@ std::vector<std::uint8_t> shade(TriangleMap& map, const PhotoProjection& p,
     return angle;
 }
 
-/// 1/0 is infinite: nothing is seen there.
+/// Unseen pixels, whose inverse depth is 0, become +inf.
 std::vector<float> depths(std::vector<float> inverse) {
     for (float& v : inverse) v = 1 / v;
     return inverse;

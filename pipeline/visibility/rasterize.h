@@ -7,9 +7,8 @@
 
 namespace vantage {
 
-/// What render_geometry gives, by the processor alone: for machines whose OpenGL is the processor, too, where
-/// it is several times as fast (see triangle_map.h). Normals are of unit length; indices as of
-/// render_geometry.
+/// The maps of render_geometry, computed on the CPU; several times as fast as software OpenGL. `normals` are
+/// unit vectors, one per vertex; `indices` as in render_geometry.
 PhotoGeometry rasterize_geometry(const PhotoProjection& projection, std::span<const Eigen::Vector3f> normals,
                                  std::span<const std::uint32_t> indices);
 

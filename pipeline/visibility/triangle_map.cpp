@@ -13,7 +13,7 @@ namespace {
 
 constexpr int subpixel_bits = 8;
 constexpr int subpixels = 1 << subpixel_bits;
-/// Up to this extent, in subpixels, edge functions fit into 32 bits.
+/// Up to this extent, in subpixels, edge functions fit in 32 bits.
 constexpr int small_extent = 62 * subpixels;
 
 /// A corner on the map, in subpixels.
@@ -30,20 +30,20 @@ Int snapped(Int position) {
 
 Corner snapped(const ProjectedVertex& v) { return {snapped(v.x), snapped(v.y), v.inverse}; }
 
-/// The first and the last pixel whose centre lies between, inside the map.
+/// The first and last pixel of the map whose centers lie in [low, high] (subpixels); none if first > last.
 template <class Int>
-std::pair<int, int> centres(Int low, Int high, int size) {
+std::pair<int, int> pixel_centers(Int low, Int high, int size) {
     constexpr Int half = subpixels / 2;
     return {int(std::clamp<Int>((low + half - 1) >> subpixel_bits, 0, size)),
             int(std::clamp<Int>((high - half) >> subpixel_bits, -1, size - 1))};
 }
 
-/// A triangle of few pixels, ready to be filled. Edge function i, across from corner i, is 0 or more within
-/// the triangle; 1/z and the value times 1/z are planes over the map.
+/// A small triangle after setup. Edge function i, opposite corner i, is nonnegative inside the triangle; 1/z
+/// and value/z are linear over the map.
 struct SmallTriangle {
-    int x0, x1, y0, y1;  ///< pixels
+    int x0, x1, y0, y1;  ///< bounding box, pixels
     int row[3], step_x[3], step_y[3];
-    float least, most;  ///< of 1/z
+    float min_inverse, max_inverse;  ///< bounds of 1/z
     double inverse, inverse_x, inverse_y;
     float value, value_x, value_y;
     std::uint32_t number;
@@ -53,18 +53,19 @@ enum class Size { none, small, large };
 
 VANTAGE_INLINE Size set_up(const Corner (&p)[3], const float (&values)[3], int width, int height,
                            SmallTriangle& s) {
-    s.least = std::min(std::min(p[0].inverse, p[1].inverse), p[2].inverse);
-    s.most = std::max(std::max(p[0].inverse, p[1].inverse), p[2].inverse);
+    s.min_inverse = std::min(std::min(p[0].inverse, p[1].inverse), p[2].inverse);
+    s.max_inverse = std::max(std::max(p[0].inverse, p[1].inverse), p[2].inverse);
     const int left = std::min(std::min(p[0].x, p[1].x), p[2].x),
               right = std::max(std::max(p[0].x, p[1].x), p[2].x),
               top = std::min(std::min(p[0].y, p[1].y), p[2].y),
               bottom = std::max(std::max(p[0].y, p[1].y), p[2].y);
-    if (!(s.least > 0) || right - left > small_extent || bottom - top > small_extent) return Size::large;
-    std::tie(s.x0, s.x1) = centres(left, right, width);
-    std::tie(s.y0, s.y1) = centres(top, bottom, height);
+    if (!(s.min_inverse > 0) || right - left > small_extent || bottom - top > small_extent)
+        return Size::large;
+    std::tie(s.x0, s.x1) = pixel_centers(left, right, width);
+    std::tie(s.y0, s.y1) = pixel_centers(top, bottom, height);
     const int area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
     const int sign = area > 0 ? 1 : -1;
-    // Within the triangle's box where it has pixels; else anywhere that does not overflow.
+    // The box's first pixel center; clamped so that empty boxes do not overflow.
     const int cx = std::clamp(s.x0 * subpixels + subpixels / 2, left, right),
               cy = std::clamp(s.y0 * subpixels + subpixels / 2, top, bottom);
     const double share = 1 / double(std::max(std::abs(area), 1));
@@ -88,7 +89,7 @@ VANTAGE_INLINE Size set_up(const Corner (&p)[3], const float (&values)[3], int w
     return ((s.x0 <= s.x1) & (s.y0 <= s.y1) & (area != 0)) ? Size::small : Size::none;
 }
 
-/// Eight pixels of a row at once.
+/// Fills eight pixels of a row at a time.
 VANTAGE_INLINE void fill(const SmallTriangle& s, TriangleMap& map) {
     constexpr Ints lane{0, 1, 2, 3, 4, 5, 6, 7};
     constexpr Floats lane_f{0, 1, 2, 3, 4, 5, 6, 7};
@@ -110,9 +111,9 @@ VANTAGE_INLINE void fill(const SmallTriangle& s, TriangleMap& map) {
             std::memcpy(&shown, &map.value[at], sizeof shown);
             std::memcpy(&triangle, &map.triangles[at], sizeof triangle);
             Floats inverse = slope + float(plane);
-            // What slivers lose in precision stays between their corners.
-            inverse = inverse < s.least ? Floats{} + s.least : inverse;
-            inverse = inverse > s.most ? Floats{} + s.most : inverse;
+            // Slivers lose precision: clamped to the range of the corners.
+            inverse = inverse < s.min_inverse ? Floats{} + s.min_inverse : inverse;
+            inverse = inverse > s.max_inverse ? Floats{} + s.max_inverse : inverse;
             const Ints seen = ((a | b | c) >= 0) & in_bounds & (inverse > depth);
             depth = seen ? inverse : depth;
             shown = seen ? value : shown;
@@ -127,11 +128,11 @@ VANTAGE_INLINE void fill(const SmallTriangle& s, TriangleMap& map) {
     }
 }
 
-/// Fills triangles of few pixels; returns the others.
+/// Fills small triangles and returns the indices of the large ones.
 VANTAGE_SIMD std::vector<std::uint32_t> fill_small(std::span<const ProjectedVertex> vertices,
                                                    std::span<const std::uint32_t> indices,
                                                    std::span<const float> values, TriangleMap& map) {
-    std::vector<std::uint32_t> others;
+    std::vector<std::uint32_t> large;
     for (std::size_t t = 0; 3 * t < indices.size(); ++t) {
         const std::uint32_t* v = &indices[3 * t];
         const Corner corners[3] = {snapped(vertices[v[0]]), snapped(vertices[v[1]]), snapped(vertices[v[2]])};
@@ -140,16 +141,16 @@ VANTAGE_SIMD std::vector<std::uint32_t> fill_small(std::span<const ProjectedVert
         const Size size =
             set_up(corners, {values[v[0]], values[v[1]], values[v[2]]}, map.width, map.height, s);
         if (size == Size::small) fill(s, map);
-        if (size == Size::large) others.push_back(s.number);
+        if (size == Size::large) large.push_back(s.number);
     }
-    return others;
+    return large;
 }
 
-/// A triangle of any size.
+/// Fills a triangle of any size.
 void fill(ProjectedPiece p, std::uint32_t number, TriangleMap& map) {
     for (std::size_t i = 0; i < 3; ++i) p.x[i] = snapped(p.x[i]), p.y[i] = snapped(p.y[i]);
-    const auto [x0, x1] = centres(std::ranges::min(p.x), std::ranges::max(p.x), map.width);
-    const auto [y0, y1] = centres(std::ranges::min(p.y), std::ranges::max(p.y), map.height);
+    const auto [x0, x1] = pixel_centers(std::ranges::min(p.x), std::ranges::max(p.x), map.width);
+    const auto [y0, y1] = pixel_centers(std::ranges::min(p.y), std::ranges::max(p.y), map.height);
     if (x0 > x1 || y0 > y1) return;
     const double area =
         double(p.x[1] - p.x[0]) * double(p.y[2] - p.y[0]) - double(p.y[1] - p.y[0]) * double(p.x[2] - p.x[0]);
@@ -171,9 +172,9 @@ void fill(ProjectedPiece p, std::uint32_t number, TriangleMap& map) {
     }
     for (int y = y0; y <= y1; ++y) {
         double a = row[0], b = row[1], c = row[2], plane = inverse_row;
-        float* depth = &map.inverse_depth[std::size_t(y) * std::size_t(map.width)];
-        std::uint32_t* shown = &map.triangles[std::size_t(y) * std::size_t(map.width)];
-        float* value = &map.value[std::size_t(y) * std::size_t(map.width)];
+        const std::size_t start = std::size_t(y) * std::size_t(map.width);
+        float *depth = &map.inverse_depth[start], *value = &map.value[start];
+        std::uint32_t* shown = &map.triangles[start];
         for (int x = x0; x <= x1; ++x) {
             const auto inverse = float(p.clamped(plane));
             if (std::min(std::min(a, b), c) >= 0 && inverse > depth[x]) {
@@ -194,7 +195,7 @@ void fill(ProjectedPiece p, std::uint32_t number, TriangleMap& map) {
 TriangleMap rasterize(const PhotoProjection& projection, std::span<const std::uint32_t> indices,
                       std::span<const float> values) {
     const Intrinsics& k = projection.intrinsics;
-    // The last row may be filled past its end.
+    // Vector stores may write past the end of the last row.
     const std::size_t pixels = std::size_t(k.width) * std::size_t(k.height), padded = pixels + lanes;
     TriangleMap map{k.width, k.height, std::vector<float>(padded, 0.0f),
                     std::vector<std::uint32_t>(padded, TriangleMap::none), std::vector<float>(padded, 0.0f)};

@@ -428,8 +428,8 @@ TEST_F(Depth, NoTriangleThatAPixelSeesIsLeftOutOfTheFrame) {
         const Pose pose{random.rotation(), 3 * random.vector()};
         const auto clusters = make_clusters(soup.positions, soup.indices, 1 + seed * 7 % 50);
         std::vector<bool> kept(soup.indices.size() / 3, false), drawn = kept;
-        for (const auto& place : triangles_in_frame(clusters, soup.indices, camera, pose).places)
-            kept[place.triangle] = true;
+        for (const auto& source : triangles_in_frame(clusters, soup.indices, camera, pose).sources)
+            kept[source.triangle] = true;
         const View view{camera, pose};
         for (const std::uint32_t c : clusters_in_view(make_cluster_tree(clusters), clusters, view))
             for (std::uint32_t t = 0; t < clusters[c].triangles; ++t)

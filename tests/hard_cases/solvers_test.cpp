@@ -69,7 +69,7 @@ void disturb(Rig& r, double pixels) {
     for (FittedCamera& c : r.cameras) {
         PoseChange by{};
         for (double& v : by) v = normal(random) / std::sqrt(6);
-        c.given = changed(c, by);
+        c.given = apply_change(c, by);
     }
 }
 
@@ -205,7 +205,7 @@ TEST(CommonMotion, OfNothingAPointOrALineIsFinite) {
     }
     for (const auto* tracks : {&none, &point, &line}) {
         const Similarity s = common_motion(ks, given, now, *tracks);
-        const Pose moved = moved_with(now[0], inverse(s));
+        const Pose moved = compose(now[0], inverse(s));
         EXPECT_TRUE(moved.R.allFinite() && moved.t.allFinite()) << tracks->size();
         EXPECT_NEAR(moved.R.determinant(), 1, 1e-6);
         EXPECT_LT(Eigen::AngleAxisd(s.R).angle(), 0.1) << tracks->size();

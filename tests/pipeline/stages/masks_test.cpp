@@ -51,7 +51,7 @@ TEST(BorderDistance, ExactIsTheBruteForce) {
 
 TEST(BorderDistance, NearIsTheBruteForceWithinItsReach) {
     for (const auto& [width, height] : {std::pair(61, 47), {1, 90}, {90, 1}, {1, 1}, {33, 3}})
-        for (const int reach : {0, 1, 7, farthest_near}) {
+        for (const int reach : {0, 1, 7, max_near_distance}) {
             const auto borders = scattered(width, height, 30);
             const auto near = near_distance(borders, width, height, reach);
             const auto truth = brute_force(borders, width, height);
