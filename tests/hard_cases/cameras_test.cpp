@@ -86,7 +86,7 @@ std::vector<Known> folding_lenses() {
 
 }  // namespace
 
-TEST(Cameras, ARotationNotQuiteOrthogonalIsMendedToTheNearest) {
+TEST(Cameras, NearlyOrthogonalRotationIsOrthonormalized) {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
     for (const double off : {1e-12, 1e-7, 1e-4}) {
@@ -103,7 +103,7 @@ TEST(Cameras, ARotationNotQuiteOrthogonalIsMendedToTheNearest) {
     expect_refused("a mirror", [](Camera& c) { c.cam_from_world.R.col(1) *= -1; });
 }
 
-TEST(Cameras, NumbersThatAreNoneAreRefusedNamingTheCamera) {
+TEST(Cameras, InvalidNumbersAreRejectedNamingTheCamera) {
     for (const double bad : {0.0, -300.0, nan_value, infinite, -infinite}) {
         expect_refused("fx", [&](Camera& c) { c.intrinsics.fx = bad; });
         expect_refused("fy", [&](Camera& c) { c.intrinsics.fy = bad; });
@@ -118,7 +118,7 @@ TEST(Cameras, NumbersThatAreNoneAreRefusedNamingTheCamera) {
     expect_refused("height", [](Camera& c) { c.intrinsics.height = -3; });
 }
 
-TEST(Cameras, APrincipalPointOutsideTheFrameIsACamera) {
+TEST(Cameras, PrincipalPointMayLieOutsideTheFrame) {
     Camera c = good();
     c.intrinsics.cx = -900;
     c.intrinsics.cy = 5000;
@@ -131,7 +131,7 @@ TEST(Cameras, APrincipalPointOutsideTheFrameIsACamera) {
     EXPECT_NEAR((clip.x() / clip.w() + 1) / 2 * 400, 325, 1e-9);
 }
 
-TEST(Cameras, WhatIsBehindOrInfinitelyFarIsNotInThePhoto) {
+TEST(Cameras, PointsBehindOrAtInfinityAreNotInThePhoto) {
     const Camera c = good();
     const Pose& pose = c.cam_from_world;
     const Eigen::Vector3d behind = pose.center() - 2 * pose.direction();
@@ -143,7 +143,7 @@ TEST(Cameras, WhatIsBehindOrInfinitelyFarIsNotInThePhoto) {
     EXPECT_FALSE(edge_on) << "no number of pixels";
 }
 
-TEST(Lenses, FoldWhereTheClosedFormSays) {
+TEST(Lenses, FoldAtTheRadiusOfTheClosedForm) {
     for (const Known& k : folding_lenses()) {
         const double range = lens_range(k.lens);
         if (std::isinf(k.fold)) {
@@ -155,7 +155,7 @@ TEST(Lenses, FoldWhereTheClosedFormSays) {
     }
 }
 
-TEST(Lenses, BeyondTheFoldThePhotoIsNeverShownAndWithinItAlways) {
+TEST(Lenses, PhotoIsShownExactlyWithinTheFold) {
     for (const Known& k : folding_lenses()) {
         Camera c;
         c.intrinsics = {240, 180, 60, 60, 120, 90};  // 127 degrees across: beyond the strong folds
@@ -182,7 +182,7 @@ TEST(Lenses, BeyondTheFoldThePhotoIsNeverShownAndWithinItAlways) {
     }
 }
 
-TEST(Lenses, AFisheyeThatSeesBehindItselfShowsWhatIsInFront) {
+TEST(Lenses, FisheyeWiderThan180DegreesShowsWhatIsInFront) {
     Camera c;
     c.intrinsics = {200, 200, 50, 50, 100, 100};  // 229 degrees on the sensor
     c.lens.model = LensModel::fisheye;
@@ -195,7 +195,7 @@ TEST(Lenses, AFisheyeThatSeesBehindItselfShowsWhatIsInFront) {
     EXPECT_NEAR(at(199, 199)[0], 255 * drawn / 200, 2);
 }
 
-TEST(Lenses, OfMadParametersGiveNoNumberOutOfPlace) {
+TEST(Lenses, ExtremeParametersGiveFiniteValues) {
     std::mt19937 random(6);
     std::normal_distribution<double> normal;
     for (int trial = 0; trial < 300; ++trial) {
@@ -238,7 +238,7 @@ class CameraFiles : public TemporaryFolder {
 
 }  // namespace
 
-TEST_F(CameraFiles, APhotoWhoseCameraIsNoneIsLeftOutAndNamed) {
+TEST_F(CameraFiles, PhotoWithInvalidCameraIsLeftOutAndListed) {
     replace("images.txt", "2 ", "2 0 0 0 0 1 2 3 2 0001.jpg");
     const SceneInput scene = read_scene(discover(dir / "scene"));
     EXPECT_EQ(scene.photos.size(), 2u);
@@ -247,7 +247,7 @@ TEST_F(CameraFiles, APhotoWhoseCameraIsNoneIsLeftOutAndNamed) {
     EXPECT_NE(scene.left_out[0].why.find("not finite"), std::string::npos) << scene.left_out[0].why;
 }
 
-TEST_F(CameraFiles, NumbersBeyondAllBoundsAreOneLine) {
+TEST_F(CameraFiles, OutOfRangeNumbersAreReportedInOneLine) {
     for (const char* camera : {"1 PINHOLE 400 300 1e999 1 1 1", "1 PINHOLE 99999999999 300 1 1 1 1",
                                "1 PINHOLE 400 300 x 1 1 1", "1 PINHOLE 400"}) {
         SetUp();

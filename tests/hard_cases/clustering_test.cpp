@@ -65,7 +65,7 @@ long double inside_by(const View& view, const Eigen::Vector3d& point) {
 
 }  // namespace
 
-TEST(NormalClusterHardCases, FewerNormalsThanClustersAreEachACluster) {
+TEST(NormalClusterHardCases, FewerNormalsThanClustersGetOneClusterEach) {
     std::mt19937 random(1);
     for (std::size_t n = 1; n <= 6; ++n) {
         std::vector<Eigen::Vector3d> normals;
@@ -84,7 +84,7 @@ TEST(NormalClusterHardCases, FewerNormalsThanClustersAreEachACluster) {
     }
 }
 
-TEST(NormalClusterHardCases, ManyNormalsOfTwoDirectionsGiveTwoClusters) {
+TEST(NormalClusterHardCases, TwoDistinctDirectionsGiveTwoClusters) {
     std::vector<Eigen::Vector3d> normals(3000, Eigen::Vector3d::UnitX());
     for (std::size_t i = 0; i < 1000; ++i) normals[3 * i] = -Eigen::Vector3d::UnitX();
     const auto found = cluster_normals(normals, 4, 5);
@@ -94,7 +94,7 @@ TEST(NormalClusterHardCases, ManyNormalsOfTwoDirectionsGiveTwoClusters) {
     EXPECT_EQ(found[1].members, 1000u);
 }
 
-TEST(NormalClusterHardCases, SmallSetsComeCloseToTheBestOfAllPartitions) {
+TEST(NormalClusterHardCases, SmallSetsComeCloseToTheBestPartition) {
     std::mt19937 random(2);
     for (int trial = 0; trial < 60; ++trial) {
         std::vector<Eigen::Vector3d> normals;
@@ -121,7 +121,7 @@ TEST(NormalClusterHardCases, SmallSetsComeCloseToTheBestOfAllPartitions) {
     }
 }
 
-RC_GTEST_PROP(NormalClusterHardCases, AnyDirectionsAreAllInClustersOfUnitLength, ()) {
+RC_GTEST_PROP(NormalClusterHardCases, AnyDirectionsFormClustersOfUnitLength, ()) {
     // Few, along two axes, so that many are equal and what is opposite adds up to nothing.
     const auto axes = *rc::gen::resize(8, rc::gen::container<std::vector<int>>(rc::gen::element(0, 1, 2, 3)));
     std::vector<Eigen::Vector3d> normals;
@@ -140,7 +140,7 @@ RC_GTEST_PROP(NormalClusterHardCases, AnyDirectionsAreAllInClustersOfUnitLength,
     RC_ASSERT(members == (iterations ? normals.size() : 0));
 }
 
-TEST(NormalClusterHardCases, WhatIsNoDirectionIsLeftOutOrDefined) {
+TEST(NormalClusterHardCases, NonFiniteAndZeroNormalsAreHandled) {
     const std::vector<Eigen::Vector3d> none{{no_number, 0, 0},
                                             {0, std::numeric_limits<double>::infinity(), 0}};
     EXPECT_TRUE(cluster_normals(none, 4, 5).empty());
@@ -193,7 +193,7 @@ double counted_share(const CoverProblem& p, const std::vector<std::size_t>& chos
 
 }  // namespace
 
-TEST(PhotoCoverHardCases, WhatNobodySeesIsNotAskedForAndTheRestIsCovered) {
+TEST(PhotoCoverHardCases, CoversAllTrianglesThatSomePhotoSees) {
     std::mt19937 random(3);
     for (int trial = 0; trial < 80; ++trial) {
         const auto triangles = std::uint32_t(4 * (1 + random() % 40));
@@ -206,7 +206,7 @@ TEST(PhotoCoverHardCases, WhatNobodySeesIsNotAskedForAndTheRestIsCovered) {
     }
 }
 
-TEST(PhotoCoverHardCases, TakesFewMorePhotosThanTheFewestThatDo) {
+TEST(PhotoCoverHardCases, TakesAtMostTwoMoreThanTheMinimum) {
     std::mt19937 random(4);
     for (int trial = 0; trial < 40; ++trial) {
         const Bits b = random_cover(random, 48, 8);
@@ -223,7 +223,7 @@ TEST(PhotoCoverHardCases, TakesFewMorePhotosThanTheFewestThatDo) {
     }
 }
 
-TEST(PhotoCoverHardCases, NothingSeenNothingInViewAndNothingPreferred) {
+TEST(PhotoCoverHardCases, NothingSeenInViewOrPreferred) {
     const std::vector<std::uint64_t> none(1, 0), all(1, ~std::uint64_t(0));
     const CoverProblem blind{{{0, 64, 1}}, {{none, none, 1}, {none, none, 1}}};
     EXPECT_TRUE(cover(blind).empty());
@@ -241,7 +241,7 @@ TEST(PhotoCoverHardCases, NothingSeenNothingInViewAndNothingPreferred) {
     EXPECT_EQ(count_bits(all, 64, 0), 0u);
 }
 
-TEST(FrustumHardCases, KeepsEverySphereThatReachesIn) {
+TEST(FrustumHardCases, KeepsEverySphereThatIntersectsIt) {
     std::mt19937 random(5);
     for (const double fov : {0.1, 45.0, 170.0}) {
         std::size_t kept = 0, all = 0;
@@ -269,7 +269,7 @@ TEST(FrustumHardCases, KeepsEverySphereThatReachesIn) {
     }
 }
 
-TEST(FrustumHardCases, KeepsSpheresAndPointsThatItsPlanesJustTouch) {
+TEST(FrustumHardCases, KeepsSpheresAndPointsThatJustTouchItsPlanes) {
     std::mt19937 random(6);
     for (const double fov : {0.1, 45.0, 170.0})
         for (const double size : {1e-3, 1.0, 1e6})
@@ -298,7 +298,7 @@ TEST(FrustumHardCases, KeepsSpheresAndPointsThatItsPlanesJustTouch) {
             }
 }
 
-TEST(FrustumHardCases, APointOnAPlaneOfTheFrustumIsKept) {
+TEST(FrustumHardCases, KeepsPointsOnItsPlanes) {
     // Axes that no rounding tilts: the planes go through (x, 0, x) and the like exactly.
     View view = view_towards({0, 0, 0}, {0, 0, 1}, {0, -1, 0}, 90, 2, 2);
     view.intrinsics.fx = view.intrinsics.fy = 1;
@@ -324,7 +324,7 @@ TEST(FrustumHardCases, APointOnAPlaneOfTheFrustumIsKept) {
     }
 }
 
-TEST(FrustumHardCases, EveryVertexInTheFrameIsInAClusterOfTheView) {
+TEST(FrustumHardCases, KeepsTheClustersOfAllVerticesInTheFrame) {
     std::mt19937 random(8);
     for (const double size : {0.01, 1.0, 1e4}) {
         // A crumpled sheet, some of whose triangles are points.
@@ -364,7 +364,7 @@ TEST(FrustumHardCases, EveryVertexInTheFrameIsInAClusterOfTheView) {
     }
 }
 
-TEST(FrustumHardCases, SpheresThatAreNoNumbersHideNoOthers) {
+TEST(FrustumHardCases, NanSpheresDoNotHideOthers) {
     std::mt19937 random(9);
     for (int trial = 0; trial < 50; ++trial) {
         const View view = random_view(random, 45);
@@ -418,7 +418,7 @@ struct TwoClusters {
 
 }  // namespace
 
-TEST(PlanHardCases, AClusterThatIsAPointAtTheViewersEyeDoesNotEndThePlan) {
+TEST(PlanHardCases, PointClusterAtTheEyeIsPlannedAsUsual) {
     const TwoClusters t;
     const View view = view_towards({0, 0, 0}, {0, 0, 2}, {0, -1, 0}, 60, 64, 64);
     const std::vector<std::uint32_t> photos{0};
@@ -434,7 +434,7 @@ TEST(PlanHardCases, AClusterThatIsAPointAtTheViewersEyeDoesNotEndThePlan) {
     EXPECT_GT(agreements(t.scene, view)[0], 0);
 }
 
-TEST(PlanHardCases, OfNothingAllowedOrNothingInViewIsEmpty) {
+TEST(PlanHardCases, IsEmptyIfNothingIsAllowedOrInView) {
     const TwoClusters t;
     const View view = view_towards({0, 0, 0}, {0, 0, 2}, {0, -1, 0}, 60, 64, 64),
                away = view_towards({0, 0, -1}, {0, 0, -5}, {0, -1, 0}, 60, 64, 64);

@@ -161,7 +161,7 @@ class Random {
 
 }  // namespace
 
-TEST_F(Depth, EveryPixelSeesWhatItsRayMeetsFirst) {
+TEST_F(Depth, EveryPixelMatchesItsFirstRayHit) {
     // Triangles through the camera's plane, behind it, around it, slivers, large and small.
     for (unsigned seed = 1; seed <= 6; ++seed) {
         Random random(seed);
@@ -179,7 +179,7 @@ TEST_F(Depth, EveryPixelSeesWhatItsRayMeetsFirst) {
     }
 }
 
-TEST_F(Depth, SurfacesAMillionTimesAsFarAsOthersAreSeenAtTheirDepths) {
+TEST_F(Depth, DepthsAreExactOverANearFarRatioOfAMillion) {
     // About the camera, so that single precision holds the near ones, too; each strip of the frame has a
     // distance of its own, and a second surface a thousandth behind the first.
     Soup soup;
@@ -202,7 +202,7 @@ TEST_F(Depth, SurfacesAMillionTimesAsFarAsOthersAreSeenAtTheirDepths) {
             }
 }
 
-TEST_F(Depth, FromWithinAClosedModelEveryPixelSeesItsInside) {
+TEST_F(Depth, ClosedModelHasNoHolesFromInside) {
     // A cube about the camera, which stands close to one side.
     const double half = 4;
     Soup soup;
@@ -233,14 +233,14 @@ TEST_F(Depth, FromWithinAClosedModelEveryPixelSeesItsInside) {
     }
 }
 
-TEST_F(Depth, AFloorThatReachesFarAsideAndBehindIsWhereItIs) {
+TEST_F(Depth, HugeFloorKeepsItsDepth) {
     Soup soup;
     soup.add({-1e6, 1, -3}, {2e6, 1, -7}, {-3e5, 1, 10});
     for (const Seen& s : seen(soup, camera, Pose{}))
         EXPECT_EQ(count_wrong(s.geometry, soup, camera, Pose{}, 1 / 64.0), 0u) << s.by;
 }
 
-TEST_F(Depth, NoTriangleHidesItsOwnCorners) {
+TEST_F(Depth, NoTriangleOccludesItsOwnVertices) {
     Random random(8);
     Intrinsics tele = camera;  // through which a pixel's footprint is beyond a float's last digit
     tele.fx = tele.fy = 1e8;
@@ -265,7 +265,7 @@ TEST_F(Depth, NoTriangleHidesItsOwnCorners) {
     }
 }
 
-TEST_F(Depth, NothingIsSeenOfWhatIsBehind) {
+TEST_F(Depth, GeometryBehindTheCameraIsNotSeen) {
     Soup soup;
     soup.add_square({-2, -2, -3}, {4, 0, 0}, {0, 4, 0});
     soup.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});     // in the camera's plane
@@ -280,7 +280,7 @@ TEST_F(Depth, NothingIsSeenOfWhatIsBehind) {
         EXPECT_EQ(clipped(nothing, &soup.indices[i]).count, 0) << "or of pieces infinitely near";
 }
 
-TEST_F(Depth, OfSurfacesAPixelApartTheFarOneIsHiddenAndOfCloserOnesBothAreSeen) {
+TEST_F(Depth, SurfacesOccludeEachOtherBeyondAThirdOfAPixel) {
     // Apart along the line of sight by that share of a pixel's footprint; a third of one is where hiding
     // begins.
     const Intrinsics k{400, 300, 380, 380, 201.7, 148.2};
@@ -334,7 +334,7 @@ TEST_F(Depth, OfSurfacesAPixelApartTheFarOneIsHiddenAndOfCloserOnesBothAreSeen) 
         }
 }
 
-TEST_F(Depth, AFinelyTessellatedSphereHidesNoneOfItsNearSide) {
+TEST_F(Depth, FinelyTessellatedSphereDoesNotOccludeItsNearSide) {
     // Its facets lie within it, so that no line of sight to its near side meets one: seen is exactly the cap
     // before the horizon, but where facets leave room below the horizon behind it.
     constexpr std::uint32_t rings = 500, sectors = 1000;
@@ -379,7 +379,7 @@ TEST_F(Depth, AFinelyTessellatedSphereHidesNoneOfItsNearSide) {
     }
 }
 
-TEST_F(Depth, VerticesAtAnyDistanceAreSeenWhereNoRayIsBlocked) {
+TEST_F(Depth, VertexVisibilityMatchesRayCastingAtAllDistances) {
     // Triangles and slivers from 1 to a million away, each as large as its distance makes it seem.
     std::size_t visible = 0, hidden = 0, differ = 0;
     for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -416,7 +416,7 @@ TEST_F(Depth, VerticesAtAnyDistanceAreSeenWhereNoRayIsBlocked) {
     EXPECT_EQ(differ, 0u) << "of " << visible + hidden;
 }
 
-TEST_F(Depth, NoTriangleThatAPixelSeesIsLeftOutOfTheFrame) {
+TEST_F(Depth, FrustumCullingKeepsEveryHitTriangle) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         Random random(seed);
         Soup soup;
@@ -445,7 +445,7 @@ TEST_F(Depth, NoTriangleThatAPixelSeesIsLeftOutOfTheFrame) {
     }
 }
 
-TEST_F(Depth, ThePlayerShowsTheNearestOfSurfacesBetweenOneAndAMillion) {
+TEST_F(Depth, PlayerShowsTheNearestSurfaceOverANearFarRatioOfAMillion) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.photos.count = 2;
     spec.photos.samples = 1;

@@ -62,7 +62,7 @@ constexpr Size sizes[] = {{1, 1}, {1, 97}, {97, 1}, {2, 2}, {61, 47}, {64, 64}, 
 
 }  // namespace
 
-TEST_F(DistanceTransform, NoBorderIsInfinitelyFarAndOnlyBorderIsNothing) {
+TEST_F(DistanceTransform, NoBorderIsInfiniteAndAllBorderIsZero) {
     for (const Size s : sizes)
         for (const bool only : {false, true})
             for (const Result& r : all(std::vector<std::uint8_t>(s.pixels(), only), s))
@@ -70,7 +70,7 @@ TEST_F(DistanceTransform, NoBorderIsInfinitelyFarAndOnlyBorderIsNothing) {
                     ASSERT_EQ(d, only ? 0 : nowhere) << r.method << ' ' << s.width << 'x' << s.height;
 }
 
-TEST_F(DistanceTransform, OneSeedInEachCornerOfEverySize) {
+TEST_F(DistanceTransform, SingleSeedInACornerMatchesTheClosedForm) {
     for (const Size s : sizes)
         for (const int x : {0, s.width - 1})
             for (const int y : {0, s.height - 1}) {
@@ -85,7 +85,7 @@ TEST_F(DistanceTransform, OneSeedInEachCornerOfEverySize) {
             }
 }
 
-TEST_F(DistanceTransform, AsWideAsATextureGoes) {
+TEST_F(DistanceTransform, WidestTexture) {
     const Size s{16384, 3};
     const std::vector<std::array<int, 2>> seeds{{0, 0}, {16383, 2}};
     for (const Result& r : all(seeded(s, seeds), s)) {
@@ -101,7 +101,7 @@ TEST_F(DistanceTransform, AsWideAsATextureGoes) {
     }
 }
 
-TEST_F(DistanceTransform, OfAnySeedsIsThatOfTheNearest) {
+TEST_F(DistanceTransform, AnySeedsMatchBruteForce) {
     EXPECT_TRUE(rc::check([&] {
         const Size s{*rc::gen::inRange(1, 40).as("width"), *rc::gen::inRange(1, 40).as("height")};
         const auto seed = rc::gen::apply(
@@ -123,7 +123,7 @@ TEST_F(DistanceTransform, OfAnySeedsIsThatOfTheNearest) {
 
 // Cuisenaire and Macq 1999; Rong and Tan 2006: flooding may miss a nearest seed, and then finds one little
 // farther away. How much farther is measured, not known.
-TEST_F(DistanceTransform, FloodingIsWrongSeldomAndByLittle) {
+TEST_F(DistanceTransform, FloodingErrorsAreRareAndSmall) {
     std::mt19937 random(5);
     for (const DistanceMethod m : flooding) {
         double worst = 0;
@@ -150,7 +150,7 @@ TEST_F(DistanceTransform, FloodingIsWrongSeldomAndByLittle) {
     }
 }
 
-TEST_F(DistanceTransform, TheMaskOfEverySizeIsFiniteAndZeroOnTheOutline) {
+TEST_F(DistanceTransform, MaskIsNearlyZeroOnTheOutlineAtAllSizes) {
     for (const Size s : sizes) {
         const auto mask =
             border_mask(exact_distance(std::vector<std::uint8_t>(s.pixels(), 0), s.width, s.height), s.width,

@@ -89,7 +89,7 @@ std::vector<std::pair<std::string, RenderSettings>> kinds() {
 
 /// A wall whose triangles' normals cancel out within them, with degenerate triangles and colours of 0 and
 /// 255.
-class FiniteOddModel : public FinitePictures {
+class FinitePicturesOfOddModel : public FinitePictures {
   protected:
     void change(const std::filesystem::path& scene) const override {
         std::ofstream ply;
@@ -123,13 +123,13 @@ class FiniteOddModel : public FinitePictures {
 
 }  // namespace
 
-TEST_F(FinitePictures, OfEveryKindFromEverywhere) {
+TEST_F(FinitePictures, EverySettingFromEveryView) {
     for (const Named& view : views())
         for (const auto& [name, s] : kinds()) count(view, s, name);
     count(views()[1], {}, "four samples a pixel", 2);
 }
 
-TEST_F(FiniteOddModel, OfNormalsThatCancelOutAndColoursAtTheirEnds) {
+TEST_F(FinitePicturesOfOddModel, CancelingNormalsAndExtremeColors) {
     for (const Named& view : views())
         for (const Blend blend : {Blend::lumigraph, Blend::best}) {
             RenderSettings s;
@@ -143,7 +143,7 @@ TEST_F(FiniteOddModel, OfNormalsThatCancelOutAndColoursAtTheirEnds) {
     count({"large", large}, s, "shaded");
 }
 
-TEST_F(FinitePictures, CountingFindsWhatWasPutIn) {
+TEST_F(FinitePictures, CountsInjectedNonFiniteValues) {
     const Named view = views()[1];
     ASSERT_EQ(count(view, {}, "usual"), 0u);
     const std::size_t pixels = 48 * 36;
@@ -163,7 +163,7 @@ TEST_F(FinitePictures, CountingFindsWhatWasPutIn) {
     EXPECT_EQ(count(view, {}, "the next frame clears it all"), 0u);
 }
 
-TEST_F(FinitePictures, AViewThatIsNoNumberIsRefusedAndTheNextOneDrawn) {
+TEST_F(FinitePictures, NonFiniteViewIsRejectedAndTheNextOneDrawn) {
     const View good = between(0, 1, 48, 36);
     const Picture before = picture(good, {});
     const double bad = std::numeric_limits<double>::quiet_NaN(),
@@ -203,7 +203,7 @@ TEST_F(FinitePictures, AViewThatIsNoNumberIsRefusedAndTheNextOneDrawn) {
     EXPECT_EQ(count_non_finite(renderer->targets()).all(), 0u);
 }
 
-TEST_F(FinitePictures, AnEyeOrATargetBeyondCountingIsNoView) {
+TEST_F(FinitePictures, NonFiniteEyeOrTargetIsRejected) {
     for (const double far : {1e200, std::numeric_limits<double>::infinity(), std::nan("")})
         EXPECT_THROW(view_towards({far, 0, 0}, {0, 0, 0}, {0, 0, 1}, 45, 10, 10), Error) << far;
 }

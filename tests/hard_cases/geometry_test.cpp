@@ -179,7 +179,7 @@ class Geometry : public TemporaryFolder {
 
 }  // namespace
 
-TEST_F(Geometry, WhatHasNoAreaShowsNowhere) {
+TEST_F(Geometry, ZeroAreaTrianglesChangeNothing) {
     const Result sound = shown(scene.mesh);
     Mesh mesh = scene.mesh;
     const Eigen::Vector3d a = mesh.positions[0], b = mesh.positions[1];
@@ -196,7 +196,7 @@ TEST_F(Geometry, WhatHasNoAreaShowsNowhere) {
     EXPECT_NE(with.warnings[0].find("2 broken triangles"), std::string::npos) << with.warnings[0];
 }
 
-TEST_F(Geometry, DuplicatesChangeNothing) {
+TEST_F(Geometry, DuplicateTrianglesChangeNothing) {
     const Result sound = shown(scene.mesh);
     Mesh same_corners = scene.mesh, other_corners = scene.mesh;
     const auto vertices = std::uint32_t(scene.mesh.positions.size());
@@ -213,7 +213,7 @@ TEST_F(Geometry, DuplicatesChangeNothing) {
         EXPECT_NEAR(twice.seen[i], sound.seen[i], 0.01) << "a surface does not hide its double";
 }
 
-TEST_F(Geometry, WhereUnusedVerticesAreCountsForNothing) {
+TEST_F(Geometry, UnusedVerticesChangeNothing) {
     const Result sound = shown(scene.mesh);
     Mesh mesh = scene.mesh;
     for (const double far : {1e3, -1e6, 1e12, 1e200}) add(mesh, {far, -far, far});
@@ -222,7 +222,7 @@ TEST_F(Geometry, WhereUnusedVerticesAreCountsForNothing) {
     expect_same(sound.pictures, shown(mesh).pictures);
 }
 
-TEST_F(Geometry, TrianglesOfVerticesThatAreNoPlaceAreLeftOut) {
+TEST_F(Geometry, TrianglesWithNonFiniteVerticesAreDropped) {
     const Result sound = shown(scene.mesh);
     Mesh mesh = scene.mesh;
     for (const double bad : {no_number, infinite, -infinite, 1e300, -1e30})
@@ -237,7 +237,7 @@ TEST_F(Geometry, TrianglesOfVerticesThatAreNoPlaceAreLeftOut) {
     EXPECT_NE(with.warnings[0].find("15 broken triangles"), std::string::npos) << with.warnings[0];
 }
 
-TEST_F(Geometry, CornersThatAreNoPlaceDoNotTakeTheirNeighboursInStl) {
+TEST_F(Geometry, NanCornersInStlDoNotAffectOtherTriangles) {
     std::ofstream out(dir / "mesh.stl");
     out << "solid\n";
     const auto facet = [&](const char* a, const char* b, const char* c) {
@@ -256,7 +256,7 @@ TEST_F(Geometry, CornersThatAreNoPlaceDoNotTakeTheirNeighboursInStl) {
     EXPECT_EQ(mesh.positions.size(), 4u) << "and what they share is one vertex";
 }
 
-TEST_F(Geometry, NormalsThatAreNoneAreMade) {
+TEST_F(Geometry, InvalidNormalsAreRecomputed) {
     Mesh mesh = scene.mesh;
     const float bad[] = {0, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
                          1e30f, 1e-30f};
@@ -274,7 +274,7 @@ TEST_F(Geometry, NormalsThatAreNoneAreMade) {
     expect_same(shown(scene.mesh).pictures, shown(mesh).pictures);
 }
 
-TEST_F(Geometry, WindingAndNormalsDoNotDecideWhatIsSeen) {
+TEST_F(Geometry, VisibilityDoesNotDependOnWindingOrNormals) {
     subdivide_large_triangles(scene.mesh);  // which goes by the order of corners
     const Result sound = shown(scene.mesh);
     Mesh inside_out = scene.mesh, mixed = scene.mesh, normals_only = scene.mesh;
@@ -324,7 +324,7 @@ TEST_F(Geometry, NonManifoldOpenAndClosedSurfacesAreShown) {
     EXPECT_GT(with.seen[0], 0.3);
 }
 
-TEST_F(Geometry, OneTriangleIsAModelAndNoneIsRefused) {
+TEST_F(Geometry, OneTriangleIsShownAndNoneIsRejected) {
     Mesh one;
     add(one, {-2, -1, 0.5}, {2, -1, 0.5}, {0, -1, 5});
     const Result with = shown(one);
@@ -341,7 +341,7 @@ TEST_F(Geometry, OneTriangleIsAModelAndNoneIsRefused) {
     expect_refused({}, "has no vertices");
 }
 
-TEST_F(Geometry, PointsOnALineOrAllInOnePlaceAreAModelThatShowsNothing) {
+TEST_F(Geometry, CollinearOrCoincidentPointsShowNothing) {
     for (const double along : {0.0, 1.0}) {
         Mesh mesh;
         for (int i = 0; i < 40; ++i) {
@@ -358,7 +358,7 @@ TEST_F(Geometry, PointsOnALineOrAllInOnePlaceAreAModelThatShowsNothing) {
     }
 }
 
-TEST_F(Geometry, PhotosThatSeeNothingArePhotos) {
+TEST_F(Geometry, PhotosThatSeeNothingAreValid) {
     for (const std::size_t blind : {1u, 2u}) {
         const Result with = shown(scene.mesh, [&](SceneInput& s) {
             for (std::size_t i = 0; i < blind; ++i) {
@@ -373,7 +373,7 @@ TEST_F(Geometry, PhotosThatSeeNothingArePhotos) {
     }
 }
 
-TEST_F(Geometry, ClustersAreNumbersAtAnyScale) {
+TEST_F(Geometry, ClustersAreFiniteAtAllScales) {
     // The fourth power of an edge stands below the root of a normal's length.
     std::vector<Eigen::Vector3f> unit;
     std::vector<std::uint32_t> indices;
@@ -393,7 +393,7 @@ TEST_F(Geometry, ClustersAreNumbersAtAnyScale) {
     }
 }
 
-TEST_F(Geometry, SurfaceDiscsAreTheSameAtAnyScale) {
+TEST_F(Geometry, SurfaceDiscsAreTheSameAtAllScales) {
     std::vector<Eigen::Vector3f> unit;
     std::vector<std::uint32_t> indices;
     for (const Eigen::Vector3d& p : scene.mesh.positions) unit.push_back(p.cast<float>());
@@ -412,7 +412,7 @@ TEST_F(Geometry, SurfaceDiscsAreTheSameAtAnyScale) {
     }
 }
 
-TEST_F(Geometry, ManyTrianglesAreClusteredWhole) {
+TEST_F(Geometry, TenMillionTrianglesAreAllClustered) {
     // A wavy grid of ten million triangles.
     constexpr std::uint32_t side = 2237;
     std::vector<Eigen::Vector3f> positions;
@@ -505,7 +505,7 @@ Eigen::Vector3d through(const Eigen::Vector2d& uv) {
 
 }  // namespace
 
-TEST(SeenHull, IsThatOfTheMonotoneChain) {
+TEST(SeenHull, MatchesTheMonotoneChain) {
     std::mt19937 random(19);
     std::uniform_real_distribution<double> unit(0, 1);
     for (int trial = 0; trial < 300; ++trial) {
@@ -529,7 +529,7 @@ TEST(SeenHull, IsThatOfTheMonotoneChain) {
     }
 }
 
-RC_GTEST_PROP(SeenHull, OfAnyPointsIsThatOfTheMonotoneChain, ()) {
+RC_GTEST_PROP(SeenHull, AnyPointsMatchTheMonotoneChain, ()) {
     // On a coarse grid many fall on one line, and many in one place.
     const auto grid = *rc::gen::container<std::vector<std::array<int, 2>>>(
         rc::gen::container<std::array<int, 2>>(rc::gen::inRange(0, 17)));
@@ -546,7 +546,7 @@ RC_GTEST_PROP(SeenHull, OfAnyPointsIsThatOfTheMonotoneChain, ()) {
     if (truth.area > 1e-5) RC_ASSERT((found.direction - through(truth.centroid)).norm() < 1e-3);
 }
 
-TEST(SeenHull, OfNothingAPointOrALineHasNoAreaAndADirection) {
+TEST(SeenHull, NoPointsOnePointOrALineHaveNoAreaButADirection) {
     const Pose pose{Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix(),
                     {1, 2, 3}};
     for (const auto& uv : {std::vector<Eigen::Vector2f>{}, std::vector<Eigen::Vector2f>(50, {-1, -1})}) {

@@ -71,7 +71,7 @@ class HardPhotos : public TemporaryFolder {
 
 }  // namespace
 
-TEST_F(HardPhotos, CutAtEveryPercentIsRefusedOrWhole) {
+TEST_F(HardPhotos, TruncatedAtEveryPercentIsRejectedOrWhole) {
     for (const char* name : {"p.jpg", "p.png", "p.tif"}) {
         const fs::path whole = write(name, 64, 48, 3, noise(64, 48, 3));
         const std::string bytes = slurp(whole);
@@ -87,7 +87,7 @@ TEST_F(HardPhotos, CutAtEveryPercentIsRefusedOrWhole) {
     }
 }
 
-TEST_F(HardPhotos, AFlippedBitNeverEndsTheProgram) {
+TEST_F(HardPhotos, FlippedBitsNeverCrash) {
     std::mt19937 random(4);
     for (const char* name : {"p.jpg", "p.png", "p.tif"}) {
         const std::string bytes = slurp(write(name, 40, 30, 3, noise(40, 30, 3)));
@@ -101,7 +101,7 @@ TEST_F(HardPhotos, AFlippedBitNeverEndsTheProgram) {
     }
 }
 
-TEST_F(HardPhotos, AnotherSizeThanItsCamerasIsRefusedBeforeMemoryIsTaken) {
+TEST_F(HardPhotos, SizeMismatchIsRejectedBeforeAllocating) {
     std::string bytes = slurp(write("p.jpg", 64, 48, 3, noise(64, 48, 3)));
     // The frame header: marker, length, precision, height, width.
     const std::size_t at = bytes.find("\xff\xc0");
@@ -111,7 +111,7 @@ TEST_F(HardPhotos, AnotherSizeThanItsCamerasIsRefusedBeforeMemoryIsTaken) {
     EXPECT_NE(why.find("65000x65000, its camera expects 64x48"), std::string::npos) << why;
 }
 
-TEST_F(HardPhotos, ByWhateverExtensionAPhotoIsWhatItHolds) {
+TEST_F(HardPhotos, ContentDecidesTheFormatNotTheExtension) {
     const std::string jpeg = slurp(write("p.jpg", 20, 10, 3, noise(20, 10, 3)));
     const std::string png = slurp(write("p.png", 20, 10, 3, noise(20, 10, 3)));
     EXPECT_EQ(refusal(put("jpeg.png", jpeg), {20, 10}), "");
@@ -123,7 +123,7 @@ TEST_F(HardPhotos, ByWhateverExtensionAPhotoIsWhatItHolds) {
     EXPECT_NE(refusal(put("marker.jpg", "\xff\xd8"), {20, 10}), "");
 }
 
-TEST_F(HardPhotos, EveryExifOrientationKeepsOrTurnsTheFirstPixel) {
+TEST_F(HardPhotos, ExifOrientationIsIgnoredUnlessTheCameraExpectsIt) {
     std::vector<std::uint8_t> pixels(3 * 2 * 3, 200);
     std::fill_n(pixels.begin(), 3, std::uint8_t(0));
     for (int o = 1; o <= 8; ++o) {
@@ -133,11 +133,11 @@ TEST_F(HardPhotos, EveryExifOrientationKeepsOrTurnsTheFirstPixel) {
         if (o < 5) {
             EXPECT_NE(refusal(file, {2, 3}), "") << "orientation " << o << " turns nothing on its side";
         }
-        // 5 to 8: Photos.AreTurnedWhereTheirCameraExpectsThemTurned
+        // 5 to 8: Photos.AreRotatedOnlyIfTheCameraExpectsIt
     }
 }
 
-TEST_F(HardPhotos, FloatsBeyondAllBoundsBecomeBytes) {
+TEST_F(HardPhotos, NonFiniteAndHugeFloatsAreClamped) {
     const float inf = std::numeric_limits<float>::infinity(), nan = std::nanf("");
     std::vector<float> pixels(4 * 2 * 3, 0.5f);
     const float odd[] = {inf, -inf, nan, 1e30f, -1e30f, 1e-40f};
@@ -153,7 +153,7 @@ TEST_F(HardPhotos, FloatsBeyondAllBoundsBecomeBytes) {
     }
 }
 
-TEST_F(HardPhotos, OnePixelARowOrAColumnHaveAPyramid) {
+TEST_F(HardPhotos, SinglePixelsRowsAndColumnsHaveAPyramid) {
     for (const auto& [width, height] : {std::pair(1, 1), {1, 700}, {700, 1}, {2, 513}, {505, 505}}) {
         RgbaImage p{width, height, noise(width, height, 4)};
         for (std::size_t i = 3; i < p.rgba.size(); i += 4) p.rgba[i] = 255;
@@ -172,7 +172,7 @@ TEST_F(HardPhotos, OnePixelARowOrAColumnHaveAPyramid) {
 }
 
 // 100,000 pixels wide: beyond what a JPEG can say and what a texture can hold; tiles do not care.
-TEST_F(HardPhotos, AsWideAsNoTextureIsPrepared) {
+TEST_F(HardPhotos, PreparesPhotosWiderThanAnyTexture) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.photos.count = 1;
     spec.photos.samples = 1;
@@ -208,7 +208,7 @@ TEST_F(HardPhotos, AsWideAsNoTextureIsPrepared) {
     }
 }
 
-TEST_F(HardPhotos, APhotoOfAnotherShapeThanItsCameraIsLeftOutAndNamed) {
+TEST_F(HardPhotos, AspectRatioMismatchIsLeftOutAndListed) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.photos.count = 3;
     spec.photos.samples = 1;

@@ -24,7 +24,7 @@ bool one_line(const std::string& text) {
     return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n';
 }
 
-class PlayerLife : public PreparedScene {
+class PlayerLifetime : public PreparedScene {
   protected:
     RenderSettings streamed() const {
         RenderSettings s;
@@ -99,7 +99,7 @@ class PlayerLife : public PreparedScene {
 
 }  // namespace
 
-TEST_F(PlayerLife, AWindowOfAnotherSizeInEveryFrame) {
+TEST_F(PlayerLifetime, WindowResizedEveryFrame) {
     std::mt19937 random(1);
     Renderer fresh(*package, MemoryBudget{});
     for (int frame = 0; frame < 20; ++frame) {
@@ -116,7 +116,7 @@ TEST_F(PlayerLife, AWindowOfAnotherSizeInEveryFrame) {
     }
 }
 
-TEST_F(PlayerLife, AWindowOfOnePixelShowsAllThereIsToCompare) {
+TEST_F(PlayerLifetime, ComparesInWindowsOfAFewPixels) {
     for (const int width : {1, 2, 3, 5})
         for (const Compare compare :
              {Compare::nothing, Compare::side_by_side, Compare::wiper, Compare::difference}) {
@@ -129,7 +129,7 @@ TEST_F(PlayerLife, AWindowOfOnePixelShowsAllThereIsToCompare) {
         }
 }
 
-TEST_F(PlayerLife, AWindowAsWideOrHighAsATextureGoesAndNoLarger) {
+TEST_F(PlayerLifetime, WindowsUpToTheTextureLimit) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     RenderSettings s;
@@ -161,7 +161,7 @@ TEST_F(PlayerLife, AWindowAsWideOrHighAsATextureGoesAndNoLarger) {
     EXPECT_GT(picture(own_view(2, 0.1), s).rgba.size(), 0u) << "and it goes on";
 }
 
-TEST_F(PlayerLife, APathOrASizeOfNonsenseIsRefusedInOneLine) {
+TEST_F(PlayerLifetime, InvalidPathsAndSizesAreReportedInOneLine) {
     const fs::path path = dir / "odd.path";
     for (const char* line :
          {"nan 0 0 1 1 1", "0 0 0 inf 1 1", "1e400 0 0 1 1 1", "0 0 0 0 0 0", "1e300 0 0 -1e300 0 0",
@@ -191,7 +191,7 @@ TEST_F(PlayerLife, APathOrASizeOfNonsenseIsRefusedInOneLine) {
         << wide.says;
 }
 
-TEST_F(PlayerLife, ABudgetSmallerThanATileIsRefusedOrStillShowsThePicture) {
+TEST_F(PlayerLifetime, BudgetSmallerThanATileIsRejectedOrStillWorks) {
     const View view = own_view(2, 0.3);
     for (const std::uint64_t bytes : {std::uint64_t(1), std::uint64_t(100'000), std::uint64_t(1) << 20}) {
         Renderer small(*package, {bytes, 1});
@@ -216,7 +216,7 @@ TEST_F(PlayerLife, ABudgetSmallerThanATileIsRefusedOrStillShowsThePicture) {
     EXPECT_EQ(picture_then, shown(*renderer, view, usual));
 }
 
-TEST_F(PlayerLife, AClockFarOnOrSetBackChangesNoPicture) {
+TEST_F(PlayerLifetime, ClockJumpsDoNotChangeThePicture) {
     const View view = own_view(2, 0.3);
     const RenderSettings s = streamed();
     ASSERT_TRUE(settle(*renderer, view, s, 0));
@@ -233,7 +233,7 @@ TEST_F(PlayerLife, AClockFarOnOrSetBackChangesNoPicture) {
     }
 }
 
-TEST(LayerPoolLife, FramesAreToldApartToTheLastNumber) {
+TEST(LayerPoolLifetime, FrameCounterMayWrapAround) {
     constexpr std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
     LayerPool pool(2, 5);
     ASSERT_TRUE(pool.place(0, last - 1) && pool.place(1, last - 1));
@@ -246,7 +246,7 @@ TEST(LayerPoolLife, FramesAreToldApartToTheLastNumber) {
     EXPECT_TRUE(pool.layer_of(2) && pool.layer_of(3));
 }
 
-TEST_F(PlayerLife, APackageThatIsCutShortWhileItIsShownIsNamed) {
+TEST_F(PlayerLifetime, TruncatingTheOpenPackageIsReported) {
     const Outcome cut = play_while([&] { fs::resize_file(file, 4096); });
     EXPECT_EQ(cut.code, int(Exit::damaged)) << cut.says;
     EXPECT_TRUE(one_line(cut.says)) << cut.says;
@@ -254,14 +254,14 @@ TEST_F(PlayerLife, APackageThatIsCutShortWhileItIsShownIsNamed) {
         << cut.says;
 }
 
-TEST_F(PlayerLife, APackageThatIsDeletedWhileItIsShownGoesOn) {
+TEST_F(PlayerLifetime, DeletingTheOpenPackageChangesNothing) {
     const Outcome gone = play_while([&] { fs::remove(file); });
     EXPECT_EQ(gone.code, 0) << gone.says;
     EXPECT_TRUE(gone.says.empty()) << gone.says;
     EXPECT_TRUE(fs::exists(dir / "pictures" / "0039.png"));
 }
 
-TEST_F(PlayerLife, APackageThatIsOverwrittenWhileItIsShownIsLeftOutUntilItIsRestored) {
+TEST_F(PlayerLifetime, OverwrittenTilesAreLeftOutUntilRestored) {
     const View view = own_view(2, 0.5);
     const RenderSettings s = streamed();
     ASSERT_TRUE(settle(*renderer, own_view(0, 0.1), s, 0));
@@ -288,7 +288,7 @@ TEST_F(PlayerLife, APackageThatIsOverwrittenWhileItIsShownIsLeftOutUntilItIsRest
     EXPECT_EQ(shown(*renderer, view, s), shown(fresh, view, s));
 }
 
-TEST_F(PlayerLife, WithoutGraphicsItSaysSoInOneLine) {
+TEST_F(PlayerLifetime, MissingOpenGlIsReportedInOneLine) {
     const std::string none =
         "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent/egl.json "
         "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent LIBGL_DRIVERS_PATH=/nonexistent";

@@ -216,7 +216,7 @@ Eigen::Matrix3d turned(double angle, const Eigen::Vector3d& axis) {
 
 }  // namespace
 
-TEST_F(ScaleAndPlace, NeitherUnitsNorPlaceNorDirectionChangeTheScene) {
+TEST_F(ScaleAndPlace, UnitsPositionAndOrientationDoNotMatter) {
     const Eigen::Matrix3d none = Eigen::Matrix3d::Identity();
     const Eigen::Vector3d here = Eigen::Vector3d::Zero();
     const Similarity cases[] = {{1e-4, here, none},
@@ -232,7 +232,7 @@ TEST_F(ScaleAndPlace, NeitherUnitsNorPlaceNorDirectionChangeTheScene) {
     }
 }
 
-TEST_F(ScaleAndPlace, EightThousandTimesAsLargeIsTheSameToTheLastBit) {
+TEST_F(ScaleAndPlace, ScalingByAPowerOfTwoIsBitExact) {
     const auto other = opened({.scale = 0x1p13}, "other");
     for (const std::uint32_t photo : given->photos) {
         EXPECT_EQ(given->texels(Type::masks, photo, mask_level),

@@ -103,7 +103,7 @@ Track seen_twice(const Eigen::Vector3d& x) {
 
 }  // namespace
 
-TEST(PoseSolver, NothingToSolveChangesNothing) {
+TEST(PoseSolver, NoTracksLeavePosesUnchanged) {
     Rig empty = rig(3, 0);
     EXPECT_FALSE(solve(empty).usable);
     EXPECT_EQ(largest(empty), 0);
@@ -112,7 +112,7 @@ TEST(PoseSolver, NothingToSolveChangesNothing) {
     EXPECT_EQ(largest(lonely), 0);
 }
 
-TEST(PoseSolver, WithoutAnAnchorTheFrameIsFreeAndStaysFinite) {
+TEST(PoseSolver, FreeFrameWithoutAnAnchorStaysFinite) {
     Rig r = rig(4, 200);
     disturb(r, 3);
     // Held by next to nothing, all cameras may slide together: six directions without a curvature.
@@ -121,14 +121,14 @@ TEST(PoseSolver, WithoutAnAnchorTheFrameIsFreeAndStaysFinite) {
     EXPECT_LT(largest(r), 200);
 }
 
-TEST(PoseSolver, TooFewStarsForACamerasSixNumbersAreHeldByTheAnchor) {
+TEST(PoseSolver, TooFewTracksAreHeldByTheAnchor) {
     Rig r = rig(2, 2);  // two corners: four equations, twelve unknowns
     disturb(r, 2);
     EXPECT_TRUE(solve(r).usable);
     EXPECT_LT(largest(r), 20);
 }
 
-TEST(PoseSolver, GroupsThatShareNothingAreSolvedApart) {
+TEST(PoseSolver, DisconnectedGroupsAreSolvedSeparately) {
     Rig together = rig(6, 300, 2);
     disturb(together, 2);
     solve(together);
@@ -142,7 +142,7 @@ TEST(PoseSolver, GroupsThatShareNothingAreSolvedApart) {
         for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(together.change[i][c], alone.change[i][c], 1e-3);
 }
 
-TEST(PoseSolver, AnOutlierFarAwayMovesNothing) {
+TEST(PoseSolver, FarOutlierHasNoInfluence) {
     Rig clean = rig(4, 200), with = rig(4, 200);
     disturb(clean, 2);
     disturb(with, 2);
@@ -153,7 +153,7 @@ TEST(PoseSolver, AnOutlierFarAwayMovesNothing) {
         for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(with.change[i][c], clean.change[i][c], 0.2);
 }
 
-TEST(PoseSolver, WhatIsNoNumberOrBehindACameraIsLeftOut) {
+TEST(PoseSolver, NonFiniteTracksAndPointsBehindCamerasAreIgnored) {
     Rig clean = rig(4, 200), with = rig(4, 200);
     disturb(clean, 2);
     disturb(with, 2);
@@ -174,7 +174,7 @@ TEST(PoseSolver, WhatIsNoNumberOrBehindACameraIsLeftOut) {
     EXPECT_EQ(largest(nothing), 0);
 }
 
-TEST(PoseSolver, ACostThatIsNoNumberChangesNothing) {
+TEST(PoseSolver, NanCostLeavesPosesUnchanged) {
     Rig r = rig(4, 200);
     disturb(r, 2);
     const PoseFit fit = solve(r, 0.05, 0);  // known without any error: zero divided by zero
@@ -183,7 +183,7 @@ TEST(PoseSolver, ACostThatIsNoNumberChangesNothing) {
     EXPECT_EQ(largest(r), 0);
 }
 
-TEST(PoseSolver, OnlyOutliersStayWithinTheAnchorsReach) {
+TEST(PoseSolver, OutliersOnlyStayWithinReachOfTheAnchor) {
     Rig r = rig(5, 150);
     std::mt19937 random(9);
     for (Track& s : r.tracks)
@@ -193,7 +193,7 @@ TEST(PoseSolver, OnlyOutliersStayWithinTheAnchorsReach) {
     EXPECT_TRUE(std::isfinite(largest(r)));
 }
 
-TEST(CommonMotion, OfNothingAPointOrALineIsFinite) {
+TEST(CommonMotion, IsFiniteForNoPointsOnePointOrALine) {
     const std::vector<Intrinsics> ks(3, k);
     const std::vector<Pose> given{at(-1), at(0), at(1)};
     std::vector<Pose> now = given;
@@ -213,7 +213,7 @@ TEST(CommonMotion, OfNothingAPointOrALineIsFinite) {
     }
 }
 
-TEST(CommonMotion, OfALineIsNoTurnAboutIt) {
+TEST(CommonMotion, PointsOnALineDoNotCauseARotationAboutIt) {
     const std::vector<Intrinsics> ks(3, k);
     const std::vector<Pose> given{at(-1), at(0), at(1)};
     std::srand(3);
@@ -256,7 +256,7 @@ SampleRecord sample(double light, double radius) {
 
 }  // namespace
 
-TEST(ColorSolver, EveryDiscAtOneRadiusLeavesTheFalloffOpen) {
+TEST(ColorSolver, DiscsAtOneRadiusGiveNoFalloff) {
     Photos photos(4);
     for (std::size_t i = 0; i < photos.size(); ++i)
         for (int d = 0; d < 200; ++d) photos[i].push_back(sample(0.1 * std::exp2(0.3 * double(i)), 0.5));
@@ -265,7 +265,7 @@ TEST(ColorSolver, EveryDiscAtOneRadiusLeavesTheFalloffOpen) {
     EXPECT_LT(f.after, 1e-3);
 }
 
-TEST(ColorSolver, ACameraOneWithEachOfTwoGroupsJoinsThem) {
+TEST(ColorSolver, BridgeBetweenTwoGroupsJoinsThem) {
     // 0-1 and 2-3 share discs, and 1-2 share barely enough.
     Photos photos(4, std::vector<SampleRecord>(400, SampleRecord{}));
     for (int d = 0; d < 180; ++d)
@@ -280,7 +280,7 @@ TEST(ColorSolver, ACameraOneWithEachOfTwoGroupsJoinsThem) {
     EXPECT_NEAR(f.ln_gain[2][0] - f.ln_gain[1][0], std::log(2), 0.01);
 }
 
-TEST(ColorSolver, OneDiscOfAMillionTimesTheLightIsAnOutlier) {
+TEST(ColorSolver, ExtremelyBrightDiscIsAnOutlier) {
     Photos photos(3, std::vector<SampleRecord>(300, sample(0.2, 0.4)));
     photos[1][17] = SampleRecord{{1, 1, 1}, 100};
     photos[2][90] = SampleRecord{{65535, 65535, 65535}, 65535};
@@ -288,7 +288,7 @@ TEST(ColorSolver, OneDiscOfAMillionTimesTheLightIsAnOutlier) {
     for (const auto& g : f.ln_gain) EXPECT_LT(std::abs(g[0]), 0.01);
 }
 
-TEST(ColorSolver, PhotosThatAgreeOnNothingStayWithinBounds) {
+TEST(ColorSolver, UnrelatedPhotosStayWithinBounds) {
     std::mt19937 random(2);
     Photos photos(6);
     for (auto& p : photos)
@@ -302,7 +302,7 @@ TEST(ColorSolver, PhotosThatAgreeOnNothingStayWithinBounds) {
         for (const double v : g) EXPECT_LE(std::abs(v), std::log(4) + 1e-9);
 }
 
-RC_GTEST_PROP(ColorSolver, OfAnyPhotosGivesNumbersWithinBounds, ()) {
+RC_GTEST_PROP(ColorSolver, AnyPhotosGiveFiniteValuesWithinBounds, ()) {
     const auto count = *rc::gen::inRange<std::size_t>(0, 6), discs = *rc::gen::inRange<std::size_t>(0, 120);
     const auto light = rc::gen::element<std::uint16_t>(0, 1, 9, 300, 20'000, 65'534, 65'535);
     const auto photos = *rc::gen::container<Photos>(

@@ -99,7 +99,7 @@ class BlendedWeights : public PreparedScene {};
 
 }  // namespace
 
-TEST(DynamicWeights, OfAllZeroOneOrManyEqualValuesAreOne) {
+TEST(DynamicWeights, EqualValuesGiveOne) {
     for (const std::size_t n : {1u, 2u, 500u})
         for (const double v : {0.0, 1e-300, 1.0, 1e300})
             for (const double w : nearest_is_one(std::vector<double>(n, v))) EXPECT_EQ(w, 1) << n << ' ' << v;
@@ -107,7 +107,7 @@ TEST(DynamicWeights, OfAllZeroOneOrManyEqualValuesAreOne) {
     EXPECT_EQ(one_only, (std::vector<double>{1e-3, 1e-3, 1, 1e-3}));
 }
 
-TEST(DynamicWeights, ReachOverTwelveOrdersOfMagnitude) {
+TEST(DynamicWeights, SpanTwelveOrdersOfMagnitude) {
     std::vector<double> values;
     for (int i = 0; i <= 12; ++i) values.push_back(std::pow(10, i));
     const std::vector<double> w = nearest_is_one(values);
@@ -117,7 +117,7 @@ TEST(DynamicWeights, ReachOverTwelveOrdersOfMagnitude) {
     }
 }
 
-RC_GTEST_PROP(DynamicWeights, OfAnyValuesAreOneForTheLeastAndFallWithTheRest, ()) {
+RC_GTEST_PROP(DynamicWeights, AnyValuesFallMonotonicallyFromOne, ()) {
     const auto values = *rc::gen::nonEmpty(rc::gen::container<std::vector<double>>(
         rc::gen::apply([](int mantissa, int exponent) { return mantissa * std::pow(10, exponent); },
                        rc::gen::inRange(0, 1000), rc::gen::inRange(-300, 301))));
@@ -129,7 +129,7 @@ RC_GTEST_PROP(DynamicWeights, OfAnyValuesAreOneForTheLeastAndFallWithTheRest, ()
     }
 }
 
-TEST(DynamicWeights, EqualDistancesThatDifferByRoundingCountTheSame) {
+TEST(DynamicWeights, RoundingOfEqualDistancesDoesNotMatter) {
     std::mt19937 random(1);
     for (int trial = 0; trial < 100; ++trial) {
         const Eigen::Vector3d eye = random_unit(random) * std::pow(10, double(random() % 5));
@@ -144,7 +144,7 @@ TEST(DynamicWeights, EqualDistancesThatDifferByRoundingCountTheSame) {
     }
 }
 
-TEST(DynamicWeights, EqualAnglesThatDifferByRoundingCountTheSame) {
+TEST(DynamicWeights, RoundingOfEqualAnglesDoesNotMatter) {
     std::mt19937 random(2);
     for (const double away : {0.0, 0.4, std::numbers::pi / 2, std::numbers::pi}) {
         const Eigen::Matrix3d R = turned(0.3, 0.2, 0.1);
@@ -161,7 +161,7 @@ TEST(DynamicWeights, EqualAnglesThatDifferByRoundingCountTheSame) {
     }
 }
 
-TEST(DynamicWeights, AreThoseOfTheEquationsForOneTwoAndManyPhotos) {
+TEST(DynamicWeights, MatchTheEquationsForOneTwoAndManyPhotos) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> angle(-3, 3);
     for (int trial = 0; trial < 60; ++trial) {
@@ -183,7 +183,7 @@ TEST(DynamicWeights, AreThoseOfTheEquationsForOneTwoAndManyPhotos) {
     }
 }
 
-TEST(DynamicWeights, OppositeDirectionsAndTheViewpointAtACameraAreDefined) {
+TEST(DynamicWeights, AreDefinedForOppositeDirectionsAndAtACamera) {
     const Eigen::Matrix3d ahead = turned(0, 0, 0), back = turned(0, std::numbers::pi, 0);
     const std::vector photos{photo_at({0, 0, 0}, ahead), photo_at({0, 0, 0}, back),
                              photo_at({3, 0, 0}, ahead)};
@@ -196,7 +196,7 @@ TEST(DynamicWeights, OppositeDirectionsAndTheViewpointAtACameraAreDefined) {
     EXPECT_NEAR(w[2], 1e-3, 1e-12) << "looks the same way from farthest off";
 }
 
-TEST(DynamicWeights, FieldsOfViewOfATenthAndAHundredAndSeventyDegreesAreFinite) {
+TEST(DynamicWeights, AreFiniteForExtremeFieldsOfView) {
     for (const double own : {0.1, 60.0, 170.0})
         for (const double wanted : {0.1, 60.0, 170.0}) {
             // Before what it sees, at the centre of the model, and looking away from it at nothing.
@@ -256,7 +256,7 @@ std::vector<Extreme> extremes() {
 
 }  // namespace
 
-TEST_F(BlendedWeights, NoSettingTakesAPixelsColourAndHalfFloatsGiveThatOfFloats) {
+TEST_F(BlendedWeights, ExtremeSettingsLoseNoPixelAndHalfMatchesFloat) {
     for (const View& view : {own_view(2, 0.3), between(0, 1, 120, 90)}) {
         const Picture usual = picture(view, {});
         for (Extreme e : extremes()) {
@@ -273,7 +273,7 @@ TEST_F(BlendedWeights, NoSettingTakesAPixelsColourAndHalfFloatsGiveThatOfFloats)
 
 // Half floats cannot hold what a pass is worth over all orders of magnitude: passes that are worth next to
 // nothing count alike. Nothing is lost by that, and where a photo is worth something nothing changes.
-TEST_F(BlendedWeights, PhotosInPassesOfTheirOwnLoseNoColourInHalfFloats) {
+TEST_F(BlendedWeights, OnePhotoPerPassLosesNoPixelInHalfFloats) {
     for (const Blend blend : {Blend::lumigraph, Blend::average, Blend::best})
         for (const double sharpness : {0.055, 0.005}) {
             RenderSettings s;
@@ -292,7 +292,7 @@ TEST_F(BlendedWeights, PhotosInPassesOfTheirOwnLoseNoColourInHalfFloats) {
 }
 
 // Half floats end at 65504; from a photo's own camera its weight is a thousand times that.
-TEST_F(BlendedWeights, WhatTheBestPhotoIsWorthFitsHalfFloats) {
+TEST_F(BlendedWeights, BestPhotoWeightFitsHalfFloats) {
     RenderSettings s;
     s.blend = Blend::best;
     const View view = own_view(2, 0.3);
@@ -353,7 +353,7 @@ double summed(const std::vector<double>& weights, const std::vector<double>& col
 
 }  // namespace
 
-TEST_F(BlendedWeights, SumsOverTwelveOrdersOfMagnitudeAreThoseOfDoubles) {
+TEST_F(BlendedWeights, SumsOverTwelveOrdersOfMagnitudeMatchDoubles) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> orders(-12, 0), color(0.02, 1);
     double worst_float = 0, worst_half = 0;

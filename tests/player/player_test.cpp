@@ -87,7 +87,7 @@ double sampled_lod(const package::PhotoRecord& photo, const View& view, const Ei
 
 }  // namespace
 
-TEST(SampledLevels, HoldWhatEveryFragmentOfAClusterSamples) {
+TEST(SampledLevels, ContainTheLevelOfEveryFragment) {
     Random random;
     int looked = 0;
     for (int trial = 0; trial < 300; ++trial) {
@@ -120,7 +120,7 @@ TEST(SampledLevels, HoldWhatEveryFragmentOfAClusterSamples) {
     EXPECT_GT(looked, 500);
 }
 
-TEST(TileNeeds, AreTheTilesOfTheRecordedExtent) {
+TEST(TileNeeds, CoverTheRecordedExtent) {
     const package::PhotoRecord photo = photo_at({0, 0, -10}, Eigen::Matrix3d::Identity());
     package::ClusterRecord cluster = cluster_at({0, 0, 0}, 0.1);
     cluster.cone_axis[2] = -1;
@@ -160,7 +160,7 @@ std::vector<SurfaceSample> plane_samples(const View& view, int step, int first, 
     return out;
 }
 
-TEST(ShownTiles, AreThoseOfWhichEnoughIsShown) {
+TEST(ShownTiles, ContainTilesWithEnoughVisiblePixels) {
     const package::PhotoRecord photo = photo_at({0, 0, -10}, Eigen::Matrix3d::Identity());
     const auto needs = [&](const std::vector<SurfaceSample>& samples, double pixels) {
         return shown_tiles(photo, intrinsics(photo), cam_from_origin(photo), samples, pixels, 0.1);
@@ -183,7 +183,7 @@ TEST(ShownTiles, AreThoseOfWhichEnoughIsShown) {
     EXPECT_EQ(needs({}, 16).tiles(), 0u);
 }
 
-TEST(ShownTiles, EverySampleFindsItsLevelOrACoarserOne) {
+TEST(ShownTiles, EverySampleHasItsLevelOrACoarserOne) {
     Random random;
     for (int trial = 0; trial < 100; ++trial) {
         const View view = random_view(random), from = random_view(random);
@@ -214,7 +214,7 @@ TEST(ShownTiles, EverySampleFindsItsLevelOrACoarserOne) {
     }
 }
 
-TEST(ClusterTree, FindsWhatTheFrustumOfAnyViewHolds) {
+TEST(ClusterTree, FindsEveryClusterInTheFrustum) {
     Random random;
     std::vector<package::ClusterRecord> clusters;
     for (int i = 0; i < 700; ++i) clusters.push_back(cluster_at(random.vector(4), random(0.001, 0.3)));
@@ -239,14 +239,14 @@ TEST(ClusterTree, FindsWhatTheFrustumOfAnyViewHolds) {
     EXPECT_TRUE(clusters_in_view(make_cluster_tree({}), {}, random_view(random)).empty());
 }
 
-TEST(ClusterTree, NothingBehindTheViewer) {
+TEST(ClusterTree, DropsClustersBehindTheViewer) {
     const std::vector clusters{cluster_at({0, 0, 5}, 1)};
     const View away = view_towards({0, 0, 0}, {0, 0, -1}, {0, -1, 0}, 45, 640, 480);
     EXPECT_TRUE(clusters_in_view(make_cluster_tree(clusters), clusters, away).empty());
     EXPECT_EQ(depth_range(clusters, {}, away), Eigen::Vector2d(0, 0));
 }
 
-TEST(LayerPool, HoldsTheMostRecentlyUsedAndNeverDropsWhatTheFrameUses) {
+TEST(LayerPool, EvictsLeastRecentlyUsedButNothingInUse) {
     Random random;
     LayerPool pool(7, 40);
     std::vector<std::uint32_t> order;  // naive: most recent last
@@ -279,7 +279,7 @@ TEST(LayerPool, HoldsTheMostRecentlyUsedAndNeverDropsWhatTheFrameUses) {
         }
 }
 
-TEST(PhotoCover, LeavesAlmostNothingThatSomePhotoSees) {
+TEST(PhotoCover, LeavesAlmostNothingUncovered) {
     Random random;
     for (int trial = 0; trial < 50; ++trial) {
         const int triangles = 300, sets = 12;
@@ -307,7 +307,7 @@ TEST(PhotoCover, LeavesAlmostNothingThatSomePhotoSees) {
     EXPECT_EQ(uncovered_share({}, {}), 0);
 }
 
-TEST(NormalClusters, FindTheDirectionsThatAreThere) {
+TEST(NormalClusters, RecoverKnownDirections) {
     Random random;
     for (int trial = 0; trial < 50; ++trial) {
         std::vector<Eigen::Vector3d> truth, normals;
@@ -331,7 +331,7 @@ TEST(NormalClusters, FindTheDirectionsThatAreThere) {
     }
 }
 
-TEST(NormalClusters, OddSetsOfNormals) {
+TEST(NormalClusters, DegenerateSets) {
     const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
     EXPECT_TRUE(cluster_normals({}, 4, 5).empty());
     const std::vector<Eigen::Vector3d> same(7, x), opposite{x, -x}, broken{x * std::nan(""), x};
@@ -342,7 +342,7 @@ TEST(NormalClusters, OddSetsOfNormals) {
     ASSERT_EQ(cluster_normals(broken, 2, 5).size(), 1u);
 }
 
-TEST(Weights, NearestIsOneAndNobodyIsZero) {
+TEST(Weights, NearestIsOneAndNoneIsZero) {
     const auto w = nearest_is_one({2, 1, 3});
     EXPECT_DOUBLE_EQ(w[1], 1);
     EXPECT_DOUBLE_EQ(w[0], 0.5);
@@ -351,7 +351,7 @@ TEST(Weights, NearestIsOneAndNobodyIsZero) {
     EXPECT_TRUE(nearest_is_one({}).empty());
 }
 
-TEST(Weights, FiniteAtEveryExponent) {
+TEST(Weights, AreFiniteAtEveryExponent) {
     Random random;
     const View view = random_view(random);
     std::vector<package::PhotoRecord> photos;
@@ -374,7 +374,7 @@ TEST(Weights, FiniteAtEveryExponent) {
         }
 }
 
-TEST(Weights, FieldOfViewMovesAWideAngleCameraCloser) {
+TEST(Weights, FieldOfViewMovesATelephotoCameraCloser) {
     // Two cameras on a line; the one with half the field of view sees from afar what the view sees from near.
     package::PhotoRecord wide = photo_at({0, 0, -10}, Eigen::Matrix3d::Identity());
     package::PhotoRecord tele = photo_at({0, 0, -20}, Eigen::Matrix3d::Identity());
@@ -388,7 +388,7 @@ TEST(Weights, FieldOfViewMovesAWideAngleCameraCloser) {
     EXPECT_NEAR(w[1], 1, 1e-9) << "d' = d tan(f/2) / tan(f'/2) puts it on the view";
 }
 
-TEST(Navigation, StandsWhereThePhotoWasTaken) {
+TEST(Navigation, StandsAtThePhotosCamera) {
     Random random;
     const View v = random_view(random);
     const package::PhotoRecord photo = photo_at(v.cam_from_origin.center(), v.cam_from_origin.R);
@@ -411,7 +411,7 @@ TEST(Navigation, OrbitKeepsDistanceAndStopsAtThePoles) {
     }
 }
 
-TEST(Shots, AFrameOfAnotherShapeHoldsTheWholePhoto) {
+TEST(Shots, FrameOfAnotherAspectRatioHoldsTheWholePhoto) {
     const package::PhotoRecord photo = photo_at({0, 0, 0}, Eigen::Matrix3d::Identity());
     const Shot exact = photo_shot(photo, std::nullopt, 0.5);
     EXPECT_EQ(exact.view.intrinsics.width, 850);

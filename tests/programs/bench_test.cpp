@@ -64,7 +64,7 @@ const Measurement& row(const std::vector<Measurement>& all, const std::string& s
 
 }  // namespace
 
-TEST_F(VantageBench, EveryExactEndReproducesTheTruth) {
+TEST_F(VantageBench, ExactSettingsReproduceTheReference) {
     ASSERT_EQ(run("--set smoke -o " + (dir / "out").string()), 0) << said;
     const std::vector<Measurement> all = read_json(dir / "out" / "results.json").measurements;
     for (const Sweep& sweep : sweeps()) EXPECT_FALSE(of(all, sweep.name).empty()) << sweep.name;
@@ -95,7 +95,7 @@ TEST_F(VantageBench, EveryExactEndReproducesTheTruth) {
     EXPECT_TRUE(fs::exists(dir / "out" / "index.html"));
 }
 
-TEST_F(VantageBench, GoesOnWhereItWasCutOff) {
+TEST_F(VantageBench, ResumesAfterBeingKilled) {
     const std::string options = "--set smoke --only border,hysteresis -o " + (dir / "out").string();
     ASSERT_EQ(run(options), 0) << said;
     const std::string whole = slurp(dir / "out" / "log.jsonl"), results = slurp(dir / "out" / "results.csv");
@@ -110,7 +110,7 @@ TEST_F(VantageBench, GoesOnWhereItWasCutOff) {
     EXPECT_EQ(slurp(dir / "out" / "log.jsonl"), again);
 }
 
-TEST_F(VantageBench, SaysWhatIsWrong) {
+TEST_F(VantageBench, ReportsUsageErrors) {
     EXPECT_EQ(run("--only nonsense"), 2 << 8);
     EXPECT_NE(said.find("nonsense"), std::string::npos);
     EXPECT_EQ(run("--set huge"), 2 << 8);
@@ -121,7 +121,7 @@ TEST_F(VantageBench, SaysWhatIsWrong) {
         3 << 8);
 }
 
-TEST_F(VantageBench, ALogOfAnotherRunIsBegunAnew) {
+TEST_F(VantageBench, LogOfAnotherRunIsDiscarded) {
     Measurement m{"border", "tiny", "masks at 1/2",        "jfa",
                   true,     false,  {{"mask_mean", 0.25}}, {{"a", "b.jpg"}}};
     {

@@ -281,14 +281,14 @@ void expect_coverage_is_that_of_the_vertices(const PackageReader& package, std::
 
 }  // namespace
 
-TEST_F(EndToEnd, OwnViewsAreThePhotosOnASyntheticScene) {
+TEST_F(EndToEnd, OwnViewsMatchThePhotosOnASyntheticScene) {
     Prepared p = prepared(make(tiny()));
     expect_own_views_are_the_photos(p, 1, 1);
     expect_visibility_is_that_of_rays(p);
     for (const std::uint32_t i : p.photos) expect_coverage_is_that_of_the_vertices(*p.package, i);
 }
 
-TEST_F(EndToEnd, ABlendDoesNotDependOnThePhotosAPass) {
+TEST_F(EndToEnd, BlendDoesNotDependOnPhotosPerPass) {
     Prepared p = prepared(make(tiny()));
     for (const Blend blend : {Blend::average, Blend::lumigraph, Blend::best}) {
         const Picture one = p.own_view(2, blend, 1);
@@ -301,7 +301,7 @@ TEST_F(EndToEnd, ABlendDoesNotDependOnThePhotosAPass) {
     }
 }
 
-TEST_F(EndToEnd, BlackIsAColour) {
+TEST_F(EndToEnd, BlackPixelsAreOpaque) {
     const fs::path scene = make(tiny());
     const Picture before = prepared(scene).own_view(2, Blend::average);
     for (const auto& photo : fs::directory_iterator(scene / "images"))
@@ -313,7 +313,7 @@ TEST_F(EndToEnd, BlackIsAColour) {
     }
 }
 
-TEST_F(EndToEnd, AnExcludedPhotoDoesNotContribute) {
+TEST_F(EndToEnd, ExcludedPhotoDoesNotContribute) {
     const fs::path scene = make(tiny());
     PrepareSettings without;
     without.hold_out = {"0002"};
@@ -329,7 +329,7 @@ TEST_F(EndToEnd, AnExcludedPhotoDoesNotContribute) {
     }
 }
 
-TEST_F(EndToEnd, PhotosAreReducedAsAsked) {
+TEST_F(EndToEnd, PhotosAreReducedToTheRequestedSize) {
     const fs::path scene = make(tiny());
     PrepareSettings settings;
     settings.photo_size = 166;
@@ -340,7 +340,7 @@ TEST_F(EndToEnd, PhotosAreReducedAsAsked) {
     EXPECT_GE(psnr(small, reduced(photo, thumbnail_size(photo.width, photo.height, 166)).rgba), 40);
 }
 
-TEST_F(EndToEnd, PhotosOfAllExposuresAgree) {
+TEST_F(EndToEnd, DifferentExposuresAreReconciled) {
     SynthSpec spec = tiny();
     spec.photos.width = 662, spec.photos.height = 500;
     spec.photos.arc = 50;
@@ -391,7 +391,7 @@ void paint(const PhotoInput& photo, const std::array<std::uint8_t, 3>& color, co
     image_files().write(photo.file, k.width, k.height, 3, Sample::u8, std::as_bytes(std::span(rgb)));
 }
 
-TEST_F(EndToEnd, StrangersAndHighlightsInSinglePhotosVanish) {
+TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
     spec.photos.count = 7;
     spec.photos.arc = 60;
@@ -436,7 +436,7 @@ TEST_F(EndToEnd, StrangersAndHighlightsInSinglePhotosVanish) {
     EXPECT_LT(int(own.rgba[middle]) - int(own.rgba[middle + 1]), 100);
 }
 
-TEST_F(EndToEnd, AStencilLeavesOutWhatItCovers) {
+TEST_F(EndToEnd, StencilExcludesCoveredPixels) {
     SynthSpec spec = tiny();
     const fs::path folder = make(spec);
     const PhotoInput photo = read_scene(discover(folder)).photos[2];
@@ -467,7 +467,7 @@ TEST_F(EndToEnd, AStencilLeavesOutWhatItCovers) {
         << small.left_out[0].why;
 }
 
-TEST_F(EndToEnd, ALensIsTakenOut) {
+TEST_F(EndToEnd, LensDistortionIsRemoved) {
     // The truth is the same scene photographed without the lens.
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/hard.toml");
     spec.photos.count = 3;
@@ -486,12 +486,12 @@ TEST_F(EndToEnd, ALensIsTakenOut) {
     }
 }
 
-TEST_F(EndToEnd, VisibilityIsThatOfRaysOnTheDemoScene) {
+TEST_F(EndToEnd, VisibilityMatchesRayCastingOnTheDemoScene) {
     Prepared p = prepared(make(read_spec(VANTAGE_SOURCE_DIR "/data/demo.toml")));
     expect_visibility_is_that_of_rays(p);
 }
 
-TEST_F(EndToEnd, OwnViewsAreThePhotosOnSceaux) {
+TEST_F(EndToEnd, OwnViewsMatchThePhotosOnSceaux) {
     VANTAGE_DATASET(set, "sceaux");
     PrepareSettings with_trees;  // which stand in single photos
     with_trees.effects[Effect::consensus] = EffectChoice::off;
@@ -500,7 +500,7 @@ TEST_F(EndToEnd, OwnViewsAreThePhotosOnSceaux) {
     expect_visibility_is_that_of_rays(p);
 }
 
-TEST_F(EndToEnd, OwnViewsAreThePhotosOnFountain) {
+TEST_F(EndToEnd, OwnViewsMatchThePhotosOnFountain) {
     VANTAGE_DATASET(set, "fountain-P11");
     Prepared p = prepared(set);
     expect_own_views_are_the_photos(p, 6, 3);

@@ -62,7 +62,7 @@ bool says_off(const LeftOut& r) {
 
 }  // namespace
 
-TEST_F(Evaluate, AGoodSceneIsToldSo) {
+TEST_F(Evaluate, GoodSceneGetsNoRemarks) {
     for (const LeftOut& r : evaluate()) {
         EXPECT_GT(r.score.psnr_gain, 22) << r.name;
         EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), 0.5) << r.name;
@@ -71,7 +71,7 @@ TEST_F(Evaluate, AGoodSceneIsToldSo) {
     }
 }
 
-TEST_F(Evaluate, AWrongCameraIsFoundAndByHowMuch) {
+TEST_F(Evaluate, WrongCameraIsDetectedWithItsOffset) {
     constexpr double off = 2.5;  // pixels at full size
     Camera& camera = scene.photos[2].camera;
     Pose& pose = camera.cam_from_world;
@@ -89,7 +89,7 @@ TEST_F(Evaluate, AWrongCameraIsFoundAndByHowMuch) {
         EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), r.photo == 2 ? 2 * off : 0.7 * off) << r.name;
 }
 
-TEST_F(Evaluate, WritesWhatItFound) {
+TEST_F(Evaluate, WritesTablePagePicturesAndRegions) {
     prepare(scene, {}, file, [](const Progress&) {});
     const PackageReader package(file);
     EvaluateOptions options;
@@ -115,7 +115,7 @@ TEST_F(Evaluate, WritesWhatItFound) {
     EXPECT_EQ(lines, header + package.scene().vertices + package.scene().triangles);
 }
 
-TEST_F(Evaluate, AgainstAnEarlierOneShowsWhatHasChanged) {
+TEST_F(Evaluate, ComparesWithAnEarlierEvaluation) {
     prepare(scene, {}, file, [](const Progress&) {});
     const PackageReader package(file);
     EvaluateOptions options;

@@ -44,7 +44,7 @@ int number_from(const char* variable, int usual) {
 
 }  // namespace
 
-TEST_F(Overnight, KilledAtAnyInstantGoesOnToTheSameBytes) {
+TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtRandom) {
     if (const char* other = std::getenv("VANTAGE_KILLED_SCENE")) {
         fs::remove_all(scene);
         synthesise(read_spec(other), scene, {});
@@ -67,7 +67,7 @@ TEST_F(Overnight, KilledAtAnyInstantGoesOnToTheSameBytes) {
     std::printf("%d killed, %d of them with a part to go on from\n", killed, gone_on);
 }
 
-TEST_F(Overnight, KilledAtAnyWriteGoesOnToTheSameBytes) {
+TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtAnyWrite) {
     const std::string bytes = undisturbed();
     for (const char* fault : {"pwrite:1:KILL", "pwrite:2:KILL", "pwrite:3:KILL_AFTER", "pwrite:40:KILL",
                               "pwrite:77:KILL", "pwrite:150:KILL_AFTER", "fallocate:1:KILL", "fsync:1:KILL",
@@ -80,7 +80,7 @@ TEST_F(Overnight, KilledAtAnyWriteGoesOnToTheSameBytes) {
     }
 }
 
-TEST_F(Overnight, KilledAgainAndAgainStillArrives) {
+TEST_F(Overnight, FinishesDespiteRepeatedKills) {
     const std::string bytes = undisturbed();
     int runs = 0;
     while (with_fault("pwrite:120:KILL").code != 0)
@@ -89,14 +89,14 @@ TEST_F(Overnight, KilledAgainAndAgainStillArrives) {
     EXPECT_GT(runs, 1);
 }
 
-TEST_F(Overnight, WhatIsDoneIsNotDoneAgain) {
+TEST_F(Overnight, FinishedWorkIsKept) {
     EXPECT_EQ(with_fault("fsync:1:KILL").code, -1);
     const PrepareResult next = prepare_here();
     for (const Stage s : every_stage) EXPECT_EQ(made(next, s), 0u) << int(s);
     for (const Stage s : every_stage) EXPECT_EQ(kept(next, s), 6u) << int(s);
 }
 
-TEST_F(Overnight, WhatRotsInThePartIsMadeAgain) {
+TEST_F(Overnight, DamagedDataInThePartIsRedone) {
     const std::string bytes = undisturbed();
     EXPECT_EQ(with_fault("fsync:1:KILL").code, -1);
     std::uint64_t at = 0;
@@ -113,7 +113,7 @@ TEST_F(Overnight, WhatRotsInThePartIsMadeAgain) {
     expect_whole(bytes, "damage");
 }
 
-TEST_F(Overnight, AFullDiskIsOneLineAndNothingIsLost) {
+TEST_F(Overnight, FullDiskIsReportedInOneLineAndNothingIsLost) {
     const std::string bytes = undisturbed();
     for (const char* fault : {"fallocate:1:ENOSPC", "pwrite:1:ENOSPC", "pwrite:30:ENOSPC", "pwrite:120:EIO",
                               "pwrite:90:EACCES", "fsync:1:EIO", "rename:1:EACCES"}) {
@@ -128,7 +128,7 @@ TEST_F(Overnight, AFullDiskIsOneLineAndNothingIsLost) {
     }
 }
 
-TEST_F(Overnight, WithoutRoomForBothTheOldPackageBecomesTheNewOne) {
+TEST_F(Overnight, UpdatesInPlaceWithoutRoomForBoth) {
     prepare_here();
     fs::copy_file(photos()[1], photos()[4], fs::copy_options::overwrite_existing);
     const std::string before = slurp(file);
@@ -146,7 +146,7 @@ TEST_F(Overnight, WithoutRoomForBothTheOldPackageBecomesTheNewOne) {
     expect_whole(undisturbed(), "in place");
 }
 
-TEST_F(Overnight, ADiskTooSmallIsRefusedAtOnce) {
+TEST_F(Overnight, InsufficientDiskSpaceStopsAtOnce) {
     const Outcome refused = with_fault("statvfs:1:FULL");
     EXPECT_EQ(refused.code, int(Exit::storage));
     EXPECT_TRUE(one_line(refused.err)) << refused.err;
@@ -154,14 +154,14 @@ TEST_F(Overnight, ADiskTooSmallIsRefusedAtOnce) {
     EXPECT_FALSE(fs::exists(part_of(file)));
 }
 
-TEST_F(Overnight, MemoryTooSmallIsRefusedAtOnce) {
+TEST_F(Overnight, InsufficientMemoryStopsAtOnce) {
     const Outcome refused = prepare_program("--memory 1M");
     EXPECT_EQ(refused.code, int(Exit::usage));
     EXPECT_TRUE(one_line(refused.err)) << refused.err;
     EXPECT_EQ(prepare_program("--memory 2G").code, 0);
 }
 
-TEST_F(Overnight, RefinedAfterwardsIsAsIfPreparedSo) {
+TEST_F(Overnight, RefiningLaterGivesTheSamePackage) {
     fs::remove_all(scene);
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.exposure = {0.7, 0.2, 0.3};
@@ -181,7 +181,7 @@ TEST_F(Overnight, RefinedAfterwardsIsAsIfPreparedSo) {
     EXPECT_TRUE(slurp(dir / "off.vantage") == agreeing) << "in place, by the evidence again";
 }
 
-TEST_F(Overnight, RegisteredAfterwardsOrByMergingIsAsIfPreparedSo) {
+TEST_F(Overnight, RegisteringLaterOrByMergingGivesTheSamePackage) {
     fs::remove_all(scene);
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
     spec.photos.count = 5;
@@ -221,7 +221,7 @@ TEST_F(Overnight, RegisteredAfterwardsOrByMergingIsAsIfPreparedSo) {
     EXPECT_TRUE(slurp(merged) == registered) << "in place, by the evidence again";
 }
 
-TEST_F(Overnight, MemoryStaysBelowWhatWasSaidAndAllowed) {
+TEST_F(Overnight, MemoryStaysBelowTheEstimateAndTheLimit) {
 #ifdef VANTAGE_SANITIZED
     GTEST_SKIP() << "a sanitizer takes memory of its own";
 #endif
@@ -241,7 +241,7 @@ TEST_F(Overnight, MemoryStaysBelowWhatWasSaidAndAllowed) {
     }
 }
 
-TEST_F(Overnight, NothingChangedIsNothingDone) {
+TEST_F(Overnight, UnchangedInputsRerunNothing) {
     prepare_here();
     const auto written = fs::last_write_time(file);
     const Outcome again = prepare_program();
@@ -250,7 +250,7 @@ TEST_F(Overnight, NothingChangedIsNothingDone) {
     EXPECT_EQ(fs::last_write_time(file), written);
 }
 
-TEST_F(Overnight, AChangedPhotoIsRedoneAlone) {
+TEST_F(Overnight, ChangedPhotoIsRedoneAlone) {
     prepare_here();
     fs::copy_file(photos()[1], photos()[4], fs::copy_options::overwrite_existing);
     const PrepareResult next = prepare_here();
@@ -266,7 +266,7 @@ TEST_F(Overnight, AChangedPhotoIsRedoneAlone) {
     expect_whole(undisturbed(), "a changed photo");
 }
 
-TEST_F(Overnight, PhotosComeAndGo) {
+TEST_F(Overnight, AddedAndRemovedPhotosRerunOnlyThemselves) {
     const fs::path away = photos()[3], held = dir / "held.jpg";
     fs::rename(away, held);
     prepare_here();
@@ -281,7 +281,7 @@ TEST_F(Overnight, PhotosComeAndGo) {
     expect_whole(undisturbed(), "a removed photo");
 }
 
-TEST_F(Overnight, AChangedSettingRedoesTheStagesThatReadIt) {
+TEST_F(Overnight, ChangedSettingRerunsOnlyItsStages) {
     prepare_here();
     PrepareSettings settings;
     settings.border_threshold = 0.02;
@@ -305,7 +305,7 @@ TEST_F(Overnight, AChangedSettingRedoesTheStagesThatReadIt) {
     expect_whole(undisturbed(settings), "smaller clusters");
 }
 
-TEST_F(Overnight, AnInterruptedChangeGoesOn) {
+TEST_F(Overnight, InterruptedUpdateResumes) {
     prepare_here();
     const fs::path away = photos()[3];
     fs::remove(away);
@@ -317,7 +317,7 @@ TEST_F(Overnight, AnInterruptedChangeGoesOn) {
     expect_whole(undisturbed(), "an interrupted change");
 }
 
-TEST_F(Overnight, BadPhotosAreLeftOutAndNamed) {
+TEST_F(Overnight, UnusablePhotosAreLeftOutAndListed) {
     const std::vector<fs::path> all = photos();
     fs::resize_file(all[0], fs::file_size(all[0]) / 2);              // cut short
     fs::remove(all[1]);                                              // missing
@@ -350,7 +350,7 @@ TEST_F(Overnight, BadPhotosAreLeftOutAndNamed) {
     EXPECT_TRUE(one_line(strict.err)) << strict.err;
 }
 
-TEST_F(Overnight, StrictStopsAtAPhotoThatIsCutShort) {
+TEST_F(Overnight, StrictStopsAtATruncatedPhoto) {
     fs::resize_file(photos()[0], fs::file_size(photos()[0]) / 2);
     const Outcome strict = prepare_program("--strict");
     EXPECT_EQ(strict.code, int(Exit::input));
@@ -358,7 +358,7 @@ TEST_F(Overnight, StrictStopsAtAPhotoThatIsCutShort) {
     EXPECT_NE(strict.err.find("0000.jpg: JPEG is damaged or cut short"), std::string::npos) << strict.err;
 }
 
-TEST_F(Overnight, InputThatVanishesMidwayEndsItAndNothingIsLost) {
+TEST_F(Overnight, InputThatVanishesMidwayStopsAndNothingIsLost) {
     const std::string bytes = undisturbed();
     const SceneInput known = read_scene(discover(scene));
     fs::rename(photos()[5], dir / "unplugged.jpg");
@@ -379,7 +379,7 @@ TEST_F(Overnight, InputThatVanishesMidwayEndsItAndNothingIsLost) {
     expect_whole(bytes, "unplugged");
 }
 
-TEST_F(Overnight, ARepairedPhotoTakesItsPlace) {
+TEST_F(Overnight, RepairedPhotoIsIncludedAgain) {
     const std::string bytes = undisturbed();
     const fs::path bad = photos()[2];
     const std::string picture = slurp(bad);
@@ -392,7 +392,7 @@ TEST_F(Overnight, ARepairedPhotoTakesItsPlace) {
     expect_whole(bytes, "repair");
 }
 
-TEST_F(Overnight, ASignalFinishesThePhotosInHand) {
+TEST_F(Overnight, SignalFinishesPhotosInFlight) {
     const std::string bytes = undisturbed();
     for (const char* signal : {"TERM", "INT"}) {
         const Outcome stopped = prepare_program("--threads 1", std::string("timeout -s ") + signal + " 0.25");
@@ -405,7 +405,7 @@ TEST_F(Overnight, ASignalFinishesThePhotosInHand) {
     }
 }
 
-TEST_F(Overnight, OnlyOneWritesAtATime) {
+TEST_F(Overnight, OnlyOneProcessWritesAtATime) {
     prepare_here();
     std::vector<ChunkPlan> plan{{package::Type::meta, package::scene_wide, 0, 4}};
     PackageWriter other(file, plan);
@@ -415,7 +415,7 @@ TEST_F(Overnight, OnlyOneWritesAtATime) {
     EXPECT_NE(second.err.find("another process is writing it"), std::string::npos) << second.err;
 }
 
-TEST_F(Overnight, SharesMergeIntoTheBytesOfOneRun) {
+TEST_F(Overnight, SharesMergeToTheBytesOfASingleRun) {
     fs::resize_file(photos()[4], 1000);  // and a photo that is left out
     const std::string bytes = undisturbed();
     for (const unsigned n : {1u, 2u, 5u, 8u}) {
@@ -433,7 +433,7 @@ TEST_F(Overnight, SharesMergeIntoTheBytesOfOneRun) {
     }
 }
 
-TEST_F(Overnight, SharesOfOtherInputsAreRefused) {
+TEST_F(Overnight, SharesOfDifferentSettingsAreRejected) {
     for (const std::uint32_t i : {1u, 2u}) {
         PrepareRun run;
         run.share = {i, 2};
@@ -450,7 +450,7 @@ TEST_F(Overnight, SharesOfOtherInputsAreRefused) {
     EXPECT_EQ(run("check " + (dir / "1").string()).code, int(Exit::damaged)) << "a share is no package";
 }
 
-TEST_F(Overnight, DiffNamesWhatDiffers) {
+TEST_F(Overnight, DiffListsDifferences) {
     prepare_here();
     const fs::path other = dir / "other.vantage";
     fs::copy_file(file, other);

@@ -59,7 +59,7 @@ double ssim(const Picture& photo, const Picture& picture, const cv::Mat& mask) {
     return cv::mean(top / bottom, mask)[0];
 }
 
-class PictureMetricsBesideTheKit : public TemporaryFolder {};
+class PictureMetricsReference : public TemporaryFolder {};
 
 }  // namespace
 
@@ -91,7 +91,7 @@ TEST(PictureMetrics, AgreeWithOpenCv) {
     }
 }
 
-TEST(PictureMetrics, AGainIsTakenOut) {
+TEST(PictureMetrics, CompensateForGain) {
     const Picture picture = random_picture(64, 48, 3, true);
     Picture photo = picture;
     const double gain[] = {0.9, 0.7, 0.5};
@@ -104,7 +104,7 @@ TEST(PictureMetrics, AGainIsTakenOut) {
     EXPECT_LT(s.psnr, 20);
 }
 
-TEST(PictureMetrics, FindTheShift) {
+TEST(PictureMetrics, FindShifts) {
     const cv::Mat wide = rgb(random_picture(300, 200, 4, true));
     for (const auto& [dx, dy] : {std::pair(0.0, 0.0), {0.7, -0.4}, {-1.5, 1.1}}) {
         cv::Mat moved;
@@ -122,7 +122,7 @@ TEST(PictureMetrics, FindTheShift) {
     }
 }
 
-TEST(PictureMetrics, NothingToGoBy) {
+TEST(PictureMetrics, EmptyAndFlatPictures) {
     Picture empty = random_picture(20, 10, 5, false);
     for (std::size_t i = 3; i < empty.rgba.size(); i += 4) empty.rgba[i] = 0;
     const PictureScore none = score(empty, empty, scored_pixels(empty));
@@ -137,7 +137,7 @@ TEST(PictureMetrics, NothingToGoBy) {
     EXPECT_TRUE(std::isfinite(score(flat, black, std::vector<bool>(200, true)).psnr_gain));
 }
 
-TEST(PictureMetrics, ChangesAreFoundWhereTheyWereMade) {
+TEST(PictureMetrics, LocateChanges) {
     const Picture photo = random_picture(400, 300, 11, true);
     const auto spoiled = [&](int left, int top) {
         Picture p = photo;
@@ -172,7 +172,7 @@ TEST(PictureMetrics, ChangesAreFoundWhereTheyWereMade) {
 }
 
 // The measuring kit beside the datasets has software of its own.
-TEST_F(PictureMetricsBesideTheKit, AgreeToAHundredthOfADecibel) {
+TEST_F(PictureMetricsReference, AgreeWithinAHundredthOfADecibel) {
     const char* root = std::getenv("VANTAGE_DATASETS");
     const std::filesystem::path kit =
         std::filesystem::path(root ? root : "../shared/datasets") / "../tools/metric.py";

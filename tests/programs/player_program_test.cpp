@@ -63,7 +63,7 @@ bool one_line(const std::string& text) {
 
 }  // namespace
 
-TEST_F(PlayerProgram, SaysInOneLineWhatIsDamagedOrShowsTheSamePicture) {
+TEST_F(PlayerProgram, DamageIsReportedInOneLineOrDoesNotMatter) {
     const Outcome good = play("--photo 0002");
     ASSERT_EQ(good.code, 0) << good.says;
     for (const package::DirectoryEntry& e : chunks()) {
@@ -84,7 +84,7 @@ TEST_F(PlayerProgram, SaysInOneLineWhatIsDamagedOrShowsTheSamePicture) {
     EXPECT_EQ(play("--photo 0002").picture, good.picture);
 }
 
-TEST_F(PlayerProgram, SaysInOneLineThatAPackageIsCut) {
+TEST_F(PlayerProgram, TruncatedPackageIsReportedInOneLine) {
     const auto all = chunks();
     for (auto e = all.rbegin(); e != all.rend(); ++e) {
         fs::resize_file(file, e->offset);
@@ -95,7 +95,7 @@ TEST_F(PlayerProgram, SaysInOneLineThatAPackageIsCut) {
     }
 }
 
-TEST_F(PlayerProgram, RefusesWhatItCannotDo) {
+TEST_F(PlayerProgram, RejectsInvalidRequests) {
     EXPECT_EQ(play("--photo nobody").code, int(Exit::usage));
     EXPECT_EQ(play("--photo 0002 --size 0x10").code, int(Exit::usage));
     EXPECT_EQ(play("--path " + (dir / "none").string()).code, int(Exit::input));

@@ -87,7 +87,7 @@ class Shelf : public Overnight {
 
 }  // namespace
 
-TEST_F(Shelf, CheckFindsWhatIsDamagedStaleAndIncomplete) {
+TEST_F(Shelf, CheckFindsDamagedStaleAndIncompletePackages) {
     const std::string words = "check --deep " + all() + " --against " + scans.string();
     EXPECT_EQ(run(words).code, 0);
     spoil();
@@ -108,7 +108,7 @@ TEST_F(Shelf, CheckFindsWhatIsDamagedStaleAndIncomplete) {
     EXPECT_EQ(run("check " + (shelf / "none.vantage").string()).code, int(Exit::input));
 }
 
-TEST_F(Shelf, VerifyFindsTheChangedPicture) {
+TEST_F(Shelf, VerifyFindsChangedPictures) {
     const std::string words = all() + " --golden " + golden.string();
     const std::string one = package(0).string() + " --golden " + (golden / name(0)).string();
     EXPECT_EQ(verify(one).code, int(Exit::input)) << "nothing is stored yet";

@@ -69,7 +69,7 @@ double mean_difference(const std::vector<std::uint8_t>& a, const std::vector<std
 
 }  // namespace
 
-TEST_F(Streaming, WhatArrivesIsWhatThePackageHoldsThroughAnyRing) {
+TEST_F(Streaming, FetchedBytesMatchThePackage) {
     const PackageReader package(file);
     const gl::HeadlessContext context(gl::Debug::on);
     const PackagePages pages = number_pages(package.photos());
@@ -103,7 +103,7 @@ TEST_F(Streaming, WhatArrivesIsWhatThePackageHoldsThroughAnyRing) {
     }
 }
 
-TEST_F(Streaming, ABudgetOfUploadsIsKeptAndThePictureBecomesExact) {
+TEST_F(Streaming, UploadBudgetIsKeptAndThePictureConverges) {
     const PackageReader package(file);
     const gl::HeadlessContext context(gl::Debug::on);
     Renderer renderer(package, {});
@@ -127,7 +127,7 @@ TEST_F(Streaming, ABudgetOfUploadsIsKeptAndThePictureBecomesExact) {
     EXPECT_LT(mean_difference(last, exact), 0.1);
 }
 
-TEST_F(Streaming, GraphicsMemoryIsKeptOnAFlightOverMoreThanItHolds) {
+TEST_F(Streaming, GraphicsMemoryStaysWithinItsBudget) {
     const PackageReader package(file);
     const gl::HeadlessContext context(gl::Debug::on);
     const MemoryBudget budget{std::uint64_t(36) << 20, std::uint64_t(4) << 20};
@@ -147,7 +147,7 @@ TEST_F(Streaming, GraphicsMemoryIsKeptOnAFlightOverMoreThanItHolds) {
         Error);
 }
 
-TEST_F(Streaming, ADamagedTileIsCountedAndACoarserOneShownUntilItIsRestored) {
+TEST_F(Streaming, DamagedTilesFallBackToCoarserOnesUntilRestored) {
     const PackageReader package(file);
     const auto* tiles = package.find(package::Type::tiles, 2, 0);
     const auto invert_tiles = [&] {
@@ -195,7 +195,7 @@ TEST_F(Streaming, ADamagedTileIsCountedAndACoarserOneShownUntilItIsRestored) {
     EXPECT_LT(mean_difference(shown(renderer, view, settings), shown(fresh, view, complete)), 0.1);
 }
 
-TEST_F(Streaming, APlanCoversWhatIsSeenAndHoldsOnToItsPhotos) {
+TEST_F(Streaming, PlansCoverTheViewAndKeepTheirPhotos) {
     const PackageReader package(file);
     const PlanScene scene = make_plan_scene(package);
     const auto photos = all(package);

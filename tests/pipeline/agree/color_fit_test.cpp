@@ -86,7 +86,7 @@ void expect_untouched(const ColorFit& fit) {
 
 }  // namespace
 
-TEST(ColorFit, GainsAndFalloffComeBackAmongStrangers) {
+TEST(ColorFit, RecoversGainsAndFalloffDespiteOutliers) {
     const Made made = make({.falloff = 0.3, .strangers = 0.1});
     const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
     EXPECT_LT(worst_gain(made, fit), 0.005);
@@ -96,7 +96,7 @@ TEST(ColorFit, GainsAndFalloffComeBackAmongStrangers) {
     EXPECT_LT(fit.after, 0.05);
 }
 
-TEST(ColorFit, PhotosThatAgreeStayAsTheyAre) {
+TEST(ColorFit, AgreeingPhotosStayUnchanged) {
     const Made made = make({.stops = 0});
     const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
     for (const auto& g : fit.ln_gain)
@@ -114,7 +114,7 @@ TEST(ColorFit, EachLensHasItsOwnFalloff) {
     EXPECT_EQ(log_falloff(fit.falloff[1], 1), 0);
 }
 
-TEST(ColorFit, TwoPhotosOfALensDoNotTellItsFalloff) {
+TEST(ColorFit, TwoPhotosDoNotDetermineTheFalloff) {
     // What shines in the middle of two photos may be the object: of three it is believed to be the lens.
     Made made = make({.photos = 6, .stops = 0});
     const Made shining = make({.photos = 3, .stops = 0, .falloff = 0.4});
@@ -128,7 +128,7 @@ TEST(ColorFit, TwoPhotosOfALensDoNotTellItsFalloff) {
     }
 }
 
-TEST(ColorFit, AFalloffThatExplainsNextToNothingIsDropped) {
+TEST(ColorFit, NegligibleFalloffIsDropped) {
     // A corner that loses a tenth, among photos that agree and among photos that do not.
     for (const double noise : {0.02, 1.0}) {
         const Made made = make({.share = 0.8, .stops = 0, .falloff = 0.1, .noise = noise});
@@ -137,7 +137,7 @@ TEST(ColorFit, AFalloffThatExplainsNextToNothingIsDropped) {
     }
 }
 
-TEST(ColorFit, WhatSharesNoSurfaceIsKeptApart) {
+TEST(ColorFit, DisconnectedGroupsAreFittedSeparately) {
     Made made = make({.photos = 5, .discs = 1000});
     const Made others = make({.photos = 4, .discs = 1000}, 2);
     for (auto& photo : made.photos) photo.resize(2000, SampleRecord{});
@@ -155,7 +155,7 @@ TEST(ColorFit, WhatSharesNoSurfaceIsKeptApart) {
     }
 }
 
-TEST(ColorFit, WithoutSharedSurfaceNothingIsChanged) {
+TEST(ColorFit, NothingChangesWithoutSharedSurface) {
     expect_untouched(fit_colors({}, {}, true));
     const Made alone = make({.photos = 1});
     expect_untouched(fit_colors(alone.spans(), alone.one_lens(), true));
@@ -166,7 +166,7 @@ TEST(ColorFit, WithoutSharedSurfaceNothingIsChanged) {
     expect_untouched(fit_colors(few.spans(), few.one_lens(), true));
 }
 
-TEST(ColorFit, TheSamePhotoTwiceIsChangedByNothing) {
+TEST(ColorFit, DuplicatePhotoStaysUnchanged) {
     Made made = make({.photos = 1});
     made.photos.push_back(made.photos.front());
     const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
@@ -174,7 +174,7 @@ TEST(ColorFit, TheSamePhotoTwiceIsChangedByNothing) {
         for (const double v : g) EXPECT_NEAR(v, 0, 1e-9);
 }
 
-TEST(ColorFit, AllStrangersGiveFiniteGainsWithinBounds) {
+TEST(ColorFit, OutliersOnlyGiveFiniteGainsWithinBounds) {
     const Made made = make({.photos = 6, .noise = 3});
     const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
     for (const auto& g : fit.ln_gain)
@@ -182,7 +182,7 @@ TEST(ColorFit, AllStrangersGiveFiniteGainsWithinBounds) {
     for (const double f : fit.falloff[0]) EXPECT_TRUE(std::isfinite(f));
 }
 
-TEST(Refine, IsCalledForOnlyWherePhotosDisagree) {
+TEST(ColorAgreement, IsEnabledOnlyIfPhotosDisagree) {
     std::vector<package::PhotoRecord> photos(12);
     for (package::PhotoRecord& p : photos) p.width = 300, p.height = 200, p.fx = 300, p.levels = 1;
     const auto agreeing = refine_colors(photos, make({.stops = 0, .noise = 0.005}).spans(), {});
@@ -206,7 +206,7 @@ TEST(Refine, IsCalledForOnlyWherePhotosDisagree) {
         }
 }
 
-TEST(SurfaceDiscs, CoverSmallAndLargeTrianglesAndAreAsManyAsSaid) {
+TEST(SurfaceDiscs, AreSpreadHalfByAreaAndHalfByTriangles) {
     // Half the area in one triangle, half the triangles in a corner of another.
     std::vector<Eigen::Vector3f> positions{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}};
     std::vector<std::uint32_t> indices{0, 1, 2};
@@ -229,7 +229,7 @@ TEST(SurfaceDiscs, CoverSmallAndLargeTrianglesAndAreAsManyAsSaid) {
     EXPECT_TRUE(surface_disc_set(positions, {}, 100).empty());
 }
 
-TEST(SurfaceDiscs, AreSampledWhereAPhotoShowsThemWell) {
+TEST(SurfaceDiscs, AreSampledOnlyWhereClearlyVisible) {
     // A wall at z = 10, of which the photo's left half is hidden by something nearer, and colours that say
     // where they are.
     const Intrinsics k{800, 600, 800, 800, 400, 300};

@@ -73,7 +73,7 @@ double median(const std::vector<double>& v) { return quantile(v, 0.5); }
 double worst(const std::vector<double>& v) { return quantile(v, 1); }
 
 /// A synthetic scene, prepared with or without its cameras disturbed.
-class RegistrationOfTruth : public TemporaryFolder {
+class SyntheticRegistration : public TemporaryFolder {
   protected:
     const fs::path scene = dir / "scene", file = dir / "scene.vantage";
 
@@ -100,7 +100,7 @@ class RegistrationOfTruth : public TemporaryFolder {
     }
 };
 
-TEST_F(RegistrationOfTruth, DisturbedCamerasComeBack) {
+TEST_F(SyntheticRegistration, RecoversPerturbedCameras) {
     synthesise(read_spec(VANTAGE_SOURCE_DIR "/data/demo.toml"), scene, {});
     for (const double pixels : {0.5, 2.0, 5.0}) {
         SceneInput given = truth();
@@ -115,7 +115,7 @@ TEST_F(RegistrationOfTruth, DisturbedCamerasComeBack) {
     }
 }
 
-TEST_F(RegistrationOfTruth, UndisturbedCamerasStay) {
+TEST_F(SyntheticRegistration, AccurateCamerasStayUnchanged) {
     synthesise(spec(), scene, {});
     EXPECT_FALSE(registration(prepare_folder()).decision.on);
     expect_unchanged(truth());
@@ -123,7 +123,7 @@ TEST_F(RegistrationOfTruth, UndisturbedCamerasStay) {
     EXPECT_LT(worst(errors(PackageReader(file), truth())), 0.1) << "forced on";
 }
 
-TEST_F(RegistrationOfTruth, WhatIsFoundOfAPairIsWhatItsCamerasAreOff) {
+TEST_F(SyntheticRegistration, PairShiftsMatchTheCameraError) {
     synthesise(spec(), scene, {});
     SceneInput input = truth();
     // One photo turned about its vertical axis, so that all it shows is 3 px to the side of where it should
@@ -150,7 +150,7 @@ TEST_F(RegistrationOfTruth, WhatIsFoundOfAPairIsWhatItsCamerasAreOff) {
     EXPECT_LT(worst(errors(PackageReader(file), truth())), 0.5) << "one alone is seen and mended";
 }
 
-TEST_F(RegistrationOfTruth, SwappedCamerasAreFoundAndNamedAndStay) {
+TEST_F(SyntheticRegistration, SwappedCamerasAreReportedAndLeftAlone) {
     synthesise(spec(), scene, {});
     SceneInput input = truth();
     std::swap(input.photos[2].camera, input.photos[5].camera);
@@ -162,7 +162,7 @@ TEST_F(RegistrationOfTruth, SwappedCamerasAreFoundAndNamedAndStay) {
     expect_unchanged(input);
 }
 
-TEST_F(RegistrationOfTruth, ACameraThatIsWrongIsNamed) {
+TEST_F(SyntheticRegistration, WrongCameraIsReported) {
     synthesise(spec(), scene, {});
     SceneInput input = truth();
     Pose& pose = input.photos[3].camera.cam_from_world;
@@ -175,7 +175,7 @@ TEST_F(RegistrationOfTruth, ACameraThatIsWrongIsNamed) {
 }
 
 /// Each ends in one line that says why, and cameras as they were given.
-TEST_F(RegistrationOfTruth, DegenerateInputsAreSaidAndLeftAlone) {
+TEST_F(SyntheticRegistration, DegenerateInputsAreReportedAndLeftAlone) {
     SynthSpec s = spec();
     s.photos.count = 4;
     synthesise(s, scene, {});
@@ -218,7 +218,7 @@ TEST_F(RegistrationOfTruth, DegenerateInputsAreSaidAndLeftAlone) {
     expect(white, "neither black nor white");
 }
 
-TEST_F(RegistrationOfTruth, IdenticalPhotosStay) {
+TEST_F(SyntheticRegistration, IdenticalPhotosStayInPlace) {
     SynthSpec s = spec();
     s.photos.count = 2;
     synthesise(s, scene, {});
@@ -232,7 +232,7 @@ TEST_F(RegistrationOfTruth, IdenticalPhotosStay) {
 }
 
 /// A flat surface says nothing about cameras sliding along it.
-TEST_F(RegistrationOfTruth, AFlatSurfaceHoldsNoCamera) {
+TEST_F(SyntheticRegistration, FlatSurfaceIsNotRegistered) {
     SynthSpec s = spec();
     s.photos.count = 3;
     s.building.recess = 0.01;
@@ -253,7 +253,7 @@ TEST_F(RegistrationOfTruth, AFlatSurfaceHoldsNoCamera) {
 }
 
 /// Only what its changed photos touch is measured again, with the same result.
-TEST_F(RegistrationOfTruth, GoesOnFromWhatWasFound) {
+TEST_F(SyntheticRegistration, ReusesPairsThatWereMeasured) {
     SynthSpec s = spec();
     s.error.pixels = 3;
     synthesise(s, scene, {});
@@ -274,7 +274,7 @@ TEST_F(RegistrationOfTruth, GoesOnFromWhatWasFound) {
     EXPECT_TRUE(slurp(file) == fresh) << "off and on again";
 }
 
-TEST(RegistrationOfPhotos, IsNotCalledForOnRealScenes) {
+TEST(RealRegistration, StaysOffOnAccurateScenes) {
     for (const char* name : {"sceaux", "fountain-P11"}) {
         VANTAGE_DATASET(dataset, name);
         const fs::path file = fs::temp_directory_path() / (std::string(name) + ".registration.vantage");
@@ -289,7 +289,7 @@ TEST(RegistrationOfPhotos, IsNotCalledForOnRealScenes) {
 }
 
 /// Cameras 3 px off come back, but for what no photo can tell: how the whole frame lies on the model.
-TEST(RegistrationOfPhotos, BringsDisturbedCamerasBack) {
+TEST(RealRegistration, RecoversPerturbedCameras) {
     VANTAGE_DATASET(dataset, "fountain-P11");
     SceneInput input = read_scene(discover(dataset));
     disturb(input, 3 * std::sqrt(2), 10);

@@ -38,7 +38,7 @@ class Config : public TemporaryFolder {
 
 }  // namespace
 
-TEST_F(Config, GivesSettingsThatTheCommandLineOverrules) {
+TEST_F(Config, CommandLineOverridesTheFile) {
     Command c;
     c.app.parse("--size 7");
     apply_config(c.app, holding("size = 3\nnames = ['a', 'b']\n"));
@@ -49,7 +49,7 @@ TEST_F(Config, GivesSettingsThatTheCommandLineOverrules) {
     EXPECT_EQ(plain.size, 3);
 }
 
-TEST_F(Config, RefusesWhatIsNoSettingOrOutOfRange) {
+TEST_F(Config, RejectsUnknownOrInvalidSettings) {
     for (const char* text : {"colour = 3\n", "size = 99\n", "size = {}\n", "size = \n", "size = [3, 4]\n",
                              "size = []\n", "trim = []\n"}) {
         Command c;
@@ -59,7 +59,7 @@ TEST_F(Config, RefusesWhatIsNoSettingOrOutOfRange) {
     EXPECT_THROW(apply_config(c.app, "no-such-preset"), Error);
 }
 
-TEST_F(Config, EveryPresetFitsPrepare) {
+TEST_F(Config, PrepareAcceptsEveryPreset) {
     for (const auto& preset : fs::directory_iterator(VANTAGE_SOURCE_DIR "/configs")) {
         if (preset.path().extension() != ".toml") continue;
         CLI::App app;
@@ -80,7 +80,7 @@ void expect_nan_refused(CLI::App& app) {
     for (CLI::App* sub : app.get_subcommands({})) expect_nan_refused(*sub);
 }
 
-TEST(Options, NoNumberMayBeNan) {
+TEST(Options, RejectNan) {
     CLI::App app, player, bench, evaluate, verify;
     vantage::Run run;
     for (const auto add :

@@ -45,7 +45,7 @@ double volume(const Mesh& m) {
 
 }  // namespace
 
-TEST(Subdivide, TheSurfaceStaysWholeAndItsEdgesBecomeShort) {
+TEST(Subdivide, SurfaceStaysClosedAndEdgesBecomeShort) {
     const Eigen::Vector3d size(3, 2, 0.1);
     const Mesh before = box(size);
     Mesh m = before;
@@ -64,7 +64,7 @@ TEST(Subdivide, TheSurfaceStaysWholeAndItsEdgesBecomeShort) {
     for (const auto& [edge, balance] : edges) ASSERT_EQ(balance, 0) << "a closed surface came open";
 }
 
-TEST(Subdivide, AttributesRunFromCornerToCorner) {
+TEST(Subdivide, AttributesAreInterpolated) {
     Mesh m = box({2, 2, 2});
     subdivide_large_triangles(m);
     ASSERT_EQ(m.normals.size(), m.positions.size());
@@ -77,7 +77,7 @@ TEST(Subdivide, AttributesRunFromCornerToCorner) {
     }
 }
 
-TEST(Subdivide, WhatIsFineAlreadyOrHasNoSizeStays) {
+TEST(Subdivide, FineOrEmptyMeshesStayUnchanged) {
     Mesh m = box({1, 1, 1});
     subdivide_large_triangles(m);
     EXPECT_EQ(subdivide_large_triangles(m), 0u);

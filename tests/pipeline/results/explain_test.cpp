@@ -31,7 +31,7 @@ class Explain : public TemporaryFolder {
 
 }  // namespace
 
-TEST_F(Explain, NamesEverySettingWithWhatWasMeasured) {
+TEST_F(Explain, ListsEverySettingWithItsMeasurement) {
     PrepareSettings settings;
     settings.distance = DistanceMethod::jfa;
     settings.photo_size = 165;

@@ -43,13 +43,13 @@ std::vector<float> brute_force(const std::vector<std::uint8_t>& borders, int wid
 
 }  // namespace
 
-TEST(BorderDistance, ExactIsTheBruteForce) {
+TEST(BorderDistance, ExactMatchesBruteForce) {
     const auto borders = scattered(61, 47, 150);
     const auto exact = exact_distance(borders, 61, 47), truth = brute_force(borders, 61, 47);
     for (std::size_t i = 0; i < truth.size(); ++i) ASSERT_NEAR(exact[i], truth[i], 1e-3) << i;
 }
 
-TEST(BorderDistance, NearIsTheBruteForceWithinItsReach) {
+TEST(BorderDistance, NearMatchesBruteForceWithinItsReach) {
     for (const auto& [width, height] : {std::pair(61, 47), {1, 90}, {90, 1}, {1, 1}, {33, 3}})
         for (const int reach : {0, 1, 7, farthest_near}) {
             const auto borders = scattered(width, height, 30);
@@ -64,7 +64,7 @@ TEST(BorderDistance, NearIsTheBruteForceWithinItsReach) {
         }
 }
 
-TEST(BorderDistance, JumpFloodingIsNeverNearerThanTheTruthAndAlmostAlwaysRight) {
+TEST(BorderDistance, JumpFloodingNeverUnderestimatesAndIsRarelyWrong) {
     const gl::HeadlessContext context(gl::Debug::on);
     const gl::Program jump_flood = jump_flood_program();
     const auto borders = scattered(203, 119, 400);
@@ -95,7 +95,7 @@ TEST(BorderDistance, NoBorderAndOnlyBorderAreDefined) {
     EXPECT_EQ(mask[3 * 8 + 3], 255);
 }
 
-TEST(BorderDistance, TheMaskIsZeroOnABorderAndBesideIt) {
+TEST(BorderDistance, MaskIsZeroOnABorderAndBesideIt) {
     std::vector<std::uint8_t> borders(64 * 64, 0);
     for (std::size_t y = 0; y < 64; ++y) borders[y * 64 + 20] = 1;
     const auto mask = border_mask(exact_distance(borders, 64, 64), 64, 64, 8);
@@ -106,7 +106,7 @@ TEST(BorderDistance, TheMaskIsZeroOnABorderAndBesideIt) {
     EXPECT_EQ(at(29), 255);
 }
 
-TEST(Borders, ASlantedPlaneHasNoneAndAStepHasOne) {
+TEST(Borders, SlantedPlaneHasNoneAndStepHasOne) {
     DepthMap plane{40, 30, std::vector<float>(1200), {}}, step = plane;
     for (int y = 0; y < 30; ++y)
         for (int x = 0; x < 40; ++x) {
@@ -119,7 +119,7 @@ TEST(Borders, ASlantedPlaneHasNoneAndAStepHasOne) {
     EXPECT_FALSE(found[15 * 40 + 17] || found[15 * 40 + 22]);
 }
 
-TEST(Pyramid, TilesHoldEveryTexelAndTheirNeighbours) {
+TEST(Pyramid, TilesHoldEveryTexelAndItsNeighbors) {
     const Level level{600, 300};
     std::vector<std::uint32_t> texels(std::size_t(level.width) * std::size_t(level.height));
     for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = std::uint32_t(i);
@@ -139,7 +139,7 @@ TEST(Pyramid, TilesHoldEveryTexelAndTheirNeighbours) {
     }
 }
 
-TEST(Pyramid, HalvingAveragesLightAndRepeatsOddEdges) {
+TEST(Pyramid, HalvingAveragesLinearLightAndRepeatsOddEdges) {
     const RgbaImage image{3, 1, {0, 0, 0, 255, 255, 255, 255, 255, 90, 90, 90, 255}};
     const RgbaImage half = halve(image);
     ASSERT_EQ(half.width, 2);
@@ -148,7 +148,7 @@ TEST(Pyramid, HalvingAveragesLightAndRepeatsOddEdges) {
     EXPECT_NEAR(half.rgba[4], 90, 1);
 }
 
-TEST(Pyramid, TransparentTexelsLendNoColour) {
+TEST(Pyramid, TransparentTexelsContributeNoColor) {
     const RgbaImage half = halve(RgbaImage{2, 1, {200, 100, 50, 255, 0, 0, 0, 0}});
     EXPECT_NEAR(half.rgba[0], 200, 1);
     EXPECT_NEAR(half.rgba[1], 100, 1);
@@ -169,7 +169,7 @@ TEST(SeenHull, DegenerateSetsHaveADirection) {
     EXPECT_NEAR(square.direction.y() / square.direction.z(), (0.25 * 80 - 40) / 90, 1e-5);
 }
 
-TEST(MaskPyramid, KeepsWhatIsSeenAndNothingElse) {
+TEST(MaskPyramid, AveragesOnlyValidTexels) {
     const float inf = std::numeric_limits<float>::infinity();
     // 3x2: one valid block with a hole in it, and an odd column where nothing is seen.
     MaskLevel fine{3, 2, std::vector<std::uint8_t>(24, 0), {1, 5, inf, 3, inf, inf}};
@@ -188,7 +188,7 @@ TEST(MaskPyramid, KeepsWhatIsSeenAndNothingElse) {
     EXPECT_EQ(int(coarse.masks[7]), 0);
 }
 
-TEST(Masks, DepthIsTwelveStepsAnOctave) {
+TEST(Masks, DepthHasTwelveStepsPerOctave) {
     std::vector<float> z;
     for (double exponent = -20; exponent < 20; exponent += 0.0173) z.push_back(float(std::exp2(exponent)));
     z.push_back(std::numeric_limits<float>::infinity());
@@ -205,7 +205,7 @@ TEST(Masks, DepthIsTwelveStepsAnOctave) {
     for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(masks[masks.size() - 4 + c], 0) << "nothing is seen there";
 }
 
-TEST(DepthSummary, IsThatOfTheFiniteDepths) {
+TEST(DepthSummary, IgnoresInfiniteDepths) {
     std::mt19937 random(3);
     std::lognormal_distribution<float> depth(1, 0.7f);
     for (const std::size_t count : {1u, 2u, 17u, 5000u, 100000u}) {

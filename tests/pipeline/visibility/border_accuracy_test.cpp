@@ -97,5 +97,5 @@ void compare_on(const char* set) {
 
 }  // namespace
 
-TEST(BorderAccuracy, OfJumpFloodingOnSceaux) { compare_on("sceaux"); }
-TEST(BorderAccuracy, OfJumpFloodingOnFountain) { compare_on("fountain-P11"); }
+TEST(BorderAccuracy, JumpFloodingOnSceaux) { compare_on("sceaux"); }
+TEST(BorderAccuracy, JumpFloodingOnFountain) { compare_on("fountain-P11"); }

@@ -23,7 +23,7 @@ using namespace vantage;
 
 namespace {
 
-class Rasterise : public TemporaryFolder {};
+class Rasterize : public TemporaryFolder {};
 
 PhotoProjection projected(std::span<const Eigen::Vector3f> positions, const Intrinsics& photo,
                           const Pose& pose) {
@@ -50,7 +50,7 @@ const Intrinsics camera{200, 160, 150, 150, 97.3, 81.6};
 
 }  // namespace
 
-TEST_F(Rasterise, APlaneHasItsDepthAndAngleEverywhere) {
+TEST_F(Rasterize, PlaneMatchesItsClosedForm) {
     for (const float turn : {0.0f, 0.7f, -1.2f}) {
         const Square square(40, 6, turn);
         const PhotoGeometry g = square.seen(camera);
@@ -71,7 +71,7 @@ TEST_F(Rasterise, APlaneHasItsDepthAndAngleEverywhere) {
     }
 }
 
-TEST_F(Rasterise, APlaneThatReachesBehindTheCameraIsCutOff) {
+TEST_F(Rasterize, PlaneReachingBehindTheCameraIsClipped) {
     Square floor(50, 0, 0);
     for (Eigen::Vector3f& p : floor.positions)
         p = {p.x(), 1, p.y()};  // one below the camera, before and behind it
@@ -92,7 +92,7 @@ TEST_F(Rasterise, APlaneThatReachesBehindTheCameraIsCutOff) {
     EXPECT_GT(seen, 3000u);
 }
 
-TEST_F(Rasterise, NothingShowsBetweenTriangles) {
+TEST_F(Rasterize, AdjacentTrianglesLeaveNoGaps) {
     // A fan of slivers around the picture's middle: every pixel inside is covered.
     std::vector<Eigen::Vector3f> positions{{0, 0, 5}};
     std::vector<std::uint32_t> indices;
@@ -107,7 +107,7 @@ TEST_F(Rasterise, NothingShowsBetweenTriangles) {
     for (const float z : g.z) ASSERT_NEAR(z, 5, 1e-4);
 }
 
-TEST_F(Rasterise, AgreesWithOpenGl) {
+TEST_F(Rasterize, AgreesWithOpenGl) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
     spec.photos.count = 3;
     spec.photos.samples = 1;
@@ -134,7 +134,7 @@ TEST_F(Rasterise, AgreesWithOpenGl) {
     }
 }
 
-TEST_F(Rasterise, VerticesAreSeenWhereNoRayIsBlocked) {
+TEST_F(Rasterize, VertexVisibilityMatchesRayCasting) {
     // Triangles of all sizes about the camera, some through its plane; what they hide is nowhere marginal but
     // by chance.
     std::mt19937 random(7);
@@ -171,7 +171,7 @@ TEST_F(Rasterise, VerticesAreSeenWhereNoRayIsBlocked) {
     EXPECT_EQ(differ, 0u) << "of " << seen + hidden;
 }
 
-TEST_F(Rasterise, AFoldedSurfaceHidesNothingOfItself) {
+TEST_F(Rasterize, CurvedSurfaceDoesNotOccludeItself) {
     // A finely tessellated sphere: what faces the camera is seen, what faces away is not.
     constexpr int rings = 180, sectors = 360;
     std::vector<Eigen::Vector3f> positions;
