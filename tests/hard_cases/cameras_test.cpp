@@ -1,4 +1,4 @@
-// Cameras that are none, or nearly, and lenses that fold back.
+// Invalid and nearly invalid cameras, and lenses that fold back.
 #include "pipeline/formats/import/cameras.h"
 
 #include <gtest/gtest.h>
@@ -43,14 +43,14 @@ void expect_refused(const char* what, const Change& change) {
     change(c);
     try {
         validate(c, "camera 7");
-        ADD_FAILURE() << what << " was let through";
+        ADD_FAILURE() << what << " was accepted";
     } catch (const Error& e) {
         EXPECT_TRUE(std::string(e.what()).starts_with("camera 7: ")) << e.what();
         EXPECT_EQ(e.code(), Exit::input);
     }
 }
 
-/// A photo whose every pixel tells where it is.
+/// A photo whose colors encode the pixel's position.
 RgbaImage chart(int width, int height) {
     RgbaImage p{width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4, 255)};
     for (int y = 0; y < height; ++y)
@@ -62,10 +62,10 @@ RgbaImage chart(int width, int height) {
     return p;
 }
 
-/// What a lens is known to do along a radius.
+/// A lens with its fold.
 struct Known {
     Lens lens;
-    double fold;  ///< pinhole radius at which it folds back; closed form
+    double fold;  ///< pinhole radius at which it folds back, from the closed form
 };
 
 std::vector<Known> folding_lenses() {
@@ -73,7 +73,7 @@ std::vector<Known> folding_lenses() {
     for (const double k1 : {-0.05, -0.2, -0.6}) {
         const double r = std::sqrt(-1 / (3 * k1));  // of r + k1 r^3
         out.push_back({{LensModel::opencv, {k1}}, r});
-        // Of theta + k1 theta^3, as long as that is in front of the camera.
+        // of theta + k1 theta^3, if in front of the camera
         out.push_back({{LensModel::fisheye, {k1}}, r < std::numbers::pi / 2 ? std::tan(r) : infinite});
         out.push_back({{LensModel::thin_prism, {k1}}, r < std::numbers::pi / 2 ? std::tan(r) : infinite});
     }
@@ -140,7 +140,7 @@ TEST(Cameras, PointsBehindOrAtInfinityAreNotInThePhoto) {
     EXPECT_FALSE(project(c.intrinsics, pose, {nan_value, 0, 0}));
     EXPECT_FALSE(project(c.intrinsics, pose, {infinite, infinite, infinite}));
     const auto edge_on = project(c.intrinsics, Pose(), {1e300, 0, 1e-300});
-    EXPECT_FALSE(edge_on) << "no number of pixels";
+    EXPECT_FALSE(edge_on) << "not a finite pixel";
 }
 
 TEST(Lenses, FoldAtTheRadiusOfTheClosedForm) {
@@ -158,7 +158,7 @@ TEST(Lenses, FoldAtTheRadiusOfTheClosedForm) {
 TEST(Lenses, PhotoIsShownExactlyWithinTheFold) {
     for (const Known& k : folding_lenses()) {
         Camera c;
-        c.intrinsics = {240, 180, 60, 60, 120, 90};  // 127 degrees across: beyond the strong folds
+        c.intrinsics = {240, 180, 60, 60, 120, 90};  // 127 degrees wide: beyond the strong folds
         c.lens = k.lens;
         const RgbaImage out = undistort(chart(240, 180), c, Resampling::linear);
         int beyond = 0;
@@ -189,7 +189,7 @@ TEST(Lenses, FisheyeWiderThan180DegreesShowsWhatIsInFront) {
     const RgbaImage out = undistort(chart(200, 200), c, Resampling::linear);
     const auto at = [&](int x, int y) { return &out.rgba[4 * (std::size_t(y) * 200 + std::size_t(x))]; };
     EXPECT_EQ(at(100, 100)[3], 255);
-    // The frame's corner lies atan(2) from the axis; the photo draws it that far from its centre.
+    // The fisheye images the frame's corner at this distance from the center.
     const double theta = std::atan(std::hypot(99.5, 99.5) / 50), drawn = 100 + 50 * theta / std::sqrt(2);
     EXPECT_EQ(at(199, 199)[3], 255);
     EXPECT_NEAR(at(199, 199)[0], 255 * drawn / 200, 2);

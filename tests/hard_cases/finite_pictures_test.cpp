@@ -1,4 +1,4 @@
-// Every float target of every kind of frame, read back: no value is infinite or no number.
+// Every float target of every kind of frame, read back: no value is infinite or NaN.
 #include <Eigen/Geometry>
 #include <array>
 #include <fstream>
@@ -87,7 +87,7 @@ std::vector<std::pair<std::string, RenderSettings>> kinds() {
     return out;
 }
 
-/// A wall whose triangles' normals cancel out within them, with degenerate triangles and colours of 0 and
+/// A wall whose vertex normals cancel out within each triangle, with degenerate triangles and colors of 0 and
 /// 255.
 class FinitePicturesOfOddModel : public FinitePictures {
   protected:
@@ -104,7 +104,7 @@ class FinitePicturesOfOddModel : public FinitePictures {
                "element face "
             << 2 * (n - 1) * (n - 1) << "\nproperty list uchar int vertex_indices\nend_header\n";
         for (int y = 0; y < n; ++y)
-            for (int x = 0; x < n; ++x)  // normals to and fro
+            for (int x = 0; x < n; ++x)  // alternating normals
                 ply << x - n / 2 << " 0 " << 0.5 * y << " 0 " << ((x + y) % 2 ? 1 : -1) << " 0 "
                     << ((x + y) % 3 ? 0 : 255) << ' ' << (x % 2 ? 0 : 255) << " 0\n";
         for (int y = 0; y + 1 < n; ++y)
@@ -149,8 +149,8 @@ TEST_F(FinitePictures, CountsInjectedNonFiniteValues) {
     const std::size_t pixels = 48 * 36;
     const FrameTargets& t = renderer->targets();
     const float bad = std::numeric_limits<float>::quiet_NaN(),
-                endless = std::numeric_limits<float>::infinity();
-    const std::array<float, 4> one_bad{0, bad, 0, 1}, all_endless{endless, -endless, endless, endless};
+                infinite = std::numeric_limits<float>::infinity();
+    const std::array<float, 4> one_bad{0, bad, 0, 1}, all_endless{infinite, -infinite, infinite, infinite};
     glClearNamedFramebufferfv(t.accumulated_target.id(), GL_COLOR, 0, one_bad.data());
     EXPECT_EQ(count_non_finite(t).samples, pixels);
     glClearNamedFramebufferfv(t.sums_target[1].id(), GL_COLOR, 0, all_endless.data());
@@ -167,9 +167,9 @@ TEST_F(FinitePictures, NonFiniteViewIsRejectedAndTheNextOneDrawn) {
     const View good = between(0, 1, 48, 36);
     const Picture before = picture(good, {});
     const double bad = std::numeric_limits<double>::quiet_NaN(),
-                 endless = std::numeric_limits<double>::infinity();
+                 infinite = std::numeric_limits<double>::infinity();
     std::vector<View> views;
-    for (const double v : {bad, endless, -endless}) {
+    for (const double v : {bad, infinite, -infinite}) {
         views.insert(views.end(), 6, good);
         View* last = &views.back();
         (last - 0)->cam_from_origin.t.x() = v;

@@ -1,4 +1,4 @@
-// Photos of every shape and sort, whole, cut short, and not what they say.
+// Photos of all sizes and formats: whole, truncated, and mislabeled.
 #include "pipeline/formats/images/photos.h"
 
 #include <OpenImageIO/imageio.h>
@@ -50,7 +50,7 @@ class HardPhotos : public TemporaryFolder {
         for (auto& v : out) v = std::uint8_t(random());
         return out;
     }
-    /// What the decoder says of it, without the file's place; "" where it takes it.
+    /// The decoder's complaint without the file's path; "" if it accepts the photo.
     static std::string refusal(const fs::path& file, PhotoSize expected) {
         try {
             const RgbaImage p = read_photo(file, expected);
@@ -80,7 +80,7 @@ TEST_F(HardPhotos, TruncatedAtEveryPercentIsRejectedOrWhole) {
         for (int percent = 0; percent < 100; ++percent) {
             const fs::path cut =
                 put(std::string("cut-") + name, bytes.substr(0, bytes.size() * std::size_t(percent) / 100));
-            // Taken only where nothing of the picture is missing.
+            // Accepted only if nothing of the picture is missing.
             EXPECT_TRUE(!refusal(cut, {64, 48}).empty() || read_photo(cut, {64, 48}).rgba == truth.rgba)
                 << name << " at " << percent << " %";
         }
@@ -96,7 +96,7 @@ TEST_F(HardPhotos, FlippedBitsNeverCrash) {
             for (int n = 0; n < 1 + trial % 5; ++n)
                 broken[random() % broken.size()] ^= char(1 << random() % 8);
             refusal(put(std::string("flipped-") + name, broken),
-                    {40, 30});  // refused, or a picture of that size
+                    {40, 30});  // rejected, or decoded to that size
         }
     }
 }
@@ -107,7 +107,7 @@ TEST_F(HardPhotos, SizeMismatchIsRejectedBeforeAllocating) {
     const std::size_t at = bytes.find("\xff\xc0");
     ASSERT_NE(at, std::string::npos);
     for (std::size_t i = 5; i < 9; i += 2) bytes[at + i] = char(0xfd), bytes[at + i + 1] = char(0xe8);
-    const std::string why = refusal(put("huge.jpg", bytes), {64, 48});  // 17 GB, if it were believed
+    const std::string why = refusal(put("huge.jpg", bytes), {64, 48});  // would be 17 GB
     EXPECT_NE(why.find("65000x65000, its camera expects 64x48"), std::string::npos) << why;
 }
 
@@ -131,7 +131,7 @@ TEST_F(HardPhotos, ExifOrientationIsIgnoredUnlessTheCameraExpectsIt) {
         const RgbaImage stored = read_photo(file, {3, 2});
         EXPECT_EQ(int(stored.rgba[0]), 0) << "cameras are calibrated on stored pixels; orientation " << o;
         if (o < 5) {
-            EXPECT_NE(refusal(file, {2, 3}), "") << "orientation " << o << " turns nothing on its side";
+            EXPECT_NE(refusal(file, {2, 3}), "") << "orientation " << o << " does not swap width and height";
         }
         // 5 to 8: Photos.AreRotatedOnlyIfTheCameraExpectsIt
     }
@@ -166,18 +166,18 @@ TEST_F(HardPhotos, SinglePixelsRowsAndColumnsHaveAPyramid) {
             ASSERT_EQ(half.height, (p.height + 1) / 2);
             p = half;
         }
-        EXPECT_NEAR(p.rgba[0], mean, 80) << "light is averaged, codes are not";
+        EXPECT_NEAR(p.rgba[0], mean, 80) << "linear light is averaged, not codes";
         EXPECT_EQ(int(p.rgba[3]), 255);
     }
 }
 
-// 100,000 pixels wide: beyond what a JPEG can say and what a texture can hold; tiles do not care.
+// 100,000 pixels wide: beyond the limits of JPEG and of textures, but not of tiles.
 TEST_F(HardPhotos, PreparesPhotosWiderThanAnyTexture) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.photos.count = 1;
     spec.photos.samples = 1;
     const int width = 100000, height = 3;
-    spec.photos.width = 1000;  // of which the photo below is a strip, stretched
+    spec.photos.width = 1000;  // replaced below by a wider one
     spec.photos.height = 3;
     synthesise(spec, dir / "scene", {});
     fs::remove_all(dir / "scene" / "images");

@@ -1,5 +1,5 @@
-// What the solvers make of equations that hold too little, too much, or nonsense: the cost never rises, and
-// what comes out is finite and within bounds.
+// The solvers on underdetermined, inconsistent and invalid problems: the cost never rises, and results are
+// finite and within bounds.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 const Intrinsics k{1200, 900, 1100, 1100, 600, 450};
 constexpr double distance = 10;
 
-/// Cameras side by side before a wavy wall, and corners on it that each sees where they are.
+/// Cameras side by side in front of a wavy wall, with exact tracks of points on it.
 struct Rig {
     std::vector<FittedCamera> cameras;
     std::vector<Track> tracks;
@@ -34,7 +34,7 @@ Pose at(double x) {
     return p;
 }
 
-/// `groups`: how many sets of cameras that share no track.
+/// `groups`: the number of sets of cameras that share no track.
 Rig rig(int cameras, int tracks, int groups = 1) {
     Rig r;
     std::mt19937 random(3);
@@ -62,7 +62,7 @@ Rig rig(int cameras, int tracks, int groups = 1) {
     return r;
 }
 
-/// Cameras off by some pixels, one way or the other.
+/// Moves each camera at random by about `pixels`.
 void disturb(Rig& r, double pixels) {
     std::mt19937 random(4);
     std::normal_distribution<double> normal(0, pixels);
@@ -90,7 +90,7 @@ PoseFit solve(Rig& r, double anchor = 5, double sigma = 3) {
     return fit;
 }
 
-/// Seen by the cameras at -1 and 0.
+/// A track of the cameras at x = -1 and 0.
 Track seen_twice(const Eigen::Vector3d& x) {
     Track s;
     s.photo = 0;
@@ -107,7 +107,7 @@ TEST(PoseSolver, NoTracksLeavePosesUnchanged) {
     Rig empty = rig(3, 0);
     EXPECT_FALSE(solve(empty).usable);
     EXPECT_EQ(largest(empty), 0);
-    Rig lonely = rig(1, 20);  // tracks that nobody else sees
+    Rig lonely = rig(1, 20);  // tracks of a single photo
     EXPECT_FALSE(solve(lonely).usable);
     EXPECT_EQ(largest(lonely), 0);
 }
@@ -115,14 +115,14 @@ TEST(PoseSolver, NoTracksLeavePosesUnchanged) {
 TEST(PoseSolver, FreeFrameWithoutAnAnchorStaysFinite) {
     Rig r = rig(4, 200);
     disturb(r, 3);
-    // Held by next to nothing, all cameras may slide together: six directions without a curvature.
+    // Almost without an anchor, all cameras may move together: the cost is flat in six directions.
     const PoseFit fit = solve(r, 1e-12, 1);
     EXPECT_TRUE(fit.usable);
     EXPECT_LT(largest(r), 200);
 }
 
 TEST(PoseSolver, TooFewTracksAreHeldByTheAnchor) {
-    Rig r = rig(2, 2);  // two corners: four equations, twelve unknowns
+    Rig r = rig(2, 2);  // two tracks: four equations, twelve unknowns
     disturb(r, 2);
     EXPECT_TRUE(solve(r).usable);
     EXPECT_LT(largest(r), 20);
@@ -133,7 +133,7 @@ TEST(PoseSolver, DisconnectedGroupsAreSolvedSeparately) {
     disturb(together, 2);
     solve(together);
     EXPECT_LT(largest(together), 20);
-    // One group alone comes to the same.
+    // One group alone gives the same result.
     Rig alone = rig(6, 300, 2);
     disturb(alone, 2);
     std::erase_if(alone.tracks, [](const Track& s) { return s.photo != 0; });
@@ -163,7 +163,7 @@ TEST(PoseSolver, NonFiniteTracksAndPointsBehindCamerasAreIgnored) {
     with.tracks[9].point = {0, 0, -3 * distance};
     with.tracks[10].point.x() = std::nan("");
     with.tracks[11].normal.setConstant(std::nan(""));
-    with.tracks[12].matches[0].pixel = {1e200, 0};  // its square is no number
+    with.tracks[12].matches[0].pixel = {1e200, 0};  // its square overflows
     EXPECT_TRUE(solve(clean).usable);
     EXPECT_TRUE(solve(with).usable);
     for (std::size_t i = 0; i < clean.change.size(); ++i)
@@ -177,7 +177,7 @@ TEST(PoseSolver, NonFiniteTracksAndPointsBehindCamerasAreIgnored) {
 TEST(PoseSolver, NanCostLeavesPosesUnchanged) {
     Rig r = rig(4, 200);
     disturb(r, 2);
-    const PoseFit fit = solve(r, 0.05, 0);  // known without any error: zero divided by zero
+    const PoseFit fit = solve(r, 0.05, 0);  // sigma of zero: 0/0
     EXPECT_FALSE(fit.usable);
     EXPECT_TRUE(std::isfinite(fit.before) && std::isfinite(fit.after));
     EXPECT_EQ(largest(r), 0);
@@ -245,7 +245,7 @@ ColorFit fit(const Photos& photos) {
     for (const Falloff& l : f.falloff)
         for (const double v : l) EXPECT_TRUE(std::isfinite(v));
     EXPECT_TRUE(std::isfinite(f.before) && std::isfinite(f.after));
-    EXPECT_LE(f.after, f.before + 1e-3);  // a thousandth of the light
+    EXPECT_LE(f.after, f.before + 1e-3);  // up to a thousandth of the light
     return f;
 }
 
@@ -266,7 +266,7 @@ TEST(ColorSolver, DiscsAtOneRadiusGiveNoFalloff) {
 }
 
 TEST(ColorSolver, BridgeBetweenTwoGroupsJoinsThem) {
-    // 0-1 and 2-3 share discs, and 1-2 share barely enough.
+    // 0-1 and 2-3 share many discs, 1-2 just enough.
     Photos photos(4, std::vector<SampleRecord>(400, SampleRecord{}));
     for (int d = 0; d < 180; ++d)
         for (const std::size_t i : {0u, 1u}) photos[i][std::size_t(d)] = sample(i ? 0.2 : 0.1, 0.3);

@@ -26,7 +26,7 @@ Measurement row(std::string setting, std::map<std::string, double> values) {
     return {"border", "hall", "masks at 1/2", std::move(setting), false, false, std::move(values), {}};
 }
 
-/// Coarse values, so that many are equal; some lack a metric or are not finite.
+/// Coarse values, so that many are equal; some are missing or not finite.
 std::vector<Measurement> random_rows(unsigned seed, int count) {
     std::mt19937 random(seed);
     std::uniform_int_distribution<int> value(0, 12), odd(0, 9);
@@ -173,7 +173,7 @@ PlotSpec plot_of(std::vector<PlotPoint> points) {
             {PlotCurve{"masks", std::move(points)}}};
 }
 
-/// Whole, and nothing in it that SVG does not allow.
+/// A complete SVG without anything that SVG does not allow.
 void expect_sound(const std::string& svg) {
     EXPECT_EQ(svg.find("<svg "), 0U);
     EXPECT_EQ(count(svg, "<svg"), 1U);
@@ -229,19 +229,19 @@ TEST(Plot, TwoPlotsShareNoIds) {
     for (const std::string& id : a) EXPECT_FALSE(b.contains(id)) << id;
 }
 
-/// Complaints of svg_plot() with only `folder` to find programs in.
+/// The error of svg_plot() with PATH set to `folder`.
 std::string complaint_with_path(const std::filesystem::path& folder) {
     const std::string path = std::getenv("PATH");
     ::setenv("PATH", folder.c_str(), 1);
-    std::string said;
+    std::string message;
     try {
         svg_plot({});
     } catch (const Error& e) {
         EXPECT_EQ(e.code(), Exit::input);
-        said = e.what();
+        message = e.what();
     }
     ::setenv("PATH", path.c_str(), 1);
-    return said;
+    return message;
 }
 
 TEST_F(BenchTables, MissingOrFailingGnuplotIsReportedInOneLine) {
@@ -252,7 +252,7 @@ TEST_F(BenchTables, MissingOrFailingGnuplotIsReportedInOneLine) {
     EXPECT_EQ(complaint_with_path(dir), "gnuplot failed: \"plot.gp\", line 3: no x");
 }
 
-/// Ten settings whose times are all `drift` times as long as at 1.
+/// Ten settings, with all times multiplied by `drift`.
 std::vector<Measurement> drifting_rows(double drift) {
     std::vector<Measurement> out;
     for (int i = 1; i <= 10; ++i)

@@ -1,5 +1,5 @@
-// vantage prepare as it is left alone overnight: cut off, gone on with, short of disk, fed with bad photos,
-// divided.
+// vantage prepare, unattended: killed and resumed, out of disk space, with bad photos, and divided into
+// shares.
 #include "tests/programs/overnight.h"
 
 #include <algorithm>
@@ -54,17 +54,17 @@ TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtRandom) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::mt19937 random(1);
     std::uniform_real_distribution<double> instant(0.02, seconds);
-    int killed = 0, gone_on = 0;
+    int killed = 0, resumed = 0;
     for (const int wanted = number_from("VANTAGE_KILLS", 6); killed < wanted;) {
         fs::remove(file);
         fs::remove(part_of(file));
         killed += prepare_program("", "timeout -s KILL " + std::to_string(instant(random))).code == -1;
-        gone_on += fs::exists(part_of(file));
+        resumed += fs::exists(part_of(file));
         const Outcome next = prepare_program();
         ASSERT_EQ(next.code, 0) << next.err;
         expect_whole(bytes, "kill " + std::to_string(killed));
     }
-    std::printf("%d killed, %d of them with a part to go on from\n", killed, gone_on);
+    std::printf("%d killed, %d of them left a part to resume from\n", killed, resumed);
 }
 
 TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtAnyWrite) {
@@ -83,8 +83,7 @@ TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtAnyWrite) {
 TEST_F(Overnight, FinishesDespiteRepeatedKills) {
     const std::string bytes = undisturbed();
     int runs = 0;
-    while (with_fault("pwrite:120:KILL").code != 0)
-        ASSERT_LT(++runs, 50) << "no run does more than the one before";
+    while (with_fault("pwrite:120:KILL").code != 0) ASSERT_LT(++runs, 50) << "no progress";
     expect_whole(bytes, std::to_string(runs) + " kills");
     EXPECT_GT(runs, 1);
 }
@@ -106,7 +105,7 @@ TEST_F(Overnight, DamagedDataInThePartIsRedone) {
     }
     std::fstream part(part_of(file), std::ios::in | std::ios::out | std::ios::binary);
     part.seekp(std::streamoff(at));
-    part << "a power cut";
+    part << "bit rot";
     part.close();
     const PrepareResult next = prepare_here();
     EXPECT_EQ(made(next, Stage::tiles), 1u);
@@ -138,7 +137,7 @@ TEST_F(Overnight, UpdatesInPlaceWithoutRoomForBoth) {
         EXPECT_EQ(refused.code, int(Exit::storage));
         EXPECT_TRUE(one_line(refused.err)) << refused.err;
         EXPECT_NE(refused.err.find(" MB free"), std::string::npos) << refused.err;
-        EXPECT_TRUE(slurp(file) == before) << "somebody looks at it";
+        EXPECT_TRUE(slurp(file) == before) << "the package is open elsewhere";
     }
     const Outcome done = with_fault("statvfs:1:FULL", "--explain");
     ASSERT_EQ(done.code, 0) << done.err;
@@ -188,14 +187,14 @@ TEST_F(Overnight, RegisteringLaterOrByMergingGivesTheSamePackage) {
     spec.photos.samples = 1;
     spec.error.pixels = 4;
     synthesise(spec, scene, {});
-    // Whoever is told to stop while cameras are solved for goes on later.
+    // A run that is stopped while registering resumes later.
     std::atomic<bool> stop{false};
     PrepareRun stopped;
     stopped.stop = &stop;
     const auto stop_at_matching = [&](const Progress& p) { stop = std::string_view(p.stage) == "match"; };
     try {
         prepare(read_scene(discover(scene)), {}, file, stop_at_matching, stopped);
-        FAIL() << "it went on";
+        FAIL() << "did not stop";
     } catch (const Error& e) {
         EXPECT_EQ(e.code(), Exit::interrupted) << e.what();
     }
@@ -223,21 +222,21 @@ TEST_F(Overnight, RegisteringLaterOrByMergingGivesTheSamePackage) {
 
 TEST_F(Overnight, MemoryStaysBelowTheEstimateAndTheLimit) {
 #ifdef VANTAGE_SANITIZED
-    GTEST_SKIP() << "a sanitizer takes memory of its own";
+    GTEST_SKIP() << "sanitizers use memory of their own";
 #endif
     const auto megabytes = [](const std::string& text, const std::string& before) {
         const std::size_t at = text.find(before);
         return at == std::string::npos ? -1 : std::atoi(text.c_str() + at + before.size());
     };
-    // The last allows fewer photos at a time than threads.
+    // The last one allows fewer photos in flight than threads.
     for (const std::string options : {"--threads 1", "--threads 6", "--threads 6 --memory 50M"}) {
         fs::remove(file);
         const Outcome done = prepare_program(options);
         ASSERT_EQ(done.code, 0) << done.err;
-        const int said = megabytes(done.out, "s, at most "), taken = megabytes(done.out, "memory   ");
-        EXPECT_GT(taken, 0) << done.out;
-        EXPECT_LE(taken, said) << options << '\n' << done.out;
-        EXPECT_LE(said, options.ends_with("50M") ? 53 : 1000) << done.out;
+        const int estimated = megabytes(done.out, "s, at most "), used = megabytes(done.out, "memory   ");
+        EXPECT_GT(used, 0) << done.out;
+        EXPECT_LE(used, estimated) << options << '\n' << done.out;
+        EXPECT_LE(estimated, options.ends_with("50M") ? 53 : 1000) << done.out;
     }
 }
 
@@ -259,7 +258,7 @@ TEST_F(Overnight, ChangedPhotoIsRedoneAlone) {
         EXPECT_EQ(kept(next, s), 5u) << int(s);
     }
     EXPECT_EQ(made(next, Stage::coordinates) + made(next, Stage::coverage), 0u)
-        << "they do not read the photo";
+        << "these stages do not read the photo";
     const auto& why = next.stages[std::size_t(Stage::tiles)].why;
     ASSERT_EQ(why.size(), 1u);
     EXPECT_EQ(why.begin()->first, "the photo's file has changed");
@@ -311,7 +310,7 @@ TEST_F(Overnight, InterruptedUpdateResumes) {
     fs::remove(away);
     EXPECT_EQ(with_fault("pwrite:60:KILL").code, -1);
     EXPECT_EQ(check_package(file, {.deep = true}).size(), 0u)
-        << "the package of before stays until the new one is whole";
+        << "the old package stays until the new one is complete";
     const Outcome next = prepare_program();
     EXPECT_EQ(next.code, int(Exit::incomplete)) << next.err;
     expect_whole(undisturbed(), "an interrupted change");
@@ -319,10 +318,10 @@ TEST_F(Overnight, InterruptedUpdateResumes) {
 
 TEST_F(Overnight, UnusablePhotosAreLeftOutAndListed) {
     const std::vector<fs::path> all = photos();
-    fs::resize_file(all[0], fs::file_size(all[0]) / 2);              // cut short
-    fs::remove(all[1]);                                              // missing
-    fs::copy_file(all[2], all[2].parent_path() / "stranger.jpg");    // no camera
-    std::ofstream(all[3], std::ios::trunc) << "this is no picture";  // not one at all
+    fs::resize_file(all[0], fs::file_size(all[0]) / 2);            // truncated
+    fs::remove(all[1]);                                            // missing
+    fs::copy_file(all[2], all[2].parent_path() / "stranger.jpg");  // no camera
+    std::ofstream(all[3], std::ios::trunc) << "not a picture";     // not a photo
     SynthSpec other = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     other.photos.count = 1;
     other.photos.width = 120;
@@ -366,7 +365,7 @@ TEST_F(Overnight, InputThatVanishesMidwayStopsAndNothingIsLost) {
     one_by_one.threads = 1;
     try {
         prepare(known, one_by_one, file, [](const Progress&) {});
-        FAIL() << "a photo that is gone is not one to leave out";
+        FAIL() << "a vanished photo must not be left out silently";
     } catch (const Error& e) {
         EXPECT_EQ(e.code(), Exit::input);
         EXPECT_NE(std::string(e.what()).find("0005.jpg: cannot open"), std::string::npos) << e.what();
@@ -416,7 +415,7 @@ TEST_F(Overnight, OnlyOneProcessWritesAtATime) {
 }
 
 TEST_F(Overnight, SharesMergeToTheBytesOfASingleRun) {
-    fs::resize_file(photos()[4], 1000);  // and a photo that is left out
+    fs::resize_file(photos()[4], 1000);  // one photo is left out
     const std::string bytes = undisturbed();
     for (const unsigned n : {1u, 2u, 5u, 8u}) {
         std::vector<fs::path> shares;
@@ -447,7 +446,7 @@ TEST_F(Overnight, SharesOfDifferentSettingsAreRejected) {
     EXPECT_EQ(merged.code, int(Exit::input));
     EXPECT_TRUE(one_line(merged.err)) << merged.err;
     EXPECT_FALSE(fs::exists(file));
-    EXPECT_EQ(run("check " + (dir / "1").string()).code, int(Exit::damaged)) << "a share is no package";
+    EXPECT_EQ(run("check " + (dir / "1").string()).code, int(Exit::damaged)) << "a share is not a package";
 }
 
 TEST_F(Overnight, DiffListsDifferences) {
@@ -463,6 +462,6 @@ TEST_F(Overnight, DiffListsDifferences) {
     const std::string name = photos()[4].filename().string();
     EXPECT_NE(d.out.find(name + ": tiles: level 0: "), std::string::npos) << d.out;
     EXPECT_EQ(d.out.find(photos()[3].filename().string()), std::string::npos)
-        << "the others are the same: " << d.out;
+        << "the others are equal: " << d.out;
     EXPECT_TRUE(fs::exists(dir / "pictures" / (photos()[4].stem().string() + "-tiles.png")));
 }

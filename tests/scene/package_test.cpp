@@ -29,7 +29,7 @@ class Package : public TemporaryFolder {
             std::memcpy(block.data(), blocks.data() + 4096 * b, 4096);
         });  // any order
         writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(text)));
-        EXPECT_FALSE(fs::exists(to)) << "the final name must not exist before finish()";
+        EXPECT_FALSE(fs::exists(to)) << "the final name exists before finish()";
         writer.finish();
     }
     void dump(const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }

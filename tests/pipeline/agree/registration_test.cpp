@@ -30,8 +30,8 @@ SceneInput scene_with_cameras(const fs::path& folder, const fs::path& cameras) {
     return read_scene(files);
 }
 
-/// How far what a photo shows lies from where the true camera shows it, in pixels: of each photo, the median
-/// over the model's vertices that it sees.
+/// Per photo, the median distance in pixels between the projections by the package's camera and by the true
+/// one, over the model's vertices that the photo sees.
 std::vector<double> errors(const PackageReader& package, const SceneInput& truth) {
     const auto vertices = package.records<Eigen::Vector3f>(package::Type::positions);
     const Eigen::Vector3d origin(package.scene().origin);
@@ -54,7 +54,7 @@ std::vector<double> errors(const PackageReader& package, const SceneInput& truth
     return out;
 }
 
-/// Turns and moves each camera at random, by so many pixels each at a distance.
+/// Rotates and moves each camera at random, each by so many pixels at `distance`.
 void disturb(SceneInput& scene, double pixels, double distance) {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
@@ -72,7 +72,7 @@ void disturb(SceneInput& scene, double pixels, double distance) {
 double median(const std::vector<double>& v) { return quantile(v, 0.5); }
 double worst(const std::vector<double>& v) { return quantile(v, 1); }
 
-/// A synthetic scene, prepared with or without its cameras disturbed.
+/// A synthetic scene, prepared with accurate or perturbed cameras.
 class SyntheticRegistration : public TemporaryFolder {
   protected:
     const fs::path scene = dir / "scene", file = dir / "scene.vantage";
@@ -105,7 +105,7 @@ TEST_F(SyntheticRegistration, RecoversPerturbedCameras) {
     for (const double pixels : {0.5, 2.0, 5.0}) {
         SceneInput given = truth();
         disturb(given, pixels, 12);
-        // Half a pixel does not call for it.
+        // Half a pixel is below the threshold.
         const auto done = prepare_as(given, pixels > 1 ? EffectChoice::automatic : EffectChoice::on);
         EXPECT_TRUE(registration(done).decision.on) << registration(done).decision.evidence;
         const auto off = errors(PackageReader(file), truth());
@@ -126,8 +126,7 @@ TEST_F(SyntheticRegistration, AccurateCamerasStayUnchanged) {
 TEST_F(SyntheticRegistration, PairShiftsMatchTheCameraError) {
     synthesise(spec(), scene, {});
     SceneInput input = truth();
-    // One photo turned about its vertical axis, so that all it shows is 3 px to the side of where it should
-    // be.
+    // One photo rotated about its vertical axis: its content is 3 px off horizontally.
     Camera& camera = input.photos[4].camera;
     camera.cam_from_world.R =
         Eigen::AngleAxisd(3 / camera.intrinsics.fx, Eigen::Vector3d::UnitY()).toRotationMatrix() *
@@ -141,13 +140,13 @@ TEST_F(SyntheticRegistration, PairShiftsMatchTheCameraError) {
     for (const package::PairRecord& p : registration(done).pairs) {
         const bool with = p.a == 4 || p.b == 4;
         with_it += with;
-        // A turn moves the edges of the picture somewhat more than its middle.
+        // A rotation moves the edges of the picture somewhat more than its center.
         EXPECT_NEAR(std::hypot(p.shift[0], p.shift[1]), with ? 3.2 : 0, with ? 0.5 : 0.2)
             << p.a << ' ' << p.b;
         EXPECT_NEAR(std::abs(p.shift[1]), 0, 0.4);
     }
     EXPECT_GE(with_it, 2);
-    EXPECT_LT(worst(errors(PackageReader(file), truth())), 0.5) << "one alone is seen and mended";
+    EXPECT_LT(worst(errors(PackageReader(file), truth())), 0.5) << "a single wrong camera is corrected";
 }
 
 TEST_F(SyntheticRegistration, SwappedCamerasAreReportedAndLeftAlone) {
@@ -174,15 +173,15 @@ TEST_F(SyntheticRegistration, WrongCameraIsReported) {
         << registration(done).warnings[0];
 }
 
-/// Each ends in one line that says why, and cameras as they were given.
+/// Each is explained in one line, and the cameras stay as given.
 TEST_F(SyntheticRegistration, DegenerateInputsAreReportedAndLeftAlone) {
     SynthSpec s = spec();
     s.photos.count = 4;
     synthesise(s, scene, {});
-    const auto expect = [&](const SceneInput& input, const std::string& said) {
+    const auto expect = [&](const SceneInput& input, const std::string& reason) {
         const auto done = prepare_as(input, EffectChoice::on);
-        EXPECT_FALSE(registration(done).decision.on) << said;
-        EXPECT_NE(registration(done).decision.evidence.find(said), std::string::npos)
+        EXPECT_FALSE(registration(done).decision.on) << reason;
+        EXPECT_NE(registration(done).decision.evidence.find(reason), std::string::npos)
             << registration(done).decision.evidence;
         expect_unchanged(input);
     };
@@ -191,14 +190,14 @@ TEST_F(SyntheticRegistration, DegenerateInputsAreReportedAndLeftAlone) {
     one.photos.resize(1);
     expect(one, "one photo alone");
 
-    SceneInput apart = whole;  // the second looks the other way
+    SceneInput apart = whole;  // the second faces the other way
     apart.photos.resize(2);
     const Eigen::Matrix3d about = Eigen::AngleAxisd(3.14159, Eigen::Vector3d::UnitY()).toRotationMatrix();
     Pose& turned = apart.photos[1].camera.cam_from_world;
     turned = {about * turned.R, about * turned.t};
     expect(apart, "no two photos show enough of the same surface");
 
-    SceneInput other = whole;  // another building, of the same size
+    SceneInput other = whole;  // a different building of the same size
     s.seed = 77;
     s.building.bays = 2;
     s.building.floors = 1;
@@ -231,7 +230,7 @@ TEST_F(SyntheticRegistration, IdenticalPhotosStayInPlace) {
     EXPECT_LT(worst(errors(PackageReader(file), input)), 0.02);
 }
 
-/// A flat surface says nothing about cameras sliding along it.
+/// On a flat surface, cameras may slide along it unnoticed.
 TEST_F(SyntheticRegistration, FlatSurfaceIsNotRegistered) {
     SynthSpec s = spec();
     s.photos.count = 3;
@@ -252,7 +251,7 @@ TEST_F(SyntheticRegistration, FlatSurfaceIsNotRegistered) {
     expect_unchanged(input);
 }
 
-/// Only what its changed photos touch is measured again, with the same result.
+/// Only pairs with changed photos are measured again, with the same result.
 TEST_F(SyntheticRegistration, ReusesPairsThatWereMeasured) {
     SynthSpec s = spec();
     s.error.pixels = 3;
@@ -265,7 +264,7 @@ TEST_F(SyntheticRegistration, ReusesPairsThatWereMeasured) {
     const auto again = prepare(input, bare, file, [](const Progress&) {});
     for (const auto& stage : again.stages) EXPECT_EQ(stage.made, 0u);
     prepare(input, {}, file, [](const Progress&) {});
-    EXPECT_TRUE(slurp(file) == fresh) << "there and back";
+    EXPECT_TRUE(slurp(file) == fresh) << "exposure forced on and back";
 
     bare.effects = {{Effect::registration, EffectChoice::off}};
     prepare(input, bare, file, [](const Progress&) {});
@@ -288,7 +287,8 @@ TEST(RealRegistration, StaysOffOnAccurateScenes) {
     }
 }
 
-/// Cameras 3 px off come back, but for what no photo can tell: how the whole frame lies on the model.
+/// Corrects cameras that are 3 px off, up to the position of the whole frame on the model, which photos do
+/// not determine.
 TEST(RealRegistration, RecoversPerturbedCameras) {
     VANTAGE_DATASET(dataset, "fountain-P11");
     SceneInput input = read_scene(discover(dataset));

@@ -1,4 +1,4 @@
-// Presets and configuration files give settings; the command line overrules them.
+// Settings from presets and configuration files, which the command line overrides.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -50,7 +50,7 @@ TEST_F(Config, CommandLineOverridesTheFile) {
 }
 
 TEST_F(Config, RejectsUnknownOrInvalidSettings) {
-    for (const char* text : {"colour = 3\n", "size = 99\n", "size = {}\n", "size = \n", "size = [3, 4]\n",
+    for (const char* text : {"color = 3\n", "size = 99\n", "size = {}\n", "size = \n", "size = [3, 4]\n",
                              "size = []\n", "trim = []\n"}) {
         Command c;
         EXPECT_THROW(apply_config(c.app, holding(text)), Error) << text;
@@ -70,7 +70,7 @@ TEST_F(Config, PrepareAcceptsEveryPreset) {
     }
 }
 
-/// "nan" is neither below nor above any bound.
+/// NaN would pass every comparison with a bound.
 void expect_nan_refused(CLI::App& app) {
     for (CLI::Option* option : app.get_options())
         if (option->get_type_name().starts_with("FLOAT")) {

@@ -72,7 +72,7 @@ TEST_F(Import, ColmapTextAndBinaryAgree) {
 }
 
 TEST_F(Import, BundlerAxesAreConverted) {
-    // The same pose, written as Bundler would: rows 2 and 3 negated.
+    // The same pose in Bundler's convention: rows 2 and 3 negated.
     put("list.txt", "images/a.jpg 0 500\nimages/b.jpg\n");
     put("b.out",
         "# Bundle file v0.3\n2 0\n500 0 0\n1 0 0\n0 -1 0\n0 0 -1\n1 -2 -3\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 "
@@ -156,8 +156,7 @@ void expect_same(const CameraSet& a, const CameraSet& b) {
 }  // namespace
 
 TEST_F(Import, AllFormatsGiveTheSameCamera) {
-    // A camera at (3, -2, 5) that looks at the origin with the world's z up, built here from first
-    // principles.
+    // A camera at (3, -2, 5) that looks at the origin with z up, derived from first principles.
     const Eigen::Vector3d center(3, -2, 5),
         z = -center.normalized(), x = z.cross(Eigen::Vector3d::UnitZ()).normalized(), y = z.cross(x);
     Eigen::Matrix3d R;
@@ -219,7 +218,7 @@ const char* const survey_ply =
     "500000.125 5000000.0625 100 0.5 255 0 0 128 7\n500001.125 5000000.0625 100 0.25 0 255 0 255 8\n"
     "500000.125 5000001.0625 100 0.125 0 0 255 255 -9\n3 0 1 2\n";
 
-/// The same in binary; on a big-endian reading every value's bytes are turned.
+/// The same in binary; if `big`, in big-endian byte order.
 std::string survey_binary(bool big) {
     std::string s = survey_ply;
     s.replace(s.find("ascii"), 5, big ? "binary_big_endian" : "binary_little_endian");
@@ -295,7 +294,7 @@ TEST_F(Import, PlyPointsStripsAndBrokenFaces) {
     for (const auto& t : strip.triangles) {
         const Eigen::Vector3d &a = strip.positions[t[0]], &b = strip.positions[t[1]],
                               &c = strip.positions[t[2]];
-        EXPECT_GT((b - a).cross(c - a).z(), 0) << "all wound alike";
+        EXPECT_GT((b - a).cross(c - a).z(), 0) << "consistent winding";
     }
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_NE(warnings[0].find("1 broken"), std::string::npos);

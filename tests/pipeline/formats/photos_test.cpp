@@ -1,4 +1,4 @@
-// Photos of every kind that a user may bring come out as RGBA, as they look.
+// Photos of every supported kind are decoded to RGBA.
 #include "pipeline/formats/images/photos.h"
 
 #include <OpenImageIO/imageio.h>
@@ -19,8 +19,7 @@ namespace {
 
 class Photos : public TemporaryFolder {
   protected:
-    /// `width` x `height` pixels of `channels` values each, the same everywhere but in the first pixel, which
-    /// is zero.
+    /// Writes `width` x `height` copies of `pixel`, except that the first pixel is zero.
     template <class T>
     fs::path write(const char* name, int width, int height, std::initializer_list<T> pixel,
                    int orientation = 1) {
@@ -79,7 +78,7 @@ TEST_F(Photos, AdobeCmykIsInverted) {
 }
 
 TEST_F(Photos, AreRotatedOnlyIfTheCameraExpectsIt) {
-    // EXIF 6: the first row is the right side; 8: the left side, from below.
+    // Where EXIF orientations 5 to 8 put the first stored pixel.
     const std::pair<int, std::array<int, 2>> where[] = {{5, {0, 0}}, {6, {1, 0}}, {7, {1, 2}}, {8, {0, 2}}};
     for (const auto& [orientation, at] : where) {
         const fs::path file = write<std::uint8_t>("o.tif", 3, 2, {200, 200, 200}, orientation);
@@ -93,7 +92,7 @@ TEST_F(Photos, AreRotatedOnlyIfTheCameraExpectsIt) {
 }
 
 TEST_F(Photos, ColorProfileIsReportedUnlessSrgb) {
-    // The least an ICC profile can be: a header and one tag, its description.
+    // A minimal ICC profile: a header and one tag, the description.
     const auto profile = [](const std::string& description) {
         std::string p(128, '\0');
         const auto add = [&](std::uint32_t v) {

@@ -37,7 +37,7 @@ TEST_F(Prepare, SceauxSmallPassesCheckAndIsDeterministic) {
     prepare(read_scene(discover(input)), settings, dir / "a.vantage", quiet);
     settings.threads = 1;
     prepare(read_scene(discover(input)), settings, dir / "b.vantage", quiet);
-    EXPECT_TRUE(slurp(dir / "a.vantage") == slurp(dir / "b.vantage")) << "with 1 thread and with all";
+    EXPECT_TRUE(slurp(dir / "a.vantage") == slurp(dir / "b.vantage")) << "1 thread against all";
     for (const Issue& i : check_package(dir / "a.vantage", {.deep = true, .against = input}))
         ADD_FAILURE() << i.text;
 }
@@ -74,8 +74,8 @@ TEST_F(Prepare, EveryDatasetPassesCheck) {
 }
 
 TEST_F(Prepare, OddPhotoSizesPassCheck) {
-    // At half size, rounded up, 1062 x 797 has another shape: a thumbnail of that would be 512 x 385, not
-    // 384.
+    // Halving with rounding up changes the aspect ratio of 1062 x 797: a thumbnail made from that would be
+    // 512 x 385, not 384.
     for (const auto& [width, height] : {std::pair(1062, 797), {797, 1062}, {513, 1}, {3, 700}}) {
         SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
         spec.photos.count = 1;

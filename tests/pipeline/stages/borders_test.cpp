@@ -10,7 +10,7 @@ TEST(Borders, SlantedPlaneHasNoneAndStepHasOne) {
     DepthMap plane{40, 30, std::vector<float>(1200), {}}, step = plane;
     for (int y = 0; y < 30; ++y)
         for (int x = 0; x < 40; ++x) {
-            plane.z[std::size_t(y * 40 + x)] = 1 / (1.0f - 0.02f * float(x));  // a plane seen at a slant
+            plane.z[std::size_t(y * 40 + x)] = 1 / (1.0f - 0.02f * float(x));  // linear in 1/z
             step.z[std::size_t(y * 40 + x)] = x < 20 ? 5.0f : 6.0f;
         }
     for (const std::uint8_t b : find_borders(plane, 0.01f)) ASSERT_EQ(b, 0);

@@ -28,7 +28,7 @@ TEST(Masks, DepthHasTwelveStepsPerOctave) {
 
 TEST(MaskPyramid, AveragesOnlyValidTexels) {
     const float inf = std::numeric_limits<float>::infinity();
-    // 3x2: one valid block with a hole in it, and an odd column where nothing is seen.
+    // 3x2: one 2x2 block with a hole, and an odd column where nothing is seen.
     MaskLevel fine{3, 2, std::vector<std::uint8_t>(24, 0), {1, 5, inf, 3, inf, inf}};
     const std::uint8_t angle[] = {10, 20, 0, 33, 0, 0};
     for (std::size_t i = 0; i < 6; ++i) {
@@ -38,8 +38,8 @@ TEST(MaskPyramid, AveragesOnlyValidTexels) {
     const MaskLevel coarse = halve(fine);
     ASSERT_EQ(coarse.width, 2);
     ASSERT_EQ(coarse.height, 1);
-    EXPECT_EQ(coarse.z[0], 5) << "what the farthest texel sees stays seen";
-    EXPECT_EQ(int(coarse.masks[0]), 21) << "mean of the three valid ones";
+    EXPECT_EQ(coarse.z[0], 5) << "the farthest depth is kept";
+    EXPECT_EQ(int(coarse.masks[0]), 21) << "mean of the three valid texels";
     EXPECT_EQ(int(coarse.masks[3]), 255);
     EXPECT_EQ(coarse.z[1], inf);
     EXPECT_EQ(int(coarse.masks[7]), 0);

@@ -39,7 +39,7 @@ TEST(Synth, CamerasLookAtTheBuildingFromTheFront) {
         const auto hit = rays.first_hit(pose.center(), pose.direction());
         ASSERT_TRUE(hit);
         const auto& v = model.mesh.triangles[hit->triangle];
-        EXPECT_LT(pose.direction().dot(model.mesh.normals[v[0]].cast<double>()), 0) << "sees a front";
+        EXPECT_LT(pose.direction().dot(model.mesh.normals[v[0]].cast<double>()), 0) << "sees a front face";
     }
 }
 

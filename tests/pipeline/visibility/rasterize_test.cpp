@@ -1,4 +1,4 @@
-// The processor renders what a graphics card would.
+// The software rasterizer, compared with closed forms, OpenGL and ray casting.
 #include "pipeline/visibility/rasterize.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ PhotoProjection projected(std::span<const Eigen::Vector3f> positions, const Intr
     return project_model(positions, map_intrinsics(photo), pose, depth_range(positions, pose).x());
 }
 
-/// A square of two triangles in the plane z = `z`, turned about the x axis.
+/// A square of two triangles with its center at depth `z`, rotated about the x axis by `turn`.
 struct Square {
     std::vector<Eigen::Vector3f> positions, normals;
     std::vector<std::uint32_t> indices{0, 1, 2, 0, 2, 3};
@@ -74,7 +74,7 @@ TEST_F(Rasterize, PlaneMatchesItsClosedForm) {
 TEST_F(Rasterize, PlaneReachingBehindTheCameraIsClipped) {
     Square floor(50, 0, 0);
     for (Eigen::Vector3f& p : floor.positions)
-        p = {p.x(), 1, p.y()};  // one below the camera, before and behind it
+        p = {p.x(), 1, p.y()};  // one unit below the camera, in front of and behind it
     for (Eigen::Vector3f& n : floor.normals) n = {0, -1, 0};
     const PhotoGeometry g = floor.seen(camera);
     std::size_t seen = 0;
@@ -93,7 +93,7 @@ TEST_F(Rasterize, PlaneReachingBehindTheCameraIsClipped) {
 }
 
 TEST_F(Rasterize, AdjacentTrianglesLeaveNoGaps) {
-    // A fan of slivers around the picture's middle: every pixel inside is covered.
+    // A fan of slivers around the center that covers the whole frame.
     std::vector<Eigen::Vector3f> positions{{0, 0, 5}};
     std::vector<std::uint32_t> indices;
     constexpr std::uint32_t parts = 997;
@@ -128,15 +128,14 @@ TEST_F(Rasterize, AgreesWithOpenGl) {
             depths += !(a.z[i] == b.z[i] || std::abs(a.z[i] - b.z[i]) < 1e-3f * a.z[i]);
             angles += std::abs(int(a.angle[i]) - int(b.angle[i])) > 1;
         }
-        EXPECT_LT(double(depths) / double(a.z.size()), 2e-3)
-            << "texels along contours, an edge's width apart";
+        EXPECT_LT(double(depths) / double(a.z.size()), 2e-3) << "differences are allowed only along contours";
         EXPECT_LT(double(angles) / double(a.z.size()), 2e-3);
     }
 }
 
 TEST_F(Rasterize, VertexVisibilityMatchesRayCasting) {
-    // Triangles of all sizes about the camera, some through its plane; what they hide is nowhere marginal but
-    // by chance.
+    // Triangles of all sizes around the camera, some of which cross its plane. Random, so that hardly any
+    // vertex is marginally visible.
     std::mt19937 random(7);
     std::uniform_real_distribution<float> unit(-1, 1);
     std::vector<Eigen::Vector3f> positions;
@@ -172,7 +171,7 @@ TEST_F(Rasterize, VertexVisibilityMatchesRayCasting) {
 }
 
 TEST_F(Rasterize, CurvedSurfaceDoesNotOccludeItself) {
-    // A finely tessellated sphere: what faces the camera is seen, what faces away is not.
+    // A finely tessellated sphere: vertices facing the camera are seen, the others are not.
     constexpr int rings = 180, sectors = 360;
     std::vector<Eigen::Vector3f> positions;
     std::vector<std::uint32_t> indices;
@@ -195,7 +194,7 @@ TEST_F(Rasterize, CurvedSurfaceDoesNotOccludeItself) {
     for (std::size_t v = 0; v < positions.size(); ++v) {
         const Eigen::Vector3f n = positions[v] - Eigen::Vector3f(0, 0, 5);
         const float facing = -n.dot(positions[v].normalized());
-        // A facet's corners stand out by an edge's slope.
+        // Near the horizon, facets deviate from the sphere by the slope of an edge.
         if (std::abs(facing) > 0.02f) differ += (facing > 0) != (found[v].x() >= 0);
     }
     EXPECT_EQ(differ, 0u) << "of " << positions.size();

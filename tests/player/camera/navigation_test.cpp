@@ -27,6 +27,6 @@ TEST(Navigation, OrbitKeepsDistanceAndStopsAtThePoles) {
         EXPECT_NEAR((n.eye - n.target).norm(), distance, 1e-6);
         EXPECT_TRUE((n.R * n.R.transpose()).isIdentity(1e-6));
         EXPECT_LT((n.target - n.eye).normalized().cross(Eigen::Vector3d(n.R.row(2))).norm(), 1e-6);
-        EXPECT_LT(std::abs(n.R.row(2).dot(n.up)), 0.99999) << "past a pole left and right change places";
+        EXPECT_LT(std::abs(n.R.row(2).dot(n.up)), 0.99999) << "beyond a pole, left and right are swapped";
     }
 }

@@ -26,11 +26,11 @@ TEST(ClusterTree, FindsEveryClusterInTheFrustum) {
             const auto p = project(view.intrinsics, view.cam_from_origin,
                                    center + random.vector(1).normalized() * clusters[c].radius);
             if (p && p->pixel.x() >= 0 && p->pixel.y() >= 0 && p->pixel.x() < 640 && p->pixel.y() < 480) {
-                EXPECT_TRUE(std::ranges::binary_search(in_view, c)) << "a visible cluster was dropped";
+                EXPECT_TRUE(std::ranges::binary_search(in_view, c)) << "a visible cluster was culled";
             }
         }
     }
-    EXPECT_LT(found, 100u * 500) << "what is far out of view is left out";
+    EXPECT_LT(found, 100u * 500) << "clusters out of view are culled";
     EXPECT_TRUE(clusters_in_view(make_cluster_tree({}), {}, random_view(random)).empty());
 }
 

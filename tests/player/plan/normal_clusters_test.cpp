@@ -38,7 +38,7 @@ TEST(NormalClusters, DegenerateSets) {
     const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
     EXPECT_TRUE(cluster_normals({}, 4, 5).empty());
     const std::vector<Eigen::Vector3d> same(7, x), opposite{x, -x}, broken{x * std::nan(""), x};
-    ASSERT_EQ(cluster_normals(same, 4, 5).size(), 1u) << "fewer than asked for";
+    ASSERT_EQ(cluster_normals(same, 4, 5).size(), 1u) << "fewer than requested";
     EXPECT_EQ(cluster_normals(same, 4, 5)[0].members, 7u);
     EXPECT_TRUE(cluster_normals(same, 0, 5).empty());
     for (const NormalCluster& c : cluster_normals(opposite, 1, 5)) EXPECT_NEAR(c.direction.norm(), 1, 1e-12);

@@ -31,7 +31,7 @@ TEST(PhotoCover, LeavesAlmostNothingUncovered) {
         for (std::size_t i = 0; i < chosen.size(); ++i) {
             auto fewer = chosen;
             fewer.erase(fewer.begin() + std::ptrdiff_t(i));
-            EXPECT_GT(uncovered_share(problem, fewer), 1.6e-3) << "one can be spared";
+            EXPECT_GT(uncovered_share(problem, fewer), 1.6e-3) << "a chosen photo is redundant";
         }
     }
     EXPECT_TRUE(cover({}).empty());

@@ -13,7 +13,7 @@ using namespace vantage;
 
 namespace {
 
-/// The finest of two samples' distances in photo pixels, by finite differences on a plane through the point.
+/// Level of detail at a point, by finite differences on the plane through it; 99 if undefined.
 double sampled_lod(const package::PhotoRecord& photo, const View& view, const Eigen::Vector3d& point,
                    const Eigen::Vector3d& normal) {
     const auto pixel_of = [&](const Eigen::Vector3d& p) {
@@ -59,7 +59,7 @@ TEST(SampledLevels, ContainTheLevelOfEveryFragment) {
                                   camera = cam_from_origin(photo).center();
             const double to_view = normal.dot((eye - point).normalized()),
                          to_photo = normal.dot((camera - point).normalized());
-            // Edge-on the levels run away.
+            // Levels diverge edge-on.
             if (to_view < 0.2 || to_photo < 0.6 || normal.dot(axis) < std::cos(half_angle)) continue;
             if (!project(view.intrinsics, view.cam_from_origin, point)) continue;
             const double lod = sampled_lod(photo, view, point, normal);

@@ -35,16 +35,15 @@ TEST(ShownTiles, ContainTilesWithEnoughVisiblePixels) {
     const auto needs = [&](const std::vector<SurfaceSample>& samples, double pixels) {
         return shown_tiles(photo, intrinsics(photo), cam_from_origin(photo), samples, pixels, 0.1);
     };
-    // Through the photo's own eyes each pixel is a texel: of columns 0 to 268, tile 0 is full and 20 of
-    // tile 1.
+    // From the photo's own camera, pixels are texels: columns 0 to 268 fill tile 0 and 20 columns of tile 1.
     const View own = view_of_photo(photo, 1);
     TileNeeds n = needs(plane_samples(own, 4, 0, 268), 16);
     EXPECT_EQ(n.color[0], (std::vector<std::uint32_t>{0, 7, 14, 21, 28, 35})) << "seven columns, six rows";
-    EXPECT_TRUE(n.color[1].empty() || n.color[1].front() == 0) << "tile 1 is left to the next level";
+    EXPECT_TRUE(n.color[1].empty() || n.color[1].front() == 0) << "tile 1 is left to the next coarser level";
     n = needs(plane_samples(own, 4, 0, 280), 16);
     EXPECT_EQ(n.color[0].size(), 11u)
-        << "32 of 248 columns are more than a tenth, but in the last row, which is cut";
-    // From four times as far two levels coarser, and masks with them.
+        << "32 of 248 columns are more than a tenth, except in the partial last row";
+    // At four times the distance, colors and masks are two levels coarser.
     const View far = view_of_photo(photo_at({0, 0, -40}, Eigen::Matrix3d::Identity()), 1);
     n = needs(plane_samples(far, 4, 0, 1700), 16);
     EXPECT_TRUE(n.color[0].empty() && n.color[1].empty() && n.masks[1].empty());

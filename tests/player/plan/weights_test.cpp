@@ -36,13 +36,13 @@ TEST(Weights, AreFiniteAtEveryExponent) {
             const auto w = dynamic_weights(view, photos, s);
             for (const double x : w) EXPECT_TRUE(x > 0 && x <= 1) << x;
             if (!per_photo) {
-                EXPECT_DOUBLE_EQ(w.back(), 1) << "the photo at the viewpoint counts whole";
+                EXPECT_DOUBLE_EQ(w.back(), 1) << "the photo at the viewpoint has full weight";
             }
         }
 }
 
 TEST(Weights, FieldOfViewMovesATelephotoCameraCloser) {
-    // Two cameras on a line; the one with half the field of view sees from afar what the view sees from near.
+    // Two cameras on a line; the one farther away has half the field of view and sees the same extent.
     package::PhotoRecord wide = photo_at({0, 0, -10}, Eigen::Matrix3d::Identity());
     package::PhotoRecord tele = photo_at({0, 0, -20}, Eigen::Matrix3d::Identity());
     wide.seen_distance = 10;

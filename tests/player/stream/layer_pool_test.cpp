@@ -14,7 +14,7 @@ using namespace vantage;
 TEST(LayerPool, EvictsLeastRecentlyUsedButNothingInUse) {
     Random random;
     LayerPool pool(7, 40);
-    std::vector<std::uint32_t> order;  // naive: most recent last
+    std::vector<std::uint32_t> order;  // reference: most recent last
     std::vector<std::uint64_t> used(40, 0);
     for (std::uint64_t frame = 1; frame < 400; ++frame)
         for (int i = 0; i < 5; ++i) {
