@@ -38,7 +38,7 @@ Camera good() {
 }
 
 template <class Change>
-void expect_refused(const char* what, const Change& change) {
+void expect_rejected(const char* what, const Change& change) {
     Camera c = good();
     change(c);
     try {
@@ -98,24 +98,24 @@ TEST(Cameras, NearlyOrthogonalRotationIsOrthonormalized) {
         EXPECT_LT((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14);
         EXPECT_LT((R - truth).norm(), 10 * off);
     }
-    expect_refused("a scaled rotation", [](Camera& c) { c.cam_from_world.R *= 1.01; });
-    expect_refused("no rotation", [](Camera& c) { c.cam_from_world.R.setZero(); });
-    expect_refused("a mirror", [](Camera& c) { c.cam_from_world.R.col(1) *= -1; });
+    expect_rejected("a scaled rotation", [](Camera& c) { c.cam_from_world.R *= 1.01; });
+    expect_rejected("no rotation", [](Camera& c) { c.cam_from_world.R.setZero(); });
+    expect_rejected("a mirror", [](Camera& c) { c.cam_from_world.R.col(1) *= -1; });
 }
 
 TEST(Cameras, InvalidNumbersAreRejectedNamingTheCamera) {
     for (const double bad : {0.0, -300.0, nan_value, infinite, -infinite}) {
-        expect_refused("fx", [&](Camera& c) { c.intrinsics.fx = bad; });
-        expect_refused("fy", [&](Camera& c) { c.intrinsics.fy = bad; });
+        expect_rejected("fx", [&](Camera& c) { c.intrinsics.fx = bad; });
+        expect_rejected("fy", [&](Camera& c) { c.intrinsics.fy = bad; });
     }
     for (const double bad : {nan_value, infinite}) {
-        expect_refused("cx", [&](Camera& c) { c.intrinsics.cx = bad; });
-        expect_refused("R", [&](Camera& c) { c.cam_from_world.R(1, 2) = bad; });
-        expect_refused("t", [&](Camera& c) { c.cam_from_world.t.z() = bad; });
-        expect_refused("lens", [&](Camera& c) { c.lens = {LensModel::opencv, {0.1, bad}}; });
+        expect_rejected("cx", [&](Camera& c) { c.intrinsics.cx = bad; });
+        expect_rejected("R", [&](Camera& c) { c.cam_from_world.R(1, 2) = bad; });
+        expect_rejected("t", [&](Camera& c) { c.cam_from_world.t.z() = bad; });
+        expect_rejected("lens", [&](Camera& c) { c.lens = {LensModel::opencv, {0.1, bad}}; });
     }
-    expect_refused("width", [](Camera& c) { c.intrinsics.width = 0; });
-    expect_refused("height", [](Camera& c) { c.intrinsics.height = -3; });
+    expect_rejected("width", [](Camera& c) { c.intrinsics.width = 0; });
+    expect_rejected("height", [](Camera& c) { c.intrinsics.height = -3; });
 }
 
 TEST(Cameras, PrincipalPointMayLieOutsideTheFrame) {

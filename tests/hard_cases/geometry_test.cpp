@@ -163,7 +163,7 @@ class Geometry : public TemporaryFolder {
         const std::uint32_t i = add(mesh, a), j = add(mesh, b), k = add(mesh, c);
         mesh.triangles.push_back({i, j, k});
     }
-    void expect_refused(const Mesh& mesh, const std::string& words) {
+    void expect_rejected(const Mesh& mesh, const std::string& words) {
         try {
             shown(mesh);
             ADD_FAILURE() << "was accepted, expected: " << words;
@@ -334,11 +334,11 @@ TEST_F(Geometry, OneTriangleIsShownAndNoneIsRejected) {
     EXPECT_EQ(int(p.rgba[4 * std::size_t(p.height / 2 * p.width + p.width / 2) + 3]), 255);
     Mesh none = one;
     none.triangles.clear();
-    expect_refused(none, "has points only, expected a mesh with triangles");
+    expect_rejected(none, "has points only, expected a mesh with triangles");
     Mesh broken = one;
     broken.triangles = {{0, 0, 1}, {0, 1, 7}};
-    expect_refused(broken, "has points only, expected a mesh with triangles");
-    expect_refused({}, "has no vertices");
+    expect_rejected(broken, "has points only, expected a mesh with triangles");
+    expect_rejected({}, "has no vertices");
 }
 
 TEST_F(Geometry, CollinearOrCoincidentPointsShowNothing) {

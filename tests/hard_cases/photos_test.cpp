@@ -51,7 +51,7 @@ class HardPhotos : public TemporaryFolder {
         return out;
     }
     /// The decoder's complaint without the file's path; "" if it accepts the photo.
-    static std::string refusal(const fs::path& file, PhotoSize expected) {
+    static std::string rejection(const fs::path& file, PhotoSize expected) {
         try {
             const RgbaImage p = read_photo(file, expected);
             EXPECT_EQ(p.rgba.size(), std::size_t(p.width) * std::size_t(p.height) * 4);
@@ -75,13 +75,13 @@ TEST_F(HardPhotos, TruncatedAtEveryPercentIsRejectedOrWhole) {
     for (const char* name : {"p.jpg", "p.png", "p.tif"}) {
         const fs::path whole = write(name, 64, 48, 3, noise(64, 48, 3));
         const std::string bytes = slurp(whole);
-        ASSERT_EQ(refusal(whole, {64, 48}), "");
+        ASSERT_EQ(rejection(whole, {64, 48}), "");
         const RgbaImage truth = read_photo(whole, {64, 48});
         for (int percent = 0; percent < 100; ++percent) {
             const fs::path cut =
                 put(std::string("cut-") + name, bytes.substr(0, bytes.size() * std::size_t(percent) / 100));
             // Accepted only if nothing of the picture is missing.
-            EXPECT_TRUE(!refusal(cut, {64, 48}).empty() || read_photo(cut, {64, 48}).rgba == truth.rgba)
+            EXPECT_TRUE(!rejection(cut, {64, 48}).empty() || read_photo(cut, {64, 48}).rgba == truth.rgba)
                 << name << " at " << percent << " %";
         }
     }
@@ -95,8 +95,8 @@ TEST_F(HardPhotos, FlippedBitsNeverCrash) {
             std::string broken = bytes;
             for (int n = 0; n < 1 + trial % 5; ++n)
                 broken[random() % broken.size()] ^= char(1 << random() % 8);
-            refusal(put(std::string("flipped-") + name, broken),
-                    {40, 30});  // rejected, or decoded to that size
+            rejection(put(std::string("flipped-") + name, broken),
+                      {40, 30});  // rejected, or decoded to that size
         }
     }
 }
@@ -107,20 +107,20 @@ TEST_F(HardPhotos, SizeMismatchIsRejectedBeforeAllocating) {
     const std::size_t at = bytes.find("\xff\xc0");
     ASSERT_NE(at, std::string::npos);
     for (std::size_t i = 5; i < 9; i += 2) bytes[at + i] = char(0xfd), bytes[at + i + 1] = char(0xe8);
-    const std::string why = refusal(put("huge.jpg", bytes), {64, 48});  // would be 17 GB
+    const std::string why = rejection(put("huge.jpg", bytes), {64, 48});  // would be 17 GB
     EXPECT_NE(why.find("65000x65000, its camera expects 64x48"), std::string::npos) << why;
 }
 
 TEST_F(HardPhotos, ContentDecidesTheFormatNotTheExtension) {
     const std::string jpeg = slurp(write("p.jpg", 20, 10, 3, noise(20, 10, 3)));
     const std::string png = slurp(write("p.png", 20, 10, 3, noise(20, 10, 3)));
-    EXPECT_EQ(refusal(put("jpeg.png", jpeg), {20, 10}), "");
-    EXPECT_EQ(refusal(put("png.jpg", png), {20, 10}), "");
+    EXPECT_EQ(rejection(put("jpeg.png", jpeg), {20, 10}), "");
+    EXPECT_EQ(rejection(put("png.jpg", png), {20, 10}), "");
     const RgbaImage p = read_photo(put("png.jpg", png), {20, 10});
     EXPECT_EQ(p.rgba, read_photo(dir / "p.png", {20, 10}).rgba);
-    EXPECT_NE(refusal(put("text.jpg", "hello"), {20, 10}), "");
-    EXPECT_NE(refusal(put("empty.jpg", ""), {20, 10}), "");
-    EXPECT_NE(refusal(put("marker.jpg", "\xff\xd8"), {20, 10}), "");
+    EXPECT_NE(rejection(put("text.jpg", "hello"), {20, 10}), "");
+    EXPECT_NE(rejection(put("empty.jpg", ""), {20, 10}), "");
+    EXPECT_NE(rejection(put("marker.jpg", "\xff\xd8"), {20, 10}), "");
 }
 
 TEST_F(HardPhotos, ExifOrientationIsIgnoredUnlessTheCameraExpectsIt) {
@@ -131,7 +131,8 @@ TEST_F(HardPhotos, ExifOrientationIsIgnoredUnlessTheCameraExpectsIt) {
         const RgbaImage stored = read_photo(file, {3, 2});
         EXPECT_EQ(int(stored.rgba[0]), 0) << "cameras are calibrated on stored pixels; orientation " << o;
         if (o < 5) {
-            EXPECT_NE(refusal(file, {2, 3}), "") << "orientation " << o << " does not swap width and height";
+            EXPECT_NE(rejection(file, {2, 3}), "")
+                << "orientation " << o << " does not swap width and height";
         }
         // 5 to 8: Photos.AreRotatedOnlyIfTheCameraExpectsIt
     }

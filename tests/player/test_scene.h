@@ -10,6 +10,7 @@
 // Photos, clusters and views for tests.
 namespace vantage {
 
+/// A photo of `width` x `height` pixels with focal length 1500, which sees the model at a distance of 10.
 inline package::PhotoRecord photo_at(const Eigen::Vector3d& center, const Eigen::Matrix3d& R,
                                      int width = 1700, int height = 1300) {
     package::PhotoRecord p{};
@@ -25,6 +26,7 @@ inline package::PhotoRecord photo_at(const Eigen::Vector3d& center, const Eigen:
     return p;
 }
 
+/// Uniform random numbers with a fixed seed.
 struct Random {
     std::mt19937 engine{7};
     double operator()(double low, double high) {

@@ -71,13 +71,13 @@ TEST_F(Config, PrepareAcceptsEveryPreset) {
 }
 
 /// NaN would pass every comparison with a bound.
-void expect_nan_refused(CLI::App& app) {
+void expect_nan_rejected(CLI::App& app) {
     for (CLI::Option* option : app.get_options())
         if (option->get_type_name().starts_with("FLOAT")) {
             option->add_result("nan");
             EXPECT_THROW(option->run_callback(), CLI::ParseError) << option->get_name();
         }
-    for (CLI::App* sub : app.get_subcommands({})) expect_nan_refused(*sub);
+    for (CLI::App* sub : app.get_subcommands({})) expect_nan_rejected(*sub);
 }
 
 TEST(Options, RejectNan) {
@@ -95,5 +95,5 @@ TEST(Options, RejectNan) {
     add_bench_options(bench, b, unused_by_bench);
     add_evaluate_options(evaluate, e, unused_by_evaluate);
     add_verify_options(verify, v);
-    for (CLI::App* a : {&app, &player, &bench, &evaluate, &verify}) expect_nan_refused(*a);
+    for (CLI::App* a : {&app, &player, &bench, &evaluate, &verify}) expect_nan_rejected(*a);
 }
