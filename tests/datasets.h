@@ -4,7 +4,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-/// Folder of a real dataset, or skips the test saying which is missing. VANTAGE_DATASETS says where they are.
+/// Defines `variable` as the folder of a real dataset, or skips the test if it is missing. VANTAGE_DATASETS
+/// is the folder that holds the datasets.
 #define VANTAGE_DATASET(variable, name)                                                           \
     const char* variable##_root = std::getenv("VANTAGE_DATASETS");                                \
     const std::filesystem::path variable =                                                        \

@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// A test with a folder of its own, gone afterwards.
+/// A test with its own folder, which is removed afterwards.
 class TemporaryFolder : public ::testing::Test {
   protected:
     const std::filesystem::path dir =

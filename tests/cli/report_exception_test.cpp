@@ -46,7 +46,7 @@ TEST(ReportException, MapsOpenGlFailuresToGraphics) {
     EXPECT_EQ(r.text, "vantage: no OpenGL 4.5\n");
 }
 
-TEST(ReportException, TellsMemoryFromStorage) {
+TEST(ReportException, DistinguishesMemoryFromStorage) {
     const Report memory = report(std::bad_alloc());
     EXPECT_EQ(memory.code, Exit::memory);
     EXPECT_EQ(memory.text, "vantage: out of memory\n");
@@ -58,7 +58,7 @@ TEST(ReportException, TellsMemoryFromStorage) {
     EXPECT_NE(storage.text.find("/full/a.part"), std::string::npos);
 }
 
-TEST(ReportException, CallsAnythingElseAnInternalError) {
+TEST(ReportException, ReportsAnythingElseAsInternalError) {
     const Report r = report(std::logic_error("a chunk was written that was not planned"));
     EXPECT_EQ(r.code, Exit::internal);
     EXPECT_EQ(r.text, "vantage: internal error: a chunk was written that was not planned\n");

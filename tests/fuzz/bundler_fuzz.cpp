@@ -1,4 +1,4 @@
-// Cameras of Bundler: list.txt and the .out file, divided by a line of "----".
+// Bundler cameras: list.txt and the .out file, separated by a line of "----".
 #include "pipeline/formats/import/cameras.h"
 #include "scene/error.h"
 #include "tests/fuzz/memory_file.h"

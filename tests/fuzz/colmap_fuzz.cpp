@@ -1,4 +1,4 @@
-// Cameras of COLMAP: text, and after a zero byte binary. Two files, divided by a line of "----".
+// COLMAP cameras: binary if the first byte is zero, otherwise text. Two files, separated by a line of "----".
 #include "pipeline/formats/import/cameras.h"
 #include "scene/error.h"
 #include "tests/fuzz/memory_file.h"

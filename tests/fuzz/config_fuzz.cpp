@@ -1,4 +1,5 @@
-// Settings of a command and the description of a synthetic scene, both TOML. No number gets past its bounds.
+// A command's settings and the specification of a synthetic scene, both TOML. Accepted numbers are within
+// their bounds.
 #include <cstdlib>
 
 #include "cli/real_range.h"

@@ -12,7 +12,7 @@
 
 namespace vantage::fuzz {
 
-/// A file in memory, with a path.
+/// An in-memory file with a path.
 class MemoryFile {
   public:
     MemoryFile() : fd_(::memfd_create("fuzz", MFD_CLOEXEC)) {
@@ -35,7 +35,7 @@ class MemoryFile {
     int fd_;
 };
 
-/// A folder in memory, for what consists of several files.
+/// An in-memory folder, for inputs of several files.
 class MemoryFolder {
   public:
     MemoryFolder() : path_("/dev/shm/vantage-fuzz-" + std::to_string(::getpid())) {
@@ -59,7 +59,7 @@ inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
     return {reinterpret_cast<const char*>(data), size};
 }
 
-/// An input that stands for two files, divided by a line of "----".
+/// Splits an input into two files at a line of "----".
 inline std::pair<std::string_view, std::string_view> divided(std::string_view all) {
     constexpr std::string_view line = "----\n";
     const std::size_t at = all.find(line);

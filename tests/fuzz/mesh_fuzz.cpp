@@ -1,4 +1,5 @@
-// Meshes that OpenMesh reads. The first byte tells the format: o OBJ, s STL, f OFF; the file follows.
+// Meshes read by OpenMesh. The first byte is the format (o: OBJ, s: STL, f: OFF), the rest the file. Indices
+// are in range and normals finite.
 #include <cstdlib>
 
 #include "pipeline/formats/import/mesh.h"

@@ -1,4 +1,4 @@
-// Cameras of a MeshLab project.
+// MeshLab projects.
 #include "pipeline/formats/import/cameras.h"
 #include "scene/error.h"
 #include "tests/fuzz/memory_file.h"

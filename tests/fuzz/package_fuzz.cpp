@@ -1,6 +1,6 @@
-// A package as a stranger may have made it: a sound one with values put over its bytes, and all checksums
-// made right again, so that nothing stands between them and what reads them. An input is a list of edits of
-// 16 bytes: chunk, place, width and value.
+// Malicious packages: a sound package with some bytes overwritten and all checksums recomputed, so that the
+// checksums do not shield the code that reads the values. An input is a list of 16-byte edits: chunk, width,
+// position and value.
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
@@ -25,7 +25,7 @@ namespace {
 
 struct Edit {
     std::uint16_t chunk;  ///< 0xffff: the header, 0xfffe: the directory
-    std::uint16_t width;  ///< bytes of the value, less one, modulo 8
+    std::uint16_t width;  ///< number of bytes minus one, modulo 8
     std::uint32_t at;
     std::uint64_t value;
 };
@@ -50,7 +50,7 @@ void touch(std::span<const std::byte> bytes) {
     if (!bytes.empty()) sink = unsigned(bytes.front()) + unsigned(bytes.back());
 }
 
-/// What a player does before it draws, and what it reads to draw.
+/// Plans views and reads all data needed to draw them, as a player does.
 void play(const PackageReader& package) {
     const PlanScene scene = make_plan_scene(package);
     const PackagePages pages = number_pages(scene.photos);
@@ -85,14 +85,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static fuzz::MemoryFile file;
     static std::vector<std::uint8_t> bytes;
     if (bytes.empty()) file.set(bytes = sound.bytes);
-    for (const auto& [at, length] : sound.parts)  // what the last one may have changed
+    for (const auto& [at, length] : sound.parts)  // undo the previous edits
         std::copy_n(sound.bytes.begin() + std::ptrdiff_t(at), length, bytes.begin() + std::ptrdiff_t(at));
     for (std::size_t i = 0; i + sizeof(Edit) <= size && i < 32 * sizeof(Edit); i += sizeof(Edit)) {
         Edit edit;
         std::memcpy(&edit, data + i, sizeof edit);
         apply(edit, sound, bytes);
     }
-    fuzz::make_right(bytes);
+    fuzz::fix_checksums(bytes);
     for (const auto& [at, length] : sound.parts) file.write(at, std::span(bytes).subspan(at, length));
     try {
         const PackageReader package(file.path());
@@ -103,7 +103,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         play(package);
         if (size == 0) return 0;
     } catch (const Error&) {
-        if (size == 0) std::abort();  // untouched, it is sound
+        if (size == 0) std::abort();  // sound if unedited
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-// Files of camera paths. Every view that comes out can be drawn.
+// Camera path files. Every view read can be drawn.
 #include <cstdlib>
 
 #include "player/camera/camera_path.h"
@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static fuzz::MemoryFile file;
     static const PackageReader package = [] {
         std::vector<std::uint8_t> bytes = sound.bytes;
-        fuzz::make_right(bytes);
+        fuzz::fix_checksums(bytes);
         file.set(bytes);
         return PackageReader(file.path());
     }();

@@ -1,4 +1,4 @@
-// Meshes: PLY, text and binary. Every index of what comes out is a vertex.
+// PLY meshes, text and binary. Every index read is that of a vertex.
 #include <cstdlib>
 
 #include "pipeline/formats/import/mesh.h"

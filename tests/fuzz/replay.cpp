@@ -1,4 +1,4 @@
-// Runs a fuzz target on files: what was once found stays mended, whichever compiler is at hand.
+// Runs a fuzz target on the files of a corpus, as a regression test with any compiler.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>

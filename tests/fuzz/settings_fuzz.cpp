@@ -1,4 +1,4 @@
-// What the player remembers, edited by someone: whatever stands there, it opens, within its bounds.
+// The player's saved settings: any content is accepted, and values are within their bounds.
 #include <cmath>
 #include <cstdlib>
 

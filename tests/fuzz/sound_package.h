@@ -14,8 +14,8 @@
 
 namespace vantage::fuzz {
 
-/// Two triangles, one cluster and one photo of 40 x 30 pixels that sees them. Only what a player reads, and
-/// without checksums of heads, directory and header, which make_right gives.
+/// Two triangles, one cluster and one photo of 40 x 30 pixels that sees them. Only the data that a player
+/// reads, and without checksums of heads, directory and header, which fix_checksums() computes.
 class SoundPackage {
   public:
     SoundPackage() {
@@ -70,7 +70,8 @@ class SoundPackage {
     std::vector<std::uint8_t> bytes = std::vector<std::uint8_t>(package::alignment);
     std::vector<package::DirectoryEntry> entries;
     package::Header header{};
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> parts;  ///< place and length of all but tiles
+    std::vector<std::pair<std::uint64_t, std::uint64_t>>
+        parts;  ///< offset and length of everything except tiles
 
   private:
     package::DirectoryEntry& add(package::Type type, std::uint32_t photo, std::uint32_t level,
@@ -93,8 +94,8 @@ class SoundPackage {
     }
 };
 
-/// Heads', directory's and header's checksums, as far as what they cover lies within the file.
-inline void make_right(std::vector<std::uint8_t>& b) {
+/// Recomputes the checksums of heads, directory and header, if the bytes they cover are within the file.
+inline void fix_checksums(std::vector<std::uint8_t>& b) {
     package::Header h;
     std::memcpy(&h, b.data(), sizeof h);
     const auto sum = [&](std::uint64_t at, std::uint64_t length) {

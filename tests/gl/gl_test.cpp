@@ -9,7 +9,7 @@
 
 using namespace vantage;
 
-TEST(Gl, HeadlessContextDrawsWhatItClears) {
+TEST(Gl, HeadlessContextClearsATexture) {
     const gl::HeadlessContext context(gl::Debug::on);
     const gl::Texture color = gl::make_texture_2d("color", GL_RGBA8, 4, 4);
     const std::array ids{color.id()};
@@ -24,7 +24,7 @@ TEST(Gl, HeadlessContextDrawsWhatItClears) {
     EXPECT_NO_THROW(gl::check("test"));
 }
 
-TEST(Gl, MistakesAreReported) {
+TEST(Gl, ErrorsAreReported) {
     const gl::HeadlessContext context(gl::Debug::on);
     glBindFramebuffer(GL_FRAMEBUFFER, 12345);
     EXPECT_THROW(gl::check("test"), gl::Failure);

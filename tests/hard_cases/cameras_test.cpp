@@ -1,4 +1,4 @@
-// Cameras that are none, or nearly, and lenses that fold back.
+// Invalid and nearly invalid cameras, and lenses that fold back.
 #include "pipeline/formats/import/cameras.h"
 
 #include <gtest/gtest.h>
@@ -38,19 +38,19 @@ Camera good() {
 }
 
 template <class Change>
-void expect_refused(const char* what, const Change& change) {
+void expect_rejected(const char* what, const Change& change) {
     Camera c = good();
     change(c);
     try {
         validate(c, "camera 7");
-        ADD_FAILURE() << what << " was let through";
+        ADD_FAILURE() << what << " was accepted";
     } catch (const Error& e) {
         EXPECT_TRUE(std::string(e.what()).starts_with("camera 7: ")) << e.what();
         EXPECT_EQ(e.code(), Exit::input);
     }
 }
 
-/// A photo whose every pixel tells where it is.
+/// A photo whose colors encode the pixel's position.
 RgbaImage chart(int width, int height) {
     RgbaImage p{width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4, 255)};
     for (int y = 0; y < height; ++y)
@@ -62,10 +62,10 @@ RgbaImage chart(int width, int height) {
     return p;
 }
 
-/// What a lens is known to do along a radius.
+/// A lens with its fold.
 struct Known {
     Lens lens;
-    double fold;  ///< pinhole radius at which it folds back; closed form
+    double fold;  ///< pinhole radius at which it folds back, from the closed form
 };
 
 std::vector<Known> folding_lenses() {
@@ -73,7 +73,7 @@ std::vector<Known> folding_lenses() {
     for (const double k1 : {-0.05, -0.2, -0.6}) {
         const double r = std::sqrt(-1 / (3 * k1));  // of r + k1 r^3
         out.push_back({{LensModel::opencv, {k1}}, r});
-        // Of theta + k1 theta^3, as long as that is in front of the camera.
+        // of theta + k1 theta^3, if in front of the camera
         out.push_back({{LensModel::fisheye, {k1}}, r < std::numbers::pi / 2 ? std::tan(r) : infinite});
         out.push_back({{LensModel::thin_prism, {k1}}, r < std::numbers::pi / 2 ? std::tan(r) : infinite});
     }
@@ -86,7 +86,7 @@ std::vector<Known> folding_lenses() {
 
 }  // namespace
 
-TEST(Cameras, ARotationNotQuiteOrthogonalIsMendedToTheNearest) {
+TEST(Cameras, NearlyOrthogonalRotationIsOrthonormalized) {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
     for (const double off : {1e-12, 1e-7, 1e-4}) {
@@ -98,27 +98,27 @@ TEST(Cameras, ARotationNotQuiteOrthogonalIsMendedToTheNearest) {
         EXPECT_LT((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14);
         EXPECT_LT((R - truth).norm(), 10 * off);
     }
-    expect_refused("a scaled rotation", [](Camera& c) { c.cam_from_world.R *= 1.01; });
-    expect_refused("no rotation", [](Camera& c) { c.cam_from_world.R.setZero(); });
-    expect_refused("a mirror", [](Camera& c) { c.cam_from_world.R.col(1) *= -1; });
+    expect_rejected("a scaled rotation", [](Camera& c) { c.cam_from_world.R *= 1.01; });
+    expect_rejected("no rotation", [](Camera& c) { c.cam_from_world.R.setZero(); });
+    expect_rejected("a mirror", [](Camera& c) { c.cam_from_world.R.col(1) *= -1; });
 }
 
-TEST(Cameras, NumbersThatAreNoneAreRefusedNamingTheCamera) {
+TEST(Cameras, InvalidNumbersAreRejectedNamingTheCamera) {
     for (const double bad : {0.0, -300.0, nan_value, infinite, -infinite}) {
-        expect_refused("fx", [&](Camera& c) { c.intrinsics.fx = bad; });
-        expect_refused("fy", [&](Camera& c) { c.intrinsics.fy = bad; });
+        expect_rejected("fx", [&](Camera& c) { c.intrinsics.fx = bad; });
+        expect_rejected("fy", [&](Camera& c) { c.intrinsics.fy = bad; });
     }
     for (const double bad : {nan_value, infinite}) {
-        expect_refused("cx", [&](Camera& c) { c.intrinsics.cx = bad; });
-        expect_refused("R", [&](Camera& c) { c.cam_from_world.R(1, 2) = bad; });
-        expect_refused("t", [&](Camera& c) { c.cam_from_world.t.z() = bad; });
-        expect_refused("lens", [&](Camera& c) { c.lens = {LensModel::opencv, {0.1, bad}}; });
+        expect_rejected("cx", [&](Camera& c) { c.intrinsics.cx = bad; });
+        expect_rejected("R", [&](Camera& c) { c.cam_from_world.R(1, 2) = bad; });
+        expect_rejected("t", [&](Camera& c) { c.cam_from_world.t.z() = bad; });
+        expect_rejected("lens", [&](Camera& c) { c.lens = {LensModel::opencv, {0.1, bad}}; });
     }
-    expect_refused("width", [](Camera& c) { c.intrinsics.width = 0; });
-    expect_refused("height", [](Camera& c) { c.intrinsics.height = -3; });
+    expect_rejected("width", [](Camera& c) { c.intrinsics.width = 0; });
+    expect_rejected("height", [](Camera& c) { c.intrinsics.height = -3; });
 }
 
-TEST(Cameras, APrincipalPointOutsideTheFrameIsACamera) {
+TEST(Cameras, PrincipalPointMayLieOutsideTheFrame) {
     Camera c = good();
     c.intrinsics.cx = -900;
     c.intrinsics.cy = 5000;
@@ -131,7 +131,7 @@ TEST(Cameras, APrincipalPointOutsideTheFrameIsACamera) {
     EXPECT_NEAR((clip.x() / clip.w() + 1) / 2 * 400, 325, 1e-9);
 }
 
-TEST(Cameras, WhatIsBehindOrInfinitelyFarIsNotInThePhoto) {
+TEST(Cameras, PointsBehindOrAtInfinityAreNotInThePhoto) {
     const Camera c = good();
     const Pose& pose = c.cam_from_world;
     const Eigen::Vector3d behind = pose.center() - 2 * pose.direction();
@@ -140,10 +140,10 @@ TEST(Cameras, WhatIsBehindOrInfinitelyFarIsNotInThePhoto) {
     EXPECT_FALSE(project(c.intrinsics, pose, {nan_value, 0, 0}));
     EXPECT_FALSE(project(c.intrinsics, pose, {infinite, infinite, infinite}));
     const auto edge_on = project(c.intrinsics, Pose(), {1e300, 0, 1e-300});
-    EXPECT_FALSE(edge_on) << "no number of pixels";
+    EXPECT_FALSE(edge_on) << "not a finite pixel";
 }
 
-TEST(Lenses, FoldWhereTheClosedFormSays) {
+TEST(Lenses, FoldAtTheRadiusOfTheClosedForm) {
     for (const Known& k : folding_lenses()) {
         const double range = lens_range(k.lens);
         if (std::isinf(k.fold)) {
@@ -155,10 +155,10 @@ TEST(Lenses, FoldWhereTheClosedFormSays) {
     }
 }
 
-TEST(Lenses, BeyondTheFoldThePhotoIsNeverShownAndWithinItAlways) {
+TEST(Lenses, PhotoIsShownExactlyWithinTheFold) {
     for (const Known& k : folding_lenses()) {
         Camera c;
-        c.intrinsics = {240, 180, 60, 60, 120, 90};  // 127 degrees across: beyond the strong folds
+        c.intrinsics = {240, 180, 60, 60, 120, 90};  // 127 degrees wide: beyond the strong folds
         c.lens = k.lens;
         const RgbaImage out = undistort(chart(240, 180), c, Resampling::linear);
         int beyond = 0;
@@ -182,20 +182,20 @@ TEST(Lenses, BeyondTheFoldThePhotoIsNeverShownAndWithinItAlways) {
     }
 }
 
-TEST(Lenses, AFisheyeThatSeesBehindItselfShowsWhatIsInFront) {
+TEST(Lenses, FisheyeWiderThan180DegreesShowsWhatIsInFront) {
     Camera c;
     c.intrinsics = {200, 200, 50, 50, 100, 100};  // 229 degrees on the sensor
     c.lens.model = LensModel::fisheye;
     const RgbaImage out = undistort(chart(200, 200), c, Resampling::linear);
     const auto at = [&](int x, int y) { return &out.rgba[4 * (std::size_t(y) * 200 + std::size_t(x))]; };
     EXPECT_EQ(at(100, 100)[3], 255);
-    // The frame's corner lies atan(2) from the axis; the photo draws it that far from its centre.
+    // The fisheye images the frame's corner at this distance from the center.
     const double theta = std::atan(std::hypot(99.5, 99.5) / 50), drawn = 100 + 50 * theta / std::sqrt(2);
     EXPECT_EQ(at(199, 199)[3], 255);
     EXPECT_NEAR(at(199, 199)[0], 255 * drawn / 200, 2);
 }
 
-TEST(Lenses, OfMadParametersGiveNoNumberOutOfPlace) {
+TEST(Lenses, ExtremeParametersGiveFiniteValues) {
     std::mt19937 random(6);
     std::normal_distribution<double> normal;
     for (int trial = 0; trial < 300; ++trial) {
@@ -238,7 +238,7 @@ class CameraFiles : public TemporaryFolder {
 
 }  // namespace
 
-TEST_F(CameraFiles, APhotoWhoseCameraIsNoneIsLeftOutAndNamed) {
+TEST_F(CameraFiles, PhotoWithInvalidCameraIsLeftOutAndListed) {
     replace("images.txt", "2 ", "2 0 0 0 0 1 2 3 2 0001.jpg");
     const SceneInput scene = read_scene(discover(dir / "scene"));
     EXPECT_EQ(scene.photos.size(), 2u);
@@ -247,7 +247,7 @@ TEST_F(CameraFiles, APhotoWhoseCameraIsNoneIsLeftOutAndNamed) {
     EXPECT_NE(scene.left_out[0].why.find("not finite"), std::string::npos) << scene.left_out[0].why;
 }
 
-TEST_F(CameraFiles, NumbersBeyondAllBoundsAreOneLine) {
+TEST_F(CameraFiles, OutOfRangeNumbersAreReportedInOneLine) {
     for (const char* camera : {"1 PINHOLE 400 300 1e999 1 1 1", "1 PINHOLE 99999999999 300 1 1 1 1",
                                "1 PINHOLE 400 300 x 1 1 1", "1 PINHOLE 400"}) {
         SetUp();

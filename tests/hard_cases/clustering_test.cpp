@@ -1,4 +1,4 @@
-// Normals, covers and frusta where there is nothing to choose from, or where a plane just touches.
+// Clusters of normals, covers and frusta in degenerate cases and where a plane just touches.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -21,7 +21,7 @@ using package::ClusterRecord;
 
 namespace {
 
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 Eigen::Vector3d random_unit(std::mt19937& random) {
     std::normal_distribution<double> normal;
@@ -32,7 +32,7 @@ double random_in(std::mt19937& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// Not inlined: GCC 12 would vectorise that, and leave out the rounding to single precision.
+/// Not inlined: GCC 12 would vectorize it and skip the rounding to single precision.
 [[gnu::noinline]] ClusterRecord sphere(const Eigen::Vector3d& c, double r) {
     ClusterRecord cluster{};
     for (int i = 0; i < 3; ++i) cluster.center[i] = float(c[i]);
@@ -50,7 +50,7 @@ View random_view(std::mt19937& random, double fov) {
     return view_towards(10 * random_unit(random), random_unit(random), random_unit(random), fov, 640, 480);
 }
 
-/// How far a point lies inside the frustum's five planes, the least of them; in long double.
+/// Signed distance of a point inside the nearest of the frustum's five planes, in long double.
 long double inside_by(const View& view, const Eigen::Vector3d& point) {
     using V = Eigen::Matrix<long double, 3, 1>;
     const Intrinsics& k = view.intrinsics;
@@ -65,7 +65,7 @@ long double inside_by(const View& view, const Eigen::Vector3d& point) {
 
 }  // namespace
 
-TEST(NormalClusterHardCases, FewerNormalsThanClustersAreEachACluster) {
+TEST(NormalClusterHardCases, FewerNormalsThanClustersGetOneClusterEach) {
     std::mt19937 random(1);
     for (std::size_t n = 1; n <= 6; ++n) {
         std::vector<Eigen::Vector3d> normals;
@@ -84,7 +84,7 @@ TEST(NormalClusterHardCases, FewerNormalsThanClustersAreEachACluster) {
     }
 }
 
-TEST(NormalClusterHardCases, ManyNormalsOfTwoDirectionsGiveTwoClusters) {
+TEST(NormalClusterHardCases, TwoDistinctDirectionsGiveTwoClusters) {
     std::vector<Eigen::Vector3d> normals(3000, Eigen::Vector3d::UnitX());
     for (std::size_t i = 0; i < 1000; ++i) normals[3 * i] = -Eigen::Vector3d::UnitX();
     const auto found = cluster_normals(normals, 4, 5);
@@ -94,12 +94,12 @@ TEST(NormalClusterHardCases, ManyNormalsOfTwoDirectionsGiveTwoClusters) {
     EXPECT_EQ(found[1].members, 1000u);
 }
 
-TEST(NormalClusterHardCases, SmallSetsComeCloseToTheBestOfAllPartitions) {
+TEST(NormalClusterHardCases, SmallSetsComeCloseToTheBestPartition) {
     std::mt19937 random(2);
     for (int trial = 0; trial < 60; ++trial) {
         std::vector<Eigen::Vector3d> normals;
         for (int i = 0; i < 8; ++i) normals.push_back(random_unit(random));
-        // Spherical k-means maximises the sum of the lengths of the clusters' sums.
+        // Spherical k-means maximizes the sum of the norms of the clusters' vector sums.
         double best = 0;
         for (unsigned bits = 0; bits < 128; ++bits) {
             std::array<Eigen::Vector3d, 2> sums{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
@@ -121,13 +121,13 @@ TEST(NormalClusterHardCases, SmallSetsComeCloseToTheBestOfAllPartitions) {
     }
 }
 
-RC_GTEST_PROP(NormalClusterHardCases, AnyDirectionsAreAllInClustersOfUnitLength, ()) {
-    // Few, along two axes, so that many are equal and what is opposite adds up to nothing.
+RC_GTEST_PROP(NormalClusterHardCases, AnyDirectionsFormClustersOfUnitLength, ()) {
+    // Few directions along two axes, so that many are equal and opposite ones cancel out.
     const auto axes = *rc::gen::resize(8, rc::gen::container<std::vector<int>>(rc::gen::element(0, 1, 2, 3)));
     std::vector<Eigen::Vector3d> normals;
     for (const int a : axes) normals.push_back((a < 2 ? 1 : -1) * Eigen::Vector3d::Unit(a % 2));
     const auto clusters = *rc::gen::inRange<std::size_t>(1, 5);
-    const auto iterations = *rc::gen::inRange(0, 6);  // none: nothing belongs anywhere
+    const auto iterations = *rc::gen::inRange(0, 6);  // 0: nothing is assigned
     const auto found = cluster_normals(normals, clusters, iterations);
     std::size_t members = 0;
     for (const NormalCluster& c : found) {
@@ -140,8 +140,8 @@ RC_GTEST_PROP(NormalClusterHardCases, AnyDirectionsAreAllInClustersOfUnitLength,
     RC_ASSERT(members == (iterations ? normals.size() : 0));
 }
 
-TEST(NormalClusterHardCases, WhatIsNoDirectionIsLeftOutOrDefined) {
-    const std::vector<Eigen::Vector3d> none{{no_number, 0, 0},
+TEST(NormalClusterHardCases, NonFiniteAndZeroNormalsAreHandled) {
+    const std::vector<Eigen::Vector3d> none{{nan_value, 0, 0},
                                             {0, std::numeric_limits<double>::infinity(), 0}};
     EXPECT_TRUE(cluster_normals(none, 4, 5).empty());
     const std::vector<Eigen::Vector3d> zero(5, Eigen::Vector3d::Zero());
@@ -155,7 +155,7 @@ struct Bits {
     CoverProblem problem;
 };
 
-/// Random sets over `triangles`, of which those of the last cluster are seen by nobody.
+/// Random sets over `triangles`; no photo sees those of the last cluster.
 Bits random_cover(std::mt19937& random, std::uint32_t triangles, std::size_t sets) {
     Bits b;
     const std::size_t words = package::visible_words(triangles);
@@ -173,7 +173,7 @@ Bits random_cover(std::mt19937& random, std::uint32_t triangles, std::size_t set
     return b;
 }
 
-/// uncovered_share() from its description: a triangle at a time.
+/// uncovered_share() by its definition, triangle by triangle.
 double counted_share(const CoverProblem& p, const std::vector<std::size_t>& chosen) {
     const auto seen = [](const auto& bits, std::uint32_t t) { return bits[t / 64] >> (t % 64) & 1; };
     double all = 0, left = 0;
@@ -193,7 +193,7 @@ double counted_share(const CoverProblem& p, const std::vector<std::size_t>& chos
 
 }  // namespace
 
-TEST(PhotoCoverHardCases, WhatNobodySeesIsNotAskedForAndTheRestIsCovered) {
+TEST(PhotoCoverHardCases, CoversAllTrianglesThatSomePhotoSees) {
     std::mt19937 random(3);
     for (int trial = 0; trial < 80; ++trial) {
         const auto triangles = std::uint32_t(4 * (1 + random() % 40));
@@ -206,7 +206,7 @@ TEST(PhotoCoverHardCases, WhatNobodySeesIsNotAskedForAndTheRestIsCovered) {
     }
 }
 
-TEST(PhotoCoverHardCases, TakesFewMorePhotosThanTheFewestThatDo) {
+TEST(PhotoCoverHardCases, TakesAtMostTwoMoreThanTheMinimum) {
     std::mt19937 random(4);
     for (int trial = 0; trial < 40; ++trial) {
         const Bits b = random_cover(random, 48, 8);
@@ -223,7 +223,7 @@ TEST(PhotoCoverHardCases, TakesFewMorePhotosThanTheFewestThatDo) {
     }
 }
 
-TEST(PhotoCoverHardCases, NothingSeenNothingInViewAndNothingPreferred) {
+TEST(PhotoCoverHardCases, NothingSeenInViewOrPreferred) {
     const std::vector<std::uint64_t> none(1, 0), all(1, ~std::uint64_t(0));
     const CoverProblem blind{{{0, 64, 1}}, {{none, none, 1}, {none, none, 1}}};
     EXPECT_TRUE(cover(blind).empty());
@@ -241,14 +241,14 @@ TEST(PhotoCoverHardCases, NothingSeenNothingInViewAndNothingPreferred) {
     EXPECT_EQ(count_bits(all, 64, 0), 0u);
 }
 
-TEST(FrustumHardCases, KeepsEverySphereThatReachesIn) {
+TEST(FrustumHardCases, KeepsEverySphereThatIntersectsIt) {
     std::mt19937 random(5);
     for (const double fov : {0.1, 45.0, 170.0}) {
         std::size_t kept = 0, all = 0;
         for (int trial = 0; trial < 40; ++trial) {
             const View view = random_view(random, fov);
             std::vector<ClusterRecord> clusters;
-            // Near the line of sight, so that narrow views hold some.
+            // Near the line of sight, so that narrow views contain some.
             for (int i = 0; i < 400; ++i) {
                 const Eigen::Vector3d on_axis = view.cam_from_origin.center() +
                                                 random_in(random, -5, 30) * view.cam_from_origin.direction();
@@ -269,7 +269,7 @@ TEST(FrustumHardCases, KeepsEverySphereThatReachesIn) {
     }
 }
 
-TEST(FrustumHardCases, KeepsSpheresAndPointsThatItsPlanesJustTouch) {
+TEST(FrustumHardCases, KeepsSpheresAndPointsThatJustTouchItsPlanes) {
     std::mt19937 random(6);
     for (const double fov : {0.1, 45.0, 170.0})
         for (const double size : {1e-3, 1.0, 1e6})
@@ -278,7 +278,7 @@ TEST(FrustumHardCases, KeepsSpheresAndPointsThatItsPlanesJustTouch) {
                 const View view =
                     view_towards(eye, Eigen::Vector3d::Zero(), random_unit(random), fov, 640, 480);
                 const Intrinsics& k = view.intrinsics;
-                // A point on a side of the frame, and what touches that side there from without.
+                // A point on a side of the frame, and a sphere that touches that side there from outside.
                 const double x = trial % 2 ? (trial % 4 == 1 ? 0 : k.width) : random_in(random, 0, k.width);
                 const double y = trial % 2 ? random_in(random, 0, k.height) : (trial % 4 == 0 ? 0 : k.height);
                 const Eigen::Vector3d ray((x - k.cx) / k.fx, (y - k.cy) / k.fy, 1);
@@ -289,7 +289,7 @@ TEST(FrustumHardCases, KeepsSpheresAndPointsThatItsPlanesJustTouch) {
                 const Eigen::Vector3d at =
                     view.cam_from_origin.R.transpose() * (10 * size * ray - radius * side.normalized()) + eye;
                 ClusterRecord c = sphere(at, radius);
-                // Positions are single precision: as much as that moves the sphere, it is larger.
+                // Enlarge the sphere by what rounding to single precision moved it.
                 const double by = double(inside_by(view, center(c))) + c.radius;
                 if (by < 0) c.radius = std::nextafter(float(c.radius - by), 1e30f);
                 const std::vector<ClusterRecord> all(20, c);
@@ -298,8 +298,8 @@ TEST(FrustumHardCases, KeepsSpheresAndPointsThatItsPlanesJustTouch) {
             }
 }
 
-TEST(FrustumHardCases, APointOnAPlaneOfTheFrustumIsKept) {
-    // Axes that no rounding tilts: the planes go through (x, 0, x) and the like exactly.
+TEST(FrustumHardCases, KeepsPointsOnItsPlanes) {
+    // Axis-aligned, so that the planes contain (x, 0, x) etc. exactly.
     View view = view_towards({0, 0, 0}, {0, 0, 1}, {0, -1, 0}, 90, 2, 2);
     view.intrinsics.fx = view.intrinsics.fy = 1;
     for (const double x : {1e-30, 1.0, 3.0, 1e10})
@@ -309,12 +309,12 @@ TEST(FrustumHardCases, APointOnAPlaneOfTheFrustumIsKept) {
             const std::vector all{sphere(p, 0)};
             EXPECT_EQ(clusters_in_view(make_cluster_tree(all), all, view).size(), 1u) << p.transpose();
         }
-    // The same, turned about: now they are rounded.
+    // The same, rotated: the planes are rounded.
     std::mt19937 random(7);
     for (int trial = 0; trial < 500; ++trial) {
         const View turned = view_towards(Eigen::Vector3d::Zero(), random_unit(random), random_unit(random),
                                          random_in(random, 1, 170), 640, 480);
-        // The camera's own centre lies on four planes and on the one before it.
+        // The camera's center lies on all five planes.
         const std::vector all{sphere(Eigen::Vector3d::Zero(), 0)};
         EXPECT_EQ(clusters_in_view(make_cluster_tree(all), all, turned).size(), 1u) << trial;
         View moved = turned;
@@ -324,10 +324,10 @@ TEST(FrustumHardCases, APointOnAPlaneOfTheFrustumIsKept) {
     }
 }
 
-TEST(FrustumHardCases, EveryVertexInTheFrameIsInAClusterOfTheView) {
+TEST(FrustumHardCases, KeepsTheClustersOfAllVerticesInTheFrame) {
     std::mt19937 random(8);
     for (const double size : {0.01, 1.0, 1e4}) {
-        // A crumpled sheet, some of whose triangles are points.
+        // A crumpled sheet with some degenerate triangles.
         std::vector<Eigen::Vector3f> positions;
         std::vector<std::uint32_t> indices;
         const std::uint32_t n = 40;
@@ -359,12 +359,12 @@ TEST(FrustumHardCases, EveryVertexInTheFrameIsInAClusterOfTheView) {
                 }
                 const Eigen::Vector2d range = depth_range(clusters, found, view);
                 ASSERT_TRUE(range.allFinite() && range.x() >= 0 && range.y() >= range.x());
-                ASSERT_TRUE(range.y() == 0 || range.x() > 0) << "a ratio that a depth buffer can hold";
+                ASSERT_TRUE(range.y() == 0 || range.x() > 0) << "a finite near/far ratio";
             }
     }
 }
 
-TEST(FrustumHardCases, SpheresThatAreNoNumbersHideNoOthers) {
+TEST(FrustumHardCases, NanSpheresDoNotHideOthers) {
     std::mt19937 random(9);
     for (int trial = 0; trial < 50; ++trial) {
         const View view = random_view(random, 45);
@@ -374,7 +374,7 @@ TEST(FrustumHardCases, SpheresThatAreNoNumbersHideNoOthers) {
             if (random() % 8) continue;
             float* const parts[] = {&clusters.back().center[0], &clusters.back().center[2],
                                     &clusters.back().radius};
-            *parts[random() % 3] = float(no_number);
+            *parts[random() % 3] = float(nan_value);
         }
         const auto found = clusters_in_view(make_cluster_tree(clusters), clusters, view);
         for (std::uint32_t i = 0; i < clusters.size(); ++i)
@@ -386,7 +386,7 @@ TEST(FrustumHardCases, SpheresThatAreNoNumbersHideNoOthers) {
 
 namespace {
 
-/// Two triangles in two clusters that one photo sees; the second cluster is a point.
+/// Two triangles in two clusters that one photo sees; the second cluster is a single point.
 struct TwoClusters {
     std::vector<package::PhotoRecord> photos{1};
     std::vector<ClusterRecord> clusters{sphere({0, 0, 2}, 1), sphere({0, 0, 0}, 0)};
@@ -418,7 +418,7 @@ struct TwoClusters {
 
 }  // namespace
 
-TEST(PlanHardCases, AClusterThatIsAPointAtTheViewersEyeDoesNotEndThePlan) {
+TEST(PlanHardCases, PointClusterAtTheEyeIsPlannedAsUsual) {
     const TwoClusters t;
     const View view = view_towards({0, 0, 0}, {0, 0, 2}, {0, -1, 0}, 60, 64, 64);
     const std::vector<std::uint32_t> photos{0};
@@ -434,7 +434,7 @@ TEST(PlanHardCases, AClusterThatIsAPointAtTheViewersEyeDoesNotEndThePlan) {
     EXPECT_GT(agreements(t.scene, view)[0], 0);
 }
 
-TEST(PlanHardCases, OfNothingAllowedOrNothingInViewIsEmpty) {
+TEST(PlanHardCases, IsEmptyIfNothingIsAllowedOrInView) {
     const TwoClusters t;
     const View view = view_towards({0, 0, 0}, {0, 0, 2}, {0, -1, 0}, 60, 64, 64),
                away = view_towards({0, 0, -1}, {0, 0, -5}, {0, -1, 0}, 60, 64, 64);
@@ -442,7 +442,7 @@ TEST(PlanHardCases, OfNothingAllowedOrNothingInViewIsEmpty) {
     const Plan plan = make_plan(t.scene, away, {}, std::array{0u});
     EXPECT_TRUE(plan.photos.empty() && plan.clusters.empty());
     EXPECT_EQ(plan.uncovered, 0);
-    // Triangles seen that are none of the model's are passed over.
+    // Triangle indices beyond the model are skipped.
     const Plan odd = make_plan(t.scene, view, {}, std::array{0u}, {}, std::array{0u, 3u, ~0u, 1u});
     EXPECT_EQ(odd.photos.size(), 1u);
 }

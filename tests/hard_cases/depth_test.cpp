@@ -1,5 +1,5 @@
-// What a camera sees where depth is hard: against rays cast in double precision at every triangle, and closed
-// forms.
+// Visibility where depth is difficult, compared with double-precision ray casting against every triangle and
+// with closed forms.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -33,7 +33,7 @@ namespace {
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 const Intrinsics camera{150, 110, 120, 125, 71.3, 57.6};
 
-/// Triangles, three vertices each.
+/// Unconnected triangles.
 struct Soup {
     std::vector<Eigen::Vector3f> positions;
     std::vector<std::uint32_t> indices;
@@ -50,7 +50,7 @@ struct Soup {
     }
 };
 
-/// How far along `ray`, in its lengths, a triangle is met; nowhere where it is not. Either side counts.
+/// Distance to a two-sided triangle along `ray`, in lengths of `ray`; `nowhere` if it is missed.
 double met_at(const Eigen::Vector3d& from, const Eigen::Vector3d& ray,
               const std::array<Eigen::Vector3d, 3>& p) {
     const Eigen::Vector3d a = p[0] - from, b = p[1] - from, c = p[2] - from;
@@ -60,7 +60,7 @@ double met_at(const Eigen::Vector3d& from, const Eigen::Vector3d& ray,
     return t > 0 ? t : nowhere;
 }
 
-/// All triangles, in the order of `indices`, as rays meet them.
+/// Brute-force ray casting against triangles, in the order of `indices`.
 class Rays {
   public:
     Rays(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices) {
@@ -82,7 +82,7 @@ class Rays {
     std::vector<std::array<Eigen::Vector3d, 3>> triangles_;
 };
 
-/// A pixel's ray in the world, as long as its depth.
+/// A pixel's ray in the world, scaled to unit depth.
 Eigen::Vector3d ray_of(const Intrinsics& k, const Pose& pose, double u, double v) {
     return pose.R.transpose() * Eigen::Vector3d((u - k.cx) / k.fx, (v - k.cy) / k.fy, 1);
 }
@@ -95,8 +95,7 @@ class Depth : public TemporaryFolder {
         const char* by;
         PhotoGeometry geometry;
     };
-    /// By both that can render a photo's geometry, from the triangles of the clusters that reach into its
-    /// frame.
+    /// Rendered by both renderers, from the clusters that intersect the frame.
     static std::vector<Seen> seen(Soup soup, const Intrinsics& k, const Pose& pose) {
         const auto clusters = make_clusters(soup.positions, soup.indices, 64);
         const FrameTriangles in_frame = triangles_in_frame(clusters, soup.indices, k, pose);
@@ -113,7 +112,7 @@ class Depth : public TemporaryFolder {
             soup.indices, k);
     }
 
-    /// Depths that are none of those that the rays find within `reach` pixels of the map.
+    /// Counts depths outside the range that rays find within `reach` map pixels.
     static std::size_t count_wrong(const PhotoGeometry& g, const Soup& soup, const Intrinsics& k,
                                    const Pose& pose, double reach) {
         const Rays rays(soup.positions, soup.indices);
@@ -161,8 +160,8 @@ class Random {
 
 }  // namespace
 
-TEST_F(Depth, EveryPixelSeesWhatItsRayMeetsFirst) {
-    // Triangles through the camera's plane, behind it, around it, slivers, large and small.
+TEST_F(Depth, EveryPixelMatchesItsFirstRayHit) {
+    // Large and small triangles and slivers around the camera, some behind it or crossing its plane.
     for (unsigned seed = 1; seed <= 6; ++seed) {
         Random random(seed);
         Soup soup;
@@ -179,9 +178,9 @@ TEST_F(Depth, EveryPixelSeesWhatItsRayMeetsFirst) {
     }
 }
 
-TEST_F(Depth, SurfacesAMillionTimesAsFarAsOthersAreSeenAtTheirDepths) {
-    // About the camera, so that single precision holds the near ones, too; each strip of the frame has a
-    // distance of its own, and a second surface a thousandth behind the first.
+TEST_F(Depth, DepthsAreExactOverANearFarRatioOfAMillion) {
+    // Around the camera, so that single precision suffices for near surfaces, too. Each strip of the frame
+    // has its own distance, and a second surface a thousandth behind the first.
     Soup soup;
     for (const double side : {-1.0, 1.0})
         for (int strip = 0; strip < 7; ++strip) {
@@ -202,8 +201,8 @@ TEST_F(Depth, SurfacesAMillionTimesAsFarAsOthersAreSeenAtTheirDepths) {
             }
 }
 
-TEST_F(Depth, FromWithinAClosedModelEveryPixelSeesItsInside) {
-    // A cube about the camera, which stands close to one side.
+TEST_F(Depth, ClosedModelHasNoHolesFromInside) {
+    // A cube around the camera, which is close to one side.
     const double half = 4;
     Soup soup;
     for (int axis = 0; axis < 3; ++axis)
@@ -219,7 +218,7 @@ TEST_F(Depth, FromWithinAClosedModelEveryPixelSeesItsInside) {
         Pose pose{random.rotation(), {}};
         pose.t = -pose.R * eye;
         for (const Seen& s : seen(soup, camera, pose)) {
-            // OpenGL knows positions to 24 bits only, some of which the way to the near side takes.
+            // OpenGL has only 24-bit positions, some of which the offset to the near side uses up.
             EXPECT_LE(count_wrong(s.geometry, soup, camera, pose, 1 / 64.0), s.by[0] == 'O' ? 4u : 0u)
                 << s.by << " turn " << turn;
             EXPECT_TRUE(std::ranges::all_of(s.geometry.z, [](float z) { return std::isfinite(z); })) << s.by;
@@ -233,20 +232,20 @@ TEST_F(Depth, FromWithinAClosedModelEveryPixelSeesItsInside) {
     }
 }
 
-TEST_F(Depth, AFloorThatReachesFarAsideAndBehindIsWhereItIs) {
+TEST_F(Depth, HugeFloorKeepsItsDepth) {
     Soup soup;
     soup.add({-1e6, 1, -3}, {2e6, 1, -7}, {-3e5, 1, 10});
     for (const Seen& s : seen(soup, camera, Pose{}))
         EXPECT_EQ(count_wrong(s.geometry, soup, camera, Pose{}, 1 / 64.0), 0u) << s.by;
 }
 
-TEST_F(Depth, NoTriangleHidesItsOwnCorners) {
+TEST_F(Depth, NoTriangleOccludesItsOwnVertices) {
     Random random(8);
-    Intrinsics tele = camera;  // through which a pixel's footprint is beyond a float's last digit
+    Intrinsics tele = camera;  // a pixel's footprint is smaller than a float's last digit
     tele.fx = tele.fy = 1e8;
     for (int trial = 0; trial < 20000; ++trial) {
         const Intrinsics& k = trial % 2 ? tele : camera;
-        // Slivers of the smallest areas that count, whose corners lie at depths of their own.
+        // Slivers of the smallest areas that are rasterized, with corners at different depths.
         const double reach = trial % 4 < 2 ? 100 : 3;
         const Eigen::Vector2d a(random(5, 145), random(5, 105)),
             b = a + reach * Eigen::Vector2d(random(-1, 1), random(-1, 1));
@@ -265,24 +264,23 @@ TEST_F(Depth, NoTriangleHidesItsOwnCorners) {
     }
 }
 
-TEST_F(Depth, NothingIsSeenOfWhatIsBehind) {
+TEST_F(Depth, GeometryBehindTheCameraIsNotSeen) {
     Soup soup;
     soup.add_square({-2, -2, -3}, {4, 0, 0}, {0, 4, 0});
-    soup.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});     // in the camera's plane
-    soup.add({-1, -1, 0}, {1, -1, 0}, {0, 1, 0});  // there, and about it
-    soup.add({0, 0, 0}, {1, 0, -1}, {0, 1, -1});   // and from its centre backwards
+    soup.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});     // touching the camera, in its plane
+    soup.add({-1, -1, 0}, {1, -1, 0}, {0, 1, 0});  // in its plane, around the camera
+    soup.add({0, 0, 0}, {1, 0, -1}, {0, 1, -1});   // from its center backwards
     EXPECT_EQ(depth_range(soup.positions, Pose{}), Eigen::Vector2d(0, 0));
     for (const Seen& s : seen(soup, camera, Pose{}))
         for (const float z : s.geometry.z) ASSERT_TRUE(std::isinf(z) && z > 0) << s.by;
     for (const auto& uv : coordinates(soup, camera, Pose{})) EXPECT_EQ(uv, Eigen::Vector2f(-1, -1));
     const PhotoProjection nothing = project_model(soup.positions, map_intrinsics(camera), Pose{}, 0);
     for (std::size_t i = 0; i < soup.indices.size(); i += 3)
-        EXPECT_EQ(clipped(nothing, &soup.indices[i]).count, 0) << "or of pieces infinitely near";
+        EXPECT_EQ(clipped(nothing, &soup.indices[i]).count, 0) << "nothing is left of pieces infinitely near";
 }
 
-TEST_F(Depth, OfSurfacesAPixelApartTheFarOneIsHiddenAndOfCloserOnesBothAreSeen) {
-    // Apart along the line of sight by that share of a pixel's footprint; a third of one is where hiding
-    // begins.
+TEST_F(Depth, SurfacesOccludeEachOtherBeyondAThirdOfAPixel) {
+    // Distance along the line of sight, in pixel footprints; occlusion begins at a third.
     const Intrinsics k{400, 300, 380, 380, 201.7, 148.2};
     for (const double tilt : {0.0, 0.6, -1.1})
         for (const double apart : {1.0, 0.5, 0.2, 0.0}) {
@@ -295,7 +293,7 @@ TEST_F(Depth, OfSurfacesAPixelApartTheFarOneIsHiddenAndOfCloserOnesBothAreSeen) 
             for (const double share : shares)
                 for (int j = -16; j < 16; ++j)
                     for (int i = -24; i < 24; ++i) {
-                        // The far one's corners lie behind the near one's middles.
+                        // The far corners lie behind the interiors of near triangles.
                         const auto at = [&](int di, int dj) -> Eigen::Vector3d {
                             const Eigen::Vector3d p = point(i + di, j + dj);
                             return share * (share > 1 ? p + R * Eigen::Vector3d(0.08, 0.11, 0) : p);
@@ -311,7 +309,7 @@ TEST_F(Depth, OfSurfacesAPixelApartTheFarOneIsHiddenAndOfCloserOnesBothAreSeen) 
                 if (v < found.size() / 2) {
                     near_hidden += found[v].x() < 0;
                 } else if (std::abs(on_plane.x()) < 5.5 &&
-                           std::abs(on_plane.y()) < 3.5) {  // wholly behind the near one
+                           std::abs(on_plane.y()) < 3.5) {  // entirely behind the near one
                     ++far;
                     far_seen += found[v].x() >= 0;
                 }
@@ -334,9 +332,9 @@ TEST_F(Depth, OfSurfacesAPixelApartTheFarOneIsHiddenAndOfCloserOnesBothAreSeen) 
         }
 }
 
-TEST_F(Depth, AFinelyTessellatedSphereHidesNoneOfItsNearSide) {
-    // Its facets lie within it, so that no line of sight to its near side meets one: seen is exactly the cap
-    // before the horizon, but where facets leave room below the horizon behind it.
+TEST_F(Depth, FinelyTessellatedSphereDoesNotOccludeItsNearSide) {
+    // Its facets lie inside the sphere, so they occlude no line of sight to its near side: exactly the cap up
+    // to the horizon is seen, and a little beyond where facets are below the horizon.
     constexpr std::uint32_t rings = 500, sectors = 1000;
     std::vector<std::uint32_t> indices;
     for (std::uint32_t r = 0; r < rings; ++r)
@@ -348,7 +346,7 @@ TEST_F(Depth, AFinelyTessellatedSphereHidesNoneOfItsNearSide) {
     struct Sight {
         double distance, focal;
     };
-    // The whole of it, a part from close by, and the middle of it through a long lens.
+    // All of it, a part from close by, and its center through long lenses.
     for (const auto& [distance, focal] : {Sight{3, 700}, {1.06, 60}, {40, 15000}, {500, 3e5}}) {
         const Eigen::Vector3d center(0.1, -0.06, distance);
         std::vector<Eigen::Vector3f> positions;
@@ -368,7 +366,7 @@ TEST_F(Depth, AFinelyTessellatedSphereHidesNoneOfItsNearSide) {
             const Eigen::Vector3d p = positions[v].cast<double>();
             const auto at = project(k, pose, p);
             if (!at || !in_frame(k, at->pixel)) continue;
-            // In front of the plane in which the cone of sight touches the sphere.
+            // In front of the plane where the tangent cone touches the sphere.
             const double before = -(p - center).dot(p);
             if (before > 1e-6 * distance) ++in_cap, hidden += found[v].x() < 0;
             if (before < -0.03 * p.norm()) ++beyond, shown += found[v].x() >= 0;
@@ -379,8 +377,8 @@ TEST_F(Depth, AFinelyTessellatedSphereHidesNoneOfItsNearSide) {
     }
 }
 
-TEST_F(Depth, VerticesAtAnyDistanceAreSeenWhereNoRayIsBlocked) {
-    // Triangles and slivers from 1 to a million away, each as large as its distance makes it seem.
+TEST_F(Depth, VertexVisibilityMatchesRayCastingAtAllDistances) {
+    // Triangles and slivers at distances from 1 to a million, of similar sizes in pixels.
     std::size_t visible = 0, hidden = 0, differ = 0;
     for (unsigned seed = 1; seed <= 3; ++seed) {
         Random random(seed);
@@ -416,7 +414,7 @@ TEST_F(Depth, VerticesAtAnyDistanceAreSeenWhereNoRayIsBlocked) {
     EXPECT_EQ(differ, 0u) << "of " << visible + hidden;
 }
 
-TEST_F(Depth, NoTriangleThatAPixelSeesIsLeftOutOfTheFrame) {
+TEST_F(Depth, FrustumCullingKeepsEveryHitTriangle) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         Random random(seed);
         Soup soup;
@@ -445,7 +443,7 @@ TEST_F(Depth, NoTriangleThatAPixelSeesIsLeftOutOfTheFrame) {
     }
 }
 
-TEST_F(Depth, ThePlayerShowsTheNearestOfSurfacesBetweenOneAndAMillion) {
+TEST_F(Depth, PlayerShowsTheNearestSurfaceOverANearFarRatioOfAMillion) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.photos.count = 2;
     spec.photos.samples = 1;
@@ -482,7 +480,7 @@ TEST_F(Depth, ThePlayerShowsTheNearestOfSurfacesBetweenOneAndAMillion) {
     const Rays rays(package.records<Eigen::Vector3f>(package::Type::positions),
                     package.records<std::uint32_t>(package::Type::indices));
     const Eigen::Vector3d eye = view.cam_from_origin.center();
-    std::size_t seen = 0, coloured = 0;
+    std::size_t seen = 0, colored = 0;
     for (int y = 0; y < k.height; y += 3)
         for (int x = 0; x < k.width; x += 3) {
             const Eigen::Vector3d ray = ray_of(k, view.cam_from_origin, x + 0.5, y + 0.5);
@@ -492,8 +490,8 @@ TEST_F(Depth, ThePlayerShowsTheNearestOfSurfacesBetweenOneAndAMillion) {
             ++seen;
             ASSERT_GT(shown[at], 0u) << "at " << x << "," << y << " depth " << z;
             ASSERT_NEAR(rays.at(shown[at] - 1, eye, ray), z, 1e-5 * z) << "at " << x << "," << y;
-            coloured += picture.rgba[4 * at + 3] == 255;
+            colored += picture.rgba[4 * at + 3] == 255;
         }
     EXPECT_GT(seen, 4000u);
-    EXPECT_GT(double(coloured), 0.99 * double(seen));
+    EXPECT_GT(double(colored), 0.99 * double(seen));
 }

@@ -1,4 +1,4 @@
-// Distances to borders where there is little or nothing to measure, and how wrong jump flooding can be.
+// Distances to borders in degenerate images, and the error of jump flooding.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -36,7 +36,7 @@ class DistanceTransform : public ::testing::Test {
         std::vector<float> distance;
         bool exact;
     };
-    /// By every method there is.
+    /// By every method.
     std::vector<Result> all(const std::vector<std::uint8_t>& borders, Size s) const {
         std::vector<Result> out{{"exact", exact_distance(borders, s.width, s.height), true}};
         for (const DistanceMethod m : flooding)
@@ -45,7 +45,7 @@ class DistanceTransform : public ::testing::Test {
     }
 };
 
-/// To the nearest seed, by trying them all.
+/// Distance to the nearest seed, by brute force.
 float brute_force(const std::vector<std::array<int, 2>>& seeds, int x, int y) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& [u, v] : seeds) nearest = std::min(nearest, std::hypot(u - x, v - y));
@@ -62,7 +62,7 @@ constexpr Size sizes[] = {{1, 1}, {1, 97}, {97, 1}, {2, 2}, {61, 47}, {64, 64}, 
 
 }  // namespace
 
-TEST_F(DistanceTransform, NoBorderIsInfinitelyFarAndOnlyBorderIsNothing) {
+TEST_F(DistanceTransform, NoBorderIsInfiniteAndAllBorderIsZero) {
     for (const Size s : sizes)
         for (const bool only : {false, true})
             for (const Result& r : all(std::vector<std::uint8_t>(s.pixels(), only), s))
@@ -70,13 +70,12 @@ TEST_F(DistanceTransform, NoBorderIsInfinitelyFarAndOnlyBorderIsNothing) {
                     ASSERT_EQ(d, only ? 0 : nowhere) << r.method << ' ' << s.width << 'x' << s.height;
 }
 
-TEST_F(DistanceTransform, OneSeedInEachCornerOfEverySize) {
+TEST_F(DistanceTransform, SingleSeedInACornerMatchesTheClosedForm) {
     for (const Size s : sizes)
         for (const int x : {0, s.width - 1})
             for (const int y : {0, s.height - 1}) {
                 const std::vector<std::array<int, 2>> seed{{x, y}};
-                for (const Result& r :
-                     all(seeded(s, seed), s))  // one seed leaves flooding nothing to confuse
+                for (const Result& r : all(seeded(s, seed), s))  // flooding is exact for one seed
                     for (int v = 0; v < s.height; ++v)
                         for (int u = 0; u < s.width; ++u)
                             ASSERT_NEAR(r.distance[std::size_t(v) * std::size_t(s.width) + std::size_t(u)],
@@ -85,7 +84,7 @@ TEST_F(DistanceTransform, OneSeedInEachCornerOfEverySize) {
             }
 }
 
-TEST_F(DistanceTransform, AsWideAsATextureGoes) {
+TEST_F(DistanceTransform, WidestTexture) {
     const Size s{16384, 3};
     const std::vector<std::array<int, 2>> seeds{{0, 0}, {16383, 2}};
     for (const Result& r : all(seeded(s, seeds), s)) {
@@ -101,7 +100,7 @@ TEST_F(DistanceTransform, AsWideAsATextureGoes) {
     }
 }
 
-TEST_F(DistanceTransform, OfAnySeedsIsThatOfTheNearest) {
+TEST_F(DistanceTransform, AnySeedsMatchBruteForce) {
     EXPECT_TRUE(rc::check([&] {
         const Size s{*rc::gen::inRange(1, 40).as("width"), *rc::gen::inRange(1, 40).as("height")};
         const auto seed = rc::gen::apply(
@@ -121,9 +120,9 @@ TEST_F(DistanceTransform, OfAnySeedsIsThatOfTheNearest) {
     }));
 }
 
-// Cuisenaire and Macq 1999; Rong and Tan 2006: flooding may miss a nearest seed, and then finds one little
-// farther away. How much farther is measured, not known.
-TEST_F(DistanceTransform, FloodingIsWrongSeldomAndByLittle) {
+// Flooding may miss the nearest seed and find one slightly farther away (Cuisenaire and Macq 1999; Rong and
+// Tan 2006). No bound is known, so the error is measured.
+TEST_F(DistanceTransform, FloodingErrorsAreRareAndSmall) {
     std::mt19937 random(5);
     for (const DistanceMethod m : flooding) {
         double worst = 0;
@@ -138,7 +137,7 @@ TEST_F(DistanceTransform, FloodingIsWrongSeldomAndByLittle) {
                 for (int x = 0; x < s.width; ++x, ++pixels) {
                     const float truth = brute_force(seeds, x, y),
                                 off = d[std::size_t(y) * std::size_t(s.width) + std::size_t(x)] - truth;
-                    ASSERT_GE(off, -1e-3f) << name(m) << ": nearer than any seed is";
+                    ASSERT_GE(off, -1e-3f) << name(m) << ": nearer than any seed";
                     worst = std::max(worst, double(off));
                     wrong += off > 1e-3f;
                 }
@@ -150,7 +149,7 @@ TEST_F(DistanceTransform, FloodingIsWrongSeldomAndByLittle) {
     }
 }
 
-TEST_F(DistanceTransform, TheMaskOfEverySizeIsFiniteAndZeroOnTheOutline) {
+TEST_F(DistanceTransform, MaskIsNearlyZeroOnTheOutlineAtAllSizes) {
     for (const Size s : sizes) {
         const auto mask =
             border_mask(exact_distance(std::vector<std::uint8_t>(s.pixels(), 0), s.width, s.height), s.width,

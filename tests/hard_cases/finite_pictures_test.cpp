@@ -1,4 +1,4 @@
-// Every float target of every kind of frame, read back: no value is infinite or no number.
+// Every float target of every kind of frame, read back: no value is infinite or NaN.
 #include <Eigen/Geometry>
 #include <array>
 #include <fstream>
@@ -87,9 +87,9 @@ std::vector<std::pair<std::string, RenderSettings>> kinds() {
     return out;
 }
 
-/// A wall whose triangles' normals cancel out within them, with degenerate triangles and colours of 0 and
+/// A wall whose vertex normals cancel out within each triangle, with degenerate triangles and colors of 0 and
 /// 255.
-class FiniteOddModel : public FinitePictures {
+class FinitePicturesOfOddModel : public FinitePictures {
   protected:
     void change(const std::filesystem::path& scene) const override {
         std::ofstream ply;
@@ -104,7 +104,7 @@ class FiniteOddModel : public FinitePictures {
                "element face "
             << 2 * (n - 1) * (n - 1) << "\nproperty list uchar int vertex_indices\nend_header\n";
         for (int y = 0; y < n; ++y)
-            for (int x = 0; x < n; ++x)  // normals to and fro
+            for (int x = 0; x < n; ++x)  // alternating normals
                 ply << x - n / 2 << " 0 " << 0.5 * y << " 0 " << ((x + y) % 2 ? 1 : -1) << " 0 "
                     << ((x + y) % 3 ? 0 : 255) << ' ' << (x % 2 ? 0 : 255) << " 0\n";
         for (int y = 0; y + 1 < n; ++y)
@@ -123,13 +123,13 @@ class FiniteOddModel : public FinitePictures {
 
 }  // namespace
 
-TEST_F(FinitePictures, OfEveryKindFromEverywhere) {
+TEST_F(FinitePictures, EverySettingFromEveryView) {
     for (const Named& view : views())
         for (const auto& [name, s] : kinds()) count(view, s, name);
     count(views()[1], {}, "four samples a pixel", 2);
 }
 
-TEST_F(FiniteOddModel, OfNormalsThatCancelOutAndColoursAtTheirEnds) {
+TEST_F(FinitePicturesOfOddModel, CancelingNormalsAndExtremeColors) {
     for (const Named& view : views())
         for (const Blend blend : {Blend::lumigraph, Blend::best}) {
             RenderSettings s;
@@ -143,14 +143,14 @@ TEST_F(FiniteOddModel, OfNormalsThatCancelOutAndColoursAtTheirEnds) {
     count({"large", large}, s, "shaded");
 }
 
-TEST_F(FinitePictures, CountingFindsWhatWasPutIn) {
+TEST_F(FinitePictures, CountsInjectedNonFiniteValues) {
     const Named view = views()[1];
     ASSERT_EQ(count(view, {}, "usual"), 0u);
     const std::size_t pixels = 48 * 36;
     const FrameTargets& t = renderer->targets();
     const float bad = std::numeric_limits<float>::quiet_NaN(),
-                endless = std::numeric_limits<float>::infinity();
-    const std::array<float, 4> one_bad{0, bad, 0, 1}, all_endless{endless, -endless, endless, endless};
+                infinite = std::numeric_limits<float>::infinity();
+    const std::array<float, 4> one_bad{0, bad, 0, 1}, all_endless{infinite, -infinite, infinite, infinite};
     glClearNamedFramebufferfv(t.accumulated_target.id(), GL_COLOR, 0, one_bad.data());
     EXPECT_EQ(count_non_finite(t).samples, pixels);
     glClearNamedFramebufferfv(t.sums_target[1].id(), GL_COLOR, 0, all_endless.data());
@@ -163,13 +163,13 @@ TEST_F(FinitePictures, CountingFindsWhatWasPutIn) {
     EXPECT_EQ(count(view, {}, "the next frame clears it all"), 0u);
 }
 
-TEST_F(FinitePictures, AViewThatIsNoNumberIsRefusedAndTheNextOneDrawn) {
+TEST_F(FinitePictures, NonFiniteViewIsRejectedAndTheNextOneDrawn) {
     const View good = between(0, 1, 48, 36);
     const Picture before = picture(good, {});
     const double bad = std::numeric_limits<double>::quiet_NaN(),
-                 endless = std::numeric_limits<double>::infinity();
+                 infinite = std::numeric_limits<double>::infinity();
     std::vector<View> views;
-    for (const double v : {bad, endless, -endless}) {
+    for (const double v : {bad, infinite, -infinite}) {
         views.insert(views.end(), 6, good);
         View* last = &views.back();
         (last - 0)->cam_from_origin.t.x() = v;
@@ -203,7 +203,7 @@ TEST_F(FinitePictures, AViewThatIsNoNumberIsRefusedAndTheNextOneDrawn) {
     EXPECT_EQ(count_non_finite(renderer->targets()).all(), 0u);
 }
 
-TEST_F(FinitePictures, AnEyeOrATargetBeyondCountingIsNoView) {
+TEST_F(FinitePictures, NonFiniteEyeOrTargetIsRejected) {
     for (const double far : {1e200, std::numeric_limits<double>::infinity(), std::nan("")})
         EXPECT_THROW(view_towards({far, 0, 0}, {0, 0, 0}, {0, 0, 1}, 45, 10, 10), Error) << far;
 }

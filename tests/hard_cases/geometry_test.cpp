@@ -1,4 +1,4 @@
-// Meshes as they come: degenerate, duplicate, broken, turned inside out, tiny and huge.
+// Meshes that are degenerate, duplicated, broken, inside out, tiny or huge.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -37,7 +37,7 @@ using package::Type;
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity(),
-                 no_number = std::numeric_limits<double>::quiet_NaN();
+                 nan_value = std::numeric_limits<double>::quiet_NaN();
 
 class Geometry : public TemporaryFolder {
   protected:
@@ -57,7 +57,7 @@ class Geometry : public TemporaryFolder {
         scene = read_scene(discover(dir / "scene"));
     }
 
-    /// As a PLY file holds it, whatever it is.
+    /// Writes a mesh, valid or not, to a PLY file.
     std::filesystem::path written(const Mesh& mesh) const {
         const std::filesystem::path file = dir / "mesh.ply";
         std::ofstream out(file, std::ios::binary);
@@ -81,11 +81,11 @@ class Geometry : public TemporaryFolder {
 
     struct Result {
         std::vector<std::string> warnings;
-        std::vector<Picture> pictures;  ///< from each photo's camera, blended by each rule
-        std::vector<double> seen;       ///< share of the vertices, a photo
+        std::vector<Picture> pictures;  ///< from each photo's camera, in each blend mode
+        std::vector<double> seen;       ///< share of the vertices that each photo sees
         std::size_t triangles = 0;
     };
-    /// Reads, prepares, checks and shows it. Everything must be sound, and a number.
+    /// Reads, prepares, checks and renders a mesh. The package must be sound and all values finite.
     Result shown(const Mesh& mesh, const std::function<void(SceneInput&)>& change = {}) {
         Result out;
         SceneInput with = scene;
@@ -137,12 +137,12 @@ class Geometry : public TemporaryFolder {
                 for (std::size_t t = 0; t < reader.block(*depth, b).size(); t += 4) {
                     float z;
                     std::memcpy(&z, reader.block(*depth, b).data() + t, 4);
-                    ASSERT_TRUE(z > 0) << "depth of " << p.name;  // infinite where nothing is seen
+                    ASSERT_TRUE(z > 0) << "depth of " << p.name;  // infinite if nothing is seen
                 }
         }
     }
 
-    /// What is broken shows nowhere: all but a few pixels are those of the sound mesh.
+    /// All but a few pixels are equal.
     static void expect_same(const std::vector<Picture>& a, const std::vector<Picture>& b) {
         ASSERT_EQ(a.size(), b.size());
         for (std::size_t i = 0; i < a.size(); ++i) {
@@ -158,15 +158,15 @@ class Geometry : public TemporaryFolder {
         mesh.normals.emplace_back(0, 0, 1);
         return std::uint32_t(mesh.positions.size() - 1);
     }
-    /// By value: they may be the mesh's own.
+    /// By value: the arguments may be elements of the mesh.
     static void add(Mesh& mesh, Eigen::Vector3d a, Eigen::Vector3d b, Eigen::Vector3d c) {
         const std::uint32_t i = add(mesh, a), j = add(mesh, b), k = add(mesh, c);
         mesh.triangles.push_back({i, j, k});
     }
-    void expect_refused(const Mesh& mesh, const std::string& words) {
+    void expect_rejected(const Mesh& mesh, const std::string& words) {
         try {
             shown(mesh);
-            ADD_FAILURE() << "expected to be refused: " << words;
+            ADD_FAILURE() << "was accepted, expected: " << words;
         } catch (const Error& e) {
             EXPECT_EQ(e.code(), Exit::input);
             const std::string text = e.what();
@@ -179,7 +179,7 @@ class Geometry : public TemporaryFolder {
 
 }  // namespace
 
-TEST_F(Geometry, WhatHasNoAreaShowsNowhere) {
+TEST_F(Geometry, ZeroAreaTrianglesChangeNothing) {
     const Result sound = shown(scene.mesh);
     Mesh mesh = scene.mesh;
     const Eigen::Vector3d a = mesh.positions[0], b = mesh.positions[1];
@@ -196,7 +196,7 @@ TEST_F(Geometry, WhatHasNoAreaShowsNowhere) {
     EXPECT_NE(with.warnings[0].find("2 invalid triangles"), std::string::npos) << with.warnings[0];
 }
 
-TEST_F(Geometry, DuplicatesChangeNothing) {
+TEST_F(Geometry, DuplicateTrianglesChangeNothing) {
     const Result sound = shown(scene.mesh);
     Mesh same_corners = scene.mesh, other_corners = scene.mesh;
     const auto vertices = std::uint32_t(scene.mesh.positions.size());
@@ -210,22 +210,22 @@ TEST_F(Geometry, DuplicatesChangeNothing) {
     const Result twice = shown(other_corners);
     expect_same(sound.pictures, twice.pictures);
     for (std::size_t i = 0; i < twice.seen.size(); ++i)
-        EXPECT_NEAR(twice.seen[i], sound.seen[i], 0.01) << "a surface does not hide its double";
+        EXPECT_NEAR(twice.seen[i], sound.seen[i], 0.01) << "a surface does not occlude its duplicate";
 }
 
-TEST_F(Geometry, WhereUnusedVerticesAreCountsForNothing) {
+TEST_F(Geometry, UnusedVerticesChangeNothing) {
     const Result sound = shown(scene.mesh);
     Mesh mesh = scene.mesh;
     for (const double far : {1e3, -1e6, 1e12, 1e200}) add(mesh, {far, -far, far});
-    add(mesh, {no_number, 0, 0});
+    add(mesh, {nan_value, 0, 0});
     add(mesh, {infinite, -infinite, 0});
     expect_same(sound.pictures, shown(mesh).pictures);
 }
 
-TEST_F(Geometry, TrianglesOfVerticesThatAreNoPlaceAreLeftOut) {
+TEST_F(Geometry, TrianglesWithNonFiniteVerticesAreDropped) {
     const Result sound = shown(scene.mesh);
     Mesh mesh = scene.mesh;
-    for (const double bad : {no_number, infinite, -infinite, 1e300, -1e30})
+    for (const double bad : {nan_value, infinite, -infinite, 1e300, -1e30})
         for (int axis = 0; axis < 3; ++axis) {
             Eigen::Vector3d p = mesh.positions[0];
             p[axis] = bad;
@@ -237,7 +237,7 @@ TEST_F(Geometry, TrianglesOfVerticesThatAreNoPlaceAreLeftOut) {
     EXPECT_NE(with.warnings[0].find("15 invalid triangles"), std::string::npos) << with.warnings[0];
 }
 
-TEST_F(Geometry, CornersThatAreNoPlaceDoNotTakeTheirNeighboursInStl) {
+TEST_F(Geometry, NanCornersInStlDoNotAffectOtherTriangles) {
     std::ofstream out(dir / "mesh.stl");
     out << "solid\n";
     const auto facet = [&](const char* a, const char* b, const char* c) {
@@ -253,10 +253,10 @@ TEST_F(Geometry, CornersThatAreNoPlaceDoNotTakeTheirNeighboursInStl) {
     std::vector<std::string> warnings;
     const Mesh mesh = read_mesh(dir / "mesh.stl", warnings);
     EXPECT_EQ(mesh.triangles.size(), 2u);
-    EXPECT_EQ(mesh.positions.size(), 4u) << "and what they share is one vertex";
+    EXPECT_EQ(mesh.positions.size(), 4u) << "shared corners are one vertex";
 }
 
-TEST_F(Geometry, NormalsThatAreNoneAreMade) {
+TEST_F(Geometry, InvalidNormalsAreRecomputed) {
     Mesh mesh = scene.mesh;
     const float bad[] = {0, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
                          1e30f, 1e-30f};
@@ -274,8 +274,8 @@ TEST_F(Geometry, NormalsThatAreNoneAreMade) {
     expect_same(shown(scene.mesh).pictures, shown(mesh).pictures);
 }
 
-TEST_F(Geometry, WindingAndNormalsDoNotDecideWhatIsSeen) {
-    subdivide_large_triangles(scene.mesh);  // which goes by the order of corners
+TEST_F(Geometry, VisibilityDoesNotDependOnWindingOrNormals) {
+    subdivide_large_triangles(scene.mesh);  // which depends on the order of corners
     const Result sound = shown(scene.mesh);
     Mesh inside_out = scene.mesh, mixed = scene.mesh, normals_only = scene.mesh;
     std::mt19937 random(11);
@@ -293,14 +293,14 @@ TEST_F(Geometry, WindingAndNormalsDoNotDecideWhatIsSeen) {
                 holes += sound.pictures[i].rgba[c] != with.pictures[i].rgba[c];
             EXPECT_EQ(holes, 0u) << "picture " << i;
         }
-        // The lumigraph knows of no normals.
+        // The lumigraph does not use normals.
         expect_same({sound.pictures[0], sound.pictures[3]}, {with.pictures[0], with.pictures[3]});
     }
 }
 
 TEST_F(Geometry, NonManifoldOpenAndClosedSurfacesAreShown) {
     Mesh mesh;
-    // Seven leaves on one edge, two fans that meet in a point, a closed and an open tetrahedron.
+    // Seven triangles on one edge, two fans that meet in a point, a closed and an open tetrahedron.
     const Eigen::Vector3d low(-1, -3, 1), high(-1, -3, 4);
     const std::uint32_t i = add(mesh, low), j = add(mesh, high);
     for (int leaf = 0; leaf < 7; ++leaf) {
@@ -324,7 +324,7 @@ TEST_F(Geometry, NonManifoldOpenAndClosedSurfacesAreShown) {
     EXPECT_GT(with.seen[0], 0.3);
 }
 
-TEST_F(Geometry, OneTriangleIsAModelAndNoneIsRefused) {
+TEST_F(Geometry, OneTriangleIsShownAndNoneIsRejected) {
     Mesh one;
     add(one, {-2, -1, 0.5}, {2, -1, 0.5}, {0, -1, 5});
     const Result with = shown(one);
@@ -334,14 +334,14 @@ TEST_F(Geometry, OneTriangleIsAModelAndNoneIsRefused) {
     EXPECT_EQ(int(p.rgba[4 * std::size_t(p.height / 2 * p.width + p.width / 2) + 3]), 255);
     Mesh none = one;
     none.triangles.clear();
-    expect_refused(none, "has points only, expected a mesh with triangles");
+    expect_rejected(none, "has points only, expected a mesh with triangles");
     Mesh broken = one;
     broken.triangles = {{0, 0, 1}, {0, 1, 7}};
-    expect_refused(broken, "has points only, expected a mesh with triangles");
-    expect_refused({}, "has no vertices");
+    expect_rejected(broken, "has points only, expected a mesh with triangles");
+    expect_rejected({}, "has no vertices");
 }
 
-TEST_F(Geometry, PointsOnALineOrAllInOnePlaceAreAModelThatShowsNothing) {
+TEST_F(Geometry, CollinearOrCoincidentPointsShowNothing) {
     for (const double along : {0.0, 1.0}) {
         Mesh mesh;
         for (int i = 0; i < 40; ++i) {
@@ -352,13 +352,13 @@ TEST_F(Geometry, PointsOnALineOrAllInOnePlaceAreAModelThatShowsNothing) {
             add(mesh, at(i), at(3 * i % 10), at(7 * i % 35));
         }
         const Result with = shown(mesh);
-        EXPECT_EQ(with.seen[0], 1) << "nothing hides it";
+        EXPECT_EQ(with.seen[0], 1) << "nothing occludes it";
         for (const Picture& p : with.pictures)
             for (std::size_t c = 3; c < p.rgba.size(); c += 4) ASSERT_EQ(p.rgba[c], p.rgba[3]);
     }
 }
 
-TEST_F(Geometry, PhotosThatSeeNothingArePhotos) {
+TEST_F(Geometry, PhotosThatSeeNothingAreValid) {
     for (const std::size_t blind : {1u, 2u}) {
         const Result with = shown(scene.mesh, [&](SceneInput& s) {
             for (std::size_t i = 0; i < blind; ++i) {
@@ -373,8 +373,8 @@ TEST_F(Geometry, PhotosThatSeeNothingArePhotos) {
     }
 }
 
-TEST_F(Geometry, ClustersAreNumbersAtAnyScale) {
-    // The fourth power of an edge stands below the root of a normal's length.
+TEST_F(Geometry, ClustersAreFiniteAtAllScales) {
+    // The square of a normal's length is the fourth power of an edge length, which overflows or underflows.
     std::vector<Eigen::Vector3f> unit;
     std::vector<std::uint32_t> indices;
     for (const Eigen::Vector3d& p : scene.mesh.positions) unit.push_back(p.cast<float>());
@@ -393,7 +393,7 @@ TEST_F(Geometry, ClustersAreNumbersAtAnyScale) {
     }
 }
 
-TEST_F(Geometry, SurfaceDiscsAreTheSameAtAnyScale) {
+TEST_F(Geometry, SurfaceDiscsAreTheSameAtAllScales) {
     std::vector<Eigen::Vector3f> unit;
     std::vector<std::uint32_t> indices;
     for (const Eigen::Vector3d& p : scene.mesh.positions) unit.push_back(p.cast<float>());
@@ -412,7 +412,7 @@ TEST_F(Geometry, SurfaceDiscsAreTheSameAtAnyScale) {
     }
 }
 
-TEST_F(Geometry, ManyTrianglesAreClusteredWhole) {
+TEST_F(Geometry, TenMillionTrianglesAreAllClustered) {
     // A wavy grid of ten million triangles.
     constexpr std::uint32_t side = 2237;
     std::vector<Eigen::Vector3f> positions;
@@ -505,7 +505,7 @@ Eigen::Vector3d through(const Eigen::Vector2d& uv) {
 
 }  // namespace
 
-TEST(SeenHull, IsThatOfTheMonotoneChain) {
+TEST(SeenHull, MatchesTheMonotoneChain) {
     std::mt19937 random(19);
     std::uniform_real_distribution<double> unit(0, 1);
     for (int trial = 0; trial < 300; ++trial) {
@@ -514,7 +514,7 @@ TEST(SeenHull, IsThatOfTheMonotoneChain) {
         const int points = 3 + trial % 40, grid = trial % 3 ? 0 : 5;
         for (int i = 0; i < points; ++i) {
             Eigen::Vector2d p(unit(random), unit(random) * (trial % 7 ? 1 : 0.01));
-            if (grid) p = (p * grid).array().floor() / grid;  // many on one line, many the same
+            if (grid) p = (p * grid).array().floor() / grid;  // many collinear, many equal
             const Eigen::Vector2f q = p.cast<float>();
             uv.push_back(q);
             visible.push_back(q.cast<double>());
@@ -529,8 +529,8 @@ TEST(SeenHull, IsThatOfTheMonotoneChain) {
     }
 }
 
-RC_GTEST_PROP(SeenHull, OfAnyPointsIsThatOfTheMonotoneChain, ()) {
-    // On a coarse grid many fall on one line, and many in one place.
+RC_GTEST_PROP(SeenHull, AnyPointsMatchTheMonotoneChain, ()) {
+    // On a coarse grid, so that many are collinear or equal.
     const auto grid = *rc::gen::container<std::vector<std::array<int, 2>>>(
         rc::gen::container<std::array<int, 2>>(rc::gen::inRange(0, 17)));
     std::vector<Eigen::Vector2f> uv;
@@ -546,7 +546,7 @@ RC_GTEST_PROP(SeenHull, OfAnyPointsIsThatOfTheMonotoneChain, ()) {
     if (truth.area > 1e-5) RC_ASSERT((found.direction - through(truth.centroid)).norm() < 1e-3);
 }
 
-TEST(SeenHull, OfNothingAPointOrALineHasNoAreaAndADirection) {
+TEST(SeenHull, NoPointsOnePointOrALineHaveNoAreaButADirection) {
     const Pose pose{Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix(),
                     {1, 2, 3}};
     for (const auto& uv : {std::vector<Eigen::Vector2f>{}, std::vector<Eigen::Vector2f>(50, {-1, -1})}) {
@@ -570,7 +570,7 @@ TEST(SeenHull, OfNothingAPointOrALineHasNoAreaAndADirection) {
         EXPECT_NEAR(found.area, 0, 1e-9) << along.transpose();
         const Eigen::Vector3d from = through({0.25, 0.25}),
                               to = through((Eigen::Vector2f(0.25f, 0.25f) + along).cast<double>());
-        EXPECT_LT(std::abs(found.direction.dot(from.cross(to).normalized())), 1e-6) << "through the line";
-        EXPECT_GE(found.direction.dot(from), to.dot(from) - 1e-6) << "and between its ends";
+        EXPECT_LT(std::abs(found.direction.dot(from.cross(to).normalized())), 1e-6) << "on the line";
+        EXPECT_GE(found.direction.dot(from), to.dot(from) - 1e-6) << "between its ends";
     }
 }

@@ -1,4 +1,4 @@
-// Photos of every shape and sort, whole, cut short, and not what they say.
+// Photos of all sizes and formats: whole, truncated, and mislabeled.
 #include "pipeline/formats/images/photos.h"
 
 #include <OpenImageIO/imageio.h>
@@ -50,8 +50,8 @@ class HardPhotos : public TemporaryFolder {
         for (auto& v : out) v = std::uint8_t(random());
         return out;
     }
-    /// What the decoder says of it, without the file's place; "" where it takes it.
-    static std::string refusal(const fs::path& file, PhotoSize expected) {
+    /// The decoder's complaint without the file's path; "" if it accepts the photo.
+    static std::string rejection(const fs::path& file, PhotoSize expected) {
         try {
             const RgbaImage p = read_photo(file, expected);
             EXPECT_EQ(p.rgba.size(), std::size_t(p.width) * std::size_t(p.height) * 4);
@@ -71,23 +71,23 @@ class HardPhotos : public TemporaryFolder {
 
 }  // namespace
 
-TEST_F(HardPhotos, CutAtEveryPercentIsRefusedOrWhole) {
+TEST_F(HardPhotos, TruncatedAtEveryPercentIsRejectedOrWhole) {
     for (const char* name : {"p.jpg", "p.png", "p.tif"}) {
         const fs::path whole = write(name, 64, 48, 3, noise(64, 48, 3));
         const std::string bytes = slurp(whole);
-        ASSERT_EQ(refusal(whole, {64, 48}), "");
+        ASSERT_EQ(rejection(whole, {64, 48}), "");
         const RgbaImage truth = read_photo(whole, {64, 48});
         for (int percent = 0; percent < 100; ++percent) {
             const fs::path cut =
                 put(std::string("cut-") + name, bytes.substr(0, bytes.size() * std::size_t(percent) / 100));
-            // Taken only where nothing of the picture is missing.
-            EXPECT_TRUE(!refusal(cut, {64, 48}).empty() || read_photo(cut, {64, 48}).rgba == truth.rgba)
+            // Accepted only if nothing of the picture is missing.
+            EXPECT_TRUE(!rejection(cut, {64, 48}).empty() || read_photo(cut, {64, 48}).rgba == truth.rgba)
                 << name << " at " << percent << " %";
         }
     }
 }
 
-TEST_F(HardPhotos, AFlippedBitNeverEndsTheProgram) {
+TEST_F(HardPhotos, FlippedBitsNeverCrash) {
     std::mt19937 random(4);
     for (const char* name : {"p.jpg", "p.png", "p.tif"}) {
         const std::string bytes = slurp(write(name, 40, 30, 3, noise(40, 30, 3)));
@@ -95,35 +95,35 @@ TEST_F(HardPhotos, AFlippedBitNeverEndsTheProgram) {
             std::string broken = bytes;
             for (int n = 0; n < 1 + trial % 5; ++n)
                 broken[random() % broken.size()] ^= char(1 << random() % 8);
-            refusal(put(std::string("flipped-") + name, broken),
-                    {40, 30});  // refused, or a picture of that size
+            rejection(put(std::string("flipped-") + name, broken),
+                      {40, 30});  // rejected, or decoded to that size
         }
     }
 }
 
-TEST_F(HardPhotos, AnotherSizeThanItsCamerasIsRefusedBeforeMemoryIsTaken) {
+TEST_F(HardPhotos, SizeMismatchIsRejectedBeforeAllocating) {
     std::string bytes = slurp(write("p.jpg", 64, 48, 3, noise(64, 48, 3)));
     // The frame header: marker, length, precision, height, width.
     const std::size_t at = bytes.find("\xff\xc0");
     ASSERT_NE(at, std::string::npos);
     for (std::size_t i = 5; i < 9; i += 2) bytes[at + i] = char(0xfd), bytes[at + i + 1] = char(0xe8);
-    const std::string why = refusal(put("huge.jpg", bytes), {64, 48});  // 17 GB, if it were believed
+    const std::string why = rejection(put("huge.jpg", bytes), {64, 48});  // would be 17 GB
     EXPECT_NE(why.find("65000x65000, but its camera expects 64x48"), std::string::npos) << why;
 }
 
-TEST_F(HardPhotos, ByWhateverExtensionAPhotoIsWhatItHolds) {
+TEST_F(HardPhotos, ContentDecidesTheFormatNotTheExtension) {
     const std::string jpeg = slurp(write("p.jpg", 20, 10, 3, noise(20, 10, 3)));
     const std::string png = slurp(write("p.png", 20, 10, 3, noise(20, 10, 3)));
-    EXPECT_EQ(refusal(put("jpeg.png", jpeg), {20, 10}), "");
-    EXPECT_EQ(refusal(put("png.jpg", png), {20, 10}), "");
+    EXPECT_EQ(rejection(put("jpeg.png", jpeg), {20, 10}), "");
+    EXPECT_EQ(rejection(put("png.jpg", png), {20, 10}), "");
     const RgbaImage p = read_photo(put("png.jpg", png), {20, 10});
     EXPECT_EQ(p.rgba, read_photo(dir / "p.png", {20, 10}).rgba);
-    EXPECT_NE(refusal(put("text.jpg", "hello"), {20, 10}), "");
-    EXPECT_NE(refusal(put("empty.jpg", ""), {20, 10}), "");
-    EXPECT_NE(refusal(put("marker.jpg", "\xff\xd8"), {20, 10}), "");
+    EXPECT_NE(rejection(put("text.jpg", "hello"), {20, 10}), "");
+    EXPECT_NE(rejection(put("empty.jpg", ""), {20, 10}), "");
+    EXPECT_NE(rejection(put("marker.jpg", "\xff\xd8"), {20, 10}), "");
 }
 
-TEST_F(HardPhotos, EveryExifOrientationKeepsOrTurnsTheFirstPixel) {
+TEST_F(HardPhotos, ExifOrientationIsIgnoredUnlessTheCameraExpectsIt) {
     std::vector<std::uint8_t> pixels(3 * 2 * 3, 200);
     std::fill_n(pixels.begin(), 3, std::uint8_t(0));
     for (int o = 1; o <= 8; ++o) {
@@ -131,13 +131,14 @@ TEST_F(HardPhotos, EveryExifOrientationKeepsOrTurnsTheFirstPixel) {
         const RgbaImage stored = read_photo(file, {3, 2});
         EXPECT_EQ(int(stored.rgba[0]), 0) << "cameras are calibrated on stored pixels; orientation " << o;
         if (o < 5) {
-            EXPECT_NE(refusal(file, {2, 3}), "") << "orientation " << o << " turns nothing on its side";
+            EXPECT_NE(rejection(file, {2, 3}), "")
+                << "orientation " << o << " does not swap width and height";
         }
-        // 5 to 8: Photos.AreTurnedWhereTheirCameraExpectsThemTurned
+        // 5 to 8: Photos.AreRotatedOnlyIfTheCameraExpectsIt
     }
 }
 
-TEST_F(HardPhotos, FloatsBeyondAllBoundsBecomeBytes) {
+TEST_F(HardPhotos, NonFiniteAndHugeFloatsAreClamped) {
     const float inf = std::numeric_limits<float>::infinity(), nan = std::nanf("");
     std::vector<float> pixels(4 * 2 * 3, 0.5f);
     const float odd[] = {inf, -inf, nan, 1e30f, -1e30f, 1e-40f};
@@ -153,7 +154,7 @@ TEST_F(HardPhotos, FloatsBeyondAllBoundsBecomeBytes) {
     }
 }
 
-TEST_F(HardPhotos, OnePixelARowOrAColumnHaveAPyramid) {
+TEST_F(HardPhotos, SinglePixelsRowsAndColumnsHaveAPyramid) {
     for (const auto& [width, height] : {std::pair(1, 1), {1, 700}, {700, 1}, {2, 513}, {505, 505}}) {
         RgbaImage p{width, height, noise(width, height, 4)};
         for (std::size_t i = 3; i < p.rgba.size(); i += 4) p.rgba[i] = 255;
@@ -166,18 +167,18 @@ TEST_F(HardPhotos, OnePixelARowOrAColumnHaveAPyramid) {
             ASSERT_EQ(half.height, (p.height + 1) / 2);
             p = half;
         }
-        EXPECT_NEAR(p.rgba[0], mean, 80) << "light is averaged, codes are not";
+        EXPECT_NEAR(p.rgba[0], mean, 80) << "linear light is averaged, not codes";
         EXPECT_EQ(int(p.rgba[3]), 255);
     }
 }
 
-// 100,000 pixels wide: beyond what a JPEG can say and what a texture can hold; tiles do not care.
-TEST_F(HardPhotos, AsWideAsNoTextureIsPrepared) {
+// 100,000 pixels wide: beyond the limits of JPEG and of textures, but not of tiles.
+TEST_F(HardPhotos, PreparesPhotosWiderThanAnyTexture) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.photos.count = 1;
     spec.photos.samples = 1;
     const int width = 100000, height = 3;
-    spec.photos.width = 1000;  // of which the photo below is a strip, stretched
+    spec.photos.width = 1000;  // replaced below by a wider one
     spec.photos.height = 3;
     synthesize(spec, dir / "scene", {});
     fs::remove_all(dir / "scene" / "images");
@@ -208,7 +209,7 @@ TEST_F(HardPhotos, AsWideAsNoTextureIsPrepared) {
     }
 }
 
-TEST_F(HardPhotos, APhotoOfAnotherShapeThanItsCameraIsLeftOutAndNamed) {
+TEST_F(HardPhotos, AspectRatioMismatchIsLeftOutAndListed) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.photos.count = 3;
     spec.photos.samples = 1;

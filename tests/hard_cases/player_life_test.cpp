@@ -1,5 +1,5 @@
-// What happens to a player in a long life: windows of all sizes, paths of nonsense, no memory, no graphics, a
-// package that vanishes, and clocks that are far on or go back.
+// A player under adverse conditions: windows of all sizes, invalid paths, too little memory, no graphics, a
+// package that is truncated, overwritten or deleted, and clocks that jump.
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,7 +24,7 @@ bool one_line(const std::string& text) {
     return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n';
 }
 
-class PlayerLife : public PreparedScene {
+class PlayerLifetime : public PreparedScene {
   protected:
     RenderSettings streamed() const {
         RenderSettings s;
@@ -32,13 +32,13 @@ class PlayerLife : public PreparedScene {
         s.photos = 4;
         return s;
     }
-    /// Draws every thirtieth of a second from `now` on until nothing changes; empty where that never comes.
+    /// Draws every thirtieth of a second from `now` on until the picture has settled; empty if it never does.
     std::optional<FrameReport> settle(Renderer& r, const View& view, const RenderSettings& s, double now,
                                       int frames = 300) {
         for (int i = 0; i < frames; ++i) {
             const FrameReport report = r.draw(view, s, photos, {}, now + i / 30.0);
             if (report.settled && report.photos > 0) return report;
-            ::usleep(1000);  // for the threads that read
+            ::usleep(1000);  // lets the reading threads work
         }
         return std::nullopt;
     }
@@ -55,20 +55,20 @@ class PlayerLife : public PreparedScene {
 
     struct Outcome {
         int code;
-        std::string says;
+        std::string message;
     };
     Outcome play(const std::string& options, const std::string& environment = "") const {
-        const fs::path says = dir / "says";
+        const fs::path message = dir / "message";
         const std::string command = "env " + environment + " " VANTAGE_PLAYER " " + file.string() + " " +
-                                    options + " >/dev/null 2>" + says.string();
+                                    options + " >/dev/null 2>" + message.string();
         const int status = std::system(command.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(says)};
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(message)};
     }
 
-    /// Shows many views and has `happen` happen to the package once the first is written.
+    /// Renders many views, and calls `happen` when the first is written.
     template <class Happen>
     Outcome play_while(const Happen& happen) const {
-        const fs::path path = dir / "many.path", says = dir / "says", out = dir / "pictures";
+        const fs::path path = dir / "many.path", message = dir / "message", out = dir / "pictures";
         {
             std::ofstream views(path);
             for (int i = 0; i < 40; ++i) views << "0 -12 " << 1 + 0.01 * i << "  0 0 1\n";
@@ -78,7 +78,7 @@ class PlayerLife : public PreparedScene {
         const pid_t child = ::fork();
         if (child == 0) {
             ::dup2(ends[1], STDOUT_FILENO);
-            ::dup2(::open(says.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+            ::dup2(::open(message.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
             ::close(ends[0]);
             ::execl(VANTAGE_PLAYER, VANTAGE_PLAYER, file.c_str(), "--offscreen", "--size", "64x48",
                     "--samples", "1", "--path", path.c_str(), "-o", out.c_str(), nullptr);
@@ -92,14 +92,14 @@ class PlayerLife : public PreparedScene {
         ::close(ends[0]);
         int status = 0;
         ::waitpid(child, &status, 0);
-        EXPECT_TRUE(happened) << slurp(says);
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), slurp(says)};
+        EXPECT_TRUE(happened) << slurp(message);
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), slurp(message)};
     }
 };
 
 }  // namespace
 
-TEST_F(PlayerLife, AWindowOfAnotherSizeInEveryFrame) {
+TEST_F(PlayerLifetime, WindowResizedEveryFrame) {
     std::mt19937 random(1);
     Renderer fresh(*package, MemoryBudget{});
     for (int frame = 0; frame < 20; ++frame) {
@@ -116,7 +116,7 @@ TEST_F(PlayerLife, AWindowOfAnotherSizeInEveryFrame) {
     }
 }
 
-TEST_F(PlayerLife, AWindowOfOnePixelShowsAllThereIsToCompare) {
+TEST_F(PlayerLifetime, ComparesInWindowsOfAFewPixels) {
     for (const int width : {1, 2, 3, 5})
         for (const Compare compare :
              {Compare::nothing, Compare::side_by_side, Compare::wiper, Compare::difference}) {
@@ -129,7 +129,7 @@ TEST_F(PlayerLife, AWindowOfOnePixelShowsAllThereIsToCompare) {
         }
 }
 
-TEST_F(PlayerLife, AWindowAsWideOrHighAsATextureGoesAndNoLarger) {
+TEST_F(PlayerLifetime, WindowsUpToTheTextureLimit) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     RenderSettings s;
@@ -154,14 +154,14 @@ TEST_F(PlayerLife, AWindowAsWideOrHighAsATextureGoesAndNoLarger) {
             EXPECT_NE(std::string(e.what()).find("picture of"), std::string::npos) << e.what();
         }
     }
-    Renderer fresh(*package, MemoryBudget{});  // minimised before it has drawn anything
+    Renderer fresh(*package, MemoryBudget{});  // minimized before it has drawn anything
     View none = own_view(2, 1);
     none.intrinsics.width = none.intrinsics.height = 0;
     EXPECT_THROW(fresh.draw(none, s, photos, {}, 0), Error);
-    EXPECT_GT(picture(own_view(2, 0.1), s).rgba.size(), 0u) << "and it goes on";
+    EXPECT_GT(picture(own_view(2, 0.1), s).rgba.size(), 0u) << "keeps working afterwards";
 }
 
-TEST_F(PlayerLife, APathOrASizeOfNonsenseIsRefusedInOneLine) {
+TEST_F(PlayerLifetime, InvalidPathsAndSizesAreReportedInOneLine) {
     const fs::path path = dir / "odd.path";
     for (const char* line :
          {"nan 0 0 1 1 1", "0 0 0 inf 1 1", "1e400 0 0 1 1 1", "0 0 0 0 0 0", "1e300 0 0 -1e300 0 0",
@@ -183,15 +183,15 @@ TEST_F(PlayerLife, APathOrASizeOfNonsenseIsRefusedInOneLine) {
     std::ofstream(path) << "0 -12 1 0 0 1\n1e20 0 0 0 0 1\n";
     EXPECT_EQ(read_path(path.string(), *package, {64, 48}).size(), 2u);
     const Outcome far = play("--offscreen --size 64x48 --path " + path.string() + " -o " + dir.string());
-    EXPECT_EQ(far.code, int(Exit::usage)) << "farther off than a float counts";
-    EXPECT_TRUE(one_line(far.says)) << far.says;
+    EXPECT_EQ(far.code, int(Exit::usage)) << "too far away for single precision";
+    EXPECT_TRUE(one_line(far.message)) << far.message;
     const Outcome wide = play("--offscreen --photo 0002 --size 100000x2 -o " + (dir / "wide.png").string());
-    EXPECT_EQ(wide.code, int(Exit::usage)) << wide.says;
-    EXPECT_TRUE(one_line(wide.says) && wide.says.find("100000x2, expected") != std::string::npos)
-        << wide.says;
+    EXPECT_EQ(wide.code, int(Exit::usage)) << wide.message;
+    EXPECT_TRUE(one_line(wide.message) && wide.message.find("100000x2, expected") != std::string::npos)
+        << wide.message;
 }
 
-TEST_F(PlayerLife, ABudgetSmallerThanATileIsRefusedOrStillShowsThePicture) {
+TEST_F(PlayerLifetime, BudgetSmallerThanATileIsRejectedOrStillWorks) {
     const View view = own_view(2, 0.3);
     for (const std::uint64_t bytes : {std::uint64_t(1), std::uint64_t(100'000), std::uint64_t(1) << 20}) {
         Renderer small(*package, {bytes, 1});
@@ -203,7 +203,7 @@ TEST_F(PlayerLife, ABudgetSmallerThanATileIsRefusedOrStillShowsThePicture) {
                 EXPECT_NE(std::string(e.what()).find("--graphics-memory"), std::string::npos) << e.what();
             }
     }
-    // A ring and an upload of a byte a frame let one piece through at a time.
+    // A ring of one byte and uploads of one byte per frame let one piece through at a time.
     Renderer slow(*package, {0, 1});
     RenderSettings s = streamed();
     for (const std::size_t budget : {std::size_t(1), std::size_t(256) << 10}) {
@@ -216,7 +216,7 @@ TEST_F(PlayerLife, ABudgetSmallerThanATileIsRefusedOrStillShowsThePicture) {
     EXPECT_EQ(picture_then, shown(*renderer, view, usual));
 }
 
-TEST_F(PlayerLife, AClockFarOnOrSetBackChangesNoPicture) {
+TEST_F(PlayerLifetime, ClockJumpsDoNotChangeThePicture) {
     const View view = own_view(2, 0.3);
     const RenderSettings s = streamed();
     ASSERT_TRUE(settle(*renderer, view, s, 0));
@@ -225,43 +225,43 @@ TEST_F(PlayerLife, AClockFarOnOrSetBackChangesNoPicture) {
         Renderer other(*package, MemoryBudget{});
         ASSERT_TRUE(settle(other, view, s, now)) << now;
         EXPECT_EQ(shown(other, view, s), usual) << now;
-        // Back to the beginning, with all there is already there.
+        // Set back, with all tiles resident.
         ASSERT_TRUE(settle(other, view, s, 0)) << "after " << now;
         EXPECT_EQ(shown(other, view, s), usual) << "after " << now;
-        // And with what is read only then.
+        // Set back, with tiles that are read only then.
         ASSERT_TRUE(settle(other, own_view(0, 0.3), s, 1)) << "after " << now;
     }
 }
 
-TEST(LayerPoolLife, FramesAreToldApartToTheLastNumber) {
+TEST(LayerPoolLifetime, FrameCounterMayWrapAround) {
     constexpr std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
     LayerPool pool(2, 5);
     ASSERT_TRUE(pool.place(0, last - 1) && pool.place(1, last - 1));
     EXPECT_FALSE(pool.place(2, last - 1)) << "both are in use";
     EXPECT_EQ(pool.available(last), 2u);
     ASSERT_TRUE(pool.place(2, last));
-    EXPECT_FALSE(pool.layer_of(0).has_value()) << "the older gave way";
-    ASSERT_TRUE(pool.place(3, 0)) << "after the last number comes the first";
+    EXPECT_FALSE(pool.layer_of(0).has_value()) << "the older one was evicted";
+    ASSERT_TRUE(pool.place(3, 0)) << "the counter wraps around";
     EXPECT_FALSE(pool.layer_of(1).has_value());
     EXPECT_TRUE(pool.layer_of(2) && pool.layer_of(3));
 }
 
-TEST_F(PlayerLife, APackageThatIsCutShortWhileItIsShownIsNamed) {
+TEST_F(PlayerLifetime, TruncatingTheOpenPackageIsReported) {
     const Outcome cut = play_while([&] { fs::resize_file(file, 4096); });
-    EXPECT_EQ(cut.code, int(Exit::damaged)) << cut.says;
-    EXPECT_TRUE(one_line(cut.says)) << cut.says;
-    EXPECT_TRUE(cut.says.starts_with("vantage-player: " + file.string() + ": can no longer be read"))
-        << cut.says;
+    EXPECT_EQ(cut.code, int(Exit::damaged)) << cut.message;
+    EXPECT_TRUE(one_line(cut.message)) << cut.message;
+    EXPECT_TRUE(cut.message.starts_with("vantage-player: " + file.string() + ": can no longer be read"))
+        << cut.message;
 }
 
-TEST_F(PlayerLife, APackageThatIsDeletedWhileItIsShownGoesOn) {
+TEST_F(PlayerLifetime, DeletingTheOpenPackageChangesNothing) {
     const Outcome gone = play_while([&] { fs::remove(file); });
-    EXPECT_EQ(gone.code, 0) << gone.says;
-    EXPECT_TRUE(gone.says.empty()) << gone.says;
+    EXPECT_EQ(gone.code, 0) << gone.message;
+    EXPECT_TRUE(gone.message.empty()) << gone.message;
     EXPECT_TRUE(fs::exists(dir / "pictures" / "0039.png"));
 }
 
-TEST_F(PlayerLife, APackageThatIsOverwrittenWhileItIsShownIsLeftOutUntilItIsRestored) {
+TEST_F(PlayerLifetime, OverwrittenTilesAreLeftOutUntilRestored) {
     const View view = own_view(2, 0.5);
     const RenderSettings s = streamed();
     ASSERT_TRUE(settle(*renderer, own_view(0, 0.1), s, 0));
@@ -288,19 +288,19 @@ TEST_F(PlayerLife, APackageThatIsOverwrittenWhileItIsShownIsLeftOutUntilItIsRest
     EXPECT_EQ(shown(*renderer, view, s), shown(fresh, view, s));
 }
 
-TEST_F(PlayerLife, WithoutGraphicsItSaysSoInOneLine) {
+TEST_F(PlayerLifetime, MissingOpenGlIsReportedInOneLine) {
     const std::string none =
         "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent/egl.json "
         "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent LIBGL_DRIVERS_PATH=/nonexistent";
     for (const std::string& options : {"--offscreen --photo 0002 -o " + (dir / "a.png").string(),
                                        "--offscreen --view 0,-12,1,0,0,1 -o " + (dir / "b.png").string()}) {
         const Outcome outcome = play(options, none);
-        EXPECT_EQ(outcome.code, int(Exit::graphics)) << outcome.says;
-        EXPECT_TRUE(one_line(outcome.says)) << outcome.says;
-        EXPECT_NE(outcome.says.find("OpenGL 4.5"), std::string::npos) << outcome.says;
+        EXPECT_EQ(outcome.code, int(Exit::graphics)) << outcome.message;
+        EXPECT_TRUE(one_line(outcome.message)) << outcome.message;
+        EXPECT_NE(outcome.message.find("OpenGL 4.5"), std::string::npos) << outcome.message;
     }
     const Outcome window = play("--fresh --frames 1", "-u DISPLAY -u WAYLAND_DISPLAY " + none);
-    EXPECT_EQ(window.code, int(Exit::graphics)) << window.says;
-    EXPECT_TRUE(one_line(window.says)) << window.says;
-    EXPECT_EQ(play("--list", none).code, 0) << "names need no graphics";
+    EXPECT_EQ(window.code, int(Exit::graphics)) << window.message;
+    EXPECT_TRUE(one_line(window.message)) << window.message;
+    EXPECT_EQ(play("--list", none).code, 0) << "--list needs no graphics";
 }

@@ -15,7 +15,7 @@
 
 namespace vantage {
 
-/// A package of five small photos, and what renders it.
+/// A package of five small photos, and its renderer.
 class PreparedScene : public TemporaryFolder {
   protected:
     std::filesystem::path file = dir / "scene.vantage";
@@ -43,7 +43,7 @@ class PreparedScene : public TemporaryFolder {
     }
     virtual SynthSpec spec() const { return read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"); }
     virtual PrepareSettings settings() const { return {}; }
-    /// The scene's files, before they are prepared.
+    /// Hook to change the scene's files before they are prepared.
     virtual void change(const std::filesystem::path&) const {}
 
     Picture picture(const View& view, const RenderSettings& s, int side = 1) {
@@ -52,7 +52,7 @@ class PreparedScene : public TemporaryFolder {
     View own_view(std::uint32_t photo, double scale) const {
         return view_of_photo(package->photos()[photo], scale);
     }
-    /// Between two photos, where several are blended.
+    /// A view halfway between two photos.
     View between(std::uint32_t a, std::uint32_t b, int width, int height, double fov = 45) const {
         const Eigen::Vector3d eye = (cam_from_origin(package->photos()[a]).center() +
                                      cam_from_origin(package->photos()[b]).center()) /

@@ -1,5 +1,4 @@
-// A scene in other units, turned and far from the origin is the same scene: masks, coordinates and pictures,
-// too.
+// A scene in other units, rotated or far from the origin gives the same masks, coordinates and pictures.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -33,7 +32,7 @@ struct Similarity {
     Eigen::Vector3d move = Eigen::Vector3d::Zero();
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
 
-    /// The camera that sees the moved point where `pose` saw it, as many times as far away.
+    /// The camera that sees each moved point where `pose` saw the original.
     Pose moved(const Pose& pose) const {
         const Eigen::Matrix3d R = pose.R * turn.transpose();
         return {R, scale * pose.t - R * move};
@@ -64,14 +63,14 @@ struct Opened {
         s.blend = blend;
         return take_picture(renderer, view, s, photos, 1);
     }
-    /// Which vertices of the input the triangles have, in their order.
+    /// The input vertex numbers of all triangles, in package order.
     std::vector<float> order() const {
         const auto number = package.records<float>(Type::scalars);
         std::vector<float> out;
         for (const std::uint32_t v : package.records<std::uint32_t>(Type::indices)) out.push_back(number[v]);
         return out;
     }
-    /// A photo's texture coordinates by the number that each vertex has in the input.
+    /// A photo's texture coordinates, in the order of the input's vertices.
     std::vector<Eigen::Vector2f> coordinates(std::uint32_t photo) const {
         const auto uv = package.records<Eigen::Vector2f>(Type::coordinates, photo);
         const auto number = package.records<float>(Type::scalars);
@@ -79,7 +78,7 @@ struct Opened {
         for (std::size_t v = 0; v < uv.size(); ++v) out[std::size_t(number[v])] = uv[v];
         return out;
     }
-    /// The texels of all tiles of a photo's level.
+    /// The texels of all tiles of one level of a photo.
     std::vector<std::uint8_t> texels(Type type, std::uint32_t photo, int level) const {
         const auto* entry = package.find(type, photo, std::uint32_t(level));
         std::vector<std::uint8_t> out;
@@ -107,8 +106,7 @@ class ScaleAndPlace : public TemporaryFolder {
         spec.photos.samples = 2;
         synthesize(spec, dir / "scene", {});
         scene = read_scene(discover(dir / "scene"));
-        subdivide_large_triangles(
-            scene.mesh);  // so that preparing adds none, and vertices keep their numbers
+        subdivide_large_triangles(scene.mesh);  // so that preparing adds no vertices, and their numbers stay
         ScalarLayer number{"number", {}};
         for (std::size_t v = 0; v < scene.mesh.positions.size(); ++v) number.values.push_back(float(v));
         scene.mesh.scalars.push_back(number);
@@ -116,7 +114,7 @@ class ScaleAndPlace : public TemporaryFolder {
     }
     std::unique_ptr<Opened> opened(const Similarity& by, const char* name) const {
         const std::filesystem::path file = dir / name;
-        PrepareSettings settings;  // by rounding alone, these photos' colours do or do not call for gains
+        PrepareSettings settings;  // for these photos, rounding decides whether gains are enabled
         settings.effects = {{Effect::exposure, EffectChoice::off}, {Effect::falloff, EffectChoice::off}};
         prepare(by.moved(scene), settings, file, [](const Progress&) {});
         for (const Issue& i : check_package(file, {.deep = true})) ADD_FAILURE() << name << ": " << i.text;
@@ -143,9 +141,8 @@ class ScaleAndPlace : public TemporaryFolder {
         EXPECT_LE(double(flipped), 1e-4 * double(all)) << "vertices seen in one and not in the other";
     }
 
-    /// Angle and border agree; depth, and the density that the depth mask tells, in the other's units.
-    /// Corners snap to 1/256 of a pixel: where rounding decides to which side, a texel on an edge may see
-    /// another surface.
+    /// Angle and border masks agree; depth and the density in the depth mask agree after scaling. Corners
+    /// snap to 1/256 px, so rounding may put a texel on an edge onto the other surface.
     void expect_same_masks(const Opened& other, double scale) const {
         const double reference = given->package.scene().reference_density,
                      theirs = other.package.scene().reference_density * scale;
@@ -174,8 +171,8 @@ class ScaleAndPlace : public TemporaryFolder {
         EXPECT_LE(double(differ), 1e-4 * double(all)) << "texels";
     }
 
-    /// No byte is off by more than 2; where triangles came into another order, in all but single pixels, in
-    /// which an edge snaps to the other side of the centre.
+    /// No byte differs by more than 2, except, if the order of triangles differs, in single pixels where an
+    /// edge snaps to the other side of the center.
     void expect_same_pictures(Opened& other, const Similarity& by) const {
         const double most = given->order() == other.order() ? 0 : 1e-4;
         const Eigen::Vector3d origin = given->origin();
@@ -216,7 +213,7 @@ Eigen::Matrix3d turned(double angle, const Eigen::Vector3d& axis) {
 
 }  // namespace
 
-TEST_F(ScaleAndPlace, NeitherUnitsNorPlaceNorDirectionChangeTheScene) {
+TEST_F(ScaleAndPlace, UnitsPositionAndOrientationDoNotMatter) {
     const Eigen::Matrix3d none = Eigen::Matrix3d::Identity();
     const Eigen::Vector3d here = Eigen::Vector3d::Zero();
     const Similarity cases[] = {{1e-4, here, none},
@@ -232,7 +229,7 @@ TEST_F(ScaleAndPlace, NeitherUnitsNorPlaceNorDirectionChangeTheScene) {
     }
 }
 
-TEST_F(ScaleAndPlace, EightThousandTimesAsLargeIsTheSameToTheLastBit) {
+TEST_F(ScaleAndPlace, ScalingByAPowerOfTwoIsBitExact) {
     const auto other = opened({.scale = 0x1p13}, "other");
     for (const std::uint32_t photo : given->photos) {
         EXPECT_EQ(given->texels(Type::masks, photo, mask_level),

@@ -1,5 +1,5 @@
-// What the solvers make of equations that hold too little, too much, or nonsense: the cost never rises, and
-// what comes out is finite and within bounds.
+// The solvers on underdetermined, inconsistent and invalid problems: the cost never rises, and results are
+// finite and within bounds.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 const Intrinsics k{1200, 900, 1100, 1100, 600, 450};
 constexpr double distance = 10;
 
-/// Cameras side by side before a wavy wall, and corners on it that each sees where they are.
+/// Cameras side by side in front of a wavy wall, with exact tracks of points on it.
 struct Rig {
     std::vector<FittedCamera> cameras;
     std::vector<Track> tracks;
@@ -34,7 +34,7 @@ Pose at(double x) {
     return p;
 }
 
-/// `groups`: how many sets of cameras that share no track.
+/// `groups`: the number of sets of cameras that share no track.
 Rig rig(int cameras, int tracks, int groups = 1) {
     Rig r;
     std::mt19937 random(3);
@@ -62,7 +62,7 @@ Rig rig(int cameras, int tracks, int groups = 1) {
     return r;
 }
 
-/// Cameras off by some pixels, one way or the other.
+/// Moves each camera at random by about `pixels`.
 void disturb(Rig& r, double pixels) {
     std::mt19937 random(4);
     std::normal_distribution<double> normal(0, pixels);
@@ -90,7 +90,7 @@ PoseFit solve(Rig& r, double anchor = 5, double sigma = 3) {
     return fit;
 }
 
-/// Seen by the cameras at -1 and 0.
+/// A track of the cameras at x = -1 and 0.
 Track seen_twice(const Eigen::Vector3d& x) {
     Track s;
     s.photo = 0;
@@ -103,37 +103,37 @@ Track seen_twice(const Eigen::Vector3d& x) {
 
 }  // namespace
 
-TEST(PoseSolver, NothingToSolveChangesNothing) {
+TEST(PoseSolver, NoTracksLeavePosesUnchanged) {
     Rig empty = rig(3, 0);
     EXPECT_FALSE(solve(empty).usable);
     EXPECT_EQ(largest(empty), 0);
-    Rig lonely = rig(1, 20);  // tracks that nobody else sees
+    Rig lonely = rig(1, 20);  // tracks of a single photo
     EXPECT_FALSE(solve(lonely).usable);
     EXPECT_EQ(largest(lonely), 0);
 }
 
-TEST(PoseSolver, WithoutAnAnchorTheFrameIsFreeAndStaysFinite) {
+TEST(PoseSolver, FreeFrameWithoutAnAnchorStaysFinite) {
     Rig r = rig(4, 200);
     disturb(r, 3);
-    // Held by next to nothing, all cameras may slide together: six directions without a curvature.
+    // Almost without an anchor, all cameras may move together: the cost is flat in six directions.
     const PoseFit fit = solve(r, 1e-12, 1);
     EXPECT_TRUE(fit.usable);
     EXPECT_LT(largest(r), 200);
 }
 
-TEST(PoseSolver, TooFewStarsForACamerasSixNumbersAreHeldByTheAnchor) {
-    Rig r = rig(2, 2);  // two corners: four equations, twelve unknowns
+TEST(PoseSolver, TooFewTracksAreHeldByTheAnchor) {
+    Rig r = rig(2, 2);  // two tracks: four equations, twelve unknowns
     disturb(r, 2);
     EXPECT_TRUE(solve(r).usable);
     EXPECT_LT(largest(r), 20);
 }
 
-TEST(PoseSolver, GroupsThatShareNothingAreSolvedApart) {
+TEST(PoseSolver, DisconnectedGroupsAreSolvedSeparately) {
     Rig together = rig(6, 300, 2);
     disturb(together, 2);
     solve(together);
     EXPECT_LT(largest(together), 20);
-    // One group alone comes to the same.
+    // One group alone gives the same result.
     Rig alone = rig(6, 300, 2);
     disturb(alone, 2);
     std::erase_if(alone.tracks, [](const Track& s) { return s.photo != 0; });
@@ -142,7 +142,7 @@ TEST(PoseSolver, GroupsThatShareNothingAreSolvedApart) {
         for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(together.change[i][c], alone.change[i][c], 1e-3);
 }
 
-TEST(PoseSolver, AnOutlierFarAwayMovesNothing) {
+TEST(PoseSolver, FarOutlierHasNoInfluence) {
     Rig clean = rig(4, 200), with = rig(4, 200);
     disturb(clean, 2);
     disturb(with, 2);
@@ -153,7 +153,7 @@ TEST(PoseSolver, AnOutlierFarAwayMovesNothing) {
         for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(with.change[i][c], clean.change[i][c], 0.2);
 }
 
-TEST(PoseSolver, WhatIsNoNumberOrBehindACameraIsLeftOut) {
+TEST(PoseSolver, NonFiniteTracksAndPointsBehindCamerasAreIgnored) {
     Rig clean = rig(4, 200), with = rig(4, 200);
     disturb(clean, 2);
     disturb(with, 2);
@@ -163,7 +163,7 @@ TEST(PoseSolver, WhatIsNoNumberOrBehindACameraIsLeftOut) {
     with.tracks[9].point = {0, 0, -3 * distance};
     with.tracks[10].point.x() = std::nan("");
     with.tracks[11].normal.setConstant(std::nan(""));
-    with.tracks[12].matches[0].pixel = {1e200, 0};  // its square is no number
+    with.tracks[12].matches[0].pixel = {1e200, 0};  // its square overflows
     EXPECT_TRUE(solve(clean).usable);
     EXPECT_TRUE(solve(with).usable);
     for (std::size_t i = 0; i < clean.change.size(); ++i)
@@ -174,16 +174,16 @@ TEST(PoseSolver, WhatIsNoNumberOrBehindACameraIsLeftOut) {
     EXPECT_EQ(largest(nothing), 0);
 }
 
-TEST(PoseSolver, ACostThatIsNoNumberChangesNothing) {
+TEST(PoseSolver, NanCostLeavesPosesUnchanged) {
     Rig r = rig(4, 200);
     disturb(r, 2);
-    const PoseFit fit = solve(r, 0.05, 0);  // known without any error: zero divided by zero
+    const PoseFit fit = solve(r, 0.05, 0);  // sigma of zero: 0/0
     EXPECT_FALSE(fit.usable);
     EXPECT_TRUE(std::isfinite(fit.before) && std::isfinite(fit.after));
     EXPECT_EQ(largest(r), 0);
 }
 
-TEST(PoseSolver, OnlyOutliersStayWithinTheAnchorsReach) {
+TEST(PoseSolver, OutliersOnlyStayWithinReachOfTheAnchor) {
     Rig r = rig(5, 150);
     std::mt19937 random(9);
     for (Track& s : r.tracks)
@@ -193,7 +193,7 @@ TEST(PoseSolver, OnlyOutliersStayWithinTheAnchorsReach) {
     EXPECT_TRUE(std::isfinite(largest(r)));
 }
 
-TEST(CommonMotion, OfNothingAPointOrALineIsFinite) {
+TEST(CommonMotion, IsFiniteForNoPointsOnePointOrALine) {
     const std::vector<Intrinsics> ks(3, k);
     const std::vector<Pose> given{at(-1), at(0), at(1)};
     std::vector<Pose> now = given;
@@ -213,7 +213,7 @@ TEST(CommonMotion, OfNothingAPointOrALineIsFinite) {
     }
 }
 
-TEST(CommonMotion, OfALineIsNoTurnAboutIt) {
+TEST(CommonMotion, PointsOnALineDoNotCauseARotationAboutIt) {
     const std::vector<Intrinsics> ks(3, k);
     const std::vector<Pose> given{at(-1), at(0), at(1)};
     std::srand(3);
@@ -245,7 +245,7 @@ ColorFit fit(const Photos& photos) {
     for (const Falloff& l : f.falloff)
         for (const double v : l) EXPECT_TRUE(std::isfinite(v));
     EXPECT_TRUE(std::isfinite(f.before) && std::isfinite(f.after));
-    EXPECT_LE(f.after, f.before + 1e-3);  // a thousandth of the light
+    EXPECT_LE(f.after, f.before + 1e-3);  // up to a thousandth of the light
     return f;
 }
 
@@ -256,7 +256,7 @@ SampleRecord sample(double light, double radius) {
 
 }  // namespace
 
-TEST(ColorSolver, EveryDiscAtOneRadiusLeavesTheFalloffOpen) {
+TEST(ColorSolver, DiscsAtOneRadiusGiveNoFalloff) {
     Photos photos(4);
     for (std::size_t i = 0; i < photos.size(); ++i)
         for (int d = 0; d < 200; ++d) photos[i].push_back(sample(0.1 * std::exp2(0.3 * double(i)), 0.5));
@@ -265,8 +265,8 @@ TEST(ColorSolver, EveryDiscAtOneRadiusLeavesTheFalloffOpen) {
     EXPECT_LT(f.after, 1e-3);
 }
 
-TEST(ColorSolver, ACameraOneWithEachOfTwoGroupsJoinsThem) {
-    // 0-1 and 2-3 share discs, and 1-2 share barely enough.
+TEST(ColorSolver, BridgeBetweenTwoGroupsJoinsThem) {
+    // 0-1 and 2-3 share many discs, 1-2 just enough.
     Photos photos(4, std::vector<SampleRecord>(400, SampleRecord{}));
     for (int d = 0; d < 180; ++d)
         for (const std::size_t i : {0u, 1u}) photos[i][std::size_t(d)] = sample(i ? 0.2 : 0.1, 0.3);
@@ -280,7 +280,7 @@ TEST(ColorSolver, ACameraOneWithEachOfTwoGroupsJoinsThem) {
     EXPECT_NEAR(f.ln_gain[2][0] - f.ln_gain[1][0], std::log(2), 0.01);
 }
 
-TEST(ColorSolver, OneDiscOfAMillionTimesTheLightIsAnOutlier) {
+TEST(ColorSolver, ExtremelyBrightDiscIsAnOutlier) {
     Photos photos(3, std::vector<SampleRecord>(300, sample(0.2, 0.4)));
     photos[1][17] = SampleRecord{{1, 1, 1}, 100};
     photos[2][90] = SampleRecord{{65535, 65535, 65535}, 65535};
@@ -288,7 +288,7 @@ TEST(ColorSolver, OneDiscOfAMillionTimesTheLightIsAnOutlier) {
     for (const auto& g : f.ln_gain) EXPECT_LT(std::abs(g[0]), 0.01);
 }
 
-TEST(ColorSolver, PhotosThatAgreeOnNothingStayWithinBounds) {
+TEST(ColorSolver, UnrelatedPhotosStayWithinBounds) {
     std::mt19937 random(2);
     Photos photos(6);
     for (auto& p : photos)
@@ -302,7 +302,7 @@ TEST(ColorSolver, PhotosThatAgreeOnNothingStayWithinBounds) {
         for (const double v : g) EXPECT_LE(std::abs(v), std::log(4) + 1e-9);
 }
 
-RC_GTEST_PROP(ColorSolver, OfAnyPhotosGivesNumbersWithinBounds, ()) {
+RC_GTEST_PROP(ColorSolver, AnyPhotosGiveFiniteValuesWithinBounds, ()) {
     const auto count = *rc::gen::inRange<std::size_t>(0, 6), discs = *rc::gen::inRange<std::size_t>(0, 120);
     const auto light = rc::gen::element<std::uint16_t>(0, 1, 9, 300, 20'000, 65'534, 65'535);
     const auto photos = *rc::gen::container<Photos>(

@@ -1,5 +1,4 @@
-// Weights that are equal but for rounding, that reach over twelve orders of magnitude, and that half floats
-// cannot hold.
+// Weights that are equal up to rounding, that span twelve orders of magnitude, and that exceed half floats.
 #include "player/plan/weights.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +45,7 @@ Eigen::Vector3d random_unit(std::mt19937& random) {
     return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
 }
 
-/// [M]'s weights, written down once more in long double.
+/// The weights of [M], computed independently in long double.
 std::vector<double> reference(const View& view, const std::vector<package::PhotoRecord>& photos,
                               const WeightSettings& s) {
     const auto ramp = [&](const std::vector<long double>& values) {
@@ -75,16 +74,16 @@ std::vector<double> reference(const View& view, const std::vector<package::Photo
     return out;
 }
 
-/// Pixels that are coloured in one picture and not in the other, and how those in both differ.
+/// Pixels colored in one picture and not in the other, and the differences between those colored in both.
 struct Compared {
-    std::size_t lost = 0, coloured = 0, off = 0;
+    std::size_t lost = 0, colored = 0, off = 0;
     int worst = 0;
 };
 Compared compare(const Picture& before, const Picture& after) {
     Compared c;
     for (std::size_t i = 0; i < before.rgba.size(); i += 4) {
         if (before.rgba[i + 3] != 255) continue;
-        ++c.coloured;
+        ++c.colored;
         c.lost += after.rgba[i + 3] != 255;
         int off = 0;
         for (std::size_t k = i; k < i + 3; ++k)
@@ -99,7 +98,7 @@ class BlendedWeights : public PreparedScene {};
 
 }  // namespace
 
-TEST(DynamicWeights, OfAllZeroOneOrManyEqualValuesAreOne) {
+TEST(DynamicWeights, EqualValuesGiveOne) {
     for (const std::size_t n : {1u, 2u, 500u})
         for (const double v : {0.0, 1e-300, 1.0, 1e300})
             for (const double w : nearest_is_one(std::vector<double>(n, v))) EXPECT_EQ(w, 1) << n << ' ' << v;
@@ -107,7 +106,7 @@ TEST(DynamicWeights, OfAllZeroOneOrManyEqualValuesAreOne) {
     EXPECT_EQ(one_only, (std::vector<double>{1e-3, 1e-3, 1, 1e-3}));
 }
 
-TEST(DynamicWeights, ReachOverTwelveOrdersOfMagnitude) {
+TEST(DynamicWeights, SpanTwelveOrdersOfMagnitude) {
     std::vector<double> values;
     for (int i = 0; i <= 12; ++i) values.push_back(std::pow(10, i));
     const std::vector<double> w = nearest_is_one(values);
@@ -117,7 +116,7 @@ TEST(DynamicWeights, ReachOverTwelveOrdersOfMagnitude) {
     }
 }
 
-RC_GTEST_PROP(DynamicWeights, OfAnyValuesAreOneForTheLeastAndFallWithTheRest, ()) {
+RC_GTEST_PROP(DynamicWeights, AnyValuesFallMonotonicallyFromOne, ()) {
     const auto values = *rc::gen::nonEmpty(rc::gen::container<std::vector<double>>(
         rc::gen::apply([](int mantissa, int exponent) { return mantissa * std::pow(10, exponent); },
                        rc::gen::inRange(0, 1000), rc::gen::inRange(-300, 301))));
@@ -129,12 +128,12 @@ RC_GTEST_PROP(DynamicWeights, OfAnyValuesAreOneForTheLeastAndFallWithTheRest, ()
     }
 }
 
-TEST(DynamicWeights, EqualDistancesThatDifferByRoundingCountTheSame) {
+TEST(DynamicWeights, RoundingOfEqualDistancesDoesNotMatter) {
     std::mt19937 random(1);
     for (int trial = 0; trial < 100; ++trial) {
         const Eigen::Vector3d eye = random_unit(random) * std::pow(10, double(random() % 5));
         std::vector<package::PhotoRecord> photos;
-        for (int i = 0; i < 40; ++i)  // on a sphere about the viewer, or all where the viewer is
+        for (int i = 0; i < 40; ++i)  // on a sphere around the viewer, or all at the viewer
             photos.push_back(photo_at(eye + (trial % 2 ? 5.0 : 0.0) * random_unit(random),
                                       turned(0.1 * i, 0.2 * i, 0.3 * i)));
         WeightSettings s;
@@ -144,12 +143,12 @@ TEST(DynamicWeights, EqualDistancesThatDifferByRoundingCountTheSame) {
     }
 }
 
-TEST(DynamicWeights, EqualAnglesThatDifferByRoundingCountTheSame) {
+TEST(DynamicWeights, RoundingOfEqualAnglesDoesNotMatter) {
     std::mt19937 random(2);
     for (const double away : {0.0, 0.4, std::numbers::pi / 2, std::numbers::pi}) {
         const Eigen::Matrix3d R = turned(0.3, 0.2, 0.1);
         std::vector<package::PhotoRecord> photos;
-        for (int i = 0; i < 40; ++i)  // directions on a cone about the viewer's, each rolled somehow
+        for (int i = 0; i < 40; ++i)  // directions on a cone around the viewer's, with different rolls
             photos.push_back(photo_at(5 * random_unit(random), turned(0, 0, 0.37 * i) * turned(away, 0, 0) *
                                                                    turned(0, 0, 0.61 * i) * R));
         WeightSettings s;
@@ -161,7 +160,7 @@ TEST(DynamicWeights, EqualAnglesThatDifferByRoundingCountTheSame) {
     }
 }
 
-TEST(DynamicWeights, AreThoseOfTheEquationsForOneTwoAndManyPhotos) {
+TEST(DynamicWeights, MatchTheEquationsForOneTwoAndManyPhotos) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> angle(-3, 3);
     for (int trial = 0; trial < 60; ++trial) {
@@ -183,7 +182,7 @@ TEST(DynamicWeights, AreThoseOfTheEquationsForOneTwoAndManyPhotos) {
     }
 }
 
-TEST(DynamicWeights, OppositeDirectionsAndTheViewpointAtACameraAreDefined) {
+TEST(DynamicWeights, AreDefinedForOppositeDirectionsAndAtACamera) {
     const Eigen::Matrix3d ahead = turned(0, 0, 0), back = turned(0, std::numbers::pi, 0);
     const std::vector photos{photo_at({0, 0, 0}, ahead), photo_at({0, 0, 0}, back),
                              photo_at({3, 0, 0}, ahead)};
@@ -191,15 +190,15 @@ TEST(DynamicWeights, OppositeDirectionsAndTheViewpointAtACameraAreDefined) {
     s.angle_per_photo = true;
     s.exponent = 1;
     const auto w = dynamic_weights(view_at({0, 0, 0}, ahead), photos, s);
-    EXPECT_DOUBLE_EQ(w[0], 1) << "stands here and looks the same way";
-    EXPECT_NEAR(w[1], 1e-3, 1e-12) << "stands here and looks back";
-    EXPECT_NEAR(w[2], 1e-3, 1e-12) << "looks the same way from farthest off";
+    EXPECT_DOUBLE_EQ(w[0], 1) << "same position and direction";
+    EXPECT_NEAR(w[1], 1e-3, 1e-12) << "same position, opposite direction";
+    EXPECT_NEAR(w[2], 1e-3, 1e-12) << "same direction, farthest away";
 }
 
-TEST(DynamicWeights, FieldsOfViewOfATenthAndAHundredAndSeventyDegreesAreFinite) {
+TEST(DynamicWeights, AreFiniteForExtremeFieldsOfView) {
     for (const double own : {0.1, 60.0, 170.0})
         for (const double wanted : {0.1, 60.0, 170.0}) {
-            // Before what it sees, at the centre of the model, and looking away from it at nothing.
+            // In front of the model, at its center, and looking away from it.
             std::vector<package::PhotoRecord> photos{photo_at({0, 0, -10}, turned(0, 0, 0), own),
                                                      photo_at({0, 0, 0}, turned(0, 0, 0), own),
                                                      photo_at({0, 0, -10}, turned(0, 3.1, 0), own)};
@@ -210,7 +209,7 @@ TEST(DynamicWeights, FieldsOfViewOfATenthAndAHundredAndSeventyDegreesAreFinite) 
             s.exponent = 1;
             const auto w = dynamic_weights(view, photos, s);
             for (const double x : w) EXPECT_TRUE(x > 0 && x <= 1) << own << ' ' << wanted << ' ' << x;
-            EXPECT_EQ(w[2], 1) << "sees nothing, so it stays where it is: at the viewpoint";
+            EXPECT_EQ(w[2], 1) << "sees nothing, so it is not moved from the viewpoint";
             // [M] 4.1 to 4.3: w = 2 d tan(f / 2), d' = w / (2 tan(f' / 2)), with d = 10.
             const double rad = std::numbers::pi / 360;
             const double moved = 10 * (1 - std::tan(own * rad) / std::tan(wanted * rad));
@@ -256,14 +255,14 @@ std::vector<Extreme> extremes() {
 
 }  // namespace
 
-TEST_F(BlendedWeights, NoSettingTakesAPixelsColourAndHalfFloatsGiveThatOfFloats) {
+TEST_F(BlendedWeights, ExtremeSettingsLoseNoPixelAndHalfMatchesFloat) {
     for (const View& view : {own_view(2, 0.3), between(0, 1, 120, 90)}) {
         const Picture usual = picture(view, {});
         for (Extreme e : extremes()) {
             const Picture floats = picture(view, e.settings);
             e.settings.half_sums = true;
             const Picture halves = picture(view, e.settings);
-            ASSERT_GT(compare(usual, floats).coloured, 3000u);
+            ASSERT_GT(compare(usual, floats).colored, 3000u);
             EXPECT_EQ(compare(usual, floats).lost, 0u) << e.name << ", blend " << int(e.settings.blend);
             EXPECT_EQ(compare(usual, halves).lost, 0u) << e.name << ", blend " << int(e.settings.blend);
             EXPECT_LE(compare(floats, halves).worst, 2) << e.name << ", blend " << int(e.settings.blend);
@@ -271,9 +270,9 @@ TEST_F(BlendedWeights, NoSettingTakesAPixelsColourAndHalfFloatsGiveThatOfFloats)
     }
 }
 
-// Half floats cannot hold what a pass is worth over all orders of magnitude: passes that are worth next to
-// nothing count alike. Nothing is lost by that, and where a photo is worth something nothing changes.
-TEST_F(BlendedWeights, PhotosInPassesOfTheirOwnLoseNoColourInHalfFloats) {
+// Half floats do not have the range of a pass's weights: passes with negligible weights are lifted to the
+// same minimum. No pixel is lost by that, and pixels with a significant weight do not change.
+TEST_F(BlendedWeights, OnePhotoPerPassLosesNoPixelInHalfFloats) {
     for (const Blend blend : {Blend::lumigraph, Blend::average, Blend::best})
         for (const double sharpness : {0.055, 0.005}) {
             RenderSettings s;
@@ -286,17 +285,17 @@ TEST_F(BlendedWeights, PhotosInPassesOfTheirOwnLoseNoColourInHalfFloats) {
             const Compared c = compare(floats, picture(view, s));
             EXPECT_EQ(c.lost, 0u) << int(blend) << ' ' << sharpness;
             if (sharpness == 0.055) {
-                EXPECT_LT(double(c.off), 0.05 * double(c.coloured)) << int(blend);
+                EXPECT_LT(double(c.off), 0.05 * double(c.colored)) << int(blend);
             }
         }
 }
 
-// Half floats end at 65504; from a photo's own camera its weight is a thousand times that.
-TEST_F(BlendedWeights, WhatTheBestPhotoIsWorthFitsHalfFloats) {
+// Half floats end at 65504; from a photo's own camera, its weight is a thousand times larger.
+TEST_F(BlendedWeights, BestPhotoWeightFitsHalfFloats) {
     RenderSettings s;
     s.blend = Blend::best;
     const View view = own_view(2, 0.3);
-    const auto worth = [&](bool half) {
+    const auto best_weights = [&](bool half) {
         s.half_sums = half;
         picture(view, s);
         std::vector<float> sums(std::size_t(view.intrinsics.width) * std::size_t(view.intrinsics.height) * 4);
@@ -305,7 +304,7 @@ TEST_F(BlendedWeights, WhatTheBestPhotoIsWorthFitsHalfFloats) {
                 glGetTextureImage(t.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(sums.size() * 4), sums.data());
         return sums;
     };
-    const auto floats = worth(false), halves = worth(true);
+    const auto floats = best_weights(false), halves = best_weights(true);
     EXPECT_GT(*std::ranges::max_element(floats), 10);
     for (std::size_t i = 3; i < floats.size(); i += 4)
         ASSERT_NEAR(halves[i], floats[i], 1e-3 * double(floats[i])) << "pixel " << i / 4;
@@ -313,7 +312,7 @@ TEST_F(BlendedWeights, WhatTheBestPhotoIsWorthFitsHalfFloats) {
 
 namespace {
 
-/// Sums `weights` of `colors`, one a pass, as resolve does with what blend.frag wrote.
+/// The weighted mean of `colors`, with one pass each, summed as resolve sums the output of blend.frag.
 double summed(const std::vector<double>& weights, const std::vector<double>& colors, bool half) {
     FrameTargets t = make_frame_targets(1, 1, half);
     const std::array<float, 4> zero{};
@@ -340,7 +339,7 @@ double summed(const std::vector<double>& weights, const std::vector<double>& col
         glUniform3f(4, w, w, w);
         glBindTextureUnit(4, one.id());
         glBindTextureUnit(5, one.id());
-        // Colour by the uniform, alpha by the constant: constants are clamped to 1, and weights are below.
+        // Color by the uniform, alpha by the constant: constants are clamped to 1, which no weight exceeds.
         glBlendFuncSeparate(GL_ONE, GL_ONE, GL_CONSTANT_ALPHA, GL_ONE);
         glBlendColor(0, 0, 0, w);
         glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -353,7 +352,7 @@ double summed(const std::vector<double>& weights, const std::vector<double>& col
 
 }  // namespace
 
-TEST_F(BlendedWeights, SumsOverTwelveOrdersOfMagnitudeAreThoseOfDoubles) {
+TEST_F(BlendedWeights, SumsOverTwelveOrdersOfMagnitudeMatchDoubles) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> orders(-12, 0), color(0.02, 1);
     double worst_float = 0, worst_half = 0;
@@ -367,7 +366,7 @@ TEST_F(BlendedWeights, SumsOverTwelveOrdersOfMagnitudeAreThoseOfDoubles) {
         for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * colors[i], all += weights[i];
         const double truth = sum / all;
         worst_float = std::max(worst_float, std::abs(summed(weights, colors, false) / truth - 1));
-        // As blend.frag scales and lifts a pass.
+        // Scaled and lifted as in blend.frag.
         std::vector<double> held;
         const double scale = 8000 / double(weights.size());
         for (const double w : weights) held.push_back(std::max(w * scale, 1 / 16384.0) / scale);

@@ -26,7 +26,7 @@ Measurement row(std::string setting, std::map<std::string, double> values) {
     return {"border", "hall", "masks at 1/2", std::move(setting), false, false, std::move(values), {}};
 }
 
-/// Coarse values, so that many are equal; some lack a metric or are not finite.
+/// Coarse values, so that many are equal; some are missing or not finite.
 std::vector<Measurement> random_rows(unsigned seed, int count) {
     std::mt19937 random(seed);
     std::uniform_int_distribution<int> value(0, 12), odd(0, 9);
@@ -53,7 +53,7 @@ bool beats(const Measurement& a, const Measurement& b) {
     return ta <= tb && qa >= qb && (ta < tb || qa > qb);
 }
 
-TEST(Front, IsWhatComparingAllPairsFinds) {
+TEST(Front, MatchesComparingAllPairs) {
     for (unsigned seed = 0; seed < 200; ++seed) {
         const std::vector<Measurement> rows = random_rows(seed, int(seed % 60));
         std::vector<std::size_t> expected;
@@ -71,7 +71,7 @@ TEST(Front, IsWhatComparingAllPairsFinds) {
     }
 }
 
-TEST(Front, BeatenByIsTheDistanceToTheBestThatCostsNoMore) {
+TEST(Front, BeatenByIsTheGapToTheBestAtNoHigherCost) {
     for (unsigned seed = 0; seed < 50; ++seed) {
         const std::vector<Measurement> rows = random_rows(seed, 40);
         for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -89,7 +89,7 @@ TEST(Front, BeatenByIsTheDistanceToTheBestThatCostsNoMore) {
     }
 }
 
-TEST(Front, AnUnknownMetricIsAMistake) { EXPECT_THROW(front({}, "photo_ms", "beauty"), std::out_of_range); }
+TEST(Front, UnknownMetricThrows) { EXPECT_THROW(front({}, "photo_ms", "beauty"), std::out_of_range); }
 
 TEST(Base64, EncodesAsTheStandardSays) {
     const char* vectors[][2] = {{"", ""},
@@ -106,7 +106,7 @@ TEST(Base64, EncodesAsTheStandardSays) {
 
 class BenchTables : public TemporaryFolder {};
 
-TEST_F(BenchTables, JsonReadsBackAsItWas) {
+TEST_F(BenchTables, JsonRoundTrips) {
     bench::Run run{"0.1.0", "short", {"one line", "\"another\""}, {row("jfa^2", {{"psnr", 1.0 / 3}})}};
     run.measurements[0].chosen = true;
     run.measurements[0].values["photo_ms"] = nan_value;
@@ -133,7 +133,7 @@ TEST_F(BenchTables, FormerNamesOfCurvesAndSettingsAreTranslated) {
     EXPECT_EQ(back.measurements[1].setting, "jfa");
 }
 
-TEST_F(BenchTables, WhatIsNoTableIsNamed) {
+TEST_F(BenchTables, InvalidJsonIsReportedWithItsFile) {
     const auto complaint = [&](const char* text) -> std::string {
         std::ofstream(dir / "odd.json") << text;
         try {
@@ -150,7 +150,7 @@ TEST_F(BenchTables, WhatIsNoTableIsNamed) {
     EXPECT_THROW(read_json(dir / "none.json"), Error);
 }
 
-TEST_F(BenchTables, CsvHasALineAValue) {
+TEST_F(BenchTables, CsvHasOneLinePerValue) {
     write_csv(dir / "run.csv", std::vector{row("a, \"b\"", {{"psnr", 34.5}, {"photo_ms", nan_value}})});
     EXPECT_EQ(slurp(dir / "run.csv"),
               "sweep,scene,curve,setting,exact,chosen,metric,unit,value\r\n"
@@ -158,7 +158,7 @@ TEST_F(BenchTables, CsvHasALineAValue) {
               "border,hall,masks at 1/2,\"a, \"\"b\"\"\",0,0,psnr,dB,34.5\r\n");
 }
 
-TEST(Quantity, IsWrittenInAUnitThatSuits) {
+TEST(Quantity, IsPrintedWithASuitableUnit) {
     EXPECT_EQ(quantity(12'340'000, "B"), "12.34 MB");
     EXPECT_EQ(quantity(0.0005, "s"), "500.0 µs");
     EXPECT_EQ(quantity(34.5, "dB"), "34.50 dB");
@@ -183,7 +183,7 @@ PlotSpec plot_of(std::vector<PlotPoint> points) {
             {PlotCurve{"masks", std::move(points)}}};
 }
 
-/// Whole, and nothing in it that SVG does not allow.
+/// A complete SVG without anything that SVG does not allow.
 void expect_sound(const std::string& svg) {
     EXPECT_EQ(svg.find("<svg "), 0U);
     EXPECT_EQ(count(svg, "<svg"), 1U);
@@ -193,7 +193,7 @@ void expect_sound(const std::string& svg) {
     for (const char* odd : {"nan", "NaN", "inf,", "-inf"}) EXPECT_EQ(svg.find(odd), std::string::npos) << odd;
 }
 
-TEST(Plot, ZerosOnALogAxisAreDrawnAtAFloorThatIsSaid) {
+TEST(Plot, ZerosOnALogAxisAreDrawnAtALabeledFloor) {
     const std::string svg = svg_plot(plot_of({{1, 0, "none"}, {10, 0.5, "some"}, {100, 5, "much"}}));
     expect_sound(svg);
     EXPECT_NE(svg.find("0 at the edge"), std::string::npos);
@@ -203,7 +203,7 @@ TEST(Plot, ZerosOnALogAxisAreDrawnAtAFloorThatIsSaid) {
     expect_sound(svg_plot(plot_of({{1, -3, "negative"}, {2, 3, "b"}})));
 }
 
-TEST(Plot, OnePointOrNoneStillMakesAPlot) {
+TEST(Plot, OnePointOrNoneMakesAPlot) {
     expect_sound(svg_plot(plot_of({{5, 5, "alone", true, true}})));
     expect_sound(svg_plot(plot_of({{1e-300, 1e300, "far"}, {1e300, 1e-300, "apart"}})));
     expect_sound(svg_plot(plot_of({{5, nan_value, "not drawn"}})));
@@ -213,7 +213,7 @@ TEST(Plot, OnePointOrNoneStillMakesAPlot) {
     expect_sound(svg_plot({}));
 }
 
-TEST(Plot, NamesArePrintedAsTheyAre) {
+TEST(Plot, NamesAreEscaped) {
     const auto trap = std::filesystem::temp_directory_path() / ("bench-trap-" + std::to_string(::getpid()));
     const std::string name = "it's `touch " + trap.string() + "` $(touch " + trap.string() + ")";
     PlotSpec plot = plot_of({{1, 1, "jfa^2_x"}, {9, 4, "<b>&\\n\"q\""}});
@@ -226,7 +226,7 @@ TEST(Plot, NamesArePrintedAsTheyAre) {
     EXPECT_FALSE(std::filesystem::exists(trap));
 }
 
-TEST(Plot, TwoInOnePageShareNoIds) {
+TEST(Plot, TwoPlotsShareNoIds) {
     const auto ids = [](const std::string& svg) {
         std::set<std::string> out;
         for (std::size_t at = 0; (at = svg.find(" id=", at)) != std::string::npos; at += 5)
@@ -239,22 +239,22 @@ TEST(Plot, TwoInOnePageShareNoIds) {
     for (const std::string& id : a) EXPECT_FALSE(b.contains(id)) << id;
 }
 
-/// Complaints of svg_plot() with only `folder` to find programs in.
+/// The error of svg_plot() with PATH set to `folder`.
 std::string complaint_with_path(const std::filesystem::path& folder) {
     const std::string path = std::getenv("PATH");
     ::setenv("PATH", folder.c_str(), 1);
-    std::string said;
+    std::string message;
     try {
         svg_plot({});
     } catch (const Error& e) {
         EXPECT_EQ(e.code(), Exit::input);
-        said = e.what();
+        message = e.what();
     }
     ::setenv("PATH", path.c_str(), 1);
-    return said;
+    return message;
 }
 
-TEST_F(BenchTables, GnuplotMissingOrFailingIsSaidInALine) {
+TEST_F(BenchTables, MissingOrFailingGnuplotIsReportedInOneLine) {
     EXPECT_NE(complaint_with_path(dir).find("gnuplot-nox"), std::string::npos);
     std::ofstream(dir / "gnuplot")
         << "#!/bin/sh\nprintf '\\nplot x\\n     ^\\n\"plot.gp\", line 3: no x\\n' >&2\nexit 1\n";
@@ -262,7 +262,7 @@ TEST_F(BenchTables, GnuplotMissingOrFailingIsSaidInALine) {
     EXPECT_EQ(complaint_with_path(dir), "gnuplot failed: \"plot.gp\", line 3: no x");
 }
 
-/// Ten settings whose times are all `drift` times as long as at 1.
+/// Ten settings, with all times multiplied by `drift`.
 std::vector<Measurement> drifting_rows(double drift) {
     std::vector<Measurement> out;
     for (int i = 1; i <= 10; ++i)
@@ -270,14 +270,14 @@ std::vector<Measurement> drifting_rows(double drift) {
     return out;
 }
 
-TEST(Moved, ADriftingMachineIsNoMove) {
+TEST(Moved, UniformDriftIsNotAMove) {
     const Comparison same = compare(drifting_rows(2), drifting_rows(1));
     EXPECT_DOUBLE_EQ(same.drift, 2);
     EXPECT_EQ(same.compared, 20U);
     EXPECT_TRUE(same.moved.empty());
 }
 
-TEST(Moved, WorstFirstAndBetterLast) {
+TEST(Moved, AreSortedFromWorstToBest) {
     std::vector<Measurement> now = drifting_rows(2);
     now[3].values["photo_ms"] *= 1.5;
     now[4].values["psnr"] -= 3;
@@ -324,7 +324,7 @@ class BenchPage : public TemporaryFolder {
     }
 };
 
-TEST_F(BenchPage, RefersToNothingOutsideItself) {
+TEST_F(BenchPage, IsSelfContained) {
     std::ofstream(dir / "shot.jpg") << "not really a JPEG";
     input.now.measurements[0].exhibits = {{"a <shot>", "shot.jpg"}, {"another", "gone.jpg"}};
     const std::string html = page();
@@ -349,7 +349,7 @@ TEST_F(BenchPage, EscapesWhatItPrints) {
     EXPECT_NE(html.find("a &#38; b"), std::string::npos);
 }
 
-TEST_F(BenchPage, ShowsWhatMovedAndNothingElse) {
+TEST_F(BenchPage, ListsOnlyWhatMoved) {
     input.before = bench::Run{"0.0.9", "short", {}, drifting_rows(1.3)};
     EXPECT_NE(page().find("Nothing moved"), std::string::npos);
     input.before->measurements[2].values["psnr"] += 2;
@@ -365,7 +365,7 @@ TEST_F(BenchPage, ShowsWhatMovedAndNothingElse) {
     EXPECT_EQ(section.find("setting 4"), std::string::npos);
 }
 
-TEST_F(BenchPage, WhatIsNotFiniteIsADash) {
+TEST_F(BenchPage, NonFiniteValuesAreDashes) {
     input.now.measurements[1].values["psnr"] = nan_value;
     input.now.measurements[2].values["photo_ms"] = std::numeric_limits<double>::infinity();
     const std::string html = page();
@@ -376,7 +376,7 @@ TEST_F(BenchPage, WhatIsNotFiniteIsADash) {
               std::string::npos);
 }
 
-TEST_F(BenchPage, SaysHowFarAPresetIsFromTheFront) {
+TEST_F(BenchPage, ReportsHowFarPresetsAreFromTheFront) {
     for (const Measurement& m : {preset("preview", 1, 30), preset("default", 10, 31), preset("trial", 9, 33),
                                  preset("overnight", 100, 36)})
         input.now.measurements.push_back(m);
@@ -387,7 +387,7 @@ TEST_F(BenchPage, SaysHowFarAPresetIsFromTheFront) {
     EXPECT_NE(html.find("<td>overnight<td>on the front"), std::string::npos);
 }
 
-TEST_F(BenchPage, NothingMeasuredIsAPageToo) {
+TEST_F(BenchPage, EmptyRunMakesAPage) {
     input.now.measurements.clear();
     EXPECT_NE(page().find("Not measured in this run: border, presets"), std::string::npos);
     EXPECT_THROW(write_page(dir / "none", input), Error);

@@ -1,5 +1,5 @@
-// vantage-bench as a whole, on a small synthetic scene: every knob's exact end reproduces the truth to what
-// its sweep says, and a run that was cut off goes on.
+// The program vantage-bench on a small synthetic scene: the exact setting of every sweep reproduces the
+// reference to its stated precision, and an interrupted run resumes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,13 +18,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The least and the most that a metric of an exact row may be.
+/// Bounds on a metric of rows with the exact setting.
 struct Bound {
     const char *sweep, *metric;
     double least, most;
 };
 constexpr double any = 1e30;
-// As Sweep::precision has it in words.
+// As described by Sweep::precision.
 constexpr Bound precisions[] = {
     {"border", "mask_worst", 0, 0},        {"border", "distance_worst", 0, 0},
     {"depth", "false_hidden", 0, 0.05},    {"depth", "false_visible", 0, 0.05},
@@ -37,15 +37,15 @@ constexpr Bound precisions[] = {
 
 class VantageBench : public TemporaryFolder {
   protected:
-    /// Its exit code; what it says is in `said`.
+    /// Returns the status of std::system(); the output is in `output`.
     int run(const std::string& options) {
         const std::string command =
-            std::string(VANTAGE_BENCH) + " " + options + " > " + (dir / "said").string() + " 2>&1";
+            std::string(VANTAGE_BENCH) + " " + options + " > " + (dir / "output").string() + " 2>&1";
         const int status = std::system(command.c_str());
-        said = slurp(dir / "said");
+        output = slurp(dir / "output");
         return status;
     }
-    std::string said;
+    std::string output;
 };
 
 std::vector<Measurement> of(const std::vector<Measurement>& all, const std::string& sweep) {
@@ -64,8 +64,8 @@ const Measurement& row(const std::vector<Measurement>& all, const std::string& s
 
 }  // namespace
 
-TEST_F(VantageBench, EveryExactEndReproducesTheTruth) {
-    ASSERT_EQ(run("--set smoke -o " + (dir / "out").string()), 0) << said;
+TEST_F(VantageBench, ExactSettingsReproduceTheReference) {
+    ASSERT_EQ(run("--set smoke -o " + (dir / "out").string()), 0) << output;
     const std::vector<Measurement> all = read_json(dir / "out" / "results.json").measurements;
     for (const Sweep& sweep : sweeps()) EXPECT_FALSE(of(all, sweep.name).empty()) << sweep.name;
     for (const Measurement& m : all)
@@ -80,7 +80,7 @@ TEST_F(VantageBench, EveryExactEndReproducesTheTruth) {
         }
         EXPECT_GT(exact, 0u) << b.sweep << " " << b.metric;
     }
-    // Away from the exact end there is an error.
+    // Inexact settings have an error.
     const auto value = [&](const char* sweep, const char* curve, const char* setting, const char* metric) {
         return row(all, sweep, curve, setting).values.at(metric);
     };
@@ -89,39 +89,39 @@ TEST_F(VantageBench, EveryExactEndReproducesTheTruth) {
     EXPECT_LT(value("filtering", "samples", "1x1", "psnr_exact"),
               value("filtering", "samples", "2x2", "psnr_exact"));
     EXPECT_LT(value("sums", "average", "half float", "psnr_exact"), 90);
-    EXPECT_GT(value("sums", "average", "half float", "psnr_exact"), 60) << "no colour is lost to underflow";
+    EXPECT_GT(value("sums", "average", "half float", "psnr_exact"), 60) << "no color is lost to underflow";
     EXPECT_LT(value("loading", "tiles", "3 levels coarser", "psnr"),
               value("loading", "tiles", "full resolution", "psnr"));
     EXPECT_TRUE(fs::exists(dir / "out" / "index.html"));
 }
 
-TEST_F(VantageBench, GoesOnWhereItWasCutOff) {
+TEST_F(VantageBench, ResumesAfterBeingKilled) {
     const std::string options = "--set smoke --only border,hysteresis -o " + (dir / "out").string();
-    ASSERT_EQ(run(options), 0) << said;
+    ASSERT_EQ(run(options), 0) << output;
     const std::string whole = slurp(dir / "out" / "log.jsonl"), results = slurp(dir / "out" / "results.csv");
-    // As if killed while the last job was written.
+    // As if killed while writing the last job.
     std::ofstream(dir / "out" / "log.jsonl") << whole.substr(0, whole.size() - 40);
-    ASSERT_EQ(run(options), 0) << said;
-    EXPECT_NE(said.find("resuming after 4 completed jobs"), std::string::npos) << said;
+    ASSERT_EQ(run(options), 0) << output;
+    EXPECT_NE(output.find("resuming after 4 completed jobs"), std::string::npos) << output;
     const std::string again = slurp(dir / "out" / "log.jsonl");
     const std::size_t kept = whole.rfind('\n', whole.size() - 2);
-    EXPECT_EQ(again.substr(0, kept), whole.substr(0, kept)) << "what was measured is not measured again";
-    ASSERT_EQ(run(options), 0) << said;
+    EXPECT_EQ(again.substr(0, kept), whole.substr(0, kept)) << "finished measurements are kept";
+    ASSERT_EQ(run(options), 0) << output;
     EXPECT_EQ(slurp(dir / "out" / "log.jsonl"), again);
 }
 
-TEST_F(VantageBench, SaysWhatIsWrong) {
+TEST_F(VantageBench, ReportsUsageErrors) {
     EXPECT_EQ(run("--only nonsense"), 2 << 8);
-    EXPECT_NE(said.find("nonsense"), std::string::npos);
+    EXPECT_NE(output.find("nonsense"), std::string::npos);
     EXPECT_EQ(run("--set huge"), 2 << 8);
     EXPECT_EQ(run("--set smoke --only border --against " + (dir / "none.json").string()), 3 << 8);
-    EXPECT_NE(said.find("none.json"), std::string::npos);
+    EXPECT_NE(output.find("none.json"), std::string::npos);
     EXPECT_EQ(
         run("--set smoke --only border -o " + (dir / "out").string() + " " + (dir / "no-scan").string()),
         3 << 8);
 }
 
-TEST_F(VantageBench, ALogOfAnotherRunIsBegunAnew) {
+TEST_F(VantageBench, LogOfAnotherRunIsDiscarded) {
     Measurement m{"border", "tiny", "masks at 1/2",        "jfa",
                   true,     false,  {{"mask_mean", 0.25}}, {{"a", "b.jpg"}}};
     {

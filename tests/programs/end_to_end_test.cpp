@@ -1,4 +1,4 @@
-// From photos to pictures, against ray casting by Embree and against the photos themselves.
+// From photos to pictures, compared with ray casting by Embree and with the photos themselves.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -21,6 +21,7 @@
 #include "player/camera/shots.h"
 #include "player/render/picture.h"
 #include "scene/package_reader.h"
+#include "scene/srgb.h"
 #include "tests/datasets.h"
 #include "tests/temporary_folder.h"
 
@@ -29,7 +30,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A scene, its package and what renders it.
+/// A scene, its package and its renderer.
 struct Prepared {
     SceneInput scene;
     fs::path file;
@@ -68,7 +69,7 @@ class EndToEnd : public TemporaryFolder {
     Prepared prepared(const fs::path& folder) { return Prepared(folder, dir / "scene.vantage"); }
 };
 
-/// PSNR over the coloured pixels, on 8-bit sRGB; 200 where they are the same.
+/// PSNR over the colored pixels in 8-bit sRGB; 200 if identical.
 double psnr(const Picture& picture, const std::vector<std::uint8_t>& rgba) {
     double sum = 0;
     std::size_t n = 0;
@@ -108,14 +109,15 @@ std::vector<Camera> cameras_about(const SceneInput& scene, const Eigen::Vector3d
     return cameras;
 }
 
-struct Coloured {
-    std::size_t seen = 0, coloured = 0;
+struct Colored {
+    std::size_t seen = 0, colored = 0;
 };
 
-/// Of every `step`-th pixel along each side whose surface some photo sees: how many are coloured.
-Coloured count_coloured(const Picture& picture, const Camera& from, const RayScene& rays,
-                        const std::vector<Camera>& cameras, int step) {
-    Coloured count;
+/// Among every `step`-th pixel along each side, counts those whose surface some photo sees, and how many of
+/// these are colored.
+Colored count_colored(const Picture& picture, const Camera& from, const RayScene& rays,
+                      const std::vector<Camera>& cameras, int step) {
+    Colored count;
     const Intrinsics& k = from.intrinsics;
     const Eigen::Vector3d eye = from.cam_from_world.center();
     for (int y = 0; y < picture.height; y += step)
@@ -128,20 +130,20 @@ Coloured count_coloured(const Picture& picture, const Camera& from, const RaySce
             const auto sees_point = [&](const Camera& c) { return sees(rays, c, point); };
             if (std::none_of(cameras.begin(), cameras.end(), sees_point)) continue;
             ++count.seen;
-            count.coloured +=
+            count.colored +=
                 picture.rgba[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 4 + 3] == 255;
         }
     return count;
 }
 
-/// From each photo's own camera at full size: best photo is the photo, and what some photo sees is coloured.
-/// Every `every`-th photo, whose colours are counted at every `step`-th pixel.
+/// From the own camera of every `every`-th photo at full size: the blend "best" reproduces the photo, and
+/// surfaces that some photo sees are colored, as counted at every `step`-th pixel.
 void expect_own_views_are_the_photos(Prepared& p, int step, std::uint32_t every) {
     const Eigen::Map<const Eigen::Vector3d> origin(p.package->scene().origin);
     const RayScene rays(about_origin(p.scene.mesh, origin));
     const std::vector<Camera> cameras = cameras_about(p.scene, origin);
     double worst = 1e9, average = 0;
-    Coloured all;
+    Colored all;
     int views = 0;
     for (const std::uint32_t i : p.photos) {
         if (i % every != 0) continue;
@@ -151,25 +153,25 @@ void expect_own_views_are_the_photos(Prepared& p, int step, std::uint32_t every)
         worst = std::min(worst, psnr(p.own_view(i, Blend::best), photo));
         const Picture blended = p.own_view(i, Blend::average);
         average += psnr(blended, photo);
-        const Coloured count = count_coloured(blended, cameras[i], rays, cameras, step);
+        const Colored count = count_colored(blended, cameras[i], rays, cameras, step);
         all.seen += count.seen;
-        all.coloured += count.coloured;
+        all.colored += count.colored;
     }
     average /= views;
-    std::printf("own views: best photo at worst %.1f dB, weighted average %.1f dB, coloured %.3f %% of %zu\n",
-                worst, average, 100 * double(all.coloured) / double(all.seen), all.seen);
+    std::printf("own views: best photo at worst %.1f dB, weighted average %.1f dB, colored %.3f %% of %zu\n",
+                worst, average, 100 * double(all.colored) / double(all.seen), all.seen);
     EXPECT_GE(worst, 40);
     EXPECT_GE(average, 20);
-    EXPECT_GE(double(all.coloured), 0.995 * double(all.seen));
+    EXPECT_GE(double(all.colored), 0.995 * double(all.seen));
 }
 
-/// The projections of the edges where the surface turns away from the camera or ends: there depth jumps.
+/// Projections of silhouette and boundary edges, where depth jumps.
 class DepthBorders {
   public:
     DepthBorders(const Mesh& mesh, const Camera& camera) {
         const Eigen::Vector3d eye = camera.cam_from_world.center();
         std::map<std::array<std::uint32_t, 2>, std::array<int, 2>>
-            edges;  // triangles that look away, and towards
+            edges;  // triangles facing away, and towards the camera
         for (const auto& t : mesh.triangles) {
             const Eigen::Vector3d a = mesh.positions[t[0]];
             const double away = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).dot(a - eye);
@@ -196,7 +198,7 @@ class DepthBorders {
     std::vector<std::array<Eigen::Vector2d, 2>> segments;
 };
 
-/// Within two pixels the depth along rays bends too sharply for one smooth surface.
+/// Whether the depth within a few pixels is too curved for a smooth surface.
 bool depth_jumps_around(const RayScene& rays, const Camera& camera, const Eigen::Vector2d& pixel) {
     constexpr int reach = 3;
     double inverse[2 * reach + 1][2 * reach + 1], largest = 0;
@@ -220,7 +222,7 @@ bool depth_jumps_around(const RayScene& rays, const Camera& camera, const Eigen:
     return false;
 }
 
-/// The package's per-vertex visibility against ray casting, every vertex in every photo.
+/// Compares the package's per-vertex visibility with ray casting, for every vertex in every photo.
 void expect_visibility_is_that_of_rays(Prepared& p) {
     const Eigen::Map<const Eigen::Vector3d> origin(p.package->scene().origin);
     const Mesh mesh = about_origin(p.scene.mesh, origin);
@@ -250,7 +252,7 @@ void expect_visibility_is_that_of_rays(Prepared& p) {
     EXPECT_EQ(away_from_borders, 0u);
 }
 
-/// VISB against the vertices that TEXC holds, and COVR's rectangles against their pixels.
+/// Compares VISB with the visible vertices in TEXC, and the rectangles of COVR with their pixels.
 void expect_coverage_is_that_of_the_vertices(const PackageReader& package, std::uint32_t photo) {
     const auto uv = package.records<Eigen::Vector2f>(package::Type::coordinates, photo);
     const auto indices = package.records<std::uint32_t>(package::Type::indices);
@@ -276,19 +278,19 @@ void expect_coverage_is_that_of_the_vertices(const PackageReader& package, std::
             more += seen == 0 && bit(part, t);
         }
     }
-    EXPECT_GT(more, 0u) << "triangles whose corners are all hidden";
+    EXPECT_GT(more, 0u) << "no partly visible triangle has all corners hidden";
 }
 
 }  // namespace
 
-TEST_F(EndToEnd, OwnViewsAreThePhotosOnASyntheticScene) {
+TEST_F(EndToEnd, OwnViewsMatchThePhotosOnASyntheticScene) {
     Prepared p = prepared(make(tiny()));
     expect_own_views_are_the_photos(p, 1, 1);
     expect_visibility_is_that_of_rays(p);
     for (const std::uint32_t i : p.photos) expect_coverage_is_that_of_the_vertices(*p.package, i);
 }
 
-TEST_F(EndToEnd, ABlendDoesNotDependOnThePhotosAPass) {
+TEST_F(EndToEnd, BlendDoesNotDependOnPhotosPerPass) {
     Prepared p = prepared(make(tiny()));
     for (const Blend blend : {Blend::average, Blend::lumigraph, Blend::best}) {
         const Picture one = p.own_view(2, blend, 1);
@@ -301,7 +303,7 @@ TEST_F(EndToEnd, ABlendDoesNotDependOnThePhotosAPass) {
     }
 }
 
-TEST_F(EndToEnd, BlackIsAColour) {
+TEST_F(EndToEnd, BlackPixelsAreOpaque) {
     const fs::path scene = make(tiny());
     const Picture before = prepared(scene).own_view(2, Blend::average);
     for (const auto& photo : fs::directory_iterator(scene / "images"))
@@ -313,7 +315,7 @@ TEST_F(EndToEnd, BlackIsAColour) {
     }
 }
 
-TEST_F(EndToEnd, AnExcludedPhotoDoesNotContribute) {
+TEST_F(EndToEnd, ExcludedPhotoDoesNotContribute) {
     const fs::path scene = make(tiny());
     PrepareSettings without;
     without.hold_out = {"0002"};
@@ -329,7 +331,7 @@ TEST_F(EndToEnd, AnExcludedPhotoDoesNotContribute) {
     }
 }
 
-TEST_F(EndToEnd, PhotosAreReducedAsAsked) {
+TEST_F(EndToEnd, PhotosAreReducedToTheRequestedSize) {
     const fs::path scene = make(tiny());
     PrepareSettings settings;
     settings.photo_size = 166;
@@ -340,7 +342,7 @@ TEST_F(EndToEnd, PhotosAreReducedAsAsked) {
     EXPECT_GE(psnr(small, reduced(photo, thumbnail_size(photo.width, photo.height, 166)).rgba), 40);
 }
 
-TEST_F(EndToEnd, PhotosOfAllExposuresAgree) {
+TEST_F(EndToEnd, DifferentExposuresAreReconciled) {
     SynthSpec spec = tiny();
     spec.photos.width = 662, spec.photos.height = 500;
     spec.photos.arc = 50;
@@ -350,7 +352,7 @@ TEST_F(EndToEnd, PhotosOfAllExposuresAgree) {
     ASSERT_TRUE(effect_on(p.package->scene(), Effect::falloff));
     for (const std::uint32_t i : {1u, 2u, 3u}) {
         const auto photo = read_photo(p.scene.photos[i].file, {662, 500}).rgba;
-        EXPECT_GE(psnr(p.own_view(i, Blend::best), photo), 40) << "through its own lens, as it was exposed";
+        EXPECT_GE(psnr(p.own_view(i, Blend::best), photo), 40) << "with its own falloff and exposure";
         std::vector<std::uint32_t> others = p.photos;
         std::erase(others, i);
         const View view = view_of_photo(p.package->photos()[i], 1);
@@ -362,7 +364,7 @@ TEST_F(EndToEnd, PhotosOfAllExposuresAgree) {
                     original);
         EXPECT_GT(agreeing, original + 5);
     }
-    // In the mean photo's exposure, and in another's.
+    // With the exposure of the mean photo and of another one.
     RenderSettings settings;
     View view = view_of_photo(p.package->photos()[1], 1);
     view.exposure = {};
@@ -370,13 +372,13 @@ TEST_F(EndToEnd, PhotosOfAllExposuresAgree) {
     settings.exposure = 2;
     const Picture as_second = p.picture(view, settings);
     const std::size_t middle = 4 * (std::size_t(250) * 662 + 331);
-    const auto linear = [](std::uint8_t v) { return std::pow((v / 255.0 + 0.055) / 1.055, 2.4); };
+    const auto& linear = linear_of_srgb_byte();
     for (std::size_t c = 0; c < 3; ++c)
-        EXPECT_NEAR(linear(mean.rgba[middle + c]) / linear(as_second.rgba[middle + c]),
+        EXPECT_NEAR(linear[mean.rgba[middle + c]] / linear[as_second.rgba[middle + c]],
                     p.package->photos()[2].gain[c], 0.03);
 }
 
-/// Paints into a photo's file: red where `inside` says so, or white.
+/// Paints a photo's file in `color` wherever `inside` is true.
 template <class Inside>
 void paint(const PhotoInput& photo, const std::array<std::uint8_t, 3>& color, const Inside& inside) {
     const Intrinsics& k = photo.camera.intrinsics;
@@ -391,7 +393,7 @@ void paint(const PhotoInput& photo, const std::array<std::uint8_t, 3>& color, co
     image_files().write(photo.file, k.width, k.height, 3, Sample::u8, std::as_bytes(std::span(rgb)));
 }
 
-TEST_F(EndToEnd, StrangersAndHighlightsInSinglePhotosVanish) {
+TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
     spec.photos.count = 7;
     spec.photos.arc = 60;
@@ -406,16 +408,16 @@ TEST_F(EndToEnd, StrangersAndHighlightsInSinglePhotosVanish) {
         for (std::uint32_t i = 0; i < clean.photos.size(); ++i)
             EXPECT_EQ(clean.package->find(package::Type::masks, i, mask_level)->checksum,
                       off.package->find(package::Type::masks, i, mask_level)->checksum)
-                << "a consistent scene stays untouched";
+                << "a consistent scene is not changed";
     }
-    // Someone stands before the wall, and a flash is reflected.
+    // A person in front of the wall, and the reflection of a flash.
     const auto stranger = [](int x, int y) { return std::hypot((x - 420) / 45.0, (y - 380) / 110.0) < 1; };
     const auto flash = [](int x, int y) { return std::hypot(x - 640, y - 300) < 40; };
     paint(scene.photos[2], {190, 30, 25}, stranger);
     paint(scene.photos[4], {255, 255, 255}, flash);
     Prepared p = prepared(folder);
     ASSERT_TRUE(effect_on(p.package->scene(), Effect::consensus));
-    // The photo between them, from the others.
+    // The photo between them, rendered from the others.
     std::vector<std::uint32_t> others = p.photos;
     std::erase(others, 3u);
     const View view = view_of_photo(p.package->photos()[3], 1);
@@ -423,20 +425,20 @@ TEST_F(EndToEnd, StrangersAndHighlightsInSinglePhotosVanish) {
     RenderSettings all;
     all.weights.consensus_mask = false;
     const double with = psnr(take_picture(*p.renderer, view, all, others, 1), untouched);
-    // What the same photos give where nobody was painted.
+    // The same photos without the paint.
     fs::remove_all(folder);
     Prepared clean = Prepared(make(spec), dir / "again.vantage");
     const double best = psnr(take_picture(*clean.renderer, view, {}, others, 1), untouched);
     std::printf("with strangers %.1f dB, without them %.1f dB, never painted %.1f dB\n", with, without, best);
     EXPECT_GT(without, with + 1);
     EXPECT_GT(without, best - 0.1);
-    // From its own camera, too: nobody stands there.
+    // The person vanishes from the photo's own view, too.
     const Picture own = p.own_view(2, Blend::average);
     const std::size_t middle = 4 * (std::size_t(380) * 1000 + 420);
     EXPECT_LT(int(own.rgba[middle]) - int(own.rgba[middle + 1]), 100);
 }
 
-TEST_F(EndToEnd, AStencilLeavesOutWhatItCovers) {
+TEST_F(EndToEnd, StencilExcludesCoveredPixels) {
     SynthSpec spec = tiny();
     const fs::path folder = make(spec);
     const PhotoInput photo = read_scene(discover(folder)).photos[2];
@@ -446,16 +448,16 @@ TEST_F(EndToEnd, AStencilLeavesOutWhatItCovers) {
     const fs::path file = folder / "images" / "0002.mask.png";
     image_files().write(file, 331, 250, 1, Sample::u8, std::as_bytes(std::span(stencil)));
     Prepared p = prepared(folder);
-    EXPECT_EQ(p.photos.size(), 5u) << "the stencil is no photo";
+    EXPECT_EQ(p.photos.size(), 5u) << "the stencil is not listed as a photo";
     EXPECT_TRUE(p.package->photos()[2].flags & package::photo_has_alpha);
     const View view = view_of_photo(p.package->photos()[2], 1);
     const Picture alone = take_picture(*p.renderer, view, {}, std::array{2u}, 1);
-    const auto coloured = [&](std::size_t x, std::size_t y) {
+    const auto colored = [&](std::size_t x, std::size_t y) {
         return alone.rgba[4 * (y * 331 + x) + 3] == 255;
     };
-    EXPECT_FALSE(coloured(160, 125));
-    EXPECT_TRUE(coloured(160, 90));
-    // Another stencil is another input, and one of another size is no stencil.
+    EXPECT_FALSE(colored(160, 125));
+    EXPECT_TRUE(colored(160, 90));
+    // A changed stencil is a changed input; a stencil of the wrong size is rejected.
     stencil.assign(stencil.size(), 255);
     image_files().write(file, 331, 250, 1, Sample::u8, std::as_bytes(std::span(stencil)));
     const PrepareResult again = prepare(read_scene(discover(folder)), {}, p.file, [](const Progress&) {});
@@ -467,8 +469,8 @@ TEST_F(EndToEnd, AStencilLeavesOutWhatItCovers) {
         << small.left_out[0].why;
 }
 
-TEST_F(EndToEnd, ALensIsTakenOut) {
-    // The truth is the same scene photographed without the lens.
+TEST_F(EndToEnd, LensDistortionIsRemoved) {
+    // The reference is the same scene photographed without distortion.
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/hard.toml");
     spec.photos.count = 3;
     Prepared p = prepared(make(spec));
@@ -481,26 +483,26 @@ TEST_F(EndToEnd, ALensIsTakenOut) {
         const double straight =
             psnr(best, read_photo(dir / "straight" / "images" / photo.name, photo.decoded).rgba);
         std::printf("lens taken out: %.1f dB against the photo without one\n", straight);
-        EXPECT_GE(straight, 28.5);  // half a pixel off gives 26
+        EXPECT_GE(straight, 28.5);  // an offset of half a pixel would give 26
         EXPECT_LT(psnr(best, read_photo(photo.file, photo.decoded).rgba), 24);
     }
 }
 
-TEST_F(EndToEnd, VisibilityIsThatOfRaysOnTheDemoScene) {
+TEST_F(EndToEnd, VisibilityMatchesRayCastingOnTheDemoScene) {
     Prepared p = prepared(make(read_spec(VANTAGE_SOURCE_DIR "/data/demo.toml")));
     expect_visibility_is_that_of_rays(p);
 }
 
-TEST_F(EndToEnd, OwnViewsAreThePhotosOnSceaux) {
+TEST_F(EndToEnd, OwnViewsMatchThePhotosOnSceaux) {
     VANTAGE_DATASET(set, "sceaux");
-    PrepareSettings with_trees;  // which stand in single photos
+    PrepareSettings with_trees;  // trees appear in single photos
     with_trees.effects[Effect::consensus] = EffectChoice::off;
     Prepared p(set, dir / "scene.vantage", with_trees);
     expect_own_views_are_the_photos(p, 6, 3);
     expect_visibility_is_that_of_rays(p);
 }
 
-TEST_F(EndToEnd, OwnViewsAreThePhotosOnFountain) {
+TEST_F(EndToEnd, OwnViewsMatchThePhotosOnFountain) {
     VANTAGE_DATASET(set, "fountain-P11");
     Prepared p = prepared(set);
     expect_own_views_are_the_photos(p, 6, 3);

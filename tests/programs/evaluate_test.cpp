@@ -56,22 +56,22 @@ class Evaluate : public TemporaryFolder {
     }
 };
 
-bool says_off(const LeftOut& r) {
+bool reports_offset(const LeftOut& r) {
     return std::ranges::any_of(r.remarks, [](const std::string& s) { return s.find("px off") != s.npos; });
 }
 
 }  // namespace
 
-TEST_F(Evaluate, AGoodSceneIsToldSo) {
+TEST_F(Evaluate, GoodSceneGetsNoRemarks) {
     for (const LeftOut& r : evaluate()) {
         EXPECT_GT(r.score.psnr_gain, 22) << r.name;
         EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), 0.5) << r.name;
-        EXPECT_LT(std::abs(r.stops), 0.1) << r.name << ": all were exposed alike";
-        EXPECT_FALSE(says_off(r)) << r.name;
+        EXPECT_LT(std::abs(r.stops), 0.1) << r.name << ": equal exposures";
+        EXPECT_FALSE(reports_offset(r)) << r.name;
     }
 }
 
-TEST_F(Evaluate, AWrongCameraIsFoundAndByHowMuch) {
+TEST_F(Evaluate, WrongCameraIsDetectedWithItsOffset) {
     constexpr double off = 2.5;  // pixels at full size
     Camera& camera = scene.photos[2].camera;
     Pose& pose = camera.cam_from_world;
@@ -80,16 +80,16 @@ TEST_F(Evaluate, AWrongCameraIsFoundAndByHowMuch) {
     pose.R = turn * pose.R;
     pose.t = turn * pose.t;
     const std::vector<LeftOut> results = evaluate();
-    // Points move to the right in the camera that was turned: its own content lies that far to the left of
+    // Points project farther to the right in the rotated camera, so its photo's content is to the left of
     // them.
     EXPECT_NEAR(std::abs(results[2].shift[0]), off, 0.8);
     EXPECT_LT(std::abs(results[2].shift[1]), 0.5);
-    EXPECT_TRUE(says_off(results[2]));
-    for (const LeftOut& r : results)  // the others are shown with it, too, and so a little off
+    EXPECT_TRUE(reports_offset(results[2]));
+    for (const LeftOut& r : results)  // the others are blended with it, too, so they are slightly off
         EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), r.photo == 2 ? 2 * off : 0.7 * off) << r.name;
 }
 
-TEST_F(Evaluate, WritesWhatItFound) {
+TEST_F(Evaluate, WritesTablePagePicturesAndRegions) {
     prepare(scene, {}, file, [](const Progress&) {});
     const PackageReader package(file);
     EvaluateOptions options;
@@ -98,7 +98,7 @@ TEST_F(Evaluate, WritesWhatItFound) {
     options.every = 2;
     EXPECT_EQ(run_evaluate(package, options), 0);
     const std::string csv = slurp(options.folder / "photos.csv");
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4) << "a heading, and photos 0, 2 and 4";
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4) << "a header and photos 0, 2 and 4";
     const std::string page = slurp(options.folder / "index.html");
     for (const char* name : {"0000", "0002", "0004"})
         for (const char* kind : {"-photo.png", "-rendered.png", "-difference.png"}) {
@@ -115,7 +115,7 @@ TEST_F(Evaluate, WritesWhatItFound) {
     EXPECT_EQ(lines, header + package.scene().vertices + package.scene().triangles);
 }
 
-TEST_F(Evaluate, AgainstAnEarlierOneShowsWhatHasChanged) {
+TEST_F(Evaluate, ComparesWithAnEarlierEvaluation) {
     prepare(scene, {}, file, [](const Progress&) {});
     const PackageReader package(file);
     EvaluateOptions options;
@@ -124,7 +124,7 @@ TEST_F(Evaluate, AgainstAnEarlierOneShowsWhatHasChanged) {
     options.package.photos = {"0002"};
     ASSERT_EQ(run_evaluate(package, options), 0);
     options.against = options.folder;
-    EXPECT_THROW(run_evaluate(package, options), Error) << "it would be overwritten";
+    EXPECT_THROW(run_evaluate(package, options), Error) << "the earlier evaluation would be overwritten";
     options.folder = dir / "same";
     ASSERT_EQ(run_evaluate(package, options), 0);
     EXPECT_NE(slurp(options.folder / "index.html").find("<td>+0.00</td>"), std::string::npos);
@@ -133,9 +133,9 @@ TEST_F(Evaluate, AgainstAnEarlierOneShowsWhatHasChanged) {
     options.folder = dir / "average";
     options.blending.render.blend = Blend::average;
     ASSERT_EQ(run_evaluate(package, options), 0);
-    EXPECT_TRUE(fs::exists(options.folder / "0002-worse.png")) << "an average of all is blurred somewhere";
+    EXPECT_TRUE(fs::exists(options.folder / "0002-worse.png")) << "the average is blurred somewhere";
     options.level = 1;
-    EXPECT_THROW(run_evaluate(package, options), Error) << "of another size";
+    EXPECT_THROW(run_evaluate(package, options), Error) << "of a different size";
     options.against = dir / "nowhere";
     EXPECT_THROW(run_evaluate(package, options), Error);
 }

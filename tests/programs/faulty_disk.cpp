@@ -1,7 +1,7 @@
-// Preloaded into a program, it makes the disk fail where a test wants it to: FAULT="CALL:N:HOW", where from
-// the N-th CALL (pwrite, fallocate, fsync, rename; of statvfs: says that there is no room) on the call fails
-// with HOW (ENOSPC, EIO, EACCES), or the N-th kills the process first (KILL) or after it was done
-// (KILL_AFTER), as a power cut would.
+// Simulates disk failures in a program that preloads it, as set by FAULT="CALL:N:HOW". CALL is pwrite,
+// fallocate, fsync, rename or statvfs. From the N-th call on, it fails with HOW (ENOSPC, EIO, EACCES);
+// statvfs reports no free space instead. Or the N-th call kills the process before (KILL) or after
+// (KILL_AFTER) it is executed, as a power failure would.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/statvfs.h>
@@ -30,7 +30,7 @@ struct Fault {
 
 std::atomic<int> calls{0};
 
-/// The real call, or what the fault makes of it.
+/// The result of the real call, or the simulated failure.
 template <class Real>
 auto faulty(const char* name, Real real) -> decltype(real()) {
     static const Fault fault;
@@ -72,7 +72,7 @@ int posix_fallocate(int fd, off_t from, off_t size) {
 }
 int statvfs(const char* path, struct statvfs* out) {
     const int result = next<int(const char*, struct statvfs*)>("statvfs")(path, out);
-    if (faulty("statvfs", [] { return 0; }) < 0) out->f_bavail = 0;  // no room
+    if (faulty("statvfs", [] { return 0; }) < 0) out->f_bavail = 0;  // no free space
     return result;
 }
 int fsync(int fd) {

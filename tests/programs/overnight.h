@@ -23,7 +23,7 @@ namespace vantage {
 namespace fs = std::filesystem;
 
 struct Outcome {
-    int code;  ///< -1 where a signal ended it
+    int code;  ///< -1 if killed by a signal
     std::string out, err;
 };
 
@@ -39,7 +39,7 @@ class Overnight : public TemporaryFolder {
         synthesize(spec, scene, {});
         ::setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);
         ::setenv("MESA_SHADER_CACHE_DIR", fs::temp_directory_path().c_str(),
-                 1);  // compiled once for all tests
+                 1);  // shared by all tests
     }
 
     Outcome run(const std::string& words, const std::string& before = "",
@@ -57,7 +57,7 @@ class Overnight : public TemporaryFolder {
     Outcome with_fault(const std::string& fault, const std::string& options = "") const {
         return prepare_program(options, "FAULT=" + fault + " LD_PRELOAD=" FAULTY_DISK);
     }
-    /// What an undisturbed run gives.
+    /// The bytes of an undisturbed run's package.
     std::string undisturbed(const PrepareSettings& settings = {}) const {
         const fs::path other = dir / "undisturbed.vantage";
         fs::remove(other);
@@ -74,7 +74,7 @@ class Overnight : public TemporaryFolder {
         return all;
     }
     void expect_whole(const std::string& bytes, const std::string& after) const {
-        EXPECT_TRUE(slurp(file) == bytes) << after << ": not the bytes of an undisturbed run";
+        EXPECT_TRUE(slurp(file) == bytes) << after << ": differs from an undisturbed run";
         EXPECT_FALSE(fs::exists(part_of(file))) << after;
         EXPECT_FALSE(fs::exists(displaced_part_of(file))) << after;
     }

@@ -1,5 +1,5 @@
-// vantage prepare as it is left alone overnight: cut off, gone on with, short of disk, fed with bad photos,
-// divided.
+// vantage prepare, unattended: killed and resumed, out of disk space, with bad photos, and divided into
+// shares.
 #include "tests/programs/overnight.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ int number_from(const char* variable, int usual) {
 
 }  // namespace
 
-TEST_F(Overnight, KilledAtAnyInstantGoesOnToTheSameBytes) {
+TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtRandom) {
     if (const char* other = std::getenv("VANTAGE_KILLED_SCENE")) {
         fs::remove_all(scene);
         synthesize(read_spec(other), scene, {});
@@ -54,20 +54,20 @@ TEST_F(Overnight, KilledAtAnyInstantGoesOnToTheSameBytes) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::mt19937 random(1);
     std::uniform_real_distribution<double> instant(0.02, seconds);
-    int killed = 0, gone_on = 0;
+    int killed = 0, resumed = 0;
     for (const int wanted = number_from("VANTAGE_KILLS", 6); killed < wanted;) {
         fs::remove(file);
         fs::remove(part_of(file));
         killed += prepare_program("", "timeout -s KILL " + std::to_string(instant(random))).code == -1;
-        gone_on += fs::exists(part_of(file));
+        resumed += fs::exists(part_of(file));
         const Outcome next = prepare_program();
         ASSERT_EQ(next.code, 0) << next.err;
         expect_whole(bytes, "kill " + std::to_string(killed));
     }
-    std::printf("%d killed, %d of them with a part to go on from\n", killed, gone_on);
+    std::printf("%d killed, %d of them left a part to resume from\n", killed, resumed);
 }
 
-TEST_F(Overnight, KilledAtAnyWriteGoesOnToTheSameBytes) {
+TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtAnyWrite) {
     const std::string bytes = undisturbed();
     for (const char* fault : {"pwrite:1:KILL", "pwrite:2:KILL", "pwrite:3:KILL_AFTER", "pwrite:40:KILL",
                               "pwrite:77:KILL", "pwrite:150:KILL_AFTER", "fallocate:1:KILL", "fsync:1:KILL",
@@ -80,23 +80,22 @@ TEST_F(Overnight, KilledAtAnyWriteGoesOnToTheSameBytes) {
     }
 }
 
-TEST_F(Overnight, KilledAgainAndAgainStillArrives) {
+TEST_F(Overnight, FinishesDespiteRepeatedKills) {
     const std::string bytes = undisturbed();
     int runs = 0;
-    while (with_fault("pwrite:120:KILL").code != 0)
-        ASSERT_LT(++runs, 50) << "no run does more than the one before";
+    while (with_fault("pwrite:120:KILL").code != 0) ASSERT_LT(++runs, 50) << "no progress";
     expect_whole(bytes, std::to_string(runs) + " kills");
     EXPECT_GT(runs, 1);
 }
 
-TEST_F(Overnight, WhatIsDoneIsNotDoneAgain) {
+TEST_F(Overnight, FinishedWorkIsKept) {
     EXPECT_EQ(with_fault("fsync:1:KILL").code, -1);
     const PrepareResult next = prepare_here();
     for (const Stage s : every_stage) EXPECT_EQ(made(next, s), 0u) << int(s);
     for (const Stage s : every_stage) EXPECT_EQ(kept(next, s), 6u) << int(s);
 }
 
-TEST_F(Overnight, WhatRotsInThePartIsMadeAgain) {
+TEST_F(Overnight, DamagedDataInThePartIsRedone) {
     const std::string bytes = undisturbed();
     EXPECT_EQ(with_fault("fsync:1:KILL").code, -1);
     std::uint64_t at = 0;
@@ -106,14 +105,14 @@ TEST_F(Overnight, WhatRotsInThePartIsMadeAgain) {
     }
     std::fstream part(part_of(file), std::ios::in | std::ios::out | std::ios::binary);
     part.seekp(std::streamoff(at));
-    part << "a power cut";
+    part << "bit rot";
     part.close();
     const PrepareResult next = prepare_here();
     EXPECT_EQ(made(next, Stage::tiles), 1u);
     expect_whole(bytes, "damage");
 }
 
-TEST_F(Overnight, AFullDiskIsOneLineAndNothingIsLost) {
+TEST_F(Overnight, FullDiskIsReportedInOneLineAndNothingIsLost) {
     const std::string bytes = undisturbed();
     for (const char* fault : {"fallocate:1:ENOSPC", "pwrite:1:ENOSPC", "pwrite:30:ENOSPC", "pwrite:120:EIO",
                               "pwrite:90:EACCES", "fsync:1:EIO", "rename:1:EACCES"}) {
@@ -128,7 +127,7 @@ TEST_F(Overnight, AFullDiskIsOneLineAndNothingIsLost) {
     }
 }
 
-TEST_F(Overnight, WithoutRoomForBothTheOldPackageBecomesTheNewOne) {
+TEST_F(Overnight, UpdatesInPlaceWithoutRoomForBoth) {
     prepare_here();
     fs::copy_file(photos()[1], photos()[4], fs::copy_options::overwrite_existing);
     const std::string before = slurp(file);
@@ -138,7 +137,7 @@ TEST_F(Overnight, WithoutRoomForBothTheOldPackageBecomesTheNewOne) {
         EXPECT_EQ(refused.code, int(Exit::storage));
         EXPECT_TRUE(one_line(refused.err)) << refused.err;
         EXPECT_NE(refused.err.find(" MB free"), std::string::npos) << refused.err;
-        EXPECT_TRUE(slurp(file) == before) << "somebody looks at it";
+        EXPECT_TRUE(slurp(file) == before) << "the package is open elsewhere";
     }
     const Outcome done = with_fault("statvfs:1:FULL", "--explain");
     ASSERT_EQ(done.code, 0) << done.err;
@@ -146,7 +145,7 @@ TEST_F(Overnight, WithoutRoomForBothTheOldPackageBecomesTheNewOne) {
     expect_whole(undisturbed(), "in place");
 }
 
-TEST_F(Overnight, ADiskTooSmallIsRefusedAtOnce) {
+TEST_F(Overnight, InsufficientDiskSpaceStopsAtOnce) {
     const Outcome refused = with_fault("statvfs:1:FULL");
     EXPECT_EQ(refused.code, int(Exit::storage));
     EXPECT_TRUE(one_line(refused.err)) << refused.err;
@@ -154,14 +153,14 @@ TEST_F(Overnight, ADiskTooSmallIsRefusedAtOnce) {
     EXPECT_FALSE(fs::exists(part_of(file)));
 }
 
-TEST_F(Overnight, MemoryTooSmallIsRefusedAtOnce) {
+TEST_F(Overnight, InsufficientMemoryStopsAtOnce) {
     const Outcome refused = prepare_program("--memory 1M");
     EXPECT_EQ(refused.code, int(Exit::usage));
     EXPECT_TRUE(one_line(refused.err)) << refused.err;
     EXPECT_EQ(prepare_program("--memory 2G").code, 0);
 }
 
-TEST_F(Overnight, RefinedAfterwardsIsAsIfPreparedSo) {
+TEST_F(Overnight, RefiningLaterGivesTheSamePackage) {
     fs::remove_all(scene);
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.exposure = {0.7, 0.2, 0.3};
@@ -181,21 +180,21 @@ TEST_F(Overnight, RefinedAfterwardsIsAsIfPreparedSo) {
     EXPECT_TRUE(slurp(dir / "off.vantage") == agreeing) << "in place, by the evidence again";
 }
 
-TEST_F(Overnight, RegisteredAfterwardsOrByMergingIsAsIfPreparedSo) {
+TEST_F(Overnight, RegisteringLaterOrByMergingGivesTheSamePackage) {
     fs::remove_all(scene);
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
     spec.photos.count = 5;
     spec.photos.samples = 1;
     spec.error.pixels = 4;
     synthesize(spec, scene, {});
-    // Whoever is told to stop while cameras are solved for goes on later.
+    // A run that is stopped while registering resumes later.
     std::atomic<bool> stop{false};
     PrepareRun stopped;
     stopped.stop = &stop;
     const auto stop_at_matching = [&](const Progress& p) { stop = std::string_view(p.stage) == "match"; };
     try {
         prepare(read_scene(discover(scene)), {}, file, stop_at_matching, stopped);
-        FAIL() << "it went on";
+        FAIL() << "did not stop";
     } catch (const Error& e) {
         EXPECT_EQ(e.code(), Exit::interrupted) << e.what();
     }
@@ -221,27 +220,27 @@ TEST_F(Overnight, RegisteredAfterwardsOrByMergingIsAsIfPreparedSo) {
     EXPECT_TRUE(slurp(merged) == registered) << "in place, by the evidence again";
 }
 
-TEST_F(Overnight, MemoryStaysBelowWhatWasSaidAndAllowed) {
+TEST_F(Overnight, MemoryStaysBelowTheEstimateAndTheLimit) {
 #ifdef VANTAGE_SANITIZED
-    GTEST_SKIP() << "a sanitizer takes memory of its own";
+    GTEST_SKIP() << "sanitizers use memory of their own";
 #endif
     const auto megabytes = [](const std::string& text, const std::string& before) {
         const std::size_t at = text.find(before);
         return at == std::string::npos ? -1 : std::atoi(text.c_str() + at + before.size());
     };
-    // The last allows fewer photos at a time than threads.
+    // The last one allows fewer photos in flight than threads.
     for (const std::string options : {"--threads 1", "--threads 6", "--threads 6 --memory 50M"}) {
         fs::remove(file);
         const Outcome done = prepare_program(options);
         ASSERT_EQ(done.code, 0) << done.err;
-        const int said = megabytes(done.out, "s, at most "), taken = megabytes(done.out, "memory   ");
-        EXPECT_GT(taken, 0) << done.out;
-        EXPECT_LE(taken, said) << options << '\n' << done.out;
-        EXPECT_LE(said, options.ends_with("50M") ? 53 : 1000) << done.out;
+        const int estimated = megabytes(done.out, "s, at most "), used = megabytes(done.out, "memory   ");
+        EXPECT_GT(used, 0) << done.out;
+        EXPECT_LE(used, estimated) << options << '\n' << done.out;
+        EXPECT_LE(estimated, options.ends_with("50M") ? 53 : 1000) << done.out;
     }
 }
 
-TEST_F(Overnight, NothingChangedIsNothingDone) {
+TEST_F(Overnight, UnchangedInputsRerunNothing) {
     prepare_here();
     const auto written = fs::last_write_time(file);
     const Outcome again = prepare_program();
@@ -250,7 +249,7 @@ TEST_F(Overnight, NothingChangedIsNothingDone) {
     EXPECT_EQ(fs::last_write_time(file), written);
 }
 
-TEST_F(Overnight, AChangedPhotoIsRedoneAlone) {
+TEST_F(Overnight, ChangedPhotoIsRedoneAlone) {
     prepare_here();
     fs::copy_file(photos()[1], photos()[4], fs::copy_options::overwrite_existing);
     const PrepareResult next = prepare_here();
@@ -259,14 +258,14 @@ TEST_F(Overnight, AChangedPhotoIsRedoneAlone) {
         EXPECT_EQ(kept(next, s), 5u) << int(s);
     }
     EXPECT_EQ(made(next, Stage::coordinates) + made(next, Stage::coverage), 0u)
-        << "they do not read the photo";
+        << "these stages do not read the photo";
     const auto& why = next.stages[std::size_t(Stage::tiles)].why;
     ASSERT_EQ(why.size(), 1u);
     EXPECT_EQ(why.begin()->first, "the photo's file has changed");
     expect_whole(undisturbed(), "a changed photo");
 }
 
-TEST_F(Overnight, PhotosComeAndGo) {
+TEST_F(Overnight, AddedAndRemovedPhotosRerunOnlyThemselves) {
     const fs::path away = photos()[3], held = dir / "held.jpg";
     fs::rename(away, held);
     prepare_here();
@@ -281,7 +280,7 @@ TEST_F(Overnight, PhotosComeAndGo) {
     expect_whole(undisturbed(), "a removed photo");
 }
 
-TEST_F(Overnight, AChangedSettingRedoesTheStagesThatReadIt) {
+TEST_F(Overnight, ChangedSettingRerunsOnlyItsStages) {
     prepare_here();
     PrepareSettings settings;
     settings.border_threshold = 0.02;
@@ -305,24 +304,24 @@ TEST_F(Overnight, AChangedSettingRedoesTheStagesThatReadIt) {
     expect_whole(undisturbed(settings), "smaller clusters");
 }
 
-TEST_F(Overnight, AnInterruptedChangeGoesOn) {
+TEST_F(Overnight, InterruptedUpdateResumes) {
     prepare_here();
     const fs::path away = photos()[3];
     fs::remove(away);
     EXPECT_EQ(with_fault("pwrite:60:KILL").code, -1);
     EXPECT_EQ(check_package(file, {.deep = true}).size(), 0u)
-        << "the package of before stays until the new one is whole";
+        << "the old package stays until the new one is complete";
     const Outcome next = prepare_program();
     EXPECT_EQ(next.code, int(Exit::incomplete)) << next.err;
     expect_whole(undisturbed(), "an interrupted change");
 }
 
-TEST_F(Overnight, BadPhotosAreLeftOutAndNamed) {
+TEST_F(Overnight, UnusablePhotosAreLeftOutAndListed) {
     const std::vector<fs::path> all = photos();
-    fs::resize_file(all[0], fs::file_size(all[0]) / 2);              // cut short
-    fs::remove(all[1]);                                              // missing
-    fs::copy_file(all[2], all[2].parent_path() / "stranger.jpg");    // no camera
-    std::ofstream(all[3], std::ios::trunc) << "this is no picture";  // not one at all
+    fs::resize_file(all[0], fs::file_size(all[0]) / 2);            // truncated
+    fs::remove(all[1]);                                            // missing
+    fs::copy_file(all[2], all[2].parent_path() / "stranger.jpg");  // no camera
+    std::ofstream(all[3], std::ios::trunc) << "not a picture";     // not a photo
     SynthSpec other = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     other.photos.count = 1;
     other.photos.width = 120;
@@ -350,7 +349,7 @@ TEST_F(Overnight, BadPhotosAreLeftOutAndNamed) {
     EXPECT_TRUE(one_line(strict.err)) << strict.err;
 }
 
-TEST_F(Overnight, StrictStopsAtAPhotoThatIsCutShort) {
+TEST_F(Overnight, StrictStopsAtATruncatedPhoto) {
     fs::resize_file(photos()[0], fs::file_size(photos()[0]) / 2);
     const Outcome strict = prepare_program("--strict");
     EXPECT_EQ(strict.code, int(Exit::input));
@@ -358,7 +357,7 @@ TEST_F(Overnight, StrictStopsAtAPhotoThatIsCutShort) {
     EXPECT_NE(strict.err.find("0000.jpg: JPEG is corrupt or truncated"), std::string::npos) << strict.err;
 }
 
-TEST_F(Overnight, InputThatVanishesMidwayEndsItAndNothingIsLost) {
+TEST_F(Overnight, InputThatVanishesMidwayStopsAndNothingIsLost) {
     const std::string bytes = undisturbed();
     const SceneInput known = read_scene(discover(scene));
     fs::rename(photos()[5], dir / "unplugged.jpg");
@@ -366,7 +365,7 @@ TEST_F(Overnight, InputThatVanishesMidwayEndsItAndNothingIsLost) {
     one_by_one.threads = 1;
     try {
         prepare(known, one_by_one, file, [](const Progress&) {});
-        FAIL() << "a photo that is gone is not one to leave out";
+        FAIL() << "a vanished photo must not be left out silently";
     } catch (const Error& e) {
         EXPECT_EQ(e.code(), Exit::input);
         EXPECT_NE(std::string(e.what()).find("0005.jpg: cannot open"), std::string::npos) << e.what();
@@ -379,7 +378,7 @@ TEST_F(Overnight, InputThatVanishesMidwayEndsItAndNothingIsLost) {
     expect_whole(bytes, "unplugged");
 }
 
-TEST_F(Overnight, ARepairedPhotoTakesItsPlace) {
+TEST_F(Overnight, RepairedPhotoIsIncludedAgain) {
     const std::string bytes = undisturbed();
     const fs::path bad = photos()[2];
     const std::string picture = slurp(bad);
@@ -392,7 +391,7 @@ TEST_F(Overnight, ARepairedPhotoTakesItsPlace) {
     expect_whole(bytes, "repair");
 }
 
-TEST_F(Overnight, ASignalFinishesThePhotosInHand) {
+TEST_F(Overnight, SignalFinishesPhotosInFlight) {
     const std::string bytes = undisturbed();
     for (const char* signal : {"TERM", "INT"}) {
         const Outcome stopped = prepare_program("--threads 1", std::string("timeout -s ") + signal + " 0.25");
@@ -405,7 +404,7 @@ TEST_F(Overnight, ASignalFinishesThePhotosInHand) {
     }
 }
 
-TEST_F(Overnight, OnlyOneWritesAtATime) {
+TEST_F(Overnight, OnlyOneProcessWritesAtATime) {
     prepare_here();
     std::vector<ChunkPlan> plan{{package::Type::meta, package::scene_wide, 0, 4}};
     PackageWriter other(file, plan);
@@ -415,8 +414,8 @@ TEST_F(Overnight, OnlyOneWritesAtATime) {
     EXPECT_NE(second.err.find("another process is writing it"), std::string::npos) << second.err;
 }
 
-TEST_F(Overnight, SharesMergeIntoTheBytesOfOneRun) {
-    fs::resize_file(photos()[4], 1000);  // and a photo that is left out
+TEST_F(Overnight, SharesMergeToTheBytesOfASingleRun) {
+    fs::resize_file(photos()[4], 1000);  // one photo is left out
     const std::string bytes = undisturbed();
     for (const unsigned n : {1u, 2u, 5u, 8u}) {
         std::vector<fs::path> shares;
@@ -433,7 +432,7 @@ TEST_F(Overnight, SharesMergeIntoTheBytesOfOneRun) {
     }
 }
 
-TEST_F(Overnight, SharesOfOtherInputsAreRefused) {
+TEST_F(Overnight, SharesOfDifferentSettingsAreRejected) {
     for (const std::uint32_t i : {1u, 2u}) {
         PrepareRun run;
         run.share = {i, 2};
@@ -447,10 +446,10 @@ TEST_F(Overnight, SharesOfOtherInputsAreRefused) {
     EXPECT_EQ(merged.code, int(Exit::input));
     EXPECT_TRUE(one_line(merged.err)) << merged.err;
     EXPECT_FALSE(fs::exists(file));
-    EXPECT_EQ(run("check " + (dir / "1").string()).code, int(Exit::damaged)) << "a share is no package";
+    EXPECT_EQ(run("check " + (dir / "1").string()).code, int(Exit::damaged)) << "a share is not a package";
 }
 
-TEST_F(Overnight, DiffNamesWhatDiffers) {
+TEST_F(Overnight, DiffListsDifferences) {
     prepare_here();
     const fs::path other = dir / "other.vantage";
     fs::copy_file(file, other);
@@ -463,6 +462,6 @@ TEST_F(Overnight, DiffNamesWhatDiffers) {
     const std::string name = photos()[4].filename().string();
     EXPECT_NE(d.out.find(name + ": tiles: level 0: "), std::string::npos) << d.out;
     EXPECT_EQ(d.out.find(photos()[3].filename().string()), std::string::npos)
-        << "the others are the same: " << d.out;
+        << "the others are equal: " << d.out;
     EXPECT_TRUE(fs::exists(dir / "pictures" / (photos()[4].stem().string() + "-tiles.png")));
 }

@@ -37,7 +37,7 @@ cv::Mat mask_of(const Picture& p, const std::vector<bool>& flags) {
     return m;
 }
 
-/// Normalised-convolution SSIM over a mask, by OpenCV's filters.
+/// SSIM over a mask by normalized convolution, with OpenCV's filters.
 double ssim(const Picture& photo, const Picture& picture, const cv::Mat& mask) {
     cv::Mat a, b, m;
     cv::cvtColor(rgb(photo), a, cv::COLOR_RGB2GRAY);
@@ -59,7 +59,7 @@ double ssim(const Picture& photo, const Picture& picture, const cv::Mat& mask) {
     return cv::mean(top / bottom, mask)[0];
 }
 
-class PictureMetricsBesideTheKit : public TemporaryFolder {};
+class PictureMetricsReference : public TemporaryFolder {};
 
 }  // namespace
 
@@ -67,7 +67,7 @@ TEST(PictureMetrics, AgreeWithOpenCv) {
     for (const bool smooth : {false, true}) {
         const Picture photo = random_picture(97, 61, 1, smooth);
         Picture picture = random_picture(97, 61, 2, smooth);
-        for (std::size_t i = 0; i < picture.rgba.size(); ++i)  // much of one in the other
+        for (std::size_t i = 0; i < picture.rgba.size(); ++i)  // similar to the photo
             picture.rgba[i] = std::uint8_t((2 * photo.rgba[i] + picture.rgba[i]) / 3);
         for (int y = 0; y < 61; ++y)
             for (int x = 0; x < 97; ++x)
@@ -91,7 +91,7 @@ TEST(PictureMetrics, AgreeWithOpenCv) {
     }
 }
 
-TEST(PictureMetrics, AGainIsTakenOut) {
+TEST(PictureMetrics, CompensateForGain) {
     const Picture picture = random_picture(64, 48, 3, true);
     Picture photo = picture;
     const double gain[] = {0.9, 0.7, 0.5};
@@ -104,7 +104,7 @@ TEST(PictureMetrics, AGainIsTakenOut) {
     EXPECT_LT(s.psnr, 20);
 }
 
-TEST(PictureMetrics, FindTheShift) {
+TEST(PictureMetrics, FindShifts) {
     const cv::Mat wide = rgb(random_picture(300, 200, 4, true));
     for (const auto& [dx, dy] : {std::pair(0.0, 0.0), {0.7, -0.4}, {-1.5, 1.1}}) {
         cv::Mat moved;
@@ -122,7 +122,7 @@ TEST(PictureMetrics, FindTheShift) {
     }
 }
 
-TEST(PictureMetrics, NothingToGoBy) {
+TEST(PictureMetrics, EmptyAndFlatPictures) {
     Picture empty = random_picture(20, 10, 5, false);
     for (std::size_t i = 3; i < empty.rgba.size(); i += 4) empty.rgba[i] = 0;
     const PictureScore none = score(empty, empty, scored_pixels(empty));
@@ -137,7 +137,7 @@ TEST(PictureMetrics, NothingToGoBy) {
     EXPECT_TRUE(std::isfinite(score(flat, black, std::vector<bool>(200, true)).psnr_gain));
 }
 
-TEST(PictureMetrics, ChangesAreFoundWhereTheyWereMade) {
+TEST(PictureMetrics, LocateChanges) {
     const Picture photo = random_picture(400, 300, 11, true);
     const auto spoiled = [&](int left, int top) {
         Picture p = photo;
@@ -160,23 +160,23 @@ TEST(PictureMetrics, ChangesAreFoundWhereTheyWereMade) {
 
     const Picture crop = side_by_side(photo, before, after, *c.worse);
     EXPECT_EQ(crop.height, c.worse->height);
-    const auto texel = [&](int column) {  // of the spoiled block's middle
+    const auto texel = [&](int column) {  // at the center of the altered block
         const int y = 40 - c.worse->y, x = 330 - c.worse->x + column * (c.worse->width + 4);
         return std::span(crop.rgba).subspan(std::size_t(4 * (y * crop.width + x)), 3);
     };
-    EXPECT_TRUE(std::ranges::equal(texel(0), texel(1))) << "not yet spoiled there before";
-    EXPECT_FALSE(std::ranges::equal(texel(0), texel(2))) << "now it is";
+    EXPECT_TRUE(std::ranges::equal(texel(0), texel(1))) << "before: equal to the photo";
+    EXPECT_FALSE(std::ranges::equal(texel(0), texel(2))) << "after: altered";
 
     const Change none = change_of(photo, before, before, scored);
     EXPECT_FALSE(none.better || none.worse);
 }
 
-// The measuring kit beside the datasets has software of its own.
-TEST_F(PictureMetricsBesideTheKit, AgreeToAHundredthOfADecibel) {
+// An independent implementation is distributed with the datasets.
+TEST_F(PictureMetricsReference, AgreeWithinAHundredthOfADecibel) {
     const char* root = std::getenv("VANTAGE_DATASETS");
     const std::filesystem::path kit =
         std::filesystem::path(root ? root : "../shared/datasets") / "../tools/metric.py";
-    if (!std::filesystem::exists(kit)) GTEST_SKIP() << "no measuring kit at " << kit;
+    if (!std::filesystem::exists(kit)) GTEST_SKIP() << "no reference implementation at " << kit;
     const Picture photo = random_picture(181, 133, 5, true);
     Picture picture = random_picture(181, 133, 5, true);
     std::mt19937 random(3);
@@ -186,12 +186,12 @@ TEST_F(PictureMetricsBesideTheKit, AgreeToAHundredthOfADecibel) {
     write_png(dir / "photo.png", photo);
     write_png(dir / "picture.png", picture);
     const std::string command = "python3 " + kit.string() + " " + (dir / "photo.png").string() + " " +
-                                (dir / "picture.png").string() + " > " + (dir / "said").string() + " 2>&1";
+                                (dir / "picture.png").string() + " > " + (dir / "output").string() + " 2>&1";
     if (std::system(("/usr/bin/" + command).c_str()) != 0)
-        GTEST_SKIP() << "the kit does not run here: " << slurp(dir / "said");
-    const std::string said = slurp(dir / "said");
+        GTEST_SKIP() << "the reference implementation does not run here: " << slurp(dir / "output");
+    const std::string output = slurp(dir / "output");
     const auto value = [&](const std::string& name) {
-        return std::stod(said.substr(said.find(name + "=") + name.size() + 1));
+        return std::stod(output.substr(output.find(name + "=") + name.size() + 1));
     };
     const PictureScore s = score(photo, picture, scored_pixels(picture));
     EXPECT_NEAR(s.psnr, value("psnr"), 0.01);

@@ -1,5 +1,4 @@
-// vantage-player as a user starts it: its pictures, its one line and its exit code where the package is
-// damaged.
+// The program vantage-player: its pictures, and its one-line message and exit code if the package is damaged.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -24,7 +23,7 @@ namespace {
 
 struct Outcome {
     int code;
-    std::string says, picture;
+    std::string message, picture;
 };
 
 class PlayerProgram : public TemporaryFolder {
@@ -37,12 +36,12 @@ class PlayerProgram : public TemporaryFolder {
     }
 
     Outcome play(const std::string& options) const {
-        const fs::path picture = dir / "picture.png", says = dir / "says";
+        const fs::path picture = dir / "picture.png", message = dir / "message";
         fs::remove(picture);
         const std::string command = std::string(VANTAGE_PLAYER " ") + file.string() + " --offscreen -q -o " +
-                                    picture.string() + " " + options + " 2>" + says.string();
+                                    picture.string() + " " + options + " 2>" + message.string();
         const int status = std::system(command.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(says), slurp(picture)};
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(message), slurp(picture)};
     }
     std::vector<package::DirectoryEntry> chunks() const {
         const PackageReader reader(file);
@@ -63,9 +62,9 @@ bool one_line(const std::string& text) {
 
 }  // namespace
 
-TEST_F(PlayerProgram, SaysInOneLineWhatIsDamagedOrShowsTheSamePicture) {
+TEST_F(PlayerProgram, DamageIsReportedInOneLineOrDoesNotMatter) {
     const Outcome good = play("--photo 0002");
-    ASSERT_EQ(good.code, 0) << good.says;
+    ASSERT_EQ(good.code, 0) << good.message;
     for (const package::DirectoryEntry& e : chunks()) {
         if (e.length == 0) continue;
         const std::string type(reinterpret_cast<const char*>(&e.type), 4);
@@ -73,29 +72,29 @@ TEST_F(PlayerProgram, SaysInOneLineWhatIsDamagedOrShowsTheSamePicture) {
         const Outcome outcome = play("--photo 0002");
         flip(e.offset + e.length / 2);
         if (outcome.code == 0)
-            EXPECT_TRUE(outcome.picture == good.picture && outcome.says.empty()) << type << " " << e.photo;
+            EXPECT_TRUE(outcome.picture == good.picture && outcome.message.empty()) << type << " " << e.photo;
         else
-            EXPECT_TRUE(outcome.code == int(Exit::damaged) && one_line(outcome.says))
-                << type << " " << e.photo << ": " << outcome.code << " " << outcome.says;
+            EXPECT_TRUE(outcome.code == int(Exit::damaged) && one_line(outcome.message))
+                << type << " " << e.photo << ": " << outcome.code << " " << outcome.message;
         const bool read = e.photo == package::scene_wide && type != "STAT" && type != "REGI" &&
-                          type != "PAIR";  // of no concern to the player
+                          type != "PAIR";  // which the player does not read
         EXPECT_TRUE(!read || outcome.code != 0) << type;
     }
     EXPECT_EQ(play("--photo 0002").picture, good.picture);
 }
 
-TEST_F(PlayerProgram, SaysInOneLineThatAPackageIsCut) {
+TEST_F(PlayerProgram, TruncatedPackageIsReportedInOneLine) {
     const auto all = chunks();
     for (auto e = all.rbegin(); e != all.rend(); ++e) {
         fs::resize_file(file, e->offset);
         const Outcome outcome = play("--photo 0002");
         EXPECT_EQ(outcome.code, int(Exit::damaged));
-        EXPECT_TRUE(one_line(outcome.says)) << outcome.says;
+        EXPECT_TRUE(one_line(outcome.message)) << outcome.message;
         EXPECT_TRUE(outcome.picture.empty());
     }
 }
 
-TEST_F(PlayerProgram, RefusesWhatItCannotDo) {
+TEST_F(PlayerProgram, RejectsInvalidRequests) {
     EXPECT_EQ(play("--photo nobody").code, int(Exit::usage));
     EXPECT_EQ(play("--photo 0002 --size 0x10").code, int(Exit::usage));
     EXPECT_EQ(play("--path " + (dir / "none").string()).code, int(Exit::input));
@@ -103,5 +102,5 @@ TEST_F(PlayerProgram, RefusesWhatItCannotDo) {
     fs::remove(file);
     const Outcome gone = play("--photo 0002");
     EXPECT_EQ(gone.code, int(Exit::input));
-    EXPECT_TRUE(one_line(gone.says)) << gone.says;
+    EXPECT_TRUE(one_line(gone.message)) << gone.message;
 }

@@ -1,5 +1,4 @@
-// A shelf of finished packages, as CI checks it: what is damaged, stale, incomplete or looks different is
-// found and named.
+// A shelf of packages as checked in CI: damaged, stale, incomplete and visually different packages are found.
 #include <fstream>
 #include <functional>
 #include <map>
@@ -16,7 +15,7 @@ using namespace vantage;
 
 namespace {
 
-/// Twenty packages, good ones until four are spoilt.
+/// Twenty sound packages, four of which spoil() breaks.
 class Shelf : public Overnight {
   protected:
     const fs::path shelf = dir / "shelf", scans = dir / "scans", golden = dir / "golden";
@@ -33,7 +32,7 @@ class Shelf : public Overnight {
             fs::create_directory_symlink(scene, scans / name(i));
         }
     }
-    /// A scan of its own for one of the packages, with a photo that is not as it was.
+    /// Gives one package its own scan, in which one photo is changed.
     fs::path own_scan(int i, const std::function<void(const fs::path& photo)>& change) const {
         const fs::path own = dir / ("scan of " + name(i));
         fs::copy(scene, own, fs::copy_options::recursive);
@@ -69,7 +68,7 @@ class Shelf : public Overnight {
         return run("verify --size 160x120 -o " + (dir / "differences").string() + " " + words, "",
                    VANTAGE_PLAYER);
     }
-    /// Failed cases of a JUnit file, by package name.
+    /// Types of the failed cases in a JUnit file, by package name.
     static std::map<std::string, std::string> failures(const fs::path& junit) {
         pugi::xml_document xml;
         EXPECT_TRUE(xml.load_file(junit.c_str()));
@@ -87,13 +86,13 @@ class Shelf : public Overnight {
 
 }  // namespace
 
-TEST_F(Shelf, CheckFindsWhatIsDamagedStaleAndIncomplete) {
+TEST_F(Shelf, CheckFindsDamagedStaleAndIncompletePackages) {
     const std::string words = "check --deep " + all() + " --against " + scans.string();
     EXPECT_EQ(run(words).code, 0);
     spoil();
     const fs::path junit = dir / "check.xml";
     const Outcome found = run(words + " --junit " + junit.string());
-    EXPECT_EQ(found.code, int(Exit::damaged)) << "the worst of all";
+    EXPECT_EQ(found.code, int(Exit::damaged)) << "the worst package decides";
     const std::map<std::string, std::string> expected{
         {name(damaged_one), "damaged"}, {name(stale_one), "stale"}, {name(incomplete_one), "incomplete"}};
     EXPECT_EQ(failures(junit), expected) << found.out;
@@ -108,12 +107,12 @@ TEST_F(Shelf, CheckFindsWhatIsDamagedStaleAndIncomplete) {
     EXPECT_EQ(run("check " + (shelf / "none.vantage").string()).code, int(Exit::input));
 }
 
-TEST_F(Shelf, VerifyFindsTheChangedPicture) {
+TEST_F(Shelf, VerifyFindsChangedPictures) {
     const std::string words = all() + " --golden " + golden.string();
     const std::string one = package(0).string() + " --golden " + (golden / name(0)).string();
-    EXPECT_EQ(verify(one).code, int(Exit::input)) << "nothing is stored yet";
+    EXPECT_EQ(verify(one).code, int(Exit::input)) << "no pictures are stored yet";
     EXPECT_EQ(verify(words + " --update").code, 0);
-    EXPECT_EQ(verify(one + " --tolerance 0 --share 0").code, 0) << "the same pictures twice";
+    EXPECT_EQ(verify(one + " --tolerance 0 --share 0").code, 0) << "rendering is deterministic";
     spoil();
     const fs::path junit = dir / "verify.xml";
     const Outcome found = verify(words + " --junit " + junit.string());

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# A preparation divided over a Slurm of one node: its merged package has the bytes of one run.
-# usage: slurm_test.sh VANTAGE SOURCE_DIR; exit code 77 where Slurm is not installed or cannot be started.
+# Prepares a scene in shares on a single-node Slurm cluster and compares the merged package with that of a single run.
+# usage: slurm_test.sh VANTAGE SOURCE_DIR; exits with 77 if Slurm is not installed or cannot be started.
 set -euo pipefail
 vantage=$1 source=$2
 export PATH=$PATH:/usr/sbin:/sbin
 for program in munged slurmctld slurmd sbatch; do
   command -v $program >/dev/null || { echo "skipped: $program is not installed (Debian: slurm-wlm, munge)"; exit 77; }
 done
-[ "$(id -u)" = 0 ] || { echo "skipped: starting slurmd takes root"; exit 77; }
+[ "$(id -u)" = 0 ] || { echo "skipped: slurmd needs root"; exit 77; }
 
 work=$(mktemp -d)
 pids=()
@@ -18,7 +18,7 @@ finish() {
 }
 trap finish EXIT
 host=$(hostname -s)
-getent hosts "$host" >/dev/null || { echo "skipped: the name of this machine does not resolve"; exit 77; }
+getent hosts "$host" >/dev/null || { echo "skipped: this machine's host name does not resolve"; exit 77; }
 mkdir -p "$work"/{state,spool,munge}
 chmod 0700 "$work/munge"
 
@@ -82,4 +82,4 @@ done
 for log in "$work"/many.vantage.logs/*; do echo "== ${log##*/}"; cat "$log"; done
 cmp "$work/one.vantage" "$work/many.vantage"
 [ -z "$(ls "$work"/*.share 2>/dev/null)" ]
-echo "the package of 3 jobs and a merge has the bytes of one run"
+echo "3 jobs and a merge give the bytes of a single run"

@@ -1,5 +1,5 @@
-// What the player streams: bytes that arrive are the package's, budgets are kept, nothing that is damaged is
-// shown as sound; and what a plan covers.
+// Streaming in the player: fetched bytes match the package, budgets are kept, damaged tiles are never shown;
+// and the coverage of plans.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,7 +69,7 @@ double mean_difference(const std::vector<std::uint8_t>& a, const std::vector<std
 
 }  // namespace
 
-TEST_F(Streaming, WhatArrivesIsWhatThePackageHoldsThroughAnyRing) {
+TEST_F(Streaming, FetchedBytesMatchThePackage) {
     const PackageReader package(file);
     const gl::HeadlessContext context(gl::Debug::on);
     const PackagePages pages = number_pages(package.photos());
@@ -103,7 +103,7 @@ TEST_F(Streaming, WhatArrivesIsWhatThePackageHoldsThroughAnyRing) {
     }
 }
 
-TEST_F(Streaming, ABudgetOfUploadsIsKeptAndThePictureBecomesExact) {
+TEST_F(Streaming, UploadBudgetIsKeptAndThePictureConverges) {
     const PackageReader package(file);
     const gl::HeadlessContext context(gl::Debug::on);
     Renderer renderer(package, {});
@@ -122,12 +122,12 @@ TEST_F(Streaming, ABudgetOfUploadsIsKeptAndThePictureBecomesExact) {
     settings.complete = true;
     renderer.draw(view, settings, all(package), {}, 100);
     const auto exact = shown(renderer, view, settings);
-    EXPECT_LT(mean_difference(first, exact), 12) << "thumbnails show the scene, if not sharply";
+    EXPECT_LT(mean_difference(first, exact), 12) << "thumbnails show the scene, though blurred";
     EXPECT_GT(mean_difference(first, exact), 0.2);
     EXPECT_LT(mean_difference(last, exact), 0.1);
 }
 
-TEST_F(Streaming, GraphicsMemoryIsKeptOnAFlightOverMoreThanItHolds) {
+TEST_F(Streaming, GraphicsMemoryStaysWithinItsBudget) {
     const PackageReader package(file);
     const gl::HeadlessContext context(gl::Debug::on);
     const MemoryBudget budget{std::uint64_t(36) << 20, std::uint64_t(4) << 20};
@@ -147,7 +147,7 @@ TEST_F(Streaming, GraphicsMemoryIsKeptOnAFlightOverMoreThanItHolds) {
         Error);
 }
 
-TEST_F(Streaming, ADamagedTileIsCountedAndACoarserOneShownUntilItIsRestored) {
+TEST_F(Streaming, DamagedTilesFallBackToCoarserOnesUntilRestored) {
     const PackageReader package(file);
     const auto* tiles = package.find(package::Type::tiles, 2, 0);
     const auto invert_tiles = [&] {
@@ -178,14 +178,14 @@ TEST_F(Streaming, ADamagedTileIsCountedAndACoarserOneShownUntilItIsRestored) {
     const auto coarse = shown(renderer, view, settings);
     std::size_t colored = 0;
     for (std::size_t i = 3; i < coarse.size(); i += 4) colored += coarse[i] == 255;
-    EXPECT_GT(colored, coarse.size() / 4 / 3) << "coarser levels stand in";
+    EXPECT_GT(colored, coarse.size() / 4 / 3) << "coarser levels are shown instead";
     now += 6;
-    EXPECT_GT(settle().tiles_damaged, 0u) << "still damaged when looked at again";
+    EXPECT_GT(settle().tiles_damaged, 0u) << "still damaged on the second attempt";
     EXPECT_EQ(shown(renderer, view, settings), coarse);
     invert_tiles();
     now += 6;
     settle();
-    now += 11;  // what was under way as they were restored, or is not needed any more
+    now += 11;  // lets requests in flight at the restoration, and those no longer needed, expire
     EXPECT_EQ(settle().tiles_damaged, 0u);
     Renderer fresh(package, {});
     fresh.draw(view, settings, only, {}, 0);
@@ -195,7 +195,7 @@ TEST_F(Streaming, ADamagedTileIsCountedAndACoarserOneShownUntilItIsRestored) {
     EXPECT_LT(mean_difference(shown(renderer, view, settings), shown(fresh, view, complete)), 0.1);
 }
 
-TEST_F(Streaming, APlanCoversWhatIsSeenAndHoldsOnToItsPhotos) {
+TEST_F(Streaming, PlansCoverTheViewAndKeepTheirPhotos) {
     const PackageReader package(file);
     const PlanScene scene = make_plan_scene(package);
     const auto photos = all(package);
@@ -207,7 +207,7 @@ TEST_F(Streaming, APlanCoversWhatIsSeenAndHoldsOnToItsPhotos) {
     int changes = 0;
     for (const Navigation& n : scripted_path("orbit", start, 120).frames) {
         const Plan plan = make_plan(scene, view_of(n, 640, 480), settings, photos, previous);
-        EXPECT_LE(plan.uncovered, 1.6e-3) << "as cover() promises";
+        EXPECT_LE(plan.uncovered, 1.6e-3) << "the guarantee of cover()";
         EXPECT_EQ(plan.photos.size(), std::set<std::uint32_t>([&] {
                                           std::set<std::uint32_t> s;
                                           for (const auto& p : plan.photos) s.insert(p.photo);
@@ -223,7 +223,7 @@ TEST_F(Streaming, APlanCoversWhatIsSeenAndHoldsOnToItsPhotos) {
         std::vector<std::uint32_t> again;
         for (const PlannedPhoto& p : same.photos) again.push_back(p.photo);
         std::ranges::sort(again);
-        EXPECT_EQ(again, now) << "a view that stays keeps its photos";
+        EXPECT_EQ(again, now) << "an unchanged view keeps its photos";
     }
     EXPECT_LT(changes, 40);
 }

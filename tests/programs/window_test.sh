@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Uses every control of the window once, as a person would: real mouse and key events through the X server. Then looks
-# at what the player did and remembered.
-# usage: window_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 where there is no X server to test with
+# Uses every control of the window once, with real mouse and key events through the X server, and then checks what the player did and remembered.
+# usage: window_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
 if [ -z "${VANTAGE_WINDOW_TEST:-}" ]; then
   for tool in xvfb-run xdotool; do
@@ -24,7 +23,7 @@ pid=$!
 failed=0
 fail() { echo "FAILED: $*"; failed=1; }
 
-# place NAME: x and y of the middle of a control, once it is on the screen
+# place NAME [share of its width]: waits for a control and prints the position of its center
 place() {
   for _ in $(seq 40); do
     if [ -f places ]; then
@@ -36,7 +35,7 @@ place() {
   return 1
 }
 frame() { awk -F'\t' '$1 == "frame" { print $2; exit }' places 2>/dev/null; }
-frames() {  # waits for so many frames to be drawn from now
+frames() {  # frames N: waits until N more frames are drawn
   local from now
   from=$(frame)
   for _ in $(seq 200); do
@@ -44,9 +43,9 @@ frames() {  # waits for so many frames to be drawn from now
     [ $((${now:-0} - ${from:-0})) -ge "$1" ] && return
     sleep 0.02
   done
-  fail "no frames are drawn"
+  fail "no frames were drawn"
 }
-press() {  # press NAME [share of its width]
+press() {  # press NAME [share of its width]: clicks a control
   local at
   at=$(place "$1" "${2:-0.5}") || { fail "there is no '$1'"; return; }
   # shellcheck disable=SC2086
@@ -65,7 +64,7 @@ window=$(xdotool search --name Vantage | tail -1)
 xdotool windowfocus "$window"
 sleep 0.3
 
-# From far away the model is small, and frames in software are quick.
+# From far away the model is small, which is fast in software.
 xdotool mousemove 500 400
 for _ in $(seq 40); do xdotool click 5; done
 frames 5
@@ -114,19 +113,19 @@ press "File"; press "Open..."; press "Cancel"
 press "Photos" 0.5
 key o; press "cut.vantage"; press "Open"
 sleep 1
-[ "$(xdotool getwindowname "$window")" = "one.vantage - Vantage" ] || fail "a package that is cut took the other's place"
+[ "$(xdotool getwindowname "$window")" = "one.vantage - Vantage" ] || fail "a truncated package replaced the open one"
 key o; press "two.vantage"; press "Open"
 sleep 1
-[ "$(xdotool getwindowname "$window")" = "two.vantage - Vantage" ] || fail "the other package is not shown"
-kill -0 $pid 2>/dev/null || { cat says; fail "the player has gone"; }
+[ "$(xdotool getwindowname "$window")" = "two.vantage - Vantage" ] || fail "the other package was not opened"
+kill -0 $pid 2>/dev/null || { cat says; fail "the player has exited early"; }
 press "File"
 xdotool mousemove $(place "Quit")
 frames 2
 xdotool click 1
 for _ in $(seq 100); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
-kill -9 $pid 2>/dev/null && fail "the player did not leave"
+kill -9 $pid 2>/dev/null && fail "the player did not quit"
 wait $pid
-[ $? = 0 ] || { cat says; fail "the player did not leave well"; }
+[ $? = 0 ] || { cat says; fail "the player failed"; }
 
 [ "$(ls one-*.png 2>/dev/null | wc -l)" = 2 ] || fail "expected two screenshots: $(ls)"
 [ "$(ls one-*.path 2>/dev/null | wc -l)" -ge 1 ] || fail "no path was recorded: $(ls)"
@@ -142,5 +141,5 @@ remembers photos_per_pass [2-7]
 remembers panel_blending true
 remembers panel_radar false
 remembers width 900
-[ $failed = 0 ] && echo "every control did its work"
+[ $failed = 0 ] && echo "every control works"
 exit $failed

@@ -25,7 +25,7 @@ TEST(Camera, ProjectsTheCenterRayOntoThePrincipalPoint) {
     EXPECT_NEAR(p->z, 3, 1e-12);
 }
 
-TEST(Camera, DoesNotProjectWhatIsBehindOrOnTheCamera) {
+TEST(Camera, DoesNotProjectPointsBehindOrAtTheCamera) {
     const Pose pose = looking(0.4);
     EXPECT_FALSE(project(photo, pose, pose.center() - pose.direction()));
     EXPECT_FALSE(project(photo, pose, pose.center()));
@@ -46,7 +46,7 @@ TEST(Camera, ClipMatrixAgreesWithProjectionOnEveryPixel) {
     EXPECT_NEAR((clip * Eigen::Vector4d(0, 0, 50, 1)).hnormalized().z(), 0, 1e-12);
 }
 
-TEST(Camera, SurvivesAnOriginAMillionUnitsAway) {
+TEST(Camera, KeepsPrecisionFarFromTheOrigin) {
     const Eigen::Vector3d origin(4e5, 5.4e6, 300);
     Pose pose = looking(0.2);
     pose.t = -pose.R * (origin + Eigen::Vector3d(1, 2, -9));
@@ -56,7 +56,7 @@ TEST(Camera, SurvivesAnOriginAMillionUnitsAway) {
     EXPECT_NEAR((far->pixel - near->pixel).norm(), 0, 1e-5);
 }
 
-TEST(Camera, RefusesWhatIsNoCamera) {
+TEST(Camera, RejectsInvalidCameras) {
     Camera mirrored{photo, {}, looking(0.1)};
     mirrored.cam_from_world.R.row(0) *= -1;
     EXPECT_THROW(validate(mirrored, "mirrored"), Error);

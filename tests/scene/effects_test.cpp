@@ -8,7 +8,7 @@
 
 using namespace vantage;
 
-TEST(Effects, AreOnAboveTheirThresholdOnly) {
+TEST(Effects, AreOnOnlyAboveTheirThreshold) {
     for (const EffectRow& row : effect_table()) {
         EXPECT_FALSE(decide(row.effect, EffectChoice::automatic, row.threshold, "").on) << row.name;
         EXPECT_TRUE(decide(row.effect, EffectChoice::automatic, row.threshold * 1.01 + 1e-9, "").on)
@@ -24,7 +24,7 @@ TEST(Effects, CanBeForcedAgainstTheEvidence) {
     EXPECT_TRUE(decide(Effect::undistortion, EffectChoice::on, 0, "").on);
 }
 
-TEST(Effects, AreFoundByNameAndUnknownNamesAreReported) {
+TEST(Effects, AreFoundByNameAndUnknownNamesAreRejected) {
     for (const EffectRow& row : effect_table())
         for (const char* name : {row.name, row.option}) EXPECT_EQ(effect_row(name).effect, row.effect);
     try {
@@ -40,7 +40,7 @@ TEST(Effects, KeepTheSpellingThatPackagesStore) {
     EXPECT_STREQ(effect_row("fov-normalization").name, "fov-normalisation");
 }
 
-TEST(Effects, DefineSymbolsInTheirOwnShaderProgram) {
+TEST(Effects, DefineSymbolsOnlyInTheirShaderProgram) {
     const EffectSet on = effect_bit(Effect::vertex_colors) | effect_bit(Effect::per_fragment) |
                          effect_bit(Effect::falloff) | effect_bit(Effect::registration);
     EXPECT_EQ(shader_defines("surface", on), std::vector<std::string>{"VERTEX_COLORS"});

@@ -29,7 +29,7 @@ class Package : public TemporaryFolder {
             std::memcpy(block.data(), blocks.data() + 4096 * b, 4096);
         });  // any order
         writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(text)));
-        EXPECT_FALSE(fs::exists(to)) << "the final name must not exist before finish()";
+        EXPECT_FALSE(fs::exists(to)) << "the final name exists before finish()";
         writer.finish();
     }
     void dump(const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
@@ -37,7 +37,7 @@ class Package : public TemporaryFolder {
 
 }  // namespace
 
-TEST_F(Package, GivesBackWhatWasWritten) {
+TEST_F(Package, ReadsBackWhatWasWritten) {
     write(file);
     const PackageReader reader(file);
     EXPECT_EQ(reader.meta(), text);
@@ -52,13 +52,13 @@ TEST_F(Package, GivesBackWhatWasWritten) {
     EXPECT_EQ(reader.find(Type::tiles, 1, 2), nullptr);
 }
 
-TEST_F(Package, IsTheSameBytesTwice) {
+TEST_F(Package, IsDeterministic) {
     write(file);
     write(dir / "b.vantage");
     EXPECT_EQ(slurp(file), slurp(dir / "b.vantage"));
 }
 
-TEST_F(Package, AbandonedLeavesNothingBehind) {
+TEST_F(Package, AbandonedWriterLeavesNothingBehind) {
     {
         const std::vector<ChunkPlan> plan{{Type::meta, package::scene_wide, 0, 4}};
         PackageWriter writer(file, plan);
@@ -67,7 +67,7 @@ TEST_F(Package, AbandonedLeavesNothingBehind) {
     EXPECT_TRUE(fs::is_empty(dir));
 }
 
-TEST_F(Package, CutAnywhereIsDamaged) {
+TEST_F(Package, TruncatedAnywhereIsDamaged) {
     write(file);
     const std::string whole = slurp(file);
     for (std::size_t n = 0; n < whole.size(); n = n < 300 ? n + 1 : n + 777) {
@@ -81,7 +81,7 @@ TEST_F(Package, CutAnywhereIsDamaged) {
     }
 }
 
-TEST_F(Package, EveryFlippedByteOfHeaderAndDirectoryIsNoticed) {
+TEST_F(Package, EveryFlippedByteOfHeaderAndDirectoryIsDetected) {
     write(file);
     const std::string whole = slurp(file);
     for (std::size_t n = 0; n < sizeof(package::Header) + 2 * sizeof(package::DirectoryEntry); ++n) {
@@ -92,7 +92,7 @@ TEST_F(Package, EveryFlippedByteOfHeaderAndDirectoryIsNoticed) {
     }
 }
 
-TEST_F(Package, AFlippedByteIsFoundInItsBlock) {
+TEST_F(Package, FlippedByteIsDetectedInItsBlock) {
     write(file);
     std::string bad = slurp(file);
     std::uint64_t at;

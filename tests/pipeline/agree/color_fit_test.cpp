@@ -15,31 +15,31 @@ using package::SampleRecord;
 
 namespace {
 
-/// Photos of one surface, made up: what each says of every disc.
-struct Made {
+/// Synthetic photos of one surface: their samples of every disc.
+struct SyntheticPhotos {
     std::vector<std::vector<SampleRecord>> photos;
-    std::vector<std::array<double, 3>> gain;  ///< light times this
+    std::vector<std::array<double, 3>> gain;  ///< per photo and channel, true factor on the light
 
     std::vector<std::span<const SampleRecord>> spans() const { return {photos.begin(), photos.end()}; }
     std::vector<std::uint32_t> one_lens() const { return std::vector<std::uint32_t>(photos.size(), 0); }
 };
 
-struct Wanted {
+struct PhotoOptions {
     std::size_t photos = 12, discs = 3000;
-    double share = 0.4;  ///< of the discs that a photo shows
-    double stops = 1;    ///< to either side
-    double falloff = 0;  ///< lost in the corner
-    double noise = 0.02, strangers = 0;
+    double share = 0.4;  ///< of the discs that each photo shows
+    double stops = 1;    ///< largest exposure error, to either side
+    double falloff = 0;  ///< share of the light lost in the corner
+    double noise = 0.02, outliers = 0;
 };
 
-/// A falloff of another form than the one that is fitted.
+/// A falloff of a different form than the fitted one.
 double light_at(double r, double lost) { return 1 / std::pow(1 + (1 / std::sqrt(1 - lost) - 1) * r * r, 2); }
 
-Made make(const Wanted& w, unsigned seed = 1) {
+SyntheticPhotos make(const PhotoOptions& w, unsigned seed = 1) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(0, 1);
     std::normal_distribution<double> normal;
-    Made made;
+    SyntheticPhotos made;
     std::vector<std::array<double, 3>> albedo(w.discs);
     for (auto& a : albedo)
         for (double& c : a) c = std::exp(-0.7 - 1.5 * unit(random));
@@ -50,7 +50,7 @@ Made make(const Wanted& w, unsigned seed = 1) {
         for (std::size_t d = 0; d < w.discs; ++d) {
             if (unit(random) > w.share) continue;
             const double r = std::sqrt(unit(random));
-            const double wrong = unit(random) < w.strangers ? std::exp(2 * normal(random)) : 1;
+            const double wrong = unit(random) < w.outliers ? std::exp(2 * normal(random)) : 1;
             photo[d].radius = std::uint16_t(std::lround(65535 * r));
             for (std::size_t c = 0; c < 3; ++c)
                 photo[d].linear[c] =
@@ -62,8 +62,8 @@ Made make(const Wanted& w, unsigned seed = 1) {
     return made;
 }
 
-/// The largest error of ln gain, the mean photo being one.
-double worst_gain(const Made& made, const ColorFit& fit) {
+/// The largest error of ln gain, relative to the mean over photos.
+double worst_gain(const SyntheticPhotos& made, const ColorFit& fit) {
     double worst = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         double mean = 0;
@@ -86,8 +86,8 @@ void expect_untouched(const ColorFit& fit) {
 
 }  // namespace
 
-TEST(ColorFit, GainsAndFalloffComeBackAmongStrangers) {
-    const Made made = make({.falloff = 0.3, .strangers = 0.1});
+TEST(ColorFit, RecoversGainsAndFalloffDespiteOutliers) {
+    const SyntheticPhotos made = make({.falloff = 0.3, .outliers = 0.1});
     const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
     EXPECT_LT(worst_gain(made, fit), 0.005);
     for (double r = 0; r <= 1; r += 0.05)
@@ -96,8 +96,8 @@ TEST(ColorFit, GainsAndFalloffComeBackAmongStrangers) {
     EXPECT_LT(fit.after, 0.05);
 }
 
-TEST(ColorFit, PhotosThatAgreeStayAsTheyAre) {
-    const Made made = make({.stops = 0});
+TEST(ColorFit, AgreeingPhotosStayUnchanged) {
+    const SyntheticPhotos made = make({.stops = 0});
     const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
     for (const auto& g : fit.ln_gain)
         for (const double v : g) EXPECT_NEAR(v, 0, 0.005);
@@ -105,8 +105,8 @@ TEST(ColorFit, PhotosThatAgreeStayAsTheyAre) {
 }
 
 TEST(ColorFit, EachLensHasItsOwnFalloff) {
-    Made made = make({.photos = 6, .share = 0.8, .stops = 0.5, .falloff = 0.4});
-    const Made others = make({.photos = 6, .share = 0.8, .stops = 0.5});
+    SyntheticPhotos made = make({.photos = 6, .share = 0.8, .stops = 0.5, .falloff = 0.4});
+    const SyntheticPhotos others = make({.photos = 6, .share = 0.8, .stops = 0.5});
     made.photos.insert(made.photos.end(), others.photos.begin(), others.photos.end());
     const std::vector<std::uint32_t> lens{0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};
     const ColorFit fit = fit_colors(made.spans(), lens, true);
@@ -114,10 +114,10 @@ TEST(ColorFit, EachLensHasItsOwnFalloff) {
     EXPECT_EQ(log_falloff(fit.falloff[1], 1), 0);
 }
 
-TEST(ColorFit, TwoPhotosOfALensDoNotTellItsFalloff) {
-    // What shines in the middle of two photos may be the object: of three it is believed to be the lens.
-    Made made = make({.photos = 6, .stops = 0});
-    const Made shining = make({.photos = 3, .stops = 0, .falloff = 0.4});
+TEST(ColorFit, TwoPhotosDoNotDetermineTheFalloff) {
+    // A bright center in two photos may be the object; in three it is taken for the lens.
+    SyntheticPhotos made = make({.photos = 6, .stops = 0});
+    const SyntheticPhotos shining = make({.photos = 3, .stops = 0, .falloff = 0.4});
     std::vector<std::uint32_t> lens(6, 0);
     for (const std::size_t photos : {1u, 2u, 3u}) {
         made.photos.push_back(shining.photos[photos - 1]);
@@ -128,18 +128,18 @@ TEST(ColorFit, TwoPhotosOfALensDoNotTellItsFalloff) {
     }
 }
 
-TEST(ColorFit, AFalloffThatExplainsNextToNothingIsDropped) {
-    // A corner that loses a tenth, among photos that agree and among photos that do not.
+TEST(ColorFit, NegligibleFalloffIsDropped) {
+    // A corner that loses a tenth of the light, with little and with much noise.
     for (const double noise : {0.02, 1.0}) {
-        const Made made = make({.share = 0.8, .stops = 0, .falloff = 0.1, .noise = noise});
+        const SyntheticPhotos made = make({.share = 0.8, .stops = 0, .falloff = 0.1, .noise = noise});
         const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
         EXPECT_EQ(log_falloff(fit.falloff[0], 1) > 0, noise < 0.1) << noise;
     }
 }
 
-TEST(ColorFit, WhatSharesNoSurfaceIsKeptApart) {
-    Made made = make({.photos = 5, .discs = 1000});
-    const Made others = make({.photos = 4, .discs = 1000}, 2);
+TEST(ColorFit, DisconnectedGroupsAreFittedSeparately) {
+    SyntheticPhotos made = make({.photos = 5, .discs = 1000});
+    const SyntheticPhotos others = make({.photos = 4, .discs = 1000}, 2);
     for (auto& photo : made.photos) photo.resize(2000, SampleRecord{});
     for (const auto& photo : others.photos) {
         made.photos.emplace_back(1000, SampleRecord{});
@@ -155,43 +155,43 @@ TEST(ColorFit, WhatSharesNoSurfaceIsKeptApart) {
     }
 }
 
-TEST(ColorFit, WithoutSharedSurfaceNothingIsChanged) {
+TEST(ColorFit, NothingChangesWithoutSharedSurface) {
     expect_untouched(fit_colors({}, {}, true));
-    const Made alone = make({.photos = 1});
+    const SyntheticPhotos alone = make({.photos = 1});
     expect_untouched(fit_colors(alone.spans(), alone.one_lens(), true));
-    Made clipped = make({.photos = 3});
+    SyntheticPhotos clipped = make({.photos = 3});
     for (auto& photo : clipped.photos) std::ranges::fill(photo, SampleRecord{});
     expect_untouched(fit_colors(clipped.spans(), clipped.one_lens(), true));
-    Made few = make({.photos = 3, .discs = 20, .share = 1});
+    SyntheticPhotos few = make({.photos = 3, .discs = 20, .share = 1});
     expect_untouched(fit_colors(few.spans(), few.one_lens(), true));
 }
 
-TEST(ColorFit, TheSamePhotoTwiceIsChangedByNothing) {
-    Made made = make({.photos = 1});
+TEST(ColorFit, DuplicatePhotoStaysUnchanged) {
+    SyntheticPhotos made = make({.photos = 1});
     made.photos.push_back(made.photos.front());
     const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
     for (const auto& g : fit.ln_gain)
         for (const double v : g) EXPECT_NEAR(v, 0, 1e-9);
 }
 
-TEST(ColorFit, AllStrangersGiveFiniteGainsWithinBounds) {
-    const Made made = make({.photos = 6, .noise = 3});
+TEST(ColorFit, OutliersOnlyGiveFiniteGainsWithinBounds) {
+    const SyntheticPhotos made = make({.photos = 6, .noise = 3});
     const ColorFit fit = fit_colors(made.spans(), made.one_lens(), true);
     for (const auto& g : fit.ln_gain)
         for (const double v : g) EXPECT_LE(std::abs(v), std::log(4) + 1e-12);
     for (const double f : fit.falloff[0]) EXPECT_TRUE(std::isfinite(f));
 }
 
-TEST(Refine, IsCalledForOnlyWherePhotosDisagree) {
+TEST(ColorAgreement, IsEnabledOnlyIfPhotosDisagree) {
     std::vector<package::PhotoRecord> photos(12);
     for (package::PhotoRecord& p : photos) p.width = 300, p.height = 200, p.fx = 300, p.levels = 1;
     const auto agreeing = refine_colors(photos, make({.stops = 0, .noise = 0.005}).spans(), {});
     EXPECT_FALSE(agreeing.exposure.on) << agreeing.exposure.evidence;
     EXPECT_FALSE(agreeing.falloff.on);
-    // Disagreement that no gain explains.
+    // Disagreement that gains do not explain.
     const auto noisy = refine_colors(photos, make({.stops = 0, .noise = 0.1}).spans(), {});
     EXPECT_FALSE(noisy.exposure.on) << noisy.exposure.evidence;
-    const Made exposed = make({.falloff = 0.3});
+    const SyntheticPhotos exposed = make({.falloff = 0.3});
     const auto called = refine_colors(photos, exposed.spans(), {});
     EXPECT_TRUE(called.exposure.on) << called.exposure.evidence;
     EXPECT_TRUE(called.falloff.on) << called.falloff.evidence;
@@ -206,8 +206,9 @@ TEST(Refine, IsCalledForOnlyWherePhotosDisagree) {
         }
 }
 
-TEST(SurfaceDiscs, CoverSmallAndLargeTrianglesAndAreAsManyAsSaid) {
-    // Half the area in one triangle, half the triangles in a corner of another.
+TEST(SurfaceDiscs, AreSpreadHalfByAreaAndHalfByTriangles) {
+    // One large triangle with nearly all the area, and 999 tiny ones: each half of the discs follows one of
+    // them.
     std::vector<Eigen::Vector3f> positions{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}};
     std::vector<std::uint32_t> indices{0, 1, 2};
     for (int i = 0; i < 999; ++i) {
@@ -229,9 +230,8 @@ TEST(SurfaceDiscs, CoverSmallAndLargeTrianglesAndAreAsManyAsSaid) {
     EXPECT_TRUE(surface_disc_set(positions, {}, 100).empty());
 }
 
-TEST(SurfaceDiscs, AreSampledWhereAPhotoShowsThemWell) {
-    // A wall at z = 10, of which the photo's left half is hidden by something nearer, and colours that say
-    // where they are.
+TEST(SurfaceDiscs, AreSampledOnlyWhereClearlyVisible) {
+    // A wall at z = 10, whose left half is occluded by something nearer; colors encode the position.
     const Intrinsics k{800, 600, 800, 800, 400, 300};
     PhotoGeometry geometry{400, 300, std::vector<float>(400 * 300, 10), {}, {}};
     for (std::size_t i = 0; i < geometry.z.size(); ++i)
@@ -240,7 +240,7 @@ TEST(SurfaceDiscs, AreSampledWhereAPhotoShowsThemWell) {
     for (std::size_t i = 0; i < 200 * 150; ++i) {
         photo.rgba[4 * i] = 128;
         photo.rgba[4 * i + 1] = std::uint8_t(60 + i % 200 / 2);
-        photo.rgba[4 * i + 2] = i / 200 < 20 ? 250 : 128;  // nearly white on top
+        photo.rgba[4 * i + 2] = i / 200 < 20 ? 250 : 128;  // clipped at the top
     }
     for (std::size_t i = 140 * 200; i < 150 * 200; ++i) photo.rgba[4 * i + 3] = 0;
     const auto at = [&](double x, double y, const Eigen::Vector3f& normal = {0, 0, -1}) {

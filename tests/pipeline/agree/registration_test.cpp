@@ -30,8 +30,8 @@ SceneInput scene_with_cameras(const fs::path& folder, const fs::path& cameras) {
     return read_scene(files);
 }
 
-/// How far what a photo shows lies from where the true camera shows it, in pixels: of each photo, the median
-/// over the model's vertices that it sees.
+/// Per photo, the median distance in pixels between the projections by the package's camera and by the true
+/// one, over the model's vertices that the photo sees.
 std::vector<double> errors(const PackageReader& package, const SceneInput& truth) {
     const auto vertices = package.records<Eigen::Vector3f>(package::Type::positions);
     const Eigen::Vector3d origin(package.scene().origin);
@@ -54,7 +54,7 @@ std::vector<double> errors(const PackageReader& package, const SceneInput& truth
     return out;
 }
 
-/// Turns and moves each camera at random, by so many pixels each at a distance.
+/// Rotates and moves each camera at random, each by so many pixels at `distance`.
 void disturb(SceneInput& scene, double pixels, double distance) {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
@@ -72,8 +72,8 @@ void disturb(SceneInput& scene, double pixels, double distance) {
 double median(const std::vector<double>& v) { return quantile(v, 0.5); }
 double worst(const std::vector<double>& v) { return quantile(v, 1); }
 
-/// A synthetic scene, prepared with or without its cameras disturbed.
-class RegistrationOfTruth : public TemporaryFolder {
+/// A synthetic scene, prepared with accurate or perturbed cameras.
+class SyntheticRegistration : public TemporaryFolder {
   protected:
     const fs::path scene = dir / "scene", file = dir / "scene.vantage";
 
@@ -100,12 +100,12 @@ class RegistrationOfTruth : public TemporaryFolder {
     }
 };
 
-TEST_F(RegistrationOfTruth, DisturbedCamerasComeBack) {
+TEST_F(SyntheticRegistration, RecoversPerturbedCameras) {
     synthesize(read_spec(VANTAGE_SOURCE_DIR "/data/demo.toml"), scene, {});
     for (const double pixels : {0.5, 2.0, 5.0}) {
         SceneInput given = truth();
         disturb(given, pixels, 12);
-        // Half a pixel does not call for it.
+        // Half a pixel is below the threshold.
         const auto done = prepare_as(given, pixels > 1 ? EffectChoice::automatic : EffectChoice::on);
         EXPECT_TRUE(registration(done).decision.on) << registration(done).decision.evidence;
         const auto off = errors(PackageReader(file), truth());
@@ -115,7 +115,7 @@ TEST_F(RegistrationOfTruth, DisturbedCamerasComeBack) {
     }
 }
 
-TEST_F(RegistrationOfTruth, UndisturbedCamerasStay) {
+TEST_F(SyntheticRegistration, AccurateCamerasStayUnchanged) {
     synthesize(spec(), scene, {});
     EXPECT_FALSE(registration(prepare_folder()).decision.on);
     expect_unchanged(truth());
@@ -123,11 +123,10 @@ TEST_F(RegistrationOfTruth, UndisturbedCamerasStay) {
     EXPECT_LT(worst(errors(PackageReader(file), truth())), 0.1) << "forced on";
 }
 
-TEST_F(RegistrationOfTruth, WhatIsFoundOfAPairIsWhatItsCamerasAreOff) {
+TEST_F(SyntheticRegistration, PairShiftsMatchTheCameraError) {
     synthesize(spec(), scene, {});
     SceneInput input = truth();
-    // One photo turned about its vertical axis, so that all it shows is 3 px to the side of where it should
-    // be.
+    // One photo rotated about its vertical axis: its content is 3 px off horizontally.
     Camera& camera = input.photos[4].camera;
     camera.cam_from_world.R =
         Eigen::AngleAxisd(3 / camera.intrinsics.fx, Eigen::Vector3d::UnitY()).toRotationMatrix() *
@@ -141,16 +140,16 @@ TEST_F(RegistrationOfTruth, WhatIsFoundOfAPairIsWhatItsCamerasAreOff) {
     for (const package::PairRecord& p : registration(done).pairs) {
         const bool with = p.a == 4 || p.b == 4;
         with_it += with;
-        // A turn moves the edges of the picture somewhat more than its middle.
+        // A rotation moves the edges of the picture somewhat more than its center.
         EXPECT_NEAR(std::hypot(p.shift[0], p.shift[1]), with ? 3.2 : 0, with ? 0.5 : 0.2)
             << p.a << ' ' << p.b;
         EXPECT_NEAR(std::abs(p.shift[1]), 0, 0.4);
     }
     EXPECT_GE(with_it, 2);
-    EXPECT_LT(worst(errors(PackageReader(file), truth())), 0.5) << "one alone is seen and mended";
+    EXPECT_LT(worst(errors(PackageReader(file), truth())), 0.5) << "a single wrong camera is corrected";
 }
 
-TEST_F(RegistrationOfTruth, SwappedCamerasAreFoundAndNamedAndStay) {
+TEST_F(SyntheticRegistration, SwappedCamerasAreReportedAndLeftAlone) {
     synthesize(spec(), scene, {});
     SceneInput input = truth();
     std::swap(input.photos[2].camera, input.photos[5].camera);
@@ -162,7 +161,7 @@ TEST_F(RegistrationOfTruth, SwappedCamerasAreFoundAndNamedAndStay) {
     expect_unchanged(input);
 }
 
-TEST_F(RegistrationOfTruth, ACameraThatIsWrongIsNamed) {
+TEST_F(SyntheticRegistration, WrongCameraIsReported) {
     synthesize(spec(), scene, {});
     SceneInput input = truth();
     Pose& pose = input.photos[3].camera.cam_from_world;
@@ -174,15 +173,15 @@ TEST_F(RegistrationOfTruth, ACameraThatIsWrongIsNamed) {
         << registration(done).warnings[0];
 }
 
-/// Each ends in one line that says why, and cameras as they were given.
-TEST_F(RegistrationOfTruth, DegenerateInputsAreSaidAndLeftAlone) {
+/// Each is explained in one line, and the cameras stay as given.
+TEST_F(SyntheticRegistration, DegenerateInputsAreReportedAndLeftAlone) {
     SynthSpec s = spec();
     s.photos.count = 4;
     synthesize(s, scene, {});
-    const auto expect = [&](const SceneInput& input, const std::string& said) {
+    const auto expect = [&](const SceneInput& input, const std::string& reason) {
         const auto done = prepare_as(input, EffectChoice::on);
-        EXPECT_FALSE(registration(done).decision.on) << said;
-        EXPECT_NE(registration(done).decision.evidence.find(said), std::string::npos)
+        EXPECT_FALSE(registration(done).decision.on) << reason;
+        EXPECT_NE(registration(done).decision.evidence.find(reason), std::string::npos)
             << registration(done).decision.evidence;
         expect_unchanged(input);
     };
@@ -191,14 +190,14 @@ TEST_F(RegistrationOfTruth, DegenerateInputsAreSaidAndLeftAlone) {
     one.photos.resize(1);
     expect(one, "fewer than two photos");
 
-    SceneInput apart = whole;  // the second looks the other way
+    SceneInput apart = whole;  // the second faces the other way
     apart.photos.resize(2);
     const Eigen::Matrix3d about = Eigen::AngleAxisd(3.14159, Eigen::Vector3d::UnitY()).toRotationMatrix();
     Pose& turned = apart.photos[1].camera.cam_from_world;
     turned = {about * turned.R, about * turned.t};
     expect(apart, "no two photos share enough surface");
 
-    SceneInput other = whole;  // another building, of the same size
+    SceneInput other = whole;  // a different building of the same size
     s.seed = 77;
     s.building.bays = 2;
     s.building.floors = 1;
@@ -218,7 +217,7 @@ TEST_F(RegistrationOfTruth, DegenerateInputsAreSaidAndLeftAlone) {
     expect(white, "neither black nor white");
 }
 
-TEST_F(RegistrationOfTruth, IdenticalPhotosStay) {
+TEST_F(SyntheticRegistration, IdenticalPhotosStayInPlace) {
     SynthSpec s = spec();
     s.photos.count = 2;
     synthesize(s, scene, {});
@@ -231,8 +230,8 @@ TEST_F(RegistrationOfTruth, IdenticalPhotosStay) {
     EXPECT_LT(worst(errors(PackageReader(file), input)), 0.02);
 }
 
-/// A flat surface says nothing about cameras sliding along it.
-TEST_F(RegistrationOfTruth, AFlatSurfaceHoldsNoCamera) {
+/// On a flat surface, cameras may slide along it unnoticed.
+TEST_F(SyntheticRegistration, FlatSurfaceIsNotRegistered) {
     SynthSpec s = spec();
     s.photos.count = 3;
     s.building.recess = 0.01;
@@ -252,8 +251,8 @@ TEST_F(RegistrationOfTruth, AFlatSurfaceHoldsNoCamera) {
     expect_unchanged(input);
 }
 
-/// Only what its changed photos touch is measured again, with the same result.
-TEST_F(RegistrationOfTruth, GoesOnFromWhatWasFound) {
+/// Only pairs with changed photos are measured again, with the same result.
+TEST_F(SyntheticRegistration, ReusesPairsThatWereMeasured) {
     SynthSpec s = spec();
     s.error.pixels = 3;
     synthesize(s, scene, {});
@@ -265,7 +264,7 @@ TEST_F(RegistrationOfTruth, GoesOnFromWhatWasFound) {
     const auto again = prepare(input, bare, file, [](const Progress&) {});
     for (const auto& stage : again.stages) EXPECT_EQ(stage.made, 0u);
     prepare(input, {}, file, [](const Progress&) {});
-    EXPECT_TRUE(slurp(file) == fresh) << "there and back";
+    EXPECT_TRUE(slurp(file) == fresh) << "exposure forced on and back";
 
     bare.effects = {{Effect::registration, EffectChoice::off}};
     prepare(input, bare, file, [](const Progress&) {});
@@ -274,7 +273,7 @@ TEST_F(RegistrationOfTruth, GoesOnFromWhatWasFound) {
     EXPECT_TRUE(slurp(file) == fresh) << "off and on again";
 }
 
-TEST(RegistrationOfPhotos, IsNotCalledForOnRealScenes) {
+TEST(RealRegistration, StaysOffOnAccurateScenes) {
     for (const char* name : {"sceaux", "fountain-P11"}) {
         VANTAGE_DATASET(dataset, name);
         const fs::path file = fs::temp_directory_path() / (std::string(name) + ".registration.vantage");
@@ -288,8 +287,9 @@ TEST(RegistrationOfPhotos, IsNotCalledForOnRealScenes) {
     }
 }
 
-/// Cameras 3 px off come back, but for what no photo can tell: how the whole frame lies on the model.
-TEST(RegistrationOfPhotos, BringsDisturbedCamerasBack) {
+/// Corrects cameras that are 3 px off, up to the position of the whole frame on the model, which photos do
+/// not determine.
+TEST(RealRegistration, RecoversPerturbedCameras) {
     VANTAGE_DATASET(dataset, "fountain-P11");
     SceneInput input = read_scene(discover(dataset));
     disturb(input, 3 * std::sqrt(2), 10);

@@ -1,4 +1,4 @@
-// Presets and configuration files give settings; the command line overrules them.
+// Settings from presets and configuration files, which the command line overrides.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -38,7 +38,7 @@ class Config : public TemporaryFolder {
 
 }  // namespace
 
-TEST_F(Config, GivesSettingsThatTheCommandLineOverrules) {
+TEST_F(Config, CommandLineOverridesTheFile) {
     Command c;
     c.app.parse("--size 7");
     apply_config(c.app, holding("size = 3\nnames = ['a', 'b']\n"));
@@ -49,8 +49,8 @@ TEST_F(Config, GivesSettingsThatTheCommandLineOverrules) {
     EXPECT_EQ(plain.size, 3);
 }
 
-TEST_F(Config, RefusesWhatIsNoSettingOrOutOfRange) {
-    for (const char* text : {"colour = 3\n", "size = 99\n", "size = {}\n", "size = \n", "size = [3, 4]\n",
+TEST_F(Config, RejectsUnknownOrInvalidSettings) {
+    for (const char* text : {"color = 3\n", "size = 99\n", "size = {}\n", "size = \n", "size = [3, 4]\n",
                              "size = []\n", "trim = []\n"}) {
         Command c;
         EXPECT_THROW(apply_config(c.app, holding(text)), Error) << text;
@@ -59,7 +59,7 @@ TEST_F(Config, RefusesWhatIsNoSettingOrOutOfRange) {
     EXPECT_THROW(apply_config(c.app, "no-such-preset"), Error);
 }
 
-TEST_F(Config, EveryPresetFitsPrepare) {
+TEST_F(Config, PrepareAcceptsEveryPreset) {
     for (const auto& preset : fs::directory_iterator(VANTAGE_SOURCE_DIR "/configs")) {
         if (preset.path().extension() != ".toml") continue;
         CLI::App app;
@@ -70,17 +70,17 @@ TEST_F(Config, EveryPresetFitsPrepare) {
     }
 }
 
-/// "nan" is neither below nor above any bound.
-void expect_nan_refused(CLI::App& app) {
+/// NaN would pass every comparison with a bound.
+void expect_nan_rejected(CLI::App& app) {
     for (CLI::Option* option : app.get_options())
         if (option->get_type_name().starts_with("FLOAT")) {
             option->add_result("nan");
             EXPECT_THROW(option->run_callback(), CLI::ParseError) << option->get_name();
         }
-    for (CLI::App* sub : app.get_subcommands({})) expect_nan_refused(*sub);
+    for (CLI::App* sub : app.get_subcommands({})) expect_nan_rejected(*sub);
 }
 
-TEST(Options, NoNumberMayBeNan) {
+TEST(Options, RejectNan) {
     CLI::App app, player, bench, evaluate, verify;
     vantage::Run run;
     for (const auto add :
@@ -95,5 +95,5 @@ TEST(Options, NoNumberMayBeNan) {
     add_bench_options(bench, b, unused_by_bench);
     add_evaluate_options(evaluate, e, unused_by_evaluate);
     add_verify_options(verify, v);
-    for (CLI::App* a : {&app, &player, &bench, &evaluate, &verify}) expect_nan_refused(*a);
+    for (CLI::App* a : {&app, &player, &bench, &evaluate, &verify}) expect_nan_rejected(*a);
 }

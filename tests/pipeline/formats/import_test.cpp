@@ -51,7 +51,7 @@ const char* const cube_off =
 
 }  // namespace
 
-TEST_F(Import, ColmapTextAndBinaryGiveTheSameCamera) {
+TEST_F(Import, ColmapTextAndBinaryAgree) {
     put_binary();
     const CameraSet binary = read_cameras(dir);
     fs::remove(dir / "cameras.bin");
@@ -71,8 +71,8 @@ TEST_F(Import, ColmapTextAndBinaryGiveTheSameCamera) {
     EXPECT_NEAR(a.cam_from_world.R.determinant(), 1, 1e-12);
 }
 
-TEST_F(Import, BundlerTurnsItsAxes) {
-    // The same pose, written as Bundler would: rows 2 and 3 negated.
+TEST_F(Import, BundlerAxesAreConverted) {
+    // The same pose in Bundler's convention: rows 2 and 3 negated.
     put("list.txt", "images/a.jpg 0 500\nimages/b.jpg\n");
     put("b.out",
         "# Bundle file v0.3\n2 0\n500 0 0\n1 0 0\n0 -1 0\n0 0 -1\n1 -2 -3\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 "
@@ -84,7 +84,7 @@ TEST_F(Import, BundlerTurnsItsAxes) {
     EXPECT_TRUE(set.entries[0].camera.cam_from_world.t.isApprox(Eigen::Vector3d(1, 2, 3)));
 }
 
-TEST_F(Import, BinaryCutAnywhereIsRefused) {
+TEST_F(Import, BinaryTruncatedAnywhereIsRejected) {
     put_binary();
     std::ifstream in(dir / "images.bin", std::ios::binary);
     const std::string whole{std::istreambuf_iterator<char>(in), {}};
@@ -94,7 +94,7 @@ TEST_F(Import, BinaryCutAnywhereIsRefused) {
     }
 }
 
-TEST_F(Import, HugeCountsAreRefusedBeforeTheyAreUsed) {
+TEST_F(Import, HugeCountsAreRejectedBeforeAllocating) {
     put_binary();
     std::string bad;
     append<std::uint64_t>(bad, 1ull << 60);
@@ -116,14 +116,14 @@ TEST_F(Import, QuadsBecomeTrianglesWithOutwardNormals) {
     EXPECT_TRUE(warnings.empty());
 }
 
-TEST_F(Import, NonManifoldFacesStayAndBrokenOnesAreCounted) {
+TEST_F(Import, KeepsNonManifoldFacesAndCountsBrokenOnes) {
     put("fan.off", "OFF\n5 4 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n3 0 0 1\n");
     std::vector<std::string> warnings;
     EXPECT_EQ(read_mesh(dir / "fan.off", warnings).triangles.size(), 3u);
     EXPECT_EQ(warnings.size(), 1u);
 }
 
-TEST_F(Import, MissingPartsAreNamed) {
+TEST_F(Import, MissingPartsAreReported) {
     try {
         discover(dir);
         FAIL();
@@ -155,9 +155,8 @@ void expect_same(const CameraSet& a, const CameraSet& b) {
 
 }  // namespace
 
-TEST_F(Import, OneSceneInEveryFormatGivesTheSameCamera) {
-    // A camera at (3, -2, 5) that looks at the origin with the world's z up, built here from first
-    // principles.
+TEST_F(Import, AllFormatsGiveTheSameCamera) {
+    // A camera at (3, -2, 5) that looks at the origin with z up, derived from first principles.
     const Eigen::Vector3d center(3, -2, 5),
         z = -center.normalized(), x = z.cross(Eigen::Vector3d::UnitZ()).normalized(), y = z.cross(x);
     Eigen::Matrix3d R;
@@ -187,7 +186,7 @@ TEST_F(Import, OneSceneInEveryFormatGivesTheSameCamera) {
     EXPECT_EQ(read_cameras(dir / "m.mlp").entries[0].camera.intrinsics.cy, 240);
 }
 
-TEST_F(Import, RealvizCamerasAreRefusedSayingWhatIsMissing) {
+TEST_F(Import, RealvizCamerasAreRejectedWithAReason) {
     put("a.rz3", "CREATOR REALVIZ\n");
     try {
         read_cameras(dir / "a.rz3");
@@ -197,7 +196,7 @@ TEST_F(Import, RealvizCamerasAreRefusedSayingWhatIsMissing) {
     }
 }
 
-TEST_F(Import, AnIncompleteMeshLabProjectIsRefused) {
+TEST_F(Import, IncompleteMeshLabProjectIsRejected) {
     for (const char* text :
          {"", "<MeshLabProject>", "<MeshLabProject/>",
           "<MeshLabProject><RasterGroup><MLRaster label='a'><VCGCamera FocalMm='5'/></MLRaster>"
@@ -219,7 +218,7 @@ const char* const survey_ply =
     "500000.125 5000000.0625 100 0.5 255 0 0 128 7\n500001.125 5000000.0625 100 0.25 0 255 0 255 8\n"
     "500000.125 5000001.0625 100 0.125 0 0 255 255 -9\n3 0 1 2\n";
 
-/// The same in binary; on a big-endian reading every value's bytes are turned.
+/// The same in binary; if `big`, in big-endian byte order.
 std::string survey_binary(bool big) {
     std::string s = survey_ply;
     s.replace(s.find("ascii"), 5, big ? "binary_big_endian" : "binary_little_endian");
@@ -247,7 +246,7 @@ std::string survey_binary(bool big) {
 
 }  // namespace
 
-TEST_F(Import, PlyKeepsDoublesColoursAlphaAndScalars) {
+TEST_F(Import, PlyKeepsDoublesColorsAlphaAndScalars) {
     put("text.ply", survey_ply);
     put("little.ply", survey_binary(false));
     put("big.ply", survey_binary(true));
@@ -266,7 +265,7 @@ TEST_F(Import, PlyKeepsDoublesColoursAlphaAndScalars) {
     }
 }
 
-TEST_F(Import, PlyCutAnywhereOrWithImpossibleCountsIsRefused) {
+TEST_F(Import, TruncatedPlyOrImpossibleCountsAreRejected) {
     const std::string whole = survey_binary(false);
     std::vector<std::string> warnings;
     for (std::size_t n = 0; n < whole.size(); ++n) {
@@ -279,7 +278,7 @@ TEST_F(Import, PlyCutAnywhereOrWithImpossibleCountsIsRefused) {
     EXPECT_THROW(read_mesh(dir / "many.ply", warnings), Error);
 }
 
-TEST_F(Import, PointsStripsAndBrokenFacesOfPly) {
+TEST_F(Import, PlyPointsStripsAndBrokenFaces) {
     std::vector<std::string> warnings;
     const std::string vertices = "property float x\nproperty float y\nproperty float z\n";
     put("points.ply",
@@ -295,13 +294,13 @@ TEST_F(Import, PointsStripsAndBrokenFacesOfPly) {
     for (const auto& t : strip.triangles) {
         const Eigen::Vector3d &a = strip.positions[t[0]], &b = strip.positions[t[1]],
                               &c = strip.positions[t[2]];
-        EXPECT_GT((b - a).cross(c - a).z(), 0) << "all wound alike";
+        EXPECT_GT((b - a).cross(c - a).z(), 0) << "consistent winding";
     }
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_NE(warnings[0].find("1 invalid"), std::string::npos);
 }
 
-TEST(ImportReal, BundlerAndColmapAgreeOnSceaux) {
+TEST(RealImport, BundlerAndColmapAgreeOnSceaux) {
     VANTAGE_DATASET(colmap, "sceaux");
     VANTAGE_DATASET(bundler, "sceaux-bundler");
     const CameraSet a = read_cameras(colmap / "sparse"), b = read_cameras(bundler / "bundle.out");

@@ -1,4 +1,4 @@
-// Photos of every kind that a user may bring come out as RGBA, as they look.
+// Photos of every supported kind are decoded to RGBA.
 #include "pipeline/formats/images/photos.h"
 
 #include <OpenImageIO/imageio.h>
@@ -19,8 +19,7 @@ namespace {
 
 class Photos : public TemporaryFolder {
   protected:
-    /// `width` x `height` pixels of `channels` values each, the same everywhere but in the first pixel, which
-    /// is zero.
+    /// Writes `width` x `height` copies of `pixel`, except that the first pixel is zero.
     template <class T>
     fs::path write(const char* name, int width, int height, std::initializer_list<T> pixel,
                    int orientation = 1) {
@@ -47,7 +46,7 @@ Pixel pixel(const RgbaImage& p, int x, int y) {
 
 }  // namespace
 
-TEST_F(Photos, GreySixteenBitsAndAlpha) {
+TEST_F(Photos, GraySixteenBitsAndAlpha) {
     using u8 = std::uint8_t;
     using u16 = std::uint16_t;
     const PhotoSize size{3, 2};
@@ -60,7 +59,7 @@ TEST_F(Photos, GreySixteenBitsAndAlpha) {
     EXPECT_EQ(pixel(read_photo(write<u8>("t.tif", 3, 2, {9, 8, 7}), size), 2, 1), (Pixel{9, 8, 7, 255}));
 }
 
-TEST_F(Photos, AdobeCmykIsInkLeftOut) {
+TEST_F(Photos, AdobeCmykIsInverted) {
     // Adobe stores it inverted: 255 is no ink.
     const std::vector<unsigned char> cmyk{255, 128, 0, 255, 255, 128, 0, 255};
     unsigned char* bytes = nullptr;
@@ -78,8 +77,8 @@ TEST_F(Photos, AdobeCmykIsInkLeftOut) {
     EXPECT_EQ(p[3], 255);
 }
 
-TEST_F(Photos, AreTurnedWhereTheirCameraExpectsThemTurned) {
-    // EXIF 6: the first row is the right side; 8: the left side, from below.
+TEST_F(Photos, AreRotatedOnlyIfTheCameraExpectsIt) {
+    // Where EXIF orientations 5 to 8 put the first stored pixel.
     const std::pair<int, std::array<int, 2>> where[] = {{5, {0, 0}}, {6, {1, 0}}, {7, {1, 2}}, {8, {0, 2}}};
     for (const auto& [orientation, at] : where) {
         const fs::path file = write<std::uint8_t>("o.tif", 3, 2, {200, 200, 200}, orientation);
@@ -92,8 +91,8 @@ TEST_F(Photos, AreTurnedWhereTheirCameraExpectsThemTurned) {
     }
 }
 
-TEST_F(Photos, AProfileThatIsNotSrgbIsNamed) {
-    // The least an ICC profile can be: a header and one tag, its description.
+TEST_F(Photos, ColorProfileIsReportedUnlessSrgb) {
+    // A minimal ICC profile: a header and one tag, the description.
     const auto profile = [](const std::string& description) {
         std::string p(128, '\0');
         const auto add = [&](std::uint32_t v) {
@@ -122,7 +121,7 @@ TEST_F(Photos, AProfileThatIsNotSrgbIsNamed) {
     EXPECT_EQ(read_photo_header(write<std::uint8_t>("n.png", 2, 2, {1, 2, 3})).profile, "");
 }
 
-TEST_F(Photos, OfAnotherSizeCutOrBrokenAreRefused) {
+TEST_F(Photos, WrongSizeTruncatedOrBrokenAreRejected) {
     const fs::path png = write<std::uint8_t>("p.png", 40, 30, {1, 2, 3});
     EXPECT_THROW(read_photo(png, {41, 30}), Error);
     const fs::path jpeg = write<std::uint8_t>("j.jpg", 40, 30, {100, 150, 200});

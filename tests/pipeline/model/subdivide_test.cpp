@@ -10,7 +10,7 @@ using namespace vantage;
 
 namespace {
 
-/// A closed box of 12 triangles, each face cut from corner to corner; `size` apart along each axis.
+/// A closed box of 12 triangles with edges of `size`.
 Mesh box(const Eigen::Vector3d& size) {
     Mesh m;
     ScalarLayer height{"height", {}};
@@ -45,7 +45,7 @@ double volume(const Mesh& m) {
 
 }  // namespace
 
-TEST(Subdivide, TheSurfaceStaysWholeAndItsEdgesBecomeShort) {
+TEST(Subdivide, SurfaceStaysClosedAndEdgesBecomeShort) {
     const Eigen::Vector3d size(3, 2, 0.1);
     const Mesh before = box(size);
     Mesh m = before;
@@ -53,18 +53,18 @@ TEST(Subdivide, TheSurfaceStaysWholeAndItsEdgesBecomeShort) {
     EXPECT_EQ(m.triangles.size(), before.triangles.size() + added);
     EXPECT_GT(m.triangles.size(), 1000u);
     EXPECT_NEAR(area(m), area(before), 1e-9);
-    EXPECT_NEAR(volume(m), size.prod(), 1e-9) << "and every piece turns as its triangle did";
-    std::map<std::array<std::uint32_t, 2>, int> edges;  // how often one way, less how often the other
+    EXPECT_NEAR(volume(m), size.prod(), 1e-9) << "every piece keeps the winding of its triangle";
+    std::map<std::array<std::uint32_t, 2>, int> edges;  // uses in one direction minus uses in the other
     for (const auto& t : m.triangles)
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t a = t[i], b = t[(i + 1) % 3];
             EXPECT_LE((m.positions[a] - m.positions[b]).norm(), size.norm() / 64 + 1e-12);
             edges[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
         }
-    for (const auto& [edge, balance] : edges) ASSERT_EQ(balance, 0) << "a closed surface came open";
+    for (const auto& [edge, balance] : edges) ASSERT_EQ(balance, 0) << "the closed surface has a hole";
 }
 
-TEST(Subdivide, AttributesRunFromCornerToCorner) {
+TEST(Subdivide, AttributesAreInterpolated) {
     Mesh m = box({2, 2, 2});
     subdivide_large_triangles(m);
     ASSERT_EQ(m.normals.size(), m.positions.size());
@@ -77,7 +77,7 @@ TEST(Subdivide, AttributesRunFromCornerToCorner) {
     }
 }
 
-TEST(Subdivide, WhatIsFineAlreadyOrHasNoSizeStays) {
+TEST(Subdivide, FineOrEmptyMeshesStayUnchanged) {
     Mesh m = box({1, 1, 1});
     subdivide_large_triangles(m);
     EXPECT_EQ(subdivide_large_triangles(m), 0u);

@@ -31,18 +31,18 @@ void quiet(const Progress&) {}
 
 }  // namespace
 
-TEST_F(Prepare, SceauxSmallIsSoundCurrentAndTheSameTwice) {
+TEST_F(Prepare, SceauxSmallPassesCheckAndIsDeterministic) {
     VANTAGE_DATASET(input, "sceaux-small");
     PrepareSettings settings;
     prepare(read_scene(discover(input)), settings, dir / "a.vantage", quiet);
     settings.threads = 1;
     prepare(read_scene(discover(input)), settings, dir / "b.vantage", quiet);
-    EXPECT_TRUE(slurp(dir / "a.vantage") == slurp(dir / "b.vantage")) << "with 1 thread and with all";
+    EXPECT_TRUE(slurp(dir / "a.vantage") == slurp(dir / "b.vantage")) << "1 thread against all";
     for (const Issue& i : check_package(dir / "a.vantage", {.deep = true, .against = input}))
         ADD_FAILURE() << i.text;
 }
 
-TEST_F(Prepare, OpenGlRendersWhatTheProcessorDoes) {
+TEST_F(Prepare, OpenGlAndProcessorAgree) {
     synthesize(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
     for (const RenderBy by : {RenderBy::opengl, RenderBy::processor}) {
         PrepareSettings settings;
@@ -64,7 +64,7 @@ TEST_F(Prepare, OpenGlRendersWhatTheProcessorDoes) {
     EXPECT_THROW(prepare(read_scene(discover(dir / "scene")), flooded, dir / "none", quiet), Error);
 }
 
-TEST_F(Prepare, EveryDatasetIsSoundAndCurrent) {
+TEST_F(Prepare, EveryDatasetPassesCheck) {
     for (const char* name : {"sceaux", "sceaux-bundler", "fountain-P11"}) {
         VANTAGE_DATASET(input, name);
         prepare(read_scene(discover(input)), {}, dir / "a.vantage", quiet);
@@ -73,9 +73,9 @@ TEST_F(Prepare, EveryDatasetIsSoundAndCurrent) {
     }
 }
 
-TEST_F(Prepare, OddPhotoSizesAreSound) {
-    // At half size, rounded up, 1062 x 797 has another shape: a thumbnail of that would be 512 x 385, not
-    // 384.
+TEST_F(Prepare, OddPhotoSizesPassCheck) {
+    // Halving with rounding up changes the aspect ratio of 1062 x 797: a thumbnail made from that would be
+    // 512 x 385, not 384.
     for (const auto& [width, height] : {std::pair(1062, 797), {797, 1062}, {513, 1}, {3, 700}}) {
         SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
         spec.photos.count = 1;
@@ -90,7 +90,7 @@ TEST_F(Prepare, OddPhotoSizesAreSound) {
     }
 }
 
-TEST_F(Prepare, VerticesKeepWhatIsTheirsInWhateverOrder) {
+TEST_F(Prepare, ReorderedVerticesKeepTheirAttributes) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
     spec.photos.count = 1;
     synthesize(spec, dir / "scene", {});
@@ -130,7 +130,7 @@ TEST_F(Prepare, VerticesKeepWhatIsTheirsInWhateverOrder) {
     EXPECT_NEAR(area, before, 1e-4 * before);
 }
 
-TEST_F(Prepare, AMeshOfPointsIsRecognised) {
+TEST_F(Prepare, PointCloudIsRejected) {
     VANTAGE_DATASET(input, "sceaux-small");
     SceneInput scene = read_scene(discover(input));
     scene.mesh.triangles.clear();
@@ -144,7 +144,7 @@ TEST_F(Prepare, AMeshOfPointsIsRecognised) {
     EXPECT_FALSE(fs::exists(dir / "a.vantage"));
 }
 
-TEST_F(Prepare, AHeldOutPhotoKeepsItsCameraOnly) {
+TEST_F(Prepare, HeldOutPhotoKeepsOnlyItsCamera) {
     VANTAGE_DATASET(input, "sceaux-small");
     PrepareSettings settings;
     settings.hold_out = {"00003"};
@@ -159,7 +159,7 @@ TEST_F(Prepare, AHeldOutPhotoKeepsItsCameraOnly) {
     EXPECT_THROW(prepare(read_scene(discover(input)), settings, dir / "b.vantage", quiet), Error);
 }
 
-TEST_F(Prepare, DamageIsNamedInEveryChunkAndAtEveryCut) {
+TEST_F(Prepare, DamageAndTruncationAreReportedForEveryChunk) {
     VANTAGE_DATASET(input, "sceaux-small");
     prepare(read_scene(discover(input)), {}, dir / "a.vantage", quiet);
     const fs::path file = dir / "a.vantage";

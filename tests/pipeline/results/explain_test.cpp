@@ -31,16 +31,16 @@ class Explain : public TemporaryFolder {
 
 }  // namespace
 
-TEST_F(Explain, NamesEverySettingWithWhatWasMeasured) {
+TEST_F(Explain, ListsEverySettingWithItsMeasurement) {
     PrepareSettings settings;
     settings.distance = DistanceMethod::jfa;
     settings.photo_size = 165;
-    const std::string said = explained(settings);
+    const std::string text = explained(settings);
     for (const char* option : {"photo-size", "distance", "border-width", "border-threshold", "thumbnail",
                                "cluster-triangles", "per-fragment"})
-        EXPECT_NE(said.find(option), std::string::npos) << option << " in\n" << said;
-    EXPECT_EQ(said.find("not measured"), std::string::npos) << said;
-    EXPECT_EQ(said.find("nan"), std::string::npos) << said;
-    EXPECT_NE(said.find("0.50 of 331 px"), std::string::npos) << said;
-    EXPECT_NE(said.find("jfa "), std::string::npos) << said;
+        EXPECT_NE(text.find(option), std::string::npos) << option << " in\n" << text;
+    EXPECT_EQ(text.find("not measured"), std::string::npos) << text;
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+    EXPECT_NE(text.find("0.50 of 331 px"), std::string::npos) << text;
+    EXPECT_NE(text.find("jfa "), std::string::npos) << text;
 }

@@ -13,7 +13,7 @@
 using namespace vantage;
 namespace fs = std::filesystem;
 
-TEST(Synth, EveryTriangleIsWoundAsItsNormalsSay) {
+TEST(Synth, WindingAgreesWithNormals) {
     SynthSpec spec;
     spec.object.triangles = 2000;
     const SynthModel model = build_model(spec);
@@ -39,11 +39,11 @@ TEST(Synth, CamerasLookAtTheBuildingFromTheFront) {
         const auto hit = rays.first_hit(pose.center(), pose.direction());
         ASSERT_TRUE(hit);
         const auto& v = model.mesh.triangles[hit->triangle];
-        EXPECT_LT(pose.direction().dot(model.mesh.normals[v[0]].cast<double>()), 0) << "sees a front";
+        EXPECT_LT(pose.direction().dot(model.mesh.normals[v[0]].cast<double>()), 0) << "sees a front face";
     }
 }
 
-TEST(Synth, RaysAgreeWithAClosedForm) {
+TEST(Synth, RaysMatchAClosedForm) {
     Mesh square;
     square.positions = {{-1, -1, 3}, {1, -1, 3}, {1, 1, 3}, {-1, 1, 3}};
     square.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -57,7 +57,7 @@ TEST(Synth, RaysAgreeWithAClosedForm) {
     EXPECT_FALSE(rays.occluded(eye, direction, 0, 2.99));
 }
 
-TEST(Synth, ASpecificationsMistakeIsNamed) {
+TEST(Synth, SpecErrorsNameTheKey) {
     const fs::path file =
         fs::temp_directory_path() / ("vantage-spec-" + std::to_string(::getpid()) + ".toml");
     const auto message = [&](const char* text) -> std::string {

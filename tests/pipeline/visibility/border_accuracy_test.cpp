@@ -1,4 +1,4 @@
-// Jump flooding against the exact transform on the depth borders of real photos; prints a row for each
+// Jump flooding compared with the exact transform on the depth borders of real photos; prints one row per
 // variant.
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ namespace {
 
 struct Borders {
     int width, height;
-    float full_width;  ///< of the border mask, in its pixels
+    float full_width;  ///< width of the border mask's ramp, in map pixels
     std::vector<std::uint8_t> pixels;
 };
 
@@ -90,12 +90,12 @@ void compare_on(const char* set) {
             set, name(m), 100 * double(a.wrong) / double(a.pixels), a.worst, a.worst_in_mask,
             1000 * a.seconds / double(all.size()));
         EXPECT_LT(double(a.wrong), 0.01 * double(a.pixels)) << name(m);
-        // The one that `auto` takes on a graphics card.
+        // `auto` uses this variant on a graphics card.
         EXPECT_TRUE(m != DistanceMethod::jfa_squared || a.worst_in_mask <= 2) << a.worst_in_mask;
     }
 }
 
 }  // namespace
 
-TEST(BorderAccuracy, OfJumpFloodingOnSceaux) { compare_on("sceaux"); }
-TEST(BorderAccuracy, OfJumpFloodingOnFountain) { compare_on("fountain-P11"); }
+TEST(BorderAccuracy, JumpFloodingOnSceaux) { compare_on("sceaux"); }
+TEST(BorderAccuracy, JumpFloodingOnFountain) { compare_on("fountain-P11"); }

@@ -1,4 +1,4 @@
-// The processor renders what a graphics card would.
+// The software rasterizer, compared with closed forms, OpenGL and ray casting.
 #include "pipeline/visibility/rasterize.h"
 
 #include <gtest/gtest.h>
@@ -23,14 +23,14 @@ using namespace vantage;
 
 namespace {
 
-class Rasterise : public TemporaryFolder {};
+class Rasterize : public TemporaryFolder {};
 
 PhotoProjection projected(std::span<const Eigen::Vector3f> positions, const Intrinsics& photo,
                           const Pose& pose) {
     return project_model(positions, map_intrinsics(photo), pose, depth_range(positions, pose).x());
 }
 
-/// A square of two triangles in the plane z = `z`, turned about the x axis.
+/// A square of two triangles with its center at depth `z`, rotated about the x axis by `turn`.
 struct Square {
     std::vector<Eigen::Vector3f> positions, normals;
     std::vector<std::uint32_t> indices{0, 1, 2, 0, 2, 3};
@@ -50,7 +50,7 @@ const Intrinsics camera{200, 160, 150, 150, 97.3, 81.6};
 
 }  // namespace
 
-TEST_F(Rasterise, APlaneHasItsDepthAndAngleEverywhere) {
+TEST_F(Rasterize, PlaneMatchesItsClosedForm) {
     for (const float turn : {0.0f, 0.7f, -1.2f}) {
         const Square square(40, 6, turn);
         const PhotoGeometry g = square.seen(camera);
@@ -71,10 +71,10 @@ TEST_F(Rasterise, APlaneHasItsDepthAndAngleEverywhere) {
     }
 }
 
-TEST_F(Rasterise, APlaneThatReachesBehindTheCameraIsCutOff) {
+TEST_F(Rasterize, PlaneReachingBehindTheCameraIsClipped) {
     Square floor(50, 0, 0);
     for (Eigen::Vector3f& p : floor.positions)
-        p = {p.x(), 1, p.y()};  // one below the camera, before and behind it
+        p = {p.x(), 1, p.y()};  // one unit below the camera, in front of and behind it
     for (Eigen::Vector3f& n : floor.normals) n = {0, -1, 0};
     const PhotoGeometry g = floor.seen(camera);
     std::size_t seen = 0;
@@ -92,8 +92,8 @@ TEST_F(Rasterise, APlaneThatReachesBehindTheCameraIsCutOff) {
     EXPECT_GT(seen, 3000u);
 }
 
-TEST_F(Rasterise, NothingShowsBetweenTriangles) {
-    // A fan of slivers around the picture's middle: every pixel inside is covered.
+TEST_F(Rasterize, AdjacentTrianglesLeaveNoGaps) {
+    // A fan of slivers around the center that covers the whole frame.
     std::vector<Eigen::Vector3f> positions{{0, 0, 5}};
     std::vector<std::uint32_t> indices;
     constexpr std::uint32_t parts = 997;
@@ -107,7 +107,7 @@ TEST_F(Rasterise, NothingShowsBetweenTriangles) {
     for (const float z : g.z) ASSERT_NEAR(z, 5, 1e-4);
 }
 
-TEST_F(Rasterise, AgreesWithOpenGl) {
+TEST_F(Rasterize, AgreesWithOpenGl) {
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
     spec.photos.count = 3;
     spec.photos.samples = 1;
@@ -128,15 +128,14 @@ TEST_F(Rasterise, AgreesWithOpenGl) {
             depths += !(a.z[i] == b.z[i] || std::abs(a.z[i] - b.z[i]) < 1e-3f * a.z[i]);
             angles += std::abs(int(a.angle[i]) - int(b.angle[i])) > 1;
         }
-        EXPECT_LT(double(depths) / double(a.z.size()), 2e-3)
-            << "texels along contours, an edge's width apart";
+        EXPECT_LT(double(depths) / double(a.z.size()), 2e-3) << "differences are allowed only along contours";
         EXPECT_LT(double(angles) / double(a.z.size()), 2e-3);
     }
 }
 
-TEST_F(Rasterise, VerticesAreSeenWhereNoRayIsBlocked) {
-    // Triangles of all sizes about the camera, some through its plane; what they hide is nowhere marginal but
-    // by chance.
+TEST_F(Rasterize, VertexVisibilityMatchesRayCasting) {
+    // Triangles of all sizes around the camera, some of which cross its plane. Random, so that hardly any
+    // vertex is marginally visible.
     std::mt19937 random(7);
     std::uniform_real_distribution<float> unit(-1, 1);
     std::vector<Eigen::Vector3f> positions;
@@ -171,8 +170,8 @@ TEST_F(Rasterise, VerticesAreSeenWhereNoRayIsBlocked) {
     EXPECT_EQ(differ, 0u) << "of " << seen + hidden;
 }
 
-TEST_F(Rasterise, AFoldedSurfaceHidesNothingOfItself) {
-    // A finely tessellated sphere: what faces the camera is seen, what faces away is not.
+TEST_F(Rasterize, CurvedSurfaceDoesNotOccludeItself) {
+    // A finely tessellated sphere: vertices facing the camera are seen, the others are not.
     constexpr int rings = 180, sectors = 360;
     std::vector<Eigen::Vector3f> positions;
     std::vector<std::uint32_t> indices;
@@ -195,7 +194,7 @@ TEST_F(Rasterise, AFoldedSurfaceHidesNothingOfItself) {
     for (std::size_t v = 0; v < positions.size(); ++v) {
         const Eigen::Vector3f n = positions[v] - Eigen::Vector3f(0, 0, 5);
         const float facing = -n.dot(positions[v].normalized());
-        // A facet's corners stand out by an edge's slope.
+        // Near the horizon, facets deviate from the sphere by the slope of an edge.
         if (std::abs(facing) > 0.02f) differ += (facing > 0) != (found[v].x() >= 0);
     }
     EXPECT_EQ(differ, 0u) << "of " << positions.size();

@@ -1,4 +1,4 @@
-// The layout of the photos' buffer is the same in C++ and in the shaders.
+// The photo buffer has the same layout in C++ and in the shaders.
 #include <gtest/gtest.h>
 
 #include <cstddef>

@@ -1,0 +1,260 @@
+// README.md and docs/ agree with the programs: every verb, option and choice that they mention is in the
+// output of --help, and the exit codes are those of Exit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "scene/error.h"
+#include "tests/temporary_folder.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The options of one --help output, with the allowed values of those that list them.
+using Options = std::map<std::string, std::set<std::string>>;
+
+struct Program {
+    std::string help;
+    std::map<std::string, Options> verbs;  ///< "": without a verb
+};
+
+/// A command or a part of one, as quoted in a document.
+struct Quote {
+    std::string place, text;
+};
+
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream in(text);
+    return {std::istream_iterator<std::string>(in), {}};
+}
+
+/// All matches of the first group of `pattern`.
+std::vector<std::string> matches(const std::string& text, const char* pattern) {
+    const std::regex regex(pattern);
+    std::vector<std::string> out;
+    for (std::sregex_iterator m(text.begin(), text.end(), regex), end; m != end; ++m) out.push_back((*m)[1]);
+    return out;
+}
+
+/// "{off,full}" or "{average->0,best->2} OR {0,2}": the words of the first braces.
+std::set<std::string> choices_in(const std::string& line) {
+    std::smatch braces;
+    if (!std::regex_search(line, braces, std::regex(R"((?::| in )\{([^}]*)\})"))) return {};
+    const auto words = matches(braces[1], R"(([a-z][a-z0-9+^-]*?)(?:->\d+)?(?:,|$))");
+    return {words.begin(), words.end()};
+}
+
+Options options_in(const std::string& help) {
+    Options out;
+    std::istringstream in(help);
+    const std::regex option(R"(^  (?:(-\w),)?(--[a-z][a-z-]*))");
+    std::smatch found;
+    for (std::string line; std::getline(in, line);)
+        if (std::regex_search(line, found, option))
+            for (const std::string& name : {found[1].str(), found[2].str()})
+                if (!name.empty()) out[name] = choices_in(line);
+    return out;
+}
+
+/// The code spans and the lines of code blocks in a Markdown file.
+std::vector<Quote> quotes_in(const fs::path& file, const std::string& markdown) {
+    std::vector<Quote> out;
+    std::istringstream in(markdown);
+    bool fenced = false;
+    int number = 0;
+    for (std::string line; std::getline(in, line);) {
+        const std::string place = file.filename().string() + ":" + std::to_string(++number);
+        if (line.starts_with("```")) {
+            fenced = !fenced;
+        } else if (fenced || line.starts_with("    ")) {
+            out.push_back({place, std::regex_replace(line, std::regex(R"(\s#.*|\s\(.*|^\s*- run:)"), "")});
+        } else {
+            for (const std::string& span : matches(line, "`([^`]+)`")) out.push_back({place, span});
+        }
+    }
+    return out;
+}
+
+class Help : public TemporaryFolder {
+  protected:
+    std::map<std::string, Program> programs;
+
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        for (const fs::path path : {VANTAGE_PROGRAM, VANTAGE_PLAYER, VANTAGE_BENCH}) {
+            Program p{help_of(path.string()), {}};
+            p.verbs[""] = options_in(p.help);
+            const std::size_t listed = p.help.find("Subcommands:\n");
+            for (const std::string& verb :
+                 listed == std::string::npos
+                     ? matches(p.help, R"( ([a-z]+) --help)")
+                     : matches(p.help.substr(listed, p.help.find("\n\n", listed) - listed),
+                               R"(\n  ([a-z]+) )"))
+                p.verbs[verb] = options_in(help_of(path.string() + " " + verb));
+            programs[path.filename().string()] = p;
+        }
+    }
+    std::string help_of(const std::string& command) const {
+        const fs::path out = dir / "help";
+        EXPECT_EQ(std::system((command + " --help >" + out.string()).c_str()), 0) << command;
+        return slurp(out);
+    }
+    std::vector<Quote> quotes() const {
+        const fs::path root = VANTAGE_SOURCE_DIR;
+        std::vector<fs::path> files{root / "README.md"};
+        for (const auto& entry : fs::directory_iterator(root / "docs"))
+            if (entry.path().extension() == ".md") files.push_back(entry.path());
+        std::vector<Quote> out;
+        for (const fs::path& file : files)
+            std::ranges::copy(quotes_in(file, slurp(file)), std::back_inserter(out));
+        return out;
+    }
+
+    /// What is wrong with the options from `words[first]` on; empty if nothing.
+    static std::string mistake(const Options& options, const std::vector<std::string>& words,
+                               std::size_t first) {
+        for (std::size_t i = first; i < words.size() && words[i] != "&&" && words[i] != "|"; ++i) {
+            if (!std::regex_match(words[i], std::regex("-[a-z]|--[a-z][a-z-]*"))) continue;
+            const auto option = options.find(words[i]);
+            if (option == options.end()) return "has no option " + words[i];
+            const std::set<std::string>& choices = option->second;
+            if (choices.empty() || i + 1 == words.size()) continue;
+            if (!choices.contains(words[i + 1])) return words[i] + " does not take " + words[i + 1];
+        }
+        return {};
+    }
+
+    /// What is wrong with a quote; empty if nothing, or if it is not about these programs.
+    std::string mistake(const std::string& text) const {
+        const std::vector<std::string> words = words_of(text);
+        if (words.empty()) return {};
+        if (const auto found = programs.find(fs::path(words[0]).filename().string());
+            found != programs.end()) {
+            const auto& verbs = found->second.verbs;
+            const bool takes_verbs = found->second.help.find("SUBCOMMAND") != std::string::npos;
+            const auto verb = words.size() > 1 ? verbs.find(words[1]) : verbs.end();
+            if (verb != verbs.end()) return mistake(verb->second, words, 2);
+            if (takes_verbs && words.size() > 1 && !words[1].starts_with('-'))
+                return "has no verb " + words[1];
+            return mistake(verbs.at(""), words, 1);
+        }
+        // A verb with options, or options alone: one of the programs must take them.
+        std::string mistaken;
+        for (const auto& [name, program] : programs)
+            for (const auto& [verb, options] : program.verbs) {
+                const bool of_verb = !verb.empty() && words[0] == verb && words.size() > 1;
+                if (!of_verb && !words[0].starts_with("--")) continue;
+                const std::string here = mistake(options, words, of_verb);
+                if (here.empty()) return {};
+                if (mistaken.empty() || here.find("does not take") != here.npos) mistaken = here;
+            }
+        return mistaken;
+    }
+};
+
+/// A word for the code that its descriptions contain.
+std::optional<std::regex> word_for(Exit code) {
+    switch (code) {
+        case Exit::ok:
+            return std::regex("");
+        case Exit::usage:
+            return std::regex("usage");
+        case Exit::input:
+            return std::regex("input");
+        case Exit::damaged:
+            return std::regex("damaged");
+        case Exit::stale:
+            return std::regex("stale");
+        case Exit::storage:
+            return std::regex("storage");
+        case Exit::graphics:
+            return std::regex("OpenGL|graphics");
+        case Exit::interrupted:
+            return std::regex("interrupted");
+        case Exit::incomplete:
+            return std::regex("incomplete");
+        case Exit::different:
+            return std::regex("differ");
+        case Exit::internal:
+            return std::regex("internal error");
+        case Exit::memory:
+            return std::regex("memory");
+    }
+    return std::nullopt;
+}
+
+/// Codes with their descriptions, by the two groups of `pattern`.
+std::map<int, std::string> codes_in(const std::string& text, const char* pattern) {
+    const std::regex regex(pattern);
+    std::map<int, std::string> out;
+    for (std::sregex_iterator m(text.begin(), text.end(), regex), end; m != end; ++m)
+        EXPECT_TRUE(out.emplace(std::stoi((*m)[1]), (*m)[2]).second) << "listed twice: " << (*m)[0];
+    return out;
+}
+
+void expect_described(const std::map<int, std::string>& codes) {
+    for (const auto& [code, text] : codes) {
+        const auto word = word_for(Exit(code));
+        ASSERT_TRUE(word) << "no exit code " << code;
+        EXPECT_TRUE(std::regex_search(text, *word)) << code << ": " << text;
+    }
+}
+
+}  // namespace
+
+TEST_F(Help, DocumentsMentionOnlyWhatProgramsAccept) {
+    std::size_t commands = 0, options = 0;
+    for (const Quote& q : quotes()) {
+        if (q.text.find("gtest_filter") != std::string::npos) continue;
+        EXPECT_EQ(mistake(q.text), "") << q.place << ": " << q.text;
+        const std::vector<std::string> words = words_of(q.text);
+        commands += !words.empty() && programs.contains(fs::path(words[0]).filename().string());
+        options += !words.empty() && words[0].starts_with("--");
+    }
+    EXPECT_GT(commands, 30u) << "commands were not recognized";
+    EXPECT_GT(options, 15u) << "options were not recognized";
+}
+
+TEST_F(Help, MistakesAreFound) {
+    for (const char* good :
+         {"vantage prepare scan -o p.vantage --hold-out 0003",
+          "build/pipeline/vantage check --deep p.vantage", "vantage-player p.vantage --blend best",
+          "vantage-player evaluate p.vantage --level 3", "prepare --explain", "--blend average",
+          "cmake --build build", "check", "vantage"})
+        EXPECT_EQ(mistake(good), "") << good;
+    for (const char* bad :
+         {"vantage prepare scan --sparkle", "vantage sparkle p.vantage", "vantage check -o p.vantage",
+          "vantage-player p.vantage --deep", "vantage-player p.vantage --blend worst",
+          "vantage-player verify p.vantage --level 3", "prepare --deep", "--sparkle", "--blend worst"})
+        EXPECT_NE(mistake(bad), "") << bad;
+}
+
+TEST_F(Help, ExitCodesAgree) {
+    const std::string readme = slurp(fs::path(VANTAGE_SOURCE_DIR) / "README.md");
+    const std::size_t section = readme.find("## Exit codes");
+    ASSERT_NE(section, std::string::npos);
+    const auto table = codes_in(readme.substr(section, readme.find("\n## ", section + 1) - section),
+                                R"(\| (\d+) \| ([^|]+) )");
+    expect_described(table);
+    for (int code = 0; code < 256; ++code)
+        EXPECT_EQ(table.contains(code), word_for(Exit(code)).has_value()) << code;
+    for (const char* name : {"vantage", "vantage-player"}) {
+        const std::string& help = programs.at(name).help;
+        const std::size_t footer = help.find("Exit codes:");
+        ASSERT_NE(footer, std::string::npos) << name;
+        const auto listed = codes_in(help.substr(footer), R"((\d+) ([^,.]+)[,.])");
+        expect_described(listed);
+        for (const auto& [code, text] : listed) EXPECT_TRUE(table.contains(code)) << name << ": " << code;
+        EXPECT_TRUE(name != std::string("vantage") || listed.size() == table.size()) << help.substr(footer);
+    }
+}
