@@ -57,7 +57,7 @@ std::set<std::string> choices_in(const std::string& line) {
 Options options_in(const std::string& help) {
     Options out;
     std::istringstream in(help);
-    const std::regex option(R"(^  (?:(-\w),)?(--[a-z][a-z-]*))");
+    const std::regex option(R"(^  (?:(-\w),)?(--[a-z][a-z0-9-]*))");
     std::smatch found;
     for (std::string line; std::getline(in, line);)
         if (std::regex_search(line, found, option))
@@ -124,8 +124,10 @@ class Help : public TemporaryFolder {
     static std::string mistake(const Options& options, const std::vector<std::string>& words,
                                std::size_t first) {
         for (std::size_t i = first; i < words.size() && words[i] != "&&" && words[i] != "|"; ++i) {
-            if (!std::regex_match(words[i], std::regex("-[a-z]|--[a-z][a-z-]*"))) continue;
-            const auto option = options.find(words[i]);
+            std::smatch name;
+            if (!std::regex_match(words[i], name, std::regex(R"((-[A-Za-z]|--[A-Za-z][\w-]*)(=.*)?)")))
+                continue;
+            const auto option = options.find(name[1]);
             if (option == options.end()) return "has no option " + words[i];
             const std::set<std::string>& choices = option->second;
             if (choices.empty() || i + 1 == words.size()) continue;
