@@ -3,6 +3,7 @@
 #include <malloc.h>
 #endif
 
+#include "cli/exit_codes.h"
 #include "cli/report_exception.h"
 #include "pipeline/commands/commands.h"
 #include "scene/error.h"
@@ -31,9 +32,10 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", "vantage " VANTAGE_VERSION);
     app.require_subcommand(1);
     app.footer(
-        "Examples:\n  vantage prepare scans/chapel -o chapel.vantage\n  vantage check --deep chapel.vantage\n"
-        "Exit codes: 0 ok, 2 usage, 3 input, 4 damaged package, 5 stale package, 6 storage, 7 graphics,\n"
-        "8 interrupted, 9 incomplete, 10 different, 11 internal error, 12 out of memory.");
+        "Examples:\n"
+        "  vantage prepare scans/chapel -o chapel.vantage\n"
+        "  vantage check --deep chapel.vantage\n" +
+        exit_codes_text());
     Run run;
     for (const auto add :
          {add_prepare, add_merge, add_refine, add_info, add_check, add_diff, add_extract, add_synth})

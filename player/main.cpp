@@ -8,9 +8,8 @@ namespace {
 
 int run(int argc, char** argv) {
     const std::string_view verb = argc > 1 ? argv[1] : "";
-    if (verb == "bench") return vantage::bench_command(argc - 1, argv + 1);
-    if (verb == "evaluate") return vantage::evaluate_command(argc - 1, argv + 1);
-    if (verb == "verify") return vantage::verify_command(argc - 1, argv + 1);
+    for (const vantage::Verb& v : vantage::verbs)
+        if (verb == v.name) return v.command(argc - 1, argv + 1);
     return vantage::show_command(argc, argv);
 }
 

@@ -1,5 +1,6 @@
 // One blending pass: weighted average (de Melo 2017, eq. 3.1), unstructured lumigraph (after Buehler et al. 2001) or
-// best photo (Princ 2014, eq. 2.8).
+// best photo (Princ 2014, eq. 2.8). TAKES_ONE: the photo of the largest weight gives the color; otherwise colors are
+// summed by weight. BLEND_*: the weight, as in player/render/blend_table.cpp.
 #include "photos.glsl"
 
 in vec3 surface_position;
@@ -20,7 +21,7 @@ layout(location = sharpness_uniform) uniform float sharpness;           // radia
 layout(location = lod_bias_uniform) uniform float lod_bias;
 layout(location = blend_show_uniform) uniform uint show;
 layout(location = half_scale_uniform) uniform float half_scale;  // factor of a pass's sums in half floats; 0: full floats
-#ifdef BLEND_BEST
+#ifdef TAKES_ONE
 layout(binding = best_so_far_unit) uniform sampler2D best_so_far;
 #endif
 #ifdef CONSENSUS
@@ -168,7 +169,7 @@ void main() {
     vec4 first = texelFetch(first_sums, ivec2(gl_FragCoord.xy), 0);
     vec3 mean = first.rgb / max(first.a, 1e-30);
 #endif
-#ifdef BLEND_BEST
+#ifdef TAKES_ONE
     vec4 before = texelFetch(best_so_far, ivec2(gl_FragCoord.xy), 0);
     accumulated = before;
     int chosen = -1;
@@ -201,7 +202,7 @@ void main() {
         if ((switches & consensus_mask_switch) != 0u) w *= (max(masks.a * 255.0, 1.0) - 1.0) / 254.0;
 #endif
         if (!(w > 0.0)) continue;
-#ifdef BLEND_BEST
+#ifdef TAKES_ONE
         w = sqrt(sqrt(w));  // compresses 22 orders of magnitude to 6, within the range of half floats
         if (w > accumulated.a) {
             accumulated.a = w;
@@ -219,7 +220,7 @@ void main() {
         accumulated += show == show_coverage ? vec4(c.a) : vec4(c.rgb, 1.0) * w * c.a;
 #endif
     }
-#ifdef BLEND_BEST
+#ifdef TAKES_ONE
     if (chosen >= 0) {
         vec4 c = shown_color(uint(chosen), chosen_pixel, chosen_footprint);
         accumulated = c.a > 0.5 ? vec4(c.rgb, accumulated.a) : before;

@@ -42,7 +42,7 @@ const int half_scale_uniform = 12;
 const int pass_slots_uniform = 16;  // an array, PASS_PHOTOS long
 
 // Uniforms of resolve.
-const int is_best_uniform = 0;
+const int takes_one_uniform = 0;
 const int fill_uniform = 1;
 const int background_uniform = 2;
 const int most_uniform = 3;

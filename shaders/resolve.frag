@@ -5,7 +5,7 @@
 layout(location = 0) out vec4 accumulated;
 layout(binding = sums_unit) uniform sampler2D sums;
 layout(binding = surface_unit) uniform sampler2D surface;
-layout(location = is_best_uniform) uniform bool is_best;        // the sums hold a color already
+layout(location = takes_one_uniform) uniform bool takes_one;    // the sums hold a color already
 layout(location = fill_uniform) uniform bool fill;              // shade holes, and fill the background
 layout(location = background_uniform) uniform vec3 background;  // linear
 layout(location = most_uniform) uniform float most;             // coverage: number of photos of the brightest color; else 0
@@ -32,7 +32,7 @@ void main() {
     vec4 s = texelFetch(sums, ivec2(gl_FragCoord.xy), 0);
     accumulated = vec4(0.0);
     if (s.a > 0.0) {
-        accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(is_best ? s.rgb : s.rgb / s.a), 1.0);
+        accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : s.rgb / s.a), 1.0);
     } else if (fill) {
         vec4 f = texelFetch(surface, ivec2(gl_FragCoord.xy), 0);
         accumulated = vec4(f.a > 0.0 ? f.rgb : background, 1.0);

@@ -16,6 +16,18 @@ int bench_command(int argc, char** argv);
 int evaluate_command(int argc, char** argv);
 int verify_command(int argc, char** argv);
 
+/// A first argument that selects a command other than show_command.
+struct Verb {
+    const char* name;
+    int (*command)(int argc, char** argv);
+    const char* description;  ///< one line, for --help
+};
+inline constexpr Verb verbs[] = {
+    {"bench", bench_command, "fly scripted paths and measure every frame"},
+    {"evaluate", evaluate_command, "leave out each photo in turn and score the picture that the others give"},
+    {"verify", verify_command, "compare renderings of packages with stored pictures"},
+};
+
 void add_show_options(CLI::App& app, ShowOptions& options);
 void add_bench_options(CLI::App& app, BenchOptions& options, UnusedOptions& unused);
 void add_evaluate_options(CLI::App& app, EvaluateOptions& options, UnusedOptions& unused);

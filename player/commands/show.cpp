@@ -1,5 +1,7 @@
 #include <cstdio>
+#include <string>
 
+#include "cli/exit_codes.h"
 #include "player/commands/commands.h"
 #include "player/commands/offscreen.h"
 #include "player/commands/parse.h"
@@ -13,6 +15,17 @@ void list_photos(const PackageReader& package) {
     for (const package::PhotoRecord& p : package.photos())
         std::printf("%s  %ux%u  sees %.1f %% of the vertices%s\n", p.name, p.width, p.height,
                     100 * p.visible_vertices, p.flags & package::photo_held_out ? "  held out" : "");
+}
+
+/// One line per verb.
+std::string verbs_text() {
+    std::string out;
+    for (const Verb& verb : verbs) {
+        std::string name = verb.name;
+        name.resize(10, ' ');
+        out += "  " + name + verb.description + "\n";
+    }
+    return out;
 }
 
 }  // namespace
@@ -31,9 +44,8 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
         "  vantage-player chapel.vantage --offscreen --photo 0003 -o 0003.png\n"
         "  vantage-player chapel.vantage --offscreen --photo all --scale 0.5 --blend best -o pictures\n"
         "  vantage-player chapel.vantage --offscreen --view 4,-9,2,0,0,1,40 --size 1920x1080 -o view.png\n"
-        "  vantage-player bench --help, evaluate --help, verify --help\n"
-        "Exit codes: 0 success, 2 usage, 3 input, 4 damaged package, 6 storage, 7 graphics,\n"
-        "11 internal error, 12 out of memory.");
+        "Verbs (vantage-player VERB --help):\n" +
+        verbs_text() + exit_codes_text());
 }
 
 int show_command(int argc, char** argv) {

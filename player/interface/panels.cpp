@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cfloat>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <string>
 
 #include "player/interface/controls.h"
+#include "player/render/blend_table.h"
 
 namespace vantage {
 namespace {
@@ -22,19 +25,19 @@ void section(const char* title) {
     ImGui::Separator();
 }
 
-template <class Enum>
-void choice(Controls& c, const char* name, Enum& value, const char* const names[], int count) {
+template <class Enum, int count>
+void choice(Controls& c, const char* name, Enum& value, const char* const (&names)[count]) {
+    static_assert(count == int(Enum::count));
     int index = int(value);
     if (c.combo(name, &index, names, count)) value = Enum(index);
 }
 
 void blend_section(Controls& c, RenderSettings& r) {
     int blend = int(r.blend);
-    c.radio("Lumigraph", &blend, int(Blend::lumigraph));
-    ImGui::SameLine();
-    c.radio("Average", &blend, int(Blend::average));
-    ImGui::SameLine();
-    c.radio("Best photo", &blend, int(Blend::best));
+    for (const BlendRow& row : blend_table()) {
+        if (&row != &blend_table().front()) ImGui::SameLine();
+        c.radio(row.label, &blend, int(row.blend));
+    }
     r.blend = Blend(blend);
     c.slider("Sharpness", &r.weights.sharpness, 0.01, 1.0, "%.3f rad", ImGuiSliderFlags_Logarithmic);
     c.slider("Exponent", &r.weights.exponent, 0.0, 32.0, "%.1f");
@@ -70,12 +73,12 @@ void photo_section(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
     static const char* const choices[] = {"cover what is seen", "nearest", "direction",
                                           "direction and normals"};
-    choice(c, "Choose", r.choice, choices, 4);
+    choice(c, "Choose", r.choice, choices);
     c.slider("Photos", &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));
     c.slider("Per pass", &r.photos_per_pass, 1, most_photos_per_pass);
     c.slider("Angle limit", &r.angle_limit, 10.0, 180.0, "%.0f deg");
     static const char* const coordinates[] = {"as the scene asks", "per vertex", "per fragment"};
-    choice(c, "Coordinates", r.coordinates, coordinates, 3);
+    choice(c, "Coordinates", r.coordinates, coordinates);
 }
 
 /// Only if the package's exposures were refined.
@@ -94,10 +97,28 @@ void show_section(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
     exposure_section(c, s, renderer);
     static const char* const shows[] = {"photos", "which photo", "how many photos"};
-    choice(c, "Show", r.show, shows, 3);
+    choice(c, "Show", r.show, shows);
     static const char* const compares[] = {"nothing", "side by side", "wiper", "difference"};
-    choice(c, "Compare", r.compare, compares, 4);
+    choice(c, "Compare", r.compare, compares);
     if (r.compare == Compare::wiper) c.slider("Wiper", &r.wiper, 0.0, 1.0);
+}
+
+struct Shortcuts {
+    std::string keys, labels;
+};
+
+/// "1 2 3" and "lumigraph, average, best photo".
+Shortcuts blend_shortcuts() {
+    Shortcuts out;
+    int key = 1;
+    for (const BlendRow& row : blend_table()) {
+        std::string label = row.label;
+        label[0] = char(std::tolower(label[0]));
+        out.keys += (key > 1 ? " " : "") + std::to_string(key);
+        out.labels += (key > 1 ? ", " : "") + label;
+        ++key;
+    }
+    return out;
 }
 
 void budget_bar(const char* name, double held, double budget) {
@@ -216,24 +237,25 @@ void status_panel(const Session& s, const Renderer& renderer) {
 }
 
 void help_panel(Session& s) {
+    const Shortcuts blends = blend_shortcuts();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
     if (ImGui::Begin("Mouse and keys", &s.panels.help,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
-        static const char* const lines[][2] = {{"drag", "orbit the model"},
-                                               {"drag, right button", "look around"},
-                                               {"drag, middle button", "pan"},
-                                               {"wheel", "move closer or away"},
-                                               {"W A S D, Q E", "fly; faster with Shift"},
-                                               {"N, B", "fly to the next or previous photo"},
-                                               {"C", "compare: side by side, wiper, difference"},
-                                               {"V", "show photos, which photo, how many photos"},
-                                               {"1 2 3", "lumigraph, average, best photo"},
-                                               {"R, T", "record a path, replay it"},
-                                               {"O", "open another package (or drop it here)"},
-                                               {"P", "screenshot"},
-                                               {"F1 to F6", "help and panels"},
-                                               {"Esc", "quit"}};
+        const char* const lines[][2] = {{"drag", "orbit the model"},
+                                        {"drag, right button", "look around"},
+                                        {"drag, middle button", "pan"},
+                                        {"wheel", "move closer or away"},
+                                        {"W A S D, Q E", "fly; faster with Shift"},
+                                        {"N, B", "fly to the next or previous photo"},
+                                        {"C", "compare: side by side, wiper, difference"},
+                                        {"V", "show photos, which photo, how many photos"},
+                                        {blends.keys.c_str(), blends.labels.c_str()},
+                                        {"R, T", "record a path, replay it"},
+                                        {"O", "open another package (or drop it here)"},
+                                        {"P", "screenshot"},
+                                        {"F1 to F6", "help and panels"},
+                                        {"Esc", "quit"}};
         for (const auto& line : lines) {
             ImGui::TextColored(ImVec4(0.55f, 0.75f, 1, 1), "%s", line[0]);
             ImGui::SameLine(190);

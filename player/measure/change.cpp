@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "scene/grid.h"
+
 namespace vantage {
 namespace {
 
@@ -42,14 +44,13 @@ double squares(const Picture& photo, const Picture& picture, const PictureScore&
 Integral gained(const Picture& photo, const Picture& before, const Picture& after, const Change& change,
                 const std::vector<bool>& scored) {
     Integral out(photo.width, photo.height);
+    std::size_t i = 0;
     for (int y = 0; y < photo.height; ++y)
-        for (int x = 0; x < photo.width; ++x) {
-            const std::size_t i = std::size_t(y) * std::size_t(photo.width) + std::size_t(x);
+        for (int x = 0; x < photo.width; ++x, ++i)
             out.add(x, y,
                     scored[i]
                         ? squares(photo, before, change.before, i) - squares(photo, after, change.after, i)
                         : 0);
-        }
     return out;
 }
 
@@ -86,11 +87,11 @@ Picture side_by_side(const Picture& photo, const Picture& before, const Picture&
     out.height = p.height;
     out.rgba.resize(std::size_t(out.width) * std::size_t(out.height) * 4, 0);
     int column = 0;
-    for (const Picture* from : {&photo, &before, &after}) {
+    const Grid<std::uint8_t> to{out.rgba.data(), 4 * out.width, out.height};
+    for (const Picture* picture : {&photo, &before, &after}) {
+        const Grid<const std::uint8_t> from{picture->rgba.data(), 4 * picture->width, picture->height};
         for (int y = 0; y < p.height; ++y)
-            std::memcpy(&out.rgba[4 * (std::size_t(y) * std::size_t(out.width) + std::size_t(column))],
-                        &from->rgba[4 * (std::size_t(p.y + y) * std::size_t(from->width) + std::size_t(p.x))],
-                        4 * std::size_t(p.width));
+            std::memcpy(&to(4 * column, y), &from(4 * p.x, p.y + y), 4 * std::size_t(p.width));
         column += p.width + gap;
     }
     return out;

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "player/measure/photo_pixels.h"
+#include "scene/grid.h"
 #include "scene/quantile.h"
 #include "scene/tiling.h"
 
@@ -17,14 +18,15 @@ std::vector<bool> surface_pixels(const PackageReader& package, std::uint32_t pho
     const int last = mask_levels_end(int(package.photos()[photo].levels)) - 1;
     const int from = std::clamp(level, mask_level, last);
     const Picture masks = level_of_photo(package, package::Type::masks, photo, from);
-    std::vector<bool> out(like.rgba.size() / 4);
+    const Grid<const std::uint8_t> texels{masks.rgba.data(), 4 * masks.width, masks.height};
+    std::vector<bool> out;
+    out.reserve(like.rgba.size() / 4);
     for (int y = 0; y < like.height; ++y)
         for (int x = 0; x < like.width; ++x) {
             const int shift = from - level;
             const int u = std::min(shift >= 0 ? x >> shift : x << -shift, masks.width - 1),
                       v = std::min(shift >= 0 ? y >> shift : y << -shift, masks.height - 1);
-            out[std::size_t(y) * std::size_t(like.width) + std::size_t(x)] =
-                masks.rgba[(std::size_t(v) * std::size_t(masks.width) + std::size_t(u)) * 4 + 3] > 0;
+            out.push_back(texels(4 * u + 3, v) > 0);
         }
     return out;
 }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "scene/error.h"
+#include "scene/grid.h"
 #include "scene/tiling.h"
 
 namespace vantage {
@@ -16,17 +17,18 @@ Picture level_of_photo(const PackageReader& package, package::Type type, std::ui
     const Level size = level_size(int(record.width), int(record.height), level);
     Picture p{size.width, size.height, {}, {}};
     p.rgba.resize(std::size_t(size.width) * std::size_t(size.height) * 4);
+    const Grid<std::uint8_t> out{p.rgba.data(), 4 * size.width, size.height};
     for (int t = 0; t < size.tiles(); ++t) {
         if (!package.block_sound(*chunk, std::size_t(t)))
             throw Error(Exit::damaged, package.path().string() + ": " + describe(*chunk, package) +
                                            ": tile " + std::to_string(t) + ": checksum mismatch");
-        const std::span<const std::byte> tile = package.block(*chunk, std::size_t(t));
+        const Grid<const std::byte> texels{package.block(*chunk, std::size_t(t)).data(), 4 * tile_size,
+                                           tile_size};
         const int x0 = t % size.columns() * tile_content, y0 = t / size.columns() * tile_content;
         const int width = std::min(tile_content, size.width - x0),
                   height = std::min(tile_content, size.height - y0);
         for (int y = 0; y < height; ++y)
-            std::memcpy(p.rgba.data() + (std::size_t(y0 + y) * std::size_t(size.width) + std::size_t(x0)) * 4,
-                        tile.data() + (std::size_t(y + tile_border) * tile_size + tile_border) * 4,
+            std::memcpy(&out(4 * x0, y0 + y), &texels(4 * tile_border, y + tile_border),
                         std::size_t(width) * 4);
     }
     return p;

@@ -1,9 +1,11 @@
 #include "player/options/blending_options.h"
 
 #include <map>
+#include <string>
 
-#include "player/camera/shots.h"
 #include "cli/real_range.h"
+#include "player/camera/shots.h"
+#include "player/render/blend_table.h"
 
 namespace vantage {
 namespace {
@@ -11,12 +13,15 @@ namespace {
 const char* const group = "Blending";
 
 void add_choices(CLI::App& app, RenderSettings& r) {
-    app.add_option("--blend", r.blend,
-                   "lumigraph: by the angle between the rays to viewer and photo, fading at borders; "
-                   "average: by distance, angle and all masks; best: each point from one photo")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, Blend>{
-            {"average", Blend::average}, {"lumigraph", Blend::lumigraph}, {"best", Blend::best}}))
-        ->default_str("lumigraph")
+    std::map<std::string, Blend> blends;
+    std::string help;
+    for (const BlendRow& row : blend_table()) {
+        blends[row.name] = row.blend;
+        help += (help.empty() ? "" : "; ") + std::string(row.name) + ": " + row.help;
+    }
+    app.add_option("--blend", r.blend, help)
+        ->transform(CLI::CheckedTransformer(blends))
+        ->default_str(blend_row(r.blend).name)
         ->group(group);
     app.add_option("--coordinates", r.coordinates,
                    "texture coordinates: auto (the package's effect), vertex, fragment")

@@ -8,6 +8,7 @@ enum class Choice {
     nearest,    ///< those whose cameras are nearest to the viewer
     direction,  ///< [P]: best corrected directions and largest hulls
     normals,    ///< as `direction`, plus photos facing the normals of what is still uncovered [P]
+    count
 };
 
 struct PlanSettings {

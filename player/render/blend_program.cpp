@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "player/render/blend_table.h"
+
 namespace vantage {
 
 gl::Program make_blend_program(const BlendVariant& v, const package::SceneRecord& scene) {
@@ -11,8 +13,9 @@ gl::Program make_blend_program(const BlendVariant& v, const package::SceneRecord
     if (!v.refined_colors) effects &= ~effects_from(Basis::colors);
     std::vector<std::string> defines = shader_defines("blend", effects);
     defines.push_back("PASS_PHOTOS " + std::to_string(v.photos));
-    if (v.blend == Blend::best) defines.emplace_back("BLEND_BEST");
-    if (v.blend == Blend::lumigraph) defines.emplace_back("BLEND_LUMIGRAPH");
+    const BlendRow& row = blend_row(v.blend);
+    if (*row.define) defines.emplace_back(row.define);
+    if (row.takes_one) defines.emplace_back("TAKES_ONE");
     if (v.consensus) defines.emplace_back("CONSENSUS");
     if (v.traces_texels) defines.emplace_back("TRACE_TEXELS");
     if (!v.trilinear) defines.emplace_back("BILINEAR");

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <string>
 
+#include "player/render/blend_table.h"
+
 namespace vantage {
 namespace {
 
@@ -146,7 +148,7 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_EQUAL);
-    if (settings.blend != Blend::best || settings.show == Show::coverage) {
+    if (!takes_one(settings.blend) || settings.show == Show::coverage) {
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE);
     } else {
@@ -158,7 +160,7 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
     set_uniforms(pass, drawn);
     std::vector<std::uint32_t> photos;
     // The best color so far is copied from target to target, so every cluster is drawn.
-    const std::uint32_t always = settings.blend == Blend::best ? 1u << most_photos_per_pass : 0;
+    const std::uint32_t always = takes_one(settings.blend) ? 1u << most_photos_per_pass : 0;
     cluster_photos_.assign(scene_->clusters.size(), always);
     for (const PlannedPhoto* p : pass) {
         for (const std::uint32_t c : p->clusters) cluster_photos_[c] |= 1u << photos.size();

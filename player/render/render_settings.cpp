@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "player/render/blend_table.h"
+
 namespace vantage {
 
 PlanSettings plan_settings(const RenderSettings& s) {
@@ -17,7 +19,7 @@ PlanSettings plan_settings(const RenderSettings& s) {
     p.samples = std::exp2(-s.lod_bias) * std::max(1.0, s.anisotropy / 4.0);
     if (!s.complete) p.worth = 0.1;  // half the bytes, and at least 47 dB from all tiles that may be sampled
     const bool falls = s.weights.angle && !s.weights.angle_per_photo && s.show != Show::coverage;
-    if (falls && s.blend != Blend::best) p.sharpness = s.weights.sharpness;
+    if (falls && !takes_one(s.blend)) p.sharpness = s.weights.sharpness;
     return p;
 }
 

@@ -10,14 +10,15 @@
 
 namespace vantage {
 
-/// Weighted average [M], unstructured lumigraph (after Buehler et al. 2001) or best photo [P].
-enum class Blend { average, lumigraph, best };
+/// Weighted average [M], unstructured lumigraph (after Buehler et al. 2001) or best photo [P]; rows of
+/// blend_table(). The window's settings file stores the numbers.
+enum class Blend { average, lumigraph, best, count };
 /// Texture coordinates per vertex or per fragment; automatic: as the package's effects say.
-enum class Coordinates { automatic, vertex, fragment };
+enum class Coordinates { automatic, vertex, fragment, count };
 /// False colors: which photo, or how many photos. Values as in shaders/contract.glsl.
-enum class Show { colors, sources, coverage };
+enum class Show { colors, sources, coverage, count };
 /// Comparison with the photo taken at the view. Values as in shaders/contract.glsl.
-enum class Compare { nothing, side_by_side, wiper, difference };
+enum class Compare { nothing, side_by_side, wiper, difference, count };
 
 inline constexpr int most_photos_per_pass = 16;
 /// Photos that a window blends: 4 look as good as 8 and take two thirds to four fifths of the time

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gl/context.h"
+#include "player/render/blend_table.h"
 #include "scene/error.h"
 #include "scene/tiling.h"
 
@@ -117,7 +118,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
         glClearNamedFramebufferfv(sums.id(), GL_COLOR, 0, zero.data());
     int into = 0;
     draw_passes(shown, frame, false, into);
-    if (settings.consensus && settings.blend != Blend::best) {
+    if (settings.consensus && !takes_one(settings.blend)) {
         into = 1;
         draw_passes(shown, frame, true, into);
     }
@@ -231,7 +232,7 @@ void Renderer::draw_passes(Pass photos, Frame& frame, bool consensus, int& into)
         const Pass pass = rest.first(pass_length(rest, frame.drawn.settings));
         rest = rest.subspan(pass.size());
         if (frame.drawn.settings.complete) load(pass, frame);
-        if (frame.drawn.settings.blend == Blend::best) into = 1 - into;
+        if (takes_one(frame.drawn.settings.blend)) into = 1 - into;
         frame.report.draws += passes_.draw_photos(pass, frame.drawn, targets_, consensus, into);
     }
 }
@@ -249,7 +250,7 @@ void Renderer::resolve(int sums, const Frame& frame) {
     glBlendFunc(GL_ONE, GL_ONE);
     glUseProgram(resolve_program_.id());
     const bool counts = frame.drawn.settings.show == Show::coverage;
-    glUniform1i(shader::is_best_uniform, frame.drawn.settings.blend == Blend::best && !counts);
+    glUniform1i(shader::takes_one_uniform, takes_one(frame.drawn.settings.blend) && !counts);
     glUniform1i(shader::fill_uniform, frame.drawn.settings.fill_holes);
     glUniform3fv(shader::background_uniform, 1, frame.drawn.settings.background);
     glUniform1f(shader::most_uniform, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "player/render/blend_table.h"
+
 namespace vantage {
 namespace {
 
@@ -41,8 +43,8 @@ void move_by_keys(Session& s) {
 }
 
 template <class Enum>
-void next(Enum& value, Enum last) {
-    value = value == last ? Enum(0) : Enum(int(value) + 1);
+void next(Enum& value) {
+    value = Enum((int(value) + 1) % int(Enum::count));
 }
 
 /// Flies to the next photo with pixels, or the previous one (`by` -1).
@@ -57,11 +59,10 @@ void fly_on(Session& s, const PlanScene& scene, int by, double now) {
 void run_shortcuts(Session& s, const PlanScene& scene, double now) {
     if (pressed(GLFW_KEY_N)) fly_on(s, scene, 1, now);
     if (pressed(GLFW_KEY_B)) fly_on(s, scene, -1, now);
-    if (pressed(GLFW_KEY_C)) next(s.settings.compare, Compare::difference);
-    if (pressed(GLFW_KEY_V)) next(s.settings.show, Show::coverage);
-    if (pressed(GLFW_KEY_1)) s.settings.blend = Blend::lumigraph;
-    if (pressed(GLFW_KEY_2)) s.settings.blend = Blend::average;
-    if (pressed(GLFW_KEY_3)) s.settings.blend = Blend::best;
+    if (pressed(GLFW_KEY_C)) next(s.settings.compare);
+    if (pressed(GLFW_KEY_V)) next(s.settings.show);
+    for (int key = GLFW_KEY_1; const BlendRow& row : blend_table())
+        if (pressed(key++)) s.settings.blend = row.blend;
     if (pressed(GLFW_KEY_R)) {
         s.recording = !s.recording;
         if (s.recording) s.recorded.clear();

@@ -50,10 +50,10 @@ void read(const nlohmann::json& j, const char* name, T& value) {
 }
 
 template <class Enum>
-void read_enum(const nlohmann::json& j, const char* name, Enum last, Enum& value) {
+void read_enum(const nlohmann::json& j, const char* name, Enum& value) {
     int number = -1;
     read(j, name, number);
-    if (number >= 0 && number <= int(last)) value = Enum(number);
+    if (number >= 0 && number < int(Enum::count)) value = Enum(number);
 }
 
 }  // namespace
@@ -70,8 +70,8 @@ Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
     const nlohmann::json j = nlohmann::json::parse(in, nullptr, false);
     if (!j.is_object()) return r;
     for_fields(r, [&](const char* name, auto& value) { read(j, name, value); });
-    read_enum(j, "blend", Blend::best, r.settings.blend);
-    read_enum(j, "choice", Choice::normals, r.settings.choice);
+    read_enum(j, "blend", r.settings.blend);
+    read_enum(j, "choice", r.settings.choice);
     // The file may have been edited: clamps to valid ranges.
     r.window.width = std::clamp(r.window.width, 320, 16384);
     r.window.height = std::clamp(r.window.height, 240, 16384);

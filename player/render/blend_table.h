@@ -1,0 +1,23 @@
+#pragma once
+#include <span>
+
+#include "player/render/render_settings.h"
+
+namespace vantage {
+
+/// A blend mode is a row of the table in blend_table.cpp and a branch of weight_of() in shaders/blend.frag.
+struct BlendRow {
+    Blend blend;
+    const char* name;    ///< on the command line
+    const char* label;   ///< in the blending panel
+    const char* help;    ///< for --help: what decides a photo's weight
+    const char* define;  ///< the preprocessor symbol of its weight, "" for the shader's default
+    bool takes_one;      ///< the photo of the largest weight gives the color, instead of a weighted mean
+};
+
+/// In the order of the radio buttons and of the keys 1, 2, 3.
+std::span<const BlendRow> blend_table();
+const BlendRow& blend_row(Blend blend);
+inline bool takes_one(Blend blend) { return blend_row(blend).takes_one; }
+
+}  // namespace vantage
