@@ -35,9 +35,7 @@ int main(int argc, char** argv) {
         "Exit codes: 0 ok, 2 usage, 3 input, 4 damaged package, 5 stale package, 6 storage, 7 graphics,\n"
         "8 interrupted, 9 incomplete, 10 different, 11 internal error, 12 out of memory.");
     Run run;
-    for (const auto add :
-         {add_prepare, add_merge, add_refine, add_info, add_check, add_diff, add_extract, add_synth})
-        add(app, run);
+    for (const auto add : all_commands) add(app, run);
     try {
         app.parse(argc, argv);
         return run();
