@@ -8,6 +8,7 @@
 
 #include "gl/context.h"
 #include "gl/object.h"
+#include "shaders/contract.h"
 
 namespace vantage {
 namespace {
@@ -52,12 +53,16 @@ std::vector<float> flood_distance(const gl::Program& jump_flood, const std::vect
     gl::Texture improved = gl::make_texture_2d("jump flood, next", GL_RG16I, width, height);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTextureSubImage2D(known.id(), 0, 0, 0, width, height, GL_RG_INTEGER, GL_SHORT, seeds.data());
+    const auto groups = [](int texels) {
+        return GLuint(texels + shader::flood_group_texels - 1) / GLuint(shader::flood_group_texels);
+    };
     glUseProgram(jump_flood.id());
     for (const int stride : strides(std::max(width, height), variant)) {
-        glBindImageTexture(0, known.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RG16I);
-        glBindImageTexture(1, improved.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG16I);
-        glUniform1i(0, stride);
-        glDispatchCompute(GLuint(width + 15) / 16, GLuint(height + 15) / 16, 1);
+        glBindImageTexture(shader::known_seeds_image, known.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RG16I);
+        glBindImageTexture(shader::improved_seeds_image, improved.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
+                           GL_RG16I);
+        glUniform1i(shader::stride_uniform, stride);
+        glDispatchCompute(groups(width), groups(height), 1);
         glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
         std::swap(known, improved);
     }
