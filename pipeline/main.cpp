@@ -37,9 +37,7 @@ int main(int argc, char** argv) {
         "  vantage check --deep chapel.vantage\n" +
         exit_codes_text());
     Run run;
-    for (const auto add :
-         {add_prepare, add_merge, add_refine, add_info, add_check, add_diff, add_extract, add_synth})
-        add(app, run);
+    for (const auto add : all_commands) add(app, run);
     try {
         app.parse(argc, argv);
         return run();

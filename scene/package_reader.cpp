@@ -169,14 +169,14 @@ PackageReader& PackageReader::operator=(PackageReader&&) noexcept = default;
 const std::filesystem::path& PackageReader::path() const { return map_->path; }
 std::uint64_t PackageReader::size() const { return map_->size; }
 const package::Header& PackageReader::header() const { return map_->header(); }
-std::span<const DirectoryEntry> PackageReader::directory() const { return map_->directory; }
+std::span<const DirectoryEntry> PackageReader::directory() const& { return map_->directory; }
 
 const DirectoryEntry* PackageReader::find(Type type, std::uint32_t photo, std::uint32_t level) const {
     const auto it = map_->index.find({std::uint32_t(type), photo, level});
     return it == map_->index.end() ? nullptr : it->second;
 }
 
-std::span<const std::byte> PackageReader::bytes(const DirectoryEntry* e) const {
+std::span<const std::byte> PackageReader::bytes(const DirectoryEntry* e) const& {
     return e ? std::span(map_->data + e->offset, e->head_length) : std::span<const std::byte>{};
 }
 
@@ -184,7 +184,7 @@ std::size_t PackageReader::blocks(const DirectoryEntry& e) const {
     return e.block_length ? (e.length - e.head_length) / e.block_length : 0;
 }
 
-std::span<const std::byte> PackageReader::block(const DirectoryEntry& e, std::size_t i) const {
+std::span<const std::byte> PackageReader::block(const DirectoryEntry& e, std::size_t i) const& {
     if (i >= blocks(e))
         map_->damaged(Defect::chunk_missing,
                       describe(e, *this) + ": block " + std::to_string(i) + " does not exist");
@@ -197,7 +197,7 @@ bool PackageReader::block_sound(const DirectoryEntry& e, std::size_t i) const {
     return checksum(block(e, i)) == expected;
 }
 
-std::span<const std::byte> PackageReader::raw(const DirectoryEntry& e) const {
+std::span<const std::byte> PackageReader::raw(const DirectoryEntry& e) const& {
     return {map_->data + e.offset, e.length};
 }
 
@@ -267,7 +267,7 @@ const package::SceneRecord& PackageReader::scene() const {
     return map_->scene;
 }
 
-std::span<const package::PhotoRecord> PackageReader::photos() const {
+std::span<const package::PhotoRecord> PackageReader::photos() const& {
     std::call_once(map_->photos_read, [this] {
         const auto given = records<package::PhotoRecord>(Type::photos);
         std::vector<package::PhotoRecord> photos(given.begin(), given.end());
@@ -279,7 +279,7 @@ std::span<const package::PhotoRecord> PackageReader::photos() const {
     return map_->photos;
 }
 
-std::string_view PackageReader::meta() const {
+std::string_view PackageReader::meta() const& {
     const auto text = records<char>(Type::meta);
     return {text.data(), text.size()};
 }

@@ -15,7 +15,7 @@ namespace vantage {
 
 /// A mapped package. Opening it reads and checks the header and the directory only. While open it holds a
 /// shared lock, by which other processes see that the file is in use. Spans point into the mapping and live
-/// as long as the reader.
+/// as long as the reader, so a temporary reader gives none.
 class PackageReader {
   public:
     /// What is accepted: only a whole package, or also one that is still being prepared. Of that one, only
@@ -31,22 +31,26 @@ class PackageReader {
     const std::filesystem::path& path() const;
     std::uint64_t size() const;
     const package::Header& header() const;
-    std::span<const package::DirectoryEntry> directory() const;
+    std::span<const package::DirectoryEntry> directory() const&;
+    std::span<const package::DirectoryEntry> directory() const&& = delete;
 
     /// The chunk's entry, or null if the package has no such chunk.
     const package::DirectoryEntry* find(package::Type type, std::uint32_t photo = package::scene_wide,
                                         std::uint32_t level = 0) const;
 
     /// The head of a chunk, which is all of it if it has no blocks; empty for null.
-    std::span<const std::byte> bytes(const package::DirectoryEntry* entry) const;
+    std::span<const std::byte> bytes(const package::DirectoryEntry* entry) const&;
+    std::span<const std::byte> bytes(const package::DirectoryEntry*) const&& = delete;
     /// Number of blocks.
     std::size_t blocks(const package::DirectoryEntry& entry) const;
     /// Throws Error(damaged) if there is no such block.
-    std::span<const std::byte> block(const package::DirectoryEntry& entry, std::size_t index) const;
+    std::span<const std::byte> block(const package::DirectoryEntry& entry, std::size_t index) const&;
+    std::span<const std::byte> block(const package::DirectoryEntry&, std::size_t) const&& = delete;
     /// True if the block's checksum matches.
     bool block_sound(const package::DirectoryEntry& entry, std::size_t index) const;
     /// Head and blocks as stored, and the file's descriptor, for copying.
-    std::span<const std::byte> raw(const package::DirectoryEntry& entry) const;
+    std::span<const std::byte> raw(const package::DirectoryEntry& entry) const&;
+    std::span<const std::byte> raw(const package::DirectoryEntry&) const&& = delete;
     int descriptor() const;
     /// Releases the pages of these bytes, or of all; they are read from the file again when needed.
     void forget(std::span<const std::byte> bytes) const;
@@ -60,16 +64,21 @@ class PackageReader {
     /// match, or its length is not a multiple of the record's.
     template <class T>
     std::span<const T> records(package::Type type, std::uint32_t photo = package::scene_wide,
-                               bool required = true) const {
+                               bool required = true) const& {
         const auto raw = checked(type, photo, sizeof(T), required);
         return {reinterpret_cast<const T*>(raw.data()), raw.size() / sizeof(T)};
     }
+    template <class T>
+    std::span<const T> records(package::Type, std::uint32_t = package::scene_wide,
+                               bool = true) const&& = delete;
 
     /// The scene record and the photo records, copied and checked on first use. Throws Error(damaged).
     const package::SceneRecord& scene() const;
-    std::span<const package::PhotoRecord> photos() const;
+    std::span<const package::PhotoRecord> photos() const&;
+    std::span<const package::PhotoRecord> photos() const&& = delete;
     /// META's JSON text. Throws Error(damaged).
-    std::string_view meta() const;
+    std::string_view meta() const&;
+    std::string_view meta() const&& = delete;
 
     /// Index of the photo of this name, with or without its extension.
     std::optional<std::uint32_t> photo_index(std::string_view name) const;

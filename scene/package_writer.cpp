@@ -235,6 +235,7 @@ std::uint64_t PackageWriter::checksum_of(package::Type type, std::uint32_t photo
     const State& s = *state_;
     const std::size_t i = s.find(type, photo, level);
     const std::scoped_lock lock(s.mutex);
+    if (s.settled[i] != Settled::present) throw std::logic_error("a planned chunk was never written");
     return s.layout.directory[i].checksum;
 }
 

@@ -55,7 +55,7 @@ class PackageWriter {
 
     /// A sealed chunk without blocks, as it is in the file. Throws Error(storage).
     std::vector<std::byte> read(package::Type type, std::uint32_t photo) const;
-    /// XXH3-64 of a sealed chunk's head.
+    /// XXH3-64 of the head of a chunk that was written, kept or copied. Throws std::logic_error for another.
     std::uint64_t checksum_of(package::Type type, std::uint32_t photo, std::uint32_t level = 0) const;
     /// Bytes of the finished package.
     std::uint64_t size() const;

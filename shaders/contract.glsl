@@ -1,5 +1,5 @@
-// What the C++ code and the shaders share, written once: valid as GLSL and as C++ (player/stream/shader_contract.h
-// includes it). Only constants and one struct, of types whose std430 layout is that of C++.
+// What the C++ code and the shaders share, written once: valid as GLSL and as C++ (shaders/contract.h includes
+// it). Only constants and one struct, of types whose std430 layout is that of C++.
 
 // Attributes of the model.
 const int position_attribute = 0;
@@ -57,6 +57,20 @@ const int compare_uniform = 2;
 const int wiper_uniform = 3;
 const int photo_from_frame_uniform = 4;
 const int lod_uniform = 5;
+
+// Uniforms and outputs of photo_geometry.
+const int clip_from_model_uniform = 0;
+const int cam_from_world_uniform = 1;
+const int focal_center_uniform = 2;
+const int linear_z_output = 0;
+const int angle_output = 1;
+const int triangle_output = 2;
+
+// Uniform, image units and work group of jump_flood.
+const int stride_uniform = 0;
+const int known_seeds_image = 0;
+const int improved_seeds_image = 1;
+const int flood_group_texels = 16;  // per side
 
 // Bits of the uniform `switches`.
 const uint angle_mask_switch = 1u;

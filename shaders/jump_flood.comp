@@ -1,9 +1,11 @@
 // One step of jump flooding (Rong and Tan 2006): each texel keeps the nearest of the seeds found so far by itself and by
 // its eight neighbors at distance `stride`. Seeds are texel positions; (-1,-1): none found.
-layout(local_size_x = 16, local_size_y = 16) in;
-layout(binding = 0, rg16i) readonly uniform iimage2D known;
-layout(binding = 1, rg16i) writeonly uniform iimage2D improved;
-layout(location = 0) uniform int stride;
+#include "contract.glsl"
+
+layout(local_size_x = flood_group_texels, local_size_y = flood_group_texels) in;
+layout(binding = known_seeds_image, rg16i) readonly uniform iimage2D known;
+layout(binding = improved_seeds_image, rg16i) writeonly uniform iimage2D improved;
+layout(location = stride_uniform) uniform int stride;
 
 void main() {
     ivec2 size = imageSize(known), here = ivec2(gl_GlobalInvocationID.xy);

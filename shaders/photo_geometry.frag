@@ -1,9 +1,12 @@
 // Linear depth, viewing angle and triangle at each pixel of a photo.
+#include "contract.glsl"
+
 in vec3 cam_normal;
-layout(location = 2) uniform vec4 focal_center;  // fx fy cx cy, pixels
-layout(location = 0) out float linear_z;
-layout(location = 1) out float angle;  // Callieri et al. 2008: cosine between the normal and the direction to the camera
-layout(location = 2) out uint triangle;
+layout(location = focal_center_uniform) uniform vec4 focal_center;  // fx fy cx cy, pixels
+layout(location = linear_z_output) out float linear_z;
+// Callieri et al. 2008: cosine between the normal and the direction to the camera.
+layout(location = angle_output) out float angle;
+layout(location = triangle_output) out uint triangle;
 
 void main() {
     linear_z = 1.0 / gl_FragCoord.w;  // the clip matrix puts z into w

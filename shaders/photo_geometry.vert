@@ -1,8 +1,10 @@
 // The model as a photo's camera sees it.
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 0) uniform mat4 clip_from_origin;
-layout(location = 1) uniform mat3 cam_from_world;
+#include "contract.glsl"
+
+layout(location = position_attribute) in vec3 position;
+layout(location = normal_attribute) in vec3 normal;
+layout(location = clip_from_model_uniform) uniform mat4 clip_from_origin;
+layout(location = cam_from_world_uniform) uniform mat3 cam_from_world;
 
 out vec3 cam_normal;
 

@@ -1,18 +1,18 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <array>
 #include <functional>
 
-/// One file per subcommand: each adds its options to the command line and sets `run` when it is chosen.
+/// The verbs, one file each. A verb's function adds its subcommand to the command line; if it is chosen,
+/// parsing sets `run`.
 namespace vantage {
 
 using Run = std::function<int()>;
-void add_prepare(CLI::App& app, Run& run);
-void add_merge(CLI::App& app, Run& run);
-void add_refine(CLI::App& app, Run& run);
-void add_info(CLI::App& app, Run& run);
-void add_check(CLI::App& app, Run& run);
-void add_diff(CLI::App& app, Run& run);
-void add_extract(CLI::App& app, Run& run);
-void add_synth(CLI::App& app, Run& run);
+using AddCommand = void(CLI::App& app, Run& run);
+AddCommand add_prepare, add_merge, add_refine, add_info, add_check, add_diff, add_extract, add_synth;
+
+/// In the order of --help.
+inline constexpr std::array all_commands{add_prepare, add_merge, add_refine,  add_info,
+                                         add_check,   add_diff,  add_extract, add_synth};
 
 }  // namespace vantage

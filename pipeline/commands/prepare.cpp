@@ -14,6 +14,7 @@
 #include "pipeline/commands/left_out.h"
 #include "pipeline/commands/progress_line.h"
 #include "pipeline/commands/stop_signals.h"
+#include "pipeline/formats/import/cameras.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/package/meta.h"
@@ -197,7 +198,7 @@ void add_prepare(CLI::App& app, Run& run) {
         "Run again, it continues where it was interrupted and repeats only what a change affects.");
     c->add_option("INPUT", o->input, "folder with mesh, cameras and photos");
     c->add_option("--mesh", o->mesh, "mesh file: PLY, OBJ, STL, OFF");
-    c->add_option("--cameras", o->cameras, "COLMAP folder, Bundler .out, MeshLab .mlp");
+    c->add_option("--cameras", o->cameras, camera_format_names());
     c->add_option("--photos", o->photos, "folder of photos");
     c->add_option("-o,--output", o->out, "the package to write")->required();
     c->add_option(

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "pipeline/formats/import/cameras.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -48,15 +49,19 @@ fs::path find_mesh(const std::vector<fs::path>& files) {
     return best;
 }
 
+/// Whether `file` is the first file of a folder in this format; the others lie next to it.
+bool is_first_of(const CameraFormat& format, const fs::path& file) {
+    return !format.files.empty() && file.filename() == format.files.front() &&
+           std::ranges::all_of(format.files,
+                               [&](const char* name) { return fs::exists(file.parent_path() / name); });
+}
+
 fs::path find_cameras(const std::vector<fs::path>& files) {
-    for (const char* name : {"cameras.bin", "cameras.txt"})
-        for (const fs::path& f : files)
-            if (f.filename() == name &&
-                fs::exists(f.parent_path() / (std::string("images") + f.extension().string())))
-                return f.parent_path();
-    for (const char* format : {".out", ".mlp"})
-        for (const fs::path& f : files)
-            if (extension(f) == format) return f;
+    for (const CameraFormat& format : camera_formats())
+        for (const fs::path& f : files) {
+            if (format.files.empty() && format.matches(f)) return f;
+            if (is_first_of(format, f)) return f.parent_path();
+        }
     return {};
 }
 
@@ -96,16 +101,17 @@ InputFiles discover(const fs::path& folder) {
     if (found.mesh.empty())
         throw Error(Exit::input, folder.string() + ": no mesh found (PLY, OBJ, STL, OFF)");
     if (found.cameras.empty())
-        throw Error(Exit::input, folder.string() + ": no cameras found (COLMAP, Bundler .out, MeshLab .mlp)");
+        throw Error(Exit::input, folder.string() + ": no cameras found; expected " + camera_format_names());
     if (found.photos.empty()) throw Error(Exit::input, folder.string() + ": no photos found");
     return found;
 }
 
-std::vector<std::filesystem::path> camera_files(const std::filesystem::path& cameras) {
-    if (!std::filesystem::is_directory(cameras)) return {cameras};
-    std::vector<std::filesystem::path> files;
-    for (const char* name : {"cameras.bin", "images.bin", "cameras.txt", "images.txt"})
-        if (std::filesystem::exists(cameras / name)) files.push_back(cameras / name);
+std::vector<fs::path> camera_files(const fs::path& cameras) {
+    if (!fs::is_directory(cameras)) return {cameras};
+    std::vector<fs::path> files;
+    for (const CameraFormat& format : camera_formats())
+        for (const char* name : format.files)
+            if (fs::exists(cameras / name)) files.push_back(cameras / name);
     return files;
 }
 

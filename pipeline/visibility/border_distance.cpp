@@ -9,6 +9,7 @@
 #include "gl/context.h"
 #include "gl/object.h"
 #include "scene/grid.h"
+#include "shaders/contract.h"
 
 namespace vantage {
 namespace {
@@ -59,12 +60,15 @@ std::vector<float> flood_distance(const gl::Program& jump_flood, const std::vect
     gl::Texture next = gl::make_texture_2d("jump flood, next", GL_RG16I, width, height);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTextureSubImage2D(current.id(), 0, 0, 0, width, height, GL_RG_INTEGER, GL_SHORT, seeds.data());
+    const auto groups = [](int texels) {
+        return GLuint(texels + shader::flood_group_texels - 1) / GLuint(shader::flood_group_texels);
+    };
     glUseProgram(jump_flood.id());
     for (const int stride : strides(std::max(width, height), variant)) {
-        glBindImageTexture(0, current.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RG16I);
-        glBindImageTexture(1, next.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG16I);
-        glUniform1i(0, stride);
-        glDispatchCompute(GLuint(width + 15) / 16, GLuint(height + 15) / 16, 1);
+        glBindImageTexture(shader::known_seeds_image, current.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RG16I);
+        glBindImageTexture(shader::improved_seeds_image, next.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG16I);
+        glUniform1i(shader::stride_uniform, stride);
+        glDispatchCompute(groups(width), groups(height), 1);
         glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
         std::swap(current, next);
     }

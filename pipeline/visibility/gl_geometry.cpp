@@ -5,6 +5,7 @@
 
 #include "gl/context.h"
 #include "gl/program.h"
+#include "shaders/contract.h"
 
 namespace vantage {
 namespace {
@@ -40,23 +41,24 @@ void render_maps(const ModelBuffers& model, const Triangles& triangles, const In
                       angle = gl::make_texture_2d("angle mask", GL_R8, out.width, out.height),
                       triangle = gl::make_texture_2d("triangles", GL_R32UI, out.width, out.height),
                       depth = gl::make_texture_2d("depth", GL_DEPTH_COMPONENT32F, out.width, out.height);
-    const std::array colors{z.id(), angle.id(), triangle.id()};
+    static_assert(shader::linear_z_output == 0 && shader::angle_output == 1 && shader::triangle_output == 2);
+    const std::array colors{z.id(), angle.id(), triangle.id()};  // by output
     const gl::Framebuffer target = gl::make_framebuffer("photo geometry", colors, depth.id());
     const float farthest = 0;  // depth is reversed
     const std::array unseen{std::numeric_limits<float>::infinity(), 0.0f, 0.0f, 0.0f};
     const std::array<float, 4> zero{};
     const std::array<GLuint, 4> no_triangle{~0u, 0, 0, 0};
     glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
-    glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, unseen.data());
-    glClearNamedFramebufferfv(target.id(), GL_COLOR, 1, zero.data());
-    glClearNamedFramebufferuiv(target.id(), GL_COLOR, 2, no_triangle.data());
+    glClearNamedFramebufferfv(target.id(), GL_COLOR, shader::linear_z_output, unseen.data());
+    glClearNamedFramebufferfv(target.id(), GL_COLOR, shader::angle_output, zero.data());
+    glClearNamedFramebufferuiv(target.id(), GL_COLOR, shader::triangle_output, no_triangle.data());
     glUseProgram(model.geometry.id());
     const Eigen::Matrix4f clip =
         (clip_from_cam(k, near_far.x(), near_far.y()) * cam_from_origin(pose)).cast<float>();
-    glUniformMatrix4fv(0, 1, GL_FALSE, clip.data());
+    glUniformMatrix4fv(shader::clip_from_model_uniform, 1, GL_FALSE, clip.data());
     const Eigen::Matrix3f R = pose.R.cast<float>();
-    glUniformMatrix3fv(1, 1, GL_FALSE, R.data());
-    glUniform4f(2, float(k.fx), float(k.fy), float(k.cx), float(k.cy));
+    glUniformMatrix3fv(shader::cam_from_world_uniform, 1, GL_FALSE, R.data());
+    glUniform4f(shader::focal_center_uniform, float(k.fx), float(k.fy), float(k.cx), float(k.cy));
     draw(model, triangles, target, out.width, out.height);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(z.id(), 0, GL_RED, GL_FLOAT, GLsizei(out.z.size() * sizeof(float)), out.z.data());
@@ -73,8 +75,8 @@ ModelBuffers upload_model(std::span<const Eigen::Vector3f> positions,
     m.positions = gl::make_buffer("positions", positions.size_bytes(), positions.data());
     m.normals = gl::make_buffer("normals", normals.size_bytes(), normals.data());
     m.vertices = gl::make_vertex_array("model");
-    gl::attach_floats(m.vertices, 0, m.positions, 3, 12);
-    gl::attach_floats(m.vertices, 1, m.normals, 3, 12);
+    gl::attach_floats(m.vertices, shader::position_attribute, m.positions, 3, 12);
+    gl::attach_floats(m.vertices, shader::normal_attribute, m.normals, 3, 12);
     m.geometry = gl::make_program("photo geometry", {{GL_VERTEX_SHADER, "photo_geometry.vert"},
                                                      {GL_FRAGMENT_SHADER, "photo_geometry.frag"}});
     gl::check("uploading the model");

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "player/stream/shader_contract.h"
+#include "shaders/contract.h"
 #include "scene/error.h"
 
 namespace vantage {

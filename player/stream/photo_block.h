@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "player/plan/tile_needs.h"
-#include "player/stream/shader_contract.h"
+#include "shaders/contract.h"
 #include "scene/package_format.h"
 
 namespace vantage {

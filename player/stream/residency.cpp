@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "player/stream/shader_contract.h"
+#include "shaders/contract.h"
 #include "scene/error.h"
 #include "scene/tiling.h"
 

@@ -62,6 +62,7 @@ TEST_F(Package, AbandonedWriterLeavesNothingBehind) {
     {
         const std::vector<ChunkPlan> plan{{Type::meta, package::scene_wide, 0, 4}};
         PackageWriter writer(file, plan);
+        EXPECT_THROW(writer.checksum_of(Type::meta, package::scene_wide), std::logic_error);
         EXPECT_THROW(writer.finish(), std::logic_error);
     }
     EXPECT_TRUE(fs::is_empty(dir));

@@ -1,28 +1,80 @@
 #include "pipeline/formats/import/cameras.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include "scene/error.h"
 
 namespace vantage {
+namespace {
 
-CameraSet read_cameras(const std::filesystem::path& path) {
-    namespace fs = std::filesystem;
-    const fs::path folder = fs::is_directory(path) ? path : path.parent_path();
-    const std::string stem = path.stem().string(), extension = path.extension().string();
-    const bool colmap = fs::is_directory(path) || stem == "cameras" || stem == "images";
-    if (colmap && extension != ".txt" && fs::exists(folder / "cameras.bin"))
-        return read_colmap_binary(folder);
-    if (colmap && fs::exists(folder / "cameras.txt")) return read_colmap_text(folder);
-    if (extension == ".out") return read_bundler(path);
-    if (extension == ".mlp") return read_meshlab(path);
-    if (extension == ".rz3")
+namespace fs = std::filesystem;
+
+bool has_extension(const fs::path& path, const char* wanted) {
+    std::string e = path.extension().string();
+    std::ranges::transform(e, e.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return e == wanted;
+}
+
+/// COLMAP's folder may be passed itself, or as one of its files.
+fs::path colmap_folder(const fs::path& path) { return fs::is_directory(path) ? path : path.parent_path(); }
+
+bool is_colmap(const fs::path& path, const char* cameras) {
+    const fs::path stem = path.stem();
+    return (fs::is_directory(path) || stem == "cameras" || stem == "images") &&
+           fs::exists(colmap_folder(path) / cameras);
+}
+
+constexpr const char* colmap_form = "folder (cameras and images, .bin or .txt)";
+
+const CameraFormat formats[] = {
+    {.name = "COLMAP",
+     .form = colmap_form,
+     .files = {"cameras.bin", "images.bin"},
+     .matches = [](const fs::path& p) { return p.extension() != ".txt" && is_colmap(p, "cameras.bin"); },
+     .read = [](const fs::path& p) { return read_colmap_binary(colmap_folder(p)); }},
+    {.name = "COLMAP",
+     .form = colmap_form,
+     .files = {"cameras.txt", "images.txt"},
+     .matches = [](const fs::path& p) { return is_colmap(p, "cameras.txt"); },
+     .read = [](const fs::path& p) { return read_colmap_text(colmap_folder(p)); }},
+    {.name = "Bundler",
+     .form = ".out",
+     .files = {},
+     .matches = [](const fs::path& p) { return has_extension(p, ".out"); },
+     .read = read_bundler},
+    {.name = "MeshLab",
+     .form = ".mlp",
+     .files = {},
+     .matches = [](const fs::path& p) { return has_extension(p, ".mlp"); },
+     .read = read_meshlab},
+};
+
+}  // namespace
+
+std::span<const CameraFormat> camera_formats() { return formats; }
+
+std::string camera_format_names() {
+    std::string names;
+    for (const CameraFormat& f : formats) {
+        const std::string name = std::string(f.name) + " " + f.form;
+        if (names.ends_with(name)) continue;  // COLMAP, binary and text
+        names += (names.empty() ? "" : ", ") + name;
+    }
+    return names;
+}
+
+CameraSet read_cameras(const fs::path& path) {
+    const auto format = std::ranges::find_if(formats, [&](const CameraFormat& f) { return f.matches(path); });
+    if (format != std::end(formats)) return format->read(path);
+    const std::string expected = "expected " + camera_format_names();
+    if (path.extension() == ".rz3")
         throw Error(Exit::input,
                     path.string() +
                         ": REALVIZ cameras are not supported, because no public documentation states the "
-                        "axes, the order of rotations and the unit of the focal length; expected "
-                        "COLMAP, Bundler or MeshLab cameras");
-    throw Error(Exit::input, path.string() +
-                                 ": expected a COLMAP folder (cameras and images, .bin or .txt), "
-                                 "a Bundler .out or a MeshLab .mlp file");
+                        "axes, the order of rotations and the unit of the focal length; " +
+                        expected);
+    throw Error(Exit::input, path.string() + ": not a known camera format; " + expected);
 }
 
 }  // namespace vantage

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,23 @@ struct CameraSet {
     std::vector<std::string> warnings;
 };
 
-/// Reads a COLMAP folder (text or binary), a Bundler .out file or a MeshLab .mlp project. This and the
-/// readers below throw Error(input) naming the file and the item.
+/// A camera format: a file, or a folder of files with fixed names.
+struct CameraFormat {
+    const char* name;                ///< in messages: "Bundler"
+    const char* form;                ///< what the user passes, in messages: ".out"
+    std::vector<const char*> files;  ///< names of the files in the folder; empty if the format is one file
+    bool (*matches)(const std::filesystem::path& path);
+    CameraSet (*read)(const std::filesystem::path& path);  ///< of a path that matches
+};
+
+/// All formats; if several match, the first is read.
+std::span<const CameraFormat> camera_formats();
+
+/// The formats for messages: "COLMAP folder (...), Bundler .out, ...".
+std::string camera_format_names();
+
+/// Reads cameras in the first format that matches. This and the readers below throw Error(input) naming the
+/// file and the item.
 CameraSet read_cameras(const std::filesystem::path& path);
 
 CameraSet read_colmap_text(const std::filesystem::path& folder);

@@ -83,9 +83,7 @@ void expect_nan_rejected(CLI::App& app) {
 TEST(Options, RejectNan) {
     CLI::App app, player, bench, evaluate, verify;
     vantage::Run run;
-    for (const auto add :
-         {add_prepare, add_merge, add_refine, add_info, add_check, add_diff, add_extract, add_synth})
-        add(app, run);
+    for (const auto add : all_commands) add(app, run);
     ShowOptions options;
     BenchOptions b;
     EvaluateOptions e;
