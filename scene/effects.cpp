@@ -20,7 +20,7 @@ constexpr std::array table{
     EffectRow{Effect::fov_normalization, "fov-normalisation", "fov-normalization",
               "spread of the photos' focal lengths, max/min - 1", "", 0.05, Basis::scene, "", ""},
     EffectRow{Effect::vertex_colors, "vertex-colors", "vertex-colors",
-              "share of vertices with a colour that no photo sees", "", 0.001, Basis::scene, "surface",
+              "share of vertices with a color that no photo sees", "", 0.001, Basis::scene, "surface",
               "VERTEX_COLORS"},
     EffectRow{Effect::exposure, "exposure", "exposure",
               "how far photos of one surface differ, median |ln ratio|", "", 0.02, Basis::colors, "blend",

@@ -1,7 +1,7 @@
 #include "scene/package_layout.h"
 
-#include "scene/bytes_of.h"
 #include "scene/checksum.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 

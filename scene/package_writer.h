@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "scene/bytes_of.h"
 #include "scene/package_format.h"
 #include "scene/package_layout.h"
 #include "scene/part_file.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 

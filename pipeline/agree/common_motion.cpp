@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "scene/quantile.h"
+#include "values/quantile.h"
 
 namespace vantage {
 namespace {

@@ -13,9 +13,9 @@
 #include "pipeline/run/lru_cache.h"
 #include "pipeline/stages/surface_samples.h"
 #include "scene/error.h"
-#include "scene/quantile.h"
-#include "scene/srgb.h"
 #include "scene/tiling.h"
+#include "values/quantile.h"
+#include "values/srgb.h"
 
 namespace vantage {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "pipeline/agree/photo_pairs.h"
 #include "scene/camera.h"
-#include "scene/grid.h"
 #include "scene/package_reader.h"
+#include "values/grid.h"
 
 namespace vantage {
 

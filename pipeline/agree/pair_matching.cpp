@@ -7,7 +7,7 @@
 
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/run/lru_cache.h"
-#include "scene/quantile.h"
+#include "values/quantile.h"
 
 namespace vantage {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "scene/package_reader.h"
-#include "scene/quantile.h"
+#include "values/quantile.h"
 
 namespace vantage {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "pipeline/agree/common_motion.h"
-#include "scene/quantile.h"
+#include "values/quantile.h"
 
 namespace vantage {
 namespace {

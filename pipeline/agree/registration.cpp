@@ -12,7 +12,7 @@
 #include "pipeline/agree/swapped_cameras.h"
 #include "scene/checksum.h"
 #include "scene/package_writer.h"
-#include "scene/quantile.h"
+#include "values/quantile.h"
 
 namespace vantage {
 namespace {

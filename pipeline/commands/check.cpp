@@ -5,9 +5,9 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "output/junit.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/input/identity_cache.h"
-#include "scene/junit.h"
 
 namespace vantage {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/model/clusters.h"
-#include "scene/bytes_of.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 

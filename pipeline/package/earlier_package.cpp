@@ -2,10 +2,10 @@
 
 #include <cstring>
 
-#include "scene/bytes_of.h"
 #include "scene/checksum.h"
 #include "scene/error.h"
 #include "scene/part_file.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 namespace {

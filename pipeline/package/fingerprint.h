@@ -5,9 +5,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "scene/bytes_of.h"
 #include "scene/camera.h"
 #include "scene/checksum.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 

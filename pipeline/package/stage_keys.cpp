@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "scene/bytes_of.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 namespace {

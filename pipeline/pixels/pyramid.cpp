@@ -6,8 +6,8 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
-#include "scene/grid.h"
-#include "scene/srgb.h"
+#include "values/grid.h"
+#include "values/srgb.h"
 
 namespace vantage {
 namespace {

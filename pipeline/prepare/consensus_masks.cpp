@@ -10,9 +10,9 @@
 #include "pipeline/package/earlier_package.h"
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/run/for_each_photo.h"
-#include "scene/bytes_of.h"
 #include "scene/checksum.h"
 #include "scene/error.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 namespace {

@@ -7,8 +7,8 @@
 #include "pipeline/prepare/moved_photo.h"
 #include "pipeline/prepare/registration_reuse.h"
 #include "pipeline/run/for_each_photo.h"
-#include "scene/bytes_of.h"
 #include "scene/part_file.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 namespace {

@@ -10,7 +10,7 @@
 #include "pipeline/stages/masks.h"
 #include "pipeline/stages/seen_hull.h"
 #include "pipeline/stages/vertex_coordinates.h"
-#include "scene/bytes_of.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 namespace {

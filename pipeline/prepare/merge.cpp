@@ -10,9 +10,9 @@
 #include "pipeline/prepare/finish.h"
 #include "pipeline/prepare/moved_photo.h"
 #include "pipeline/prepare/registration_reuse.h"
-#include "scene/bytes_of.h"
 #include "scene/error.h"
 #include "scene/part_file.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 namespace {

@@ -6,7 +6,7 @@
 #include "pipeline/package/photo_records.h"
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/pixels/pyramid.h"
-#include "scene/bytes_of.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 namespace {

@@ -7,8 +7,8 @@
 #include "pipeline/formats/images/photos.h"
 #include "pipeline/input/photo_file.h"
 #include "pipeline/prepare/pixel_stages.h"
-#include "scene/bytes_of.h"
 #include "scene/error.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 namespace {

@@ -7,8 +7,8 @@
 #include "pipeline/pixels/pyramid.h"
 #include "pipeline/pixels/undistort.h"
 #include "pipeline/stages/surface_samples.h"
-#include "scene/bytes_of.h"
 #include "scene/error.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 namespace {

@@ -16,9 +16,9 @@
 #include "pipeline/prepare/registration_reuse.h"
 #include "pipeline/prepare/resources.h"
 #include "pipeline/run/for_each_photo.h"
-#include "scene/bytes_of.h"
 #include "scene/error.h"
 #include "scene/part_file.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 namespace {

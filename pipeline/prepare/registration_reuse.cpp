@@ -7,8 +7,8 @@
 
 #include "pipeline/package/meta.h"
 #include "pipeline/package/photo_records.h"
-#include "scene/bytes_of.h"
 #include "scene/checksum.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/markup.h"
+#include "output/markup.h"
 
 namespace vantage {
 namespace {

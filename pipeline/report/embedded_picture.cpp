@@ -6,9 +6,9 @@
 #include <memory>
 #include <string_view>
 
+#include "output/markup.h"
 #include "pipeline/report/base64.h"
 #include "scene/error.h"
-#include "scene/markup.h"
 
 namespace vantage {
 namespace {

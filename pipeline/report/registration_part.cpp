@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "scene/markup.h"
+#include "output/markup.h"
 
 namespace vantage {
 namespace {

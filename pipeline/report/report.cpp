@@ -7,6 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "output/markup.h"
+#include "output/page_style.h"
 #include "pipeline/package/meta.h"
 #include "pipeline/package/stage_table.h"
 #include "pipeline/package/staleness.h"
@@ -21,8 +23,6 @@
 #include "pipeline/report/timeline.h"
 #include "pipeline/run/for_each_photo.h"
 #include "scene/error.h"
-#include "scene/markup.h"
-#include "scene/page_style.h"
 
 namespace vantage {
 namespace {

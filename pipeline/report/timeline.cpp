@@ -6,7 +6,7 @@
 #include <array>
 #include <map>
 
-#include "scene/markup.h"
+#include "output/markup.h"
 
 namespace vantage {
 namespace {

@@ -5,14 +5,14 @@
 #include <optional>
 #include <span>
 
+#include "output/make_folder.h"
+#include "output/markup.h"
+#include "output/page_style.h"
+#include "output/side_by_side.h"
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/results/diff.h"
 #include "scene/error.h"
-#include "scene/make_folder.h"
-#include "scene/markup.h"
-#include "scene/page_style.h"
-#include "scene/side_by_side.h"
 
 namespace vantage {
 namespace {

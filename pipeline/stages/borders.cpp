@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "pipeline/pixels/simd.h"
-#include "scene/grid.h"
+#include "values/grid.h"
 
 namespace vantage {
 namespace {

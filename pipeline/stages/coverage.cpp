@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "pipeline/visibility/frame_triangles.h"
-#include "scene/grid.h"
 #include "scene/tiling.h"
+#include "values/grid.h"
 
 namespace vantage {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pipeline/pixels/simd.h"
-#include "scene/quantile.h"
+#include "values/quantile.h"
 
 namespace vantage {
 namespace {

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "pipeline/pixels/pyramid.h"
-#include "scene/grid.h"
-#include "scene/srgb.h"
 #include "scene/tiling.h"
+#include "values/grid.h"
+#include "values/srgb.h"
 
 namespace vantage {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "gl/context.h"
 #include "gl/object.h"
-#include "scene/grid.h"
 #include "shaders/contract.h"
+#include "values/grid.h"
 
 namespace vantage {
 namespace {

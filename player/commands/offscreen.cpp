@@ -7,10 +7,10 @@
 #include <filesystem>
 
 #include "gl/context.h"
+#include "output/make_folder.h"
 #include "player/camera/shots.h"
 #include "player/render/picture.h"
 #include "scene/error.h"
-#include "scene/make_folder.h"
 
 namespace vantage {
 namespace {

@@ -1,8 +1,8 @@
 #include "player/verify/verify.h"
 
+#include "cli/real_range.h"
 #include "player/commands/commands.h"
 #include "player/commands/parse.h"
-#include "cli/real_range.h"
 
 namespace vantage {
 

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "gl/context.h"
+#include "output/make_folder.h"
 #include "player/measure/flight_summary.h"
 #include "player/measure/plot.h"
 #include "player/render/frame_statistics.h"
 #include "scene/error.h"
-#include "scene/make_folder.h"
 
 namespace vantage {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "scene/grid.h"
+#include "values/grid.h"
 
 namespace vantage {
 namespace {

@@ -6,11 +6,11 @@
 #include <fstream>
 
 #include "gl/context.h"
+#include "output/make_folder.h"
 #include "player/camera/shots.h"
 #include "player/measure/evaluation_page.h"
 #include "player/measure/left_out.h"
 #include "scene/error.h"
-#include "scene/make_folder.h"
 
 namespace vantage {
 namespace {

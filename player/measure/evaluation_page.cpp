@@ -6,9 +6,9 @@
 #include <initializer_list>
 #include <numeric>
 
+#include "output/markup.h"
+#include "output/page_style.h"
 #include "scene/error.h"
-#include "scene/markup.h"
-#include "scene/page_style.h"
 
 namespace vantage {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "player/measure/photo_pixels.h"
-#include "scene/grid.h"
-#include "scene/quantile.h"
 #include "scene/tiling.h"
+#include "values/grid.h"
+#include "values/quantile.h"
 
 namespace vantage {
 namespace {

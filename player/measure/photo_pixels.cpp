@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "scene/error.h"
-#include "scene/grid.h"
 #include "scene/tiling.h"
+#include "values/grid.h"
 
 namespace vantage {
 

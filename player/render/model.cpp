@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "shaders/contract.h"
 #include "scene/error.h"
+#include "shaders/contract.h"
 
 namespace vantage {
 

@@ -2,8 +2,8 @@
 #include <cstdint>
 
 #include "player/plan/tile_needs.h"
-#include "shaders/contract.h"
 #include "scene/package_format.h"
+#include "shaders/contract.h"
 
 namespace vantage {
 

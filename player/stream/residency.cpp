@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "shaders/contract.h"
 #include "scene/error.h"
 #include "scene/tiling.h"
+#include "shaders/contract.h"
 
 namespace vantage {
 namespace {

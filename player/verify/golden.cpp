@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "output/side_by_side.h"
 #include "player/camera/camera_path.h"
 #include "player/camera/navigation.h"
 #include "scene/error.h"
-#include "scene/side_by_side.h"
 
 namespace vantage {
 

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "gl/context.h"
+#include "output/junit.h"
+#include "output/make_folder.h"
 #include "player/camera/shots.h"
 #include "player/options/blending_options.h"
 #include "player/options/memory_options.h"
@@ -14,8 +16,6 @@
 #include "player/verify/finite_targets.h"
 #include "player/verify/golden.h"
 #include "scene/error.h"
-#include "scene/junit.h"
-#include "scene/make_folder.h"
 
 namespace vantage {
 namespace {

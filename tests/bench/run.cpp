@@ -13,9 +13,9 @@
 #include <thread>
 
 #include "gl/context.h"
+#include "output/make_folder.h"
 #include "pipeline/input/file_identity.h"
 #include "scene/error.h"
-#include "scene/make_folder.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/page/page.h"
 #include "tests/bench/plots/gnuplot.h"

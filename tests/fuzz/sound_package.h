@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "scene/bytes_of.h"
 #include "scene/checksum.h"
 #include "scene/package_writer.h"
 #include "scene/tiling.h"
+#include "values/bytes_of.h"
 
 namespace vantage::fuzz {
 

@@ -21,9 +21,9 @@
 #include "player/camera/shots.h"
 #include "player/render/picture.h"
 #include "scene/package_reader.h"
-#include "scene/srgb.h"
 #include "tests/datasets.h"
 #include "tests/temporary_folder.h"
+#include "values/srgb.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "pipeline/run/read_file.h"
-#include "scene/grid.h"
+#include "values/grid.h"
 
 namespace vantage {
 namespace {

@@ -4,8 +4,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "output/make_folder.h"
 #include "scene/error.h"
-#include "scene/make_folder.h"
 #include "tests/bench/scenes/crop.h"
 
 namespace vantage::bench {

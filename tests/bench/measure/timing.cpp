@@ -1,6 +1,6 @@
 #include "tests/bench/measure/timing.h"
 
-#include "scene/quantile.h"
+#include "values/quantile.h"
 
 namespace vantage::bench {
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
+#include "output/markup.h"
+#include "output/page_style.h"
 #include "scene/error.h"
-#include "scene/markup.h"
-#include "scene/page_style.h"
 #include "tests/bench/page/page_parts.h"
 #include "tests/bench/results/quantity.h"
 

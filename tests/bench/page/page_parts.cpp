@@ -12,10 +12,10 @@
 #include <set>
 #include <string_view>
 
+#include "output/make_folder.h"
+#include "output/markup.h"
 #include "pipeline/report/base64.h"
 #include "scene/error.h"
-#include "scene/make_folder.h"
-#include "scene/markup.h"
 #include "tests/bench/results/front.h"
 #include "tests/bench/results/quantity.h"
 

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <sstream>
 
+#include "output/markup.h"
 #include "scene/error.h"
-#include "scene/markup.h"
 #include "tests/bench/measure/run_program.h"
 #include "tests/bench/plots/axis.h"
 #include "tests/bench/plots/plot_labels.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "scene/markup.h"
+#include "output/markup.h"
 #include "tests/bench/results/quantity.h"
 
 namespace vantage::bench {

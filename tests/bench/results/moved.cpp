@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "scene/quantile.h"
+#include "values/quantile.h"
 
 namespace vantage::bench {
 namespace {

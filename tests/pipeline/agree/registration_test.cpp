@@ -15,9 +15,9 @@
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesize.h"
 #include "scene/package_reader.h"
-#include "scene/quantile.h"
 #include "tests/datasets.h"
 #include "tests/temporary_folder.h"
+#include "values/quantile.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;

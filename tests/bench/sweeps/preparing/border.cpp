@@ -11,14 +11,14 @@
 #include "pipeline/stages/borders.h"
 #include "pipeline/visibility/border_distance.h"
 #include "pipeline/visibility/photo_geometry.h"
-#include "scene/grid.h"
-#include "scene/quantile.h"
 #include "scene/tiling.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/scenes/model.h"
 #include "tests/bench/sweeps/sweep.h"
+#include "values/grid.h"
+#include "values/quantile.h"
 
 namespace vantage::bench {
 namespace {

@@ -10,12 +10,12 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "scene/package_reader.h"
-#include "scene/quantile.h"
 #include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/scenes/model.h"
 #include "tests/bench/scenes/surface_points.h"
 #include "tests/bench/sweeps/sweep.h"
+#include "values/quantile.h"
 
 namespace vantage::bench {
 namespace {

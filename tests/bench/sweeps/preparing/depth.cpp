@@ -10,7 +10,6 @@
 #include "pipeline/input/read_scene.h"
 #include "pipeline/synth/ray_scene.h"
 #include "pipeline/visibility/photo_geometry.h"
-#include "scene/grid.h"
 #include "scene/tiling.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/mean.h"
@@ -18,6 +17,7 @@
 #include "tests/bench/scenes/model.h"
 #include "tests/bench/scenes/surface_points.h"
 #include "tests/bench/sweeps/sweep.h"
+#include "values/grid.h"
 
 namespace vantage::bench {
 namespace {

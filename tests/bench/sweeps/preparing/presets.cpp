@@ -1,10 +1,10 @@
 // The presets of configs/ among other combinations of settings: preparation, bytes and frame times.
 #include <fmt/format.h>
 
-#include "scene/quantile.h"
 #include "tests/bench/measure/pictures.h"
 #include "tests/bench/measure/prepared.h"
 #include "tests/bench/sweeps/sweep.h"
+#include "values/quantile.h"
 
 namespace vantage::bench {
 namespace {

@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "player/camera/camera_path.h"
-#include "scene/quantile.h"
 #include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/pictures.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/sweeps/sweep.h"
+#include "values/quantile.h"
 
 namespace vantage::bench {
 namespace {

@@ -1,11 +1,11 @@
-#include "scene/junit.h"
+#include "output/junit.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
 
+#include "output/markup.h"
 #include "scene/error.h"
-#include "scene/markup.h"
 
 namespace vantage {
 namespace {

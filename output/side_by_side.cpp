@@ -1,4 +1,4 @@
-#include "scene/side_by_side.h"
+#include "output/side_by_side.h"
 
 #include <algorithm>
 #include <cstdlib>

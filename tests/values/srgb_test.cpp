@@ -1,4 +1,4 @@
-#include "scene/srgb.h"
+#include "values/srgb.h"
 
 #include <gtest/gtest.h>
 

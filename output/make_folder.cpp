@@ -1,4 +1,4 @@
-#include "scene/make_folder.h"
+#include "output/make_folder.h"
 
 #include "scene/error.h"
 

@@ -1,4 +1,4 @@
-#include "scene/markup.h"
+#include "output/markup.h"
 
 namespace vantage {
 

@@ -1,4 +1,4 @@
-#include "scene/grid.h"
+#include "values/grid.h"
 
 #include <gtest/gtest.h>
 
