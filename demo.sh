@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Sets up, makes the demo scene, prepares and checks its package, and shows it: in a window where there is a display,
-# as rendered pictures where not.
+# Sets up, generates the demo scene, prepares and checks its package, and shows it: in a window if there is a display,
+# otherwise as rendered pictures.
 set -euo pipefail
 cd "$(dirname "$0")"
 ./setup.sh

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian 12, Ubuntu 24.04) and builds into build/: the two programs, or the targets given
-# (all: the tests and benchmarks, too). Called by demo.sh and test.sh.
+# (all: also tests and benchmarks). Called by demo.sh and test.sh.
 set -euo pipefail
 cd "$(dirname "$0")"
 

@@ -32,7 +32,7 @@ int report_exception(const char* program) noexcept {
     } catch (const std::ios_base::failure& e) {
         return report(Exit::storage, e.what());
     } catch (const std::system_error& e) {
-        // Threads and child processes, too, fail for want of memory.
+        // Starting a thread or a child process can also fail for lack of memory.
         return e.code() == std::errc::not_enough_memory ? out_of_memory() : report(Exit::internal, e.what());
     } catch (const std::exception& e) {
         return report(Exit::internal, e.what());

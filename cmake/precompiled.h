@@ -1,5 +1,5 @@
-// What nearly every source includes, parsed once for all rooms. Sources still include what they use:
-// -DVANTAGE_PRECOMPILE=OFF builds without.
+// Headers that nearly every source includes, parsed once for all rooms. Sources still include what they use,
+// so that the build also works with -DVANTAGE_PRECOMPILE=OFF.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>

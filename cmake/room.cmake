@@ -1,4 +1,4 @@
-# The headers that nearly every source includes are parsed once, for the first target that asks.
+# The headers that nearly every source includes are parsed once and reused by all targets.
 option(VANTAGE_PRECOMPILE "Precompile common headers" ON)
 function(vantage_precompile target)
   if(NOT VANTAGE_PRECOMPILE)
@@ -15,10 +15,10 @@ endfunction()
 
 # vantage_room(FOLDER [UNITY] [USES folder...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [SOURCES file...])
 #
-# Makes a folder a library, vantage_ and its path with _ for / (player/plan: vantage_player_plan). Its sources see its
-# own headers and those of the rooms it uses, directly or through another, and no others: the source folder is linked
-# into an include directory of the room's own, and the repository root is on no room's include path. An include that
-# runs the wrong way does not compile.
+# Makes a library of a folder, named vantage_ and its path with _ for / (player/plan: vantage_player_plan). Its sources
+# see its own headers and those of the rooms it uses, directly or through another, and no others: the source folder is
+# linked into an include directory of the room's own, and the repository root is on no room's include path. An include
+# against the order of dependencies does not compile.
 #   USES               rooms, by their folders; part of the room's interface
 #   LIBRARIES          libraries that the room's headers include
 #   PRIVATE_LIBRARIES  libraries that only its sources include

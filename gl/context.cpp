@@ -72,7 +72,7 @@ struct HeadlessContext::State {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
 
-    /// Makes a context on this display current; false if it has none to give.
+    /// Creates a context on this display and makes it current; false if that fails.
     bool adopt(EGLDisplay candidate, Debug debug) {
         const EGLContext made = context_on(candidate, debug);
         if (made == EGL_NO_CONTEXT) return false;
@@ -105,7 +105,8 @@ HeadlessContext::HeadlessContext(HeadlessContext&&) noexcept = default;
 
 HeadlessContext::~HeadlessContext() {
     if (!state_ || state_->context == EGL_NO_CONTEXT) return;
-    // The display stays initialized: terminating it unloads the driver, whose memory then counts as leaked.
+    // The display stays initialized: terminating it unloads the driver, whose memory is then reported as
+    // leaked.
     eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(state_->display, state_->context);
 }
@@ -123,7 +124,8 @@ Device current_device() {
 
 namespace {
 
-/// The first serious message since the last check(): an exception must not pass through the driver.
+/// The first serious message since the last check(), stored because an exception must not pass through the
+/// driver.
 thread_local std::string pending;
 
 void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* text,

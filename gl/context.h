@@ -4,7 +4,7 @@
 
 namespace vantage::gl {
 
-/// Whether the driver reports mistakes as they happen, for check() to throw. This slows drawing.
+/// Whether the driver reports errors as they happen, for check() to throw. This slows drawing.
 enum class Debug { off, on };
 
 /// On if the environment variable VANTAGE_DEBUG_GL is set and not "0"; the tests set it.
@@ -26,15 +26,15 @@ class HeadlessContext {
 /// True if EGL lists a hardware device. Quick: creates no context.
 bool has_hardware();
 
-/// Facts of the current context.
+/// Properties of the current context.
 struct Device {
     std::string renderer, version;
     bool software = false;  ///< rasterizes on the CPU (llvmpipe, softpipe, swrast)
 };
 Device current_device();
 
-/// Records the current context's first error or high-severity message for check() on this thread. Drivers
-/// need send no messages unless the context was created with the debug flag.
+/// Records the current context's first error or high-severity message for check() on this thread. Drivers may
+/// send none unless the context was created with the debug flag.
 void watch_errors();
 
 /// Throws Failure naming `where` if an OpenGL error or a recorded message is pending, and clears both.

@@ -1,4 +1,4 @@
-# Writes OUT, a C++ file that holds the text of every shader in DIR.
+# Writes OUT, a C++ file with the text of every shader in DIR.
 file(GLOB files ${DIR}/*.vert ${DIR}/*.frag ${DIR}/*.comp ${DIR}/*.glsl)
 set(text "#include <array>\n#include <span>\n#include <string_view>\nnamespace vantage::gl {\nstruct EmbeddedShader {\n    std::string_view file, text;\n};\nstd::span<const EmbeddedShader> embedded_shaders();\nnamespace {\nconst EmbeddedShader table[] = {\n")
 foreach(f ${files})

@@ -20,7 +20,7 @@ struct Stage {
 Program make_program(const std::string& label, const std::vector<Stage>& stages,
                      const std::vector<std::string>& defines = {});
 
-/// Text of an embedded shader file. Throws Failure if there is none of that name.
+/// Text of an embedded shader file. Throws Failure if there is no such file.
 std::string_view shader_source(std::string_view file);
 
 }  // namespace vantage::gl

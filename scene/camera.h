@@ -11,7 +11,7 @@ struct Intrinsics {
     int width = 0, height = 0;
     double fx = 0, fy = 0, cx = 0, cy = 0;
 
-    /// The same camera with another number of pixels along each side.
+    /// The same camera at another resolution.
     Intrinsics scaled(int new_width, int new_height) const;
     /// The same camera at a level of the photo's pyramid. A pixel there is exactly 2^level pixels wide, so
     /// the frame grows where the size is rounded up.

@@ -9,8 +9,8 @@
 namespace vantage {
 namespace {
 
-/// Packages store `name`, `measures` and `unit`: changing one changes every package. So "fov-normalisation"
-/// keeps its spelling there, and "colour" its own in `measures`.
+/// Packages store `name`, `measures` and `unit`, so changing one changes every package. That is why
+/// "fov-normalisation" keeps its British spelling there.
 constexpr std::array table{
     EffectRow{Effect::undistortion, "undistortion", "undistortion",
               "largest displacement by the lens in any photo", "px", 0.05, Basis::scene, "", ""},

@@ -8,8 +8,9 @@
 
 namespace vantage {
 
-/// What a scene may need. An effect is a row of the table in effects.cpp, the code that measures and applies
-/// it, and its branch of the shader. The order is that of the bits in SceneRecord::effects.
+/// A correction or feature that a scene may need. Each effect has a row in the table in effects.cpp, code
+/// that measures and applies it, and, if it changes drawing, a branch in a shader. The order is that of the
+/// bits in SceneRecord::effects.
 enum class Effect : int {
     undistortion,
     per_fragment,
@@ -35,11 +36,11 @@ struct EffectRow {
     const char* name;      ///< as stored in packages
     const char* option;    ///< as documented for the command line, where `name` is accepted too
     const char* measures;  ///< what is compared with the threshold; stored in packages
-    const char* unit;      ///< of it; stored in packages
+    const char* unit;      ///< of the measured value; stored in packages
     double threshold;      ///< the effect is on above it
     Basis basis;
     const char* program;  ///< the shader program that it changes, "" if none
-    const char* define;   ///< the preprocessor symbol by which it does, "" if none
+    const char* define;   ///< the preprocessor symbol that enables it there, "" if none
 };
 std::span<const EffectRow> effect_table();
 
@@ -56,7 +57,7 @@ struct EffectDecision {
     bool on = false;
     bool forced = false;   ///< by --effect NAME=on|off
     double measured = 0;   ///< in the row's unit
-    std::string evidence;  ///< one sentence for people
+    std::string evidence;  ///< one human-readable sentence
 };
 
 enum class EffectChoice { automatic, on, off };

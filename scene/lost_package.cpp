@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-/// Read by a signal handler, hence without locks or allocation. Packages beyond these are not reported.
+/// Read by a signal handler, hence no locks or allocation. Mappings beyond this number are not tracked.
 struct Mapped {
     std::atomic<const std::byte*> first = nullptr;
     std::atomic<std::size_t> size = 0;

@@ -4,9 +4,9 @@
 
 namespace vantage {
 
-/// Reading a mapped package that has been truncated, or whose disk is gone, raises SIGBUS. From now on this
-/// process then prints one line that names the file, and exits with Exit::damaged. `program` must outlive the
-/// process's packages.
+/// Reading a mapped package that has been truncated, or whose disk is gone, raises SIGBUS. After this call,
+/// the process responds by printing one line with the file's path and exiting with Exit::damaged. `program`
+/// must stay valid as long as packages are open.
 void name_lost_packages(const char* program);
 
 /// Registers the file that these bytes are mapped from. `path` must stay valid until it is withdrawn.

@@ -33,7 +33,7 @@ enum class Type : std::uint32_t {
     clusters = fourcc("CLUS"),      ///< ClusterRecord[clusters]
     thumbnail = fourcc("THMB"),     ///< per photo: RGBA8
     coverage = fourcc("COVR"),      ///< per photo: CoverageRecord[clusters]
-    visible = fourcc("VISB"),       ///< per photo: u64[], a bit per triangle: fully seen; partly seen
+    visible = fourcc("VISB"),       ///< per photo: u64[], a bit per triangle seen in full, then in part
     samples = fourcc("SAMP"),       ///< per photo: SampleRecord[discs of the surface]
     coordinates = fourcc("TEXC"),   ///< per photo: float[2][vertices]; (-1,-1) where not visible
     tiles = fourcc("TILE"),         ///< per photo and level: blocks of RGBA8 tiles
@@ -95,7 +95,7 @@ struct PhotoRecord {
     std::uint32_t mask_width, mask_height;  ///< at pyramid level `mask_level`
     double fx, fy, cx, cy;
     double R[9];                    ///< row-major, cam_from_world
-    double t[3];                    ///< for positions relative to the origin
+    double t[3];                    ///< applies to positions relative to the origin
     double corrected_direction[3];  ///< unit vector in world space; [P] 2.3.3
     double hull_area;               ///< area of the visible vertices' convex hull over the photo's, [0,1]
     double seen_distance;           ///< median linear depth of what the photo sees; 0 if it sees nothing
@@ -110,10 +110,10 @@ struct PhotoRecord {
 /// The stages that produce a photo's artifacts.
 enum class Stage : std::uint32_t { thumbnail, tiles, masks, coordinates, coverage, samples, count };
 
-/// What a photo's artifacts were made from, so that a later run knows which to keep.
+/// What a photo's artifacts were made from, so that a later run can tell which to keep.
 struct PhotoState {
     struct Made {
-        std::uint64_t key;      ///< hash of inputs, settings and the stage's version; 0: not made
+        std::uint64_t key;      ///< hash of settings, version, and inputs except the pose; 0: not made
         std::uint64_t content;  ///< XXH3-64 of the checksums of the stage's chunks
     };
     Made stages[std::size_t(Stage::count)];
@@ -153,9 +153,9 @@ struct RegistrationRecord {
     std::uint64_t key;     ///< XXH3-64 of all inputs, the same for all photos
 };
 
-/// Pairs that are measured and stored per photo, at most.
+/// Maximum number of pairs measured and stored per photo.
 inline constexpr std::uint64_t stored_pairs_per_photo = 2;
-/// Cells of a pair's displacement map.
+/// Size of a pair's displacement map, in cells.
 inline constexpr int pair_columns = 12, pair_rows = 8;
 
 /// How far two overlapping photos disagree, matched through the model with the cameras as given. Pixels are

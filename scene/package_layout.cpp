@@ -23,8 +23,8 @@ DirectoryEntry planned_entry(const ChunkPlan& plan, std::uint64_t offset) {
     return e;
 }
 
-/// Leaves out where scene-wide chunks are: every run writes them, so that decides nothing about what it
-/// keeps.
+/// Ignores the positions of scene-wide chunks: every run rewrites them, so they do not affect what can be
+/// kept.
 std::uint64_t layout_checksum(const PackageLayout& layout, std::uint64_t names) {
     std::vector<std::uint64_t> words{names, layout.bytes, layout.directory.size()};
     for (const DirectoryEntry& e : layout.directory) {

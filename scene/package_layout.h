@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// What a chunk will be, before its bytes exist.
+/// Type and size of a chunk that is yet to be written.
 struct ChunkPlan {
     package::Type type;
     std::uint32_t photo = package::scene_wide;
@@ -19,13 +19,13 @@ struct ChunkPlan {
 };
 
 /// The share of the photos that one of several runs prepares: number `share` of `shares`, counted from 1; 0
-/// of 0 is all photos.
+/// of 0 means all photos.
 struct Share {
     std::uint32_t share = 0, shares = 0;
     bool holds(std::size_t photo) const { return shares == 0 || photo % shares == share - 1; }
 };
 
-/// Where everything goes in a package of the planned chunks.
+/// The positions of the planned chunks in the package.
 struct PackageLayout {
     std::uint64_t bytes = 0;                         ///< size of the file
     std::uint64_t checksum = 0;                      ///< of the photos' names and of where their chunks are

@@ -62,7 +62,7 @@ struct PackageReader::Mapping {
     int fd = -1;
     std::vector<DirectoryEntry> directory;  ///< copied: a part's changes while it is written
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, const DirectoryEntry*> index;
-    // Copied when they are checked: the file may be overwritten while it is shown.
+    // Copied before they are used, because the file may be overwritten while it is open.
     std::once_flag scene_read, photos_read;
     package::SceneRecord scene{};
     std::vector<package::PhotoRecord> photos;
@@ -86,7 +86,7 @@ struct PackageReader::Mapping {
             const std::string why = fd < 0 ? std::strerror(errno) : "not a regular file";
             throw Error(Exit::input, path.string() + ": cannot open: " + why);
         }
-        ::flock(fd, LOCK_SH | LOCK_NB);  // fails only in the process that writes the file
+        ::flock(fd, LOCK_SH | LOCK_NB);  // fails only while a writer has the file open
         size = std::uint64_t(st.st_size);
         if (size < sizeof(package::Header))
             damaged(Defect::not_a_package,

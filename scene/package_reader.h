@@ -13,14 +13,14 @@
 
 namespace vantage {
 
-/// A mapped package. Opening it reads and checks the header and the directory only. While open it holds a
-/// shared lock, by which other processes see that the file is in use. Spans point into the mapping and live
-/// as long as the reader, so a temporary reader gives none.
+/// A mapped package. Opening it reads and checks the header and the directory only. While open, it holds a
+/// shared lock, so that other processes can tell that the file is in use. Spans point into the mapping and
+/// are valid as long as the reader, so functions that return one cannot be called on a temporary.
 class PackageReader {
   public:
-    /// What is accepted: only a whole package, or also one that is still being prepared. Of that one, only
-    /// the chunks sealed so far are found (META and others may be missing), and the caller checks the
-    /// records.
+    /// What is accepted: only a whole package, or also one that is still being prepared. In the latter, only
+    /// the photos' chunks sealed so far are found, scene-wide chunks may not have been written yet, and the
+    /// caller must check the records.
     enum class Expect { whole, part };
     /// Throws Error(input) if the file cannot be opened, Error(damaged) if it is not what is expected.
     explicit PackageReader(const std::filesystem::path& file, Expect expect = Expect::whole);
@@ -52,7 +52,8 @@ class PackageReader {
     std::span<const std::byte> raw(const package::DirectoryEntry& entry) const&;
     std::span<const std::byte> raw(const package::DirectoryEntry&) const&& = delete;
     int descriptor() const;
-    /// Releases the pages of these bytes, or of all; they are read from the file again when needed.
+    /// Releases the pages of these bytes, or of the whole file; they are read from the file again when
+    /// needed.
     void forget(std::span<const std::byte> bytes) const;
     void forget_all() const;
     /// True if the head's checksum matches.
@@ -80,7 +81,7 @@ class PackageReader {
     std::string_view meta() const&;
     std::string_view meta() const&& = delete;
 
-    /// Index of the photo of this name, with or without its extension.
+    /// Index of the photo with this name, given with or without its extension.
     std::optional<std::uint32_t> photo_index(std::string_view name) const;
 
   private:

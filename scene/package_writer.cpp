@@ -51,7 +51,7 @@ bool is_sound(const Header& h) {
     return h.header_checksum == expected.header_checksum;
 }
 
-/// A package, finished or not, with the same chunks of photos at the same places.
+/// Whether the file is a package, finished or not, with the same photo chunks in the same places.
 bool can_resume(const Header& h, const PackageLayout& layout, Share share) {
     const auto is = [&](const char(&magic)[8]) { return std::memcmp(h.magic, magic, sizeof magic) == 0; };
     return (is(package::part_magic) || is(package::magic)) && is_sound(h) && h.version == package::version &&
@@ -111,7 +111,7 @@ struct PackageWriter::State {
     void begin();
 };
 
-/// Takes over what an earlier run sealed in a file of this layout; false if the file has another.
+/// Adopts the chunks that an earlier run sealed; false if the file does not have this layout.
 bool PackageWriter::State::resume() {
     Header h{};
     const auto header = std::as_writable_bytes(std::span(&h, 1));
@@ -127,7 +127,7 @@ bool PackageWriter::State::resume() {
     return true;
 }
 
-/// From here on the file is marked as a part, and lists what it holds.
+/// Marks the file as a part and lists the chunks that it holds.
 void PackageWriter::State::begin() {
     Header h = make_header(package::part_magic, layout, share);
     seal_header(h);
@@ -148,7 +148,7 @@ PackageWriter::PackageWriter(const std::filesystem::path& file, std::span<const 
         s.file.reserve(s.layout.bytes);
         s.begin();
     } catch (...) {
-        // A constructor that throws runs no destructor.
+        // The destructor does not run if the constructor throws.
         if (!s.resumed) s.file.remove();
         throw;
     }

@@ -15,12 +15,12 @@ namespace vantage {
 
 class PackageReader;
 
-/// Writes a package whose layout is known before its contents: every chunk has its place, so photos may
-/// finish in any order and on any thread, and the file is the same. The bytes go to FILE.part; finish()
-/// writes the directory and the header, flushes, and renames. Until then each chunk gets its directory entry
-/// when it is sealed, and everything carries checksums, so that after a crash at any instant the next writer
-/// can resume. write(), write_blocks(), note(), keep(), copy() and leave_out() are thread-safe and throw
-/// Error(storage).
+/// Writes a package whose layout is known before its contents: every chunk has a fixed place, so the file is
+/// the same in whatever order and on whatever thread the photos finish. The bytes go to FILE.part; finish()
+/// writes the directory and the header, flushes, and renames. Until then, a chunk's directory entry is
+/// written when the chunk is sealed, and everything has a checksum, so that the next writer can resume after
+/// a crash at any point. write(), write_blocks(), note(), keep(), copy() and leave_out() are thread-safe and
+/// throw Error(storage).
 class PackageWriter {
   public:
     /// Resumes FILE.part if it has this layout; moves one of another layout to displaced_part_of(FILE).
@@ -42,7 +42,8 @@ class PackageWriter {
     /// only one block is in memory.
     void write_blocks(package::Type type, std::uint32_t photo, std::uint32_t level,
                       const std::function<void(std::size_t b, std::span<std::byte> block)>& fill);
-    /// Writes record number `index` of a scene-wide chunk ahead of the whole chunk: a resumed run reads it.
+    /// Writes record number `index` of a scene-wide chunk before the chunk as a whole, for a resumed run to
+    /// read.
     void note(package::Type type, std::size_t index, std::span<const std::byte> record);
 
     /// Keeps a chunk that FILE.part already holds, with the checksum in `entry`.
@@ -53,9 +54,10 @@ class PackageWriter {
     /// file system supports holes.
     void leave_out(std::uint32_t photo);
 
-    /// A sealed chunk without blocks, as it is in the file. Throws Error(storage).
+    /// Reads back a sealed chunk without blocks. Throws Error(storage).
     std::vector<std::byte> read(package::Type type, std::uint32_t photo) const;
-    /// XXH3-64 of the head of a chunk that was written, kept or copied. Throws std::logic_error for another.
+    /// XXH3-64 of the head of a chunk that was written, kept or copied. Throws std::logic_error for any other
+    /// chunk.
     std::uint64_t checksum_of(package::Type type, std::uint32_t photo, std::uint32_t level = 0) const;
     /// Bytes of the finished package.
     std::uint64_t size() const;

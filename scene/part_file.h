@@ -46,7 +46,7 @@ class PartFile {
     void displace();
     /// Deletes the part.
     void remove() const;
-    /// Flushes to the disk, then renames to file(), so that a file of this name is always complete; deletes
+    /// Flushes to the disk, then renames to file(), so that a file with this name is always complete; deletes
     /// the displaced part.
     void publish();
     bool published() const { return fd_ < 0; }

@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// The value at rank floor(share (n - 1)) of the n sorted values, `share` in [0, 1]; of an even number, 0.5
-/// gives the lower of the two middle ones. 0 if there are none.
+/// The value at rank floor(share (n - 1)) of the n sorted values, `share` in [0, 1]; if n is even, 0.5 gives
+/// the lower of the two middle values. 0 if there are none.
 template <class T>
 double quantile(std::vector<T> values, double share) {
     if (values.empty()) return 0;
@@ -16,7 +16,8 @@ double quantile(std::vector<T> values, double share) {
     return double(*at);
 }
 
-/// The middle value, the upper of the two if their number is even; 0 if there are none. Reorders the values.
+/// The median, the upper of the two middle values if their number is even; 0 if there are none. Reorders the
+/// values.
 template <class T>
 T upper_median(std::span<T> values) {
     if (values.empty()) return 0;
