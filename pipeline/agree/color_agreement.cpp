@@ -43,7 +43,7 @@ ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samp
     ColorRefinement out{fit_colors(samples, lens, falloff != EffectChoice::off), lens, {}, {}};
     out.exposure = decide_exposure(out.fit, exposure);
     out.falloff = decide_falloff(out.fit, falloff);
-    // If colors agree as they are, falloff is left alone, too.
+    // Unless forced, falloff is corrected only together with exposure.
     if (!out.exposure.on && falloff == EffectChoice::automatic) out.falloff.on = false;
     return out;
 }

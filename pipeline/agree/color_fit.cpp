@@ -144,7 +144,7 @@ Normal normal_equations(const SharedDiscs& obs, const Model& m, const std::vecto
 
 void solve(const SharedDiscs& obs, const std::vector<double>& weights, Model& m) {
     Normal n = normal_equations(obs, m, weights);
-    // Determines the null space: each component's mean, photos and lenses without observations.
+    // Regularizes the null space: each component's mean, and photos and lenses without observations.
     const double ridge = 1e-7 * (n.A.trace() / double(n.A.rows()) + 1);
     n.A.diagonal().array() += ridge;
     n.C.diagonal().array() += ridge;
@@ -222,7 +222,8 @@ void center_gains(Model& m, const std::vector<std::uint32_t>& component,
     m.gain = m.gain.cwiseMax(-std::log(max_gain)).cwiseMin(std::log(max_gain));
 }
 
-/// Medians of the differences between consecutive photos of each disc, cyclically.
+/// Medians of the differences between consecutive photos of each disc, taken cyclically: over all discs, and
+/// per photo.
 void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<double>& of_photo) {
     std::vector<float> differences;
     std::vector<std::vector<float>> by_photo(of_photo.size());

@@ -46,7 +46,7 @@ std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photo
 /// reweighted by 1 / (1 + (e / s)^2) (Cauchy); s starts at 0.6, so that photos two stops apart are not
 /// outliers, and ends at 0.12. A photo with fewer than 30 such discs keeps gain 1; gains are within a factor
 /// of 4. A lens of at least three photos gets a falloff if it grows outward, is 5 to 60 % in the corner, and
-/// lowers the cost by 2 %. `lens`: per photo.
+/// lowers the cost by at least 2 %. `lens`: per photo.
 ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool with_falloff);
 
 }  // namespace vantage

@@ -29,10 +29,10 @@ struct Matching {
 Matching match_pairs(const PackageReader& package, std::span<const package::PhotoRecord> photos,
                      std::span<const Pose> poses, std::span<const PhotoPair> pairs, const MatchSettings& how);
 
-/// The pair has at least 20 matches and does not contradict.
+/// Whether the pair has at least 20 matches and does not contradict.
 bool trusted(const package::PairRecord& pair);
-/// At least 20 corners were compared and fewer than a quarter matched: the photos do not show the same
-/// surface.
+/// Whether at least 20 corners were compared and fewer than a quarter matched: the photos do not show the
+/// same surface.
 bool contradicts(const package::PairRecord& pair);
 
 /// Median of the trusted pairs' median displacements, in px: over all pairs, those with a photo, or those

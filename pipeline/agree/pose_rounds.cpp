@@ -14,10 +14,11 @@ namespace {
 constexpr std::size_t matched_pairs_per_photo = 6;
 constexpr int corners = 500;
 constexpr int coarse = 800, fine = 1600;  ///< px on the photos' longer side
-/// Weight of the anchor, in observations: small against thousands of corners, but above 1, because the mesh's
-/// errors correlate those of the corners.
+/// Weight of the anchor, in observations: small against thousands of corners, but above 1, because errors in
+/// the mesh make those of the corners correlated.
 constexpr double anchor = 5;
-/// The common motion is kept if removing it worsens holdout corners by this share of it.
+/// The common motion is kept if removing it increases the error of holdout corners by at least this share of
+/// it.
 constexpr double min_support = 0.05;
 constexpr double converged = 0.05;  ///< px
 constexpr int attempts = 3;

@@ -27,7 +27,7 @@ class PoseRounds {
         double common_motion;  ///< px, median
         bool common_kept;      ///< false: it was removed from `poses`
     };
-    Solution without_common_motion(const Poses& now) const;  ///< unless holdout corners support it
+    Solution without_common_motion(const Poses& now) const;  ///< kept if holdout corners support it
 
     const RegistrationInput& in_;
     std::vector<PhotoPair> pairs_;

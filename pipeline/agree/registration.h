@@ -16,7 +16,7 @@ struct RegistrationInput {
     const PackageReader& package;                  ///< with tiles, depth and samples
     std::span<const package::PhotoRecord> photos;  ///< with the given poses
     Samples samples;
-    std::span<const SurfaceDisc> discs;           ///< as many as samples per photo
+    std::span<const SurfaceDisc> discs;           ///< one per sample of a photo
     std::span<const std::uint64_t> fingerprints;  ///< of each photo's content and pose
     std::span<const package::PairRecord> known;   ///< measured earlier, reused if their keys match
     unsigned threads = 0;

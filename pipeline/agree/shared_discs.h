@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// The samples of all photos: one record per disc, or none for a photo.
+/// Views of the samples of all photos: one record per disc, or none for a photo without pixels.
 using Samples = std::span<const std::span<const package::SampleRecord>>;
 
 /// Whether the photo shows the disc.

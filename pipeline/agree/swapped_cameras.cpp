@@ -14,7 +14,7 @@ constexpr double min_fit = 0.4;  ///< share of the corners
 constexpr int max_neighbors = 4;
 constexpr std::size_t max_tried = 12;  ///< photos tried with each other's cameras
 
-/// Photos all of whose pairs contradict, while some other pair is trusted.
+/// Photos whose pairs all contradict; none if no pair at all is trusted.
 std::vector<std::uint32_t> lost_photos(const RegistrationInput& in, std::span<const PairRecord> pairs) {
     std::vector<std::uint32_t> lost;
     if (std::ranges::none_of(pairs, trusted)) return lost;
@@ -60,7 +60,7 @@ double fit(const RegistrationInput& in, std::span<const PhotoPair> pairs, std::s
 std::vector<std::string> misplaced_photos(const RegistrationInput& in, std::span<const PairRecord> pairs) {
     std::vector<std::uint32_t> lost = lost_photos(in, pairs);
     std::vector<std::string> out;
-    // More neighbors than were measured, in case the nearest ones are lost, too.
+    // More neighbors than were measured, in case the nearest ones are lost as well.
     const std::vector<PhotoPair> near =
         lost.empty() ? std::vector<PhotoPair>{} : photo_pairs(in.photos, in.samples, in.discs, 8);
     std::vector<bool> reported(in.photos.size());

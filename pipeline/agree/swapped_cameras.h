@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// Warnings about photos that contradict the others, one line each, or one line for two that fit with each
-/// other's cameras. Throws Error(damaged).
+/// Warnings about photos that contradict the others, one line per photo; two photos that match their
+/// neighbors with each other's cameras share a line. Throws Error(damaged).
 std::vector<std::string> misplaced_photos(const RegistrationInput& input,
                                           std::span<const package::PairRecord> pairs);
 

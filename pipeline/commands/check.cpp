@@ -27,7 +27,8 @@ struct Checked {
     double seconds;
 };
 
-/// The inputs of a package: the folder itself if there is one package, else its subfolder of the same name.
+/// The inputs of a package: the folder itself if there is only one package, else its subfolder of the same
+/// name.
 fs::path inputs_of(const CheckOptions& o, const fs::path& file) {
     if (o.depth.against.empty() || o.files.size() == 1) return o.depth.against;
     return o.depth.against / file.stem();

@@ -41,7 +41,7 @@ struct PrepareOptions {
     bool explain = false, strict = false, rehash = false, no_report = false;
 };
 
-/// "NAME=on|off|auto" into the table of forced effects.
+/// Adds "NAME=on|off|auto" to the table of forced effects.
 void force_effect(const std::string& text, std::map<Effect, EffectChoice>& choices) {
     const std::size_t eq = text.find('=');
     const EffectRow& row = effect_row(text.substr(0, eq));
@@ -78,7 +78,7 @@ Share share(const std::string& text) {
     return s;
 }
 
-/// The photos that the existing package lacks, if it is what this run would make; otherwise none.
+/// The photos that the existing package lacks, if it is what this run would make; otherwise nullopt.
 std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const InputFiles& files,
                                                   IdentityCache& identities) {
     if (!std::filesystem::exists(o.out)) return {};

@@ -69,7 +69,8 @@ fs::path find_photos(const std::vector<fs::path>& files) {
     std::map<fs::path, std::size_t> count;
     for (const fs::path& f : files)
         if (is_photo(f)) ++count[f.parent_path()];
-    // The name counts before the number: folders of masks or depth maps may hold more images.
+    // The folder's name takes precedence over the number of images: folders of masks or depth maps may hold
+    // more.
     const auto rank = [](const auto& c) {
         return std::pair(is_one_of(c.first.filename().string(), {"images", "photos"}), c.second);
     };

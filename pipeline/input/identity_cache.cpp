@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t max_cache_bytes = 16u << 20;  ///< about 150,000 files; a larger cache is truncated
+constexpr std::uintmax_t max_cache_bytes = 16u << 20;  ///< about 150,000 files; a larger cache is emptied
 constexpr std::time_t timestamp_resolution = 2;        ///< s, of the coarsest file system in use (FAT)
 
 bool read_status(const fs::path& file, struct stat& st) { return ::stat(file.c_str(), &st) == 0; }
@@ -30,7 +30,7 @@ std::string stamp_of(const fs::path& file) {
                        st.st_mtim.tv_sec, st.st_mtim.tv_nsec, st.st_ctim.tv_sec, st.st_ctim.tv_nsec);
 }
 
-/// Whether the next modification will change the timestamps: one right after the last may not.
+/// Whether the next modification will change the timestamps; one right after the previous one may not.
 bool timestamps_are_reliable(const fs::path& file) {
     struct stat st {};
     return read_status(file, st) &&

@@ -36,7 +36,8 @@ class IdentityCache {
     std::pair<std::vector<std::byte>, FileIdentity> read(const std::filesystem::path& file);
 
   private:
-    /// Unless the file has changed since it had this stamp, or still could without a change of stamp.
+    /// Caches `id`, unless the file has changed since `stamp` was taken or could still change without
+    /// changing its stamp.
     void add(const std::filesystem::path& file, const std::string& stamp, FileIdentity id);
 
     std::filesystem::path cache_;

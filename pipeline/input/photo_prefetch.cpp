@@ -28,7 +28,7 @@ void PhotoPrefetch::decode(Entry& entry, const PhotoInput& photo, Trace* trace) 
         entry.identity = identify(bytes);
         entry.image = decode_photo(photo.file, bytes, photo.decoded);
     } catch (const std::exception&) {
-        // The error is reported when the photo is decoded in its turn.
+        // The error is reported when the photo is decoded again in its turn.
     }
     entry.decoded.set_value();
 }

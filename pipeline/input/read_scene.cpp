@@ -52,7 +52,7 @@ void fit_to_photo(PhotoInput& photo, bool size_known, SceneInput& scene) {
     k = k.scaled(size.width, size.height);
 }
 
-/// The photo of a camera, both checked. Throws Error(input) if they cannot be used.
+/// A photo with its camera, both checked. Throws Error(input) if they cannot be used.
 PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file, SceneInput& scene) {
     PhotoInput photo{file.filename().string(), file, entry.camera};
     fit_to_photo(photo, entry.size_known, scene);

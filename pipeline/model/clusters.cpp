@@ -35,8 +35,8 @@ package::ClusterRecord bounds(const std::vector<Eigen::Vector3f>& positions, con
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Splits clusters of large triangles until each is seen at nearly one angle and one distance; otherwise the
-/// player could not estimate how finely a photo samples it.
+/// Splits clusters of large triangles until a camera sees each at roughly a single angle and distance;
+/// otherwise the player could not estimate how finely a photo samples it.
 class Splitter {
   public:
     Splitter(const std::vector<Eigen::Vector3f>& positions, std::vector<std::uint32_t>& indices)
@@ -60,7 +60,7 @@ class Splitter {
     }
 
   private:
-    /// Reorders the cluster's triangles in two parts and returns the size of the first; 0 to keep it whole.
+    /// Reorders the cluster's triangles into two parts and returns the size of the first; 0 to keep it whole.
     std::uint32_t partition(const package::ClusterRecord& c) {
         constexpr float max_cutoff = 0.87f;  // sine of the cone's half angle
         if (c.radius <= 0.02f * scene_radius_) return 0;

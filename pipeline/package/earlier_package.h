@@ -12,7 +12,7 @@
 
 namespace vantage {
 
-/// A package, finished or partial, that an earlier run left. Its chunks are reused if they were made from the
+/// A package, finished or partial, left by an earlier run. Its chunks are reused if they were made from the
 /// same inputs.
 class EarlierPackage {
   public:
@@ -32,7 +32,8 @@ class EarlierPackage {
     const nlohmann::json& settings() const { return settings_; }
 
     /// Passes a stage's chunks to the writer if all are present and intact, and were made with the key and
-    /// pose in `wanted` for a photo of as many levels. Sets the stage's content in `wanted`. Thread-safe.
+    /// pose in `wanted` for a photo with the same number of levels. Sets the stage's content in `wanted`.
+    /// Thread-safe.
     bool reuse(package::Stage stage, std::uint32_t from, std::uint32_t to, int levels,
                package::PhotoState& wanted, PackageWriter& writer) const;
 

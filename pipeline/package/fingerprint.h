@@ -11,7 +11,7 @@
 
 namespace vantage {
 
-/// XXH3-64 over the bytes of values, one after another. Takes types without padding only.
+/// XXH3-64 over the bytes of values, one after another. Accepts only types without padding.
 class Fingerprint {
   public:
     template <class T>

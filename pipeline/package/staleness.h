@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// A difference between an input of a package and the file that there is now.
+/// A difference between an input of a package and the current file.
 struct InputChange {
     enum class Kind { changed, added, missing };
     Kind kind;
@@ -19,7 +19,7 @@ struct InputChange {
 /// if META cannot be read.
 std::vector<InputChange> changed_inputs(const PackageReader& package, const InputFiles& files,
                                         IdentityCache& identities);
-/// The settings, and the version of the program, that differ from those of the package, one line each.
+/// The settings that differ from those of the package, and the program's version if it does, one line each.
 std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings);
 
 /// The photos that a package lacks: those without a camera or file, and those that could not be decoded.

@@ -2,8 +2,8 @@
 #include <cstdint>
 
 /// Marks a function that loops over pixels. It is compiled for AVX2 and for the baseline, and the version is
-/// selected at program start. Both give bit-identical results, because AVX2 alone, without FMA, has
-/// no fused multiply-add. Off under the sanitizers, which start up after that selection.
+/// selected at program start. Both give bit-identical results, because AVX2 alone, without FMA, has no fused
+/// multiply-add. Disabled under sanitizers, which initialize after that selection.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(VANTAGE_SANITIZED)
 #define VANTAGE_SIMD __attribute__((target_clones("avx2", "default")))
 #else

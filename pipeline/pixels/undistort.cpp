@@ -43,7 +43,7 @@ RgbaImage undistort(const RgbaImage& photo, const Camera& camera, Resampling res
     cv::Mat map(photo.height, photo.width, CV_32FC2);
     for (int y = 0; y < photo.height; ++y)
         for (int x = 0; x < photo.width; ++x) {
-            // OpenCV has pixel centers at integers.
+            // OpenCV's pixel centers are at integers.
             const Eigen::Vector2d p = distorted_pixel(camera, range, x + 0.5, y + 0.5).array() - 0.5;
             const bool usable = p.allFinite() && p.cwiseAbs().maxCoeff() < 1e6;
             map.at<cv::Vec2f>(y, x) =

@@ -13,7 +13,7 @@
 
 namespace vantage {
 
-/// A package whose per-photo chunks are all written.
+/// Input of finish_package: a package whose per-photo chunks have all been written.
 struct FinishInput {
     const GeometryContext& geometry;
     std::filesystem::path out;  ///< the package that the writer writes

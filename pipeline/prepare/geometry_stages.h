@@ -44,7 +44,7 @@ std::vector<std::uint8_t> validity(const RgbaImage& level);
 /// Projects the model into the photo and selects the triangles that may reach into its frame.
 PhotoView view_of(const GeometryContext& context, const PosedPhoto& photo);
 
-/// Writes texture coordinates, masks, coverage and color samples, as far as they are in `missing`, from the
+/// Writes those of texture coordinates, masks, coverage and color samples that are in `missing`, from the
 /// rendered `geometry` and from `pixels` (awaited only if needed). Stores its measurements in `record`.
 void make_from_geometry(const GeometryContext& context, const PosedPhoto& photo, const StageSet& missing,
                         const PhotoView& view, PhotoGeometry geometry, std::future<CoarsePixels> pixels,

@@ -72,7 +72,7 @@ std::vector<std::size_t> photos_to_prefetch(const SceneInput& scene, const Prepa
     return first;
 }
 
-/// Estimates and reports what the run takes. Throws if the disk or --memory is too small.
+/// Estimates and reports the resources that the run needs. Throws if the disk or --memory is too small.
 ResourceEstimate reserve(const PreparePlan& plan, const SceneInput& scene, const PrepareSettings& settings,
                          const PrepareRun& run, bool opengl, const std::filesystem::path& out) {
     const PackageLayout layout = package_layout(plan.chunks, plan.names);
@@ -158,7 +158,7 @@ struct Cameras {
     std::optional<Registration> registration;
 };
 
-/// Registered poses go into the photos' records, too. A share has no registration.
+/// Also writes registered poses to the photos' records. A share has no registration.
 Cameras scene_cameras(const SceneKey& key, const SceneInput& scene, const Eigen::Vector3d& origin,
                       IdentityCache& identities, const EarlierPackages& earlier, bool share,
                       std::vector<package::PhotoRecord>& records) {

@@ -43,7 +43,7 @@ struct PrepareResult {
     std::shared_ptr<const Agreement> agreement;  ///< null for a share
 };
 
-/// Prepares the package `out` from `scene`. Work is per photo: at most `threads` photos are in memory. The
+/// Prepares the package `out` from `scene`. Work is per photo, with at most `threads` photos in flight. The
 /// same inputs and settings give the same bytes, however often the run is interrupted and resumed: finished
 /// work is kept in FILE.part, and everything in an existing package that was made from the same inputs is
 /// reused. The file appears under its name only when it is complete. Throws Error; Error(interrupted) when

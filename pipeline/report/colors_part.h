@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// HTML: the color differences between photos, the gains that correct them, per photo, and the lenses'
+/// HTML: the color differences between photos and the gains that correct them, per photo, and the lenses'
 /// falloff.
 std::string colors_part(std::span<const package::PhotoRecord> photos, const ColorRefinement& refinement);
 

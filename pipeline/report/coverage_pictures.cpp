@@ -53,7 +53,7 @@ struct ParallelView {
 };
 
 ParallelView look_along(int axis, const Eigen::Vector3f& low, const Eigen::Vector3f& high, int size) {
-    // Upright if z or y is up; seen along z, y points up.
+    // z points up in the picture; seen along z, y does.
     const int right = axis == 0 ? 1 : 0, down = axis == 2 ? 1 : 2;
     const Eigen::Vector3f extent = (high - low).cwiseMax((high - low).maxCoeff() * 1e-3f);
     const float scale = float(size - 8) / std::max(extent[right], extent[down]);

@@ -13,7 +13,7 @@ std::vector<unsigned> photos_per_triangle(const PackageReader& package);
 
 /// The shares of the model's surface that 0, 1, 2, 3 or 4, and 5 or more photos see.
 std::array<double, 5> covered_area(const PackageReader& package, const std::vector<unsigned>& photos);
-/// The name and sRGB color of such a class.
+/// Name and sRGB color of one of these five classes.
 struct CoverageClass {
     const char* name;
     std::array<std::uint8_t, 3> color;

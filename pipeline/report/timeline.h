@@ -7,7 +7,7 @@
 namespace vantage {
 
 /// The run as an SVG timeline: one lane per thread, one color per stage, with a legend; names and times are
-/// tooltips.
+/// shown as tooltips.
 std::string timeline(const std::vector<Trace::Span>& spans);
 
 /// The time spent in a stage.

@@ -18,7 +18,8 @@ struct Issue {
     const FindingRow& row() const { return finding_row(finding); }
 };
 
-/// The exit code for all issues: unreadable before damaged before stale before incomplete; ok without issues.
+/// The exit code for all issues: the first of unreadable, damaged, stale and incomplete that occurs; ok if
+/// there are none.
 Exit worst(const std::vector<Issue>& issues);
 
 /// How much a check covers.

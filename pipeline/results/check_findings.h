@@ -38,7 +38,7 @@ enum class Finding {
 
 enum class Severity {
     warning,  ///< the package is intact
-    error     ///< the package cannot be trusted, or not be checked
+    error     ///< the package cannot be trusted or cannot be checked
 };
 const char* severity_name(Severity severity);
 

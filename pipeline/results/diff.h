@@ -9,7 +9,7 @@ namespace vantage {
 
 /// A difference between two packages: in a setting, the model, a photo, or one of a photo's artifacts.
 struct Difference {
-    std::string of;    ///< "settings", "inputs", "model", "photos", or a photo's name
+    std::string of;    ///< "settings", "inputs", "model", or a photo's name
     std::string what;  ///< the setting, part or artifact; empty if `of` is in one package only
     std::string text;  ///< how they differ, as a message
 };

@@ -8,9 +8,9 @@
 
 namespace vantage {
 
-/// For each setting that the package was prepared with, a message: its cost and loss compared with other
-/// values, as measured (configs/costs.json, written by vantage-bench). Throws Error(usage) if that file is
-/// missing or invalid.
+/// One message for each setting that the package was prepared with: its cost and loss compared with other
+/// values, as measured by vantage-bench (configs/costs.json). Throws Error(usage) if that file is missing or
+/// invalid.
 std::vector<std::string> explain(const PrepareSettings& settings, const SceneInput& scene,
                                  const PackageReader& package);
 

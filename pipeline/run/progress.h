@@ -16,8 +16,8 @@ struct Progress {
 /// Called during long operations, by one thread at a time. An exception from it aborts the operation.
 using OnProgress = std::function<void(const Progress&)>;
 
-/// Calls `report`, if there is one, until `*stop` is set, then throws Error(interrupted, `message`). A null
-/// `stop` is never set.
+/// A callback that calls `report`, if not empty, until `*stop` is set, and from then on throws
+/// Error(interrupted, `message`). A null `stop` is never set.
 OnProgress until_stopped(const std::atomic<bool>* stop, std::string message, OnProgress report);
 
 }  // namespace vantage

@@ -14,8 +14,8 @@ const char* name(RenderBy by);
 /// Throws Error(usage) for an unknown name.
 RenderBy render_by(const std::string& name);
 
-/// How the distance to the nearest border is computed. `automatic`: jfa_squared on a GPU, else
-/// exact. The others but `exact` are variants of jump flooding.
+/// How the distance to the nearest border is computed. `automatic`: jfa_squared on a GPU, else exact. All
+/// others except `exact` are variants of jump flooding.
 enum class DistanceMethod { automatic, exact, jfa, jfa_plus_1, one_plus_jfa, jfa_squared };
 const char* name(DistanceMethod method);
 /// Throws Error(usage) for an unknown name.

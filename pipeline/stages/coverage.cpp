@@ -100,7 +100,7 @@ package::CoverageRecord record(const package::ClusterRecord& c, const Extent& e,
     std::uint32_t seen = 0;
     for (std::uint32_t t = c.first_triangle; t < c.first_triangle + c.triangles; ++t) seen += part.at(t);
     r.seen = std::max<std::uint16_t>(1, clamped_u16(65535.0 * seen / c.triangles));
-    // Two pixels of margin: what falls between pixels, and what the player's depth test lets pass.
+    // A margin of two pixels covers what falls between pixels and what the player's depth test lets through.
     const double w = 65535.0 * (1 << mask_level) / k.width, h = 65535.0 * (1 << mask_level) / k.height;
     r.u0 = clamped_u16(std::floor((e.x0 - 2) * w));
     r.v0 = clamped_u16(std::floor((e.y0 - 2) * h));

@@ -43,7 +43,7 @@ std::optional<DepthSummary> summarize_depths(std::span<const float> z) {
     if (high == 0) return std::nullopt;
     DepthSummary out{low, high, 0};
     std::vector<float> sample;
-    // The stride is odd, so that it does not pick a few columns of the map.
+    // The stride is odd, so that the sample is not confined to a few columns of the map.
     for (std::size_t i = 0; i < z.size(); i += z.size() / 16384 | 1)
         if (std::isfinite(z[i])) sample.push_back(z[i]);
     if (sample.empty()) sample.push_back(out.nearest);

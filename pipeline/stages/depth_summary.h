@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Of a map's finite depths. The median is that of a sample of about 16,000 pixels.
+/// Summary of a map's finite depths. The median is that of a sample of about 16,000 pixels.
 struct DepthSummary {
     float nearest, farthest, median;
 };

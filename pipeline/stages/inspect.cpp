@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t samples = 20000;  ///< vertices or triangles examined per photo, about
+constexpr std::size_t samples = 20000;  ///< approximate number of vertices or triangles examined per photo
 
 bool inside(const Intrinsics& k, const Eigen::Vector2d& p) {
     return p.x() >= 0 && p.y() >= 0 && p.x() < k.width && p.y() < k.height;

@@ -72,7 +72,7 @@ Vector3f brick(const Vector3d& p, const Vector2d& uv) {
     return mix({0.30f, 0.09f, 0.06f}, {0.55f, 0.24f, 0.15f}, 0.6 * c.id + 0.4 * grain);
 }
 
-/// Vertical bars whose period falls from 20 cm to 4 mm within each meter, to show the resolution.
+/// Vertical bars whose period falls from 20 cm to 4 mm within each meter, as a test of resolution.
 Vector3f grating(const Vector2d& uv) {
     const double x = uv.x() - std::floor(uv.x());
     const double period = 0.2 * std::pow(0.02, x);

@@ -13,7 +13,7 @@ namespace vantage {
 /// The first intersection of a ray with a mesh.
 struct RayHit {
     std::uint32_t triangle;
-    double distance;     ///< in lengths of the direction
+    double distance;     ///< in multiples of the direction's length
     Eigen::Vector2d uv;  ///< barycentric coordinates of the triangle's second and third vertices
 };
 
@@ -27,10 +27,10 @@ class RayScene {
     ~RayScene();
     RayScene(RayScene&&) noexcept;
 
-    /// The first hit at `nearest` lengths of the direction or more.
+    /// The first hit at a distance of at least `nearest`, in multiples of the direction's length.
     std::optional<RayHit> first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                     double nearest = 0) const;
-    /// Whether anything is hit from `nearest` to `farthest` lengths of the direction.
+    /// Whether anything is hit from `nearest` to `farthest`, in multiples of the direction's length.
     bool occluded(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double nearest,
                   double farthest) const;
 

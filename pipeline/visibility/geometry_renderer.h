@@ -24,9 +24,9 @@ struct PhotoView {
 /// the CPU in the caller's thread. Thread-safe.
 class GeometryRenderer {
   public:
-    /// Resolves automatic settings: OpenGL with jump flooding if there is a graphics card, otherwise the CPU
-    /// with exact distances. `model` and `normals` must outlive the renderer. Throws Error(graphics) if
-    /// OpenGL is requested but unavailable, Error(usage) if jump flooding is requested without OpenGL.
+    /// Resolves automatic settings: OpenGL with jump flooding if there is a GPU, otherwise the CPU with exact
+    /// distances. `model` and `normals` must outlive the renderer. Throws Error(graphics) if OpenGL is
+    /// requested but unavailable, Error(usage) if jump flooding is requested without OpenGL.
     GeometryRenderer(const PackedModel& model, const std::vector<Eigen::Vector3f>& normals,
                      const PrepareSettings& settings);
     ~GeometryRenderer();

@@ -19,7 +19,7 @@ VANTAGE_SIMD void step(const std::uint8_t* border, const std::int16_t* before, s
     }
 }
 
-/// Takes the nearest border pixel below into account, too.
+/// Also takes the nearest border pixel below into account.
 VANTAGE_SIMD void step_back(const std::int16_t* below, std::int16_t* to, int width, std::int16_t none) {
     for (int x = 0; x < width; ++x)
         to[x] = std::min(to[x], std::min<std::int16_t>(std::int16_t(below[x] + 1), none));

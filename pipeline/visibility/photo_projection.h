@@ -10,8 +10,8 @@
 
 namespace vantage {
 
-/// Positions on a map are fixed-point, in 1/2^14 pixel: finer than a single-precision texture coordinate, and
-/// enough range for maps 65536 pixels wide.
+/// Positions on a map are fixed-point, in 1/2^14 pixel: finer than a single-precision texture coordinate,
+/// with enough range for maps 65536 pixels wide.
 inline constexpr int position_bits = 14;
 
 /// A vertex on a photo's map. `inverse` is 0 if it is nearer than the near plane or its position overflows
@@ -43,7 +43,7 @@ struct ProjectedPiece {
     std::array<std::int64_t, 3> x, y;
     std::array<double, 3> inverse;  ///< 1/z
 
-    /// Inverse depth, clamped to the range of the corners: slivers lose precision.
+    /// Inverse depth, clamped to the range of the corners, because interpolation loses precision on slivers.
     double clamped(double inverse_depth) const;
 };
 

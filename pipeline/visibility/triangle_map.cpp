@@ -111,7 +111,7 @@ VANTAGE_INLINE void fill(const SmallTriangle& s, TriangleMap& map) {
             std::memcpy(&shown, &map.value[at], sizeof shown);
             std::memcpy(&triangle, &map.triangles[at], sizeof triangle);
             Floats inverse = slope + float(plane);
-            // Slivers lose precision: clamped to the range of the corners.
+            // Clamped to the range of the corners, because interpolation loses precision on slivers.
             inverse = inverse < s.min_inverse ? Floats{} + s.min_inverse : inverse;
             inverse = inverse > s.max_inverse ? Floats{} + s.max_inverse : inverse;
             const Ints seen = ((a | b | c) >= 0) & in_bounds & (inverse > depth);

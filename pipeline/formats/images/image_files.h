@@ -23,9 +23,9 @@ struct PhotoHeader {
 /// Type of a channel's values.
 enum class Sample { u8, f32 };
 
-/// Reading and writing of image files by OpenImageIO. With its dependencies, OpenImageIO takes longer to load
-/// than many packages take to check, so it is in a library of its own, which is loaded on first use: a plain
-/// JPEG does not need it. The functions throw Error(input) or Error(storage) naming the file.
+/// Reads and writes image files with OpenImageIO. Loading OpenImageIO and its dependencies takes longer than
+/// checking many packages, so this code is in a library of its own, loaded on first use; plain JPEG files do
+/// not need it. The functions throw Error(input) or Error(storage) naming the file.
 struct ImageFiles {
     PhotoHeader (*header)(const std::filesystem::path& file);
     RgbaImage (*read)(const std::filesystem::path& file);

@@ -31,7 +31,7 @@ RgbaImage read(const std::filesystem::path& file) {
     OIIO::ImageBuf image(file.string(), 0, 0, nullptr, &config);
     if (!image.read(0, 0, true, OIIO::TypeDesc::UINT8)) fail(file, "cannot read: " + image.geterror());
     const OIIO::ImageSpec& spec = image.spec();
-    // Gray, gray with alpha, RGB, RGBA; -1: filled.
+    // Source channels for gray, gray with alpha, RGB, RGBA; -1: filled with a constant.
     const int n = spec.nchannels;
     const int order[] = {0, n >= 3 ? 1 : 0, n >= 3 ? 2 : 0, n == 2 ? 1 : n >= 4 ? 3 : -1};
     const float fill[] = {0, 0, 0, 1};

@@ -12,8 +12,8 @@ namespace vantage {
 PhotoHeader read_photo_header(const std::filesystem::path& file);
 
 /// Decodes a photo: JPEG by libjpeg-turbo, everything else by OpenImageIO (gray, 16-bit, float, alpha, CMYK).
-/// Pixels stay as stored, because cameras are calibrated on stored pixels; only if the stored size has width
-/// and height of `expected` swapped is the EXIF orientation applied. Throws Error(input) if the photo is
+/// Pixels stay as stored, because cameras are calibrated on stored pixels; the EXIF orientation is applied
+/// only if the stored width and height are those of `expected`, swapped. Throws Error(input) if the photo is
 /// truncated, corrupt or of another size.
 RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected);
 /// The same from the file's bytes; `file` names them in messages and, unless they are a JPEG, is read again.

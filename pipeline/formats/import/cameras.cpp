@@ -16,7 +16,7 @@ bool has_extension(const fs::path& path, const char* wanted) {
     return e == wanted;
 }
 
-/// COLMAP's folder may be passed itself, or as one of its files.
+/// COLMAP's folder; `path` is the folder itself or one of its files.
 fs::path colmap_folder(const fs::path& path) { return fs::is_directory(path) ? path : path.parent_path(); }
 
 bool is_colmap(const fs::path& path, const char* cameras) {

@@ -12,7 +12,7 @@ namespace vantage {
 struct CameraSet {
     struct Entry {
         std::string photo;  ///< name in the file, folders included
-        Camera camera;      ///< without `size_known`, size and principal point are not set
+        Camera camera;      ///< size and principal point are set only if `size_known`
         bool size_known;    ///< false for Bundler, whose principal point is the photo's center
     };
     std::string format;  ///< display name: "COLMAP text", "Bundler", ...

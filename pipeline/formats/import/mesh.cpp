@@ -12,8 +12,8 @@
 namespace vantage {
 namespace {
 
-/// Merges vertices of equal position, because STL stores every corner of every triangle. Positions must not
-/// be NaN, which has no order.
+/// Merges vertices of equal position, because STL stores each triangle's corners separately. Positions must
+/// not be NaN, which has no order.
 void weld(Mesh& mesh) {
     std::map<std::array<double, 3>, std::uint32_t> first;
     std::vector<std::uint32_t> merged(mesh.positions.size());

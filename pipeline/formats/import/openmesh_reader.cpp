@@ -18,7 +18,7 @@ using namespace OpenMesh;
 
 std::uint8_t to_byte(float v) { return std::uint8_t(std::clamp(v, 0.0f, 1.0f) * 255 + 0.5f); }
 
-/// Collects the mesh from OpenMesh's readers unchanged. The readers trust the counts in the file and go on
+/// Collects the mesh from OpenMesh's readers unchanged. The readers trust the counts in the file and read on
 /// past its end, so more elements than a file of `bytes` bytes can hold throw std::length_error.
 class Collector : public IO::BaseImporter {
   public:
@@ -65,7 +65,7 @@ class Collector : public IO::BaseImporter {
     std::size_t n_faces() const override { return faces_; }
     std::size_t n_edges() const override { return 0; }
 
-    // Unused parts of a mesh.
+    // Parts of a mesh that are not used.
     HalfedgeHandle add_edge(VertexHandle, VertexHandle) override { return HalfedgeHandle(); }
     FaceHandle add_face(HalfedgeHandle) override { return FaceHandle(); }
     void add_face_texcoords(FaceHandle, VertexHandle, const std::vector<Vec2f>&) override {}
