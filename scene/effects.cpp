@@ -20,21 +20,21 @@ constexpr std::array table{
     EffectRow{Effect::fov_normalization, "fov-normalisation", "fov-normalization",
               "spread of the photos' focal lengths, max/min - 1", "", 0.05, Basis::scene, "", ""},
     EffectRow{Effect::vertex_colors, "vertex-colors", "vertex-colors",
-              "share of vertices with a color that no photo sees", "", 0.001, Basis::scene, "surface",
+              "share of colored vertices that no photo sees", "", 0.001, Basis::scene, "surface",
               "VERTEX_COLORS"},
     EffectRow{Effect::exposure, "exposure", "exposure",
-              "how far photos of one surface differ, median |ln ratio|", "", 0.02, Basis::colors, "blend",
-              "PHOTO_GAIN"},
-    EffectRow{Effect::falloff, "falloff", "falloff", "light that a lens loses in the corner", "", 0.05,
-              Basis::colors, "blend", "PHOTO_FALLOFF"},
+              "color difference between photos of the same surface, median |ln ratio|", "", 0.02,
+              Basis::colors, "blend", "PHOTO_GAIN"},
+    EffectRow{Effect::falloff, "falloff", "falloff", "largest share of light lost in a lens's corners", "",
+              0.05, Basis::colors, "blend", "PHOTO_FALLOFF"},
     EffectRow{Effect::registration, "registration", "registration",
-              "how far photos lie from each other on the model, over what is usual (1 px, 1.5 px a pair)", "",
+              "displacement between photos on the model, relative to its limit (1 px; 1.5 px per pair)", "",
               1, Basis::pixels, "", ""},
     EffectRow{Effect::consensus, "consensus", "consensus", "largest share of a photo that others contradict",
               "", 0.005, Basis::pixels, "blend", "PHOTO_CONSENSUS"},
 };
 static_assert(table.size() == std::size_t(Effect::count));
-static_assert(std::ranges::is_sorted(table, {}, &EffectRow::effect), "rows stand in the order of Effect");
+static_assert(std::ranges::is_sorted(table, {}, &EffectRow::effect), "rows are in the order of Effect");
 
 }  // namespace
 

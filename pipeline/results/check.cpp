@@ -47,7 +47,7 @@ void check_model(const PackageReader& reader, Issues& out) {
         }
     for (const auto& n : reader.records<std::array<float, 3>>(Type::normals))
         if (!(std::abs(std::hypot(n[0], n[1], n[2]) - 1) < 1e-3f)) {
-            add(out, Finding::normal_length, "VNRM: a normal is not of unit length");
+            add(out, Finding::normal_length, "VNRM: a normal does not have unit length");
             break;
         }
 }

@@ -180,7 +180,7 @@ std::vector<std::string> explain(const PrepareSettings& s, const SceneInput& sce
             out.push_back(
                 line("distance", "auto",
                      fmt::format("{}, {}: {}", name(m),
-                                 m == DistanceMethod::exact ? "on a software renderer" : "on a graphics card",
+                                 m == DistanceMethod::exact ? "on a software renderer" : "on a GPU",
                                  explain_distance(costs, name(m)))));
     else
         out.push_back(line("distance", name(s.distance), explain_distance(costs, name(s.distance))));

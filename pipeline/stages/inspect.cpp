@@ -96,9 +96,10 @@ Measured triangle_size(const SceneInput& scene) {
     if (all.empty()) return {std::numeric_limits<double>::infinity(), "no triangle lies inside a photo"};
     const double edge = all.below(0.95);
     if (!std::isfinite(edge))
-        return {edge, "more than 5 % of the photographed surface is triangles that reach behind a camera"};
-    return {edge,
-            fmt::format("95 % of the photographed surface is triangles with edges below {:.1f} px", edge)};
+        return {edge,
+                "triangles that reach behind a camera make up more than 5 % of the photographed surface"};
+    return {edge, fmt::format("triangles with edges below {:.1f} px make up 95 % of the photographed surface",
+                              edge)};
 }
 
 Measured focal_spread(const SceneInput& scene) {
@@ -124,8 +125,8 @@ Measured unseen_colors(const SceneInput& scene) {
                                                             scene.mesh.positions[v]) > 0;
         });
     const double share = examined ? double(unseen) / double(examined) : 0;
-    return {share,
-            fmt::format("{:.2f} % of the colored vertices lie inside no photo that they face", 100 * share)};
+    return {share, fmt::format("{:.2f} % of the colored vertices are not inside any photo that they face",
+                               100 * share)};
 }
 
 Measured measure(const EffectRow& row, const SceneInput& scene) {
