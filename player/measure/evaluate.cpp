@@ -21,7 +21,7 @@ void write_pictures(const std::filesystem::path& folder, const LeftOut& r, const
     write_png(folder / (r.name + "-difference.png"), p.difference);
 }
 
-/// The change since an earlier evaluation, if that has the photo.
+/// The change since an earlier evaluation, if it contains the photo.
 void compare(const EvaluateOptions& o, LeftOut& r, const LeftOutPictures& p) {
     const std::filesystem::path file = o.against / (r.name + "-rendered.png");
     if (!std::filesystem::exists(file)) return;
@@ -152,7 +152,7 @@ void print_remarks(const std::vector<LeftOut>& results) {
             std::printf("%s: %s\n", results[i].name.c_str(), s.c_str());
 }
 
-/// The photos to leave out: those of --photo, or every n-th; without photos that have no pixels.
+/// The photos to leave out: those of --photo, or every n-th. Photos without pixels are skipped.
 std::vector<std::uint32_t> photos_to_leave_out(const PackageReader& package, const EvaluateOptions& o,
                                                const std::vector<std::uint32_t>& in_use) {
     std::vector<std::uint32_t> out = named_photos(package, o.package.photos);

@@ -13,7 +13,7 @@
 namespace vantage {
 namespace {
 
-/// Follows page_style.
+/// Appended to page_style.
 constexpr const char* evaluation_style = R"(
 table { margin: 1rem 0 2rem; }
 th, td { padding: .25rem .8rem; text-align: right; white-space: nowrap; }
