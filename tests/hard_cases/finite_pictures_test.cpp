@@ -1,4 +1,4 @@
-// Every float target of every kind of frame, read back: no value is infinite or NaN.
+// Reads back every float target of every kind of frame: no value is infinite or NaN.
 #include <Eigen/Geometry>
 #include <array>
 #include <fstream>
