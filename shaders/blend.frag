@@ -13,8 +13,8 @@ layout(location = 0) out vec4 accumulated;
 
 layout(location = pass_count_uniform) uniform uint pass_count;
 layout(location = eye_uniform) uniform vec3 eye;                        // relative to the origin
-layout(location = weight_eye_uniform) uniform vec3 weight_eye;          // as `eye`, or where weights were frozen
-layout(location = view_direction_uniform) uniform vec3 view_direction;  // [P]: from outside towards the model, from inside the camera's
+layout(location = weight_eye_uniform) uniform vec3 weight_eye;          // same as `eye`, or the eye at which weights were frozen
+layout(location = view_direction_uniform) uniform vec3 view_direction;  // [P]: outside the model toward it, inside the camera's own
 layout(location = switches_uniform) uniform uint switches;              // bits as in contract.glsl
 layout(location = border_width_uniform) uniform float border_width;     // reference pixels at which the border mask is 1
 layout(location = sharpness_uniform) uniform float sharpness;           // radians
@@ -28,18 +28,18 @@ layout(binding = best_so_far_unit) uniform sampler2D best_so_far;
 layout(binding = first_sums_unit) uniform sampler2D first_sums;
 #endif
 
-const float least = 0.001;               // floor of each mask: a photo that sees the surface keeps some weight
+const float least = 0.001;               // minimum of each mask: a photo that sees the surface keeps some weight
 const float beside = 0.03;               // weight where the photo's pixel may show something nearer instead
-const float half_least = 1.0 / 16384.0;  // the smallest half float with all its digits
+const float half_least = 1.0 / 16384.0;  // the smallest half float with full precision
 const float consensus_scale = 0.08;      // square root of linear color: a difference of this much halves the weight
 
 // Ramps of the lumigraph's weight, in reference pixels: pixels of a photo scaled to this width.
 const float reference_width = 3072.0;
-const float frame_ramp = 64.0;  // b/64: from the photo's frame inwards, so that no frame shows as a seam
-const float edge_ramp = 24.0;   // e/24: from the nearest depth discontinuity, where pose and mesh errors show most
+const float frame_ramp = 64.0;  // from the photo's frame inward, so that it does not show as a seam
+const float edge_ramp = 24.0;   // from the nearest depth discontinuity, where pose and mesh errors show most
 const float edge_least = 0.2;   // at a discontinuity itself: other photos may not see the surface at all
 
-// Angle between the rays from the surface to the viewer and to the photo, radians; accurate for small angles, too.
+// Angle in radians between the rays from the surface to the viewer and to the photo; accurate for small angles.
 float ray_angle(uint photo) {
     vec3 a = normalize(weight_eye - surface_position), b = normalize(photos[photo].center_hull.xyz - surface_position);
     return atan(length(cross(a, b)), dot(a, b));
@@ -49,8 +49,8 @@ bool inside(uint photo, vec2 pixel) {
     return all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, photos[photo].size_weight.xy));
 }
 
-// Visibility of a fragment in a photo, from the four depths around its pixel: 1 if it is deeper than none, `beside` if
-// deeper than some, 0 if deeper than all. The tolerance is 0.4 % of the depth, or one texel of the depth map along a
+// Visibility of a fragment in a photo, from the four depths around its pixel: 1 if it is behind none of them, `beside` if
+// behind some, 0 if behind all. The tolerance is 0.4 % of the depth, or one texel of the depth map along a
 // surface slanted by at most 84 degrees.
 float seen(uint photo, vec3 p, MaskPlace at) {
     vec3 n = mat3(photos[photo].cam_from_origin) * surface_normal;
@@ -73,7 +73,7 @@ float static_weight(vec4 masks) {
     return w;
 }
 
-// Bounded below, far above float's underflow, so that a photo on its own still gives a color.
+// Bounded below, far above float underflow, so that a single photo still gives a color.
 float angle_weight(float theta) { return (switches & angle_switch) != 0u ? max(exp(-theta / sharpness), 1e-12) : 1.0; }
 
 float weight_of(uint photo, vec2 pixel, vec4 masks) {
@@ -104,8 +104,8 @@ struct Footprint {
     int taps;
 #endif
 };
-// Level of detail from the photo pixels along the sample's two sides, by the projection's Jacobian: derivatives are
-// undefined where neighboring fragments have left the loop. A footprint up to 4 times longer than wide (TAPS times with
+// Level of detail from the photo pixels along the sample's two sides, by the projection's Jacobian, because dFdx and
+// dFdy are undefined where neighboring fragments have left the loop. A footprint up to 4 times longer than wide (TAPS times with
 // taps) is sampled at the level of its shorter side. 0.02 levels and 0.1 taps absorb rounding: at one photo pixel per
 // sample, only level 0 is read, by one tap.
 Footprint footprint_of(uint photo, vec3 p, vec3 along_x, vec3 along_y) {
@@ -203,7 +203,7 @@ void main() {
 #endif
         if (!(w > 0.0)) continue;
 #ifdef TAKES_ONE
-        w = sqrt(sqrt(w));  // compresses 22 orders of magnitude to 6, within the range of half floats
+        w = sqrt(sqrt(w));  // compresses 22 orders of magnitude to about 6, which fit half floats
         if (w > accumulated.a) {
             accumulated.a = w;
             chosen = int(photo);
@@ -216,7 +216,7 @@ void main() {
         vec3 off = (sqrt(c.rgb) - sqrt(mean)) / consensus_scale;
         w /= 1.0 + dot(off, off);
 #endif
-        // For the count, all photos have the same weight.
+        // When photos are counted, all have the same weight.
         accumulated += show == show_coverage ? vec4(c.a) : vec4(c.rgb, 1.0) * w * c.a;
 #endif
     }

@@ -1,5 +1,5 @@
 // What the C++ code and the shaders share, written once: valid as GLSL and as C++ (shaders/contract.h includes
-// it). Only constants and one struct, of types whose std430 layout is that of C++.
+// it). Only constants and one struct, whose std430 layout is the same in C++.
 
 // Attributes of the model.
 const int position_attribute = 0;
@@ -13,7 +13,7 @@ const int pages_buffer = 1;
 const int coordinates_buffer = 4;
 const int touched_buffer = 5;
 
-// Texture units. Units 0 to 3 hold the photos; 4 and 5 hold what the program reads besides.
+// Texture units. Units 0 to 3 hold the photos; 4 and 5 hold the other inputs of a program.
 const int color_tiles_unit = 0;
 const int mask_tiles_unit = 1;
 const int depth_tiles_unit = 2;
@@ -108,7 +108,7 @@ struct Photo {
     vec4 direction_presence;  // corrected viewing direction [P]; how far the photo has faded in, 0 to 1
     vec4 thumbnail;           // layer (-1: none), share of the layer's width and height, width in pixels
     vec4 false_color;         // linear
-    vec4 gain;                // per channel, to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels
+    vec4 gain;                // factors to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels
     vec4 falloff;             // of the lens: ln of its loss, times r^2, r^4, r^6
     uint color_base[level_count];  // index in `pages` of each level's first tile
     uint mask_base[level_count];

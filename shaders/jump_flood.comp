@@ -1,4 +1,4 @@
-// One step of jump flooding (Rong and Tan 2006): each texel keeps the nearest of the seeds found so far by itself and by
+// One step of jump flooding (Rong and Tan 2006): each texel keeps the nearest of the seeds known so far to itself and to
 // its eight neighbors at distance `stride`. Seeds are texel positions; (-1,-1): none found.
 #include "contract.glsl"
 

@@ -2,7 +2,7 @@
 #include "contract.glsl"
 
 layout(std430, binding = photos_buffer) readonly buffer Photos { Photo photos[]; };
-// Per tile: layer in the low 16 bits, above it how far the tile has faded in, 0 to 255; or not_resident.
+// Per tile: layer in the low 16 bits, above them how far the tile has faded in, 0 to 255; or not_resident.
 layout(std430, binding = pages_buffer) readonly buffer Pages { uint pages[]; };
 layout(binding = color_tiles_unit) uniform sampler2DArray color_tiles;
 layout(binding = mask_tiles_unit) uniform sampler2DArray mask_tiles;
@@ -84,7 +84,7 @@ vec4 color_at(uint photo, vec2 pixel, float lod) {
     return mix_in > 0.0 ? mix(c, color_at_level(photo, fine + 1, pixel), mix_in) : c;
 }
 
-// Masks and depth at a photo pixel, on the level that `lod` asks for or the next coarser resident one.
+// Masks and depth at a photo pixel, on the level given by `lod` or the next coarser resident one.
 struct MaskPlace {
     vec3 coordinate;
     int level;  // -1: none is resident
@@ -107,7 +107,7 @@ MaskPlace mask_place(uint photo, vec2 pixel, float lod) {
 // Angle, depth, border and consensus mask.
 vec4 masks_at(MaskPlace at) { return textureLod(mask_tiles, at.coordinate, 0.0); }
 
-// The smallest and the largest of the four depths around a photo pixel; +inf where the photo shows no surface.
+// The smallest and the largest of the four depths around a photo pixel; +inf if the photo shows no surface.
 vec2 depths_at(MaskPlace at) {
     vec4 z = textureGather(depth_tiles, at.coordinate);
     return vec2(min(min(z.x, z.y), min(z.z, z.w)), max(max(z.x, z.y), max(z.z, z.w)));

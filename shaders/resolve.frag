@@ -1,16 +1,16 @@
-// Turns sums into colors, one sample of each pixel: divides, and adds the color to the pixel's samples with weight 1. A
-// sample without weight is a hole, whatever its color.
+// Turns the sums of one sample of each pixel into a color and adds it to the pixel's samples with weight 1. A sample
+// without weight is a hole, whatever its color.
 #include "contract.glsl"
 
 layout(location = 0) out vec4 accumulated;
 layout(binding = sums_unit) uniform sampler2D sums;
 layout(binding = surface_unit) uniform sampler2D surface;
-layout(location = takes_one_uniform) uniform bool takes_one;    // the sums hold a color already
+layout(location = takes_one_uniform) uniform bool takes_one;    // the sums already hold a color
 layout(location = fill_uniform) uniform bool fill;              // shade holes, and fill the background
 layout(location = background_uniform) uniform vec3 background;  // linear
-layout(location = most_uniform) uniform float most;             // coverage: number of photos of the brightest color; else 0
-layout(location = exposure_uniform) uniform vec3 exposure;      // to show colors in, relative to the mean photo's
-layout(location = falloff_uniform) uniform vec3 falloff;        // of the lens shown through: ln, times r^2, r^4, r^6
+layout(location = most_uniform) uniform float most;             // coverage: number of photos with the brightest color; else 0
+layout(location = exposure_uniform) uniform vec3 exposure;      // exposure of the view, relative to the mean photo's
+layout(location = falloff_uniform) uniform vec3 falloff;        // of the view's lens: ln, times r^2, r^4, r^6
 layout(location = lens_uniform) uniform vec3 lens;              // principal point, pixels; 2 / diagonal, 1/pixels
 
 // Dark blue through green to yellow, after viridis (van der Walt and Smith 2015), in linear light.

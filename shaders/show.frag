@@ -1,5 +1,5 @@
-// The accumulated samples as a picture: averaged in linear light, sRGB, coverage in alpha. Optionally compared with a
-// photo: side by side, under a wiper, or as a difference.
+// Shows the accumulated samples: averaged in linear light, encoded as sRGB, coverage in alpha. Optionally compares them
+// with a photo: side by side, with a wiper, or as a difference.
 #include "photos.glsl"
 
 layout(location = 0) out vec4 shown;

@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// A test with its own folder, which is removed afterwards.
+/// A test with its own folder, which is removed afterward.
 class TemporaryFolder : public ::testing::Test {
   protected:
     const std::filesystem::path dir =

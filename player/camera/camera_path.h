@@ -15,11 +15,11 @@ struct CameraPath {
 };
 
 /// From `start`: "still"; "orbit", 60 degrees to either side and back; "approach", to a third of the distance
-/// and back; "jump", turned away from the model, and back by 180 degrees at the middle frame; "flight",
+/// and back; "jump", facing away from the model, then turned by 180 degrees at the middle frame; "flight",
 /// smooth and random, reproducible by `seed`. Throws Error(usage) for any other name.
 CameraPath scripted_path(const std::string& name, const Navigation& start, int frames, unsigned seed = 1);
 
-/// A file of views, see read_path, interpolated evenly to `frames` positions. Throws Error(input).
+/// The views in a file (see read_path), interpolated evenly to `frames` positions. Throws Error(input).
 CameraPath recorded_path(const std::string& file, const PackageReader& package, int frames);
 
 /// Writes positions in the format of read_path. Throws Error(storage).

@@ -16,7 +16,7 @@ Eigen::Matrix3d turn(const Navigation& n, double right, double down) {
     const double above = std::asin(std::clamp(ahead.dot(n.up), -1.0, 1.0)),
                  limit = 87 * std::numbers::pi / 180;
     const double reached = std::clamp(above - down, std::min(-limit, above), std::max(limit, above));
-    // Camera y points down, so turning x towards the target's far side by a positive angle looks up.
+    // Camera y points down, so a positive rotation about x looks up.
     return (Eigen::AngleAxisd(-right, n.up) * Eigen::AngleAxisd(reached - above, x)).toRotationMatrix();
 }
 

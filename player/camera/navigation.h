@@ -12,7 +12,7 @@ struct Navigation {
     double fov = 45;    ///< vertical, degrees
 };
 
-/// At the photo's camera, in its direction, with the surface that it sees as target.
+/// At the photo's camera, facing its direction; the target is at the distance of the surface it sees.
 Navigation stand_at(const package::PhotoRecord& photo, const Eigen::Vector3d& up);
 
 /// Orbits the target by angles in radians: `right` about up, `down` about the camera's x axis. Stops 3

@@ -24,7 +24,7 @@ FrameSize parse_size(const std::string& text);
 /// unknown name.
 std::vector<std::uint32_t> named_photos(const PackageReader& package, const std::vector<std::string>& names);
 
-/// From the photo's own camera: its intrinsics at `scale`, or the whole photo fitted into a frame of `size`.
+/// From the photo's own camera, with its intrinsics at `scale`, or with the whole photo fitted into `size`.
 Shot photo_shot(const package::PhotoRecord& photo, std::optional<FrameSize> size, double scale);
 
 /// "EX,EY,EZ,TX,TY,TZ", eye and target in the input's coordinates, with the vertical field of view in degrees

@@ -8,8 +8,8 @@
 
 namespace vantage {
 
-/// The exposure that a view shows: `gain` relative to the mean photo's exposure, and a lens's falloff towards
-/// the corners, as in PhotoRecord.
+/// The exposure that a view shows: `gain` relative to the mean photo's exposure, and the lens's falloff
+/// toward the corners, as in PhotoRecord.
 struct Exposure {
     std::array<float, 3> gain{1, 1, 1}, falloff{0, 0, 0};
 };
@@ -23,11 +23,11 @@ struct View {
     Exposure exposure{};
 };
 
-/// The photo's own camera and exposure, the frame `scale` times the photo's size (rounded, at least one
+/// The photo's own camera and exposure; the frame is `scale` times the photo's size (rounded, at least one
 /// pixel).
 View view_of_photo(const package::PhotoRecord& photo, double scale);
 
-/// From `eye` towards `target`, both relative to the origin, with `up` at the top (any other direction if the
+/// From `eye` toward `target`, both relative to the origin, with `up` at the top (any other direction if the
 /// view is along `up`); vertical field of view in degrees. Throws Error(usage) if eye and target coincide or
 /// their distance is not finite.
 View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up,

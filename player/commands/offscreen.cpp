@@ -32,8 +32,8 @@ std::vector<Shot> shots(const PackageReader& package, const ShowOptions& options
     return out;
 }
 
-/// For one picture the output file, unless it is a folder; for several a file in the output folder, which is
-/// created.
+/// The file for a picture: the output file itself if there is one picture and the output is not a folder,
+/// otherwise a file in the output folder, which is created.
 std::filesystem::path picture_file(const std::string& output, const std::string& name, std::size_t count) {
     const std::filesystem::path out = output.empty() ? (count == 1 ? name + ".png" : ".") : output;
     if (count == 1 && out.extension() == ".png" && !std::filesystem::is_directory(out)) return out;

@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// Options of `vantage-player FILE` that other verbs accept, so that one set of options serves them all, but
-/// do not use.
+/// Options of `vantage-player FILE` that other verbs accept but ignore, so that one set of options works for
+/// all verbs.
 struct UnusedOptions {
     PictureOptions pictures;
     WindowOptions window;

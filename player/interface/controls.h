@@ -7,13 +7,12 @@
 
 namespace vantage {
 
-/// ImGui's controls by name. Notes the position of each control of a frame, so that a script can press what a
-/// person would press.
+/// ImGui's controls by name. Records the position of each control in a frame, so that scripts can click it.
 class Controls {
   public:
     /// Forgets the previous frame's positions.
     void begin_frame();
-    /// Notes the position of ImGui's last item under `name`.
+    /// Records the position of ImGui's last item under `name`.
     void note(const char* name);
     /// Writes the number of the frame, then one line "name x y width height" per control, in window pixels
     /// and separated by tabs. Replaces the file atomically.

@@ -54,7 +54,7 @@ void draw_frusta(const Session& s, const Renderer& renderer, const View& view) {
         const Pose& pose = scene.poses[i];
         const Eigen::Vector3d center = pose.center();
         if ((center - view.cam_from_origin.center()).norm() < 0.02 * length)
-            continue;  // the viewer stands in it
+            continue;  // the viewer is at this camera
         const bool used = in_use(renderer, i);
         const ImU32 color = weight_color(weights.distance[i], weights.angle[i], used ? 1.0f : 0.45f);
         std::array<Eigen::Vector3d, 4> corner;

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// Draws the photos' frusta over the scene: greener the nearer, redder the more similar in direction [M];
-/// brighter and thicker if in use.
+/// Draws the photos' frusta over the scene: the nearer, the greener; the more similar in
+/// direction, the redder [M]; brighter and thicker if in use.
 void draw_frusta(const Session& session, const Renderer& renderer, const View& view);
 
 /// A map from above [P]: the model's extent, the cameras with their directions, and the viewer. A click flies

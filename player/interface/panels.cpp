@@ -71,7 +71,7 @@ void weight_section(Controls& c, Session& s, const Renderer& renderer) {
 
 void photo_section(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
-    static const char* const choices[] = {"cover what is seen", "nearest", "direction",
+    static const char* const choices[] = {"cover the view", "nearest", "direction",
                                           "direction and normals"};
     choice(c, "Choose", r.choice, choices);
     c.slider("Photos", &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));

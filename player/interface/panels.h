@@ -5,14 +5,14 @@
 
 namespace vantage {
 
-/// ImGui's colors and shapes, and DejaVu Sans if the system has it.
+/// Sets ImGui's colors and shapes, and its font to DejaVu Sans if installed.
 void set_style();
 
 void menu_bar(Controls& controls, Session& session, const Renderer& renderer, double now);
 void blending_panel(Controls& controls, Session& session, const Renderer& renderer);
 void status_panel(const Session& session, const Renderer& renderer);
 void help_panel(Session& session);
-/// Asks for a package to open: lists those in this one's folder, and takes any path.
+/// Asks for a package to open: lists those in the current one's folder, and accepts any path.
 void open_dialog(Controls& controls, Session& session, const Renderer& renderer);
 /// The session's message, if there is one.
 void message_line(const Session& session, double now);

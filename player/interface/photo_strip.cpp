@@ -17,7 +17,7 @@ void PhotoStrip::forget() {
     pictures_.clear();
 }
 
-/// A layer of the thumbnails as a texture for ImGui: without sRGB decoding, since the window is not sRGB.
+/// A layer of the thumbnails as a texture for ImGui, without sRGB decoding, because the window is not sRGB.
 GLuint PhotoStrip::picture(const Residency& residency, std::uint32_t layer) {
     if (array_ != residency.thumbnails()) {
         forget();

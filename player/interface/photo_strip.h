@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// The photos' thumbnails along the lower edge, by decreasing agreement with the view (PhotoCloud). A click
+/// The photos' thumbnails along the lower edge, by decreasing agreement with the view. A click
 /// flies to that photo.
 class PhotoStrip {
   public:

@@ -17,7 +17,7 @@ class Integral {
   public:
     Integral(int width, int height)
         : width_(width + 1), sums_(std::size_t(width + 1) * std::size_t(height + 1)) {}
-    /// To be called in reading order.
+    /// Must be called row by row, left to right.
     void add(int x, int y, double value) {
         at(x + 1, y + 1) = value + at(x, y + 1) + at(x + 1, y) - at(x, y);
     }
@@ -40,7 +40,7 @@ double squares(const Picture& photo, const Picture& picture, const PictureScore&
     return sum;
 }
 
-/// The decrease of each pixel's squared difference.
+/// By how much each pixel's squared difference has decreased.
 Integral gained(const Picture& photo, const Picture& before, const Picture& after, const Change& change,
                 const std::vector<bool>& scored) {
     Integral out(photo.width, photo.height);
@@ -54,7 +54,8 @@ Integral gained(const Picture& photo, const Picture& before, const Picture& afte
     return out;
 }
 
-/// The square with the largest sum, with sides of one sixth of the picture's longer side.
+/// The square with the largest sum; its side is a sixth of the picture's longer side, but at least 48 px.
+/// Empty if the root mean square is at most `least_change`.
 template <class Sum>
 std::optional<Place> largest(const Picture& like, const Sum& sum) {
     const int side = std::max(std::max(like.width, like.height) / 6, 48);

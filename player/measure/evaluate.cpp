@@ -21,7 +21,7 @@ void write_pictures(const std::filesystem::path& folder, const LeftOut& r, const
     write_png(folder / (r.name + "-difference.png"), p.difference);
 }
 
-/// The change since an earlier evaluation, if that has the photo.
+/// The change since an earlier evaluation, if it contains the photo.
 void compare(const EvaluateOptions& o, LeftOut& r, const LeftOutPictures& p) {
     const std::filesystem::path file = o.against / (r.name + "-rendered.png");
     if (!std::filesystem::exists(file)) return;
@@ -140,7 +140,7 @@ void print_changes(const std::filesystem::path& against, const std::vector<LeftO
         sharp_after += after.sharpness;
     }
     if (n == 0)
-        std::printf("%s has none of these photos\n", against.c_str());
+        std::printf("%s contains none of these photos\n", against.c_str());
     else
         std::printf("%-20s %23.2f %+8.4f %7.2f %7.2f\n", "mean", decibels / n, ssim / n, sharp_before / n,
                     sharp_after / n);
@@ -152,7 +152,7 @@ void print_remarks(const std::vector<LeftOut>& results) {
             std::printf("%s: %s\n", results[i].name.c_str(), s.c_str());
 }
 
-/// The photos to leave out: those of --photo, or every n-th; without photos that have no pixels.
+/// The photos to leave out: those of --photo, or every n-th. Photos without pixels are skipped.
 std::vector<std::uint32_t> photos_to_leave_out(const PackageReader& package, const EvaluateOptions& o,
                                                const std::vector<std::uint32_t>& in_use) {
     std::vector<std::uint32_t> out = named_photos(package, o.package.photos);
@@ -179,7 +179,7 @@ int run_evaluate(const PackageReader& package, EvaluateOptions o) {
     if (!o.output.file.empty()) o.folder = o.output.file;
     const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
     const std::vector<std::uint32_t> left_out = photos_to_leave_out(package, o, photos);
-    if (left_out.empty()) throw Error(Exit::input, package.path().string() + ": no photo to leave out");
+    if (left_out.empty()) throw Error(Exit::input, package.path().string() + ": no photos to leave out");
     expect_earlier(o);
     make_folder(o.folder);
     const RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);

@@ -13,7 +13,7 @@
 namespace vantage {
 namespace {
 
-/// Follows page_style.
+/// Appended to page_style.
 constexpr const char* evaluation_style = R"(
 table { margin: 1rem 0 2rem; }
 th, td { padding: .25rem .8rem; text-align: right; white-space: nowrap; }
@@ -128,11 +128,11 @@ void write_evaluation_page(const std::filesystem::path& folder, const std::strin
     for (const LeftOut& r : results) row(out, r);
     out << "</table>\n";
     changes(out, results);
-    out << "<h2>The worst</h2>\n";
+    out << "<h2>Worst photos</h2>\n";
     const std::vector<std::size_t> order = worst_first(results);
     const std::size_t first = std::min(order.size(), std::size_t(std::max(worst, 0)));
     for (std::size_t i = 0; i < first; ++i) figure(out, results[order[i]]);
-    out << "<h2>The others</h2>\n<div class=rest>\n";
+    out << "<h2>Other photos</h2>\n<div class=rest>\n";
     for (std::size_t i = first; i < order.size(); ++i) figure(out, results[order[i]]);
     out << "</div></html>\n";
     if (!out.flush()) throw Error(Exit::storage, (folder / "index.html").string() + ": cannot be written");

@@ -13,10 +13,10 @@ namespace vantage {
 void write_evaluation_page(const std::filesystem::path& folder, const std::string& title,
                            const std::vector<LeftOut>& results, int worst);
 
-/// Indices of the photos that an earlier evaluation has, too, the largest loss first (dB after gains).
+/// Indices of the photos that an earlier evaluation also contains, largest loss first (dB after gains).
 std::vector<std::size_t> by_change(const std::vector<LeftOut>& results);
 
-/// Indices by increasing SSIM; photos without a color come first.
+/// Indices by increasing SSIM; photos without any colored pixel come first.
 std::vector<std::size_t> worst_first(const std::vector<LeftOut>& results);
 
 }  // namespace vantage

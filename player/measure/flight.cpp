@@ -14,9 +14,9 @@ namespace vantage {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double frame_seconds = 1.0 / 30;  // by the path's clock
+constexpr double frame_seconds = 1.0 / 30;  // time per frame in the path's clock
 
-/// Makes everything resident that the path needs, as far as there is space.
+/// Makes everything that the path needs resident, as far as there is space.
 void preload(Renderer& renderer, const CameraPath& path, FrameSize size, RenderSettings settings,
              const std::vector<std::uint32_t>& photos) {
     settings.complete = true;
@@ -46,7 +46,7 @@ RenderSettings flight_settings(const PackageReader& package, const FlightOptions
     return settings;
 }
 
-/// What is expected a quarter of a second after frame `i` if the motion continues; nothing on a jump's frame.
+/// The view expected a quarter of a second after frame `i` if the motion continues; empty at a jump.
 std::optional<View> expected_view(const CameraPath& path, int i, int jump, FrameSize size) {
     if (i == 0 || i == jump) return {};
     const Navigation& before = path.frames[std::size_t(i) - 1];

@@ -46,7 +46,7 @@ struct Flight {
 };
 std::vector<double> frame_times(const Flight& flight);  ///< ms
 
-/// What frames are shown in.
+/// The render target of a flight.
 struct FlightTarget {
     FrameSize size;
     gl::Texture color;
@@ -54,8 +54,8 @@ struct FlightTarget {
 };
 FlightTarget make_flight_target(FrameSize size);
 
-/// A scripted path, or a file of views; a scripted one starts at the first of --photo, or at the middle
-/// photo.
+/// A scripted path, or one from a file of views. Scripted paths start at the first of --photo, or else at the
+/// middle photo.
 CameraPath path_named(const std::string& name, const PackageReader& package, const FlightOptions& options,
                       int repeat);
 

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// Milliseconds of a frame. On a graphics card the longer of the CPU's time and the card's (by a timer
-/// query); on a software renderer the time until it has finished.
+/// Measures a frame in milliseconds: on a graphics card, the longer of CPU time and GPU time (by a timer
+/// query); with a software renderer, the time until glFinish() returns.
 class FrameTimer {
   public:
     explicit FrameTimer(bool software);

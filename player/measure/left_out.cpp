@@ -105,8 +105,8 @@ LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<
         out.shift = shift_of(p.photo, p.rendered, p.scored);
         for (double& s : out.shift) s *= 1 << level;
         const auto& g = out.score.gain;
-        out.stops =
-            std::log2(std::max(1e-6, (g[0] + g[1] + g[2]) / 3)) * 2.2;  // of linear light, not of sRGB codes
+        out.stops = std::log2(std::max(1e-6, (g[0] + g[1] + g[2]) / 3)) *
+                    2.2;  // stops of linear light, from sRGB codes
     }
     p.difference = difference_picture(p.photo, p.rendered, out.score);
     add_regions(renderer.scene(), triangles, p, out.score, regions);
@@ -121,7 +121,7 @@ void remark(std::vector<LeftOut>& results) {
     const double usual = 1.4826 * upper_median(std::span(deviations));
     for (LeftOut& r : results) {
         if (r.score.pixels == 0) {
-            r.remarks.emplace_back("no other photo shows what it sees");
+            r.remarks.emplace_back("no other photo sees this surface");
             continue;
         }
         const double off = std::hypot(r.shift[0], r.shift[1]);

@@ -9,11 +9,11 @@
 
 namespace vantage {
 
-/// One photo compared with the picture of its view that the others give.
+/// A photo compared with its view rendered from the other photos.
 struct LeftOut {
     std::uint32_t photo = 0;
     std::string name;         ///< without extension
-    PictureScore score;       ///< of the pixels with color
+    PictureScore score;       ///< over the colored pixels
     double colored = 0;       ///< share of the photo's pixels on the surface that have a color
     double over_nearest = 0;  ///< dB above the nearest photo alone, gains fitted, over pixels that both color
     std::array<double, 2> shift{0, 0};  ///< photo pixels at full size, see shift_of
@@ -35,12 +35,12 @@ struct LeftOutPictures {
 };
 
 /// Compares a photo with its view rendered from the others (`photos` without it), at a pyramid level, with
-/// 2x2 samples per pixel; adds to the errors of the clusters.
+/// 2x2 samples per pixel. Adds the errors to `regions`, one per cluster.
 LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                   std::uint32_t photo, int level, std::vector<RegionError>& regions,
                   LeftOutPictures& pictures);
 
-/// Adds remarks to the photos that are unusual among all results.
+/// Adds remarks to photos with likely problems; an unusually low SSIM is judged against all results.
 void remark(std::vector<LeftOut>& results);
 
 }  // namespace vantage

@@ -35,7 +35,7 @@ std::array<double, 2 * window + 1> gaussian() {
     return g;
 }
 
-/// Gaussian-weighted sums around every pixel; 0 beyond the frame.
+/// Gaussian-weighted sums around every pixel; values outside the frame count as 0.
 Plane blurred(const Plane& p) {
     static const auto g = gaussian();
     Plane rows{p.width, p.height, std::vector<double>(p.values.size(), 0)}, out = rows;
@@ -98,7 +98,7 @@ double fine_energy(const Plane& p, const std::vector<bool>& scored) {
     return energy;
 }
 
-/// The smallest difference among the worst thousandth of the pixels, each by its worst channel.
+/// The smallest difference among the worst 0.1 % of the pixels, each judged by its worst channel.
 double worst_thousandth(const Picture& photo, const Picture& picture, const std::vector<bool>& scored,
                         const std::array<double, 3>& gain) {
     std::vector<float> off;

@@ -11,7 +11,7 @@ namespace vantage {
 
 /// The difference of a rendered picture from the photo, over the scored pixels.
 struct PictureScore {
-    std::size_t pixels = 0;  ///< scored; without any, all else is 0
+    std::size_t pixels = 0;  ///< scored; if 0, all other values are 0
     double psnr = 0;         ///< dB, 10 log10(255^2 / mean squared difference) over three channels
     double psnr_gain = 0;    ///< the same after the best gain per channel: independent of exposure
     double ssim = 0;         ///< of luminance (Wang et al. 2004), windows normalized to the scored pixels

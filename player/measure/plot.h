@@ -12,7 +12,7 @@ struct Curve {
 };
 
 /// Writes curves as an SVG picture with a vertical axis from 0 and a legend. The horizontal axis shows
-/// `labels`, one per value, or without any the last frame's number. Throws Error(storage).
+/// `labels`, one per value, or if there are none the last frame's number. Throws Error(storage).
 void write_plot(const std::filesystem::path& file, const std::string& title, const std::string& unit,
                 const std::vector<Curve>& curves, const std::vector<std::string>& labels = {});
 

@@ -16,12 +16,12 @@ struct BlendingOptions {
 };
 void add_blending_options(CLI::App& app, BlendingOptions& options);
 
-/// What defaults depend on: a window blends few photos and shades holes; pictures blend all and leave holes
+/// Determines defaults: a window blends few photos and shades holes; pictures blend all and leave holes
 /// transparent.
 enum class Purpose { window, pictures };
 
-/// The options' settings, completed by the package's effects and defaults. Throws Error(usage) for an unknown
-/// photo.
+/// The settings that the options give, completed by the package's effects and by defaults. Throws
+/// Error(usage) for an unknown photo.
 RenderSettings render_settings(const PackageReader& package, const BlendingOptions& options, Purpose purpose);
 
 }  // namespace vantage

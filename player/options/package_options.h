@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// The package, and which of its photos.
+/// The package, and a selection of its photos.
 struct PackageOptions {
     std::string file;
     std::vector<std::string> exclude;  ///< photos that are not blended

@@ -37,7 +37,7 @@ std::vector<Candidate> candidates(const VisibleSurface& s, std::span<const std::
     return out;
 }
 
-/// The set cover of what is seen: one set per candidate, preferred by its rank.
+/// The set cover of the visible surface: one set per candidate, preferred by rank.
 CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>& candidates) {
     CoverProblem problem;
     const std::size_t step = std::max<std::size_t>(1, s.triangles.size() / 16384);
@@ -46,7 +46,7 @@ CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>
             ++problem.runs.back().area;
         else
             problem.runs.push_back({s.triangles[i], 1, 1});
-    // While the visible triangles are unknown, some of the clusters in view are good enough.
+    // While the visible triangles are unknown, a sample of the clusters in view is good enough.
     const std::size_t every = std::max<std::size_t>(1, s.clusters.size() / 128);
     for (std::size_t i = 0; s.triangles.empty() && i < s.clusters.size(); i += every) {
         const package::ClusterRecord& c = s.scene.clusters[s.clusters[i]];
@@ -62,7 +62,7 @@ CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>
     return problem;
 }
 
-/// Normals, towards the viewer, of visible points that no chosen photo sees.
+/// Normals, facing the viewer, of visible points that no chosen photo sees.
 std::vector<Eigen::Vector3d> uncovered_normals(const VisibleSurface& s, const std::vector<Candidate>& all,
                                                const std::vector<std::size_t>& chosen) {
     std::vector<Eigen::Vector3d> normals;
@@ -77,8 +77,9 @@ std::vector<Eigen::Vector3d> uncovered_normals(const VisibleSurface& s, const st
     return normals;
 }
 
-/// [P]: clusters the normals of what is uncovered, and adds for each direction the photo that faces it best.
-/// On the CPU, over points that the plan has anyway; [P] needed an extra pass, most of a frame.
+/// [P]: clusters the normals of the uncovered surface, and adds for each direction the photo that faces it
+/// best. Runs on the CPU, over points that the plan has anyway; [P] used an extra pass that took most of a
+/// frame.
 void add_against_normals(const VisibleSurface& s, const std::vector<Candidate>& all,
                          std::vector<std::size_t>& chosen) {
     for (const NormalCluster& cluster : cluster_normals(uncovered_normals(s, all, chosen), 4, 5)) {

@@ -7,8 +7,8 @@
 namespace vantage {
 namespace {
 
-// Weight of the rest of a triangle that a chosen photo sees in part and another one whole: most of it has a
-// color already.
+// Weight of the remainder of a triangle that a chosen photo sees in part and another photo entirely: most of
+// it is already colored.
 constexpr double rest_of_part = 0.25;
 constexpr double negligible = 1.6e-3;  // share of the area
 
@@ -23,7 +23,7 @@ void for_words(std::uint32_t first, std::uint32_t count, const Visit& visit) {
     }
 }
 
-/// Triangles still to be covered: those that some set sees whole, and at least in part.
+/// Triangles still to be covered: `whole` those that some set sees entirely, `part` at least in part.
 struct Open {
     std::vector<std::uint64_t> whole, part;
 };
@@ -79,7 +79,7 @@ double share_left(const CoverProblem& problem, Open open, std::span<const std::s
 std::vector<std::size_t> greedy_cover(const CoverProblem& problem, Open open) {
     std::vector<std::size_t> chosen;
     const double all = open_area(problem, open);
-    // A set's gain only decreases, so its last one is an upper bound: most sets need not be counted again.
+    // A set's gain only decreases, so its last known gain is an upper bound: most sets need not be recounted.
     std::vector<double> bound, preference;
     for (const CoverProblem::Set& s : problem.sets) {
         bound.push_back(gain(problem, open, s));

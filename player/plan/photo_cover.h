@@ -7,7 +7,7 @@
 namespace vantage {
 
 /// A weighted set cover over triangles: runs of triangles in view, and for each photo (a set) the triangles
-/// that it sees whole and those that it sees at least in part, one bit per triangle.
+/// that it sees entirely and those that it sees at least in part, one bit per triangle.
 struct CoverProblem {
     struct Run {
         std::uint32_t first, count;
@@ -21,12 +21,12 @@ struct CoverProblem {
     std::vector<Set> sets;
 };
 
-/// Sets that together see what any set sees, and whole if any set does: greedy (Chvatal 1979), by added area
-/// times preference^(1/4), until uncovered_share() is at most 0.0016; then redundant sets are removed.
+/// Sets that together see what any set sees, and entirely if any set does: greedy (Chvatal 1979), by added
+/// area times preference^(1/4), until uncovered_share() is at most 0.0016; then redundant sets are removed.
 std::vector<std::size_t> cover(const CoverProblem& problem);
 
-/// Share of the area visible in any set that the chosen sets do not see; a triangle that they see in part,
-/// and others whole, counts one fifth.
+/// Share of the area visible in any set that the chosen sets do not see; a triangle that they see in part
+/// and others entirely counts one fifth.
 double uncovered_share(const CoverProblem& problem, std::span<const std::size_t> chosen);
 
 /// The number of bits set in [first, first + count).

@@ -10,8 +10,8 @@
 namespace vantage {
 namespace {
 
-/// The tiles of one photo for those of its clusters that are `seen`, or not; while that is unknown, all count
-/// as seen.
+/// The tiles of one photo for its clusters that are seen (`seen`) or not seen (otherwise). While visibility
+/// is unknown, all clusters count as seen.
 TileNeeds needs_of_clusters(const VisibleSurface& s, const PlannedPhoto& p, bool seen, double samples) {
     std::vector<ClusterLevels> levels;
     const Intrinsics& k = s.scene.intrinsics[p.photo];
@@ -26,7 +26,7 @@ TileNeeds needs_of_clusters(const VisibleSurface& s, const PlannedPhoto& p, bool
 /// weight of 1/32 the loss of one is invisible, and at 1/128 that of two.
 double spared_levels(double weight) { return std::clamp(-std::log2(8 * weight) / 2, 0.0, 2.0); }
 
-/// The tiles of one photo of which the visible points show enough, see shown_tiles.
+/// The tiles of one photo that the visible points show enough of, see shown_tiles.
 TileNeeds needs_of_points(const VisibleSurface& s, const PlannedPhoto& p, double worth) {
     std::vector<float> weights(s.scene.clusters.size(), 0);
     for (std::size_t i = 0; i < p.clusters.size(); ++i) weights[p.clusters[i]] = p.weights[i];

@@ -19,7 +19,7 @@ struct PlannedPhoto {
     TileNeeds later;                      ///< for clusters in view that were not seen
 };
 
-/// What a view is drawn from; photos by decreasing agreement.
+/// The clusters and photos that a view is drawn from; photos by decreasing agreement.
 struct Plan {
     std::vector<std::uint32_t> clusters;
     std::vector<PlannedPhoto> photos;
@@ -28,8 +28,8 @@ struct Plan {
 };
 
 /// Chooses among the photos `allowed`, with a slight preference for those in `previous`, to avoid flicker.
-/// `seen`: triangles that pixels of the view (or of one just before) showed, numbered from 1, 0: none; with
-/// them the plan covers what is seen, without them everything in view. A pure function.
+/// `seen`: the triangles at pixels of this view or a recent one, numbered from 1 (0: none). With them the
+/// plan covers the visible surface, without them everything in view. A pure function.
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
                std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous = {},
                std::span<const std::uint32_t> seen = {});

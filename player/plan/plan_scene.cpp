@@ -39,7 +39,7 @@ std::vector<std::uint32_t> clusters_of(const PlanScene& scene, std::span<const s
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const std::uint32_t t = triangles[i] - 1;
         if (triangles[i] == 0 || t >= scene.triangles) continue;
-        if (!holds(cluster, t))  // neighbors are mostly of one cluster
+        if (!holds(cluster, t))  // neighbors are mostly in the same cluster
             cluster = std::size_t(
                 std::ranges::upper_bound(scene.clusters, t, {}, &package::ClusterRecord::first_triangle) -
                 scene.clusters.begin() - 1);

@@ -8,8 +8,8 @@
 
 namespace vantage {
 
-/// The input of plans: the package's photos and clusters, and what each photo sees. Spans live as long as the
-/// package; it may be overwritten while it is shown, so values behind them may change to anything.
+/// The input of plans: the package's photos and clusters, and what each photo sees. Spans are valid as long
+/// as the package. The file may be overwritten while it is shown, so any value behind them may change.
 struct PlanScene {
     std::span<const package::PhotoRecord> photos;
     std::vector<package::ClusterRecord> clusters;

@@ -19,8 +19,8 @@ struct PlanSettings {
                              ///< surfaces that no other photo sees; 0: no limit
     double samples = 1;      ///< per side of a pixel
     double worth = 0;        ///< a tile is needed if at least this share of its texels is shown; 0: any
-    bool tiles = true;       ///< list the tiles needed; otherwise thumbnails have to do
-    bool complete = true;    ///< the picture waits for everything it needs; otherwise photos fade in and out
+    bool tiles = true;       ///< list the tiles needed; otherwise use only thumbnails
+    bool complete = true;    ///< wait for everything that the picture needs; otherwise photos fade in and out
     bool operator==(const PlanSettings&) const = default;
 };
 

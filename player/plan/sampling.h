@@ -18,7 +18,7 @@ std::optional<SurfaceSample> surface_sample(const View& view, const Eigen::Vecto
                                             const Eigen::Vector3d& normal, double samples);
 
 /// log2 of the photo pixels from one sample to the next, along the shorter step but at least a quarter of the
-/// longer, as footprint_of() in shaders/blend.frag; for a point in front of the photo.
+/// longer, as in footprint_of() in shaders/blend.frag. The point must be in front of the photo's camera.
 double level_of_detail(const SurfaceSample& sample, const Intrinsics& photo, const Pose& photo_from_origin);
 
 /// The range of levels of detail of a surface's samples: level 0 is one photo pixel per sample, each further

@@ -26,7 +26,7 @@ class Shown {
                   y = std::min(int(pixel.y() / (1 << level)) / tile_content, size.rows() - 1);
         texels_[std::size_t(level)][std::size_t(y * size.columns() + x)] += texels;
     }
-    /// Lists the tiles worth having, by level; the texels of the others count for the next coarser level.
+    /// Lists the tiles worth loading, by level; the texels of the others count for the next coarser level.
     void list(double worth, std::array<std::vector<std::uint32_t>, most_levels>& out) {
         constexpr double all = double(tile_content) * tile_content;
         for (int l = first_; l <= last(); ++l)

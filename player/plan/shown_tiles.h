@@ -7,10 +7,9 @@
 
 namespace vantage {
 
-/// The tiles of one photo worth having to show these samples, each of which stands for `pixels` samples of
-/// the picture: those with at least the share `worth` of their texels shown (of masks, which come with depth,
-/// twice that). The next coarser tile shows the part of a tile that is not worth it; on the coarsest level
-/// every tile is.
+/// The tiles of one photo worth loading to show these samples, each of which stands for `pixels` samples of
+/// the picture: those with at least the share `worth` of their texels shown (twice that for masks, which come
+/// with depth). A tile below that is replaced by the next coarser one; on the coarsest level all tiles count.
 TileNeeds shown_tiles(const package::PhotoRecord& photo, const Intrinsics& intrinsics,
                       const Pose& photo_from_origin, std::span<const SurfaceSample> samples, double pixels,
                       double worth);

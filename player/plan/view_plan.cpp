@@ -21,8 +21,8 @@ PlanSettings with_side(PlanSettings settings, int side) {
     return settings;
 }
 
-/// What was seen from `before` is a good guess of what is seen from `now`: turned by at most 20 degrees,
-/// moved by at most a tenth of the model's diagonal.
+/// Whether the surface seen from `before` is a good guess for `now`: turned by at most 20 degrees, moved by
+/// at most a tenth of the model's diagonal.
 bool shows_much_of(const View& before, const View& now, const PlanScene& scene) {
     const double turned = before.cam_from_origin.direction().dot(now.cam_from_origin.direction());
     const double moved = (before.cam_from_origin.center() - now.cam_from_origin.center()).norm();

@@ -8,8 +8,8 @@
 
 namespace vantage {
 
-/// Triangles that a view showed, as numbers from 1 (0: none), one per sampled pixel; empty before the first
-/// are known. Two with the same version are equal.
+/// The triangles that a view showed, numbered from 1 (0: none), one per sampled pixel; empty until the first
+/// readback. Equal versions mean equal triangles.
 struct SeenTriangles {
     std::span<const std::uint32_t> triangles;
     const View& view;
@@ -22,7 +22,7 @@ class ViewPlan {
   public:
     explicit ViewPlan(const PlanScene& scene) : scene_(&scene), presence_(scene.photos.size(), 0) {}
 
-    /// Remakes the plan if necessary. `settings.samples` counts for one sample per pixel; `side` multiplies
+    /// Remakes the plan if necessary. `settings.samples` applies to one sample per pixel; `side` multiplies
     /// it. `seen` is used if the view has changed little since.
     void update(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos,
                 int side, const SeenTriangles& seen);

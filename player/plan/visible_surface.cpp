@@ -8,9 +8,9 @@
 namespace vantage {
 namespace {
 
-constexpr double agreement_angle = 0.35;  ///< radians; wider than the blend's, to rank distant photos, too
+constexpr double agreement_angle = 0.35;  ///< radians; wider than the blend's, to rank distant photos as well
 
-/// Pixels that a cluster's bounding sphere covers, at most the frame, also for NaN.
+/// Pixels that a cluster's bounding sphere covers, at most those of the frame, even for NaN.
 double area_in_view(const package::ClusterRecord& c, const View& view) {
     const Intrinsics& k = view.intrinsics;
     const double z = (view.cam_from_origin.R * center(c) + view.cam_from_origin.t).z();
@@ -19,7 +19,7 @@ double area_in_view(const package::ClusterRecord& c, const View& view) {
 }
 
 /// One point on each of up to 8192 triangles, spread by the plastic ratio's sequence (Roberts 2018).
-/// `looked`: pixels that the triangles were sampled at.
+/// `looked`: the number of pixels at which triangles were sampled.
 VisibleSurface::Points points_on(const PlanScene& scene, const View& view,
                                  std::span<const std::uint32_t> triangles,
                                  std::span<const std::uint32_t> clusters, std::size_t looked,

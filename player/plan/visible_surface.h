@@ -27,7 +27,7 @@ struct VisibleSurface {
     } points{};
 };
 
-/// `seen`: triangles that pixels of the view (or of one just before) showed, from 1, 0: none; `samples` per
+/// `seen`: the triangles at pixels of this view or a recent one, numbered from 1 (0: none). `samples`: per
 /// side of a pixel.
 VisibleSurface visible_surface(const PlanScene& scene, const View& view, std::span<const std::uint32_t> seen,
                                double samples);

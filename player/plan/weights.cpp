@@ -63,7 +63,7 @@ std::vector<double> dynamic_weights(const View& view, std::span<const package::P
     };
     if (s.distance) apply(parts.distance);
     if (s.angle && s.angle_per_photo) apply(parts.angle);
-    // Still far above the smallest float after the static weights: a photo on its own gives a color.
+    // Even times the static weights far above the smallest float, so that a single photo gives a color.
     for (double& w : weights) w = std::max(w, 1e-9);
     return weights;
 }

@@ -13,7 +13,7 @@ struct WeightSettings {
     bool angle_per_photo = false;
     bool angle_mask = true, depth_mask = true, border_mask = true, consensus_mask = true;
     bool fov_normalization = false;  ///< compare distances as if all fields of view were equal [M] 4.1 to 4.3
-    bool corrected_directions = false;  ///< [P]: a photo's direction is towards the middle of what it sees
+    bool corrected_directions = false;  ///< [P]: a photo's direction is toward the middle of what it sees
     double exponent = 2;                ///< of the distance and per-photo angle weights
     double sharpness = 0.055;           ///< radians: the angle between rays at which the weight is 1/e
 };

@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// What distinguishes the blending programs of one package.
+/// The parameters by which the blending programs of one package differ.
 struct BlendVariant {
     int photos;  ///< per pass, at most
     bool per_fragment;

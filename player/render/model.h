@@ -6,9 +6,9 @@
 
 namespace vantage {
 
-/// The package's mesh on the graphics card, with the attributes of shaders/contract.glsl: color only if the
-/// effect is on; the draw's is one DrawRecord per draw, by its base instance, from a buffer that each pass
-/// binds.
+/// The package's mesh on the graphics card, with the attributes of shaders/contract.glsl. Colors are present
+/// only if the effect is on. The attribute `draw` is one DrawRecord per draw, selected by base instance from
+/// a buffer that each pass binds.
 struct Model {
     gl::Buffer positions, normals, colors, indices;
     gl::VertexArray vertices;

@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-/// [P]'s viewing direction: from outside the model's box towards its center, from inside the camera's own.
+/// The viewing direction of [P]: outside the model's box, toward its center; inside, the camera's own.
 Eigen::Vector3d overall_direction(const View& view, const package::SceneRecord& scene) {
     const Eigen::Vector3d eye = view.cam_from_origin.center();
     const Eigen::Vector3d half = (Eigen::Map<const Eigen::Vector3d>(scene.bounds_max) -
@@ -45,7 +45,7 @@ std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos
     return out;
 }
 
-/// Upper bound of what one pass writes: photos, their pages, draws, and the alignment of each.
+/// Upper bound on the bytes that one pass writes: photos, their pages, draws, and the alignment of each.
 std::size_t pass_bytes(const PackagePages& pages, std::size_t clusters) {
     std::size_t largest = 0;
     for (const PhotoPages& p : pages.photos)
@@ -126,7 +126,7 @@ std::size_t ModelPasses::draw_clusters(std::span<const std::uint32_t> clusters) 
 const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bool consensus) {
     const bool fragment = per_fragment(settings);
     const Blend blend = settings.show == Show::coverage ? Blend::average : settings.blend;
-    // Only programs for per-vertex coordinates depend on the number of photos, by their outputs.
+    // Only programs for per-vertex coordinates depend on the number of photos, through their vertex outputs.
     const int photos = fragment ? most_photos_per_pass : settings.photos_per_pass;
     const BlendVariant variant{.photos = photos,
                                .per_fragment = fragment,

@@ -37,20 +37,19 @@ class ModelPasses {
     bool per_fragment(const RenderSettings& settings) const;
     /// Depth, plain shading and the triangles' numbers.
     void draw_surface(const DrawnView& drawn, const FrameTargets& targets);
-    /// Adds photos to the sums `into`; best photo and consensus read the other ones. Returns the number of
+    /// Adds photos to the sums `into`; best photo and consensus read the other sums. Returns the number of
     /// draws.
     std::size_t draw_photos(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                             const FrameTargets& targets, bool consensus, int into);
     /// Runs `draw` with one photo, as far as it is resident, bound as photo 0.
     void with_photo(std::uint32_t photo, const std::function<void()>& draw);
 
-    /// From now on, passes set a bit in this buffer for each texel they read, in the order of the layers of
-    /// color, masks and depth; 0: no longer.
+    /// Makes passes set a bit in this buffer for each texel that they read, ordered by the layers of color,
+    /// masks and depth; 0 turns this off.
     void trace_texels(GLuint buffer) { trace_ = buffer; }
 
   private:
-    /// Draws those of the clusters that have bits in cluster_photos_, by one call; returns the number of
-    /// draws.
+    /// Draws the given clusters that have bits in cluster_photos_, in one call. Returns the number of draws.
     std::size_t draw_clusters(std::span<const std::uint32_t> clusters);
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn);
     /// Writes the photos with their presence (1 without a plan) and pages into the ring, and binds them.

@@ -13,11 +13,11 @@ namespace vantage {
 /// Weighted average [M], unstructured lumigraph (after Buehler et al. 2001) or best photo [P]; rows of
 /// blend_table(). The window's settings file stores the numbers.
 enum class Blend { average, lumigraph, best, count };
-/// Texture coordinates per vertex or per fragment; automatic: as the package's effects say.
+/// Texture coordinates per vertex or per fragment; automatic: by the package's effects.
 enum class Coordinates { automatic, vertex, fragment, count };
 /// False colors: which photo, or how many photos. Values as in shaders/contract.glsl.
 enum class Show { colors, sources, coverage, count };
-/// Comparison with the photo taken at the view. Values as in shaders/contract.glsl.
+/// Comparison with a photo. Values as in shaders/contract.glsl.
 enum class Compare { nothing, side_by_side, wiper, difference, count };
 
 inline constexpr int most_photos_per_pass = 16;
@@ -54,7 +54,7 @@ struct RenderSettings {
     float background[3] = {0.012f, 0.014f, 0.018f};                      ///< linear
 };
 
-/// What these settings mean for the plan, for one sample per pixel.
+/// The plan settings that follow from these, for one sample per pixel.
 PlanSettings plan_settings(const RenderSettings& settings);
 
 /// What a frame consisted of.
@@ -68,7 +68,7 @@ struct FrameReport {
     bool settled = false;           ///< everything needed is resident and has faded in
 };
 
-/// Limits of memory, bytes.
+/// Memory limits in bytes.
 struct MemoryBudget {
     std::uint64_t graphics = 0;                    ///< 0: by the size of the frame
     std::uint64_t ring = std::uint64_t(32) << 20;  ///< of the buffer that uploads pass through

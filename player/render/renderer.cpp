@@ -30,13 +30,13 @@ void bind_target(const gl::Framebuffer& framebuffer, int width, int height) {
     glViewport(0, 0, width, height);
 }
 
-/// Bytes for the tiles that a frame of this size shows, and for some of those shown before.
+/// Bytes for the tiles that a frame of this size shows, plus some shown earlier.
 std::uint64_t tiles_for(int width, int height) {
     constexpr double MiB = 1 << 20;
     return std::uint64_t(std::clamp(256 * MiB * width * height / (1280.0 * 720), 256 * MiB, 1024 * MiB));
 }
 
-/// The view whose pixel centers are the positions of one sample.
+/// The view shifted so that its pixel centers are the positions of one sample.
 View sampled(View view, PixelSample s) {
     view.intrinsics.cx -= (s.index % s.side + 0.5) / s.side - 0.5;
     view.intrinsics.cy -= (s.index / s.side + 0.5) / s.side - 0.5;
@@ -76,7 +76,7 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
     gl::check("opening the package");
 }
 
-/// Makes the frame's targets, and fits the tiles into the rest of the budget.
+/// Creates the frame's targets, and fits the tiles into the rest of the budget.
 void Renderer::fit(int width, int height, const RenderSettings& settings) {
     const bool coordinates = !per_fragment(settings);
     if (targets_.width == width && targets_.height == height && targets_.half_sums == settings.half_sums &&
@@ -171,7 +171,7 @@ void Renderer::stream(Frame& frame, const View* next) {
         for (const PlannedPhoto& p : plan_.plan().photos) frame.report.uploaded += store_.load_whole(p.photo);
     for (const PlannedPhoto& p : plan_.plan().photos) {
         frame.report.tiles += p.needs.tiles();
-        // Until the visible triangles are known, many tiles would be read for nothing.
+        // Until the visible triangles are known, many tiles would be read unnecessarily.
         frame.report.tiles_missing += plan_.uses_seen() ? store_.need(p.photo, p.needs) : p.needs.tiles();
     }
     const TileNeeds comparison = comparison_needs(frame.drawn.view, settings);

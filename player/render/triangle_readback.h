@@ -19,11 +19,11 @@ class TriangleReadback {
     static std::uint64_t bytes(int width, int height) {
         return std::uint64_t(width / step + 1) * std::uint64_t(height / step + 1) * 8;
     }
-    /// Frees that memory until the next capture.
+    /// Frees the graphics memory until the next capture.
     void release();
     /// Starts reading what `targets` show of `view`. Does nothing while an earlier frame is in flight.
     void capture(const FrameTargets& targets, const View& view);
-    /// Takes over what has arrived; with `wait`, waits for what is in flight. True if anything has changed.
+    /// Takes the triangles that have arrived; `wait` waits for those in flight. True if they have changed.
     bool update(bool wait);
 
     SeenTriangles seen() const { return {triangles_, view_, version_}; }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr unsigned threads = 2;
 
-/// At least four of the largest pieces that have to pass through.
+/// Space for at least four of the largest pieces that pass through the ring.
 std::size_t ring_size(const PackageReader& package, std::uint64_t wanted) {
     std::size_t largest = 2 * tile_bytes;
     for (const package::PhotoRecord& p : package.photos())
@@ -104,7 +104,7 @@ void PhotoStore::sort_wanted() {
 }
 
 std::size_t PhotoStore::stream(std::size_t budget) {
-    // Uploads follow the frame's requests, which mark what it uses, so that none of that is evicted.
+    // Uploads follow the frame's requests, which mark what it uses, so that nothing in use is evicted.
     const std::size_t uploaded = residency_->upload(stream_, budget);
     sort_wanted();
     // Fetches no more than there is space for, so that nothing is read and then discarded.

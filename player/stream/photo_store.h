@@ -42,7 +42,7 @@ class PhotoStore {
     /// Uploads at most `budget` bytes of what has been fetched, or one larger piece, and fetches what this
     /// frame has requested. Returns the bytes uploaded.
     std::size_t stream(std::size_t budget);
-    /// Fetches and uploads everything requested since the last call or the begin of the frame. Waits.
+    /// Fetches and uploads everything requested since the last call or the start of the frame. Waits.
     void load();
     /// Uploads a whole photo in this frame, however long it takes. Returns the bytes uploaded.
     std::size_t load_whole(std::uint32_t photo);
@@ -62,13 +62,13 @@ class PhotoStore {
     void bind() const;
 
   private:
-    /// The order in which missing pieces are fetched, the most urgent last.
+    /// How urgently a missing piece is needed, in increasing order.
     enum class Urgency {
-        prefetch,     ///< for frames to come
+        prefetch,     ///< for future frames
         panel,        ///< thumbnails that only panels show
         tile,         ///< coarse levels before fine ones
-        coordinates,  ///< without which a photo is not drawn per vertex
-        base,         ///< without which a photo is not drawn at all
+        coordinates,  ///< required to draw a photo with coordinates per vertex
+        base,         ///< required to draw a photo at all
     };
     struct Wanted {
         StreamRequest request;

@@ -47,8 +47,8 @@ class Residency {
     /// Uploads all tiles of a photo at once, straight from the mapped package. Returns the bytes uploaded.
     std::size_t upload_whole(std::uint32_t photo, std::uint32_t levels);
 
-    /// A page's entry for the shaders: the layer in the low 16 bits, above it how far it has faded in (0 to
-    /// 255); shader::not_resident.
+    /// A page's entry for the shaders: the layer in the low 16 bits, above them how far it has faded in (0
+    /// to 255); or shader::not_resident.
     std::uint32_t color_entry(std::uint32_t page) const { return entry(color_pool_, color_arrivals_, page); }
     std::uint32_t mask_entry(std::uint32_t page) const { return entry(mask_pool_, mask_arrivals_, page); }
     std::optional<std::uint32_t> thumbnail_layer(std::uint32_t photo) const {
@@ -75,10 +75,11 @@ class Residency {
   private:
     static constexpr double fade_seconds = 0.25;
     const LayerPool& pool_of(Resource resource) const;
-    /// Found damaged within retry_seconds. Later it is tried again: a package may be restored while shown.
+    /// Found damaged within the last retry_seconds. After that it is fetched again: a package may be restored
+    /// while it is shown.
     bool recently_damaged(const StreamRequest& request) const;
-    /// After a piece of texture coordinates was restored, fetches all pieces again: pieces share a checksum,
-    /// and the others may have arrived while it mismatched.
+    /// Fetches all pieces of a photo's texture coordinates again after one was restored: pieces share a
+    /// checksum, and the others may have arrived while it mismatched.
     void discard_coordinates(const StreamRequest& restored);
     std::uint32_t entry(const LayerPool& pool, const std::vector<double>& arrivals, std::uint32_t page) const;
     /// Copies from offset `source` of the unpack buffer, or from address `source` if that is 0. False if

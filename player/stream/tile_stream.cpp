@@ -57,7 +57,7 @@ void TileStream::fence() {
 bool TileStream::wait() {
     std::unique_lock lock(mutex_);
     const auto idle = [&] { return wanted_.empty() && begun_.empty(); };
-    // With a timeout: a full ring is freed by the graphics card, and no thread signals that.
+    // With a timeout: space in a full ring is freed by the graphics card, which signals no thread.
     fetched_.wait_for(lock, std::chrono::milliseconds(2), [&] { return !done_.empty() || idle(); });
     return !idle();
 }

@@ -30,7 +30,7 @@ struct StreamRequest {
     const package::DirectoryEntry* chunk;
     std::uint32_t block = 0;                          ///< in a chunk with blocks
     std::uint64_t first = 0, bytes = 0;               ///< in a chunk without blocks
-    const package::DirectoryEntry* second = nullptr;  ///< its block of the same number follows
+    const package::DirectoryEntry* second = nullptr;  ///< chunk whose block of the same number follows
 
     std::uint64_t size() const;
     std::uint64_t identity() const { return std::uint64_t(resource) << 32 | key; }
@@ -56,7 +56,7 @@ class TileStream {
     void want(std::span<const StreamRequest> requests);
     /// The next fetched request; empty if there is none or it has more than `budget` bytes.
     std::optional<Fetched> take(std::size_t budget);
-    /// To be called when what was taken has been uploaded, or discarded.
+    /// Must be called when what was taken has been uploaded or discarded.
     void release(const Fetched& fetched);
     /// Ends a frame: see UploadRing::fence.
     void fence();

@@ -22,10 +22,10 @@ class UploadRing {
         std::size_t offset, bytes;
         std::uint64_t number;
     };
-    /// Empty if the ring has not enough space now.
+    /// Empty if the ring does not have enough space now.
     std::optional<Piece> take(std::size_t bytes);
     std::span<std::byte> memory(const Piece& piece) { return {mapped_ + piece.offset, piece.bytes}; }
-    /// To be called when the piece has been uploaded, before the next fence(), or is no longer wanted.
+    /// Must be called when the piece has been uploaded (before the next fence()) or is no longer wanted.
     void release(const Piece& piece);
     /// Sets a fence for the pieces released since the last one, and reclaims pieces whose fence has passed.
     void fence();
@@ -36,7 +36,7 @@ class UploadRing {
   private:
     struct Given {
         std::size_t offset, bytes;
-        std::uint64_t fence = 0;  ///< number of the fence behind its use; 0: still in use
+        std::uint64_t fence = 0;  ///< number of the fence after its last use; 0: still in use
     };
     struct Fence {
         std::uint64_t number;

@@ -12,7 +12,7 @@ struct NonFinite {
     std::size_t depth = 0, surface = 0, sums = 0, samples = 0;
     std::size_t all() const { return depth + surface + sums + samples; }
 };
-/// Of the last frame. Waits and reads all targets back: for finding errors.
+/// Counts in the last frame. Waits and reads all targets back, so it is only for verification.
 NonFinite count_non_finite(const FrameTargets& targets);
 
 /// A message, in one line.

@@ -9,8 +9,8 @@
 
 namespace vantage {
 
-/// Writes views for regression tests of a package: up to four, between neighboring photos spread over all, so
-/// that several photos are blended.
+/// Writes up to four views for regression tests of a package, each between neighboring photos, so that
+/// several photos are blended; the pairs are spread evenly over the photos.
 void write_default_views(const std::filesystem::path& file, const PackageReader& package);
 
 /// How a picture differs from the stored one.
@@ -20,7 +20,7 @@ struct GoldenDifference {
     double share = 0;             ///< of the pixels that differ by more than the tolerance
     double mean = 0;              ///< gray levels
 };
-/// The difference of two pixels is the largest of their channels', alpha included.
+/// Two pixels differ by the largest difference of their channels, alpha included.
 GoldenDifference compare_pictures(const Picture& stored, const Picture& now, int tolerance);
 
 /// Stored picture, new picture, and eight times their difference, side by side.

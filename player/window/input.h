@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// Applies this frame's mouse and keyboard input, unless it is meant for panels. `now` in seconds.
+/// Applies this frame's mouse and keyboard input, except input to panels. `now` in seconds.
 void apply_input(Session& session, const PlanScene& scene, double now);
 
 bool any_key_down();

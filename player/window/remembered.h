@@ -6,7 +6,8 @@
 
 namespace vantage {
 
-/// The folder of the player's settings: $XDG_CONFIG_HOME/vantage or ~/.config/vantage; empty without a home.
+/// The folder of the player's settings: $XDG_CONFIG_HOME/vantage or ~/.config/vantage; empty if there is no
+/// home.
 std::filesystem::path settings_folder();
 
 /// What the player remembers between sessions.
@@ -15,7 +16,7 @@ struct Remembered {
     RenderSettings settings;
     Panels panels;
 };
-/// The settings in player.json of the folder; those missing or invalid are as in `otherwise`.
+/// The settings in the folder's player.json; missing or invalid ones are taken from `otherwise`.
 Remembered read_settings(const std::filesystem::path& folder, Remembered otherwise);
 /// Writes player.json. Ignores errors: the window works without remembered settings.
 void write_settings(const std::filesystem::path& folder, const Remembered& remembered);

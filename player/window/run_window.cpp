@@ -25,7 +25,7 @@
 namespace vantage {
 namespace {
 
-/// Seconds since the process was started, by the kernel's records.
+/// Seconds since the process started, according to the kernel.
 double process_seconds() {
     std::ifstream stat("/proc/self/stat"), uptime("/proc/uptime");
     std::string field;
@@ -37,7 +37,7 @@ double process_seconds() {
 }
 
 void expect_photo(const PackageReader& package) {
-    if (package.photos().empty()) throw Error(Exit::damaged, package.path().string() + ": holds no photo");
+    if (package.photos().empty()) throw Error(Exit::damaged, package.path().string() + ": contains no photos");
 }
 
 /// A session at the first photo of --photo, or the middle one.
@@ -61,7 +61,7 @@ struct Requested {
     double at;  ///< seconds
 };
 
-/// The package that the session asks to open; empty, with a message, if that cannot be shown.
+/// Opens the package that the session asks for; empty, with a message, if it cannot be shown.
 std::optional<Requested> take_request(Session& session, double now) {
     const std::string file = std::exchange(session.open, "");
     if (file.empty()) return {};
@@ -77,7 +77,7 @@ std::optional<Requested> take_request(Session& session, double now) {
 }
 
 /// Shows one package, requested at `requested_at` seconds, until the window closes or another package is
-/// requested. Returns the other package.
+/// requested. Returns that other package, if any.
 std::optional<Requested> show_package(GLFWwindow* window, Session& session, ShownScene& scene,
                                       Controls& controls, const ShowOptions& o, double requested_at) {
     for (int frame = 1; !glfwWindowShouldClose(window); ++frame) {

@@ -73,8 +73,8 @@ bool ShownScene::unchanged(const View& view) const {
            last_->intrinsics.height == view.intrinsics.height;
 }
 
-/// While the view moves or tiles are missing: one sample per pixel, half a level sharper. Then the samples of
-/// a pixel, one per frame. Then nothing.
+/// While the view moves or tiles are missing, draws one sample per pixel, half a level sharper. After that,
+/// accumulates the samples of each pixel, one per frame, and stops when the picture is final.
 void ShownScene::draw(const View& view, bool still, double now) {
     Session& s = session_;
     // A damaged package may be restored while it is shown.

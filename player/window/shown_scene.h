@@ -9,7 +9,8 @@
 
 namespace vantage {
 
-/// One package in the window, from frame to frame. The package, the session and the controls must outlive it.
+/// Shows one package in the window, frame by frame. The package, the session and the controls must outlive
+/// it.
 class ShownScene {
   public:
     ShownScene(const PackageReader& package, const ShowOptions& options, Session& session,

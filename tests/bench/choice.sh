@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# How many photos are needed to cover a view: the set cover against the choice by normals and the nearest n. Views are
-# those of the photos' cameras at a quarter of their size, with the photo itself held out. Prints the share of the
-# pixels colored by any other photo that the chosen ones leave uncolored, mean over the views.
+# How many photos are needed to cover a view: compares the set cover with the choice by normals and the nearest n. Views
+# are those of the photos' cameras at a quarter of their size, with the photo itself excluded. Prints the mean share of
+# pixels that some other photo could color and the chosen ones leave uncolored.
 # usage: choice.sh PLAYER PACKAGE...
 player=$1
 shift

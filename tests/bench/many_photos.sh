@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The cost of making 20 to 320 photos of one scene agree: of gathering the evidence, which prepare always does, and of
-# registering every camera, which is forced since the scene does not need it. Writes many_photos.tsv and
+# The cost of making 20 to 320 photos of one scene agree: of computing the evidence, which prepare always does, and of
+# registering all cameras, which has to be forced because the scene does not need it. Writes many_photos.tsv and
 # many_photos.svg into FOLDER, where the scenes are kept for reuse.
 # usage: many_photos.sh VANTAGE FOLDER [PHOTOS...]
 set -euo pipefail

@@ -45,7 +45,7 @@ fs::path datasets() {
     return root ? root : "../shared/datasets";
 }
 
-/// The default inputs of a set: synthetic scenes, and those of the real scans that are present.
+/// The default inputs of a set: synthetic scenes, and the real scans that are present.
 std::vector<fs::path> default_inputs(const std::string& set) {
     const fs::path data = fs::path(VANTAGE_SOURCE_DIR) / "data";
     if (set == "smoke") return {data / "tiny.toml"};
@@ -106,7 +106,7 @@ void run_scene(const RunOptions& o, const Effort& effort, const BenchScene& scen
     }
 }
 
-/// What must be unchanged for a run to be resumed: the effort and this program.
+/// Identifies the effort and this program; a run is resumed only if both are unchanged.
 std::string identity(const Effort& effort) {
     return fmt::format("{} {:016x}", effort.name, identify(fs::read_symlink("/proc/self/exe")).checksum);
 }

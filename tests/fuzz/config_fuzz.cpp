@@ -1,5 +1,5 @@
-// A command's settings and the specification of a synthetic scene, both TOML. Accepted numbers are within
-// their bounds.
+// A command's settings and the specification of a synthetic scene, both TOML. Checks that accepted numbers
+// are within their bounds.
 #include <cstdlib>
 
 #include "cli/real_range.h"

@@ -1,5 +1,5 @@
-// Meshes read by OpenMesh. The first byte is the format (o: OBJ, s: STL, f: OFF), the rest the file. Indices
-// are in range and normals finite.
+// Meshes read by OpenMesh. The first byte is the format (o: OBJ, s: STL, f: OFF), the rest the file. Checks
+// that indices are in range and normals finite.
 #include <cstdlib>
 
 #include "pipeline/formats/import/mesh.h"

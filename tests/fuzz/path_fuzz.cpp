@@ -1,4 +1,4 @@
-// Camera path files. Every view read can be drawn.
+// Camera path files. Checks that every view read can be drawn.
 #include <cstdlib>
 
 #include "player/camera/camera_path.h"

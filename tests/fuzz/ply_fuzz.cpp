@@ -1,4 +1,4 @@
-// PLY meshes, text and binary. Every index read is that of a vertex.
+// PLY meshes, text and binary. Checks that every index is that of a vertex.
 #include <cstdlib>
 
 #include "pipeline/formats/import/mesh.h"

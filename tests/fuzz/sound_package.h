@@ -14,8 +14,8 @@
 
 namespace vantage::fuzz {
 
-/// Two triangles, one cluster and one photo of 40 x 30 pixels that sees them. Only the data that a player
-/// reads, and without checksums of heads, directory and header, which fix_checksums() computes.
+/// Two triangles, one cluster and one photo of 40 x 30 pixels that sees them. Contains only the
+/// data that a player reads; fix_checksums() computes the checksums of heads, directory and header.
 class SoundPackage {
   public:
     SoundPackage() {

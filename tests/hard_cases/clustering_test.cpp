@@ -1,4 +1,4 @@
-// Clusters of normals, covers and frusta in degenerate cases and where a plane just touches.
+// Clusters of normals, covers and frusta: degenerate cases, and planes that just touch a sphere.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -1,4 +1,4 @@
-// Visibility where depth is difficult, compared with double-precision ray casting against every triangle and
+// Visibility with difficult depths, compared with double-precision ray casting against every triangle and
 // with closed forms.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Every float target of every kind of frame, read back: no value is infinite or NaN.
+// Reads back every float target of every kind of frame: no value is infinite or NaN.
 #include <Eigen/Geometry>
 #include <array>
 #include <fstream>
@@ -126,7 +126,7 @@ class FinitePicturesOfOddModel : public FinitePictures {
 TEST_F(FinitePictures, EverySettingFromEveryView) {
     for (const Named& view : views())
         for (const auto& [name, s] : kinds()) count(view, s, name);
-    count(views()[1], {}, "four samples a pixel", 2);
+    count(views()[1], {}, "four samples per pixel", 2);
 }
 
 TEST_F(FinitePicturesOfOddModel, CancelingNormalsAndExtremeColors) {

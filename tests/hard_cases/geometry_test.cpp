@@ -142,7 +142,7 @@ class Geometry : public TemporaryFolder {
         }
     }
 
-    /// All but a few pixels are equal.
+    /// Expects all but a few pixels to be equal.
     static void expect_same(const std::vector<Picture>& a, const std::vector<Picture>& b) {
         ASSERT_EQ(a.size(), b.size());
         for (std::size_t i = 0; i < a.size(); ++i) {
@@ -275,7 +275,7 @@ TEST_F(Geometry, InvalidNormalsAreRecomputed) {
 }
 
 TEST_F(Geometry, VisibilityDoesNotDependOnWindingOrNormals) {
-    subdivide_large_triangles(scene.mesh);  // which depends on the order of corners
+    subdivide_large_triangles(scene.mesh);  // done here because it depends on the order of corners
     const Result sound = shown(scene.mesh);
     Mesh inside_out = scene.mesh, mixed = scene.mesh, normals_only = scene.mesh;
     std::mt19937 random(11);

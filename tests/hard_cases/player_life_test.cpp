@@ -38,7 +38,7 @@ class PlayerLifetime : public PreparedScene {
         for (int i = 0; i < frames; ++i) {
             const FrameReport report = r.draw(view, s, photos, {}, now + i / 30.0);
             if (report.settled && report.photos > 0) return report;
-            ::usleep(1000);  // lets the reading threads work
+            ::usleep(1000);  // gives the worker threads time
         }
         return std::nullopt;
     }
@@ -65,7 +65,7 @@ class PlayerLifetime : public PreparedScene {
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(message)};
     }
 
-    /// Renders many views, and calls `happen` when the first is written.
+    /// Renders many views, and calls `happen` when the first picture is written.
     template <class Happen>
     Outcome play_while(const Happen& happen) const {
         const fs::path path = dir / "many.path", message = dir / "message", out = dir / "pictures";

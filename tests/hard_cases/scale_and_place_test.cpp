@@ -171,8 +171,8 @@ class ScaleAndPlace : public TemporaryFolder {
         EXPECT_LE(double(differ), 1e-4 * double(all)) << "texels";
     }
 
-    /// No byte differs by more than 2, except, if the order of triangles differs, in single pixels where an
-    /// edge snaps to the other side of the center.
+    /// Expects no byte to differ by more than 2. If the order of triangles differs, this excludes a few
+    /// pixels where an edge snaps to the other side of the center.
     void expect_same_pictures(Opened& other, const Similarity& by) const {
         const double most = given->order() == other.order() ? 0 : 1e-4;
         const Eigen::Vector3d origin = given->origin();

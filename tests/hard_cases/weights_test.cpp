@@ -270,8 +270,8 @@ TEST_F(BlendedWeights, ExtremeSettingsLoseNoPixelAndHalfMatchesFloat) {
     }
 }
 
-// Half floats do not have the range of a pass's weights: passes with negligible weights are lifted to the
-// same minimum. No pixel is lost by that, and pixels with a significant weight do not change.
+// Half floats lack the range of a pass's weights, so passes with negligible weights are raised to the same
+// minimum. This loses no pixel and does not change pixels with a significant weight.
 TEST_F(BlendedWeights, OnePhotoPerPassLosesNoPixelInHalfFloats) {
     for (const Blend blend : {Blend::lumigraph, Blend::average, Blend::best})
         for (const double sharpness : {0.055, 0.005}) {
@@ -290,7 +290,7 @@ TEST_F(BlendedWeights, OnePhotoPerPassLosesNoPixelInHalfFloats) {
         }
 }
 
-// Half floats end at 65504; from a photo's own camera, its weight is a thousand times larger.
+// The largest half float is 65504; a photo's weight from its own camera is a thousand times larger.
 TEST_F(BlendedWeights, BestPhotoWeightFitsHalfFloats) {
     RenderSettings s;
     s.blend = Blend::best;

@@ -136,8 +136,8 @@ Colored count_colored(const Picture& picture, const Camera& from, const RayScene
     return count;
 }
 
-/// From the own camera of every `every`-th photo at full size: the blend "best" reproduces the photo, and
-/// surfaces that some photo sees are colored, as counted at every `step`-th pixel.
+/// Renders from the camera of every `every`-th photo at full size. Expects the blend "best" to reproduce the
+/// photo, and surfaces that some photo sees to be colored, as sampled at every `step`-th pixel.
 void expect_own_views_are_the_photos(Prepared& p, int step, std::uint32_t every) {
     const Eigen::Map<const Eigen::Vector3d> origin(p.package->scene().origin);
     const RayScene rays(about_origin(p.scene.mesh, origin));
@@ -171,7 +171,7 @@ class DepthBorders {
     DepthBorders(const Mesh& mesh, const Camera& camera) {
         const Eigen::Vector3d eye = camera.cam_from_world.center();
         std::map<std::array<std::uint32_t, 2>, std::array<int, 2>>
-            edges;  // triangles facing away, and towards the camera
+            edges;  // numbers of triangles facing away from and toward the camera
         for (const auto& t : mesh.triangles) {
             const Eigen::Vector3d a = mesh.positions[t[0]];
             const double away = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).dot(a - eye);
@@ -425,7 +425,7 @@ TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
     RenderSettings all;
     all.weights.consensus_mask = false;
     const double with = psnr(take_picture(*p.renderer, view, all, others, 1), untouched);
-    // The same photos without the paint.
+    // The same photos, unpainted.
     fs::remove_all(folder);
     Prepared clean = Prepared(make(spec), dir / "again.vantage");
     const double best = psnr(take_picture(*clean.renderer, view, {}, others, 1), untouched);

@@ -57,7 +57,7 @@ class Evaluate : public TemporaryFolder {
 };
 
 bool reports_offset(const LeftOut& r) {
-    return std::ranges::any_of(r.remarks, [](const std::string& s) { return s.find("px off") != s.npos; });
+    return std::ranges::any_of(r.remarks, [](const std::string& s) { return s.starts_with("offset by"); });
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Simulates disk failures in a program that preloads it, as set by FAULT="CALL:N:HOW". CALL is pwrite,
 // fallocate, fsync, rename or statvfs. From the N-th call on, it fails with HOW (ENOSPC, EIO, EACCES);
-// statvfs reports no free space instead. Or the N-th call kills the process before (KILL) or after
-// (KILL_AFTER) it is executed, as a power failure would.
+// statvfs reports no free space instead. With KILL or KILL_AFTER, the process is killed before or
+// after the N-th call is executed, as by a power failure.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/statvfs.h>

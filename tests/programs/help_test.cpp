@@ -164,7 +164,7 @@ class Help : public TemporaryFolder {
     }
 };
 
-/// A word for the code that its descriptions contain.
+/// A word that must occur in descriptions of the exit code.
 std::optional<std::regex> word_for(Exit code) {
     switch (code) {
         case Exit::ok:

@@ -1,5 +1,5 @@
-// vantage prepare, unattended: killed and resumed, out of disk space, with bad photos, and divided into
-// shares.
+// Unattended runs of vantage prepare: killed and resumed, out of disk space, with bad photos, and divided
+// into shares.
 #include "tests/programs/overnight.h"
 
 #include <algorithm>

@@ -121,7 +121,7 @@ TEST_F(Shelf, VerifyFindsChangedPictures) {
                                                       {name(different_one), "different"}};
     EXPECT_EQ(failures(junit), expected) << found.out;
     EXPECT_EQ(found.code, int(Exit::damaged));
-    EXPECT_NE(found.out.find("of the pixels are off by more than 8, the worst by "), std::string::npos)
+    EXPECT_NE(found.out.find("of the pixels differ by more than 8, the worst by "), std::string::npos)
         << found.out;
     EXPECT_FALSE(fs::is_empty(dir / "differences" / name(different_one)));
     EXPECT_EQ(

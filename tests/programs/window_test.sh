@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Uses every control of the window once, with real mouse and key events through the X server, and then checks what the player did and remembered.
+# Uses every control of the window once, with real mouse and key events through the X server, then checks what the player
+# did and remembered.
 # usage: window_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
 if [ -z "${VANTAGE_WINDOW_TEST:-}" ]; then

@@ -65,7 +65,7 @@ double psnr_against(const Picture& exact, const Picture& picture, const TrueView
     return std::min(psnr_cap, score(exact, picture, scored).psnr);
 }
 
-/// The exact setting to compare a curve with, of that curve if possible; settings.size() if there is none.
+/// The exact setting to compare a curve with, from the same curve if possible; settings.size() if none.
 std::size_t exact_of(std::span<const PictureSetting> settings, const std::string& curve) {
     std::size_t found = settings.size();
     for (std::size_t i = settings.size(); i-- > 0;)
@@ -147,7 +147,7 @@ void settle(Renderer& renderer, const TrueView& view, const PictureSetting& s) {
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& s) {
     settle(renderer, view, s);
     const Frames frames(renderer, view, s);
-    // Samples are drawn one after another, each at the cost of the first.
+    // Samples are drawn one after another, and each costs as much as the first.
     return milliseconds([&] { frames.draw(); }) * (s.timed_whole ? s.side * s.side : 1);
 }
 

@@ -40,8 +40,8 @@ void settle(Renderer& renderer, const TrueView& view, const PictureSetting& sett
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
 /// Measures each setting on a package of the scene: psnr, ssim, worst, uncoloured, photos, frame_ms, and
-/// psnr_exact against the exact setting of the same curve, or of another curve if it has none. Exhibits show
-/// the window in which the worst setting differs most from the exact one.
+/// psnr_exact against the exact setting of the same curve, or of another curve if that has none. Exhibits
+/// show the window in which the worst setting differs most from the exact one.
 std::vector<Measurement> measure_pictures(const std::filesystem::path& package, const BenchScene& scene,
                                           const Effort& effort, std::span<const PictureSetting> settings,
                                           const std::filesystem::path& folder, const std::string& tag);

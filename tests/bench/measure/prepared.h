@@ -20,8 +20,8 @@ PrepareCost run_prepare(const std::filesystem::path& folder, const std::filesyst
                         const std::vector<std::string>& options);
 
 /// Prepares a package with these options and measures one setting on it: the values of measure_pictures()
-/// plus package_bytes, prepare_s and memory_bytes. There is no other setting to compare with, hence no
-/// psnr_exact and no exhibit of the truth.
+/// plus package_bytes, prepare_s and memory_bytes. There is no psnr_exact and no
+/// exhibit of the truth, because there is no other setting to compare with.
 Measurement measure_prepared(const BenchScene& scene, const Effort& effort,
                              const std::vector<std::string>& options, const PictureSetting& setting,
                              const std::filesystem::path& folder, const std::string& tag);

@@ -15,7 +15,7 @@
 namespace vantage::bench {
 namespace {
 
-/// Follows page_style.
+/// Appended to page_style.
 constexpr const char* bench_style = R"(
 :root { color-scheme: light dark; --shade: #f5f5f3; --worse-back: #fdecea; --better-back: #e8f5ec; }
 body { max-width: 100rem; padding: 0 1.5rem; }
@@ -150,7 +150,7 @@ void write_defaults(std::ostream& out, const PageContent& page) {
     out << "</tbody></table></div></section>\n";
 }
 
-/// Notes what is not on the page.
+/// Lists what is not on the page.
 void write_rest(std::ostream& out, const PageContent& page, std::size_t rows) {
     std::string unmeasured;
     for (const SweepPart& part : page.sweeps) {

@@ -22,7 +22,7 @@ struct SweepPart {
     std::vector<ScenePart> scenes;  ///< empty if it was not measured
 };
 
-/// The data behind all parts of a page.
+/// The data from which all parts of a page are made.
 struct PageContent {
     const PageInput& input;
     std::filesystem::path folder;
@@ -33,7 +33,7 @@ struct PageContent {
 /// The change of a value since the earlier run; null if it has not moved.
 const Moved* find_moved(const PageContent& page, const Measurement& row, const char* metric);
 
-/// CSS class: "worse", "better", or "" if the metric is neither or the value is gone.
+/// CSS class: "worse", "better", or "" if neither applies or the value is no longer measured.
 const char* verdict_class(const Moved& moved);
 
 /// Describes how far row `i` is from the front of a plot; empty if it is not on the plot.

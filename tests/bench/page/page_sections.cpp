@@ -19,7 +19,7 @@ std::string signed_quantity(double value, const std::string& unit) {
     return (value > 0 ? "+" : "") + quantity(value, unit, 3);
 }
 
-/// As a ratio for times and bytes, as a difference for errors.
+/// The change as text: a ratio for times and bytes, a difference for errors.
 std::string change(const Moved& m) {
     if (!m.now) return "no longer measured";
     const bool ratio = m.metric->kind == Metric::Kind::time || m.metric->kind == Metric::Kind::bytes;
@@ -98,7 +98,7 @@ bool is_preset(const Measurement& row) {
 
 bool has(std::span<const Measurement> rows, const Plot& plot) { return !front(rows, plot.x, plot.y).empty(); }
 
-/// The standard plots of presets and those of the sweep, as far as they were measured.
+/// The standard plots of presets and those of the sweep, if they were measured.
 std::vector<Plot> plots_of_presets(const Sweep& sweep, std::span<const Measurement> rows) {
     std::vector<Plot> out(std::begin(preset_plots), std::end(preset_plots));
     for (const Plot& p : sweep.plots)
@@ -110,7 +110,7 @@ std::vector<Plot> plots_of_presets(const Sweep& sweep, std::span<const Measureme
     return out;
 }
 
-/// Presets with names; candidates small, with names only on the front.
+/// Presets are labeled; other candidates are small and labeled only on the front.
 std::vector<PlotCurve> preset_curves(const PageContent& page, std::span<const Measurement> rows,
                                      const Plot& plot) {
     std::vector<PlotCurve> out = {{"presets", {}, false, false}, {"candidates", {}, false, true}};

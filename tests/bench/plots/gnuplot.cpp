@@ -38,7 +38,7 @@ std::string plain(double value) {
     return text;
 }
 
-/// As a single-quoted string of gnuplot, which expands nothing.
+/// A single-quoted string for gnuplot, in which nothing is expanded.
 std::string quoted(const std::string& text) {
     std::string out = "'";
     for (const char c : text) out += c == '\'' ? "''" : std::string(1, std::uint8_t(c) < 32 ? ' ' : c);
@@ -55,7 +55,7 @@ struct KeyEntry {
     std::size_t curve;
 };
 
-/// A plot with all positions computed; pixels, y down.
+/// A plot with all positions computed, in pixels, y down.
 struct Layout {
     const PlotSpec& plot;
     Axis x, y;
@@ -151,7 +151,7 @@ void add_segments(const Layout& l, const std::vector<Spot>& path, Obstacles& o) 
 
 double radius(const PlotPoint& p) { return p.chosen ? 7.5 : 5.5; }
 
-/// Label requests of all drawn points, in their order. Ranks: 0 for chosen and exact points and those that
+/// Label requests of all drawn points, in order. Ranks: 0 for chosen and exact points, and for points that
 /// are not muted on a plot with muted curves, 1 for the extremes along each axis, 2 for the front, 3 for the
 /// rest.
 std::vector<LabelRequest> label_requests(const Layout& l) {
@@ -191,7 +191,7 @@ std::string axis_title(const PlotAxis& a, const Axis& axis) {
            (brackets.empty() ? "" : " (" + brackets + ")") + (a.less_is_better ? "" : "    better →");
 }
 
-/// gnuplot's commands. Texts are placed in pixels as the layout says, everything else in the axes' units.
+/// gnuplot's commands. Text is placed in pixels by the layout, everything else in the axes' units.
 class Script {
   public:
     explicit Script(const Layout& l) : l_(l) {
@@ -263,7 +263,7 @@ std::string shaped(int shape, double size, const char* color, double wide = 1) {
     return "pointtype " + std::to_string(shape) + " pointsize " + plain(size) + " " + stroke(color, wide);
 }
 
-/// The font size, from 8 to text_size, at which the text fits the length.
+/// The largest font size from 8 to text_size at which the text fits the length.
 double fitting(const std::string& words, double length) {
     return std::clamp(text_size * length / text_width(words, text_size), 8.0, text_size);
 }
@@ -351,7 +351,7 @@ std::string tips(const Layout& l) {
     return out + "</g>\n";
 }
 
-/// The line of gnuplot's output with the reason; the command it failed at comes before it.
+/// The line of gnuplot's output that gives the reason; it follows the command that failed.
 std::string complaint(const std::filesystem::path& file) {
     std::ifstream in(file);
     std::string first, line;

@@ -44,7 +44,7 @@ std::vector<Box> places(const LabelRequest& request, double font_size) {
     return out;
 }
 
-/// Penalty for a label in `box`; none if it must not be there.
+/// Penalty for a label in `box`; empty if the label must not be placed there.
 std::optional<double> badness(const Box& box, const LabelRequest& request, const Obstacles& o,
                               const std::vector<Box>& taken) {
     if (box.left < o.area.left || box.right > o.area.right || box.top < o.area.top ||

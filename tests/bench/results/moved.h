@@ -8,7 +8,7 @@
 
 namespace vantage::bench {
 
-/// A value that differs from that of an earlier run by more than the noise of its metric.
+/// A value that differs from its value in an earlier run by more than the noise of its metric.
 struct Moved {
     const Measurement* row;  ///< as it is now
     const Metric* metric;

@@ -8,7 +8,7 @@
 
 namespace vantage::bench {
 
-/// The measurements of one run, and what they were made on.
+/// The measurements of one run, with the machine and program that made them.
 struct Run {
     std::string version;               ///< of Vantage
     std::string effort;                ///< Effort::name
@@ -22,7 +22,7 @@ void write_csv(const std::filesystem::path& file, std::span<const Measurement> m
 
 /// Non-finite values, which JSON cannot hold, are left out. Throws Error(storage).
 void write_json(const std::filesystem::path& file, const Run& run);
-/// Throws Error(input), which names the file, if it was not written by write_json().
+/// Throws Error(input) with the file's name if it was not written by write_json().
 Run read_json(const std::filesystem::path& file);
 
 }  // namespace vantage::bench

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a product exists and was made from the sources of this stamp, which is stored beside it.
+/// Whether a product exists and was made from the sources with this stamp, which is stored beside it.
 bool made_from(const fs::path& product, const std::string& stamp) {
     std::ifstream in(product.string() + ".from");
     return fs::exists(product) && std::string(std::istreambuf_iterator<char>(in), {}) == stamp;
@@ -116,7 +116,7 @@ int level_for(const Effort& effort, int width, int height) {
     return level;
 }
 
-/// A window at the center of a frame, within the effort's size limit, as a viewer up close sees it.
+/// A window at the center of a frame, within the effort's size limit: what a viewer close up sees.
 Intrinsics middle_of(const Intrinsics& k, const Effort& effort) {
     const int w = std::min(k.width, effort.longest), h = std::min(k.height, effort.longest * 2 / 3);
     return {w, h, k.fx, k.fy, k.cx - (k.width - w) / 2, k.cy - (k.height - h) / 2};

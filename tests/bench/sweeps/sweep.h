@@ -10,8 +10,8 @@
 
 namespace vantage::bench {
 
-/// Measurements made together, so that values to be compared are timed within the same minute. A job that is
-/// interrupted runs again from its start.
+/// Measurements made together, so that values to be compared are timed close to each other. An interrupted
+/// job starts over.
 struct Job {
     std::string name;  ///< unique within a sweep of a scene
     std::function<std::vector<Measurement>()> run;
@@ -28,7 +28,7 @@ struct Plot {
 struct Sweep {
     const char* name;
     const char* title;
-    const char* question;   ///< that the sweep answers
+    const char* question;   ///< the question that the sweep answers
     const char* truth;      ///< reference that errors are measured against
     const char* precision;  ///< how closely the exact end reproduces the reference
     std::vector<Plot> plots;

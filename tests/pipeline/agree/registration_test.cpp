@@ -54,7 +54,7 @@ std::vector<double> errors(const PackageReader& package, const SceneInput& truth
     return out;
 }
 
-/// Rotates and moves each camera at random, each by so many pixels at `distance`.
+/// Rotates and moves each camera at random, each by `pixels` at `distance`.
 void disturb(SceneInput& scene, double pixels, double distance) {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
@@ -173,7 +173,7 @@ TEST_F(SyntheticRegistration, WrongCameraIsReported) {
         << registration(done).warnings[0];
 }
 
-/// Each is explained in one line, and the cameras stay as given.
+/// Each case is reported in one line, and the cameras stay as given.
 TEST_F(SyntheticRegistration, DegenerateInputsAreReportedAndLeftAlone) {
     SynthSpec s = spec();
     s.photos.count = 4;
@@ -230,7 +230,7 @@ TEST_F(SyntheticRegistration, IdenticalPhotosStayInPlace) {
     EXPECT_LT(worst(errors(PackageReader(file), input)), 0.02);
 }
 
-/// On a flat surface, cameras may slide along it unnoticed.
+/// On a flat surface, cameras could drift along it undetected.
 TEST_F(SyntheticRegistration, FlatSurfaceIsNotRegistered) {
     SynthSpec s = spec();
     s.photos.count = 3;

@@ -86,7 +86,7 @@ void compare_on(const char* set) {
                          DistanceMethod::one_plus_jfa, DistanceMethod::jfa_squared}) {
         const Accuracy a = measure(all, m);
         std::printf(
-            "%-12s %-6s wrong %.5f %%, worst %.3f px, worst in the border mask %d/255, %.0f ms a photo\n",
+            "%-12s %-6s wrong %.5f %%, worst %.3f px, worst in the border mask %d/255, %.0f ms per photo\n",
             set, name(m), 100 * double(a.wrong) / double(a.pixels), a.worst, a.worst_in_mask,
             1000 * a.seconds / double(all.size()));
         EXPECT_LT(double(a.wrong), 0.01 * double(a.pixels)) << name(m);

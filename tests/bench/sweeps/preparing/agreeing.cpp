@@ -1,4 +1,4 @@
-// How far photos are made to agree before they are blended, and what that costs.
+// How much photos are made to agree before they are blended, and what that costs.
 #include <array>
 
 #include "tests/bench/measure/pictures.h"

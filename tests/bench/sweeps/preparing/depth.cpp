@@ -1,4 +1,4 @@
-// A photo's depth map: the size, bits and tolerance needed to classify points as visible or hidden.
+// A photo's depth map: the size, bit depth and tolerance needed to classify points as visible or hidden.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -24,8 +24,8 @@ namespace {
 
 enum class Bits { float32, unorm24, unorm16, half16 };
 
-/// How far a point may lie behind the depths around it: by a fraction of its depth, by the footprint of the
-/// map's pixel along the slope, or by the larger of the two as in shaders/blend.frag.
+/// How far a point may lie behind the depths around it: a fraction of its depth, the footprint of the map's
+/// pixel along the slope, or the larger of the two as in shaders/blend.frag.
 struct Tolerance {
     float share;
     bool footprint;
@@ -174,7 +174,7 @@ double classify(const Setting& setting, const Map& map, const RayScene& rays, co
 }
 
 struct Result {
-    double hidden = 0, visible = 0;  ///< counts of points wrongly classified so
+    double hidden = 0, visible = 0;  ///< numbers of points wrongly classified as such
     std::vector<double> photo_ms, bytes, point_ns;
 };
 
@@ -281,7 +281,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
         if (!here.empty()) add(model, *rays, camera, effort.repeats, here, results);
     }
     if (points == 0) return {};
-    // Rays need no map but a tree over the model, which all photos share.
+    // Rays need no map, but a tree over the model, whose cost all photos share.
     results.back().photo_ms = {tree_ms / double(model.scene().photos.size())};
     std::vector<Measurement> out = listed(results, points);
     for (std::size_t s = 0; s < out.size(); ++s) {

@@ -1,4 +1,4 @@
-// What more photos, or photos with more pixels, gain.
+// The gain from more photos, or from photos with more pixels.
 #include <fmt/format.h>
 
 #include <algorithm>

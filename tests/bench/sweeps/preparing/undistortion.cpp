@@ -1,4 +1,5 @@
-// Undistortion: the error of resampling a photo to a pinhole camera, against a photo cast without a lens.
+// Undistortion: the error of resampling a photo to a pinhole camera, measured against a photo cast without a
+// lens.
 #include <algorithm>
 #include <array>
 #include <cmath>

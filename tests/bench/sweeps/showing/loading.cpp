@@ -53,7 +53,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort,
     });
     std::vector<Measurement> out;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        // A new renderer for each: tiles that another setting has loaded would be shown.
+        // A new renderer each time: otherwise tiles loaded by another setting would be shown.
         const PackageReader package(scene.package);
         const gl::HeadlessContext context;
         Renderer renderer(package, ample_memory());

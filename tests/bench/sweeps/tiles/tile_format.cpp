@@ -1,4 +1,4 @@
-// How color tiles are coded.
+// The encoding of color tiles.
 #include <squish.h>
 #include <zstd.h>
 

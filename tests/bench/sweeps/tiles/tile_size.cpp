@@ -1,4 +1,4 @@
-// Tile size: small tiles hold fewer texels that are not shown, large tiles need fewer requests.
+// Tile size: small tiles hold fewer unused texels, large tiles need fewer requests.
 #include <Eigen/Geometry>
 #include <array>
 #include <unordered_set>
@@ -68,7 +68,7 @@ void mark(const Source& source, const SurfaceSample& sample, const Eigen::Vector
     }
 }
 
-/// Marks what the up to four photos nearest in angle that see a point show of it.
+/// Marks the blocks that a point needs from the (at most four) photos nearest in angle that see it.
 void mark_point(const Surface& surface, const std::vector<Source>& sources, const View& view,
                 const Eigen::Vector3d& p, const Eigen::Vector3d& normal, Blocks& out) {
     const auto sample = surface_sample(view, p, normal, 1);
