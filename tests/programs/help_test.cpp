@@ -94,12 +94,10 @@ class Help : public TemporaryFolder {
         for (const fs::path path : {VANTAGE_PROGRAM, VANTAGE_PLAYER, VANTAGE_BENCH}) {
             Program p{help_of(path.string()), {}};
             p.verbs[""] = options_in(p.help);
-            const std::size_t listed = p.help.find("Subcommands:\n");
-            for (const std::string& verb :
-                 listed == std::string::npos
-                     ? matches(p.help, R"( ([a-z]+) --help)")
-                     : matches(p.help.substr(listed, p.help.find("\n\n", listed) - listed),
-                               R"(\n  ([a-z]+) )"))
+            const std::size_t listed = std::min(p.help.find("Subcommands:\n"), p.help.find("Verbs ("));
+            const std::string list = listed == std::string::npos ? "" : p.help.substr(listed);
+            const std::size_t end = std::min(list.find("\n\n"), list.find("\nExit codes:"));
+            for (const std::string& verb : matches(list.substr(0, end), R"(\n  ([a-z]+) )"))
                 p.verbs[verb] = options_in(help_of(path.string() + " " + verb));
             programs[path.filename().string()] = p;
         }
