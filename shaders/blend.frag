@@ -29,15 +29,8 @@ layout(binding = first_sums_unit) uniform sampler2D first_sums;
 #endif
 
 const float least = 0.001;               // minimum of each mask: a photo that sees the surface keeps some weight
-const float beside = 0.03;               // weight where the photo's pixel may show something nearer instead
 const float half_least = 1.0 / 16384.0;  // the smallest half float with full precision
 const float consensus_scale = 0.08;      // square root of linear color: a difference of this much halves the weight
-
-// Ramps of the lumigraph's weight, in reference pixels: pixels of a photo scaled to this width.
-const float reference_width = 3072.0;
-const float frame_ramp = 64.0;  // from the photo's frame inward, so that it does not show as a seam
-const float edge_ramp = 24.0;   // from the nearest depth discontinuity, where pose and mesh errors show most
-const float edge_least = 0.2;   // at a discontinuity itself: other photos may not see the surface at all
 
 // Angle in radians between the rays from the surface to the viewer and to the photo; accurate for small angles.
 float ray_angle(uint photo) {
@@ -50,13 +43,12 @@ bool inside(uint photo, vec2 pixel) {
 }
 
 // Visibility of a fragment in a photo, from the four depths around its pixel: 1 if it is behind none of them, `beside` if
-// behind some, 0 if behind all. The tolerance is 0.4 % of the depth, or one texel of the depth map along a
-// surface slanted by at most 84 degrees.
+// behind some, 0 if behind all.
 float seen(uint photo, vec3 p, MaskPlace at) {
     vec3 n = mat3(photos[photo].cam_from_origin) * surface_normal;
-    float cosine = max(abs(dot(normalize(n), normalize(p))), 0.1);
+    float cosine = max(abs(dot(normalize(n), normalize(p))), least_cosine);
     float texel = float(1 << at.level) * p.z / min(photos[photo].focal_center.x, photos[photo].focal_center.y);
-    float slack = max(0.004 * p.z, texel / cosine);
+    float slack = max(depth_slack * p.z, texel / cosine);
     vec2 z = depths_at(at);
     return p.z > z.y + slack ? 0.0 : (p.z > z.x + slack ? beside : 1.0);
 }
@@ -76,8 +68,16 @@ float static_weight(vec4 masks) {
 // Bounded below, far above float underflow, so that a single photo still gives a color.
 float angle_weight(float theta) { return (switches & angle_switch) != 0u ? max(exp(-theta / sharpness), 1e-12) : 1.0; }
 
-float weight_of(uint photo, vec2 pixel, vec4 masks) {
-    float theta = ray_angle(photo);
+// Share in [0, 1] of a photo in its own view: 1 at its camera, 1/2 at `own_angle`.
+float own_share(float theta) { return own_angle * own_angle / (own_angle * own_angle + theta * theta); }
+
+// Factor by which a photo outweighs the others near its own camera. Half floats have no range for it.
+float own_view(float theta) {
+    float r = own_angle / max(theta, own_least);
+    return (switches & angle_switch) == 0u || half_scale > 0.0 ? 1.0 : 1.0 + r * r;
+}
+
+float weight_of(uint photo, vec2 pixel, vec4 masks, float theta) {
 #ifdef BLEND_BEST
     // [P] eq. 2.8, with the sign for which a frontal photo wins, divided by the squared angle: from a photo's own
     // viewpoint that photo wins wherever it sees the surface.
@@ -86,11 +86,11 @@ float weight_of(uint photo, vec2 pixel, vec4 masks) {
     float p = max(dot(view_direction, photos[photo].direction_presence.xyz), 0.01) * frontal * max(photos[photo].center_hull.w, 0.01);
     return p / ((theta + 1e-4) * (theta + 1e-4));
 #elif defined(BLEND_LUMIGRAPH)
-    float w = angle_weight(theta) * density(masks);
+    float w = angle_weight(theta) * own_view(theta) * density(masks);
     if ((switches & border_mask_switch) == 0u) return w;
     vec2 size = photos[photo].size_weight.xy, inside = min(pixel, size - pixel);
     float frame = min(inside.x, inside.y) * reference_width / size.x, edge = masks.b * border_width;
-    return w * clamp(frame / frame_ramp, least, 1.0) * clamp(edge / edge_ramp, edge_least, 1.0);
+    return w * clamp(frame / frame_ramp, frame_least, 1.0) * clamp(edge / edge_ramp, edge_least, 1.0);
 #else
     return static_weight(masks) * photos[photo].size_weight.w * angle_weight(theta);
 #endif
@@ -196,10 +196,11 @@ void main() {
 #endif
         if (!(w > 0.0)) continue;
         vec4 masks = masks_at(at);
-        w *= weight_of(photo, pixel, masks);
+        float theta = ray_angle(photo);
+        w *= weight_of(photo, pixel, masks, theta);
 #ifdef PHOTO_CONSENSUS
         // 1 of 255: visible, but contradicted by other photos.
-        if ((switches & consensus_mask_switch) != 0u) w *= (max(masks.a * 255.0, 1.0) - 1.0) / 254.0;
+        if ((switches & consensus_mask_switch) != 0u) w *= mix((max(masks.a * 255.0, 1.0) - 1.0) / 254.0, 1.0, own_share(theta));
 #endif
         if (!(w > 0.0)) continue;
 #ifdef TAKES_ONE

@@ -96,6 +96,25 @@ const int tile_border_texels = 4;
 const int tile_content_texels = 248;
 const int first_mask_level = 1;  // masks and depth have no finer level
 
+// The lumigraph's weight (docs/method.md), computed by shaders/blend.frag.
+const float default_sharpness = 0.055f;  // radians: the angle between rays at which the weight is 1/e
+// Ramps in reference pixels: pixels of a photo scaled to this width.
+const float reference_width = 3072.0f;
+const float frame_ramp = 64.0f;  // from the photo's frame inward, so that it does not show as a seam
+const float frame_least = 0.001f;
+const float edge_ramp = 24.0f;  // from the nearest depth discontinuity, where pose and mesh errors show most
+const float edge_least = 0.2f;  // at a discontinuity itself: other photos may not see the surface at all
+// Within about this angle of a photo's own camera, in radians, the picture becomes that photo (the epipole consistency of
+// Buehler et al. 2001): ramps and masks that prefer other photos must not apply there.
+const float own_angle = 0.01f;
+const float own_least = 0.00001f;  // smaller angles count as this one; bounds the factor at 10^6
+// A photo sees what is behind its depth map by less than this share of the depth, or by one texel of the map along a
+// surface slanted by at most 84 degrees. Where only some of the four depths around the pixel allow it, the photo's pixel may
+// show something nearer instead.
+const float depth_slack = 0.004f;
+const float least_cosine = 0.1f;
+const float beside = 0.03f;  // the weight in that case
+
 const uint not_resident = 0xffffffffu;  // in place of a page's entry
 const int level_count = 12;             // of a photo's pyramid, at most
 
