@@ -1,6 +1,6 @@
 // One blending pass: weighted average (de Melo 2017, eq. 3.1), unstructured lumigraph (after Buehler et al. 2001) or
-// best photo (Princ 2014, eq. 2.8). TAKES_ONE: the photo of the largest weight gives the color; otherwise colors are
-// summed by weight. BLEND_*: the weight, as in player/render/blend_table.cpp.
+// best photo (Princ 2014, eq. 2.8). TAKES_ONE: the photo of the largest weight gives the color; otherwise square roots of
+// light are summed by weight: where photos disagree, their mean is then the one that looks closest to all of them. BLEND_*: the weight, as in player/render/blend_table.cpp.
 #include "photos.glsl"
 
 in vec3 surface_position;
@@ -86,7 +86,7 @@ float weight_of(uint photo, vec2 pixel, vec4 masks, float theta) {
     float p = max(dot(view_direction, photos[photo].direction_presence.xyz), 0.01) * frontal * max(photos[photo].center_hull.w, 0.01);
     return p / ((theta + 1e-4) * (theta + 1e-4));
 #elif defined(BLEND_LUMIGRAPH)
-    float w = angle_weight(theta) * own_view(theta) * density(masks);
+    float w = angle_weight(theta) * own_view(theta) * sqrt(density(masks));  // the rate along a side
     if ((switches & border_mask_switch) == 0u) return w;
     vec2 size = photos[photo].size_weight.xy, inside = min(pixel, size - pixel);
     float frame = min(inside.x, inside.y) * reference_width / size.x, edge = masks.b * border_width;
@@ -167,7 +167,7 @@ void main() {
     if (dot(facing, eye - surface_position) < 0.0) facing = -facing;
 #ifdef CONSENSUS
     vec4 first = texelFetch(first_sums, ivec2(gl_FragCoord.xy), 0);
-    vec3 mean = first.rgb / max(first.a, 1e-30);
+    vec3 mean = first.rgb / max(first.a, 1e-30);  // square root of light
 #endif
 #ifdef TAKES_ONE
     vec4 before = texelFetch(best_so_far, ivec2(gl_FragCoord.xy), 0);
@@ -214,11 +214,11 @@ void main() {
 #else
         vec4 c = shown_color(photo, pixel, footprint);
 #ifdef CONSENSUS
-        vec3 off = (sqrt(c.rgb) - sqrt(mean)) / consensus_scale;
+        vec3 off = (sqrt(c.rgb) - mean) / consensus_scale;
         w /= 1.0 + dot(off, off);
 #endif
         // When photos are counted, all have the same weight.
-        accumulated += show == show_coverage ? vec4(c.a) : vec4(c.rgb, 1.0) * w * c.a;
+        accumulated += show == show_coverage ? vec4(c.a) : vec4(sqrt(c.rgb), 1.0) * w * c.a;
 #endif
     }
 #ifdef TAKES_ONE

@@ -22,6 +22,12 @@ vec3 count_color(float share) {
     return mix(stops[i], stops[i + 1], at - float(i));
 }
 
+// The mean of square roots of light.
+vec3 mean_light(vec4 sums) {
+    vec3 root = sums.rgb / sums.a;
+    return root * root;
+}
+
 vec3 exposed(vec3 c) {
     vec2 off = (gl_FragCoord.xy - lens.xy) * lens.z;
     float r2 = dot(off, off);
@@ -32,7 +38,7 @@ void main() {
     vec4 s = texelFetch(sums, ivec2(gl_FragCoord.xy), 0);
     accumulated = vec4(0.0);
     if (s.a > 0.0) {
-        accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : s.rgb / s.a), 1.0);
+        accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : mean_light(s)), 1.0);
     } else if (fill) {
         vec4 f = texelFetch(surface, ivec2(gl_FragCoord.xy), 0);
         accumulated = vec4(f.a > 0.0 ? f.rgb : background, 1.0);

@@ -69,7 +69,7 @@ void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
             const double turn =
                 c.radius * std::abs(1 / (center(c) - s.eye).norm() - 1 / (center(c) - centers[i]).norm());
             const double theta = std::max(0.0, ray_angle(center(c), s.eye, centers[i]) - turn),
-                         density = std::exp2(s.scene.coverage[p][index].log2_density / 128.0);
+                         density = std::exp2(s.scene.coverage[p][index].log2_density / 256.0);
             weights[i] = settings.sharpness > 0 ? std::exp(-theta / settings.sharpness) * density : 1;
             if (count_bits(s.scene.visible[p].first(words), c.first_triangle, c.triangles) == c.triangles)
                 best = std::max(best, weights[i]);

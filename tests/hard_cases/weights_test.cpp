@@ -336,8 +336,9 @@ double summed(const std::vector<double>& weights, const std::vector<double>& col
     glUniform3f(6, 0, 0, 0);
     glBindVertexArray(none.id());
     for (std::size_t i = 0; i < weights.size(); ++i) {
-        // resolve gives (color, 1); blending by a constant makes it (color * weight, weight).
-        const auto c = float(colors[i]), w = float(weights[i]);
+        // resolve squares the root and gives (color, 1); blending by a constant makes it (color * weight,
+        // weight).
+        const auto c = float(std::sqrt(colors[i])), w = float(weights[i]);
         const std::array<float, 4> texel{c, c, c, 1};
         glTextureSubImage2D(one.id(), 0, 0, 0, 1, 1, GL_RGBA, GL_FLOAT, texel.data());
         glUniform3f(4, w, w, w);
