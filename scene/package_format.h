@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -137,6 +138,9 @@ struct CoverageRecord {
     std::uint16_t u0, v0, u1, v1;  ///< texture coordinates of its pixels and a margin for filtering, unorm16
     std::int16_t log2_density;     ///< log2(pixels per unit at its center) * 256
 };
+
+/// The number of discs of every model's surface, at which photos are compared.
+inline constexpr std::size_t surface_discs = 8192;
 
 /// The mean color of a disc of the surface in a photo, linear light, unorm16; all 0 if the photo does not
 /// show it well. Radius: distance from the principal point over half the photo's diagonal, unorm16.

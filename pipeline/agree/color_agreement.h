@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/agree/color_fit.h"
+#include "colors/color_fit.h"
 #include "scene/effects.h"
 #include "scene/package_format.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "pipeline/agree/color_fit.h"
+#include "colors/color_fit.h"
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/run/lru_cache.h"

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/agree/shared_discs.h"
+#include "colors/shared_discs.h"
 #include "pipeline/stages/surface_samples.h"
 #include "scene/package_format.h"
 

@@ -61,7 +61,7 @@ std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const Layo
         plan.push_back({Type::visible, i, 0, 16 * package::visible_words(scene.triangles)});
     });
     each([&](std::uint32_t i, const auto&, int) {
-        plan.push_back({Type::samples, i, 0, surface_discs * sizeof(package::SampleRecord)});
+        plan.push_back({Type::samples, i, 0, package::surface_discs * sizeof(package::SampleRecord)});
     });
     each([&](std::uint32_t i, const auto&, int) {
         plan.push_back({Type::coordinates, i, 0, scene.vertices * 8});

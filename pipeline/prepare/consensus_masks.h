@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "pipeline/agree/shared_discs.h"
+#include "colors/shared_discs.h"
 #include "pipeline/prepare/finish.h"
 #include "scene/package_reader.h"
 

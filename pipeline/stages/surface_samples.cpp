@@ -156,11 +156,11 @@ std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> posit
     double passed = 0;
     for (std::size_t t = 0; t < triangles; ++t) {
         const double share = 0.5 * (whole > 0 ? area[t] / whole : 0) + 0.5 / double(triangles);
-        passed += share * double(surface_discs);
+        passed += share * double(package::surface_discs);
         const auto p = corners(t);
         // Rounding must not lose the last disc.
-        const double until = t + 1 == triangles ? double(surface_discs) : passed;
-        while (discs.size() < surface_discs && double(discs.size()) + 0.5 < until)
+        const double until = t + 1 == triangles ? double(package::surface_discs) : passed;
+        while (discs.size() < package::surface_discs && double(discs.size()) + 0.5 < until)
             discs.push_back(
                 {point_in(p, discs.size()), (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized(), radius});
     }
@@ -171,7 +171,7 @@ std::vector<package::SampleRecord> sample_discs(std::span<const SurfaceDisc> dis
                                                 const PhotoGeometry& geometry, const Intrinsics& k,
                                                 const Pose& pose) {
     const DiscSampler sampler(std::move(photo), geometry, k, pose);
-    std::vector<package::SampleRecord> out(surface_discs, package::SampleRecord{});
+    std::vector<package::SampleRecord> out(package::surface_discs, package::SampleRecord{});
     std::ranges::transform(discs, out.begin(), [&](const SurfaceDisc& d) { return sampler.sample(d); });
     return out;
 }

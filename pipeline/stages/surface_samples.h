@@ -18,9 +18,6 @@ struct SurfaceDisc {
     float radius;
 };
 
-/// The number of discs of every model.
-inline constexpr std::size_t surface_discs = 8192;
-
 /// Photos are sampled at this level of the pyramid or coarser.
 inline constexpr int sample_level = 2;
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "pipeline/agree/color_fit.h"
+#include "colors/color_fit.h"
 #include "pipeline/agree/common_motion.h"
 #include "pipeline/agree/pose_fit.h"
 

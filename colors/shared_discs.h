@@ -23,6 +23,8 @@ struct PhotoSamples {
         return {of_photo.begin(), of_photo.end()};
     }
 };
+/// Every `step`-th disc.
+PhotoSamples thinned(Samples samples, std::size_t step);
 /// `read` returns the bytes of a photo's SAMP chunk.
 PhotoSamples read_samples(std::span<const package::PhotoRecord> photos,
                           const std::function<std::vector<std::byte>(std::uint32_t photo)>& read);

@@ -1,4 +1,4 @@
-#include "pipeline/agree/color_fit.h"
+#include "colors/color_fit.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -289,6 +289,28 @@ ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool w
         for (std::size_t c = 0; c < 3; ++c) fit.ln_gain[i][c] = m.gain(Eigen::Index(i), Eigen::Index(c));
     for (std::size_t l = 0; l < lenses; ++l) fit.falloff[l] = m.of_lens(l);
     return fit;
+}
+
+PhotoColors colors_of(const ColorFit& fit, std::span<const std::uint32_t> lens) {
+    PhotoColors out{fit.ln_gain, {}};
+    for (const std::uint32_t l : lens) out.falloff.push_back(fit.falloff[l]);
+    return out;
+}
+
+PhotoColors fit_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo,
+                        bool with_falloff) {
+    std::vector<std::span<const package::SampleRecord>> others(samples.begin(), samples.end());
+    others[photo] = {};
+    return colors_of(fit_colors(others, lens, with_falloff), lens);
+}
+
+void apply_colors(const PhotoColors& colors, bool gains_on, bool falloff_on,
+                  std::span<package::PhotoRecord> photos) {
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) photos[i].gain[c] = gains_on ? std::exp(colors.ln_gain[i][c]) : 1;
+        for (std::size_t t = 0; t < 3; ++t)
+            photos[i].falloff[t] = falloff_on ? float(colors.falloff[i][t]) : 0;
+    }
 }
 
 }  // namespace vantage

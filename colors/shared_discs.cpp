@@ -1,11 +1,9 @@
-#include "pipeline/agree/shared_discs.h"
+#include "colors/shared_discs.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numeric>
-
-#include "pipeline/stages/surface_samples.h"
 
 namespace vantage {
 namespace {
@@ -73,10 +71,20 @@ std::vector<std::uint32_t> components(const SharedDiscs& obs, std::size_t photos
     return of;
 }
 
+PhotoSamples thinned(Samples samples, std::size_t step) {
+    PhotoSamples out;
+    out.step = step;
+    for (const auto& s : samples) {
+        auto& kept = out.of_photo.emplace_back();
+        for (std::size_t d = 0; d < s.size(); d += step) kept.push_back(s[d]);
+    }
+    return out;
+}
+
 PhotoSamples read_samples(std::span<const package::PhotoRecord> photos,
                           const std::function<std::vector<std::byte>(std::uint32_t photo)>& read) {
     PhotoSamples out;
-    out.step = 1 + photos.size() * surface_discs / max_samples;
+    out.step = 1 + photos.size() * package::surface_discs / max_samples;
     out.of_photo.resize(photos.size());
     for (std::uint32_t i = 0; i < photos.size(); ++i) {
         if (photos[i].levels == 0) continue;

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/agree/shared_discs.h"
+#include "colors/shared_discs.h"
 #include "scene/package_format.h"
 
 namespace vantage {
@@ -48,5 +48,21 @@ std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photo
 /// of 4. A lens of at least three photos gets a falloff if it grows outward, is 5 to 60 % in the corner, and
 /// lowers the cost by at least 2 %. `lens`: per photo.
 ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool with_falloff);
+
+/// Gains and falloff per photo.
+struct PhotoColors {
+    std::vector<std::array<double, 3>> ln_gain;
+    std::vector<Falloff> falloff;
+};
+PhotoColors colors_of(const ColorFit& fit, std::span<const std::uint32_t> lens);
+
+/// The colors of all photos but one, fitted as if it were not in the scene; its own gain is 1, its falloff
+/// that of its lens.
+PhotoColors fit_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo,
+                        bool with_falloff);
+
+/// Writes gains and falloff into the photos' records; 1 and 0 for what is off.
+void apply_colors(const PhotoColors& colors, bool gains_on, bool falloff_on,
+                  std::span<package::PhotoRecord> photos);
 
 }  // namespace vantage

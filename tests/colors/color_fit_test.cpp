@@ -1,4 +1,4 @@
-#include "pipeline/agree/color_fit.h"
+#include "colors/color_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -220,13 +220,13 @@ TEST(SurfaceDiscs, AreSpreadHalfByAreaAndHalfByTriangles) {
         for (std::uint32_t v = 0; v < 3; ++v) indices.push_back(at + v);
     }
     const auto discs = surface_disc_set(positions, indices, 100);
-    ASSERT_EQ(discs.size(), surface_discs);
+    ASSERT_EQ(discs.size(), package::surface_discs);
     std::size_t large = 0;
     for (const SurfaceDisc& d : discs) {
         large += d.center.x() <= 10;
         EXPECT_NEAR(d.normal.norm(), 1, 1e-5);
     }
-    EXPECT_NEAR(double(large), 0.5 * double(surface_discs), 0.01 * double(surface_discs));
+    EXPECT_NEAR(double(large), 0.5 * double(package::surface_discs), 0.01 * double(package::surface_discs));
     EXPECT_TRUE(surface_disc_set(positions, {}, 100).empty());
 }
 
