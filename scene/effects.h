@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,13 +52,25 @@ const EffectRow& effect_row(Effect effect);
 /// True if the effect is decided from all photos together, after each is prepared.
 inline bool from_all_photos(const EffectRow& row) { return row.basis != Basis::scene; }
 
+/// What an effect is worth to photos that are left out of everything and predicted from the others.
+struct Judgment {
+    int photos = 0;              ///< judged
+    double gain = 0, error = 0;  ///< dB after the best gain per channel: mean, and its standard error
+    double worst = 0;            ///< dB, of the photo that gains least
+    int worse = 0;               ///< number of photos that lose
+    double ssim = 0;             ///< mean change
+    double seams_before = 0, seams_after = 0;  ///< gray levels
+    std::string worst_photo;
+};
+
 /// A decision with its evidence, as recorded in the package.
 struct EffectDecision {
     Effect effect;
     bool on = false;
-    bool forced = false;   ///< by --effect NAME=on|off
-    double measured = 0;   ///< in the row's unit
-    std::string evidence;  ///< one human-readable sentence
+    bool forced = false;                 ///< by --effect NAME=on|off
+    double measured = 0;                 ///< in the row's unit
+    std::string evidence;                ///< one human-readable sentence
+    std::optional<Judgment> judgment{};  ///< if photos were left out to decide
 };
 
 enum class EffectChoice { automatic, on, off };

@@ -5,10 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/judge/prediction.h"
+#include "pipeline/judge/verdict.h"
+#include "pipeline/run/for_each_photo.h"
+
 namespace vantage {
 namespace {
 
-constexpr double min_improvement = 0.1;  ///< share of the disagreement that gains must remove
+constexpr double min_improvement = 0.1;    ///< share of the disagreement that gains must remove
+constexpr std::size_t max_fitted = 16384;  ///< samples of all photos, in the fit of a fold
 
 EffectDecision decide_exposure(const ColorFit& fit, EffectChoice wanted) {
     if (!fit.shares_surface())
@@ -33,10 +38,53 @@ EffectDecision decide_falloff(const ColorFit& fit, EffectChoice wanted) {
                       : "no lens falloff was found");
 }
 
+/// What gains are worth to left-out photos, and what falloff besides; `both`: with it, empty if there is
+/// none.
+struct ColorJudgments {
+    Judgment exposure, falloff;
+};
+ColorJudgments judge_colors(const Folds& folds, std::span<const PhotoColors> gains,
+                            std::span<const PhotoColors> both) {
+    std::vector<JudgedPhoto> with_gain(folds.all().size()), with_falloff(folds.all().size());
+    folds.each([&](std::size_t f, const Folds::View& v) {
+        const Sightings seen = v.sightings();
+        std::vector<Prediction> predictions{
+            predict(v.target, seen, {}),
+            predict(v.target, seen, alternative(gains[f], true, false, v.fold.photo))};
+        if (!both.empty())
+            predictions.push_back(predict(v.target, seen, alternative(both[f], true, true, v.fold.photo)));
+        const std::vector<JudgeScore> scores = score(own_color(v.target), predictions);
+        const std::string name = folds.input().photos[v.fold.photo].name;
+        with_gain[f] = {name, scores[0], scores[1]};
+        with_falloff[f] = {name, scores[1], scores.back()};
+    });
+    return {summarize(with_gain), summarize(with_falloff)};
+}
+
 }  // namespace
 
+Alternative alternative(const PhotoColors& colors, bool gains_on, bool falloff_on, std::uint32_t photo) {
+    Alternative a;
+    if (gains_on) a.ln_gain = colors.ln_gain;
+    if (falloff_on) a.falloff = colors.falloff, a.view_falloff = colors.falloff[photo];
+    return a;
+}
+
+std::vector<PhotoColors> colors_without(const Folds& folds, std::span<const std::uint32_t> lens,
+                                        bool falloff) {
+    // A gain is one number per photo and channel: a part of the samples determines it.
+    std::size_t shown_discs = 0;
+    for (const auto& s : folds.input().samples) shown_discs += std::size_t(std::ranges::count_if(s, shown));
+    const PhotoSamples some = thinned(folds.input().samples, 1 + shown_discs / max_fitted);
+    std::vector<PhotoColors> out(folds.all().size());
+    for_each_photo(out.size(), folds.input().threads, [&](std::size_t f) {
+        out[f] = fit_without(some.spans(), lens, folds.all()[f].photo, falloff);
+    });
+    return out;
+}
+
 ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samples samples,
-                              const std::map<Effect, EffectChoice>& choices) {
+                              const std::map<Effect, EffectChoice>& choices, const Folds* folds) {
     const std::vector<std::uint32_t> lens = lenses_of(photos);
     const EffectChoice falloff = choice_of(choices, Effect::falloff),
                        exposure = choice_of(choices, Effect::exposure);
@@ -45,16 +93,23 @@ ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samp
     out.falloff = decide_falloff(out.fit, falloff);
     // Unless forced, falloff is corrected only together with exposure.
     if (!out.exposure.on && falloff == EffectChoice::automatic) out.falloff.on = false;
+    if (folds && out.exposure.on) {
+        out.without = colors_without(*folds, lens, false);
+        std::vector<PhotoColors> both;
+        if (out.falloff.on) both = colors_without(*folds, lens, true);
+        const ColorJudgments judged = judge_colors(*folds, out.without, both);
+        confirm(out.exposure, judged.exposure);
+        if (out.falloff.on) confirm(out.falloff, judged.falloff);
+        if (!out.exposure.on && falloff == EffectChoice::automatic) out.falloff.on = false;
+        if (out.falloff.on) out.without = std::move(both);
+    }
+    const bool fitted = std::ranges::any_of(out.fit.falloff, [](const Falloff& f) { return f != Falloff{}; });
+    if (fitted && !out.falloff.on && out.exposure.on) out.fit = fit_colors(samples, lens, false);
     return out;
 }
 
 void apply_colors(const ColorRefinement& r, std::span<package::PhotoRecord> photos) {
-    for (std::size_t i = 0; i < photos.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c)
-            photos[i].gain[c] = r.exposure.on ? std::exp(r.fit.ln_gain[i][c]) : 1;
-        for (std::size_t t = 0; t < 3; ++t)
-            photos[i].falloff[t] = r.falloff.on ? float(r.fit.falloff[r.lens[i]][t]) : 0;
-    }
+    apply_colors(colors_of(r.fit, r.lens), r.exposure.on, r.falloff.on, photos);
 }
 
 }  // namespace vantage

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "colors/color_fit.h"
+#include "pipeline/agree/folds.h"
+#include "pipeline/judge/prediction.h"
 #include "scene/effects.h"
 #include "scene/package_format.h"
 
@@ -16,12 +18,21 @@ struct ColorRefinement {
     ColorFit fit;
     std::vector<std::uint32_t> lens;  ///< per photo, see lenses_of
     EffectDecision exposure, falloff;
+    std::vector<PhotoColors> without{};  ///< per fold: fitted without its photo; empty if not judged
 };
 
-/// Exposure gains are on if photos disagree by more than the effect's threshold and gains remove at least a
-/// tenth of that; falloff is on above its own threshold, but not without gains. `choices` overrides both.
+/// Gains are needed if photos disagree by more than the effect's threshold and gains remove at least a tenth
+/// of that; falloff above its own threshold, but not without gains. What is needed is then judged by left-out
+/// photos (see is_called_for), unless `folds` is null or a choice forces it.
 ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samples samples,
-                              const std::map<Effect, EffectChoice>& choices);
+                              const std::map<Effect, EffectChoice>& choices, const Folds* folds = nullptr);
+
+/// The colors of all photos but that of each fold, fitted without it.
+std::vector<PhotoColors> colors_without(const Folds& folds, std::span<const std::uint32_t> lens,
+                                        bool falloff);
+
+/// Colors as the judge applies them to predict a photo; they must outlive the result.
+Alternative alternative(const PhotoColors& colors, bool gains_on, bool falloff_on, std::uint32_t photo);
 
 /// Writes gains and falloff into the photos' records; identity for effects that are off.
 void apply_colors(const ColorRefinement& refinement, std::span<package::PhotoRecord> photos);

@@ -3,82 +3,71 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
+#include <map>
 #include <opencv2/imgproc.hpp>
 
-#include "colors/color_fit.h"
-#include "pipeline/package/tile_levels.h"
+#include "pipeline/judge/prediction.h"
+#include "pipeline/judge/verdict.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/run/lru_cache.h"
 #include "pipeline/stages/surface_samples.h"
-#include "scene/error.h"
-#include "scene/tiling.h"
 #include "values/quantile.h"
-#include "values/srgb.h"
 
 namespace vantage {
 namespace {
 
-using package::Type;
-
 constexpr float tolerance = 0.35f;   ///< ln of linear light
+constexpr float darkest = 0.004f;    ///< linear light; darker counts as this
 constexpr float depth_step = 0.02f;  ///< relative depth difference on one surface
 constexpr std::size_t max_others = 6;
+constexpr std::size_t neighbors = 6;  ///< that a photo chooses
 constexpr float no_color = std::numeric_limits<float>::quiet_NaN();
 
-const std::array<float, 256>& ln_of_byte() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> t;
-        for (std::size_t i = 0; i < t.size(); ++i)
-            t[i] = float(std::log(std::max(linear_of_srgb_byte()[i], 0.004)));
-        return t;
-    }();
-    return table;
-}
-
-/// Colors in the 3x3 texels around a place in another photo: their range, and that of the place itself. ln of
-/// linear light.
-struct Shown {
-    std::array<float, 3> low, high, middle;
-};
-
-/// False if the photo does not see `p`, which is in its camera space.
-bool shown_at(const ConsensusView& v, const Eigen::Vector3f& p, Shown& out) {
-    if (!(p.z() > 0)) return false;
+/// What another photo shows at a point `p` of its camera space; null if it does not see it.
+const ConsensusView::Texel* shown_at(const ConsensusView& v, const Eigen::Vector3f& p) {
+    if (!(p.z() > 0)) return nullptr;
     const float x = float(v.k.fx) * p.x() / p.z() + float(v.k.cx),
                 y = float(v.k.fy) * p.y() / p.z() + float(v.k.cy);
-    if (!(x >= 1 && y >= 1 && x < float(v.width - 1) && y < float(v.height - 1))) return false;
-    const ConsensusView::Texel* middle = &v.grid()(int(x), int(y));
-    if (!(std::abs(middle->z - p.z()) <= depth_step * p.z()) || !std::isfinite(middle->ln[0])) return false;
-    for (std::size_t c = 0; c < 3; ++c) out.low[c] = out.high[c] = out.middle[c] = middle->ln[c];
-    for (std::ptrdiff_t j = -1; j <= 1; ++j)
-        for (std::ptrdiff_t i = -1; i <= 1; ++i) {
-            const auto& t = middle[j * v.width + i];
-            if (!std::isfinite(t.ln[0])) continue;
-            for (std::size_t c = 0; c < 3; ++c) {
-                out.low[c] = std::min(out.low[c], t.ln[c]);
-                out.high[c] = std::max(out.high[c], t.ln[c]);
-            }
-        }
+    if (!(x >= 1 && y >= 1 && x < float(v.width - 1) && y < float(v.height - 1))) return nullptr;
+    const ConsensusView::Texel& t = v.grid()(int(x), int(y));
+    return std::abs(t.z - p.z()) <= depth_step * p.z() && std::isfinite(t.ln[0]) ? &t : nullptr;
+}
+
+using Others = std::array<const ConsensusView::Texel*, max_others>;
+
+/// How far a color is outside the range that another photo shows.
+float outside(const float* ln, const ConsensusView::Texel& other, std::size_t c) {
+    return std::max({0.0f, other.low[c] - ln[c], ln[c] - other.high[c]});
+}
+
+/// Whether, in each channel, more than half of the others show a color within the tolerance: then the weight
+/// is 1.
+bool clearly_agrees(const float* ln, const Others& others, std::size_t n) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        std::size_t within = 0;
+        for (std::size_t j = 0; j < n; ++j) within += outside(ln, *others[j], c) <= tolerance;
+        if (within < n / 2 + 1) return false;
+    }
     return true;
 }
 
 float median(std::array<float, max_others>& v, std::size_t n) { return upper_median(std::span(v).first(n)); }
 
 /// Weight in [0, 1] of a color, given what `n` others show of the same place.
-float weight_among(const float* ln, const std::array<Shown, max_others>& others, std::size_t n) {
+float weight_among(const float* ln, const Others& others, std::size_t n) {
+    if (clearly_agrees(ln, others, n)) return 1;
     float deviation = 0, spread = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         std::array<float, max_others> values, off;
         for (std::size_t j = 0; j < n; ++j) {
-            values[j] = others[j].middle[c];
-            off[j] = std::max({0.0f, others[j].low[c] - ln[c], ln[c] - others[j].high[c]});
+            values[j] = others[j]->ln[c];
+            off[j] = outside(ln, *others[j], c);
         }
         const float middle = median(values, n);
         deviation = std::max(deviation, median(off, n));
         std::array<float, max_others> from_middle;
-        for (std::size_t j = 0; j < n; ++j) from_middle[j] = std::abs(others[j].middle[c] - middle);
+        for (std::size_t j = 0; j < n; ++j) from_middle[j] = std::abs(others[j]->ln[c] - middle);
         // The median of two is not meaningful.
         spread = std::max(spread, n == 2 ? std::max(from_middle[0], from_middle[1]) : median(from_middle, n));
     }
@@ -97,30 +86,39 @@ cv::Mat cleaned(const cv::Mat& raw) {
 
 }  // namespace
 
-ConsensusView read_consensus_view(const PackageReader& package, const package::PhotoRecord& r,
-                                  std::uint32_t photo, int level) {
-    const int l = std::clamp(level, 0, std::max(int(r.levels) - 1, 0)), zl = std::max(l, mask_level);
-    const Level size = level_size(int(r.width), int(r.height), l),
-                deep = level_size(int(r.width), int(r.height), zl);
-    ConsensusView v{size.width, size.height, intrinsics(r).at_level(l), cam_from_origin(r), {}};
-    const auto rgba = read_level(package, r, photo, Type::tiles, l),
-               z = read_level(package, r, photo, Type::depth, zl);
-    v.texels.resize(std::size_t(size.width) * std::size_t(size.height));
-    const Falloff falloff{double(r.falloff[0]), double(r.falloff[1]), double(r.falloff[2])};
-    const float gain[3] = {float(std::log(r.gain[0])), float(std::log(r.gain[1])),
-                           float(std::log(r.gain[2]))};
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            const std::size_t at = std::size_t(y) * std::size_t(size.width) + std::size_t(x);
-            const std::size_t below =
-                std::size_t(y >> (zl - l)) * std::size_t(deep.width) + std::size_t(x >> (zl - l));
-            ConsensusView::Texel& t = v.texels[at];
-            std::memcpy(&t.z, &z[4 * below], 4);
-            const auto lens = float(log_falloff(falloff, falloff_radius(v.k, {x + 0.5, y + 0.5})));
-            for (std::size_t c = 0; c < 3; ++c)
-                t.ln[c] = std::to_integer<int>(rgba[4 * at + 3]) < 255
-                              ? no_color
-                              : ln_of_byte()[std::to_integer<std::size_t>(rgba[4 * at + c])] + gain[c] + lens;
+ConsensusView consensus_view(const CoarsePhoto& photo) {
+    ConsensusView v{photo.k.width, photo.k.height, photo.k, photo.pose, {}};
+    v.texels.resize(photo.texels.size());
+    cv::Mat low(v.height, v.width, CV_32FC3), high(v.height, v.width, CV_32FC3);
+    const float infinite = std::numeric_limits<float>::infinity();
+    for (std::size_t i = 0; i < v.texels.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float l = photo.texels[i].linear[c];
+            const bool colored = std::isfinite(l);
+            v.texels[i].z = photo.texels[i].z;
+            v.texels[i].ln[c] = colored ? std::log(std::max(l, darkest)) : no_color;
+            low.ptr<float>()[3 * i + c] = colored ? v.texels[i].ln[c] : infinite;
+            high.ptr<float>()[3 * i + c] = colored ? v.texels[i].ln[c] : -infinite;
+        }
+    cv::erode(low, low, {});
+    cv::dilate(high, high, {});
+    for (std::size_t i = 0; i < v.texels.size(); ++i) {
+        std::copy_n(low.ptr<float>() + 3 * i, 3, v.texels[i].low);
+        std::copy_n(high.ptr<float>() + 3 * i, 3, v.texels[i].high);
+    }
+    return v;
+}
+
+ConsensusView corrected(ConsensusView v, const std::array<double, 3>& ln_gain, const Falloff& falloff) {
+    const bool lens = falloff != Falloff{};
+    for (int y = 0; y < v.height; ++y)
+        for (int x = 0; x < v.width; ++x) {
+            ConsensusView::Texel& t = v.texels[std::size_t(y) * std::size_t(v.width) + std::size_t(x)];
+            const double off = lens ? log_falloff(falloff, falloff_radius(v.k, {x + 0.5, y + 0.5})) : 0;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const auto by = float(ln_gain[c] + off);
+                t.ln[c] += by, t.low[c] += by, t.high[c] += by;
+            }
         }
     return v;
 }
@@ -143,10 +141,12 @@ ConsensusMap consensus_of(const ConsensusView& photo, std::span<const ConsensusV
             if (!std::isfinite(t.z) || !std::isfinite(t.ln[0])) continue;
             const Eigen::Vector3f p(float((x + 0.5 - photo.k.cx) / photo.k.fx) * t.z,
                                     float((y + 0.5 - photo.k.cy) / photo.k.fy) * t.z, t.z);
-            std::array<Shown, max_others> seen;
+            Others seen;
             std::size_t n = 0;
-            for (std::size_t j = 0; j < others.size() && n < max_others; ++j)
-                n += shown_at(*others[j], to[j].R * p + to[j].t, seen[n]);
+            for (std::size_t j = 0; j < others.size() && n < max_others; ++j) {
+                seen[n] = shown_at(*others[j], to[j].R * p + to[j].t);
+                n += seen[n] != nullptr;
+            }
             if (n < 2) continue;
             ++compared;
             raw.at<std::uint8_t>(y, x) = std::uint8_t(std::lround(255 * weight_among(t.ln, seen, n)));
@@ -158,16 +158,50 @@ ConsensusMap consensus_of(const ConsensusView& photo, std::span<const ConsensusV
     return out;
 }
 
+ConsensusPartners::ConsensusPartners(const SharedSurface& shared)
+    : best_(shared.photos()), chosen_by_(shared.photos()) {
+    for (std::uint32_t i = 0; i < shared.photos(); ++i)
+        for (const PhotoPair& p : shared.best_pairs(i, neighbors + 1)) {
+            best_[i].push_back(p.a == i ? p.b : p.a);
+            chosen_by_[best_[i].back()].push_back(i);
+        }
+}
+
+bool ConsensusPartners::chooses(std::uint32_t photo, std::uint32_t other,
+                                std::optional<std::uint32_t> without) const {
+    std::size_t n = 0;
+    for (const std::uint32_t i : best_[photo]) {
+        if (i == without) continue;
+        if (n++ == neighbors) return false;
+        if (i == other) return true;
+    }
+    return false;
+}
+
+std::vector<std::uint32_t> ConsensusPartners::of(std::uint32_t photo,
+                                                 std::optional<std::uint32_t> without) const {
+    std::vector<std::uint32_t> out;
+    for (const std::uint32_t i : best_[photo])
+        if (chooses(photo, i, without)) out.push_back(i);
+    for (const std::uint32_t i : chosen_by_[photo])
+        if (i != without && chooses(i, photo, without)) out.push_back(i);
+    std::ranges::sort(out);
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
 std::vector<ConsensusMap> consensus_maps(const PackageReader& package,
                                          std::span<const package::PhotoRecord> photos,
-                                         std::span<const PhotoPair> pairs, int level, unsigned threads) {
+                                         const PhotoColors& colors, const ConsensusPartners& partners,
+                                         std::span<const int> levels, unsigned threads) {
     std::vector<ConsensusMap> out(photos.size());
-    LruCache<ConsensusView> views(
-        16, [&](std::uint32_t photo) { return read_consensus_view(package, photos[photo], photo, level); });
+    LruCache<ConsensusView> views(16, [&](std::uint32_t i) {
+        return corrected(consensus_view(read_coarse_photo(package, photos[i], i, levels[i], 0)),
+                         colors.ln_gain[i], colors.falloff[i]);
+    });
     for_each_photo(photos.size(), threads, [&](std::size_t i) {
         std::vector<std::shared_ptr<const ConsensusView>> held;
-        for (const PhotoPair& p : pairs)
-            if (p.a == i || p.b == i) held.push_back(views.get(p.a == i ? p.b : p.a));
+        for (const std::uint32_t other : partners.of(std::uint32_t(i))) held.push_back(views.get(other));
         if (held.size() < 2) return;
         std::vector<const ConsensusView*> others;
         for (const auto& h : held) others.push_back(h.get());
@@ -175,6 +209,51 @@ std::vector<ConsensusMap> consensus_maps(const PackageReader& package,
         package.forget_all();
     });
     return out;
+}
+
+namespace {
+
+/// The maps of the photos that a fold's photo is predicted from; empty for the others.
+std::vector<ConsensusMap> maps_without(const Folds& folds, const Fold& fold,
+                                       const ConsensusPartners& partners, const PhotoColors& colors,
+                                       LruCache<ConsensusView>& uncorrected) {
+    std::map<std::uint32_t, ConsensusView> views;
+    const auto view = [&](std::uint32_t i) -> const ConsensusView& {
+        const auto it = views.find(i);
+        if (it != views.end()) return it->second;
+        return views.emplace(i, corrected(*uncorrected.get(i), colors.ln_gain[i], colors.falloff[i]))
+            .first->second;
+    };
+    std::vector<ConsensusMap> out(folds.input().photos.size());
+    for (const std::uint32_t i : fold.others) {
+        std::vector<const ConsensusView*> others;
+        for (const std::uint32_t other : partners.of(i, fold.photo)) others.push_back(&view(other));
+        if (others.size() >= 2) out[i] = consensus_of(view(i), others);
+    }
+    return out;
+}
+
+}  // namespace
+
+Judgment judge_consensus(const Folds& folds, const ConsensusPartners& partners,
+                         std::span<const PhotoColors> fits, bool gains_on, bool falloff_on) {
+    const FoldsInput& in = folds.input();
+    LruCache<ConsensusView> uncorrected(32, [&](std::uint32_t i) { return consensus_view(*folds.photo(i)); });
+    std::vector<JudgedPhoto> photos(folds.all().size());
+    folds.each([&](std::size_t f, const Folds::View& v) {
+        const Sightings seen = v.sightings();
+        const auto maps = maps_without(folds, v.fold, partners, fits[f], uncorrected);
+        std::vector<Grid<const std::uint8_t>> weights;
+        for (const ConsensusMap& m : maps)
+            weights.push_back({m.weight.empty() ? nullptr : m.weight.data(), m.width, m.height});
+        const Alternative without = alternative(fits[f], gains_on, falloff_on, v.fold.photo);
+        Alternative with = without;
+        with.consensus = weights;
+        const std::array predictions{predict(v.target, seen, without), predict(v.target, seen, with)};
+        const std::vector<JudgeScore> scores = score(own_color(v.target), predictions);
+        photos[f] = {in.photos[v.fold.photo].name, scores[0], scores[1]};
+    });
+    return summarize(photos);
 }
 
 }  // namespace vantage

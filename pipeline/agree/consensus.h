@@ -1,32 +1,37 @@
 #pragma once
+#include <array>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "pipeline/agree/photo_pairs.h"
+#include "pipeline/agree/color_agreement.h"
+#include "pipeline/agree/folds.h"
 #include "scene/camera.h"
 #include "scene/package_reader.h"
 #include "values/grid.h"
 
 namespace vantage {
 
-/// Color and depth of a photo at a coarse level, in the exposure of the mean photo.
+/// Color and depth of a photo at a coarse level.
 struct ConsensusView {
     int width = 0, height = 0;
     Intrinsics k;  ///< of this level
     Pose pose;     ///< relative to the origin
     struct Texel {
-        float ln[3];  ///< of linear light; NaN if the photo has no pixel
-        float z;      ///< +inf if the photo does not see the model
+        float ln[3];            ///< of linear light; NaN if the photo has no pixel
+        float low[3], high[3];  ///< range of `ln` over the 3x3 texels around this one
+        float z;                ///< +inf if the photo does not see the model
     };
     std::vector<Texel> texels;  ///< row by row
 
     Grid<const Texel> grid() const { return {texels.data(), width, height}; }
 };
-/// `level` is limited to the photo's coarsest. Applies the record's gain and falloff. Throws Error(damaged).
-ConsensusView read_consensus_view(const PackageReader& package, const package::PhotoRecord& record,
-                                  std::uint32_t photo, int level);
+/// Colors as exposed.
+ConsensusView consensus_view(const CoarsePhoto& photo);
+
+/// The view in the exposure of the mean photo, without the lens's falloff.
+ConsensusView corrected(ConsensusView view, const std::array<double, 3>& ln_gain, const Falloff& falloff);
 
 /// Where other photos contradict a photo.
 struct ConsensusMap {
@@ -41,10 +46,30 @@ struct ConsensusMap {
 /// two others see the place or they disagree among themselves. At most six others are used per texel.
 ConsensusMap consensus_of(const ConsensusView& photo, std::span<const ConsensusView* const> others);
 
-/// The maps of all photos at a level, each compared with the photos it is paired with. Keeps a bounded number
-/// of photos in memory. Empty for photos in fewer than two pairs. Throws Error(damaged).
+/// The photos that each photo is compared with: the six that share the most surface with it from similar
+/// directions, and those that chose it.
+class ConsensusPartners {
+  public:
+    explicit ConsensusPartners(const SharedSurface& shared);
+    /// Ascending. `without`: as if that photo were not in the scene.
+    std::vector<std::uint32_t> of(std::uint32_t photo, std::optional<std::uint32_t> without = {}) const;
+
+  private:
+    bool chooses(std::uint32_t photo, std::uint32_t other, std::optional<std::uint32_t> without) const;
+    std::vector<std::vector<std::uint32_t>> best_;       ///< per photo: one more than it chooses
+    std::vector<std::vector<std::uint32_t>> chosen_by_;  ///< per photo: those that list it in `best_`
+};
+
+/// The maps of all photos, each at its level and compared with its partners. Keeps a bounded number of photos
+/// in memory. Empty for photos with fewer than two partners. Throws Error(damaged).
 std::vector<ConsensusMap> consensus_maps(const PackageReader& package,
                                          std::span<const package::PhotoRecord> photos,
-                                         std::span<const PhotoPair> pairs, int level, unsigned threads);
+                                         const PhotoColors& colors, const ConsensusPartners& partners,
+                                         std::span<const int> levels, unsigned threads);
+
+/// What consensus masks are worth to left-out photos, which vote neither on masks nor on gains. `fits`: per
+/// fold, the colors fitted without its photo. `gains_on`, `falloff_on`: whether to blend with them.
+Judgment judge_consensus(const Folds& folds, const ConsensusPartners& partners,
+                         std::span<const PhotoColors> fits, bool gains_on, bool falloff_on);
 
 }  // namespace vantage

@@ -31,21 +31,36 @@ std::uint32_t count_shared(const Bits& a, const Bits& b) {
     return n;
 }
 
+/// Favors much shared surface and similar directions.
+double worth(const PhotoPair& p) { return p.shared * std::exp(-std::pow(p.angle / 0.35, 2)); }
+
+}  // namespace
+
+SharedSurface::SharedSurface(std::span<const package::PhotoRecord> photos, Samples samples,
+                             std::span<const SurfaceDisc> discs)
+    : samples_(samples), discs_(discs) {
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        seen_.push_back(seen_discs(samples[i]));
+        eyes_.push_back(cam_from_origin(photos[i]).center());
+    }
+}
+
 /// Computes the pair's median angle and color difference from a subset of about `max_compared` discs.
-void compare(const Bits& a, const Bits& b, std::span<const Eigen::Vector3d, 2> eyes, Samples samples,
-             std::span<const SurfaceDisc> discs, PhotoPair& pair) {
+void SharedSurface::compare(PhotoPair& pair) const {
+    const Bits &a = seen_[pair.a], &b = seen_[pair.b];
     std::vector<double> angles, colors;
     const std::size_t step = 1 + pair.shared / max_compared;
     std::size_t n = 0;
-    for (std::size_t d = 0; d < discs.size() && d / 64 < std::min(a.size(), b.size()); ++d) {
+    for (std::size_t d = 0; d < discs_.size() && d / 64 < std::min(a.size(), b.size()); ++d) {
         if (!((a[d / 64] & b[d / 64]) >> d % 64 & 1) || n++ % step) continue;
-        const Eigen::Vector3d x = discs[d].center.cast<double>(), to_a = (eyes[0] - x).stableNormalized(),
-                              to_b = (eyes[1] - x).stableNormalized();
+        const Eigen::Vector3d x = discs_[d].center.cast<double>(),
+                              to_a = (eyes_[pair.a] - x).stableNormalized(),
+                              to_b = (eyes_[pair.b] - x).stableNormalized();
         angles.push_back(std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b)));
         double color = 0;
         for (int c = 0; c < 3; ++c)
-            color += std::abs(std::log(std::max(1.0, double(samples[pair.a][d].linear[c])) /
-                                       std::max(1.0, double(samples[pair.b][d].linear[c])))) /
+            color += std::abs(std::log(std::max(1.0, double(samples_[pair.a][d].linear[c])) /
+                                       std::max(1.0, double(samples_[pair.b][d].linear[c])))) /
                      3;
         colors.push_back(color);
     }
@@ -53,34 +68,26 @@ void compare(const Bits& a, const Bits& b, std::span<const Eigen::Vector3d, 2> e
     pair.color = quantile(std::move(colors), 0.5);
 }
 
-/// Favors much shared surface and similar directions.
-double worth(const PhotoPair& p) { return p.shared * std::exp(-std::pow(p.angle / 0.35, 2)); }
+std::vector<PhotoPair> SharedSurface::best_pairs(std::uint32_t a, std::size_t count) const {
+    std::vector<PhotoPair> pairs;
+    for (std::uint32_t b = 0; b < seen_.size(); ++b)
+        if (const std::uint32_t n = a == b ? 0 : count_shared(seen_[a], seen_[b]); n >= min_shared)
+            pairs.push_back({std::min(a, b), std::max(a, b), n});
+    // Angles are more expensive than counts: only for the candidates that share the most.
+    const std::size_t candidates = std::min(pairs.size(), 4 * count);
+    std::ranges::partial_sort(pairs, pairs.begin() + std::ptrdiff_t(candidates), std::greater{},
+                              &PhotoPair::shared);
+    pairs.resize(candidates);
+    for (PhotoPair& p : pairs) compare(p);
+    std::ranges::stable_sort(pairs, std::greater{}, worth);
+    pairs.resize(std::min(pairs.size(), count));
+    return pairs;
+}
 
-}  // namespace
-
-std::vector<PhotoPair> photo_pairs(std::span<const package::PhotoRecord> photos, Samples samples,
-                                   std::span<const SurfaceDisc> discs, std::size_t per_photo) {
-    std::vector<Bits> seen;
-    std::vector<Eigen::Vector3d> eyes;
-    for (std::size_t i = 0; i < photos.size(); ++i) {
-        seen.push_back(seen_discs(samples[i]));
-        eyes.push_back(cam_from_origin(photos[i]).center());
-    }
+std::vector<PhotoPair> photo_pairs(const SharedSurface& shared, std::size_t per_photo) {
     std::vector<PhotoPair> chosen;
-    for (std::uint32_t a = 0; a < photos.size(); ++a) {
-        std::vector<PhotoPair> pairs;
-        for (std::uint32_t b = 0; b < photos.size(); ++b)
-            if (const std::uint32_t n = a == b ? 0 : count_shared(seen[a], seen[b]); n >= min_shared)
-                pairs.push_back({std::min(a, b), std::max(a, b), n});
-        // Angles are more expensive than counts: only for the candidates that share the most.
-        const std::size_t candidates = std::min(pairs.size(), 4 * per_photo);
-        std::ranges::partial_sort(pairs, pairs.begin() + std::ptrdiff_t(candidates), std::greater{},
-                                  &PhotoPair::shared);
-        pairs.resize(candidates);
-        for (PhotoPair& p : pairs)
-            compare(seen[p.a], seen[p.b], std::array{eyes[p.a], eyes[p.b]}, samples, discs, p);
-        std::ranges::stable_sort(pairs, std::greater{}, worth);
-        pairs.resize(std::min(pairs.size(), per_photo));
+    for (std::uint32_t a = 0; a < shared.photos(); ++a) {
+        const std::vector<PhotoPair> pairs = shared.best_pairs(a, per_photo);
         chosen.insert(chosen.end(), pairs.begin(), pairs.end());
     }
     const auto order = [](const PhotoPair& p) { return std::pair(p.a, p.b); };
@@ -88,6 +95,11 @@ std::vector<PhotoPair> photo_pairs(std::span<const package::PhotoRecord> photos,
     const auto same = [&](const PhotoPair& p, const PhotoPair& q) { return order(p) == order(q); };
     chosen.erase(std::unique(chosen.begin(), chosen.end(), same), chosen.end());
     return chosen;
+}
+
+std::vector<PhotoPair> photo_pairs(std::span<const package::PhotoRecord> photos, Samples samples,
+                                   std::span<const SurfaceDisc> discs, std::size_t per_photo) {
+    return photo_pairs(SharedSurface(photos, samples, discs), per_photo);
 }
 
 }  // namespace vantage

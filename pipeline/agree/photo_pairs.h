@@ -17,9 +17,30 @@ struct PhotoPair {
     double color = 0;      ///< median |ln ratio| of linear light, mean of the channels
 };
 
-/// For each photo up to `per_photo` others that share the most surface from similar directions; each pair
-/// once, sorted by (a, b). A pair shares at least 30 discs. Counts shared discs for all pairs with bit
-/// operations, and computes angles and colors only for candidates.
+/// Finds photos that share surface. The spans must outlive it.
+class SharedSurface {
+  public:
+    /// Shared discs are counted with bit operations; angles and colors are computed only for candidates.
+    SharedSurface(std::span<const package::PhotoRecord> photos, Samples samples,
+                  std::span<const SurfaceDisc> discs);
+
+    std::size_t photos() const { return seen_.size(); }
+    /// Up to `count` pairs with `photo` that share the most surface from similar directions, at least 30
+    /// discs; the best first.
+    std::vector<PhotoPair> best_pairs(std::uint32_t photo, std::size_t count) const;
+
+  private:
+    using Bits = std::vector<std::uint64_t>;
+    void compare(PhotoPair& pair) const;
+
+    Samples samples_;
+    std::span<const SurfaceDisc> discs_;
+    std::vector<Bits> seen_;  ///< a bit per disc
+    std::vector<Eigen::Vector3d> eyes_;
+};
+
+/// The best `per_photo` pairs of every photo, each once, sorted by (a, b).
+std::vector<PhotoPair> photo_pairs(const SharedSurface& shared, std::size_t per_photo);
 std::vector<PhotoPair> photo_pairs(std::span<const package::PhotoRecord> photos, Samples samples,
                                    std::span<const SurfaceDisc> discs, std::size_t per_photo);
 

@@ -17,9 +17,6 @@ constexpr int coarse = 800, fine = 1600;  ///< px on the photos' longer side
 /// Weight of the anchor, in observations: small against thousands of corners, but above 1, because errors in
 /// the mesh make those of the corners correlated.
 constexpr double anchor = 5;
-/// The common motion is kept if removing it increases the error of holdout corners by at least this share of
-/// it.
-constexpr double min_support = 0.05;
 constexpr double converged = 0.05;  ///< px
 constexpr int attempts = 3;
 
@@ -51,6 +48,27 @@ std::vector<Pose> poses_of(std::span<const FittedCamera> cameras, std::span<cons
     return out;
 }
 
+/// The pairs of which at least one photo is among `photos`.
+std::vector<PhotoPair> pairs_of(std::span<const PhotoPair> pairs, std::span<const std::uint32_t> photos) {
+    std::vector<PhotoPair> out;
+    for (const PhotoPair& p : pairs)
+        if (std::ranges::count(photos, p.a) || std::ranges::count(photos, p.b)) out.push_back(p);
+    return out;
+}
+
+/// The tracks without what a photo shows.
+std::vector<Track> tracks_without(std::span<const Track> tracks, std::uint32_t photo) {
+    std::vector<Track> out;
+    for (const Track& t : tracks) {
+        if (t.photo == photo) continue;
+        out.push_back(t);
+        std::erase_if(out.back().matches, [&](const Match& m) { return m.photo == photo; });
+    }
+    return out;
+}
+
+constexpr std::array from_coarse{coarse, fine, fine, fine, fine};
+
 }  // namespace
 
 PoseRounds::PoseRounds(const RegistrationInput& in)
@@ -60,22 +78,26 @@ PoseRounds::PoseRounds(const RegistrationInput& in)
         given_.push_back(cam_from_origin(p));
         cameras_.push_back({intrinsics_.back(), given_.back(), p.seen_distance > 0 ? p.seen_distance : 1});
     }
-    before_ = match(given_, fine);
-    sigma_ = std::max(3 * holdout_displacement(before_, in.photos.size()).back(), 0.1);
+    before_ = match(given_, pairs_, fine);
+    sigma_ = expected_error(before_);
 }
 
-Matching PoseRounds::match(const Poses& poses, int long_side) const {
-    return match_pairs(in_.package, in_.photos, poses, pairs_,
+double PoseRounds::expected_error(const Matching& matched) const {
+    return std::max(3 * holdout_displacement(matched, in_.photos.size()).back(), 0.1);
+}
+
+Matching PoseRounds::match(const Poses& poses, const Pairs& pairs, int long_side) const {
+    return match_pairs(in_.package, in_.photos, poses, pairs,
                        {long_side, corners, in_.threads, in_.progress});
 }
 
-std::vector<PoseChange> PoseRounds::solve(const std::vector<FittedCamera>& cameras,
-                                          std::vector<PoseChange> change,
+std::vector<PoseChange> PoseRounds::solve(const std::vector<FittedCamera>& cameras, const Pairs& pairs,
+                                          std::vector<PoseChange> change, double sigma,
                                           std::span<const int> long_sides) const {
     for (const int long_side : long_sides) {
         const Poses before = poses_of(cameras, change);
-        const Matching m = match(before, long_side);
-        if (!fit_poses(cameras, subset(m.tracks, Subset::fitting), anchor, sigma_, change).usable) break;
+        const Matching m = match(before, pairs, long_side);
+        if (!fit_poses(cameras, subset(m.tracks, Subset::fitting), anchor, sigma, change).usable) break;
         if (long_side == fine &&
             median_motion(intrinsics_, before, poses_of(cameras, change), m.tracks) < converged)
             break;
@@ -83,51 +105,118 @@ std::vector<PoseChange> PoseRounds::solve(const std::vector<FittedCamera>& camer
     return change;
 }
 
-PoseRounds::Solution PoseRounds::without_common_motion(const Poses& now) const {
-    Matching after = match(now, fine);
-    const Similarity back = inverse(common_motion(intrinsics_, given_, now, after.tracks));
-    Poses moved_back;
-    for (const Pose& p : now) moved_back.push_back(compose(p, back));
-    const double common = median_motion(intrinsics_, now, moved_back, after.tracks);
-    Matching without = match(moved_back, fine);
-    const std::size_t n = in_.photos.size();
-    const double worse = holdout_displacement(without, n).back() - holdout_displacement(after, n).back();
-    if (worse < min_support * common) return {std::move(moved_back), std::move(without), common, false};
-    return {now, std::move(after), common, true};
+void PoseRounds::take_back_common_motion(PoseSolution& s) const {
+    s.common = common_motion(intrinsics_, given_, s.poses, s.matched.tracks);
+    const Poses now = s.poses;
+    for (Pose& p : s.poses) p = compose(p, inverse(s.common));
+    s.common_motion = median_motion(intrinsics_, now, s.poses, s.matched.tracks);
 }
 
-std::vector<PhotoRegistration> PoseRounds::run(std::string& evidence) const {
+void PoseRounds::keep_improved(PoseSolution& s, const Pairs& pairs, std::vector<PoseChange> change,
+                               const Matching& matched_before) const {
     const std::size_t n = in_.photos.size();
-    constexpr std::array from_coarse{coarse, fine, fine, fine, fine};
+    const std::vector<double> before = holdout_displacement(matched_before, n);
     constexpr std::array once_more{fine};
-    std::vector<FittedCamera> cameras = cameras_;
-    std::vector<PoseChange> change = solve(cameras, std::vector<PoseChange>(n, PoseChange{}), from_coarse);
-    Solution now = without_common_motion(poses_of(cameras, change));
-    evidence += fmt::format("; the common motion of all cameras, {:.2f} px, was {}", now.common_motion,
-                            now.common_kept ? "kept because holdout corners support it" : "removed");
-    const std::vector<double> before = holdout_displacement(before_, n);
+    s.before = before.back();
     for (int attempt = 1;; ++attempt) {
-        const std::vector<double> after = holdout_displacement(now.matched, n);
-        std::vector<PhotoRegistration> out(n);
+        const std::vector<double> after = holdout_displacement(s.matched, n);
+        s.after = after.back();
+        s.photos.assign(n, {});
         bool worse = false;
         for (std::size_t i = 0; i < n; ++i) {
-            if (cameras[i].fixed) continue;
-            const double by =
-                median_motion(intrinsics_, given_, now.poses, now.matched.tracks, std::uint32_t(i));
+            if (s.cameras[i].fixed) continue;
+            const double by = median_motion(intrinsics_, given_, s.poses, s.matched.tracks, std::uint32_t(i));
             if (by > 0 && before[i] > 0 && after[i] > 0 && after[i] < before[i]) {
-                out[i] = {now.poses[i], by, before[i], after[i]};
+                s.photos[i] = {s.poses[i], by, before[i], after[i]};
             } else {
                 worse |= by > 0;
-                cameras[i].fixed = true;
+                s.cameras[i].fixed = true;
                 change[i] = {};
             }
         }
-        if (!worse) return out;
-        if (attempt == attempts) return std::vector<PhotoRegistration>(n);
-        change = solve(cameras, change, once_more);
-        now.poses = poses_of(cameras, change);
-        now.matched = match(now.poses, fine);
+        if (!worse) break;
+        if (attempt == attempts) {
+            s.photos.assign(n, {});
+            break;
+        }
+        change = solve(s.cameras, pairs, change, expected_error(matched_before), once_more);
+        s.poses = poses_of(s.cameras, change);
+        s.matched = match(s.poses, pairs, fine);
     }
+    for (std::size_t i = 0; i < n; ++i)
+        if (!s.photos[i].pose) s.poses[i] = given_[i];
+}
+
+PoseSolution PoseRounds::fit_some(std::span<const std::uint32_t> photos) const {
+    PoseSolution s{.photos = {}, .poses = {}, .cameras = cameras_, .matched = {}};
+    for (std::uint32_t i = 0; i < s.cameras.size(); ++i)
+        s.cameras[i].fixed = std::ranges::count(photos, i) == 0;
+    const Pairs pairs = pairs_of(pairs_, photos);
+    const Matching before = match(given_, pairs, fine);
+    const auto change = solve(s.cameras, pairs, std::vector<PoseChange>(s.cameras.size()),
+                              expected_error(before), from_coarse);
+    s.poses = poses_of(s.cameras, change);
+    s.matched = match(s.poses, pairs, fine);
+    keep_improved(s, pairs, change, before);
+    return s;
+}
+
+PoseSolution PoseRounds::fit_all() const {
+    PoseSolution s{.photos = {}, .poses = {}, .cameras = cameras_, .matched = {}};
+    const auto change =
+        solve(s.cameras, pairs_, std::vector<PoseChange>(s.cameras.size()), sigma_, from_coarse);
+    s.poses = poses_of(s.cameras, change);
+    s.matched = match(s.poses, pairs_, fine);
+    take_back_common_motion(s);
+    s.matched = match(s.poses, pairs_, fine);
+    keep_improved(s, pairs_, change, before_);
+    return s;
+}
+
+PoseSolution PoseRounds::with_common_motion(const PoseSolution& all) const {
+    PoseSolution s = all;
+    for (std::size_t i = 0; i < s.poses.size(); ++i) {
+        if (in_.photos[i].levels == 0) continue;
+        s.poses[i] = compose(s.poses[i], s.common);
+        const double by = median_motion(intrinsics_, given_, s.poses, s.matched.tracks, std::uint32_t(i));
+        if (by > 0) s.photos[i] = {s.poses[i], by, all.photos[i].before, all.photos[i].after};
+    }
+    return s;
+}
+
+std::vector<Pose> PoseRounds::poses_without(const PoseSolution& s, std::uint32_t photo,
+                                            bool common_kept) const {
+    std::vector<PoseChange> change(s.cameras.size());
+    const std::vector<Track> tracks = tracks_without(s.matched.tracks, photo);
+    if (!fit_poses(s.cameras, subset(tracks, Subset::fitting), anchor, sigma_, change).usable) return given_;
+    Poses out = poses_of(s.cameras, change);
+    if (s.common_motion > 0) {
+        const Similarity back = inverse(common_motion(intrinsics_, given_, out, tracks));
+        for (std::size_t i = 0; i < out.size(); ++i)
+            if (!s.cameras[i].fixed) out[i] = compose(out[i], back);
+        if (common_kept)
+            for (Pose& p : out) p = compose(p, inverse(back));
+    }
+    return out;
+}
+
+Pose PoseRounds::resection(const PoseSolution* solution, std::span<const Pose> poses,
+                           std::uint32_t photo) const {
+    std::vector<FittedCamera> cameras = cameras_;
+    for (std::size_t i = 0; i < cameras.size(); ++i)
+        cameras[i].given = poses[i], cameras[i].fixed = i != photo;
+    std::vector<Track> tracks = (solution ? solution->matched : before_).tracks;
+    std::erase_if(tracks, [&](const Track& t) {
+        return t.photo != photo && std::ranges::count(t.matches, photo, &Match::photo) == 0;
+    });
+    std::vector<PoseChange> change(cameras.size());
+    if (!fit_poses(cameras, tracks, anchor, sigma_, change).usable) return poses[photo];
+    return apply_change(cameras[photo], change[photo]);
+}
+
+double PoseRounds::motion(const PoseSolution& s, std::span<const Pose> a, std::span<const Pose> b,
+                          std::uint32_t photo) const {
+    return median_motion(intrinsics_, a, b, s.matched.tracks, photo);
 }
 
 }  // namespace vantage

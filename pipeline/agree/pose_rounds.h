@@ -2,40 +2,68 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/agree/common_motion.h"
 #include "pipeline/agree/pose_fit.h"
 #include "pipeline/agree/registration.h"
 
 namespace vantage {
 
+/// Poses with which photos agree better.
+struct PoseSolution {
+    std::vector<PhotoRegistration> photos;
+    std::vector<Pose> poses;            ///< of all photos, moved or not
+    std::vector<FittedCamera> cameras;  ///< `fixed` are those that were not moved
+    Matching matched;                   ///< under these poses
+    double before = 0, after = 0;       ///< median displacement of holdout corners, px
+    Similarity common{};                ///< motion of all cameras, taken back
+    double common_motion = 0;  ///< the same in px, median; 0 if some cameras were fixed from the start
+};
+
 /// Alternates between matching photos and fitting their poses.
 class PoseRounds {
   public:
     explicit PoseRounds(const RegistrationInput& input);
-    /// New poses for the photos whose holdout corners they improve. Appends the common motion to `evidence`.
-    /// Throws Error(damaged).
-    std::vector<PhotoRegistration> run(std::string& evidence) const;
+
+    /// Fits the poses of the given photos to all others, which stay. Throws Error(damaged).
+    PoseSolution fit_some(std::span<const std::uint32_t> photos) const;
+    /// Fits all poses. Their common motion is a gauge freedom: all cameras can slide along the model together
+    /// without pairs disagreeing. The frame belongs to the survey, so the motion is taken back. Throws
+    /// Error(damaged).
+    PoseSolution fit_all() const;
+    /// fit_all with the common motion.
+    PoseSolution with_common_motion(const PoseSolution& all) const;
+
+    /// The solution's poses, fitted to the same matches except those of one photo.
+    std::vector<Pose> poses_without(const PoseSolution& solution, std::uint32_t photo,
+                                    bool common_kept) const;
+    /// A photo's pose fitted to its matches with the others, which stay: to those found under the given poses
+    /// (null), or under a solution's. The pose in `poses` if there are none.
+    Pose resection(const PoseSolution* solution, std::span<const Pose> poses, std::uint32_t photo) const;
+    const std::vector<Pose>& given() const { return given_; }
+    /// Median distance in px between a photo's content under two poses of its camera.
+    double motion(const PoseSolution& solution, std::span<const Pose> a, std::span<const Pose> b,
+                  std::uint32_t photo) const;
 
   private:
     using Poses = std::vector<Pose>;
-    Matching match(const Poses& poses, int long_side) const;
-    std::vector<PoseChange> solve(const std::vector<FittedCamera>& cameras, std::vector<PoseChange> change,
+    using Pairs = std::vector<PhotoPair>;
+    /// Of the given poses in px, from the displacement of holdout corners.
+    double expected_error(const Matching& matched) const;
+    Matching match(const Poses& poses, const Pairs& pairs, int long_side) const;
+    std::vector<PoseChange> solve(const std::vector<FittedCamera>& cameras, const Pairs& pairs,
+                                  std::vector<PoseChange> change, double sigma,
                                   std::span<const int> long_sides) const;
-    /// Poses, the matches under them, and the common motion of all cameras.
-    struct Solution {
-        Poses poses;
-        Matching matched;
-        double common_motion;  ///< px, median
-        bool common_kept;      ///< false: it was removed from `poses`
-    };
-    Solution without_common_motion(const Poses& now) const;  ///< kept if holdout corners support it
+    void take_back_common_motion(PoseSolution& solution) const;
+    void keep_improved(PoseSolution& solution, const Pairs& pairs, std::vector<PoseChange> change,
+                       const Matching& before) const;
 
     const RegistrationInput& in_;
-    std::vector<PhotoPair> pairs_;
+    Pairs pairs_;
     std::vector<Intrinsics> intrinsics_;
     std::vector<FittedCamera> cameras_;
     Poses given_;
     Matching before_;  ///< under the given poses
-    double sigma_;     ///< px, expected error of the given poses
+    double sigma_;     ///< expected_error(before_)
 };
 
 }  // namespace vantage

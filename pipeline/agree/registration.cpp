@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-#include "pipeline/agree/pose_rounds.h"
+#include "pipeline/agree/pose_choice.h"
 #include "pipeline/agree/swapped_cameras.h"
 #include "scene/checksum.h"
 #include "scene/package_writer.h"
@@ -76,34 +76,6 @@ std::string without_evidence(const RegistrationInput& in, std::span<const PairRe
                : "the photos show too little detail for matching";
 }
 
-/// The largest disagreement relative to its threshold: registration is needed above 1. `found` describes it.
-double disagreement(const RegistrationInput& in, std::span<const PairRecord> pairs, std::string& found) {
-    double worst_shift = 0;
-    std::vector<double> p90;
-    const PairRecord* worst = nullptr;
-    for (const PairRecord& p : pairs) {
-        if (!trusted(p)) continue;
-        p90.push_back(double(p.p90));
-        const double shift = std::hypot(double(p.shift[0]), double(p.shift[1]));
-        if (!worst || shift > worst_shift) worst = &p, worst_shift = shift;
-    }
-    const double all = median_displacement(pairs);
-    found = fmt::format(
-        "pairs of photos agree to {:.2f} px (median; 90th percentile {:.1f} px); the largest shift is {:.2f} "
-        "px, between {} and {}",
-        all, quantile(p90, 0.5), worst_shift, name_of(in, worst->a), name_of(in, worst->b));
-    double largest = std::max(all / max_displacement, worst_shift / max_shift);
-    for (std::uint32_t i = 0; i < in.photos.size(); ++i) {
-        const double own = median_displacement(pairs, i), others = median_displacement_without(pairs, i);
-        if (others == 0 || own < min_outlier || own / (outlier_ratio * others) <= largest) continue;
-        largest = own / (outlier_ratio * others);
-        found =
-            fmt::format("{} is displaced by {:.2f} px relative to the other photos, which agree to {:.2f} px",
-                        name_of(in, i), own, others);
-    }
-    return largest;
-}
-
 /// Whether the discs that photos see lie in a plane: smallest over largest variance at most 1e-5.
 bool is_flat(const RegistrationInput& in) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -125,22 +97,36 @@ bool is_flat(const RegistrationInput& in) {
     return !(variance(0) > 1e-5 * variance(2));
 }
 
-std::string outcome(const Registration& r) {
-    std::vector<double> by, before, after;
-    for (const PhotoRegistration& p : r.photos) {
-        if (!p.pose) continue;
-        by.push_back(p.by);
-        before.push_back(p.before);
-        after.push_back(p.after);
-    }
-    if (by.empty()) return "no camera was moved, because holdout corners did not improve";
-    return fmt::format(
-        "{} by {:.2f} px (median), which reduced the error of holdout corners from {:.2f} to {:.2f} px",
-        by.size() == 1 ? "1 camera was moved" : fmt::format("{} cameras were moved", by.size()),
-        quantile(by, 0.5), quantile(before, 0.5), quantile(after, 0.5));
-}
-
 }  // namespace
+
+double disagreement(const RegistrationInput& in, std::span<const PairRecord> pairs, std::string* found) {
+    double worst_shift = 0;
+    std::vector<double> p90;
+    const PairRecord* worst = nullptr;
+    for (const PairRecord& p : pairs) {
+        if (!trusted(p)) continue;
+        p90.push_back(double(p.p90));
+        const double shift = std::hypot(double(p.shift[0]), double(p.shift[1]));
+        if (!worst || shift > worst_shift) worst = &p, worst_shift = shift;
+    }
+    if (!worst) return 0;
+    const double all = median_displacement(pairs);
+    std::string text = fmt::format(
+        "pairs of photos agree to {:.2f} px (median; 90th percentile {:.1f} px); the largest shift is {:.2f} "
+        "px, between {} and {}",
+        all, quantile(p90, 0.5), worst_shift, name_of(in, worst->a), name_of(in, worst->b));
+    double largest = std::max(all / max_displacement, worst_shift / max_shift);
+    for (std::uint32_t i = 0; i < in.photos.size(); ++i) {
+        const double own = median_displacement(pairs, i), others = median_displacement_without(pairs, i);
+        if (others == 0 || own < min_outlier || own / (outlier_ratio * others) <= largest) continue;
+        largest = own / (outlier_ratio * others);
+        text =
+            fmt::format("{} is displaced by {:.2f} px relative to the other photos, which agree to {:.2f} px",
+                        name_of(in, i), own, others);
+    }
+    if (found) *found = text;
+    return largest;
+}
 
 Registration register_photos(const RegistrationInput& in, EffectChoice choice) {
     Registration out;
@@ -158,7 +144,7 @@ Registration register_photos(const RegistrationInput& in, EffectChoice choice) {
         return out;
     }
     std::string found;
-    const double measured = disagreement(in, out.pairs, found);
+    const double measured = disagreement(in, out.pairs, &found);
     out.decision = decide(Effect::registration, choice, measured, found);
     if (!out.decision.on) {
         out.decision.evidence += "; nothing to register";
@@ -169,10 +155,7 @@ Registration register_photos(const RegistrationInput& in, EffectChoice choice) {
         out.decision.evidence += "; no camera was moved, because a flat surface does not determine them";
         return out;
     }
-    const PoseRounds rounds(in);
-    out.photos = rounds.run(out.decision.evidence);
-    out.decision.evidence += "; " + outcome(out);
-    out.decision.on = std::ranges::any_of(out.photos, [](const auto& p) { return bool(p.pose); });
+    choose_poses(in, out);
     return out;
 }
 

@@ -19,6 +19,7 @@ struct RegistrationInput {
     std::span<const SurfaceDisc> discs;           ///< one per sample of a photo
     std::span<const std::uint64_t> fingerprints;  ///< of each photo's content and pose
     std::span<const package::PairRecord> known;   ///< measured earlier, reused if their keys match
+    double border_width = 0;                      ///< as in SceneRecord
     unsigned threads = 0;
     OnProgress progress{};  ///< of each round of matching; may be empty
 };
@@ -28,6 +29,7 @@ struct PhotoRegistration {
     std::optional<Pose> pose;      ///< relative to the origin; nullopt: the given pose is kept
     double by = 0;                 ///< median motion of the surface in the photo, px
     double before = 0, after = 0;  ///< median displacement of holdout corners, px
+    double uncertainty = 0;        ///< standard error of the motion, px
 };
 
 /// How well the photos agree through the model, and the poses with which they agree better.
@@ -38,13 +40,15 @@ struct Registration {
     std::vector<std::string> warnings;       ///< one line each: misplaced photos, swapped cameras
 };
 
+/// How much pairs disagree, relative to the limits: corners displaced by 1 px (median), a pair shifted by 1.5
+/// px, one photo displaced by twice as much as the others. Above 1, registration is needed. `found` describes
+/// it; may be null.
+double disagreement(const RegistrationInput& input, std::span<const package::PairRecord> pairs,
+                    std::string* found = nullptr);
+
 /// Matches each photo with the two that share the most with it, at 800 px on the longer side, unless
-/// registration is off. Registration is needed if corners are displaced by 1 px (median), a pair is shifted
-/// by 1.5 px, or one photo is displaced by twice as much as the others.
-///
-/// Cameras are then solved for, coarse to fine. Their common motion is a gauge freedom, because all cameras
-/// can slide along the model together without pairs disagreeing; it is removed unless holdout corners support
-/// it. A photo keeps its new camera only if holdout corners agree better than before. Throws Error(damaged).
+/// registration is off. If they disagree, decides which cameras move; see choose_poses. Throws
+/// Error(damaged).
 Registration register_photos(const RegistrationInput& input, EffectChoice choice);
 
 }  // namespace vantage

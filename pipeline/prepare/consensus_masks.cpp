@@ -7,11 +7,13 @@
 #include <cstring>
 
 #include "pipeline/agree/consensus.h"
+#include "pipeline/judge/verdict.h"
 #include "pipeline/package/earlier_package.h"
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/run/for_each_photo.h"
 #include "scene/checksum.h"
 #include "scene/error.h"
+#include "scene/tiling.h"
 #include "values/bytes_of.h"
 
 namespace vantage {
@@ -19,9 +21,6 @@ namespace {
 
 using package::PhotoRecord;
 using package::Type;
-
-constexpr std::size_t neighbors = 6;
-constexpr int evidence_level = 4, mask_map_level = 3;
 
 /// The weight [0,255] at a position in the map's texels, bilinear.
 double weight_at(const ConsensusMap& map, double x, double y) {
@@ -85,29 +84,44 @@ EffectDecision decide_consensus(std::span<const PhotoRecord> photos, const std::
                               100 * worst->disagreeing, photos[std::size_t(worst - maps.begin())].name));
 }
 
+/// Lets left-out photos confirm the effect. Their colors are fitted without them, even if no color effect is
+/// on.
+void confirm(const FinishInput& in, const Folds& folds, const ConsensusPartners& partners,
+             const ColorRefinement& colors, EffectDecision& decision) {
+    const Traced traced(in.geometry.trace, "judge consensus");
+    const auto fits = colors.without.empty() ? colors_without(folds, colors.lens, false) : colors.without;
+    const Judgment judged = judge_consensus(folds, partners, fits, colors.exposure.on, colors.falloff.on);
+    confirm(decision, judged);
+}
+
 }  // namespace
 
-Consensus find_consensus(const FinishInput& in, const PackageReader& part, const PhotoSamples& samples,
-                         std::span<const PhotoRecord> compared, PhotoTables& photos) {
+Consensus find_consensus(const FinishInput& in, const PackageReader& part, const Folds& folds,
+                         const ColorRefinement& colors, PhotoTables& photos) {
     const Traced traced(in.geometry.trace, "consensus");
     const EffectChoice choice = choice_of(in.choices, Effect::consensus);
+    const std::size_t n = photos.records.size();
     Consensus out;
-    out.disagreeing.resize(photos.records.size());
-    std::vector<ConsensusMap> maps(photos.records.size());
+    out.disagreeing.resize(n);
+    std::vector<ConsensusMap> maps(n);
     if (choice == EffectChoice::off) {
         out.decision = decide(Effect::consensus, choice, 0, "not measured");
     } else {
-        const auto pairs =
-            photo_pairs(photos.records, samples.spans(), thinned(in.geometry.discs, samples.step), neighbors);
-        maps = consensus_maps(part, compared, pairs, evidence_level, in.threads);
+        const ConsensusPartners partners(folds.shared());
+        const PhotoColors all = colors_of(colors.fit, colors.lens);
+        std::vector<int> levels(n);
+        for (std::size_t i = 0; i < n; ++i) levels[i] = folds.level(std::uint32_t(i));
+        maps = consensus_maps(part, photos.records, all, partners, levels, in.threads);
         out.decision = decide_consensus(photos.records, maps, choice);
-        for (std::size_t i = 0; i < maps.size(); ++i) out.disagreeing[i] = maps[i].disagreeing;
+        for (std::size_t i = 0; i < n; ++i) out.disagreeing[i] = maps[i].disagreeing;
+        if (out.decision.on) confirm(in, folds, partners, colors, out.decision);
+        for (int& l : levels) l = std::max(l - 1, mask_level);  // masks are twice as fine as the evidence
         if (out.decision.on)
-            maps = consensus_maps(part, compared, pairs, mask_map_level, in.threads);
+            maps = consensus_maps(part, photos.records, all, partners, levels, in.threads);
         else
-            maps.assign(maps.size(), {});
+            maps.assign(n, {});
     }
-    for_each_photo(maps.size(), in.threads, [&](std::size_t i) {
+    for_each_photo(n, in.threads, [&](std::size_t i) {
         update_masks(in, part, std::uint32_t(i), maps[i], photos.records[i], photos.states[i]);
     });
     return out;

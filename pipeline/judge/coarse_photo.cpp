@@ -1,0 +1,117 @@
+#include "pipeline/judge/coarse_photo.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+#include "pipeline/package/tile_levels.h"
+#include "scene/tiling.h"
+#include "shaders/contract.h"
+#include "values/srgb.h"
+
+namespace vantage {
+namespace {
+
+using package::Type;
+
+const std::array<float, 256>& linear_table() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> t;
+        for (std::size_t i = 0; i < t.size(); ++i) t[i] = float(linear_of_srgb_byte()[i]);
+        return t;
+    }();
+    return table;
+}
+
+/// Sampling rate along a side, see density() in blend.frag.
+float density_weight(std::byte mask) {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> t;
+        for (std::size_t i = 0; i < t.size(); ++i) t[i] = std::max(std::exp2((float(i) - 255) / 12), 1e-3f);
+        return t;
+    }();
+    return table[std::to_integer<std::size_t>(mask)];
+}
+
+/// Fills `smooth` from texels that have a color and show the model.
+void smooth_colors(CoarsePhoto& photo) {
+    const cv::Size window(9, 9);
+    cv::Mat color(photo.k.height, photo.k.width, CV_32FC4, cv::Scalar::all(0));
+    for (std::size_t i = 0; i < photo.texels.size(); ++i) {
+        const CoarsePhoto::Texel& t = photo.texels[i];
+        auto* c = color.ptr<float>() + 4 * i;
+        if (std::isfinite(t.z) && std::isfinite(t.linear[0])) std::copy_n(t.linear, 3, c), c[3] = 1;
+    }
+    cv::boxFilter(color, color, -1, window, {-1, -1}, false, cv::BORDER_CONSTANT);
+    for (std::size_t i = 0; i < photo.texels.size(); ++i) {
+        const auto* c = color.ptr<float>() + 4 * i;
+        for (std::size_t k = 0; k < 3; ++k)
+            photo.texels[i].smooth[k] = c[3] > 0.5f ? c[k] / c[3] : std::numeric_limits<float>::quiet_NaN();
+    }
+}
+
+/// A level's colors; NaN where the photo has no opaque pixel.
+std::vector<std::array<float, 3>> colors_of(const std::vector<std::byte>& rgba) {
+    std::vector<std::array<float, 3>> out(rgba.size() / 4);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            out[i][c] = rgba[4 * i + 3] == std::byte(255)
+                            ? linear_table()[std::to_integer<std::size_t>(rgba[4 * i + c])]
+                            : std::numeric_limits<float>::quiet_NaN();
+    return out;
+}
+
+}  // namespace
+
+int coarse_level(const package::PhotoRecord& r, int long_side) {
+    int l = mask_level;
+    while (l + 1 < int(r.levels) && int(std::max(r.width, r.height)) >> l > long_side) ++l;
+    return l;
+}
+
+CoarsePhoto read_coarse_photo(const PackageReader& package, const package::PhotoRecord& r,
+                              std::uint32_t photo, int level, double border_width) {
+    const int tiles_level = std::clamp(level, 0, std::max(int(r.levels) - 1, 0));
+    CoarsePhoto out;
+    out.k = intrinsics(r).at_level(level);
+    out.pose = cam_from_origin(r);
+    out.level = level;
+    const auto rgba = read_level(package, r, photo, Type::tiles, tiles_level),
+               masks = read_level(package, r, photo, Type::masks, level),
+               z = read_level(package, r, photo, Type::depth, level);
+    const Level fine = level_size(int(r.width), int(r.height), tiles_level);
+    const int finer = level - tiles_level;  // 1 for a photo of a single level, whose masks are half its size
+    const float texel = std::ldexp(1.0f, level), ramp = shader::reference_width / float(r.width);
+    out.texels.resize(out.grid().size());
+    for (int y = 0; y < out.k.height; ++y)
+        for (int x = 0; x < out.k.width; ++x) {
+            const std::size_t at = std::size_t(y) * std::size_t(out.k.width) + std::size_t(x);
+            const std::size_t color =
+                std::size_t(std::min(y << finer, fine.height - 1)) * std::size_t(fine.width) +
+                std::size_t(std::min(x << finer, fine.width - 1));
+            CoarsePhoto::Texel& t = out.texels[at];
+            std::memcpy(&t.z, &z[4 * at], 4);
+            for (std::size_t c = 0; c < 3; ++c)
+                t.linear[c] = rgba[4 * color + 3] == std::byte(255)
+                                  ? linear_table()[std::to_integer<std::size_t>(rgba[4 * color + c])]
+                                  : std::numeric_limits<float>::quiet_NaN();
+            const float px = (float(x) + 0.5f) * texel, py = (float(y) + 0.5f) * texel,
+                        inside = std::min({px, py, float(r.width) - px, float(r.height) - py}),
+                        edge = float(std::to_integer<int>(masks[4 * at + 2])) / 255 * float(border_width);
+            t.weight = density_weight(masks[4 * at + 1]) *
+                       std::clamp(inside * ramp / shader::frame_ramp, shader::frame_least, 1.0f) *
+                       std::clamp(edge / shader::edge_ramp, shader::edge_least, 1.0f);
+        }
+    smooth_colors(out);
+    const int finer_level = std::min(level - 1, std::max(int(r.levels) - 1, 0));
+    const Level size = level_size(int(r.width), int(r.height), finer_level);
+    out.fine = colors_of(read_level(package, r, photo, Type::tiles, finer_level));
+    out.fine_width = size.width;
+    out.fine_height = size.height;
+    return out;
+}
+
+}  // namespace vantage
