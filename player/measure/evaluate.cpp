@@ -8,6 +8,7 @@
 #include "gl/context.h"
 #include "output/make_folder.h"
 #include "player/camera/shots.h"
+#include "player/measure/colors_without.h"
 #include "player/measure/evaluation_page.h"
 #include "player/measure/left_out.h"
 #include "scene/error.h"
@@ -173,6 +174,19 @@ void expect_earlier(const EvaluateOptions& o) {
                     o.against.string() + ": would be overwritten, expected another folder for -o");
 }
 
+/// What all photos decided together and is not decided again without each: not used, or at least reported.
+void leave_out_votes(const PackageReader& package, RenderSettings& settings) {
+    if (effect_on(package.scene(), Effect::consensus) && settings.weights.consensus_mask) {
+        settings.weights.consensus_mask = false;
+        std::printf("without the consensus mask, on which the photos left out have voted\n");
+    }
+    if (effect_on(package.scene(), Effect::registration))
+        std::printf(
+            "the other cameras were registered with the photos left out; for figures without them, use "
+            "vantage "
+            "prepare --hold-out\n");
+}
+
 }  // namespace
 
 int run_evaluate(const PackageReader& package, EvaluateOptions o) {
@@ -182,7 +196,9 @@ int run_evaluate(const PackageReader& package, EvaluateOptions o) {
     if (left_out.empty()) throw Error(Exit::input, package.path().string() + ": no photos to leave out");
     expect_earlier(o);
     make_folder(o.folder);
-    const RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);
+    RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);
+    leave_out_votes(package, settings);
+    const ColorsWithout colors(package);
     const gl::HeadlessContext context;
     Renderer renderer(package, memory_budget(o.memory));
     std::vector<LeftOut> results;
@@ -192,7 +208,8 @@ int run_evaluate(const PackageReader& package, EvaluateOptions o) {
     for (const std::uint32_t p : left_out) {
         LeftOutPictures pictures;
         const int level = std::min(o.level, int(package.photos()[p].levels) - 1);
-        results.push_back(leave_out(renderer, settings, photos, p, level, regions, pictures));
+        results.push_back(
+            leave_out(renderer, settings, photos, colors.records(p), p, level, regions, pictures));
         write_pictures(o.folder, results.back(), pictures);
         if (!o.against.empty()) compare(o, results.back(), pictures);
         print(results.back());

@@ -82,9 +82,11 @@ double RegionError::rms() const {
 }
 
 LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<const std::uint32_t> photos,
-                  std::uint32_t photo, int level, std::vector<RegionError>& regions, LeftOutPictures& p) {
+                  std::span<const package::PhotoRecord> records, std::uint32_t photo, int level,
+                  std::vector<RegionError>& regions, LeftOutPictures& p) {
     const PackageReader& package = renderer.package();
-    const package::PhotoRecord& record = package.photos()[photo];
+    const package::PhotoRecord& record = records[photo];
+    renderer.use_records(records);
     std::vector<std::uint32_t> others(photos.begin(), photos.end());
     std::erase(others, photo);
     const View view = view_of_level(record, level);

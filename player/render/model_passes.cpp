@@ -67,6 +67,8 @@ ModelPasses::ModelPasses(const PackageReader& package, const PlanScene& scene, c
           "surface", {{GL_VERTEX_SHADER, "surface.vert"}, {GL_FRAGMENT_SHADER, "surface.frag"}},
           shader_defines("surface", package.scene().effects))) {}
 
+void ModelPasses::use_records(std::span<const package::PhotoRecord> photos) { blocks_ = make_blocks(photos); }
+
 bool ModelPasses::per_fragment(const RenderSettings& settings) const {
     if (settings.coordinates != Coordinates::automatic) return settings.coordinates == Coordinates::fragment;
     return effect_on(package_->scene(), Effect::per_fragment);

@@ -34,6 +34,10 @@ class ModelPasses {
   public:
     ModelPasses(const PackageReader& package, const PlanScene& scene, const PhotoStore& store);
 
+    /// Replaces the cameras and colors with which photos are drawn, for measurements. The plan keeps the
+    /// package's.
+    void use_records(std::span<const package::PhotoRecord> photos);
+
     bool per_fragment(const RenderSettings& settings) const;
     /// Depth, plain shading and the triangles' numbers.
     void draw_surface(const DrawnView& drawn, const FrameTargets& targets);

@@ -34,6 +34,8 @@ class Renderer {
     /// first row is at the bottom, as a window's is.
     void show(const View& view, const RenderSettings& settings, GLuint target, bool flip);
 
+    /// See ModelPasses::use_records.
+    void use_records(std::span<const package::PhotoRecord> photos) { passes_.use_records(photos); }
     /// See ModelPasses::trace_texels.
     void trace_texels(GLuint buffer) { passes_.trace_texels(buffer); }
 

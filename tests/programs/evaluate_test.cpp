@@ -6,14 +6,18 @@
 #include <cmath>
 #include <fstream>
 #include <numeric>
+#include <random>
 
 #include "gl/context.h"
+#include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
+#include "pipeline/package/meta.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesize.h"
+#include "player/measure/colors_without.h"
 #include "player/measure/left_out.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
@@ -50,7 +54,7 @@ class Evaluate : public TemporaryFolder {
         std::vector<RegionError> regions;
         LeftOutPictures pictures;
         for (const std::uint32_t p : photos)
-            out.push_back(leave_out(renderer, {}, photos, p, 1, regions, pictures));
+            out.push_back(leave_out(renderer, {}, photos, package.photos(), p, 1, regions, pictures));
         remark(out);
         return out;
     }
@@ -138,4 +142,66 @@ TEST_F(Evaluate, ComparesWithAnEarlierEvaluation) {
     EXPECT_THROW(run_evaluate(package, options), Error) << "of a different size";
     options.against = dir / "nowhere";
     EXPECT_THROW(run_evaluate(package, options), Error);
+}
+
+TEST_F(Evaluate, LeftOutPhotoHasNoPartInItsPicture) {
+    PrepareSettings settings;
+    settings.effects[Effect::exposure] = EffectChoice::on;
+    settings.effects[Effect::falloff] = EffectChoice::on;
+    EvaluateOptions options;
+    options.level = 2;
+    options.package.photos = {"0002"};
+    const auto rendered = [&](const fs::path& folder) {
+        fs::remove(file);
+        prepare(scene, settings, file, [](const Progress&) {});
+        options.folder = folder;
+        EXPECT_EQ(run_evaluate(PackageReader(file), options), 0);
+        return slurp(folder / "0002-rendered.png");
+    };
+    const std::string before = rendered(dir / "before");
+    std::mt19937 random(1);
+    std::vector<std::byte> noise(800 * 600 * 3);
+    for (std::byte& b : noise) b = std::byte(random() & 255);
+    image_files().write(scene.photos[2].file, 800, 600, 3, Sample::u8, noise);
+    EXPECT_EQ(rendered(dir / "noise"), before);
+    EXPECT_NE(slurp(dir / "noise" / "0002-photo.png"), slurp(dir / "before" / "0002-photo.png"));
+}
+
+TEST_F(Evaluate, JudgeFindsTheGainsThatThePlayerShows) {
+    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    spec.photos.width = 800;
+    spec.photos.height = 600;
+    spec.photos.arc = 40;
+    spec.exposure.stops = 0.3;
+    synthesize(spec, dir / "exposed", {});
+    PrepareSettings corrected;
+    corrected.effects[Effect::exposure] = EffectChoice::on;
+    corrected.effects[Effect::falloff] = EffectChoice::off;
+    corrected.effects[Effect::registration] = EffectChoice::off;
+    prepare(read_scene(discover(dir / "exposed")), corrected, file, [](const Progress&) {});
+    const PackageReader package(file);
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(package, {});
+    const ColorsWithout colors(package);
+    std::vector<std::uint32_t> photos(package.photos().size());
+    std::iota(photos.begin(), photos.end(), 0u);
+    std::vector<RegionError> regions;
+    LeftOutPictures pictures;
+    double gain = 0;
+    for (const std::uint32_t p : photos) {
+        const auto psnr = [&](bool refined) {
+            RenderSettings settings;
+            settings.refined_colors = refined;
+            return leave_out(renderer, settings, photos, colors.records(p), p, 2, regions, pictures)
+                .score.psnr_gain;
+        };
+        gain += (psnr(true) - psnr(false)) / double(photos.size());
+    }
+    const auto exposure = parse_meta(package).at("effects").at(std::size_t(Effect::exposure)).at("judged");
+    EXPECT_EQ(exposure.at("photos"), photos.size());
+    EXPECT_GT(gain, 1) << "a third of a stop is plain to see";
+    // Coarse pixels at silhouettes, which mix surfaces, add the same error with and without gains.
+    EXPECT_GT(double(exposure.at("gain")), 0.3 * gain);
+    EXPECT_LT(double(exposure.at("gain")), 1.2 * gain);
+    EXPECT_LT(double(exposure.at("seams_after")), 0.9 * double(exposure.at("seams_before")));
 }

@@ -1,0 +1,26 @@
+#include "player/measure/colors_without.h"
+
+#include "colors/color_fit.h"
+
+namespace vantage {
+
+ColorsWithout::ColorsWithout(const PackageReader& package)
+    : package_(package),
+      samples_(read_samples(package.photos(),
+                            [&](std::uint32_t photo) {
+                                const auto bytes = std::as_bytes(
+                                    package.records<package::SampleRecord>(package::Type::samples, photo));
+                                return std::vector<std::byte>(bytes.begin(), bytes.end());
+                            })),
+      lens_(lenses_of(package.photos())) {}
+
+std::vector<package::PhotoRecord> ColorsWithout::records(std::uint32_t photo) const {
+    std::vector<package::PhotoRecord> out(package_.photos().begin(), package_.photos().end());
+    const bool gains = effect_on(package_.scene(), Effect::exposure),
+               falloff = effect_on(package_.scene(), Effect::falloff);
+    if (gains || falloff)
+        apply_colors(fit_without(samples_.spans(), lens_, photo, falloff), gains, falloff, out);
+    return out;
+}
+
+}  // namespace vantage
