@@ -30,9 +30,8 @@ struct Model {
         return {falloff[at], falloff[at + 1], falloff[at + 2]};
     }
     double corrected(const Observation& o, int channel) const {
-        const Falloff f = of_lens(lens[o.photo]);
-        const double r2 = double(o.radius2);
-        return double(o.ln[channel]) + gain(o.photo, channel) + r2 * (f[0] + r2 * (f[1] + r2 * f[2]));
+        return double(o.ln[channel]) + gain(o.photo, channel) +
+               log_falloff_at_square(of_lens(lens[o.photo]), double(o.radius2));
     }
 };
 
@@ -245,10 +244,9 @@ void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<do
 
 }  // namespace
 
-double log_falloff(const Falloff& f, double radius) {
-    const double r2 = radius * radius;
-    return r2 * (f[0] + r2 * (f[1] + r2 * f[2]));
-}
+double log_falloff_at_square(const Falloff& f, double r2) { return r2 * (f[0] + r2 * (f[1] + r2 * f[2])); }
+
+double log_falloff(const Falloff& f, double radius) { return log_falloff_at_square(f, radius * radius); }
 
 std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photos) {
     std::vector<std::uint32_t> out;

@@ -16,6 +16,7 @@ namespace vantage {
 /// half the diagonal.
 using Falloff = std::array<double, 3>;
 double log_falloff(const Falloff& falloff, double radius);
+double log_falloff_at_square(const Falloff& falloff, double radius2);
 
 /// A difference of natural logarithms in percent.
 inline double percent(double ln) { return 100 * std::expm1(ln); }

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "colors/color_fit.h"
 #include "pipeline/stages/surface_samples.h"
 #include "values/srgb.h"
 
@@ -47,8 +48,8 @@ float consensus_weight(const Alternative& a, const Sighting& s) {
 }
 
 /// Factor on light that takes out a lens's falloff, see ColorFit.
-float without_falloff(const std::array<double, 3>& f, double radius2) {
-    return float(std::exp(radius2 * (f[0] + radius2 * (f[1] + radius2 * f[2]))));
+float without_falloff(const Falloff& f, double radius2) {
+    return float(std::exp(log_falloff_at_square(f, radius2)));
 }
 
 std::vector<Blended> blended(const Sightings& sightings, const Alternative& a) {
@@ -156,7 +157,7 @@ double seams_of(const CoarsePhoto& target, const Sightings& s, std::span<const B
 
 /// The falloff of the predicted photo's own lens, as a factor on light.
 float own_falloff(const CoarsePhoto& target, const Alternative& a, std::size_t pixel) {
-    if (a.view_falloff == std::array<double, 3>{}) return 1;
+    if (a.view_falloff == Falloff{}) return 1;
     const double x = double(pixel % std::size_t(target.k.width)) + 0.5,
                  y = double(pixel / std::size_t(target.k.width)) + 0.5;
     const double r = falloff_radius(target.k, {x, y});
