@@ -4,6 +4,7 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
+#include "pipeline/judge/coarse_photo.h"
 #include "pipeline/package/tile_levels.h"
 #include "scene/error.h"
 #include "scene/tiling.h"
@@ -46,8 +47,7 @@ cv::Mat normalize_contrast(const cv::Mat& gray) {
 
 MatchView read_match_view(const PackageReader& package, const package::PhotoRecord& r, std::uint32_t photo,
                           int long_side) {
-    int l = mask_level;
-    while (l + 1 < int(r.levels) && int(std::max(r.width, r.height)) >> l > long_side) ++l;
+    const int l = coarse_level(r, long_side);
     const Level size = level_size(int(r.width), int(r.height), l);
     MatchView out{l,
                   intrinsics(r).at_level(l),

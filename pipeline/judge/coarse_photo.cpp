@@ -17,15 +17,6 @@ namespace {
 
 using package::Type;
 
-const std::array<float, 256>& linear_table() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> t;
-        for (std::size_t i = 0; i < t.size(); ++i) t[i] = float(linear_of_srgb_byte()[i]);
-        return t;
-    }();
-    return table;
-}
-
 /// Sampling rate along a side, see density() in blend.frag.
 float density_weight(std::byte mask) {
     static const std::array<float, 256> table = [] {
@@ -54,12 +45,12 @@ void smooth_colors(CoarsePhoto& photo) {
 }
 
 /// A level's colors; NaN where the photo has no opaque pixel.
-std::vector<std::array<float, 3>> colors_of(const std::vector<std::byte>& rgba) {
+std::vector<std::array<float, 3>> linear_colors(const std::vector<std::byte>& rgba) {
     std::vector<std::array<float, 3>> out(rgba.size() / 4);
     for (std::size_t i = 0; i < out.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c)
             out[i][c] = rgba[4 * i + 3] == std::byte(255)
-                            ? linear_table()[std::to_integer<std::size_t>(rgba[4 * i + c])]
+                            ? float(linear_of_srgb_byte()[std::to_integer<std::size_t>(rgba[4 * i + c])])
                             : std::numeric_limits<float>::quiet_NaN();
     return out;
 }
@@ -78,9 +69,8 @@ CoarsePhoto read_coarse_photo(const PackageReader& package, const package::Photo
     CoarsePhoto out;
     out.k = intrinsics(r).at_level(level);
     out.pose = cam_from_origin(r);
-    out.level = level;
-    const auto rgba = read_level(package, r, photo, Type::tiles, tiles_level),
-               masks = read_level(package, r, photo, Type::masks, level),
+    const auto colors = linear_colors(read_level(package, r, photo, Type::tiles, tiles_level));
+    const auto masks = read_level(package, r, photo, Type::masks, level),
                z = read_level(package, r, photo, Type::depth, level);
     const Level fine = level_size(int(r.width), int(r.height), tiles_level);
     const int finer = level - tiles_level;  // 1 for a photo of a single level, whose masks are half its size
@@ -94,10 +84,7 @@ CoarsePhoto read_coarse_photo(const PackageReader& package, const package::Photo
                 std::size_t(std::min(x << finer, fine.width - 1));
             CoarsePhoto::Texel& t = out.texels[at];
             std::memcpy(&t.z, &z[4 * at], 4);
-            for (std::size_t c = 0; c < 3; ++c)
-                t.linear[c] = rgba[4 * color + 3] == std::byte(255)
-                                  ? linear_table()[std::to_integer<std::size_t>(rgba[4 * color + c])]
-                                  : std::numeric_limits<float>::quiet_NaN();
+            std::ranges::copy(colors[color], t.linear);
             const float px = (float(x) + 0.5f) * texel, py = (float(y) + 0.5f) * texel,
                         inside = std::min({px, py, float(r.width) - px, float(r.height) - py}),
                         edge = float(std::to_integer<int>(masks[4 * at + 2])) / 255 * float(border_width);
@@ -108,7 +95,7 @@ CoarsePhoto read_coarse_photo(const PackageReader& package, const package::Photo
     smooth_colors(out);
     const int finer_level = std::min(level - 1, std::max(int(r.levels) - 1, 0));
     const Level size = level_size(int(r.width), int(r.height), finer_level);
-    out.fine = colors_of(read_level(package, r, photo, Type::tiles, finer_level));
+    out.fine = linear_colors(read_level(package, r, photo, Type::tiles, finer_level));
     out.fine_width = size.width;
     out.fine_height = size.height;
     return out;

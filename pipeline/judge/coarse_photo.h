@@ -17,9 +17,8 @@ struct CoarsePhoto {
         float z;          ///< +inf where the photo does not see the model
         float weight;     ///< the part of the lumigraph's weight that does not depend on the viewer
     };
-    Intrinsics k;  ///< of this level
-    Pose pose;     ///< relative to the origin
-    int level = 0;
+    Intrinsics k;               ///< of this level
+    Pose pose;                  ///< relative to the origin
     std::vector<Texel> texels;  ///< row by row
     /// Linear light at the next finer level: a color there is averaged around its exact position, which
     /// interpolation between coarse texels would blur.
