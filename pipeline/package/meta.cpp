@@ -7,6 +7,10 @@
 #include "scene/error.h"
 
 namespace vantage {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Judgment, photos, gain, error, worst, worse, ssim, seams_before,
+                                   seams_after, worst_photo)
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,39 +25,13 @@ json input_json(const fs::path& file, IdentityCache& identities) {
     return {{"name", file.filename().string()}, {"bytes", id.bytes}, {"xxh3", id.checksum}};
 }
 
-json judgment_json(const Judgment& j) {
-    return {{"photos", j.photos},
-            {"gain", j.gain},
-            {"error", j.error},
-            {"worst", j.worst},
-            {"worse", j.worse},
-            {"worst_photo", j.worst_photo},
-            {"ssim", j.ssim},
-            {"seams_before", j.seams_before},
-            {"seams_after", j.seams_after}};
-}
-
-Judgment judgment_in(const json& j) {
-    Judgment out;
-    out.photos = j.at("photos");
-    out.gain = j.at("gain");
-    out.error = j.at("error");
-    out.worst = j.at("worst");
-    out.worse = j.at("worse");
-    out.worst_photo = j.at("worst_photo");
-    out.ssim = j.at("ssim");
-    out.seams_before = j.at("seams_before");
-    out.seams_after = j.at("seams_after");
-    return out;
-}
-
 json effect_json(const EffectDecision& d) {
     const EffectRow& row = effect_row(d.effect);
     json out{{"name", row.name},       {"on", d.on},
              {"forced", d.forced},     {"measures", row.measures},
              {"measured", d.measured}, {"threshold", row.threshold},
              {"unit", row.unit},       {"evidence", d.evidence}};
-    if (d.judgment) out["judged"] = judgment_json(*d.judgment);
+    if (d.judgment) out["judged"] = *d.judgment;
     return out;
 }
 
@@ -166,7 +144,7 @@ EffectDecision decision_in(const std::string& meta, Effect effect) {
             d.forced = row.at("forced");
             d.measured = row.at("measured");
             d.evidence = row.at("evidence");
-            if (row.contains("judged")) d.judgment = judgment_in(row.at("judged"));
+            if (row.contains("judged")) d.judgment = row.at("judged").get<Judgment>();
         }
     return d;
 }
