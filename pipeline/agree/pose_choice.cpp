@@ -17,8 +17,6 @@ namespace {
 using package::PairRecord;
 
 constexpr double explained = 0.5;       ///< share of the displacement that must be left at most
-constexpr double min_odd = 0.75;        ///< px
-constexpr double odd_ratio = 2;         ///< of a photo's displacement to that of the others
 constexpr double noticed_common = 1;    ///< px
 constexpr int long_side = 384;          ///< texels at which poses are judged
 constexpr std::size_t max_judged = 12;  ///< photos
@@ -41,7 +39,7 @@ std::vector<std::uint32_t> odd_photos(const RegistrationInput& in, std::span<con
         std::uint32_t photo = 0;
         for (std::uint32_t i = 0; i < in.photos.size(); ++i) {
             const double own = median_displacement(rest, i), others = median_displacement_without(rest, i);
-            if (others > 0 && own >= min_odd && own >= odd_ratio * others && own > worst)
+            if (others > 0 && own >= min_outlier && own >= outlier_ratio * others && own > worst)
                 worst = own, photo = i;
         }
         if (worst == 0) break;
@@ -53,12 +51,11 @@ std::vector<std::uint32_t> odd_photos(const RegistrationInput& in, std::span<con
 /// A solution with its poses when photos are left out.
 struct Candidate {
     PoseSolution solution;
-    bool common_kept = false;
     std::vector<std::vector<Pose>> without;  ///< per fold
 };
 
 Candidate candidate(const PoseRounds& rounds, const Folds& folds, PoseSolution solution, bool common_kept) {
-    Candidate c{std::move(solution), common_kept, {}};
+    Candidate c{std::move(solution), {}};
     for (const Fold& f : folds.all())
         c.without.push_back(rounds.poses_without(c.solution, f.photo, common_kept));
     return c;
@@ -136,7 +133,7 @@ class PoseChoice {
           gains_(colors_without(folds_, lenses_of(in.photos), false)) {}
 
     /// Takes the solution if it is better than what has been taken so far.
-    bool consider(PoseSolution solution, const std::string& of, bool common_kept = false) {
+    void consider(PoseSolution solution, const std::string& of, bool common_kept = false) {
         if (moved(solution) == 0) return reject(of + " would not improve holdout corners");
         if (solution.after > explained * solution.before)
             return reject(fmt::format(
@@ -159,7 +156,6 @@ class PoseChoice {
         if (moved(c.solution) == 0) return reject(of + " would be less than the uncertainty");
         out_.decision.evidence += "; " + outcome(c.solution) + judged;
         taken_ = std::move(c);
-        return true;
     }
 
     const PoseRounds& rounds() const { return rounds_; }
@@ -172,10 +168,7 @@ class PoseChoice {
     }
 
   private:
-    bool reject(const std::string& why) {
-        out_.decision.evidence += "; " + why;
-        return false;
-    }
+    void reject(const std::string& why) { out_.decision.evidence += "; " + why; }
 
     Registration& out_;
     PoseRounds rounds_;

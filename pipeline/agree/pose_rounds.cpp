@@ -1,7 +1,5 @@
 #include "pipeline/agree/pose_rounds.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 

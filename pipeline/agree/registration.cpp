@@ -22,8 +22,6 @@ using package::PhotoRecord;
 
 constexpr int evidence_size = 800, evidence_corners = 300;  ///< px on the longer side; per photo
 constexpr double max_displacement = 1, max_shift = 1.5;     ///< px; registration is needed above
-constexpr double outlier_ratio = 2;   ///< of a photo's displacement to that of the others
-constexpr double min_outlier = 0.75;  ///< px
 
 /// Key of everything that a pair's measurement depends on.
 std::uint64_t key_of(const RegistrationInput& in, const PhotoPair& pair) {

@@ -40,6 +40,10 @@ struct Registration {
     std::vector<std::string> warnings;       ///< one line each: misplaced photos, swapped cameras
 };
 
+/// A photo is odd if it is displaced by at least `min_outlier` px and by `outlier_ratio` times as much as the
+/// others.
+inline constexpr double min_outlier = 0.75, outlier_ratio = 2;
+
 /// How much pairs disagree, relative to the limits: corners displaced by 1 px (median), a pair shifted by 1.5
 /// px, one photo displaced by twice as much as the others. Above 1, registration is needed. `found` describes
 /// it; may be null.
