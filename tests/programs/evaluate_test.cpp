@@ -31,12 +31,17 @@ class Evaluate : public TemporaryFolder {
   protected:
     fs::path file = dir / "scene.vantage";
     SceneInput scene;
-    void SetUp() override {
-        TemporaryFolder::SetUp();
+    /// Five photos close together.
+    static SynthSpec close_photos() {
         SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
         spec.photos.width = 800;
         spec.photos.height = 600;
         spec.photos.arc = 40;
+        return spec;
+    }
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        SynthSpec spec = close_photos();
         spec.photos.samples = 2;
         synthesize(spec, dir / "scene", {});
         scene = read_scene(discover(dir / "scene"));
@@ -168,10 +173,7 @@ TEST_F(Evaluate, LeftOutPhotoHasNoPartInItsPicture) {
 }
 
 TEST_F(Evaluate, JudgeFindsTheGainsThatThePlayerShows) {
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
-    spec.photos.width = 800;
-    spec.photos.height = 600;
-    spec.photos.arc = 40;
+    SynthSpec spec = close_photos();
     spec.exposure.stops = 0.3;
     synthesize(spec, dir / "exposed", {});
     PrepareSettings corrected;
