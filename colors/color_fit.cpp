@@ -112,6 +112,7 @@ Normal normal_equations(const SharedDiscs& obs, const Model& m, const std::vecto
              Eigen::MatrixXd::Zero(terms, 3)};
     std::vector<WeightedObservation> ws;
     std::vector<LensSum> lenses;
+    const bool with_falloff = std::ranges::any_of(m.terms, [](int t) { return t > 0; });
     obs.each_disc([&](std::span<const Observation> disc, std::size_t at) {
         ws.clear();
         lenses.clear();
@@ -121,13 +122,14 @@ Normal normal_equations(const SharedDiscs& obs, const Model& m, const std::vecto
             const WeightedObservation& w = ws.emplace_back(weighted(disc[i], weights[at + i], m));
             sum += w.weight;
             ln += w.ln;
-            add(lenses, w);
+            if (with_falloff) add(lenses, w);
         }
         ln /= sum;
         for (const WeightedObservation& a : ws) {
             n.A(a.photo, a.photo) += a.weight;
             for (const WeightedObservation& b : ws) n.A(a.photo, b.photo) -= a.weight * b.weight / sum;
             n.b.row(a.photo) += a.weight * ln - a.ln;
+            if (!with_falloff) continue;
             n.B.block<1, 3>(a.photo, a.lens) += a.features.transpose();
             for (const LensSum& l : lenses)
                 n.B.block<1, 3>(a.photo, l.lens) -= a.weight / sum * l.features.transpose();

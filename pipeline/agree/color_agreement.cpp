@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 #include "pipeline/judge/prediction.h"
 #include "pipeline/judge/verdict.h"
@@ -12,8 +13,8 @@
 namespace vantage {
 namespace {
 
-constexpr double min_improvement = 0.1;    ///< share of the disagreement that gains must remove
-constexpr std::size_t max_fitted = 16384;  ///< samples of all photos, in the fit of a fold
+constexpr double min_improvement = 0.1;   ///< share of the disagreement that gains must remove
+constexpr std::size_t max_fitted = 8192;  ///< samples of all photos, in the fit of a fold
 
 EffectDecision decide_exposure(const ColorFit& fit, EffectChoice wanted) {
     if (!fit.shares_surface())
@@ -46,8 +47,10 @@ struct ColorJudgments {
 ColorJudgments judge_colors(const Folds& folds, std::span<const PhotoColors> gains,
                             std::span<const PhotoColors> both) {
     std::vector<JudgedPhoto> with_gain(folds.all().size()), with_falloff(folds.all().size());
-    folds.each([&](std::size_t f, const Folds::View& v) {
-        const Sightings seen = v.sightings();
+    folds.each([&](const Folds::View& v) {
+        const auto kept = v.sightings();
+        const Sightings& seen = *kept;
+        const std::size_t f = v.index;
         std::vector<Prediction> predictions{
             predict(v.target, seen, {}),
             predict(v.target, seen, alternative(gains[f], true, false, v.fold.photo))};
@@ -88,6 +91,9 @@ ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samp
     const std::vector<std::uint32_t> lens = lenses_of(photos);
     const EffectChoice falloff = choice_of(choices, Effect::falloff),
                        exposure = choice_of(choices, Effect::exposure);
+    std::future<void> reading;
+    if (folds && exposure != EffectChoice::off)
+        reading = std::async(std::launch::async, [&] { folds->read_ahead(); });
     ColorRefinement out{fit_colors(samples, lens, falloff != EffectChoice::off), lens, {}, {}};
     out.exposure = decide_exposure(out.fit, exposure);
     out.falloff = decide_falloff(out.fit, falloff);

@@ -10,7 +10,6 @@
 #include "pipeline/judge/prediction.h"
 #include "pipeline/judge/verdict.h"
 #include "pipeline/run/for_each_photo.h"
-#include "pipeline/run/lru_cache.h"
 #include "pipeline/stages/surface_samples.h"
 #include "values/quantile.h"
 
@@ -190,23 +189,20 @@ std::vector<std::uint32_t> ConsensusPartners::of(std::uint32_t photo,
     return out;
 }
 
-std::vector<ConsensusMap> consensus_maps(const PackageReader& package,
-                                         std::span<const package::PhotoRecord> photos,
-                                         const PhotoColors& colors, const ConsensusPartners& partners,
-                                         std::span<const int> levels, unsigned threads) {
-    std::vector<ConsensusMap> out(photos.size());
+std::vector<ConsensusMap> consensus_maps(const ConsensusViews& uncorrected, const PhotoColors& colors,
+                                         const ConsensusPartners& partners, unsigned threads) {
+    const std::size_t n = colors.ln_gain.size();
+    std::vector<ConsensusMap> out(n);
     LruCache<ConsensusView> views(16, [&](std::uint32_t i) {
-        return corrected(consensus_view(read_coarse_photo(package, photos[i], i, levels[i], 0)),
-                         colors.ln_gain[i], colors.falloff[i]);
+        return corrected(*uncorrected.get(i), colors.ln_gain[i], colors.falloff[i]);
     });
-    for_each_photo(photos.size(), threads, [&](std::size_t i) {
+    for_each_photo(n, threads, [&](std::size_t i) {
         std::vector<std::shared_ptr<const ConsensusView>> held;
         for (const std::uint32_t other : partners.of(std::uint32_t(i))) held.push_back(views.get(other));
         if (held.size() < 2) return;
         std::vector<const ConsensusView*> others;
         for (const auto& h : held) others.push_back(h.get());
         out[i] = consensus_of(*views.get(std::uint32_t(i)), others);
-        package.forget_all();
     });
     return out;
 }
@@ -216,7 +212,7 @@ namespace {
 /// The maps of the photos that a fold's photo is predicted from; empty for the others.
 std::vector<ConsensusMap> maps_without(const Folds& folds, const Fold& fold,
                                        const ConsensusPartners& partners, const PhotoColors& colors,
-                                       LruCache<ConsensusView>& uncorrected) {
+                                       const ConsensusViews& uncorrected) {
     std::map<std::uint32_t, ConsensusView> views;
     const auto view = [&](std::uint32_t i) -> const ConsensusView& {
         const auto it = views.find(i);
@@ -235,13 +231,15 @@ std::vector<ConsensusMap> maps_without(const Folds& folds, const Fold& fold,
 
 }  // namespace
 
-Judgment judge_consensus(const Folds& folds, const ConsensusPartners& partners,
-                         std::span<const PhotoColors> fits, bool gains_on, bool falloff_on) {
+Judgment judge_consensus(const Folds& folds, const ConsensusViews& uncorrected,
+                         const ConsensusPartners& partners, std::span<const PhotoColors> fits, bool gains_on,
+                         bool falloff_on) {
     const FoldsInput& in = folds.input();
-    LruCache<ConsensusView> uncorrected(32, [&](std::uint32_t i) { return consensus_view(*folds.photo(i)); });
     std::vector<JudgedPhoto> photos(folds.all().size());
-    folds.each([&](std::size_t f, const Folds::View& v) {
-        const Sightings seen = v.sightings();
+    folds.each([&](const Folds::View& v) {
+        const auto kept = v.sightings();
+        const Sightings& seen = *kept;
+        const std::size_t f = v.index;
         const auto maps = maps_without(folds, v.fold, partners, fits[f], uncorrected);
         std::vector<Grid<const std::uint8_t>> weights;
         for (const ConsensusMap& m : maps)

@@ -7,6 +7,7 @@
 
 #include "pipeline/agree/color_agreement.h"
 #include "pipeline/agree/folds.h"
+#include "pipeline/run/lru_cache.h"
 #include "scene/camera.h"
 #include "scene/package_reader.h"
 #include "values/grid.h"
@@ -60,16 +61,19 @@ class ConsensusPartners {
     std::vector<std::vector<std::uint32_t>> chosen_by_;  ///< per photo: those that list it in `best_`
 };
 
-/// The maps of all photos, each at its level and compared with its partners. Keeps a bounded number of photos
-/// in memory. Empty for photos with fewer than two partners. Throws Error(damaged).
-std::vector<ConsensusMap> consensus_maps(const PackageReader& package,
-                                         std::span<const package::PhotoRecord> photos,
-                                         const PhotoColors& colors, const ConsensusPartners& partners,
-                                         std::span<const int> levels, unsigned threads);
+/// Photos as exposed, made on demand.
+using ConsensusViews = LruCache<ConsensusView>;
 
-/// What consensus masks are worth to left-out photos, which vote neither on masks nor on gains. `fits`: per
-/// fold, the colors fitted without its photo. `gains_on`, `falloff_on`: whether to blend with them.
-Judgment judge_consensus(const Folds& folds, const ConsensusPartners& partners,
-                         std::span<const PhotoColors> fits, bool gains_on, bool falloff_on);
+/// The maps of all photos, each compared with its partners. Keeps a bounded number of photos in memory. Empty
+/// for photos with fewer than two partners. `uncorrected` may throw Error(damaged).
+std::vector<ConsensusMap> consensus_maps(const ConsensusViews& uncorrected, const PhotoColors& colors,
+                                         const ConsensusPartners& partners, unsigned threads);
+
+/// What consensus masks are worth to left-out photos, which vote neither on masks nor on gains.
+/// `uncorrected`: at the folds' levels. `fits`: per fold, the colors fitted without its photo. `gains_on`,
+/// `falloff_on`: whether to blend with them.
+Judgment judge_consensus(const Folds& folds, const ConsensusViews& uncorrected,
+                         const ConsensusPartners& partners, std::span<const PhotoColors> fits, bool gains_on,
+                         bool falloff_on);
 
 }  // namespace vantage

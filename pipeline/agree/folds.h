@@ -27,7 +27,7 @@ struct FoldsInput {
 /// A photo that is left out, and those that it is predicted from.
 struct Fold {
     std::uint32_t photo;
-    std::vector<std::uint32_t> others;  ///< up to 16 that share the most surface, ascending
+    std::vector<std::uint32_t> others;  ///< up to 8 that share the most surface, ascending
 };
 
 /// Cross-validation: photos that are left out of everything in turn, spread over the scene.
@@ -46,24 +46,29 @@ class Folds {
     /// A fold's photo, and what the others show.
     struct View {
         const Fold& fold;
-        const CoarsePhoto& target;
+        std::size_t index;          ///< of the fold
+        const CoarsePhoto& target;  ///< every second texel of the fold's photo: enough to judge
         const Folds& folds;
 
-        /// What the others show at the photo's pixels.
-        Sightings sightings() const;
+        /// What the others show at the photo's pixels. Kept for the next call, of some folds.
+        std::shared_ptr<const Sightings> sightings() const;
         /// With other poses, one per photo of the scene; `own`: that of the fold's photo.
         Sightings sightings(std::span<const Pose> poses, const Pose& own) const;
     };
-    /// Calls visit(index of the fold, view) for every fold, on several threads. Throws Error(damaged).
-    void each(const std::function<void(std::size_t, const View&)>& visit) const;
+    /// Reads the photos of all folds, as far as they are kept, so that they need not be waited for later.
+    void read_ahead() const;
+    /// Calls visit(view) for every fold, on several threads. Throws Error(damaged).
+    void each(const std::function<void(const View&)>& visit) const;
 
   private:
-    Sightings sightings_of(const Fold& fold, std::span<const Pose> poses, const Pose& own) const;
+    Sightings sightings_of(const Fold& fold, const CoarsePhoto& target, std::span<const Pose> poses,
+                           const Pose& own) const;
 
     FoldsInput in_;
     SharedSurface shared_;
     std::vector<Fold> folds_;
-    mutable LruCache<CoarsePhoto> photos_;
+    LruCache<CoarsePhoto> photos_;
+    mutable std::vector<std::shared_ptr<const Sightings>> kept_;  ///< of the first folds
 };
 
 }  // namespace vantage

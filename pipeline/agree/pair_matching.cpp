@@ -95,6 +95,7 @@ Matching match_pairs(const PackageReader& package, std::span<const package::Phot
     std::vector<std::vector<Track>> tracks(groups.size());
     std::mutex mutex;
     std::size_t done = 0;
+    if (how.progress && !groups.empty()) how.progress({"match", "", 0, groups.size()});
     for_each_photo(groups.size(), how.threads, [&](std::size_t c) {
         const std::uint32_t a = pairs[groups[c].first].a;
         const auto own = views.get(a);

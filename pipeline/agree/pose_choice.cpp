@@ -70,7 +70,8 @@ enum class Own { given, fitted };
 Judgment judge(const PoseRounds& rounds, const Folds& folds, std::span<const PhotoColors> gains,
                const Candidate* before, const Candidate& after, Own own) {
     std::vector<JudgedPhoto> photos(folds.all().size());
-    folds.each([&](std::size_t f, const Folds::View& v) {
+    folds.each([&](const Folds::View& v) {
+        const std::size_t f = v.index;
         const std::uint32_t photo = v.fold.photo;
         const auto predicted = [&](const Candidate* c) {
             const std::vector<Pose>& poses = c ? c->without[f] : rounds.given();
@@ -127,6 +128,7 @@ class PoseChoice {
   public:
     PoseChoice(const RegistrationInput& in, Registration& out)
         : out_(out),
+          judge_(in.judge && !out.decision.forced),
           rounds_(in),
           folds_({in.package, in.photos, in.samples, in.discs, in.border_width, in.threads, long_side,
                   max_judged}),
@@ -142,7 +144,7 @@ class PoseChoice {
                 of, solution.before, solution.after));
         Candidate c = candidate(rounds_, folds_, std::move(solution), common_kept);
         std::string judged;
-        if (!out_.decision.forced) {
+        if (judge_) {
             const Candidate* taken = taken_ ? &*taken_ : nullptr;
             const Judgment fitted = judge(rounds_, folds_, gains_, taken, c, Own::fitted);
             if (!is_called_for(fitted)) return reject(of + ": " + sentence(fitted));
@@ -171,6 +173,7 @@ class PoseChoice {
     void reject(const std::string& why) { out_.decision.evidence += "; " + why; }
 
     Registration& out_;
+    bool judge_;
     PoseRounds rounds_;
     Folds folds_;
     std::vector<PhotoColors> gains_;

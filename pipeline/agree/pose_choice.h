@@ -9,8 +9,8 @@ namespace vantage {
 /// all others, which stay; then, if the others still disagree, all. Poses are kept only if they halve the
 /// displacement of holdout corners, because errors of the mesh displace corners, too, and moving cameras
 /// hardly helps; if left-out photos are predicted better (see is_called_for), and not worse from their given
-/// cameras; and, per camera, if it moves by more than its uncertainty. A forced choice skips the second
-/// condition. Throws Error(damaged).
+/// cameras; and, per camera, if it moves by more than its uncertainty. The second condition is
+/// skipped if the choice is forced or `input.judge` is false. Throws Error(damaged).
 void choose_poses(const RegistrationInput& input, Registration& out);
 
 }  // namespace vantage

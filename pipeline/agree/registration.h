@@ -21,6 +21,7 @@ struct RegistrationInput {
     std::span<const package::PairRecord> known;   ///< measured earlier, reused if their keys match
     double border_width = 0;                      ///< as in SceneRecord
     unsigned threads = 0;
+    bool judge = true;      ///< whether left-out photos must confirm that cameras move
     OnProgress progress{};  ///< of each round of matching; may be empty
 };
 

@@ -17,6 +17,8 @@ constexpr double max_round_trip = 0.75;   ///< pixels of the level, tracked ther
 constexpr double min_correlation = 0.75;  ///< over `patch`
 constexpr double depth_step = 0.02;       ///< relative depth difference on one surface
 const cv::Size patch(13, 13);
+const cv::Size window(15, 15);  ///< of optical flow
+constexpr int levels = 3;       ///< of its pyramids, besides the first
 
 Vector2d to_vector(const cv::Point2f& p) { return {double(p.x), double(p.y)}; }
 
@@ -79,6 +81,7 @@ SurfaceChart::SurfaceChart(const MatchView& view, const Pose& pose, std::uint32_
     } else {
         gray_ = warp(view, view, pose, view.gray, shown);
     }
+    cv::buildOpticalFlowPyramid(gray_, pyramid_, window, levels);
     std::vector<cv::Point2f> found;
     cv::goodFeaturesToTrack(gray_, found, corners, 0.01, block, shown, 5);
     for (const cv::Point2f& c : found) {
@@ -135,10 +138,11 @@ std::size_t SurfaceChart::match(const MatchView& other, const Pose& other_pose, 
     if (from.empty()) return 0;
     std::vector<std::uint8_t> found, found_back;
     cv::Mat error;
-    const cv::Size window(15, 15);
+    std::vector<cv::Mat> pyramid;
+    cv::buildOpticalFlowPyramid(warped, pyramid, window, levels);
     const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20, 0.01);
-    cv::calcOpticalFlowPyrLK(gray_, warped, from, to, found, error, window, 3, until);
-    cv::calcOpticalFlowPyrLK(warped, gray_, to, back, found_back, error, window, 3, until);
+    cv::calcOpticalFlowPyrLK(pyramid_, pyramid, from, to, found, error, window, levels, until);
+    cv::calcOpticalFlowPyrLK(pyramid, pyramid_, to, back, found_back, error, window, levels, until);
     for (std::size_t i = 0; i < from.size(); ++i) {
         if (!found[i] || !found_back[i] || !is_smooth(to_vector(to[i])) ||
             !(cv::norm(back[i] - from[i]) <= max_round_trip) ||

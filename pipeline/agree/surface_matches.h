@@ -46,6 +46,7 @@ class SurfaceChart {
     const MatchView& view_;
     Pose pose_;
     cv::Mat gray_;
+    std::vector<cv::Mat> pyramid_;  ///< of it
     std::vector<cv::Point2f> corners_;
     std::vector<Track> tracks_;
 };

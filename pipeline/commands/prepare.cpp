@@ -231,6 +231,11 @@ void add_prepare(CLI::App& app, Run& run) {
         ->transform([](const std::string& s) { return s == "colour" ? "color" : s; })  // the former name
         ->capture_default_str();
     c->add_option(
+         "--judge", o->settings.judge,
+         "on: left-out photos must confirm what --refine corrects; off: faster, thresholds alone decide")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, bool>{{"on", true}, {"off", false}}))
+        ->default_str("on");
+    c->add_option(
          "--render-by", o->render_by,
          "renderer of the model as seen from the photos: auto (a GPU if there is one), opengl, processor")
         ->capture_default_str();

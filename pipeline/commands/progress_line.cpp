@@ -19,8 +19,10 @@ std::string duration(double seconds) {
     return fmt::format("{}:{:02} h", s / 3600, s / 60 % 60);
 }
 
+constexpr double measurable = 0.1;  ///< seconds; before, there is no rate to tell
+
 std::string rate(const Progress& p, double seconds) {
-    if (p.done == 0 || p.done >= p.total) return {};
+    if (p.done == 0 || p.done >= p.total || seconds < measurable) return {};
     return fmt::format("  {:.1f} photos/s, {} left", double(p.done) / seconds,
                        duration(seconds / double(p.done) * double(p.total - p.done)));
 }
@@ -35,7 +37,8 @@ std::string bar(const Progress& p, double seconds) {
 std::string json_line(const Progress& p, double seconds) {
     nlohmann::json j{
         {"stage", p.stage}, {"photo", p.photo}, {"done", p.done}, {"total", p.total}, {"seconds", seconds}};
-    if (p.done > 0) j["seconds_left"] = seconds / double(p.done) * double(p.total - p.done);
+    if (p.done > 0 && seconds >= measurable)
+        j["seconds_left"] = seconds / double(p.done) * double(p.total - p.done);
     return j.dump() + "\n";
 }
 

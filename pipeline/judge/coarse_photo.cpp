@@ -57,6 +57,50 @@ std::vector<std::array<float, 3>> linear_colors(const std::vector<std::byte>& rg
 
 }  // namespace
 
+Eigen::Array4f SquareMeans::around(float x, float y) const {
+    const float column = 2 * x, row = 2 * y;  // of corners
+    const int i = std::clamp(int(column), 0, width - 1), j = std::clamp(int(row), 0, height - 1),
+              right = std::min(i + 1, width - 1), below = std::min(j + 1, height - 1);
+    const float u = column - float(i), v = row - float(j);
+    const auto at = [&](int c, int r) -> const Eigen::Array4f& {
+        return colors[std::size_t(r) * std::size_t(width) + std::size_t(c)];
+    };
+    return (1 - v) * ((1 - u) * at(i, j) + u * at(right, j)) +
+           v * ((1 - u) * at(i, below) + u * at(right, below));
+}
+
+SquareMeans square_means(std::span<const std::array<float, 3>> colors, int width, int height) {
+    if (colors.empty()) return {};
+    SquareMeans out{width + 1, height + 1, {}};
+    out.colors.reserve(std::size_t(out.width) * std::size_t(out.height));
+    for (int y = 0; y <= height; ++y) {
+        const auto *above = &colors[std::size_t(std::max(y - 1, 0)) * std::size_t(width)],
+                   *below = &colors[std::size_t(std::min(y, height - 1)) * std::size_t(width)];
+        const auto both = [&](int x) {
+            const auto &a = above[x], &b = below[x];
+            return Eigen::Array4f(a[0] + b[0], a[1] + b[1], a[2] + b[2], 0);
+        };
+        Eigen::Array4f left = both(0);
+        for (int x = 0; x <= width; ++x) {
+            const Eigen::Array4f right = both(std::min(x, width - 1));
+            out.colors.emplace_back((left + right) / 4);
+            left = right;
+        }
+    }
+    return out;
+}
+
+CoarsePhoto every_second_texel(const CoarsePhoto& photo) {
+    CoarsePhoto out;
+    const Intrinsics& k = photo.k;
+    // The first texel keeps its ray.
+    out.k = {(k.width + 1) / 2, (k.height + 1) / 2, k.fx / 2, k.fy / 2, (k.cx + 0.5) / 2, (k.cy + 0.5) / 2};
+    out.pose = photo.pose;
+    for (int y = 0; y < k.height; y += 2)
+        for (int x = 0; x < k.width; x += 2) out.texels.push_back(photo.grid()(x, y));
+    return out;
+}
+
 int coarse_level(const package::PhotoRecord& r, int long_side) {
     int l = mask_level;
     while (l + 1 < int(r.levels) && int(std::max(r.width, r.height)) >> l > long_side) ++l;
@@ -95,9 +139,8 @@ CoarsePhoto read_coarse_photo(const PackageReader& package, const package::Photo
     smooth_colors(out);
     const int finer_level = std::min(level - 1, std::max(int(r.levels) - 1, 0));
     const Level size = level_size(int(r.width), int(r.height), finer_level);
-    out.fine = linear_colors(read_level(package, r, photo, Type::tiles, finer_level));
-    out.fine_width = size.width;
-    out.fine_height = size.height;
+    out.means = square_means(linear_colors(read_level(package, r, photo, Type::tiles, finer_level)),
+                             size.width, size.height);
     return out;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/camera.h"
@@ -8,6 +10,19 @@
 #include "values/grid.h"
 
 namespace vantage {
+
+/// Mean colors of squares of 2 x 2 texels around each corner between texels, at the photo's frame of those
+/// inside. Interpolated between four corners, they give the mean over any such square, exactly positioned.
+struct SquareMeans {
+    int width = 0, height = 0;           ///< corners: one more than texels
+    std::vector<Eigen::Array4f> colors;  ///< row by row; linear light, the fourth value unused
+
+    /// The mean around a position in squares, each component at least 0 and at most a square beyond the last.
+    Eigen::Array4f around(float x, float y) const;
+};
+
+/// `colors`: of a level, row by row.
+SquareMeans square_means(std::span<const std::array<float, 3>> colors, int width, int height);
 
 /// A photo at one coarse level of its pyramid, as the judge reads it.
 struct CoarsePhoto {
@@ -20,13 +35,15 @@ struct CoarsePhoto {
     Intrinsics k;               ///< of this level
     Pose pose;                  ///< relative to the origin
     std::vector<Texel> texels;  ///< row by row
-    /// Linear light at the next finer level: a color there is averaged around its exact position, which
-    /// interpolation between coarse texels would blur.
-    std::vector<std::array<float, 3>> fine;
-    int fine_width = 0, fine_height = 0;
+    /// Of the next finer level, whose squares are as large as this level's texels: interpolation between
+    /// coarse texels would blur.
+    SquareMeans means;
 
     Grid<const Texel> grid() const { return {texels.data(), k.width, k.height}; }
 };
+
+/// Every second texel in x and in y: the same photo, seen by a quarter of its rays. Without `means`.
+CoarsePhoto every_second_texel(const CoarsePhoto& photo);
 
 /// The finest level with at most `long_side` texels on its longer side that has masks, or the coarsest.
 int coarse_level(const package::PhotoRecord& record, int long_side);

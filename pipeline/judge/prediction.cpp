@@ -8,6 +8,7 @@
 
 #include "colors/color_fit.h"
 #include "pipeline/stages/surface_samples.h"
+#include "shaders/contract.h"
 #include "values/srgb.h"
 
 namespace vantage {
@@ -27,7 +28,7 @@ float code_of(float root) {
             t.push_back(float(255 * srgb_from_linear(std::pow(double(i) / steps, 2))));
         return t;
     }();
-    return table[std::size_t(std::lround(std::clamp(root, 0.0f, 1.0f) * steps))];
+    return table[std::size_t(std::clamp(root, 0.0f, 1.0f) * steps + 0.5f)];
 }
 
 /// A sighting as blended: its colors are square roots of light.
@@ -53,24 +54,20 @@ float without_falloff(const Falloff& f, double radius2) {
 }
 
 std::vector<Blended> blended(const Sightings& sightings, const Alternative& a) {
-    std::vector<std::array<float, 3>> gain;
+    std::vector<Color> gain;  // on square roots of light
     for (const auto& g : a.ln_gain)
-        gain.push_back({float(std::exp(g[0])), float(std::exp(g[1])), float(std::exp(g[2]))});
+        gain.push_back({float(std::exp(g[0] / 2)), float(std::exp(g[1] / 2)), float(std::exp(g[2] / 2))});
     std::vector<Blended> out;
     out.reserve(sightings.all.size());
     for (const Sighting& s : sightings.all) {
-        const float r = shader::own_angle / std::max(s.theta, shader::own_least);
-        Blended b{s.weight * std::max(std::exp(-s.theta / a.sharpness), 1e-12f) * (1 + r * r) *
-                      consensus_weight(a, s),
-                  {},
-                  {}};
-        const float factor = a.falloff.empty() ? 1 : without_falloff(a.falloff[s.photo], double(s.radius2));
+        Blended& b = out.emplace_back(Blended{s.weight * consensus_weight(a, s), {}, {}});
+        const float factor =
+            a.falloff.empty() ? 1 : std::sqrt(without_falloff(a.falloff[s.photo], double(s.radius2)));
         for (std::size_t c = 0; c < 3; ++c) {
             const float all = factor * (gain.empty() ? 1 : gain[s.photo][c]);
-            b.root[c] = std::sqrt(all * s.linear[c]);
-            b.smooth[c] = std::sqrt(all * s.smooth[c]);
+            b.root[c] = all * s.root[c];
+            b.smooth[c] = all * s.smooth[c];
         }
-        out.push_back(b);
     }
     return out;
 }

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "pipeline/judge/sightings.h"
-#include "shaders/contract.h"
 
 namespace vantage {
 
@@ -16,7 +15,6 @@ struct Alternative {
     std::span<const std::array<double, 3>> falloff{};       ///< see ColorFit
     std::span<const Grid<const std::uint8_t>> consensus{};  ///< 255: not contradicted; by the photo's texels
     std::array<double, 3> view_falloff{};                   ///< of the predicted photo's lens
-    float sharpness = shader::default_sharpness;            ///< radians
 };
 
 /// A photo as the others show it.

@@ -60,22 +60,6 @@ Corners corners_at(const CoarsePhoto& photo, float x, float y) {
     return {{&grid(x0, y0), &grid(x1, y0), &grid(x0, y1), &grid(x1, y1)}, x - 0.5f - left, y - 0.5f - top};
 }
 
-/// The mean color of a coarse texel's area around a position in coarse texels, interpolated between finer
-/// ones.
-void average_around(const CoarsePhoto& photo, float x, float y, float* linear) {
-    const float fx = 2 * x - 1, fy = 2 * y - 1, left = std::floor(fx), top = std::floor(fy);
-    const float u = fx - left, v = fy - top, across[3] = {(1 - u) / 2, 0.5f, u / 2},
-                down[3] = {(1 - v) / 2, 0.5f, v / 2};
-    std::fill_n(linear, 3, 0.0f);
-    for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i) {
-            const int tx = std::clamp(int(left) + i, 0, photo.fine_width - 1),
-                      ty = std::clamp(int(top) + j, 0, photo.fine_height - 1);
-            const auto& texel = photo.fine[std::size_t(ty) * std::size_t(photo.fine_width) + std::size_t(tx)];
-            for (std::size_t c = 0; c < 3; ++c) linear[c] += across[i] * down[j] * texel[c];
-        }
-}
-
 /// As seen() in blend.frag.
 float visibility(const Projector& p, const Corners& c, const Vector3f& at, const Vector3f& normal) {
     const float cosine = std::max(std::abs(normal.dot(at)) / at.norm(), shader::least_cosine),
@@ -88,6 +72,12 @@ float visibility(const Projector& p, const Corners& c, const Vector3f& at, const
 
 /// Accurate for small angles, which a cosine is not.
 float angle_between(const Vector3f& a, const Vector3f& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+/// angle_weight() times own_view() in blend.frag.
+float angle_weight(float theta) {
+    const float near = shader::own_angle / std::max(theta, shader::own_least);
+    return std::max(std::exp(-theta / shader::default_sharpness), 1e-12f) * (1 + near * near);
+}
 
 /// False if the photo does not show the point.
 bool sighting(const Projector& p, const Point& point, Sighting& out) {
@@ -105,15 +95,19 @@ bool sighting(const Projector& p, const Point& point, Sighting& out) {
     const float share[4] = {(1 - c.u) * (1 - c.v), c.u * (1 - c.v), (1 - c.u) * c.v, c.u * c.v};
     out.weight = 0;
     for (std::size_t i = 0; i < 4; ++i) out.weight += share[i] * c.texel[i]->weight;
-    average_around(p.photo, out.x, out.y, out.linear);
-    if (!std::isfinite(out.linear[0])) return false;
+    const Eigen::Array4f linear = p.photo.means.around(out.x, out.y);
+    if (!std::isfinite(linear[0])) return false;
     const float* smooth = p.photo.grid()(int(out.x), int(out.y)).smooth;
-    std::copy_n(std::isfinite(smooth[0]) ? smooth : out.linear, 3, out.smooth);
+    if (!std::isfinite(smooth[0])) smooth = linear.data();
+    for (std::size_t i = 0; i < 3; ++i) {
+        out.root[i] = std::sqrt(linear[Eigen::Index(i)]);
+        out.smooth[i] = std::sqrt(smooth[i]);
+    }
     out.photo = p.index;
     const float right = out.x - p.cx, down = out.y - p.cy;
     out.radius2 = (right * right + down * down) * p.radius_scale;
     out.theta = angle_between(point.to_viewer, to_photo);
-    out.weight *= seen;
+    out.weight *= seen * angle_weight(out.theta);
     return true;
 }
 
@@ -169,6 +163,7 @@ Sightings sightings(const CoarsePhoto& target, const Pose& pose, std::span<const
     const Surface surface(target);
     Sightings out;
     out.first.reserve(target.texels.size() + 1);
+    out.all.reserve(target.texels.size() * others.size() / 2);
     out.first.push_back(0);
     for (int y = 0; y < target.k.height; ++y)
         for (int x = 0; x < target.k.width; ++x) {

@@ -10,10 +10,10 @@ namespace vantage {
 /// What another photo shows of the surface at a pixel.
 struct Sighting {
     std::uint32_t photo;  ///< index in the scene
-    float linear[3];      ///< light, as exposed
-    float smooth[3];      ///< see CoarsePhoto
+    float root[3];        ///< square roots of linear light, as exposed
+    float smooth[3];      ///< the same of CoarsePhoto's `smooth`
     float theta;          ///< radians, between the rays from the surface to the viewer and to the photo
-    float weight;         ///< of the lumigraph, without its factor for the angle
+    float weight;         ///< of the lumigraph, without consensus
     float x, y;           ///< position in the other photo, texels
     float radius2;        ///< square of falloff_radius there
 };

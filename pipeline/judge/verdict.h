@@ -15,7 +15,7 @@ struct JudgedPhoto {
     JudgeScore without, with;
 };
 
-/// Summarizes photos of at least 500 scored pixels; no photos: all 0.
+/// Summarizes photos of at least 200 scored pixels; no photos: all 0.
 Judgment summarize(std::span<const JudgedPhoto> photos);
 
 /// Fewer photos do not judge an effect.

@@ -89,6 +89,7 @@ json settings_json(const PrepareSettings& s) {
             {"cluster_triangles", s.cluster_triangles},
             {"photo_size", s.photo_size},
             {"hold_out", s.hold_out},
+            {"judge", s.judge},
             {"effects", choices_json(s.effects)}};
 }
 
@@ -161,13 +162,14 @@ std::map<Effect, EffectChoice> choices_in(const std::string& meta) {
     return out;
 }
 
-PrepareSettings geometry_settings_in(const std::string& meta) {
+PrepareSettings scene_settings_in(const std::string& meta) {
     const json config = json::parse(meta).at("config");
     PrepareSettings s;
     s.distance = distance_method(config.at("distance"));
     s.render_by = render_by(config.at("render_by"));
     s.border_width = config.at("border_width");
     s.border_threshold = config.at("border_threshold");
+    s.judge = config.value("judge", true);
     return s;
 }
 

@@ -38,7 +38,7 @@ EffectDecision decision_in(const std::string& meta, Effect effect);
 std::vector<std::string> findings_in(const std::string& meta);
 /// The effects that were forced on or off.
 std::map<Effect, EffectChoice> choices_in(const std::string& meta);
-/// The settings read by the stages that use the model; all others have their defaults.
-PrepareSettings geometry_settings_in(const std::string& meta);
+/// The settings read by what merge and refine do again; all others have their defaults.
+PrepareSettings scene_settings_in(const std::string& meta);
 
 }  // namespace vantage

@@ -86,12 +86,40 @@ EffectDecision decide_consensus(std::span<const PhotoRecord> photos, const std::
 
 /// Lets left-out photos confirm the effect. Their colors are fitted without them, even if no color effect is
 /// on.
-void confirm(const FinishInput& in, const Folds& folds, const ConsensusPartners& partners,
-             const ColorRefinement& colors, EffectDecision& decision) {
+void confirm(const FinishInput& in, const Folds& folds, const ConsensusViews& views,
+             const ConsensusPartners& partners, const ColorRefinement& colors, EffectDecision& decision) {
     const Traced traced(in.geometry.trace, "judge consensus");
     const auto fits = colors.without.empty() ? colors_without(folds, colors.lens, false) : colors.without;
-    const Judgment judged = judge_consensus(folds, partners, fits, colors.exposure.on, colors.falloff.on);
+    const Judgment judged =
+        judge_consensus(folds, views, partners, fits, colors.exposure.on, colors.falloff.on);
     confirm(decision, judged);
+}
+
+/// Masks are twice as fine as the evidence.
+ConsensusViews finer_views(const FinishInput& in, const PackageReader& part, const Folds& folds,
+                           std::span<const PhotoRecord> photos) {
+    return {16, [&, photos](std::uint32_t i) {
+                const int level = std::max(folds.level(i) - 1, mask_level);
+                ConsensusView view =
+                    consensus_view(read_coarse_photo(part, photos[i], i, level, in.geometry.border_width));
+                part.forget_all();
+                return view;
+            }};
+}
+
+/// The decision, the evidence per photo in `out`, and the maps to apply: empty if the effect is off.
+std::vector<ConsensusMap> decide_masks(const FinishInput& in, const PackageReader& part, const Folds& folds,
+                                       const ColorRefinement& colors, std::span<const PhotoRecord> photos,
+                                       Consensus& out) {
+    const ConsensusPartners partners(folds.shared());
+    const PhotoColors all = colors_of(colors.fit, colors.lens);
+    const ConsensusViews views(32, [&](std::uint32_t i) { return consensus_view(*folds.photo(i)); });
+    const std::vector<ConsensusMap> evidence = consensus_maps(views, all, partners, in.threads);
+    out.decision = decide_consensus(photos, evidence, choice_of(in.choices, Effect::consensus));
+    for (std::size_t i = 0; i < photos.size(); ++i) out.disagreeing[i] = evidence[i].disagreeing;
+    if (out.decision.on && in.judge) confirm(in, folds, views, partners, colors, out.decision);
+    if (!out.decision.on) return std::vector<ConsensusMap>(photos.size());
+    return consensus_maps(finer_views(in, part, folds, photos), all, partners, in.threads);
 }
 
 }  // namespace
@@ -99,28 +127,14 @@ void confirm(const FinishInput& in, const Folds& folds, const ConsensusPartners&
 Consensus find_consensus(const FinishInput& in, const PackageReader& part, const Folds& folds,
                          const ColorRefinement& colors, PhotoTables& photos) {
     const Traced traced(in.geometry.trace, "consensus");
-    const EffectChoice choice = choice_of(in.choices, Effect::consensus);
     const std::size_t n = photos.records.size();
     Consensus out;
     out.disagreeing.resize(n);
     std::vector<ConsensusMap> maps(n);
-    if (choice == EffectChoice::off) {
-        out.decision = decide(Effect::consensus, choice, 0, "not measured");
-    } else {
-        const ConsensusPartners partners(folds.shared());
-        const PhotoColors all = colors_of(colors.fit, colors.lens);
-        std::vector<int> levels(n);
-        for (std::size_t i = 0; i < n; ++i) levels[i] = folds.level(std::uint32_t(i));
-        maps = consensus_maps(part, photos.records, all, partners, levels, in.threads);
-        out.decision = decide_consensus(photos.records, maps, choice);
-        for (std::size_t i = 0; i < n; ++i) out.disagreeing[i] = maps[i].disagreeing;
-        if (out.decision.on) confirm(in, folds, partners, colors, out.decision);
-        for (int& l : levels) l = std::max(l - 1, mask_level);  // masks are twice as fine as the evidence
-        if (out.decision.on)
-            maps = consensus_maps(part, photos.records, all, partners, levels, in.threads);
-        else
-            maps.assign(n, {});
-    }
+    if (choice_of(in.choices, Effect::consensus) == EffectChoice::off)
+        out.decision = decide(Effect::consensus, EffectChoice::off, 0, "not measured");
+    else
+        maps = decide_masks(in, part, folds, colors, photos.records, out);
     for_each_photo(n, in.threads, [&](std::size_t i) {
         update_masks(in, part, std::uint32_t(i), maps[i], photos.records[i], photos.states[i]);
     });

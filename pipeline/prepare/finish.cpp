@@ -30,6 +30,7 @@ Registration find_registration(const FinishInput& in, const PackageReader& part,
                                   .known = in.known_pairs,
                                   .border_width = in.geometry.border_width,
                                   .threads = in.threads,
+                                  .judge = in.judge,
                                   .progress = in.progress};
     return register_photos(input, choice);
 }
@@ -48,7 +49,7 @@ Registration register_cameras(const FinishInput& in, const PackageReader& part, 
         if (pose && !in.known)
             move_photo(in.geometry, part, std::uint32_t(i), *pose, photos.records[i], photos.states[i]);
     });
-    write_registration(in.geometry.writer, found, in.given, registration_key(fingerprints, choice));
+    write_registration(in.geometry.writer, found, in.given, registration_key(fingerprints, choice, in.judge));
     return found;
 }
 
@@ -88,7 +89,7 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     const Folds folds({part, photos.records, spans, discs, in.geometry.border_width, in.threads});
     {
         const Traced traced(in.geometry.trace, "colors");
-        out.colors = refine_colors(photos.records, spans, in.choices, &folds);
+        out.colors = refine_colors(photos.records, spans, in.choices, in.judge ? &folds : nullptr);
         apply_colors(out.colors, photos.records);
     }
     out.consensus = find_consensus(in, part, folds, out.colors, photos);

@@ -19,6 +19,7 @@ struct FinishInput {
     std::filesystem::path out;  ///< the package that the writer writes
     std::string meta;           ///< see make_meta
     std::map<Effect, EffectChoice> choices;
+    bool judge = true;  ///< see PrepareSettings
     package::SceneRecord scene;
     std::vector<Pose> given;            ///< relative to the origin; moved photos' records differ if `known`
     std::optional<Registration> known;  ///< found by an earlier package from the same inputs

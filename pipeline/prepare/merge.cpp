@@ -174,7 +174,7 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
     const PackedModel model = model_of(first);
     const auto from = first.records<Eigen::Vector3f>(Type::normals);
     const std::vector<Eigen::Vector3f> normals(from.begin(), from.end());
-    const PrepareSettings settings = geometry_settings_in(meta);
+    const PrepareSettings settings = scene_settings_in(meta);
     GeometryRenderer renderer(model, normals, settings);
     const auto discs = surface_disc_set(model.positions, model.indices, scene.reference_density);
     const GeometryContext geometry{.model = model,
@@ -188,14 +188,15 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
                    .out = out,
                    .meta = meta,
                    .choices = choices_in(meta),
+                   .judge = settings.judge,
                    .scene = scene,
                    .given = given_poses(first),
                    .known = {},
                    .known_pairs = pairs_of(first),
                    .progress = progress};
     const auto fingerprints = registration_fingerprints(photos.states, in.given, renderer.by_opengl());
-    in.known =
-        registration_of(first, registration_key(fingerprints, choice_of(in.choices, Effect::registration)));
+    const EffectChoice choice = choice_of(in.choices, Effect::registration);
+    in.known = registration_of(first, registration_key(fingerprints, choice, in.judge));
     if (!in.known) move_back(in, photos);
     finish_package(in, photos);
 }

@@ -114,6 +114,7 @@ void run_photos(const PhotoContext& context, PhotoTables& photos, unsigned in_fl
     std::atomic<std::size_t> begun = 0;
     std::size_t done = 0, total = 0;
     for (std::size_t i = 0; i < photos.records.size(); ++i) total += run.share.holds(i);
+    progress({"photos", "", 0, total});
     for_each_photo(photos.records.size(), in_flight, [&](std::size_t i) {
         if (!run.share.holds(i) || (run.stop && *run.stop)) return;
         const bool spare_core = threads > std::min<std::size_t>(in_flight, total - begun++);
@@ -243,6 +244,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
         .out = out,
         .meta = plan.meta,
         .choices = settings.effects,
+        .judge = settings.judge,
         .scene = plan.scene,
         .given = cameras.given,
         .known = cameras.registration,

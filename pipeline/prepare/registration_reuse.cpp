@@ -21,7 +21,7 @@ using package::Stage;
 using package::Type;
 
 /// Incremented whenever a change to the code changes the result of registration.
-constexpr std::uint64_t version = 1;
+constexpr std::uint64_t version = 2;
 
 std::uint64_t hash(std::span<const std::uint64_t> values) { return checksum(std::as_bytes(values)); }
 
@@ -63,8 +63,8 @@ std::vector<std::uint64_t> registration_fingerprints(std::span<const PhotoState>
     return out;
 }
 
-std::uint64_t registration_key(std::span<const std::uint64_t> fingerprints, EffectChoice choice) {
-    return hash(std::array{hash(fingerprints), std::uint64_t(choice), version});
+std::uint64_t registration_key(std::span<const std::uint64_t> fingerprints, EffectChoice choice, bool judge) {
+    return hash(std::array{hash(fingerprints), std::uint64_t(choice), std::uint64_t(judge), version});
 }
 
 std::optional<Registration> registration_of(const PackageReader& package, std::uint64_t key) {
@@ -118,7 +118,7 @@ std::optional<Registration> earlier_registration(const SceneKey& key, const Scen
     }
     const EffectChoice choice = choice_of(key.settings.effects, Effect::registration);
     const std::uint64_t wanted =
-        registration_key(registration_fingerprints(states, given, key.opengl), choice);
+        registration_key(registration_fingerprints(states, given, key.opengl), choice, key.settings.judge);
     for (const auto& package : earlier)
         if (package->finished())
             if (auto found = registration_of(package->reader(), wanted)) return found;

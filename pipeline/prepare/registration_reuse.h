@@ -22,7 +22,7 @@ std::vector<Pose> given_poses(const PackageReader& package);
 std::vector<std::uint64_t> registration_fingerprints(std::span<const package::PhotoState> states,
                                                      std::span<const Pose> given, bool opengl);
 /// XXH3-64 of all fingerprints and of the choice.
-std::uint64_t registration_key(std::span<const std::uint64_t> fingerprints, EffectChoice choice);
+std::uint64_t registration_key(std::span<const std::uint64_t> fingerprints, EffectChoice choice, bool judge);
 
 /// The registration stored in a package; none if it has another key or is damaged.
 std::optional<Registration> registration_of(const PackageReader& package, std::uint64_t key);

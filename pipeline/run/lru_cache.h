@@ -19,7 +19,7 @@ class LruCache {
     LruCache(std::size_t capacity, std::function<T(std::uint32_t photo)> read)
         : capacity_(capacity), read_(std::move(read)) {}
 
-    std::shared_ptr<const T> get(std::uint32_t photo) {
+    std::shared_ptr<const T> get(std::uint32_t photo) const {
         {
             const std::scoped_lock lock(mutex_);
             const auto found = std::ranges::find(entries_, photo, &Entry::first);
@@ -39,8 +39,8 @@ class LruCache {
     using Entry = std::pair<std::uint32_t, std::shared_ptr<const T>>;
     std::size_t capacity_;
     std::function<T(std::uint32_t photo)> read_;
-    std::mutex mutex_;
-    std::list<Entry> entries_;  ///< most recently used first
+    mutable std::mutex mutex_;
+    mutable std::list<Entry> entries_;  ///< most recently used first
 };
 
 }  // namespace vantage

@@ -41,6 +41,7 @@ struct PrepareSettings {
     std::uint64_t memory = 0;           ///< bytes; limits the number of photos in flight; 0: no limit
     std::vector<std::string> hold_out;  ///< photos whose pixels stay out of the package
     std::map<Effect, EffectChoice> effects;
+    bool judge = true;  ///< whether left-out photos must confirm the effects that all photos decide
 };
 
 }  // namespace vantage

@@ -30,14 +30,15 @@ CoarsePhoto photo_of_plane(double x, float exposure, double until = 1e9) {
             const float c = light_at(X, Y);
             photo.texels.push_back({{c, c, c}, {c, c, c}, X <= until ? 10.0f : infinite, 1});
         }
-    photo.fine_width = 2 * photo.k.width;
-    photo.fine_height = 2 * photo.k.height;
-    for (int v = 0; v < photo.fine_height; ++v)
-        for (int u = 0; u < photo.fine_width; ++u) {
+    const int fine_width = 2 * photo.k.width, fine_height = 2 * photo.k.height;
+    std::vector<std::array<float, 3>> fine;
+    for (int v = 0; v < fine_height; ++v)
+        for (int u = 0; u < fine_width; ++u) {
             const auto [X, Y] = plane((u + 0.5) / 2, (v + 0.5) / 2);
             const float c = light_at(X, Y);
-            photo.fine.push_back({c, c, c});
+            fine.push_back({c, c, c});
         }
+    photo.means = square_means(fine, fine_width, fine_height);
     return photo;
 }
 
@@ -83,8 +84,9 @@ TEST(Prediction, ContradictedTexelsAreLeftOut) {
         for (int x = 20; x < 40; ++x) {
             const std::size_t at = std::size_t(y * two.left.k.width + x);
             for (float& l : two.left.texels[at].linear) l = 0.9f;
-            for (const int i : {0, 1, two.left.fine_width, two.left.fine_width + 1})
-                two.left.fine[std::size_t(2 * y * two.left.fine_width + 2 * x + i)].fill(0.9f);
+            SquareMeans& means = two.left.means;
+            for (const int i : {0, 1, means.width, means.width + 1})
+                means.colors[std::size_t(2 * y * means.width + 2 * x + i)].fill(0.9f);
             weights[at] = 1;
         }
     two.seen = sightings(two.target, std::array{OtherPhoto{0, &two.left, two.left.pose},
@@ -107,4 +109,38 @@ TEST(Prediction, PhotosBehindTheSurfaceAndBehindTheCameraAreNotSeen) {
     EXPECT_EQ(scores[0].pixels, 0u);
     EXPECT_EQ(scores[0].psnr, 0);
     EXPECT_EQ(scores[0].seams, 0);
+}
+
+TEST(SquareMeans, GiveTheMeanAroundAnyPosition) {
+    // Red grows along x, green along y: their mean over a square is their value at its center.
+    std::vector<std::array<float, 3>> colors;
+    for (int y = 0; y < 6; ++y)
+        for (int x = 0; x < 8; ++x) colors.push_back({float(x) + 0.5f, float(y) + 0.5f, 1});
+    const SquareMeans means = square_means(colors, 8, 6);
+    for (const auto& [x, y] : {std::pair{1.0f, 1.0f}, {1.3f, 2.2f}, {3.4f, 0.6f}}) {
+        const Eigen::Array4f c = means.around(x, y);  // in squares of two texels
+        EXPECT_NEAR(c[0], 2 * x, 1e-5);
+        EXPECT_NEAR(c[1], 2 * y, 1e-5);
+        EXPECT_NEAR(c[2], 1, 1e-6);
+    }
+    EXPECT_NEAR(means.around(0, 0)[0], 0.5, 1e-6) << "at the frame, the texels inside";
+    EXPECT_NEAR(means.around(4, 3)[0], 7.5, 1e-6);
+    EXPECT_TRUE(square_means({}, 0, 0).colors.empty());
+}
+
+TEST(Prediction, EverySecondTexelIsPredictedAsAllAre) {
+    const TwoPhotos two;
+    const CoarsePhoto some = every_second_texel(two.target);
+    ASSERT_EQ(some.texels.size() * 4, two.target.texels.size());
+    const Sightings seen = sightings(
+        some, std::array{OtherPhoto{0, &two.left, two.left.pose}, OtherPhoto{1, &two.right, two.right.pose}});
+    const cv::Mat all = predict(two.target, two.seen, {}).color, part = predict(some, seen, {}).color;
+    for (int y = 0; y < part.rows; ++y)
+        for (int x = 0; x < part.cols; ++x) {
+            const float expected = all.at<cv::Vec3f>(2 * y, 2 * x)[0], found = part.at<cv::Vec3f>(y, x)[0];
+            if (std::isfinite(expected))
+                EXPECT_NEAR(found, expected, 0.3) << x << ' ' << y;
+            else
+                EXPECT_FALSE(std::isfinite(found)) << x << ' ' << y;
+        }
 }

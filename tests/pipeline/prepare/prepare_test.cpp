@@ -10,6 +10,7 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/model/subdivide.h"
+#include "pipeline/prepare/finish.h"
 #include "pipeline/results/check.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
@@ -192,4 +193,33 @@ TEST_F(Prepare, DamageAndTruncationAreReportedForEveryChunk) {
         ASSERT_EQ(issues.size(), 1u);
         EXPECT_EQ(issues[0].row().kind, Exit::damaged);
     }
+}
+
+/// On this scene, thresholds ask for consensus masks, which left-out photos refute.
+TEST_F(Prepare, WithoutTheJudgeThresholdsDecide) {
+    VANTAGE_DATASET(input, "sceaux");
+    PrepareSettings settings;
+    settings.photo_size = 1500;
+    settings.effects[Effect::registration] = EffectChoice::off;
+    const auto decided = [&] {
+        return prepare(read_scene(discover(input)), settings, dir / "a.vantage", quiet)
+            .agreement->consensus.decision;
+    };
+    const EffectDecision judged = decided();
+    EXPECT_FALSE(judged.on) << judged.evidence;
+    ASSERT_TRUE(judged.judgment);
+    EXPECT_LT(judged.judgment->gain, 0);
+    settings.judge = false;
+    const EffectDecision by_threshold = decided();
+    EXPECT_TRUE(by_threshold.on) << by_threshold.evidence;
+    EXPECT_FALSE(by_threshold.judgment);
+    EXPECT_EQ(by_threshold.evidence.find("left-out"), std::string::npos) << by_threshold.evidence;
+    fs::remove(dir / "a.vantage");
+    prepare(read_scene(discover(input)), settings, dir / "a.vantage", quiet);
+    const std::string fresh = slurp(dir / "a.vantage");
+    settings.judge = true;
+    decided();
+    settings.judge = false;
+    decided();
+    EXPECT_TRUE(slurp(dir / "a.vantage") == fresh) << "judged and back";
 }
