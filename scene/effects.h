@@ -56,6 +56,7 @@ inline bool from_all_photos(const EffectRow& row) { return row.basis != Basis::s
 struct Judgment {
     int photos = 0;              ///< judged
     double gain = 0, error = 0;  ///< dB after the best gain per channel: mean, and its standard error
+    double noise = 0;            ///< dB: the standard error that the losses suggest, see summarize
     double worst = 0;            ///< dB, of the photo that gains least
     int worse = 0;               ///< number of photos that lose
     double ssim = 0;             ///< mean change

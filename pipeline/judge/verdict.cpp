@@ -17,7 +17,7 @@ constexpr double fewer_seams = 0.9;  ///< of the seams without the effect
 
 Judgment summarize(std::span<const JudgedPhoto> photos) {
     Judgment j;
-    double squares = 0;
+    double squares = 0, losses = 0;
     for (const JudgedPhoto& p : photos) {
         if (p.without.pixels < min_pixels) continue;
         const double gain = p.with.psnr - p.without.psnr;
@@ -26,6 +26,7 @@ Judgment summarize(std::span<const JudgedPhoto> photos) {
         j.worse += gain < 0;
         j.gain += gain;
         squares += gain * gain;
+        losses += std::pow(std::min(gain, 0.0), 2);
         j.ssim += p.with.ssim - p.without.ssim;
         j.seams_before += p.without.seams;
         j.seams_after += p.with.seams;
@@ -34,12 +35,13 @@ Judgment summarize(std::span<const JudgedPhoto> photos) {
     const double n = j.photos;
     for (double* mean : {&j.gain, &j.ssim, &j.seams_before, &j.seams_after}) *mean /= n;
     j.error = n > 1 ? std::sqrt(std::max(squares / n - j.gain * j.gain, 0.0) / (n - 1)) : 0;
+    j.noise = std::sqrt(2 * losses) / n;
     return j;
 }
 
 bool is_called_for(const Judgment& j) {
     if (j.photos < min_judged_photos || j.worst < -max_loss) return false;
-    if (j.gain > 2 * j.error && j.gain > negligible) return true;
+    if (j.gain > 2 * std::min(j.error, j.noise) && j.gain > negligible) return true;
     return j.gain > -std::max(j.error, negligible) && j.seams_after <= fewer_seams * j.seams_before;
 }
 

@@ -15,15 +15,17 @@ struct JudgedPhoto {
     JudgeScore without, with;
 };
 
-/// Summarizes photos of at least 200 scored pixels; no photos: all 0.
+/// Summarizes photos of at least 200 scored pixels; no photos: all 0. `noise` is the standard error of the
+/// mean if chance made as many photos gain as lose, by as much: where one wrong camera is mended, few photos
+/// gain much and none loses, and the spread of the gains is not noise.
 Judgment summarize(std::span<const JudgedPhoto> photos);
 
 /// Fewer photos do not judge an effect.
 inline constexpr int min_judged_photos = 3;
 
-/// Whether an effect is worth having: left-out photos gain (more than twice the standard error of the mean),
-/// or lose nothing within that error while seams fall by a tenth; and no photo loses more than half a
-/// decibel. False for fewer than three photos.
+/// Whether an effect is worth having: left-out photos gain (more than twice the noise, or twice the standard
+/// error of the mean), or lose nothing within that error while seams fall by a tenth; and no photo loses more
+/// than half a decibel. False for fewer than three photos.
 bool is_called_for(const Judgment& judgment);
 
 /// Lets left-out photos confirm an effect that is on: adds the judgment and its sentence to the decision, and

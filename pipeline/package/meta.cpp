@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Judgment, photos, gain, error, worst, worse, ssim, seams_before,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Judgment, photos, gain, error, noise, worst, worse, ssim, seams_before,
                                    seams_after, worst_photo)
 
 namespace {

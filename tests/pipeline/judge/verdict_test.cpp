@@ -21,6 +21,7 @@ TEST(Verdict, SummarizesGainErrorAndWorstPhoto) {
     const Judgment j = judged({0.1, 0.3, -0.1, 0.5});
     EXPECT_NEAR(j.gain, 0.2, 1e-9);
     EXPECT_NEAR(j.error, 0.1291, 1e-4) << "standard error of the mean";
+    EXPECT_NEAR(j.noise, 0.0354, 1e-4) << "the loss of 0.1, once up and once down, among 4 photos";
     EXPECT_EQ(j.worse, 1);
     EXPECT_EQ(j.worst_photo, "photo2");
     EXPECT_NEAR(j.worst, -0.1, 1e-9);
@@ -29,6 +30,8 @@ TEST(Verdict, SummarizesGainErrorAndWorstPhoto) {
 TEST(Verdict, ClearGainCallsForAnEffect) {
     EXPECT_TRUE(is_called_for(judged({0.2, 0.3, 0.25})));
     EXPECT_FALSE(is_called_for(judged({1, -0.4, 0.1}))) << "within the error";
+    EXPECT_TRUE(is_called_for(judged({4, 1, 0, 0.01, -0.01, 0}))) << "few photos gain, and none loses";
+    EXPECT_FALSE(is_called_for(judged({2, 0.3, -0.4, -0.4, -0.4, -0.4}))) << "one gains, and most lose";
     EXPECT_FALSE(is_called_for(judged({0, 0, 0})));
     EXPECT_FALSE(is_called_for(judged({-0.2, -0.3, -0.25})));
 }
