@@ -12,31 +12,12 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Matrix7 = Eigen::Matrix<double, 7, 7>;
-using Vector7 = Eigen::Matrix<double, 7, 1>;
 
 /// Calls visit(photo) for every photo that shows the track.
 template <class Visit>
 void for_each_photo_of(const Track& track, const Visit& visit) {
     visit(track.photo);
     for (const Match& m : track.matches) visit(m.photo);
-}
-
-/// Derivative of the pixel with respect to the similarity: rotation about `middle` (rad), translation (units
-/// of `size`), ln scale.
-Eigen::Matrix<double, 2, 7> derivative(const Intrinsics& k, const Pose& pose, const Vector3d& x,
-                                       const Vector3d& middle, double size) {
-    const Vector3d p = pose.R * x + pose.t;
-    Eigen::Matrix<double, 2, 3> of_camera;
-    of_camera << k.fx / p.z(), 0, -k.fx * p.x() / (p.z() * p.z()), 0, k.fy / p.z(),
-        -k.fy * p.y() / (p.z() * p.z());
-    const Vector3d from_middle = x - middle;
-    Eigen::Matrix<double, 3, 7> of_point;
-    for (int a = 0; a < 3; ++a) {
-        of_point.col(a) = Vector3d::Unit(a).cross(from_middle);
-        of_point.col(3 + a) = Vector3d::Unit(a) * size;
-    }
-    of_point.col(6) = from_middle;
-    return of_camera * pose.R * of_point;
 }
 
 }  // namespace
@@ -49,36 +30,57 @@ Similarity inverse(const Similarity& s) {
     return {s.R.transpose(), -(s.R.transpose() * s.t) / s.scale, 1 / s.scale};
 }
 
+Eigen::Matrix<double, 2, 3> pixel_derivative(const Intrinsics& k, const Vector3d& p) {
+    Eigen::Matrix<double, 2, 3> out;
+    out << k.fx / p.z(), 0, -k.fx * p.x() / (p.z() * p.z()), 0, k.fy / p.z(), -k.fy * p.y() / (p.z() * p.z());
+    return out;
+}
+
+Eigen::Matrix<double, 2, 7> motion_derivative(const Intrinsics& k, const Pose& pose, const Vector3d& x,
+                                              const MotionFrame& frame) {
+    const Vector3d from_middle = x - frame.middle;
+    Eigen::Matrix<double, 3, 7> of_point;
+    for (int a = 0; a < 3; ++a) {
+        of_point.col(a) = Vector3d::Unit(a).cross(from_middle);
+        of_point.col(3 + a) = Vector3d::Unit(a) * frame.size;
+    }
+    of_point.col(6) = from_middle;
+    return pixel_derivative(k, pose.R * x + pose.t) * pose.R * of_point;
+}
+
+Similarity similarity(const SmallMotion& d, const MotionFrame& frame) {
+    const Vector3d turn = d.head<3>();
+    Similarity out;
+    out.R = Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()).toRotationMatrix();
+    out.scale = std::exp(d(6));
+    out.t = frame.middle + frame.size * Vector3d(d.segment<3>(3)) - out.scale * (out.R * frame.middle);
+    return out;
+}
+
 Similarity common_motion(std::span<const Intrinsics> intrinsics, std::span<const Pose> given,
                          std::span<const Pose> now, std::span<const Track> tracks) {
     if (tracks.empty()) return {};
-    Vector3d middle = Vector3d::Zero();
-    for (const Track& s : tracks) middle += s.point / double(tracks.size());
-    double size = 0;
-    for (const Track& s : tracks) size += (s.point - middle).norm() / double(tracks.size());
+    MotionFrame frame{Vector3d::Zero(), 0};
+    for (const Track& s : tracks) frame.middle += s.point / double(tracks.size());
+    for (const Track& s : tracks) frame.size += (s.point - frame.middle).norm() / double(tracks.size());
     // A single point determines neither rotation nor scale.
     const Pose& first = given[tracks.front().photo];
-    if (!(size > 1e-9 * (first.R * middle + first.t).norm())) return {};
+    if (!(frame.size > 1e-9 * (first.R * frame.middle + first.t).norm())) return {};
     Matrix7 normal = Matrix7::Zero();
-    Vector7 right = Vector7::Zero();
+    SmallMotion right = SmallMotion::Zero();
     for (const Track& s : tracks)
         for_each_photo_of(s, [&](std::uint32_t i) {
             const auto a = project(intrinsics[i], given[i], s.point),
                        b = project(intrinsics[i], now[i], s.point);
             if (!a || !b) return;
-            const auto j = derivative(intrinsics[i], given[i], s.point, middle, size);
+            const auto j = motion_derivative(intrinsics[i], given[i], s.point, frame);
             normal += j.transpose() * j;
             right += j.transpose() * (b->pixel - a->pixel);
         });
     normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff() + 1e-300;
-    const Vector7 d = normal.ldlt().solve(right);
+    const SmallMotion d = normal.ldlt().solve(right);
     if (!d.allFinite() || std::abs(d(6)) > 1) return {};
-    const Vector3d turn = d.head<3>();
-    Similarity out;
-    out.R = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
-    out.scale = std::exp(d(6));
-    out.t = middle + size * Vector3d(d.segment<3>(3)) - out.scale * (out.R * middle);
-    return out;
+    return similarity(d, frame);
 }
 
 double median_motion(std::span<const Intrinsics> intrinsics, std::span<const Pose> a, std::span<const Pose> b,

@@ -20,6 +20,21 @@ struct Similarity {
 Pose compose(const Pose& pose, const Similarity& s);
 Similarity inverse(const Similarity& s);
 
+/// A small similarity: rotation about the middle (rad), translation (units of `size`), ln scale.
+using SmallMotion = Eigen::Matrix<double, 7, 1>;
+/// Where small motions are about, and their unit of length.
+struct MotionFrame {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    double size = 1;
+};
+Similarity similarity(const SmallMotion& motion, const MotionFrame& frame);
+/// Derivative of the pixel with respect to the point in camera space, which must be in front of the camera.
+Eigen::Matrix<double, 2, 3> pixel_derivative(const Intrinsics& k, const Eigen::Vector3d& in_camera);
+/// Derivative of the pixel at which the camera sees S(x), with respect to S. x must be in front of the
+/// camera.
+Eigen::Matrix<double, 2, 7> motion_derivative(const Intrinsics& k, const Pose& pose, const Eigen::Vector3d& x,
+                                              const MotionFrame& frame);
+
 /// The common motion of all cameras: the similarity S for which the given cameras project S(x) closest to
 /// where the new ones project x. Least squares over the tracks' points, linearized for motions of a few
 /// pixels. The identity if the tracks do not determine it.

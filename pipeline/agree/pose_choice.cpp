@@ -30,11 +30,13 @@ std::vector<PairRecord> pairs_without(std::span<const PairRecord> pairs,
     return out;
 }
 
-/// Photos that are displaced relative to all others, the worst first; at most a third of all.
-std::vector<std::uint32_t> odd_photos(const RegistrationInput& in, std::span<const PairRecord> pairs) {
+/// Photos that are displaced relative to all others, the worst first; at most a third of all. None of those
+/// that stay.
+std::vector<std::uint32_t> odd_photos(const RegistrationInput& in, std::span<const PairRecord> pairs,
+                                      std::span<const std::uint32_t> stay) {
     std::vector<std::uint32_t> odd;
     while (odd.size() < in.photos.size() / 3) {
-        const std::vector<PairRecord> rest = pairs_without(pairs, odd);
+        std::vector<PairRecord> rest = pairs_without(pairs_without(pairs, odd), stay);
         double worst = 0;
         std::uint32_t photo = 0;
         for (std::uint32_t i = 0; i < in.photos.size(); ++i) {
@@ -54,10 +56,14 @@ struct Candidate {
     std::vector<std::vector<Pose>> without;  ///< per fold
 };
 
-Candidate candidate(const PoseRounds& rounds, const Folds& folds, PoseSolution solution, bool common_kept) {
+/// Which cameras a solution moves.
+enum class Moved { odd_ones, all, together };
+
+Candidate candidate(const PoseRounds& rounds, const Folds& folds, PoseSolution solution, Moved which) {
     Candidate c{std::move(solution), {}};
     for (const Fold& f : folds.all())
-        c.without.push_back(rounds.poses_without(c.solution, f.photo, common_kept));
+        c.without.push_back(which == Moved::together ? c.solution.poses
+                                                     : rounds.poses_without(c.solution, f.photo));
     return c;
 }
 
@@ -102,7 +108,7 @@ void keep_uncertain(const PoseRounds& rounds, const Folds& folds, Candidate& c) 
     for (std::uint32_t i = 0; i < c.solution.photos.size(); ++i) {
         PhotoRegistration& p = c.solution.photos[i];
         if (!p.pose) continue;
-        p.uncertainty = uncertainty(rounds, folds, c, i);
+        p.uncertainty = std::max(p.uncertainty, uncertainty(rounds, folds, c, i));
         if (p.by <= p.uncertainty) p.pose.reset();
     }
 }
@@ -135,21 +141,21 @@ class PoseChoice {
           gains_(colors_without(folds_, lenses_of(in.photos), false)) {}
 
     /// Takes the solution if it is better than what has been taken so far.
-    void consider(PoseSolution solution, const std::string& of, bool common_kept = false) {
+    void consider(PoseSolution solution, const std::string& of, Moved which) {
         if (moved(solution) == 0) return reject(of + " would not improve holdout corners");
         if (solution.after > explained * solution.before)
             return reject(fmt::format(
                 "{} would reduce the error of holdout corners only from {:.2f} to {:.2f} px, so that "
                 "the mesh or the lens is the likely cause",
                 of, solution.before, solution.after));
-        Candidate c = candidate(rounds_, folds_, std::move(solution), common_kept);
+        Candidate c = candidate(rounds_, folds_, std::move(solution), which);
         std::string judged;
         if (judge_) {
             const Candidate* taken = taken_ ? &*taken_ : nullptr;
             const Judgment fitted = judge(rounds_, folds_, gains_, taken, c, Own::fitted);
             if (!is_called_for(fitted)) return reject(of + ": " + sentence(fitted));
             const Judgment given = judge(rounds_, folds_, gains_, taken, c, Own::given);
-            if (given.gain < -2 * given.error || (common_kept && !is_called_for(given)))
+            if (given.gain < -2 * given.error || (which == Moved::together && !is_called_for(given)))
                 return reject(of + " would leave the frame of the given cameras: " + sentence(given));
             out_.decision.judgment = fitted;
             judged = "; " + sentence(fitted);
@@ -182,20 +188,25 @@ class PoseChoice {
 
 }  // namespace
 
-void choose_poses(const RegistrationInput& in, Registration& out) {
+void choose_poses(const RegistrationInput& in, const SystematicErrors& errors, Registration& out) {
     PoseChoice choice(in, out);
-    const std::vector<std::uint32_t> odd = odd_photos(in, out.pairs);
+    std::vector<std::uint32_t> stay;
+    for (const LensError& e : errors.lenses) stay.insert(stay.end(), e.photos.begin(), e.photos.end());
+    const std::vector<std::uint32_t> odd = odd_photos(in, out.pairs, stay);
     if (!odd.empty())
-        choice.consider(choice.rounds().fit_some(odd), fmt::format("moving {} of the cameras", odd.size()));
-    const std::vector<PairRecord> rest = pairs_without(out.pairs, odd);
-    if (odd.empty() || !choice.any() || disagreement(in, rest) > 1) {
+        choice.consider(choice.rounds().fit_some(odd), fmt::format("moving {} of the cameras", odd.size()),
+                        Moved::odd_ones);
+    if (!stay.empty()) {
+        out.decision.evidence += "; poses would hide the lens's error: cameras stay";
+    } else if (errors.common_motion > 0) {
+        choice.consider(choice.rounds().moved_together(errors.common, errors.uncertainty),
+                        "moving them together", Moved::together);
+    } else if (odd.empty() || !choice.any() || disagreement(in, pairs_without(out.pairs, odd)) > 1) {
         const PoseSolution all = choice.rounds().fit_all();
-        choice.consider(all, "moving all cameras");
-        if (all.common_motion > noticed_common && all.after <= explained * all.before) {
-            out.decision.evidence += fmt::format(
-                "; all cameras together are displaced by {:.2f} px from the mesh", all.common_motion);
-            choice.consider(choice.rounds().with_common_motion(all), "moving them together", true);
-        }
+        choice.consider(all, "moving all cameras", Moved::all);
+        if (choice.any() && all.common_motion > noticed_common)
+            out.decision.evidence +=
+                fmt::format("; their common motion of {:.2f} px was taken back", all.common_motion);
     }
     choice.finish();
 }

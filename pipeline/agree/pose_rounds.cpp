@@ -104,9 +104,9 @@ std::vector<PoseChange> PoseRounds::solve(const std::vector<FittedCamera>& camer
 }
 
 void PoseRounds::take_back_common_motion(PoseSolution& s) const {
-    s.common = common_motion(intrinsics_, given_, s.poses, s.matched.tracks);
+    const Similarity back = inverse(common_motion(intrinsics_, given_, s.poses, s.matched.tracks));
     const Poses now = s.poses;
-    for (Pose& p : s.poses) p = compose(p, inverse(s.common));
+    for (Pose& p : s.poses) p = compose(p, back);
     s.common_motion = median_motion(intrinsics_, now, s.poses, s.matched.tracks);
 }
 
@@ -171,19 +171,23 @@ PoseSolution PoseRounds::fit_all() const {
     return s;
 }
 
-PoseSolution PoseRounds::with_common_motion(const PoseSolution& all) const {
-    PoseSolution s = all;
-    for (std::size_t i = 0; i < s.poses.size(); ++i) {
-        if (in_.photos[i].levels == 0) continue;
-        s.poses[i] = compose(s.poses[i], s.common);
+PoseSolution PoseRounds::moved_together(const Similarity& common, double uncertainty) const {
+    const std::size_t n = in_.photos.size();
+    PoseSolution s{
+        .photos = std::vector<PhotoRegistration>(n), .poses = {}, .cameras = cameras_, .matched = {}};
+    for (const Pose& p : given_) s.poses.push_back(compose(p, common));
+    s.matched = match(s.poses, pairs_, fine);
+    const std::vector<double> before = holdout_displacement(before_, n),
+                              after = holdout_displacement(s.matched, n);
+    s.before = before.back(), s.after = after.back();
+    for (std::size_t i = 0; i < n; ++i) {
         const double by = median_motion(intrinsics_, given_, s.poses, s.matched.tracks, std::uint32_t(i));
-        if (by > 0) s.photos[i] = {s.poses[i], by, all.photos[i].before, all.photos[i].after};
+        if (in_.photos[i].levels > 0) s.photos[i] = {s.poses[i], by, before[i], after[i], uncertainty};
     }
     return s;
 }
 
-std::vector<Pose> PoseRounds::poses_without(const PoseSolution& s, std::uint32_t photo,
-                                            bool common_kept) const {
+std::vector<Pose> PoseRounds::poses_without(const PoseSolution& s, std::uint32_t photo) const {
     std::vector<PoseChange> change(s.cameras.size());
     const std::vector<Track> tracks = tracks_without(s.matched.tracks, photo);
     if (!fit_poses(s.cameras, subset(tracks, Subset::fitting), anchor, sigma_, change).usable) return given_;
@@ -192,8 +196,6 @@ std::vector<Pose> PoseRounds::poses_without(const PoseSolution& s, std::uint32_t
         const Similarity back = inverse(common_motion(intrinsics_, given_, out, tracks));
         for (std::size_t i = 0; i < out.size(); ++i)
             if (!s.cameras[i].fixed) out[i] = compose(out[i], back);
-        if (common_kept)
-            for (Pose& p : out) p = compose(p, inverse(back));
     }
     return out;
 }

@@ -14,8 +14,8 @@ struct PoseSolution {
     std::vector<FittedCamera> cameras;  ///< `fixed` are those that were not moved
     Matching matched;                   ///< under these poses
     double before = 0, after = 0;       ///< median displacement of holdout corners, px
-    Similarity common{};                ///< motion of all cameras, taken back
-    double common_motion = 0;  ///< the same in px, median; 0 if some cameras were fixed from the start
+    /// Motion of all cameras that was taken back, px, median; 0 if some cameras were fixed from the start.
+    double common_motion = 0;
 };
 
 /// Alternates between matching photos and fitting their poses.
@@ -29,12 +29,11 @@ class PoseRounds {
     /// without pairs disagreeing. The frame belongs to the survey, so the motion is taken back. Throws
     /// Error(damaged).
     PoseSolution fit_all() const;
-    /// fit_all with the common motion.
-    PoseSolution with_common_motion(const PoseSolution& all) const;
+    /// The given poses moved together; `uncertainty`: of that motion, px. Throws Error(damaged).
+    PoseSolution moved_together(const Similarity& common, double uncertainty) const;
 
     /// The solution's poses, fitted to the same matches except those of one photo.
-    std::vector<Pose> poses_without(const PoseSolution& solution, std::uint32_t photo,
-                                    bool common_kept) const;
+    std::vector<Pose> poses_without(const PoseSolution& solution, std::uint32_t photo) const;
     /// A photo's pose fitted to its matches with the others, which stay: to those found under the given poses
     /// (null), or under a solution's. The pose in `poses` if there are none.
     Pose resection(const PoseSolution* solution, std::span<const Pose> poses, std::uint32_t photo) const;

@@ -10,6 +10,7 @@
 
 #include "pipeline/agree/pose_choice.h"
 #include "pipeline/agree/swapped_cameras.h"
+#include "pipeline/agree/systematic_errors.h"
 #include "scene/checksum.h"
 #include "scene/package_writer.h"
 #include "values/quantile.h"
@@ -141,19 +142,23 @@ Registration register_photos(const RegistrationInput& in, EffectChoice choice) {
         if (std::ranges::any_of(out.pairs, contradicts)) out.warnings.push_back(why);
         return out;
     }
+    const bool flat = is_flat(in);
+    const SystematicErrors errors = flat ? SystematicErrors{} : systematic_errors(in, out.pairs);
+    for (const LensError& e : errors.lenses) out.warnings.push_back(e.words);
     std::string found;
     const double measured = disagreement(in, out.pairs, &found);
     out.decision = decide(Effect::registration, choice, measured, found);
+    if (errors.common_motion > 0) out.decision.evidence += "; " + errors.words;
     if (!out.decision.on) {
         out.decision.evidence += "; nothing to register";
         return out;
     }
-    if (is_flat(in)) {
+    if (flat) {
         out.decision.on = false;
         out.decision.evidence += "; no camera was moved, because a flat surface does not determine them";
         return out;
     }
-    choose_poses(in, out);
+    choose_poses(in, errors, out);
     return out;
 }
 
