@@ -9,7 +9,6 @@
 #include "pipeline/judge/coarse_photo.h"
 #include "pipeline/package/tile_levels.h"
 #include "scene/tiling.h"
-#include "values/grid.h"
 #include "values/quantile.h"
 
 namespace vantage {
