@@ -258,6 +258,20 @@ TEST(RealRegistration, StaysOffOnAccurateScenes) {
     }
 }
 
+TEST(RealRegistration, NamesAWrongFocalLength) {
+    VANTAGE_DATASET(dataset, "sceaux-small");
+    SceneInput input = read_scene(discover(dataset));
+    for (PhotoInput& p : input.photos) p.camera.intrinsics.fx *= 1.01, p.camera.intrinsics.fy *= 1.01;
+    const fs::path file = fs::temp_directory_path() / "focal.registration.vantage";
+    const auto done = prepare(std::move(input), {}, file, [](const Progress&) {});
+    const Registration& r = done.agreement->registration;
+    ASSERT_EQ(r.warnings.size(), 1u) << r.decision.evidence;
+    EXPECT_NE(r.warnings[0].find("the focal length is likely 1.0 % too long"), std::string::npos)
+        << r.warnings[0];
+    for (const PhotoRegistration& p : r.photos) EXPECT_FALSE(p.pose);
+    fs::remove(file);
+}
+
 /// Corrects cameras that are 3 px off, up to the position of the whole frame on the model, which photos do
 /// not determine.
 TEST(RealRegistration, RecoversPerturbedCameras) {
