@@ -18,8 +18,6 @@ using package::PairRecord;
 
 constexpr double explained = 0.5;       ///< share of the displacement that must be left at most
 constexpr double noticed_common = 1;    ///< px
-constexpr double min_gain = 0.02;       ///< dB, mean over all photos
-constexpr double lost_by_few = 0.1;     ///< of what other photos gain, at most
 constexpr int long_side = 384;          ///< texels at which poses are judged
 constexpr std::size_t max_judged = 12;  ///< photos
 
@@ -67,14 +65,6 @@ Candidate candidate(const PoseRounds& rounds, const Folds& folds, PoseSolution s
         c.without.push_back(which == Moved::together ? c.solution.poses
                                                      : rounds.poses_without(c.solution, f.photo));
     return c;
-}
-
-/// Few cameras change few predictions, so that the standard error over all photos stays large: they need only
-/// gain and hardly lose anywhere.
-bool is_called_for(const Judgment& j, Moved which) {
-    if (is_called_for(j)) return true;
-    return which == Moved::odd_ones && j.photos >= min_judged_photos && j.gain > min_gain &&
-           -j.worst * j.worse <= lost_by_few * j.gain * j.photos;
 }
 
 /// From where a left-out photo is predicted: its given camera tells whether the frame of the survey is kept;
@@ -163,7 +153,7 @@ class PoseChoice {
         if (judge_) {
             const Candidate* taken = taken_ ? &*taken_ : nullptr;
             const Judgment fitted = judge(rounds_, folds_, gains_, taken, c, Own::fitted);
-            if (!is_called_for(fitted, which)) return reject(of + ": " + sentence(fitted));
+            if (!is_called_for(fitted)) return reject(of + ": " + sentence(fitted));
             const Judgment given = judge(rounds_, folds_, gains_, taken, c, Own::given);
             if (given.gain < -2 * given.error || (which == Moved::together && !is_called_for(given)))
                 return reject(of + " would leave the frame of the given cameras: " + sentence(given));

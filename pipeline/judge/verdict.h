@@ -25,7 +25,7 @@ inline constexpr int min_judged_photos = 3;
 
 /// Whether an effect is worth having: left-out photos gain (more than twice the noise, or twice the standard
 /// error of the mean), or lose nothing within that error while seams fall by a tenth; and no photo loses more
-/// than half a decibel. False for fewer than three photos.
+/// than 0.75 dB. False for fewer than three photos.
 bool is_called_for(const Judgment& judgment);
 
 /// Lets left-out photos confirm an effect that is on: adds the judgment and its sentence to the decision, and

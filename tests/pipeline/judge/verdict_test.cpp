@@ -43,7 +43,7 @@ TEST(Verdict, FewerSeamsCallForAnEffectThatLosesNothing) {
 }
 
 TEST(Verdict, NoPhotoMayLoseMuch) {
-    EXPECT_FALSE(is_called_for(judged({2, 2.1, 1.9, 2, 2, 2, 2, 2, -0.6}, 0.5)));
+    EXPECT_FALSE(is_called_for(judged({2, 2.1, 1.9, 2, 2, 2, 2, 2, -0.9}, 0.5)));
 }
 
 TEST(Verdict, TooFewPhotosDoNotJudge) {
