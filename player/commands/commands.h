@@ -2,8 +2,8 @@
 #include <CLI/CLI.hpp>
 
 #include "player/commands/unused_options.h"
+#include "player/evaluate/evaluate.h"
 #include "player/measure/bench.h"
-#include "player/measure/evaluate.h"
 #include "player/options/show_options.h"
 #include "player/verify/verify.h"
 

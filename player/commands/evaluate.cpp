@@ -1,4 +1,4 @@
-#include "player/measure/evaluate.h"
+#include "player/evaluate/evaluate.h"
 
 #include "player/commands/commands.h"
 #include "player/commands/parse.h"

@@ -1,4 +1,4 @@
-#include "player/measure/evaluate.h"
+#include "player/evaluate/evaluate.h"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesize.h"
-#include "player/measure/colors_without.h"
-#include "player/measure/left_out.h"
+#include "player/evaluate/colors_without.h"
+#include "player/evaluate/left_out.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gl/context.h"
-#include "player/measure/picture_metrics.h"
+#include "player/evaluate/picture_metrics.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/scenes/evenly_spread.h"

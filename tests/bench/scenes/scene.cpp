@@ -16,7 +16,7 @@
 #include "pipeline/run/progress.h"
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/synthesize.h"
-#include "player/measure/photo_pixels.h"
+#include "player/evaluate/photo_pixels.h"
 #include "scene/error.h"
 #include "tests/bench/scenes/crop.h"
 #include "tests/bench/scenes/surface_points.h"

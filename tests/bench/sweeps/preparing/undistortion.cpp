@@ -11,7 +11,7 @@
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/synthesize.h"
-#include "player/measure/picture_metrics.h"
+#include "player/evaluate/picture_metrics.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"

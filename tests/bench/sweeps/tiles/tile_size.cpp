@@ -6,7 +6,7 @@
 #include "gl/context.h"
 #include "gl/object.h"
 #include "pipeline/synth/ray_scene.h"
-#include "player/measure/photo_pixels.h"
+#include "player/evaluate/photo_pixels.h"
 #include "player/plan/sampling.h"
 #include "scene/tiling.h"
 #include "tests/bench/measure/mean.h"

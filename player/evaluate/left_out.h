@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "player/measure/change.h"
+#include "player/evaluate/change.h"
 #include "player/render/renderer.h"
 
 namespace vantage {

@@ -1,10 +1,10 @@
-#include "player/measure/left_out.h"
+#include "player/evaluate/left_out.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "player/measure/photo_pixels.h"
+#include "player/evaluate/photo_pixels.h"
 #include "scene/tiling.h"
 #include "values/grid.h"
 #include "values/quantile.h"

@@ -1,4 +1,4 @@
-#include "player/measure/photo_pixels.h"
+#include "player/evaluate/photo_pixels.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "player/measure/evaluation_page.h"
+#include "player/evaluate/evaluation_page.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "player/measure/change.h"
+#include "player/evaluate/change.h"
 
 #include <algorithm>
 #include <cmath>

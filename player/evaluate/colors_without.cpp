@@ -1,4 +1,4 @@
-#include "player/measure/colors_without.h"
+#include "player/evaluate/colors_without.h"
 
 #include "colors/color_fit.h"
 

@@ -1,4 +1,4 @@
-#include "player/measure/picture_metrics.h"
+#include "player/evaluate/picture_metrics.h"
 
 #include <algorithm>
 #include <cmath>

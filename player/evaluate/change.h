@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "player/measure/picture_metrics.h"
+#include "player/evaluate/picture_metrics.h"
 
 namespace vantage {
 

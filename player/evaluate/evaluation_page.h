@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "player/measure/left_out.h"
+#include "player/evaluate/left_out.h"
 
 namespace vantage {
 

@@ -1,4 +1,4 @@
-#include "player/measure/evaluate.h"
+#include "player/evaluate/evaluate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include "gl/context.h"
 #include "output/make_folder.h"
 #include "player/camera/shots.h"
-#include "player/measure/colors_without.h"
-#include "player/measure/evaluation_page.h"
-#include "player/measure/left_out.h"
+#include "player/evaluate/colors_without.h"
+#include "player/evaluate/evaluation_page.h"
+#include "player/evaluate/left_out.h"
 #include "scene/error.h"
 
 namespace vantage {
