@@ -2,13 +2,9 @@
 #include <optional>
 
 #include "player/evaluate/picture_metrics.h"
+#include "player/evaluate/place.h"
 
 namespace vantage {
-
-/// A part of a picture, in its pixels.
-struct Place {
-    int x, y, width, height;
-};
 
 /// The change between two pictures of one photo's view, over the pixels that both show.
 struct Change {
@@ -21,8 +17,5 @@ struct Change {
 /// All pictures have the same size; `scored`: one flag per pixel.
 Change change_of(const Picture& photo, const Picture& before, const Picture& after,
                  const std::vector<bool>& scored);
-
-/// Crops of the photo and of both pictures, left to right.
-Picture side_by_side(const Picture& photo, const Picture& before, const Picture& after, const Place& place);
 
 }  // namespace vantage

@@ -1,5 +1,3 @@
-#include "player/evaluate/evaluate.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,6 +7,7 @@
 #include "output/make_folder.h"
 #include "player/camera/shots.h"
 #include "player/evaluate/colors_without.h"
+#include "player/evaluate/evaluate.h"
 #include "player/evaluate/evaluation_page.h"
 #include "player/evaluate/left_out.h"
 #include "scene/error.h"
@@ -37,7 +36,9 @@ void compare(const EvaluateOptions& o, LeftOut& r, const LeftOutPictures& p) {
     r.change = change_of(p.photo, before, p.rendered, both);
     for (const auto& [place, kind] :
          {std::pair{r.change->better, "-better.png"}, std::pair{r.change->worse, "-worse.png"}})
-        if (place) write_png(o.folder / (r.name + kind), side_by_side(p.photo, before, p.rendered, *place));
+        if (place)
+            write_png(o.folder / (r.name + kind),
+                      side_by_side(std::array{&p.photo, &before, &p.rendered}, *place));
 }
 
 void write_photos(const std::filesystem::path& file, const std::vector<LeftOut>& results) {

@@ -3,77 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "player/evaluate/luminance.h"
+
 namespace vantage {
 namespace {
-
-/// One value per pixel.
-struct Plane {
-    int width, height;
-    std::vector<double> values;
-    double& at(int x, int y) { return values[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
-    double at(int x, int y) const { return values[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
-};
-
-Plane plane(const Picture& p) { return {p.width, p.height, std::vector<double>(p.rgba.size() / 4, 0)}; }
-
-/// BT.601 luminance after gains, rounded as in 8-bit pictures.
-Plane luminance(const Picture& p, const std::array<double, 3>& gain = {1, 1, 1}) {
-    Plane out = plane(p);
-    for (std::size_t i = 0; i < out.values.size(); ++i)
-        out.values[i] = std::round(0.299 * gain[0] * p.rgba[4 * i] + 0.587 * gain[1] * p.rgba[4 * i + 1] +
-                                   0.114 * gain[2] * p.rgba[4 * i + 2]);
-    return out;
-}
-
-constexpr int window = 5;  // pixels to each side
-std::array<double, 2 * window + 1> gaussian() {
-    std::array<double, 2 * window + 1> g{};
-    double sum = 0;
-    for (int i = -window; i <= window; ++i)
-        sum += g[std::size_t(i + window)] = std::exp(-i * i / (2 * 1.5 * 1.5));
-    for (double& v : g) v /= sum;
-    return g;
-}
-
-/// Gaussian-weighted sums around every pixel; values outside the frame count as 0.
-Plane blurred(const Plane& p) {
-    static const auto g = gaussian();
-    Plane rows{p.width, p.height, std::vector<double>(p.values.size(), 0)}, out = rows;
-    for (int y = 0; y < p.height; ++y)
-        for (int x = 0; x < p.width; ++x)
-            for (int i = std::max(-window, -x); i <= std::min(window, p.width - 1 - x); ++i)
-                rows.at(x, y) += g[std::size_t(i + window)] * p.at(x + i, y);
-    for (int y = 0; y < p.height; ++y)
-        for (int i = std::max(-window, -y); i <= std::min(window, p.height - 1 - y); ++i)
-            for (int x = 0; x < p.width; ++x) out.at(x, y) += g[std::size_t(i + window)] * rows.at(x, y + i);
-    return out;
-}
-
-double mean_ssim(const Picture& photo, const Picture& picture, const std::vector<bool>& scored,
-                 std::size_t pixels) {
-    const Plane a = luminance(photo), b = luminance(picture);
-    const auto moment = [&](const auto& value) {
-        Plane p = plane(photo);
-        for (std::size_t i = 0; i < p.values.size(); ++i)
-            if (scored[i]) p.values[i] = value(a.values[i], b.values[i]);
-        return blurred(p);
-    };
-    const Plane n = moment([](double, double) { return 1; }), ma = moment([](double x, double) { return x; }),
-                mb = moment([](double, double y) { return y; }),
-                aa = moment([](double x, double) { return x * x; }),
-                bb = moment([](double, double y) { return y * y; }),
-                ab = moment([](double x, double y) { return x * y; });
-    constexpr double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
-    double sum = 0;
-    for (std::size_t i = 0; i < n.values.size(); ++i) {
-        if (!scored[i]) continue;
-        const double w = std::max(n.values[i], 1e-9), x = ma.values[i] / w, y = mb.values[i] / w,
-                     vx = std::max(aa.values[i] / w - x * x, 0.0),
-                     vy = std::max(bb.values[i] / w - y * y, 0.0), vxy = ab.values[i] / w - x * y;
-        sum += (2 * x * y + c1) * (2 * vxy + c2) / ((x * x + y * y + c1) * (vx + vy + c2));
-    }
-    return sum / double(pixels);
-}
 
 /// Energy above half the Nyquist frequency: what the half-band filter of Deslauriers and Dubuc (1989)
 /// removes, along rows and columns.
@@ -114,11 +47,11 @@ double worst_thousandth(const Picture& photo, const Picture& picture, const std:
     return double(*at);
 }
 
-double psnr(double squares, std::size_t pixels) {
+}  // namespace
+
+double psnr_of(double squares, std::size_t pixels) {
     return 10 * std::log10(255 * 255 / std::max(squares / (3.0 * double(pixels)), 1e-12));
 }
-
-}  // namespace
 
 std::vector<bool> scored_pixels(const Picture& p, int radius) {
     std::vector<bool> out(p.rgba.size() / 4, true);
@@ -136,27 +69,78 @@ std::vector<bool> scored_pixels(const Picture& p, int radius) {
     return out;
 }
 
+std::array<double, 3> fitted_gain(const Picture& photo, const Picture& picture,
+                                  const std::vector<bool>& scored) {
+    if (std::ranges::count(scored, true) == 0) return {1, 1, 1};
+    std::array<double, 3> both{}, own{}, gain{};
+    for (std::size_t i = 0; i < scored.size(); ++i)
+        for (std::size_t c = 0; scored[i] && c < 3; ++c) {
+            both[c] += double(photo.rgba[4 * i + c]) * picture.rgba[4 * i + c];
+            own[c] += double(picture.rgba[4 * i + c]) * picture.rgba[4 * i + c];
+        }
+    for (std::size_t c = 0; c < 3; ++c) gain[c] = both[c] / std::max(own[c], 1e-9);
+    return gain;
+}
+
+double psnr_after(const std::array<double, 3>& gain, const Picture& photo, const Picture& picture,
+                  const std::vector<bool>& scored) {
+    double squares = 0;
+    std::size_t pixels = 0;
+    for (std::size_t i = 0; i < scored.size(); ++i) {
+        pixels += scored[i];
+        for (std::size_t c = 0; scored[i] && c < 3; ++c)
+            squares += std::pow(photo.rgba[4 * i + c] - gain[c] * picture.rgba[4 * i + c], 2);
+    }
+    return pixels ? psnr_of(squares, pixels) : 0;
+}
+
+Picture gained(Picture picture, const std::array<double, 3>& gain, const std::vector<bool>& where) {
+    for (std::size_t i = 0; i < where.size(); ++i)
+        for (std::size_t c = 0; where[i] && c < 3; ++c) {
+            std::uint8_t& value = picture.rgba[4 * i + c];
+            value = std::uint8_t(std::clamp(value * gain[c] + 0.5, 0.0, 255.0));
+        }
+    return picture;
+}
+
+double mean_ssim(const Picture& photo, const Picture& picture, const std::vector<bool>& scored) {
+    const Plane a = luminance(photo), b = luminance(picture);
+    const auto moment = [&](const auto& value) {
+        Plane p(photo.width, photo.height);
+        for (std::size_t i = 0; i < p.values.size(); ++i)
+            if (scored[i]) p.values[i] = value(a.values[i], b.values[i]);
+        return blurred(p);
+    };
+    const Plane n = moment([](float, float) { return 1.0f; }), ma = moment([](float x, float) { return x; }),
+                mb = moment([](float, float y) { return y; }),
+                aa = moment([](float x, float) { return x * x; }),
+                bb = moment([](float, float y) { return y * y; }),
+                ab = moment([](float x, float y) { return x * y; });
+    constexpr double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
+    double sum = 0;
+    std::size_t pixels = 0;
+    for (std::size_t i = 0; i < n.values.size(); ++i) {
+        if (!scored[i]) continue;
+        ++pixels;
+        const double w = 1 / std::max(double(n.values[i]), 1e-9), x = double(ma.values[i]) * w,
+                     y = double(mb.values[i]) * w, vx = std::max(double(aa.values[i]) * w - x * x, 0.0),
+                     vy = std::max(double(bb.values[i]) * w - y * y, 0.0),
+                     vxy = double(ab.values[i]) * w - x * y;
+        sum += (2 * x * y + c1) * (2 * vxy + c2) / ((x * x + y * y + c1) * (vx + vy + c2));
+    }
+    return pixels ? sum / double(pixels) : 0;
+}
+
 PictureScore score(const Picture& photo, const Picture& picture, const std::vector<bool>& scored) {
     PictureScore s;
-    double both[3]{}, own[3]{}, squares = 0, gained = 0;
-    const auto each = [&](const auto& visit) {
-        for (std::size_t i = 0; i < scored.size(); ++i)
-            for (std::size_t c = 0; scored[i] && c < 3; ++c)
-                visit(c, double(photo.rgba[4 * i + c]), double(picture.rgba[4 * i + c]));
-    };
     s.pixels = std::size_t(std::count(scored.begin(), scored.end(), true));
     if (s.pixels == 0) return s;
-    each([&](std::size_t c, double a, double b) {
-        both[c] += a * b;
-        own[c] += b * b;
-        squares += (a - b) * (a - b);
-    });
-    for (std::size_t c = 0; c < 3; ++c) s.gain[c] = both[c] / std::max(own[c], 1e-9);
-    each([&](std::size_t c, double a, double b) { gained += (a - s.gain[c] * b) * (a - s.gain[c] * b); });
-    s.psnr = psnr(squares, s.pixels);
-    s.psnr_gain = psnr(gained, s.pixels);
+    s.gain = fitted_gain(photo, picture, scored);
+    s.psnr = psnr_after({1, 1, 1}, photo, picture, scored);
+    s.psnr_gain = psnr_after(s.gain, photo, picture, scored);
     s.worst = worst_thousandth(photo, picture, scored, s.gain);
-    s.ssim = mean_ssim(photo, picture, scored, s.pixels);
+    s.ssim = mean_ssim(photo, picture, scored);
+    s.ssim_gain = mean_ssim(photo, gained(picture, s.gain, scored), scored);
     const double detail = fine_energy(luminance(photo), scored);
     if (detail > 0) s.sharpness = fine_energy(luminance(picture, s.gain), scored) / detail;
     return s;
@@ -164,12 +148,13 @@ PictureScore score(const Picture& photo, const Picture& picture, const std::vect
 
 std::array<double, 2> shift_of(const Picture& photo, const Picture& picture,
                                const std::vector<bool>& scored) {
-    const PictureScore s = score(photo, picture, scored);
-    const Plane a = blurred(luminance(photo)), b = blurred(luminance(picture, s.gain));
+    const Plane a = blurred(luminance(photo)),
+                b = blurred(luminance(picture, fitted_gain(photo, picture, scored)));
     double squares = 0;
+    std::size_t pixels = 0;
     for (std::size_t i = 0; i < a.values.size(); ++i)
-        if (scored[i]) squares += (a.values[i] - b.values[i]) * (a.values[i] - b.values[i]);
-    const double usual = std::max(1.0, squares / double(std::max<std::size_t>(1, s.pixels)));
+        if (scored[i]) ++pixels, squares += std::pow(double(a.values[i]) - double(b.values[i]), 2);
+    const double usual = std::max(1.0, squares / double(std::max<std::size_t>(1, pixels)));
     double xx = 0, xy = 0, yy = 0, xt = 0, yt = 0;
     for (int y = 1; y + 1 < a.height; ++y)
         for (int x = 1; x + 1 < a.width; ++x) {

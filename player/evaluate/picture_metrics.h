@@ -15,6 +15,7 @@ struct PictureScore {
     double psnr = 0;         ///< dB, 10 log10(255^2 / mean squared difference) over three channels
     double psnr_gain = 0;    ///< the same after the best gain per channel: independent of exposure
     double ssim = 0;         ///< of luminance (Wang et al. 2004), windows normalized to the scored pixels
+    double ssim_gain = 0;    ///< the same after the gain of psnr_gain, rounded to 8 bits
     double sharpness =
         0;  ///< energy of luminance above half the Nyquist frequency, relative to the photo's; 0 if that is 0
     double worst = 0;  ///< gray levels, after gains: the worst 0.1 % of the pixels differ by this or more
@@ -24,7 +25,25 @@ struct PictureScore {
 /// Pixels with alpha of at least one half, eroded by `radius` (the frame's edge does not erode).
 std::vector<bool> scored_pixels(const Picture& picture, int radius = 3);
 
-/// Both pictures have the same size; `scored`: one flag per pixel.
+/// The gain per channel that, applied to the picture, brings its scored pixels closest to the photo's (least
+/// squares); 1 if no pixel is scored. Here and below, both pictures have the same size, and flags are one per
+/// pixel.
+std::array<double, 3> fitted_gain(const Picture& photo, const Picture& picture,
+                                  const std::vector<bool>& scored);
+
+/// dB of a sum of squared differences over three channels; `pixels` > 0. At most 168 dB.
+double psnr_of(double squares, std::size_t pixels);
+
+/// dB after the given gain, over the scored pixels; 0 if there are none.
+double psnr_after(const std::array<double, 3>& gain, const Picture& photo, const Picture& picture,
+                  const std::vector<bool>& scored);
+
+/// The picture with the gain applied to the pixels `where`, rounded and clipped to 8 bits.
+Picture gained(Picture picture, const std::array<double, 3>& gain, const std::vector<bool>& where);
+
+/// Mean SSIM over the scored pixels, see PictureScore::ssim; 0 if there are none.
+double mean_ssim(const Picture& photo, const Picture& picture, const std::vector<bool>& scored);
+
 PictureScore score(const Picture& photo, const Picture& picture, const std::vector<bool>& scored);
 
 /// The shift of the picture's content relative to the photo's, in pixels to the right and down: least squares

@@ -102,6 +102,8 @@ TEST(PictureMetrics, CompensateForGain) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(s.gain[c], gain[c], 2e-3);
     EXPECT_GT(s.psnr_gain, 50);
     EXPECT_LT(s.psnr, 20);
+    EXPECT_GT(s.ssim_gain, 0.999);
+    EXPECT_LT(s.ssim, 0.95);
 }
 
 TEST(PictureMetrics, FindShifts) {
@@ -158,7 +160,7 @@ TEST(PictureMetrics, LocateChanges) {
     EXPECT_EQ(c.before.psnr_gain, score(photo, before, scored).psnr_gain);
     EXPECT_EQ(c.after.ssim, score(photo, after, scored).ssim);
 
-    const Picture crop = side_by_side(photo, before, after, *c.worse);
+    const Picture crop = side_by_side(std::array{&photo, &before, &after}, *c.worse);
     EXPECT_EQ(crop.height, c.worse->height);
     const auto texel = [&](int column) {  // at the center of the altered block
         const int y = 40 - c.worse->y, x = 330 - c.worse->x + column * (c.worse->width + 4);
@@ -197,4 +199,5 @@ TEST_F(PictureMetricsReference, AgreeWithinAHundredthOfADecibel) {
     EXPECT_NEAR(s.psnr, value("psnr"), 0.01);
     EXPECT_NEAR(s.psnr_gain, value("psnr_gain"), 0.01);
     EXPECT_NEAR(s.ssim, value("ssim"), 0.0002);
+    EXPECT_NEAR(s.ssim_gain, value("ssim_gain"), 0.0002);
 }
