@@ -1,3 +1,5 @@
+#include "player/evaluate/evaluate.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -6,9 +8,10 @@
 #include "gl/context.h"
 #include "output/make_folder.h"
 #include "player/camera/shots.h"
+#include "player/evaluate/cause_page.h"
 #include "player/evaluate/colors_without.h"
-#include "player/evaluate/evaluate.h"
 #include "player/evaluate/evaluation_page.h"
+#include "player/evaluate/evaluation_table.h"
 #include "player/evaluate/left_out.h"
 #include "scene/error.h"
 
@@ -19,6 +22,9 @@ void write_pictures(const std::filesystem::path& folder, const LeftOut& r, const
     write_png(folder / (r.name + "-photo.png"), p.photo);
     write_png(folder / (r.name + "-rendered.png"), p.rendered);
     write_png(folder / (r.name + "-difference.png"), p.difference);
+    write_png(folder / (r.name + "-causes.png"), p.causes);
+    for (std::size_t i = 0; i < r.worst.size(); ++i)
+        write_png(folder / region_file(r, r.worst[i]), p.worst[i]);
 }
 
 /// The change since an earlier evaluation, if it contains the photo.
@@ -39,18 +45,6 @@ void compare(const EvaluateOptions& o, LeftOut& r, const LeftOutPictures& p) {
         if (place)
             write_png(o.folder / (r.name + kind),
                       side_by_side(std::array{&p.photo, &before, &p.rendered}, *place));
-}
-
-void write_photos(const std::filesystem::path& file, const std::vector<LeftOut>& results) {
-    std::ofstream out(file);
-    out << "photo,pixels,psnr,psnr_gain,ssim,over_nearest,coloured,gain_red,gain_green,gain_blue,shift_right,"
-           "shift_down,sharpness\n";
-    for (const LeftOut& r : results)
-        out << r.name << ',' << r.score.pixels << ',' << r.score.psnr << ',' << r.score.psnr_gain << ','
-            << r.score.ssim << ',' << r.over_nearest << ',' << r.colored << ',' << r.score.gain[0] << ','
-            << r.score.gain[1] << ',' << r.score.gain[2] << ',' << r.shift[0] << ',' << r.shift[1] << ','
-            << r.score.sharpness << '\n';
-    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
 }
 
 void write_regions(const std::filesystem::path& file, const PackageReader& package,
@@ -100,32 +94,6 @@ void write_model(const std::filesystem::path& file, const PackageReader& package
     if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
 }
 
-void print(const LeftOut& r) {
-    std::printf("%-20s %7.2f %7.2f %7.4f %+7.2f %7.1f %+7.2f %+6.2f %+6.2f %7.2f\n", r.name.c_str(),
-                r.score.psnr, r.score.psnr_gain, r.score.ssim, r.over_nearest, 100 * r.colored, r.stops,
-                r.shift[0], r.shift[1], r.score.sharpness);
-    std::fflush(stdout);
-}
-
-void print_means(const std::vector<LeftOut>& results) {
-    LeftOut mean;
-    double n = 0;
-    for (const LeftOut& r : results) {
-        if (r.score.pixels == 0) continue;
-        ++n;
-        mean.score.psnr += r.score.psnr;
-        mean.score.psnr_gain += r.score.psnr_gain;
-        mean.score.ssim += r.score.ssim;
-        mean.score.sharpness += r.score.sharpness;
-        mean.over_nearest += r.over_nearest;
-        mean.colored += r.colored;
-    }
-    if (n == 0) return;
-    std::printf("%-20s %7.2f %7.2f %7.4f %+7.2f %7.1f %29.2f\n", "mean", mean.score.psnr / n,
-                mean.score.psnr_gain / n, mean.score.ssim / n, mean.over_nearest / n, 100 * mean.colored / n,
-                mean.score.sharpness / n);
-}
-
 void print_changes(const std::filesystem::path& against, const std::vector<LeftOut>& results) {
     double decibels = 0, ssim = 0, sharp_before = 0, sharp_after = 0, n = 0;
     std::printf("\n%-20s %7s %7s %7s %8s %7s %7s\n", "against", "gain", "now", "change", "SSIM", "sharp",
@@ -152,6 +120,16 @@ void print_remarks(const std::vector<LeftOut>& results) {
     for (const std::size_t i : worst_first(results))
         for (const std::string& s : results[i].remarks)
             std::printf("%s: %s\n", results[i].name.c_str(), s.c_str());
+}
+
+/// Of the table's first column.
+int name_width(const PackageReader& package, const std::vector<std::uint32_t>& photos) {
+    std::size_t width = 5;
+    for (const std::uint32_t p : photos) {
+        const std::string name = package.photos()[p].name;
+        width = std::max(width, std::min(name.size(), name.rfind('.')));
+    }
+    return int(width);
 }
 
 /// The photos to leave out: those of --photo, or every n-th. Photos without pixels are skipped.
@@ -198,14 +176,15 @@ int run_evaluate(const PackageReader& package, EvaluateOptions o) {
     expect_earlier(o);
     make_folder(o.folder);
     RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);
+    settings.fill_holes = false;  // the whole frame is scored besides
     leave_out_votes(package, settings);
     const ColorsWithout colors(package);
     const gl::HeadlessContext context;
     Renderer renderer(package, memory_budget(o.memory));
     std::vector<LeftOut> results;
     std::vector<RegionError> regions(renderer.scene().clusters.size());
-    std::printf("%-20s %7s %7s %7s %7s %7s %7s %6s %6s %7s\n", "photo", "PSNR", "gain", "SSIM", "nearest",
-                "color%", "stops", "right", "down", "sharp");
+    const int names = name_width(package, left_out);
+    print_heading(names);
     for (const std::uint32_t p : left_out) {
         LeftOutPictures pictures;
         const int level = std::min(o.level, int(package.photos()[p].levels) - 1);
@@ -213,10 +192,11 @@ int run_evaluate(const PackageReader& package, EvaluateOptions o) {
             leave_out(renderer, settings, photos, colors.records(p), p, level, regions, pictures));
         write_pictures(o.folder, results.back(), pictures);
         if (!o.against.empty()) compare(o, results.back(), pictures);
-        print(results.back());
+        print_row(results.back(), names);
     }
     remark(results);
-    print_means(results);
+    print_means(results, names);
+    print_causes(results);
     print_remarks(results);
     if (!o.against.empty()) print_changes(o.against, results);
     write_photos(o.folder / "photos.csv", results);

@@ -8,6 +8,7 @@
 
 #include "output/markup.h"
 #include "output/page_style.h"
+#include "player/evaluate/cause_page.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -19,10 +20,14 @@ table { margin: 1rem 0 2rem; }
 th, td { padding: .25rem .8rem; text-align: right; white-space: nowrap; }
 th:first-child, td:first-child, td:last-child, th:last-child { text-align: left; }
 td:last-child { white-space: normal; }
-figure { margin-bottom: 2rem; } figure div { display: grid; grid-template-columns: repeat(3, 1fr); gap: .5rem; }
+figure { margin-bottom: 2rem; } figure div { display: grid; grid-template-columns: repeat(2, 1fr); gap: .5rem; }
 img { width: 100%; background: #ccc; } figcaption { margin: .3rem 0; }
 .rest { display: grid; grid-template-columns: repeat(2, 1fr); gap: 1rem; } .rest figure { margin: 0; }
 img.crop { image-rendering: pixelated; background: none; }
+img.map { image-rendering: pixelated; }
+.regions { display: grid; grid-template-columns: repeat(auto-fill, minmax(36rem, 1fr)); gap: 1rem; }
+.regions figure { margin: 0; }
+.swatch { display: inline-block; width: .8em; height: .8em; margin-right: .4em; }
 )";
 
 std::string number(const char* format, double value) {
@@ -47,8 +52,10 @@ void row(std::ostream& out, const LeftOut& r, std::initializer_list<std::string>
 void row(std::ostream& out, const LeftOut& r) {
     row(out, r,
         {number("%.2f", r.score.psnr), number("%.2f", r.score.psnr_gain), number("%.4f", r.score.ssim),
-         number("%+.2f", r.over_nearest), number("%.1f %%", 100 * r.colored), number("%+.2f", r.stops),
-         number("%+.2f", r.shift[0]), number("%+.2f", r.shift[1]), number("%.2f", r.score.sharpness)},
+         number("%.4f", r.score.ssim_gain), number("%.2f", r.frame.psnr_gain),
+         number("%.4f", r.frame.ssim_gain), number("%+.2f", r.over_nearest),
+         number("%.1f %%", 100 * r.colored), number("%+.2f", r.stops), number("%+.2f", r.shift[0]),
+         number("%+.2f", r.shift[1]), number("%.2f", r.score.sharpness)},
         remarks(r));
 }
 
@@ -57,10 +64,12 @@ void figure(std::ostream& out, const LeftOut& r) {
     out << "<figure><figcaption><b>" << name << "</b> " << number("%.2f dB", r.score.psnr_gain) << ", SSIM "
         << number("%.4f", r.score.ssim) << (r.remarks.empty() ? "" : ": ") << remarks(r)
         << "</figcaption><div>";
-    for (const char* kind : {"photo", "rendered", "difference"})
-        out << "<img loading=lazy alt='" << kind << "' title='" << kind << "' src='" << name << "-" << kind
-            << ".png'>";
-    out << "</div></figure>\n";
+    for (const char* kind : {"photo", "rendered", "difference", "causes"})
+        out << "<img" << (kind == std::string_view("causes") ? " class=map" : "") << " loading=lazy alt='"
+            << kind << "' title='" << kind << "' src='" << name << "-" << kind << ".png'>";
+    out << "</div>\n";
+    write_regions_of(out, r);
+    out << "</figure>\n";
 }
 
 void crop(std::ostream& out, const std::string& name, const char* kind, const char* where) {
@@ -121,12 +130,15 @@ void write_evaluation_page(const std::filesystem::path& folder, const std::strin
         << page_style << evaluation_style << "</style>\n<h1>" << escaped(title)
         << "</h1>\n<p>Each photo was left out, its view rendered from the others, and compared with the "
            "photo. "
-           "Left to right: the photo, the picture, their difference after the best gain (black: none, "
-           "white: a quarter of the range, gray: nothing shown).</p>\n"
-           "<table><tr><th>photo<th>PSNR, dB<th>after gain<th>SSIM<th>over nearest, dB<th>colored<th>stops"
+           "The last lines show for each photo: the photo, the picture, their difference after the best gain "
+           "(black: none, white: a quarter of the range, gray: nothing shown), and the causes of the "
+           "error.</p>\n"
+           "<table><tr><th>photo<th>PSNR, dB<th>after gain<th>SSIM<th>after gain<th>whole frame, "
+           "dB<th>SSIM<th>over nearest, dB<th>colored<th>stops"
            "<th>right, px<th>down, px<th>sharp<th></tr>\n";
     for (const LeftOut& r : results) row(out, r);
     out << "</table>\n";
+    write_causes(out, results);
     changes(out, results);
     out << "<h2>Worst photos</h2>\n";
     const std::vector<std::size_t> order = worst_first(results);

@@ -7,9 +7,10 @@
 
 namespace vantage {
 
-/// Writes index.html: one row per photo; the changes since an earlier evaluation with crops NAME-worse.png
-/// and NAME-better.png; and the pictures NAME-photo.png, NAME-rendered.png and NAME-difference.png, the
-/// `worst` photos (by SSIM) first and larger. Throws Error(storage).
+/// Writes index.html: one row per photo; the causes of the error; the changes since an earlier evaluation
+/// with crops NAME-worse.png and NAME-better.png; and the pictures NAME-photo.png, NAME-rendered.png,
+/// NAME-difference.png and NAME-causes.png, the `worst` photos (by SSIM) first and larger. Throws
+/// Error(storage).
 void write_evaluation_page(const std::filesystem::path& folder, const std::string& title,
                            const std::vector<LeftOut>& results, int worst);
 

@@ -12,6 +12,8 @@
 namespace vantage {
 namespace {
 
+constexpr int samples = 2;  ///< per side of a pixel
+
 /// The level's pixels that show a surface, by the photo's own masks.
 std::vector<bool> surface_pixels(const PackageReader& package, std::uint32_t photo, int level,
                                  const Picture& like) {
@@ -57,15 +59,67 @@ void add_regions(const PlanScene& scene, std::span<const std::uint32_t> triangle
     }
 }
 
-double over_nearest(Renderer& renderer, RenderSettings settings, std::span<const std::uint32_t> others,
-                    const View& view, const LeftOutPictures& p) {
+/// The view from single photos: the nearest, and with one sample per pixel those two that agree best with the
+/// view. Fewer if fewer show anything of it. `plan`: of the view.
+std::vector<Picture> pictures_alone(Renderer& renderer, RenderSettings settings,
+                                    std::span<const std::uint32_t> others, const View& view,
+                                    std::vector<std::uint32_t> plan) {
     settings.choice = Choice::nearest;
     settings.photos = 1;
-    const Picture nearest = take_picture(renderer, view, settings, others, 2);
-    std::vector<bool> both = scored_pixels(nearest);
+    std::vector<Picture> out;
+    out.push_back(take_picture(renderer, view, settings, others, samples));
+    for (const PlannedPhoto& p : renderer.plan().photos) std::erase(plan, p.photo);
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, plan.size()); ++i)
+        out.push_back(take_picture(renderer, view, settings, std::span(plan).subspan(i, 1), 1));
+    return out;
+}
+
+/// Fills in everything that is rendered from the other photos. Returns the triangle at each pixel.
+std::vector<std::uint32_t> render_view(Renderer& renderer, const View& view, const RenderSettings& settings,
+                                       std::span<const std::uint32_t> others, LeftOutPictures& p) {
+    p.rendered = take_picture(renderer, view, settings, others, samples);
+    std::vector<std::uint32_t> plan;
+    for (const PlannedPhoto& planned : renderer.plan().photos) plan.push_back(planned.photo);
+    p.scored = scored_pixels(p.rendered);
+    for (std::size_t i = 0; i < p.scored.size(); ++i)
+        p.scored[i] = p.scored[i] && p.photo.rgba[4 * i + 3] >= 128;
+    p.alone.clear();
+    if (!plan.empty()) p.alone = pictures_alone(renderer, settings, others, view, plan);
+    p.shown = as_in_window(renderer, view, settings, p.rendered, samples);
+    return renderer.triangles();
+}
+
+double over_nearest(const LeftOutPictures& p) {
+    if (p.alone.empty()) return 0;
+    std::vector<bool> both = scored_pixels(p.alone.front());
     for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] && p.scored[i];
-    const PictureScore a = score(p.photo, p.rendered, both), b = score(p.photo, nearest, both);
-    return a.psnr_gain - b.psnr_gain;
+    const auto psnr = [&](const Picture& picture) {
+        return psnr_after(fitted_gain(p.photo, picture, both), p.photo, picture, both);
+    };
+    return psnr(p.rendered) - psnr(p.alone.front());
+}
+
+std::vector<bool> surface_of(std::span<const std::uint32_t> triangles) {
+    std::vector<bool> out(triangles.size());
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = triangles[i] > 0;
+    return out;
+}
+
+/// Scores the whole frame and finds the causes of its error; applies the gains to the pictures.
+void judge_frame(LeftOutPictures& p, std::span<const std::uint32_t> triangles, LeftOut& out) {
+    const std::vector<bool> taken = opaque_pixels(p.photo), colored = opaque_pixels(p.rendered);
+    const Plane errors = squared_errors(p.photo, p.shown, taken, colored, out.score.gain);
+    out.frame = score_frame(p.photo, p.shown, taken, colored, out.score.gain, errors);
+    p.shown = gained(std::move(p.shown), out.score.gain, colored);
+    for (Picture& one : p.alone) one = gained(std::move(one), out.score.gain, opaque_pixels(one));
+    const CauseMap causes =
+        find_causes({p.photo, p.shown, p.alone, errors, taken, colored, surface_of(triangles)});
+    out.causes = causes.totals();
+    out.worst = worst_regions(causes, 4);
+    p.causes = cause_picture(causes);
+    p.worst.clear();
+    for (const WorstRegion& w : out.worst)
+        p.worst.push_back(region_picture(causes, w, p.photo, p.shown, p.alone));
 }
 
 template <class... Args>
@@ -85,25 +139,19 @@ LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<
                   std::span<const package::PhotoRecord> records, std::uint32_t photo, int level,
                   std::vector<RegionError>& regions, LeftOutPictures& p) {
     const PackageReader& package = renderer.package();
-    const package::PhotoRecord& record = records[photo];
     renderer.use_records(records);
     std::vector<std::uint32_t> others(photos.begin(), photos.end());
     std::erase(others, photo);
-    const View view = view_of_level(record, level);
     p.photo = level_of_photo(package, package::Type::tiles, photo, level);
-    p.rendered = take_picture(renderer, view, settings, others, 2);
-    const std::vector<std::uint32_t> triangles = renderer.triangles();
-    p.scored = scored_pixels(p.rendered);
-    for (std::size_t i = 0; i < p.scored.size(); ++i)
-        p.scored[i] = p.scored[i] && p.photo.rgba[4 * i + 3] >= 128;
+    const auto triangles = render_view(renderer, view_of_level(records[photo], level), settings, others, p);
     LeftOut out;
     out.photo = photo;
-    out.name = record.name;
+    out.name = records[photo].name;
     out.name = out.name.substr(0, out.name.rfind('.'));
     out.score = score(p.photo, p.rendered, p.scored);
     out.colored = colored_share(p.rendered, surface_pixels(package, photo, level, p.rendered));
     if (out.score.pixels > 0) {
-        out.over_nearest = over_nearest(renderer, settings, others, view, p);
+        out.over_nearest = over_nearest(p);
         out.shift = shift_of(p.photo, p.rendered, p.scored);
         for (double& s : out.shift) s *= 1 << level;
         const auto& g = out.score.gain;
@@ -112,6 +160,7 @@ LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<
     }
     p.difference = difference_picture(p.photo, p.rendered, out.score);
     add_regions(renderer.scene(), triangles, p, out.score, regions);
+    judge_frame(p, triangles, out);
     return out;
 }
 

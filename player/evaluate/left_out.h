@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "player/evaluate/change.h"
+#include "player/evaluate/whole_frame.h"
+#include "player/evaluate/worst_regions.h"
 #include "player/render/renderer.h"
 
 namespace vantage {
@@ -12,9 +14,12 @@ namespace vantage {
 /// A photo compared with its view rendered from the other photos.
 struct LeftOut {
     std::uint32_t photo = 0;
-    std::string name;         ///< without extension
-    PictureScore score;       ///< over the colored pixels
-    double colored = 0;       ///< share of the photo's pixels on the surface that have a color
+    std::string name;                ///< without extension
+    PictureScore score;              ///< over the colored pixels
+    FrameScore frame;                ///< over all pixels, as the window shows them
+    CauseSquares causes{};           ///< the frame's squared error after gains
+    std::vector<WorstRegion> worst;  ///< at most four, of different causes
+    double colored = 0;              ///< share of the photo's pixels on the surface that have a color
     double over_nearest = 0;  ///< dB above the nearest photo alone, gains fitted, over pixels that both color
     std::array<double, 2> shift{0, 0};  ///< photo pixels at full size, see shift_of
     double stops = 0;                   ///< log2 of the photo's brightness relative to the picture's
@@ -31,7 +36,12 @@ struct RegionError {
 
 struct LeftOutPictures {
     Picture photo, rendered, difference;
-    std::vector<bool> scored;  ///< one flag per pixel: both photo and rendered picture show it
+    Picture shown;   ///< the whole frame, see as_in_window; gains applied
+    Picture causes;  ///< see cause_picture
+    std::vector<Picture>
+        alone;  ///< from single photos, gains applied: the nearest, and those that agree best
+    std::vector<Picture> worst;  ///< of LeftOut::worst, see region_picture
+    std::vector<bool> scored;    ///< one flag per pixel: both photo and rendered picture show it
 };
 
 /// Compares a photo with its view rendered from the others (`photos` without it), at a pyramid level, with

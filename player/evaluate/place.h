@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -10,6 +11,25 @@ namespace vantage {
 /// A part of a picture, in its pixels.
 struct Place {
     int x, y, width, height;
+};
+
+inline constexpr int cell_size = 16;   ///< px; each cell of a frame has one cause of error
+inline constexpr int cell_margin = 8;  ///< px around a cell that are judged with it
+
+/// A frame divided into cells, numbered row by row.
+struct Cells {
+    int width, height;  ///< of the frame, px
+
+    int columns() const { return (width + cell_size - 1) / cell_size; }
+    int rows() const { return (height + cell_size - 1) / cell_size; }
+    std::size_t count() const { return std::size_t(columns()) * std::size_t(rows()); }
+    /// The cell's pixels, extended by `margin` on all sides, within the frame.
+    Place place(std::size_t cell, int margin = 0) const {
+        const int x = int(cell) % columns() * cell_size, y = int(cell) / columns() * cell_size;
+        const int x0 = std::max(0, x - margin), y0 = std::max(0, y - margin);
+        return {x0, y0, std::min(width, x + cell_size + margin) - x0,
+                std::min(height, y + cell_size + margin) - y0};
+    }
 };
 
 /// An integral image: sums over all pixels above and to the left, one row and column more than the picture.

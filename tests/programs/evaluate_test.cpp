@@ -19,6 +19,7 @@
 #include "pipeline/synth/synthesize.h"
 #include "player/evaluate/colors_without.h"
 #include "player/evaluate/left_out.h"
+#include "player/evaluate/photo_pixels.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
 
@@ -58,12 +59,40 @@ class Evaluate : public TemporaryFolder {
         std::vector<LeftOut> out;
         std::vector<RegionError> regions;
         LeftOutPictures pictures;
+        RenderSettings settings;
+        settings.weights.consensus_mask = false;  // as in run_evaluate
         for (const std::uint32_t p : photos)
-            out.push_back(leave_out(renderer, {}, photos, package.photos(), p, 1, regions, pictures));
+            out.push_back(leave_out(renderer, settings, photos, package.photos(), p, 1, regions, pictures));
         remark(out);
         return out;
     }
 };
+
+/// Repaints a photo's file: `paint` gets each pixel's channels and place.
+void repaint(const fs::path& file, const auto& paint) {
+    const RgbaImage image = image_files().read(file);
+    std::vector<std::byte> rgb;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const std::size_t i = 4 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x));
+            std::array<std::uint8_t, 3> color{image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]};
+            paint(color, x, y);
+            for (const std::uint8_t v : color) rgb.push_back(std::byte(v));
+        }
+    image_files().write(file, image.width, image.height, 3, Sample::u8, rgb);
+}
+
+/// A tall red stranger, half as high as the photo.
+void paint_stranger(std::array<std::uint8_t, 3>& color, int x, int y) {
+    if (x >= 360 && x < 460 && y >= 150 && y < 450) color = {200, 30, 30};
+}
+
+Cause largest_at_colored(const CauseSquares& s) {
+    Cause most = Cause::displaced;
+    for (const CauseRow& row : cause_table())
+        if (s.colored_share(row.cause) > s.colored_share(most)) most = row.cause;
+    return most;
+}
 
 bool reports_offset(const LeftOut& r) {
     return std::ranges::any_of(r.remarks, [](const std::string& s) { return s.starts_with("offset by"); });
@@ -98,6 +127,90 @@ TEST_F(Evaluate, WrongCameraIsDetectedWithItsOffset) {
         EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), r.photo == 2 ? 2 * off : 0.7 * off) << r.name;
 }
 
+TEST_F(Evaluate, StrangerInTheLeftOutPhotoMakesItOdd) {
+    repaint(scene.photos[2].file, paint_stranger);
+    const LeftOut r = evaluate()[2];
+    EXPECT_EQ(largest_at_colored(r.causes), Cause::odd_photo);
+    const auto region = std::ranges::find(r.worst, Cause::odd_photo, &WorstRegion::cause);
+    ASSERT_NE(region, r.worst.end());
+    EXPECT_LT(std::abs(region->place.x + region->place.width / 2 - 205), 60) << "at half size";
+    EXPECT_LT(std::abs(region->place.y + region->place.height / 2 - 150), 80);
+}
+
+TEST_F(Evaluate, StrangerInAnotherPhotoIsADisagreement) {
+    repaint(scene.photos[1].file, paint_stranger);
+    const std::vector<LeftOut> results = evaluate();
+    EXPECT_EQ(largest_at_colored(results[1].causes), Cause::odd_photo);
+    EXPECT_EQ(largest_at_colored(results[2].causes), Cause::disagreement);
+}
+
+TEST_F(Evaluate, WrongCameraDisplacesContent) {
+    Pose& pose = scene.photos[2].camera.cam_from_world;
+    const double angle = 7 / scene.photos[2].camera.intrinsics.fx;
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    pose.R = turn * pose.R;
+    pose.t = turn * pose.t;
+    const LeftOut r = evaluate()[2];
+    EXPECT_EQ(largest_at_colored(r.causes), Cause::displaced);
+    EXPECT_GT(r.causes.colored_share(Cause::displaced), 0.5);
+}
+
+TEST_F(Evaluate, NoisyPhotoDiffersInFineDetail) {
+    std::mt19937 random(4);
+    repaint(scene.photos[2].file, [&](std::array<std::uint8_t, 3>& color, int, int) {
+        for (std::uint8_t& v : color) v = std::uint8_t(std::clamp(int(v) + int(random() % 161) - 80, 0, 255));
+    });
+    EXPECT_EQ(largest_at_colored(evaluate()[2].causes), Cause::detail);
+}
+
+TEST_F(Evaluate, HolesAreWhereTheMeshEndsOrNoOtherPhotoLooks) {
+    const LeftOut whole = evaluate()[2];
+    const auto& positions = scene.mesh.positions;
+    std::erase_if(scene.mesh.triangles, [&](const auto& t) {  // the upper floor and the roof
+        return std::max({positions[t[0]].z(), positions[t[1]].z(), positions[t[2]].z()}) > 3.5;
+    });
+    fs::remove(file);
+    const LeftOut holed = evaluate()[2];
+    EXPECT_GT(holed.causes.of(Cause::no_surface), 1.2 * whole.causes.of(Cause::no_surface));
+    EXPECT_LT(holed.frame.psnr_gain, whole.frame.psnr_gain - 0.5) << "the whole frame counts";
+
+    const PackageReader package(file);
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(package, {});
+    std::vector<RegionError> regions;
+    LeftOutPictures pictures;
+    const LeftOut alone = leave_out(renderer, {}, std::array{2u}, package.photos(), 2, 2, regions, pictures);
+    EXPECT_GT(alone.causes.of(Cause::unseen), 0);
+    EXPECT_EQ(alone.causes.colored(), 0);
+    EXPECT_EQ(alone.score.pixels, 0u);
+    EXPECT_GT(alone.frame.psnr, 0);
+}
+
+TEST_F(Evaluate, WholeFrameIsThatOfTheWindow) {
+    prepare(scene, {}, file, [](const Progress&) {});
+    const PackageReader package(file);
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(package, {});
+    const View view = view_of_level(package.photos()[2], 1);
+    RenderSettings settings;
+    const std::vector<std::uint32_t> others{0, 1, 3, 4};
+    const Picture rendered = take_picture(renderer, view, settings, others, 2);
+    const Picture completed = as_in_window(renderer, view, settings, rendered, 2);
+    settings.fill_holes = true;
+    const Picture window = take_picture(renderer, view, settings, others, 2);
+    std::size_t holes = 0, partial = 0;
+    for (std::size_t i = 0; i < rendered.rgba.size(); i += 4) {
+        const int alpha = rendered.rgba[i + 3];
+        holes += alpha == 0;
+        partial += alpha > 0 && alpha < 255;
+        for (std::size_t c = 0; c < 4 && (alpha == 0 || alpha == 255); ++c)
+            ASSERT_EQ(completed.rgba[i + c], window.rgba[i + c]) << "pixel " << i / 4;
+    }
+    EXPECT_GT(holes, 100u);
+    EXPECT_LT(partial, rendered.rgba.size() / 4 / 50);
+    EXPECT_GT(score(window, completed, std::vector<bool>(rendered.rgba.size() / 4, true)).psnr, 40);
+}
+
 TEST_F(Evaluate, WritesTablePagePicturesAndRegions) {
     prepare(scene, {}, file, [](const Progress&) {});
     const PackageReader package(file);
@@ -108,9 +221,21 @@ TEST_F(Evaluate, WritesTablePagePicturesAndRegions) {
     EXPECT_EQ(run_evaluate(package, options), 0);
     const std::string csv = slurp(options.folder / "photos.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4) << "a header and photos 0, 2 and 4";
+    for (const char* column : {",ssim_gain,", ",frame_psnr_gain,", ",frame_ssim_gain,", ",error_odd_photo"})
+        EXPECT_NE(csv.find(column), csv.npos) << column;
     const std::string page = slurp(options.folder / "index.html");
+    EXPECT_NE(page.find("Where the error comes from"), page.npos);
+    EXPECT_EQ(page.find("nan"), page.npos);
+    std::size_t crops = 0;
+    for (const fs::directory_entry& e : fs::directory_iterator(options.folder))
+        for (const CauseRow& row : cause_table())
+            if (e.path().filename().string().ends_with("-" + std::string(row.file) + ".png")) {
+                ++crops;
+                EXPECT_NE(page.find(e.path().filename().string()), page.npos);
+            }
+    EXPECT_GE(crops, 3u) << "at least one per photo";
     for (const char* name : {"0000", "0002", "0004"})
-        for (const char* kind : {"-photo.png", "-rendered.png", "-difference.png"}) {
+        for (const char* kind : {"-photo.png", "-rendered.png", "-difference.png", "-causes.png"}) {
             EXPECT_TRUE(fs::exists(options.folder / (std::string(name) + kind)));
             EXPECT_NE(page.find(std::string(name) + kind), page.npos);
         }
