@@ -17,6 +17,7 @@ A decision is right if the effect is on when the gain from outside is above 0.05
 import argparse
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -102,7 +103,7 @@ def gains_of_photo(programs, scene, name, decided, work):
 
     base, folders = prepare(decided), {'base': os.path.join(work, 'base')}
     programs.render(package, name, folders['base'])
-    for effect in EFFECTS:
+    for effect in ['exposure', 'falloff', 'consensus', 'registration']:  # until the last one, prepare keeps the cameras
         effects = prepare({**decided, effect: not decided[effect]})
         if applied(effects, effect) != applied(base, effect):
             folders[effect] = os.path.join(work, effect)
@@ -121,16 +122,22 @@ def measure(programs, scene, every, work):
                 'outside': {n: gains[n][e] for n in names}} for e in EFFECTS}
 
 
+def judgment(effect):
+    """The judge's gain and its error. A registration that was refused has them only in the evidence, the last attempt last."""
+    if effect['judged']:
+        return '%+.2f ± %.2f dB' % (effect['judged']['gain'], effect['judged']['error'])
+    found = re.findall(r'left-out photos (gain|lose) ([0-9.]+) dB \(standard error ([0-9.]+)', effect['evidence'])
+    return '%s%s ± %s dB' % ('-' if found[-1][0] == 'lose' else '+', *found[-1][1:]) if found else '—'
+
+
 def rows(scene, measured):
     for effect in EFFECTS:
         m = measured[effect]
         gains = np.array(list(m['outside'].values()))
         mean, error = gains.mean(), gains.std(ddof=1) / np.sqrt(len(gains))
         right = 'either' if abs(mean) <= MARGIN else 'yes' if m['on'] == (mean > 0) else '**no**'
-        j = m['judged']
-        judged = '%+.2f ± %.2f dB' % (j['gain'], j['error']) if j else '—'
         yield '| %s | %s | %s | %s | %+.2f ± %.2f dB | %s |' % (
-            scene, effect, judged, 'on' if m['on'] else 'off', mean, error, right)
+            scene, effect, judgment(m), 'on' if m['on'] else 'off', mean, error, right)
 
 
 def main():
