@@ -153,6 +153,7 @@ class PoseChoice {
         if (judge_) {
             const Candidate* taken = taken_ ? &*taken_ : nullptr;
             const Judgment fitted = judge(rounds_, folds_, gains_, taken, c, Own::fitted);
+            if (!taken) out_.decision.judgment = fitted;
             if (!is_called_for(fitted)) return reject(of + ": " + sentence(fitted));
             const Judgment given = judge(rounds_, folds_, gains_, taken, c, Own::given);
             if (given.gain < -2 * given.error || (which == Moved::together && !is_called_for(given)))

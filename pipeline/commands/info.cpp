@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/commands.h"
+#include "pipeline/package/effect_costs.h"
 #include "pipeline/prepare/registration_reuse.h"
 #include "scene/package_reader.h"
 
@@ -47,7 +48,7 @@ nlohmann::json describe_package(const PackageReader& reader) {
     return out;
 }
 
-void print_package(const nlohmann::json& j) {
+void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
     fmt::print("{}\n{} vertices, {} triangles in {} clusters, {} photos, {:.1f} MB\n\neffects\n",
                j["tool"].get<std::string>(), j["vertices"].get<std::uint64_t>(),
                j["triangles"].get<std::uint64_t>(), j["clusters"].get<std::uint64_t>(), j["photos"].size(),
@@ -55,6 +56,8 @@ void print_package(const nlohmann::json& j) {
     for (const auto& e : j["effects"])
         fmt::print("  {:<18} {:<4}{} {}\n", e["name"].get<std::string>(), e["on"].get<bool>() ? "on" : "off",
                    e["forced"].get<bool>() ? "(forced)" : "", e["evidence"].get<std::string>());
+    fmt::print("\n");
+    for (const std::string& line : table_of(costs)) fmt::print("  {}\n", line);
     fmt::print("\nphotos\n");
     for (const auto& p : j["photos"])
         fmt::print("  {:<24} {}x{}  sees {:.1f} % of the vertices{}\n", p["name"].get<std::string>(),
@@ -78,11 +81,12 @@ void add_info(CLI::App& app, Run& run) {
     c->add_flag("--json", o->json, "machine-readable output");
     c->callback([o, &run] {
         run = [o] {
-            const nlohmann::json j = describe_package(PackageReader(o->file));
+            const PackageReader package(o->file);
+            const nlohmann::json j = describe_package(package);
             if (o->json)
                 fmt::print("{}\n", j.dump(1));
             else
-                print_package(j);
+                print_package(j, effect_costs(package, {}));
             return 0;
         };
     });

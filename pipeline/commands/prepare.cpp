@@ -17,6 +17,7 @@
 #include "pipeline/formats/import/cameras.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
+#include "pipeline/package/effect_costs.h"
 #include "pipeline/package/meta.h"
 #include "pipeline/package/stage_table.h"
 #include "pipeline/package/staleness.h"
@@ -146,6 +147,13 @@ SceneInput read_traced(const InputFiles& files, Trace& trace) {
     return read_scene(files);
 }
 
+/// What effects are worth and cost here, and what settings cost elsewhere.
+void print_explanation(const PrepareOptions& o, const SceneInput& scene, const Trace& trace) {
+    const PackageReader package(o.out);
+    for (const std::string& l : table_of(effect_costs(package, trace.spans()))) fmt::print("{}\n", l);
+    for (const std::string& l : explain(o.settings, scene, package)) fmt::print("{}\n", l);
+}
+
 int run_prepare(PrepareOptions o) {
     o.settings.distance = distance_method(o.distance);
     o.settings.resampling = resampling(o.resampling);
@@ -179,8 +187,7 @@ int run_prepare(PrepareOptions o) {
                s);
     fmt::print("memory   {:.0f} MB peak\n", double(memory_peak()) / 1e6);
     if (report) fmt::print("report   {}\n", report_file(o).string());
-    if (o.explain && o.share.empty())
-        for (const std::string& l : explain(o.settings, scene, PackageReader(o.out))) fmt::print("{}\n", l);
+    if (o.explain && o.share.empty()) print_explanation(o, scene, trace);
     return int(report_left_out(done.left_out));
 }
 

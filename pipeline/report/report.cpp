@@ -9,6 +9,7 @@
 
 #include "output/markup.h"
 #include "output/page_style.h"
+#include "pipeline/package/effect_costs.h"
 #include "pipeline/package/meta.h"
 #include "pipeline/package/stage_table.h"
 #include "pipeline/package/staleness.h"
@@ -79,10 +80,19 @@ std::string warnings_part(const json& meta) {
     return out + "</ul>\n";
 }
 
-std::string effects_part(const json& meta) {
+std::string effects_part(const PackageReader& package, const json& meta,
+                         const std::optional<ReportRun>& run) {
+    const std::vector<EffectCost> costs =
+        effect_costs(package, run ? run->spans : std::vector<Trace::Span>{});
+    const auto cost_of = [&](const std::string& name) {
+        const auto it = std::ranges::find(costs, name, &EffectCost::name);
+        return it == costs.end() ? EffectCost{} : *it;
+    };
     std::string out =
-        "<h2>Effects</h2>\n<p>An effect is on if the scene needs it; effects that are off cost nothing.</p>\n"
-        "<table><tr><th>effect<th><th>evidence<th class=n>measured<th class=n>threshold</tr>\n";
+        "<h2>Effects</h2>\n<p>An effect is on if the scene needs it. Gain: of photos that are left out and "
+        "predicted from the others, with its standard error. Seams: how much less the picture changes where "
+        "the blended photos change.</p>\n<table><tr><th>effect<th><th>evidence<th class=n>measured<th "
+        "class=n>threshold<th class=n>gain<th class=n>seams<th class=n>time<th class=n>stored</tr>\n";
     for (const json& e : meta.value("effects", json::array())) {
         const std::string unit = e.value("unit", "");
         out += "<tr>" + cell(e.value("name", "")) +
@@ -90,7 +100,11 @@ std::string effects_part(const json& meta) {
                     (e.value("forced", false) ? ", forced" : "")) +
                cell(e.value("evidence", "")) +
                number(fmt::format("{:.3g} {}", e.value("measured", 0.0), unit)) +
-               number(fmt::format("{:g} {}", e.value("threshold", 0.0), unit)) + "</tr>\n";
+               number(fmt::format("{:g} {}", e.value("threshold", 0.0), unit));
+        const EffectCost cost = cost_of(e.value("name", ""));
+        out += number(cost.gain) + number(cost.seams) +
+               number(cost.seconds ? fmt::format("{:.2f} s", *cost.seconds) : "") +
+               number(fmt::format("{:.1f} KB", double(cost.bytes) / 1000)) + "</tr>\n";
     }
     return out + "</table>\n";
 }
@@ -195,7 +209,7 @@ void write_report(const fs::path& file, const PackageReader& package, const std:
     out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << page_style << report_style
         << "</style>\n"
         << heading(package, meta, left_out, run) << left_out_part(left_out) << warnings_part(meta)
-        << effects_part(meta) << coverage_part(package);
+        << effects_part(package, meta, run) << coverage_part(package);
     if (run && run->prepared.agreement) {
         out << registration_part(package.photos(), run->prepared.agreement->registration)
             << colors_part(package.photos(), run->prepared.agreement->colors)

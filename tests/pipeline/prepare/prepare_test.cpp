@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -10,6 +11,7 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/model/subdivide.h"
+#include "pipeline/package/effect_costs.h"
 #include "pipeline/prepare/finish.h"
 #include "pipeline/results/check.h"
 #include "pipeline/run/progress.h"
@@ -209,6 +211,14 @@ TEST_F(Prepare, WithoutTheJudgeThresholdsDecide) {
     EXPECT_FALSE(judged.on) << judged.evidence;
     ASSERT_TRUE(judged.judgment);
     EXPECT_LT(judged.judgment->gain, 0);
+    const auto costs = effect_costs(PackageReader(dir / "a.vantage"), {});
+    const auto cost_of = [&](const char* name) { return *std::ranges::find(costs, name, &EffectCost::name); };
+    EXPECT_EQ(cost_of("consensus").state, "off");
+    EXPECT_TRUE(cost_of("consensus").gain.starts_with("-")) << cost_of("consensus").gain;
+    EXPECT_TRUE(cost_of("exposure").seams.starts_with("-")) << cost_of("exposure").seams;
+    EXPECT_EQ(cost_of("registration").state, "off, forced");
+    EXPECT_GT(cost_of("exposure").bytes, 0u);
+    EXPECT_FALSE(cost_of("exposure").seconds) << "the run is not known";
     settings.judge = false;
     const EffectDecision by_threshold = decided();
     EXPECT_TRUE(by_threshold.on) << by_threshold.evidence;

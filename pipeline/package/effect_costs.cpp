@@ -1,0 +1,77 @@
+#include "pipeline/package/effect_costs.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "pipeline/package/meta.h"
+
+namespace vantage {
+namespace {
+
+using package::Type;
+
+/// What of a run and of a package belongs to an effect.
+struct Parts {
+    std::vector<std::string> spans;  ///< see Traced
+    std::vector<Type> chunks;
+};
+
+Parts parts_of(Effect effect) {
+    switch (effect) {
+        case Effect::undistortion:
+            return {{"undistort"}, {}};
+        case Effect::vertex_colors:
+            return {{}, {Type::colors}};
+        case Effect::exposure:
+            return {{"colors"}, {Type::samples}};
+        case Effect::registration:
+            return {{"register"}, {Type::registration, Type::pairs}};
+        case Effect::consensus:
+            return {{"consensus"}, {}};
+        default:
+            return {};
+    }
+}
+
+void add_judgment(const nlohmann::json& judged, EffectCost& out) {
+    const double before = judged.at("seams_before"), after = judged.at("seams_after");
+    out.gain =
+        fmt::format("{:+.2f} ± {:.2f} dB", judged.at("gain").get<double>(), judged.at("error").get<double>());
+    if (before > 0) out.seams = fmt::format("{:+.0f} %", 100 * (after / before - 1));
+}
+
+}  // namespace
+
+std::vector<EffectCost> effect_costs(const PackageReader& package, std::span<const Trace::Span> spans) {
+    std::map<std::uint32_t, std::uint64_t> bytes;
+    for (const package::DirectoryEntry& e : package.directory()) bytes[e.type] += e.length;
+    std::map<std::string, double> seconds;
+    for (const Trace::Span& s : spans) seconds[s.what] += s.end - s.begin;
+    std::vector<EffectCost> out;
+    const nlohmann::json meta = parse_meta(package);
+    for (const auto& e : meta.value("effects", nlohmann::json::array())) {
+        EffectCost& cost = out.emplace_back();
+        cost.name = e.at("name");
+        cost.state = std::string(e.at("on") ? "on" : "off") + (e.value("forced", false) ? ", forced" : "");
+        if (e.contains("judged")) add_judgment(e["judged"], cost);
+        const Parts parts = parts_of(effect_row(cost.name).effect);
+        for (const std::string& span : parts.spans)
+            if (!spans.empty()) cost.seconds = cost.seconds.value_or(0) + seconds[span];
+        for (const Type chunk : parts.chunks) cost.bytes += bytes[std::uint32_t(chunk)];
+    }
+    return out;
+}
+
+std::vector<std::string> table_of(std::span<const EffectCost> costs) {
+    constexpr const char* row = "{:<18} {:<11} {:>17} {:>7} {:>8} {:>10}";
+    const auto or_dash = [](const std::string& text) { return text.empty() ? "-" : text; };
+    std::vector<std::string> out{fmt::format(row, "effect", "", "gain", "seams", "seconds", "bytes")};
+    for (const EffectCost& c : costs)
+        out.push_back(fmt::format(row, c.name, c.state, or_dash(c.gain), or_dash(c.seams),
+                                  c.seconds ? fmt::format("{:.2f}", *c.seconds) : "-", c.bytes));
+    return out;
+}
+
+}  // namespace vantage
