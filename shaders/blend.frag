@@ -77,28 +77,10 @@ float own_view(float theta) {
     return (switches & angle_switch) == 0u || half_scale > 0.0 ? 1.0 : 1.0 + r * r;
 }
 
-float weight_of(uint photo, vec2 pixel, vec4 masks, float theta) {
-#ifdef BLEND_BEST
-    // [P] eq. 2.8, with the sign for which a frontal photo wins, divided by the squared angle: from a photo's own
-    // viewpoint that photo wins wherever it sees the surface.
-    const float limit = 0.342020143;  // cos 70 degrees
-    float frontal = max(1.0 - (1.0 + dot(normalize(surface_normal), photos[photo].direction_presence.xyz)) / (1.0 - limit), 0.0) + 0.05;
-    float p = max(dot(view_direction, photos[photo].direction_presence.xyz), 0.01) * frontal * max(photos[photo].center_hull.w, 0.01);
-    return p / ((theta + 1e-4) * (theta + 1e-4));
-#elif defined(BLEND_LUMIGRAPH)
-    float w = angle_weight(theta) * own_view(theta) * sqrt(density(masks));  // the rate along a side
-    if ((switches & border_mask_switch) == 0u) return w;
-    vec2 size = photos[photo].size_weight.xy, inside = min(pixel, size - pixel);
-    float frame = min(inside.x, inside.y) * reference_width / size.x, edge = masks.b * border_width;
-    return w * clamp(frame / frame_ramp, frame_least, 1.0) * clamp(edge / edge_ramp, edge_least, 1.0);
-#else
-    return static_weight(masks) * photos[photo].size_weight.w * angle_weight(theta);
-#endif
-}
-
 // The area of a photo that a sample covers.
 struct Footprint {
     float lod;
+    float shorter;  // its shorter side, photo pixels
 #ifdef TAPS
     vec2 longer;  // its longer side, photo pixels
     int taps;
@@ -117,9 +99,34 @@ Footprint footprint_of(uint photo, vec3 p, vec3 along_x, vec3 along_y) {
 #ifdef TAPS
     float width = max(max(minor, major / float(TAPS)), 1e-6);
     int taps = clamp(int(ceil(major / max(width, 1.0) - 0.1)), 1, TAPS);
-    return Footprint(max(0.0, log2(width) + lod_bias - 0.02), a > b ? u : v, taps);
+    return Footprint(max(0.0, log2(width) + lod_bias - 0.02), minor, a > b ? u : v, taps);
 #else
-    return Footprint(max(0.0, log2(max(max(minor, major / 4.0), 1e-6)) + lod_bias - 0.02));
+    return Footprint(max(0.0, log2(max(max(minor, major / 4.0), 1e-6)) + lod_bias - 0.02), minor);
+#endif
+}
+
+// A photo that has less than a pixel for a sample of the picture counts less, and none counts more for having more than the
+// picture can show.
+float sampling(Footprint footprint) {
+    return (switches & depth_mask_switch) != 0u ? clamp(footprint.shorter, 0.001, 1.0) : 1.0;
+}
+
+float weight_of(uint photo, vec2 pixel, vec4 masks, float theta, Footprint footprint) {
+#ifdef BLEND_BEST
+    // [P] eq. 2.8, with the sign for which a frontal photo wins, divided by the squared angle: from a photo's own
+    // viewpoint that photo wins wherever it sees the surface.
+    const float limit = 0.342020143;  // cos 70 degrees
+    float frontal = max(1.0 - (1.0 + dot(normalize(surface_normal), photos[photo].direction_presence.xyz)) / (1.0 - limit), 0.0) + 0.05;
+    float p = max(dot(view_direction, photos[photo].direction_presence.xyz), 0.01) * frontal * max(photos[photo].center_hull.w, 0.01);
+    return p / ((theta + 1e-4) * (theta + 1e-4));
+#elif defined(BLEND_LUMIGRAPH)
+    float w = angle_weight(theta) * own_view(theta) * sampling(footprint);
+    if ((switches & border_mask_switch) == 0u) return w;
+    vec2 size = photos[photo].size_weight.xy, inside = min(pixel, size - pixel);
+    float frame = min(inside.x, inside.y) * reference_width / size.x, edge = masks.b * border_width;
+    return w * clamp(frame / frame_ramp, frame_least, 1.0) * clamp(edge / edge_ramp, edge_least, 1.0);
+#else
+    return static_weight(masks) * photos[photo].size_weight.w * angle_weight(theta);
 #endif
 }
 
@@ -197,7 +204,7 @@ void main() {
         if (!(w > 0.0)) continue;
         vec4 masks = masks_at(at);
         float theta = ray_angle(photo);
-        w *= weight_of(photo, pixel, masks, theta);
+        w *= weight_of(photo, pixel, masks, theta, footprint);
 #ifdef PHOTO_CONSENSUS
         // 1 of 255: visible, but contradicted by other photos.
         if ((switches & consensus_mask_switch) != 0u) w *= mix((max(masks.a * 255.0, 1.0) - 1.0) / 254.0, 1.0, own_share(theta));

@@ -17,16 +17,6 @@ namespace {
 
 using package::Type;
 
-/// Sampling rate along a side, see density() in blend.frag.
-float density_weight(std::byte mask) {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> t;
-        for (std::size_t i = 0; i < t.size(); ++i) t[i] = std::max(std::exp2((float(i) - 255) / 12), 1e-3f);
-        return t;
-    }();
-    return table[std::to_integer<std::size_t>(mask)];
-}
-
 /// Fills `smooth` from texels that have a color and show the model.
 void smooth_colors(CoarsePhoto& photo) {
     const cv::Size window(9, 9);
@@ -96,6 +86,7 @@ CoarsePhoto every_second_texel(const CoarsePhoto& photo) {
     // The first texel keeps its ray.
     out.k = {(k.width + 1) / 2, (k.height + 1) / 2, k.fx / 2, k.fy / 2, (k.cx + 0.5) / 2, (k.cy + 0.5) / 2};
     out.pose = photo.pose;
+    out.focal = photo.focal;
     for (int y = 0; y < k.height; y += 2)
         for (int x = 0; x < k.width; x += 2) out.texels.push_back(photo.grid()(x, y));
     return out;
@@ -113,6 +104,7 @@ CoarsePhoto read_coarse_photo(const PackageReader& package, const package::Photo
     CoarsePhoto out;
     out.k = intrinsics(r).at_level(level);
     out.pose = cam_from_origin(r);
+    out.focal = r.fx;
     const auto colors = linear_colors(read_level(package, r, photo, Type::tiles, tiles_level));
     const auto masks = read_level(package, r, photo, Type::masks, level),
                z = read_level(package, r, photo, Type::depth, level);
@@ -132,8 +124,7 @@ CoarsePhoto read_coarse_photo(const PackageReader& package, const package::Photo
             const float px = (float(x) + 0.5f) * texel, py = (float(y) + 0.5f) * texel,
                         inside = std::min({px, py, float(r.width) - px, float(r.height) - py}),
                         edge = float(std::to_integer<int>(masks[4 * at + 2])) / 255 * float(border_width);
-            t.weight = density_weight(masks[4 * at + 1]) *
-                       std::clamp(inside * ramp / shader::frame_ramp, shader::frame_least, 1.0f) *
+            t.weight = std::clamp(inside * ramp / shader::frame_ramp, shader::frame_least, 1.0f) *
                        std::clamp(edge / shader::edge_ramp, shader::edge_least, 1.0f);
         }
     smooth_colors(out);

@@ -30,10 +30,11 @@ struct CoarsePhoto {
         float linear[3];  ///< light, as exposed; NaN where the photo has no opaque pixel
         float smooth[3];  ///< mean of `linear` over the surface around it, 9 x 9 texels; for seams
         float z;          ///< +inf where the photo does not see the model
-        float weight;     ///< the part of the lumigraph's weight that does not depend on the viewer
+        float weight;     ///< the lumigraph's factors for the frame and for borders
     };
     Intrinsics k;               ///< of this level
     Pose pose;                  ///< relative to the origin
+    double focal = 1;           ///< length, in px of the photo at full size
     std::vector<Texel> texels;  ///< row by row
     /// Of the next finer level, whose squares are as large as this level's texels: interpolation between
     /// coarse texels would blur.

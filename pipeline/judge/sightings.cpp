@@ -21,17 +21,19 @@ struct Projector {
     Vector3f t, center;  ///< the center in the target's camera space
     float fx, fy, cx, cy;
     float radius_scale;  ///< from squared texels to the squared radius of the falloff
+    float focal;         ///< relative to the target's
 
-    Projector(const OtherPhoto& other, const Pose& target)
+    Projector(const OtherPhoto& other, const CoarsePhoto& target, const Pose& pose)
         : photo(*other.photo),
           index(other.index),
           fx(float(photo.k.fx)),
           fy(float(photo.k.fy)),
           cx(float(photo.k.cx)),
           cy(float(photo.k.cy)),
-          radius_scale(float(std::pow(falloff_radius(photo.k, {photo.k.cx + 1, photo.k.cy}), 2))) {
-        const Eigen::Matrix3d turn = other.pose.R * target.R.transpose();
-        const Eigen::Vector3d shift = other.pose.t - turn * target.t;
+          radius_scale(float(std::pow(falloff_radius(photo.k, {photo.k.cx + 1, photo.k.cy}), 2))),
+          focal(float(photo.focal / target.focal)) {
+        const Eigen::Matrix3d turn = other.pose.R * pose.R.transpose();
+        const Eigen::Vector3d shift = other.pose.t - turn * pose.t;
         R = turn.cast<float>();
         t = shift.cast<float>();
         center = (-turn.transpose() * shift).cast<float>();
@@ -107,7 +109,9 @@ bool sighting(const Projector& p, const Point& point, Sighting& out) {
     const float right = out.x - p.cx, down = out.y - p.cy;
     out.radius2 = (right * right + down * down) * p.radius_scale;
     out.theta = angle_between(point.to_viewer, to_photo);
-    out.weight *= seen * angle_weight(out.theta);
+    // sampling() in blend.frag, of a view of the target's size, without the slant.
+    const float sampling = std::clamp(p.focal * point.at.z() / at.z(), 0.001f, 1.0f);
+    out.weight *= seen * angle_weight(out.theta) * sampling;
     return true;
 }
 
@@ -159,7 +163,7 @@ Sightings sightings(const CoarsePhoto& target, std::span<const OtherPhoto> other
 
 Sightings sightings(const CoarsePhoto& target, const Pose& pose, std::span<const OtherPhoto> others) {
     std::vector<Projector> projectors;
-    for (const OtherPhoto& o : others) projectors.emplace_back(o, pose);
+    for (const OtherPhoto& o : others) projectors.emplace_back(o, target, pose);
     const Surface surface(target);
     Sightings out;
     out.first.reserve(target.texels.size() + 1);

@@ -60,6 +60,9 @@ void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
     for (const std::uint32_t index : s.clusters) {
         const package::ClusterRecord& c = s.scene.clusters[index];
         const bool away = faces_away(c, s.eye);
+        // Samples of the picture per unit of the surface.
+        const double wanted =
+            settings.samples * s.view.intrinsics.fx / std::max((center(c) - s.eye).norm(), 1e-30);
         double best = 0;
         for (std::size_t i = 0; i < photos.size(); ++i) {
             weights[i] = -1;
@@ -69,8 +72,9 @@ void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
             const double turn =
                 c.radius * std::abs(1 / (center(c) - s.eye).norm() - 1 / (center(c) - centers[i]).norm());
             const double theta = std::max(0.0, ray_angle(center(c), s.eye, centers[i]) - turn),
-                         density = std::exp2(s.scene.coverage[p][index].log2_density / 256.0);
-            weights[i] = settings.sharpness > 0 ? std::exp(-theta / settings.sharpness) * density : 1;
+                         rate = std::exp2(s.scene.coverage[p][index].log2_density / 256.0) / wanted;
+            weights[i] =
+                settings.sharpness > 0 ? std::exp(-theta / settings.sharpness) * std::min(rate, 1.0) : 1;
             if (count_bits(s.scene.visible[p].first(words), c.first_triangle, c.triangles) == c.triangles)
                 best = std::max(best, weights[i]);
         }

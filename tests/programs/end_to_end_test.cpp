@@ -40,7 +40,9 @@ struct Prepared {
     std::vector<std::uint32_t> photos;
 
     Prepared(const fs::path& folder, const fs::path& to, const PrepareSettings& settings = {})
-        : scene(read_scene(discover(folder))), file(to) {
+        : Prepared(read_scene(discover(folder)), to, settings) {}
+    Prepared(SceneInput input, const fs::path& to, const PrepareSettings& settings = {})
+        : scene(std::move(input)), file(to) {
         prepare(scene, settings, file, [](const Progress&) {});
         package = std::make_unique<PackageReader>(file);
         context = std::make_unique<gl::HeadlessContext>(gl::Debug::on);
@@ -333,6 +335,35 @@ TEST_F(EndToEnd, ExcludedPhotoDoesNotContribute) {
         EXPECT_GE(psnr(picture, photo), 22);
         EXPECT_LE(psnr(picture, photo), 40);
     }
+}
+
+TEST_F(EndToEnd, PhotosCoarserThanThePictureCountLess) {
+    SynthSpec spec = tiny();
+    spec.photos.width = 662, spec.photos.height = 500;
+    spec.photos.arc = 40;
+    SceneInput input = read_scene(discover(make(spec)));
+    // One of the neighbors of photo 2, at a quarter of its size.
+    PhotoInput& coarse = input.photos[1];
+    RgbaImage image = read_photo(coarse.file, {662, 500});
+    image = reduced(image, {166, 125});
+    std::vector<std::uint8_t> rgb;
+    for (std::size_t i = 0; i < image.rgba.size(); ++i)
+        if (i % 4 < 3) rgb.push_back(image.rgba[i]);
+    image_files().write(coarse.file, 166, 125, 3, Sample::u8, std::as_bytes(std::span(rgb)));
+    coarse.camera.intrinsics = coarse.camera.intrinsics.scaled(166, 125);
+    Prepared p(std::move(input), dir / "scene.vantage");
+    const auto photo = read_photo(p.scene.photos[2].file, {662, 500}).rgba;
+    std::erase(p.photos, 2u);
+    const auto gain_of_mask = [&](double scale, const std::vector<std::uint8_t>& truth) {
+        RenderSettings settings;
+        const View view = view_of_photo(p.package->photos()[2], scale);
+        const double with = psnr(p.picture(view, settings), truth);
+        settings.weights.depth_mask = false;
+        return with - psnr(p.picture(view, settings), truth);
+    };
+    EXPECT_GT(gain_of_mask(1, photo), 0.05);
+    const RgbaImage whole{662, 500, photo}, small = reduced(whole, {82, 62});
+    EXPECT_NEAR(gain_of_mask(0.124, small.rgba), 0, 0.02) << "where every photo shows enough";
 }
 
 TEST_F(EndToEnd, PhotosAreReducedToTheRequestedSize) {
