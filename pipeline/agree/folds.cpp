@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t max_others = 8, cached_photos = 64;
+constexpr std::size_t max_others = 8, cached_photos = 24;
 
 constexpr std::size_t kept_sightings = 12;  ///< folds; some 2 MB each
 

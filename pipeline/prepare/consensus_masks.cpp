@@ -113,7 +113,7 @@ std::vector<ConsensusMap> decide_masks(const FinishInput& in, const PackageReade
                                        Consensus& out) {
     const ConsensusPartners partners(folds.shared());
     const PhotoColors all = colors_of(colors.fit, colors.lens);
-    const ConsensusViews views(32, [&](std::uint32_t i) { return consensus_view(*folds.photo(i)); });
+    const ConsensusViews views(16, [&](std::uint32_t i) { return consensus_view(*folds.photo(i)); });
     const std::vector<ConsensusMap> evidence = consensus_maps(views, all, partners, in.threads);
     out.decision = decide_consensus(photos, evidence, choice_of(in.choices, Effect::consensus));
     for (std::size_t i = 0; i < photos.size(); ++i) out.disagreeing[i] = evidence[i].disagreeing;

@@ -78,11 +78,16 @@ ResourceEstimate reserve(const PreparePlan& plan, const SceneInput& scene, const
     const PackageLayout layout = package_layout(plan.chunks, plan.names);
     const std::uint64_t photo = photo_memory(scene, plan.scene);
     const std::uint64_t base = memory_now() + scene_memory(plan.scene, opengl);
-    const unsigned in_flight = photos_in_flight(settings, base, photo);
-    const double share = run.share.shares ? 1.0 / run.share.shares : 1;
+    const bool shared = run.share.shares > 0;
+    // The photos' memory is free when their results are compared.
+    const auto needed = [&](unsigned in_flight) {
+        return base + std::max(in_flight * photo, shared ? 0 : agree_memory(scene, settings, in_flight));
+    };
+    const unsigned in_flight = photos_in_flight(settings, needed);
+    const double share = shared ? 1.0 / run.share.shares : 1;
     const ResourceEstimate estimate{.disk = layout.bytes,
                                     .disk_free = disk_space_for(out),
-                                    .memory = base + in_flight * photo,
+                                    .memory = needed(in_flight),
                                     .in_flight = in_flight,
                                     .seconds = share * expected_seconds(scene, plan.scene, in_flight)};
     if (run.on_estimate) run.on_estimate(estimate);

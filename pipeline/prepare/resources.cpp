@@ -56,6 +56,19 @@ std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& 
     return std::uint64_t(most + 44.0 * double(model.vertices) + 28.0 * double(model.triangles));
 }
 
+std::uint64_t agree_memory(const SceneInput& scene, const PrepareSettings& settings, unsigned threads) {
+    const auto off = [&](Effect e) { return choice_of(settings.effects, e) == EffectChoice::off; };
+    if (off(Effect::exposure) && off(Effect::consensus)) return 0;
+    const auto at_most = [&](std::size_t n) { return double(std::min(scene.photos.size(), n)); };
+    double texels = 0;  // at the level of Folds, at most 256 on the longer side
+    for (const PhotoInput& photo : scene.photos)
+        texels = std::max(texels, std::min(pixels(photo) / 4, 256.0 * 256.0 * 3 / 4));
+    // Bytes per texel: Folds' photos 100, consensus views 80, kept sightings 8 of 52 at a quarter of the
+    // texels; and per thread the blended colors of three predictions.
+    return std::uint64_t(texels * (100 * at_most(24) + 80 * at_most(16) + 13 * at_most(12) * at_most(8) +
+                                   100 * at_most(threads)));
+}
+
 std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl) {
     // The report's views; for OpenGL a software renderer's shaders, buffers and triangle bins.
     return std::uint64_t(18e6 + (opengl ? 160e6 + 150.0 * double(model.triangles) : 0));
@@ -68,13 +81,15 @@ unsigned threads_of(const PrepareSettings& settings) {
     return settings.threads ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
-unsigned photos_in_flight(const PrepareSettings& settings, std::uint64_t base, std::uint64_t photo_bytes) {
-    const unsigned threads = threads_of(settings);
-    if (settings.memory == 0) return threads;
-    if (settings.memory < base + photo_bytes)
+unsigned photos_in_flight(const PrepareSettings& settings,
+                          const std::function<std::uint64_t(unsigned in_flight)>& needed) {
+    unsigned in_flight = threads_of(settings);
+    if (settings.memory == 0) return in_flight;
+    while (in_flight > 1 && needed(in_flight) > settings.memory) --in_flight;
+    if (needed(in_flight) > settings.memory)
         throw Error(Exit::usage, fmt::format("--memory {}M: these photos and this model need at least {}M",
-                                             settings.memory >> 20, ((base + photo_bytes) >> 20) + 1));
-    return unsigned(std::min<std::uint64_t>(threads, (settings.memory - base) / photo_bytes));
+                                             settings.memory >> 20, (needed(in_flight) >> 20) + 1));
+    return in_flight;
 }
 
 double expected_seconds(const SceneInput& scene, const package::SceneRecord& model, unsigned in_flight) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 
 #include "pipeline/input/scene_input.h"
 #include "pipeline/settings/settings.h"
@@ -19,6 +20,10 @@ struct ResourceEstimate {
 /// Memory per photo in flight, in bytes: its pixels, the rendered maps of the model, and masks.
 std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& model);
 
+/// Memory in bytes that results of all photos need after the photos are done: the coarse photos that are held
+/// to judge effects, on up to `threads` threads; 0 if nothing is judged.
+std::uint64_t agree_memory(const SceneInput& scene, const PrepareSettings& settings, unsigned threads);
+
 /// Memory in bytes still to be allocated for the scene, independent of the number of photos in flight.
 std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl);
 
@@ -29,9 +34,10 @@ std::uint64_t memory_peak();
 /// The number of threads in the settings, or one per core.
 unsigned threads_of(const PrepareSettings& settings);
 
-/// Photos in flight that the settings' threads and memory allow, given `base` bytes for the scene. Throws
-/// Error(usage) if the memory is too small for one photo.
-unsigned photos_in_flight(const PrepareSettings& settings, std::uint64_t base, std::uint64_t photo_bytes);
+/// Photos in flight that the settings' threads and memory allow, if so many need `needed` bytes. Throws
+/// Error(usage) if the memory is too small for one.
+unsigned photos_in_flight(const PrepareSettings& settings,
+                          const std::function<std::uint64_t(unsigned in_flight)>& needed);
 
 /// Expected seconds for all photos, scaled by this machine's speed in earlier runs.
 double expected_seconds(const SceneInput& scene, const package::SceneRecord& model, unsigned in_flight);
