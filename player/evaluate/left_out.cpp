@@ -107,11 +107,11 @@ std::vector<bool> surface_of(std::span<const std::uint32_t> triangles) {
 
 /// Scores the whole frame and finds the causes of its error; applies the gains to the pictures.
 void judge_frame(LeftOutPictures& p, std::span<const std::uint32_t> triangles, LeftOut& out) {
-    const std::vector<bool> taken = opaque_pixels(p.photo), colored = opaque_pixels(p.rendered);
+    const std::vector<bool> taken = scored_pixels(p.photo, 0), colored = scored_pixels(p.rendered, 0);
     const Plane errors = squared_errors(p.photo, p.shown, taken, colored, out.score.gain);
     out.frame = score_frame(p.photo, p.shown, taken, colored, out.score.gain, errors);
     p.shown = gained(std::move(p.shown), out.score.gain, colored);
-    for (Picture& one : p.alone) one = gained(std::move(one), out.score.gain, opaque_pixels(one));
+    for (Picture& one : p.alone) one = gained(std::move(one), out.score.gain, scored_pixels(one, 0));
     const CauseMap causes =
         find_causes({p.photo, p.shown, p.alone, errors, taken, colored, surface_of(triangles)});
     out.causes = causes.totals();

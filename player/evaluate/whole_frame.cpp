@@ -59,10 +59,4 @@ FrameScore score_frame(const Picture& photo, const Picture& shown, const std::ve
     return s;
 }
 
-std::vector<bool> opaque_pixels(const Picture& picture) {
-    std::vector<bool> out(picture.rgba.size() / 4);
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = picture.rgba[4 * i + 3] >= 128;
-    return out;
-}
-
 }  // namespace vantage

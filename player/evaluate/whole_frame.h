@@ -34,7 +34,4 @@ FrameScore score_frame(const Picture& photo, const Picture& shown, const std::ve
                        const std::vector<bool>& colored, const std::array<double, 3>& gain,
                        const Plane& errors);
 
-/// One flag per pixel: alpha of at least one half.
-std::vector<bool> opaque_pixels(const Picture& picture);
-
 }  // namespace vantage
