@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <string_view>
 
 #include "pipeline/package/meta.h"
 
@@ -18,8 +20,11 @@ struct Parts {
     std::vector<Type> chunks;
 };
 
-Parts parts_of(Effect effect) {
-    switch (effect) {
+/// Nothing for effects of later versions.
+Parts parts_of(const std::string& name) {
+    const auto row = std::ranges::find(effect_table(), std::string_view(name), &EffectRow::name);
+    if (row == effect_table().end()) return {};
+    switch (row->effect) {
         case Effect::undistortion:
             return {{"undistort"}, {}};
         case Effect::vertex_colors:
@@ -53,10 +58,11 @@ std::vector<EffectCost> effect_costs(const PackageReader& package, std::span<con
     const nlohmann::json meta = parse_meta(package);
     for (const auto& e : meta.value("effects", nlohmann::json::array())) {
         EffectCost& cost = out.emplace_back();
-        cost.name = e.at("name");
-        cost.state = std::string(e.at("on") ? "on" : "off") + (e.value("forced", false) ? ", forced" : "");
+        cost.name = e.value("name", "");
+        cost.state =
+            std::string(e.value("on", false) ? "on" : "off") + (e.value("forced", false) ? ", forced" : "");
         if (e.contains("judged")) add_judgment(e["judged"], cost);
-        const Parts parts = parts_of(effect_row(cost.name).effect);
+        const Parts parts = parts_of(cost.name);
         for (const std::string& span : parts.spans)
             if (!spans.empty()) cost.seconds = cost.seconds.value_or(0) + seconds[span];
         for (const Type chunk : parts.chunks) cost.bytes += bytes[std::uint32_t(chunk)];

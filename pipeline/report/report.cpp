@@ -84,26 +84,20 @@ std::string effects_part(const PackageReader& package, const json& meta,
                          const std::optional<ReportRun>& run) {
     const std::vector<EffectCost> costs =
         effect_costs(package, run ? run->spans : std::vector<Trace::Span>{});
-    const auto cost_of = [&](const std::string& name) {
-        const auto it = std::ranges::find(costs, name, &EffectCost::name);
-        return it == costs.end() ? EffectCost{} : *it;
-    };
     std::string out =
         "<h2>Effects</h2>\n<p>An effect is on if the scene needs it. Gain: of photos that are left out and "
         "predicted from the others, with its standard error. Seams: how much less the picture changes where "
         "the blended photos change.</p>\n<table><tr><th>effect<th><th>evidence<th class=n>measured<th "
         "class=n>threshold<th class=n>gain<th class=n>seams<th class=n>time<th class=n>stored</tr>\n";
-    for (const json& e : meta.value("effects", json::array())) {
+    const json effects = meta.value("effects", json::array());
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+        const json& e = effects[i];
+        const EffectCost& cost = costs[i];
         const std::string unit = e.value("unit", "");
-        out += "<tr>" + cell(e.value("name", "")) +
-               cell(std::string(e.value("on", false) ? "on" : "off") +
-                    (e.value("forced", false) ? ", forced" : "")) +
-               cell(e.value("evidence", "")) +
+        out += "<tr>" + cell(cost.name) + cell(cost.state) + cell(e.value("evidence", "")) +
                number(fmt::format("{:.3g} {}", e.value("measured", 0.0), unit)) +
-               number(fmt::format("{:g} {}", e.value("threshold", 0.0), unit));
-        const EffectCost cost = cost_of(e.value("name", ""));
-        out += number(cost.gain) + number(cost.seams) +
-               number(cost.seconds ? fmt::format("{:.2f} s", *cost.seconds) : "") +
+               number(fmt::format("{:g} {}", e.value("threshold", 0.0), unit)) + number(cost.gain) +
+               number(cost.seams) + number(cost.seconds ? fmt::format("{:.2f} s", *cost.seconds) : "") +
                number(fmt::format("{:.1f} KB", double(cost.bytes) / 1000)) + "</tr>\n";
     }
     return out + "</table>\n";
