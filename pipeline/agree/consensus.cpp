@@ -19,7 +19,7 @@ namespace {
 constexpr float tolerance = 0.35f;   ///< ln of linear light
 constexpr float darkest = 0.004f;    ///< linear light; darker counts as this
 constexpr float depth_step = 0.02f;  ///< relative depth difference on one surface
-constexpr std::size_t max_others = 6;
+constexpr std::size_t max_compared = 6;
 constexpr std::size_t neighbors = 6;  ///< that a photo chooses
 constexpr float no_color = std::numeric_limits<float>::quiet_NaN();
 
@@ -33,7 +33,7 @@ const ConsensusView::Texel* shown_at(const ConsensusView& v, const Eigen::Vector
     return std::abs(t.z - p.z()) <= depth_step * p.z() && std::isfinite(t.ln[0]) ? &t : nullptr;
 }
 
-using Others = std::array<const ConsensusView::Texel*, max_others>;
+using Others = std::array<const ConsensusView::Texel*, max_compared>;
 
 /// How far a color is outside the range that another photo shows.
 float outside(const float* ln, const ConsensusView::Texel& other, std::size_t c) {
@@ -51,21 +51,23 @@ bool clearly_agrees(const float* ln, const Others& others, std::size_t n) {
     return true;
 }
 
-float median(std::array<float, max_others>& v, std::size_t n) { return upper_median(std::span(v).first(n)); }
+float median(std::array<float, max_compared>& v, std::size_t n) {
+    return upper_median(std::span(v).first(n));
+}
 
 /// Weight in [0, 1] of a color, given what `n` others show of the same place.
 float weight_among(const float* ln, const Others& others, std::size_t n) {
     if (clearly_agrees(ln, others, n)) return 1;
     float deviation = 0, spread = 0;
     for (std::size_t c = 0; c < 3; ++c) {
-        std::array<float, max_others> values, off;
+        std::array<float, max_compared> values, off;
         for (std::size_t j = 0; j < n; ++j) {
             values[j] = others[j]->ln[c];
             off[j] = outside(ln, *others[j], c);
         }
         const float middle = median(values, n);
         deviation = std::max(deviation, median(off, n));
-        std::array<float, max_others> from_middle;
+        std::array<float, max_compared> from_middle;
         for (std::size_t j = 0; j < n; ++j) from_middle[j] = std::abs(others[j]->ln[c] - middle);
         // The median of two is not meaningful.
         spread = std::max(spread, n == 2 ? std::max(from_middle[0], from_middle[1]) : median(from_middle, n));
@@ -142,7 +144,7 @@ ConsensusMap consensus_of(const ConsensusView& photo, std::span<const ConsensusV
                                     float((y + 0.5 - photo.k.cy) / photo.k.fy) * t.z, t.z);
             Others seen;
             std::size_t n = 0;
-            for (std::size_t j = 0; j < others.size() && n < max_others; ++j) {
+            for (std::size_t j = 0; j < others.size() && n < max_compared; ++j) {
                 seen[n] = shown_at(*others[j], to[j].R * p + to[j].t);
                 n += seen[n] != nullptr;
             }
@@ -193,7 +195,7 @@ std::vector<ConsensusMap> consensus_maps(const ConsensusViews& uncorrected, cons
                                          const ConsensusPartners& partners, unsigned threads) {
     const std::size_t n = colors.ln_gain.size();
     std::vector<ConsensusMap> out(n);
-    LruCache<ConsensusView> views(16, [&](std::uint32_t i) {
+    LruCache<ConsensusView> views(cached_views, [&](std::uint32_t i) {
         return corrected(*uncorrected.get(i), colors.ln_gain[i], colors.falloff[i]);
     });
     for_each_photo(n, threads, [&](std::size_t i) {

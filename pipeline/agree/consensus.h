@@ -63,6 +63,7 @@ class ConsensusPartners {
 
 /// Photos as exposed, made on demand.
 using ConsensusViews = LruCache<ConsensusView>;
+inline constexpr std::size_t cached_views = 16;  ///< that are held at once, as exposed and as corrected
 
 /// The maps of all photos, each compared with its partners. Keeps a bounded number of photos in memory. Empty
 /// for photos with fewer than two partners. `uncorrected` may throw Error(damaged).

@@ -7,10 +7,6 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t max_others = 8, cached_photos = 24;
-
-constexpr std::size_t kept_sightings = 12;  ///< folds; some 2 MB each
-
 /// Up to `max_folds` of the photos with pixels, evenly spread.
 std::vector<std::uint32_t> photos_to_leave_out(std::span<const package::PhotoRecord> photos,
                                                std::size_t max_folds) {

@@ -12,6 +12,10 @@
 
 namespace vantage {
 
+/// How much Folds holds in memory: coarse photos, and sightings of folds (some 2 MB each).
+inline constexpr std::size_t cached_photos = 24, kept_sightings = 12;
+inline constexpr std::size_t max_others = 8;  ///< that a photo is predicted from
+
 /// Where Folds reads photos from. The spans must outlive it.
 struct FoldsInput {
     const PackageReader& package;                  ///< with tiles, masks and depth
@@ -27,7 +31,7 @@ struct FoldsInput {
 /// A photo that is left out, and those that it is predicted from.
 struct Fold {
     std::uint32_t photo;
-    std::vector<std::uint32_t> others;  ///< up to 8 that share the most surface, ascending
+    std::vector<std::uint32_t> others;  ///< up to max_others that share the most surface, ascending
 };
 
 /// Cross-validation: photos that are left out of everything in turn, spread over the scene.

@@ -98,7 +98,7 @@ void confirm(const FinishInput& in, const Folds& folds, const ConsensusViews& vi
 /// Masks are twice as fine as the evidence.
 ConsensusViews finer_views(const FinishInput& in, const PackageReader& part, const Folds& folds,
                            std::span<const PhotoRecord> photos) {
-    return {16, [&, photos](std::uint32_t i) {
+    return {cached_views, [&, photos](std::uint32_t i) {
                 const int level = std::max(folds.level(i) - 1, mask_level);
                 ConsensusView view =
                     consensus_view(read_coarse_photo(part, photos[i], i, level, in.geometry.border_width));
@@ -113,7 +113,8 @@ std::vector<ConsensusMap> decide_masks(const FinishInput& in, const PackageReade
                                        Consensus& out) {
     const ConsensusPartners partners(folds.shared());
     const PhotoColors all = colors_of(colors.fit, colors.lens);
-    const ConsensusViews views(16, [&](std::uint32_t i) { return consensus_view(*folds.photo(i)); });
+    const ConsensusViews views(cached_views,
+                               [&](std::uint32_t i) { return consensus_view(*folds.photo(i)); });
     const std::vector<ConsensusMap> evidence = consensus_maps(views, all, partners, in.threads);
     out.decision = decide_consensus(photos, evidence, choice_of(in.choices, Effect::consensus));
     for (std::size_t i = 0; i < photos.size(); ++i) out.disagreeing[i] = evidence[i].disagreeing;

@@ -8,6 +8,8 @@
 #include <string>
 #include <thread>
 
+#include "pipeline/agree/consensus.h"
+#include "pipeline/agree/folds.h"
 #include "pipeline/input/identity_cache.h"
 #include "pipeline/settings/settings.h"
 #include "scene/error.h"
@@ -63,10 +65,11 @@ std::uint64_t agree_memory(const SceneInput& scene, const PrepareSettings& setti
     double texels = 0;  // at the level of Folds, at most 256 on the longer side
     for (const PhotoInput& photo : scene.photos)
         texels = std::max(texels, std::min(pixels(photo) / 4, 256.0 * 256.0 * 3 / 4));
-    // Bytes per texel: Folds' photos 100, consensus views 80, kept sightings 8 of 52 at a quarter of the
-    // texels; and per thread the blended colors of three predictions.
-    return std::uint64_t(texels * (100 * at_most(24) + 80 * at_most(16) + 13 * at_most(12) * at_most(8) +
-                                   100 * at_most(threads)));
+    // Bytes per texel: Folds' photos 100, consensus views 80, sightings of 52 at a quarter of the texels; and
+    // per thread the blended colors of three predictions.
+    return std::uint64_t(texels *
+                         (100 * at_most(cached_photos) + 80 * at_most(cached_views) +
+                          13 * at_most(kept_sightings) * at_most(max_others) + 100 * at_most(threads)));
 }
 
 std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl) {
