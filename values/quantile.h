@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -24,6 +25,15 @@ T upper_median(std::span<T> values) {
     const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
+}
+
+/// Jackknife standard error of an estimate, from its distances to the n estimates that each lack a part of
+/// the data: sqrt((n - 1) / n sum(d^2)); 0 if there are none.
+inline double jackknife_error(std::span<const double> distances) {
+    const double n = double(distances.size());
+    double squares = 0;
+    for (const double d : distances) squares += d * d;
+    return n > 0 ? std::sqrt(squares * (n - 1) / n) : 0;
 }
 
 }  // namespace vantage

@@ -94,13 +94,11 @@ Judgment judge(const PoseRounds& rounds, const Folds& folds, std::span<const Pho
 
 /// Jackknife over the folds: how far the photo's content moves in px when one other photo is missing.
 double uncertainty(const PoseRounds& rounds, const Folds& folds, const Candidate& c, std::uint32_t photo) {
-    double squares = 0, n = 0;
-    for (std::size_t f = 0; f < folds.all().size(); ++f) {
-        if (folds.all()[f].photo == photo) continue;
-        squares += std::pow(rounds.motion(c.solution, c.without[f], c.solution.poses, photo), 2);
-        ++n;
-    }
-    return n > 0 ? std::sqrt(squares * (n - 1) / n) : 0;
+    std::vector<double> moved;
+    for (std::size_t f = 0; f < folds.all().size(); ++f)
+        if (folds.all()[f].photo != photo)
+            moved.push_back(rounds.motion(c.solution, c.without[f], c.solution.poses, photo));
+    return jackknife_error(moved);
 }
 
 /// Cameras that move by less than their uncertainty keep their given poses.

@@ -192,14 +192,13 @@ class ErrorSearch {
     /// Jackknife over the groups of photos, without groups that hold all of `photos`.
     double uncertainty(const std::function<double(const VectorXd&)>& distance,
                        std::span<const std::uint32_t> photos = {}) const {
-        double squares = 0, n = 0;
+        std::vector<double> distances;
         for (std::uint32_t g = 0; g < groups_; ++g) {
             const auto in_group = [&](std::uint32_t i) { return i % groups_ == g; };
-            if (!photos.empty() && std::ranges::all_of(photos, in_group)) continue;
-            squares += std::pow(distance(without_[g]), 2);
-            ++n;
+            if (photos.empty() || !std::ranges::all_of(photos, in_group))
+                distances.push_back(distance(without_[g]));
         }
-        return n > 0 ? std::sqrt(squares * (n - 1) / n) : 0;
+        return jackknife_error(distances);
     }
     /// Whether unknowns of a lens are an error.
     bool is_found(std::uint32_t lens, int at, int count, const Model& without) const {
