@@ -40,15 +40,12 @@ float outside(const float* ln, const ConsensusView::Texel& other, std::size_t c)
     return std::max({0.0f, other.low[c] - ln[c], ln[c] - other.high[c]});
 }
 
-/// Whether, in each channel, more than half of the others show a color within the tolerance: then the weight
-/// is 1.
-bool clearly_agrees(const float* ln, const Others& others, std::size_t n) {
-    for (std::size_t c = 0; c < 3; ++c) {
-        std::size_t within = 0;
-        for (std::size_t j = 0; j < n; ++j) within += outside(ln, *others[j], c) <= tolerance;
-        if (within < n / 2 + 1) return false;
-    }
-    return true;
+/// Whether another photo shows the color, too: then it belongs to the scene, even if the mesh lacks it.
+bool confirmed(const float* ln, const Others& others, std::size_t n) {
+    return std::any_of(others.begin(), others.begin() + std::ptrdiff_t(n), [&](const auto* other) {
+        return std::max({outside(ln, *other, 0), outside(ln, *other, 1), outside(ln, *other, 2)}) <=
+               tolerance;
+    });
 }
 
 float median(std::array<float, max_compared>& v, std::size_t n) {
@@ -57,7 +54,7 @@ float median(std::array<float, max_compared>& v, std::size_t n) {
 
 /// Weight in [0, 1] of a color, given what `n` others show of the same place.
 float weight_among(const float* ln, const Others& others, std::size_t n) {
-    if (clearly_agrees(ln, others, n)) return 1;
+    if (confirmed(ln, others, n)) return 1;
     float deviation = 0, spread = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         std::array<float, max_compared> values, off;

@@ -41,10 +41,11 @@ struct ConsensusMap {
     double disagreeing = 0;            ///< share of the compared texels with weight below 128
 };
 
-/// Compares each texel with the same place in `others`. The weight falls when its color is outside the range
-/// that most of them show around that place by more than 0.35 (ln of linear light) plus twice the spread
-/// among them, and is 0 at twice that. Single texels are ignored as noise. The weight is 255 if fewer than
-/// two others see the place or they disagree among themselves. At most six others are used per texel.
+/// Compares each texel with the same place in `others`. The weight falls when no other photo shows its color
+/// around that place within 0.35 (ln of linear light), and it is outside the range that most of them show by
+/// more than 0.35 plus twice the spread among them; it is 0 at twice that. Single texels are ignored as
+/// noise. The weight is 255 if fewer than two others see the place or they disagree among themselves. At most
+/// six others are used per texel.
 ConsensusMap consensus_of(const ConsensusView& photo, std::span<const ConsensusView* const> others);
 
 /// The photos that each photo is compared with: the six that share the most surface with it from similar
