@@ -180,8 +180,9 @@ void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
     glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
     glUniform1ui(shader::pass_count_uniform, GLuint(pass.size()));
     uniform(shader::eye_uniform, drawn.view.cam_from_origin.center());
-    uniform(shader::weight_eye_uniform, settings.weights_from.value_or(drawn.view).cam_from_origin.center());
-    uniform(shader::view_direction_uniform, overall_direction(drawn.view, package_->scene()));
+    const View& weighted_from = settings.weights_from ? *settings.weights_from : drawn.view;
+    uniform(shader::weight_eye_uniform, weighted_from.cam_from_origin.center());
+    uniform(shader::view_direction_uniform, overall_direction(weighted_from, package_->scene()));
     glUniform1ui(shader::switches_uniform, switches(settings.weights));
     glUniform1f(shader::border_width_uniform, float(package_->scene().border_width));
     glUniform1f(shader::sharpness_uniform, float(settings.weights.sharpness));
