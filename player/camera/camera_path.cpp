@@ -77,15 +77,22 @@ Navigation between(const Navigation& a, const Navigation& b, double share) {
     return n;
 }
 
-CameraPath recorded_path(const std::string& file, const PackageReader& package, int frames) {
+std::vector<Navigation> recorded_stops(const std::string& file, const PackageReader& package,
+                                       double distance) {
     std::vector<Navigation> stops;
     const Eigen::Vector3d up = mean_up(package.photos());
     for (const Shot& shot : read_path(file, package, {1280, 720})) {
         const View& v = shot.view;
         stops.push_back({v.cam_from_origin.center(),
-                         v.cam_from_origin.center() + v.cam_from_origin.direction(), up, v.cam_from_origin.R,
+                         v.cam_from_origin.center() + distance * v.cam_from_origin.direction(), up,
+                         v.cam_from_origin.R,
                          2 * std::atan(v.intrinsics.height / (2 * v.intrinsics.fy)) * 180 / pi});
     }
+    return stops;
+}
+
+CameraPath recorded_path(const std::string& file, const PackageReader& package, int frames) {
+    const std::vector<Navigation> stops = recorded_stops(file, package);
     CameraPath path{std::filesystem::path(file).stem().string(), {}};
     for (int i = 0; i < frames; ++i) {
         const double at = double(i) / std::max(1, frames - 1) * double(stops.size() - 1);
@@ -94,6 +101,36 @@ CameraPath recorded_path(const std::string& file, const PackageReader& package, 
             between(stops[first], stops[std::min(first + 1, stops.size() - 1)], at - double(first)));
     }
     return path;
+}
+
+std::vector<Navigation> photo_stops(const PackageReader& package, std::span<const std::uint32_t> photos) {
+    const Eigen::Vector3d up = mean_up(package.photos());
+    std::vector<Navigation> stops;
+    for (const std::uint32_t p : photos)
+        if (package.photos()[p].levels > 0) stops.push_back(stand_at(package.photos()[p], up));
+    for (std::size_t i = 1; i < stops.size(); ++i) {
+        const auto from = [&](const Navigation& n) { return (n.eye - stops[i - 1].eye).norm(); };
+        std::iter_swap(stops.begin() + std::ptrdiff_t(i),
+                       std::ranges::min_element(stops.begin() + std::ptrdiff_t(i), stops.end(), {}, from));
+    }
+    return stops;
+}
+
+std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double step) {
+    constexpr double most = 1e6;
+    std::vector<Navigation> frames;
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+        const Navigation &a = stops[i], &b = stops[i + 1];
+        const double distance = std::min((a.target - a.eye).norm(), (b.target - b.eye).norm());
+        const double length =
+            std::max((b.eye - a.eye).norm() / distance, Eigen::AngleAxisd(b.R * a.R.transpose()).angle());
+        const double count = std::max(1.0, std::ceil(length / step));
+        if (!(double(frames.size()) + count < most))
+            throw Error(Exit::usage, "a path of more than a million frames, expected larger steps");
+        for (double k = 0; k < count; ++k) frames.push_back(between(a, b, k / count));
+    }
+    if (!stops.empty()) frames.push_back(stops.back());
+    return frames;
 }
 
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,

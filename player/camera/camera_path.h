@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,19 @@ CameraPath scripted_path(const std::string& name, const Navigation& start, int f
 
 /// The views in a file (see read_path), interpolated evenly to `frames` positions. Throws Error(input).
 CameraPath recorded_path(const std::string& file, const PackageReader& package, int frames);
+
+/// The views in a file, see read_path; their targets are `distance` away. Throws Error(input).
+std::vector<Navigation> recorded_stops(const std::string& file, const PackageReader& package,
+                                       double distance = 1);
+
+/// At the photos' cameras, from the first one always to the nearest that is left. Photos without pixels are
+/// skipped.
+std::vector<Navigation> photo_stops(const PackageReader& package, std::span<const std::uint32_t> photos);
+
+/// From stop to stop in straight lines, in equal steps of at most `step` radians: the angle by which the
+/// camera turns, or by which it moves around its target, whichever is larger. Throws Error(usage) for more
+/// than a million frames.
+std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double step);
 
 /// Writes positions in the format of read_path. Throws Error(storage).
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,

@@ -4,6 +4,7 @@
 #include "player/commands/unused_options.h"
 #include "player/evaluate/evaluate.h"
 #include "player/measure/bench.h"
+#include "player/measure/smoothness.h"
 #include "player/options/show_options.h"
 #include "player/verify/verify.h"
 
@@ -14,6 +15,7 @@ namespace vantage {
 int show_command(int argc, char** argv);
 int bench_command(int argc, char** argv);
 int evaluate_command(int argc, char** argv);
+int smoothness_command(int argc, char** argv);
 int verify_command(int argc, char** argv);
 
 /// A first argument that selects a command other than show_command.
@@ -25,12 +27,14 @@ struct Verb {
 inline constexpr Verb verbs[] = {
     {"bench", bench_command, "fly scripted paths and measure every frame"},
     {"evaluate", evaluate_command, "leave out each photo in turn and score the picture that the others give"},
+    {"smoothness", smoothness_command, "measure how far colors jump from frame to frame along a path"},
     {"verify", verify_command, "compare renderings of packages with stored pictures"},
 };
 
 void add_show_options(CLI::App& app, ShowOptions& options);
 void add_bench_options(CLI::App& app, BenchOptions& options, UnusedOptions& unused);
 void add_evaluate_options(CLI::App& app, EvaluateOptions& options, UnusedOptions& unused);
+void add_smoothness_options(CLI::App& app, SmoothnessOptions& options);
 void add_verify_options(CLI::App& app, VerifyOptions& options);
 
 }  // namespace vantage

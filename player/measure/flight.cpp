@@ -14,7 +14,6 @@ namespace vantage {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double frame_seconds = 1.0 / 30;  // time per frame in the path's clock
 
 /// Makes everything that the path needs resident, as far as there is space.
 void preload(Renderer& renderer, const CameraPath& path, FrameSize size, RenderSettings settings,

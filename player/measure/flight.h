@@ -14,6 +14,9 @@
 
 namespace vantage {
 
+/// Time from one frame to the next in a path's clock, which photos fade by.
+inline constexpr double frame_seconds = 1.0 / 30;
+
 /// How paths are flown.
 struct FlightOptions {
     PackageOptions package;

@@ -49,6 +49,10 @@ struct RenderSettings {
     bool refined_colors = true;             ///< apply gains and falloff if the package's effects are on
     std::optional<std::uint32_t> exposure;  ///< of this photo, instead of the view's
     bool complete = true;       ///< wait for all tiles that the view needs; else show what is resident
+    /// Without `complete`: photos fade as in a window, but each frame waits for its tiles and for the
+    /// triangles that the frame before it showed. The same frames at the same times then give the same
+    /// pictures.
+    bool wait_for_tiles = false;
     bool whole_photos = false;  ///< upload each photo whole and at once (for comparison)
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame
     float background[3] = {0.012f, 0.014f, 0.018f};                      ///< linear

@@ -98,10 +98,10 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
     check_view(view);
     if (settings.weights_from) check_view(*settings.weights_from);
     fit(view.intrinsics.width, view.intrinsics.height, settings);
-    store_.begin_frame(now, !settings.complete);
+    store_.begin_frame(now, !settings.complete && !settings.wait_for_tiles);
     if (settings.complete && settings.photos > 0 && sample.index == 0)
         find_seen(view, settings, photos, sample);
-    if (!settings.complete) readback_.update(false);
+    if (!settings.complete) readback_.update(settings.wait_for_tiles);
     plan_.update(view, plan_settings(settings), photos, sample.side, readback_.seen());
     const View point = sampled(view, sample);
     Frame frame{drawn_view(point, settings, sample.side), sample, now, {}};
@@ -109,10 +109,30 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
     frame.report.uncovered = plan_.plan().uncovered;
     if (!settings.complete) stream(frame, next);
     plan_.fade(plan_settings(settings), now, ready_photos(settings));
-    const std::vector<const PlannedPhoto*> shown = plan_.present(plan_settings(settings));
-    frame.report.photos = shown.size();
     passes_.draw_surface(frame.drawn, targets_);
     if (!settings.complete) readback_.capture(targets_, view);
+    draw_present(frame);
+    FrameReport& r = frame.report;
+    r.tiles_damaged = store_.residency().damaged_count();
+    r.settled = r.tiles_missing == 0 && plan_.settled() && store_.residency().settled();
+    gl::check("rendering a view");
+    return r;
+}
+
+void Renderer::redraw(const View& view, const RenderSettings& settings) {
+    check_view(view);
+    if (settings.weights_from) check_view(*settings.weights_from);
+    Frame frame{drawn_view(view, settings, 1), {}, 0, {}};
+    passes_.draw_surface(frame.drawn, targets_);
+    draw_present(frame);
+    gl::check("rendering a view again");
+}
+
+/// Draws the photos that are present on the surface drawn.
+void Renderer::draw_present(Frame& frame) {
+    const RenderSettings& settings = frame.drawn.settings;
+    const std::vector<const PlannedPhoto*> shown = plan_.present(plan_settings(settings));
+    frame.report.photos = shown.size();
     const std::array<float, 4> zero{};
     for (const gl::Framebuffer& sums : targets_.sums_target)
         glClearNamedFramebufferfv(sums.id(), GL_COLOR, 0, zero.data());
@@ -123,11 +143,6 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
         draw_passes(shown, frame, true, into);
     }
     resolve(into, frame);
-    FrameReport& r = frame.report;
-    r.tiles_damaged = store_.residency().damaged_count();
-    r.settled = r.tiles_missing == 0 && plan_.settled() && store_.residency().settled();
-    gl::check("rendering a view");
-    return r;
 }
 
 DrawnView Renderer::drawn_view(const View& view, const RenderSettings& settings, int side) const {
@@ -172,13 +187,21 @@ void Renderer::stream(Frame& frame, const View* next) {
     for (const PlannedPhoto& p : plan_.plan().photos) {
         frame.report.tiles += p.needs.tiles();
         // Until the visible triangles are known, many tiles would be read unnecessarily.
-        frame.report.tiles_missing += plan_.uses_seen() ? store_.need(p.photo, p.needs) : p.needs.tiles();
+        const bool known = plan_.uses_seen() || settings.wait_for_tiles;
+        frame.report.tiles_missing += known ? store_.need(p.photo, p.needs) : p.needs.tiles();
     }
     const TileNeeds comparison = comparison_needs(frame.drawn.view, settings);
     frame.report.tiles_missing += store_.need(settings.compare_photo, comparison);
     for (const std::uint32_t p : wanted_thumbnails_)
         if (scene_.photos[p].levels) store_.need_thumbnail(p);
     wanted_thumbnails_.clear();
+    if (settings.wait_for_tiles) {
+        store_.load();
+        frame.report.tiles_missing = store_.missing(settings.compare_photo, comparison);
+        for (const PlannedPhoto& p : plan_.plan().photos)
+            frame.report.tiles_missing += store_.missing(p.photo, p.needs);
+        return;
+    }
     if (frame.report.tiles_missing == 0)
         for (const PlannedPhoto& p : plan_.plan().photos) store_.prefetch(p.photo, p.later);
     if (next && frame.report.tiles_missing == 0) {

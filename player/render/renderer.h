@@ -30,6 +30,10 @@ class Renderer {
     /// soon, to prefetch for. Throws Error(usage) for a view that cannot be drawn.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
+    /// Replaces what the last draw() drew by its photos, as far as they had faded in, seen from another view
+    /// of the same size, one sample per pixel. The plan and the fading stay those of the last draw(). With
+    /// settings.weights_from of that draw's view, a surface gets the weights that it had there.
+    void redraw(const View& view, const RenderSettings& settings);
     /// Shows the samples drawn in the framebuffer `target`, which has the view's size. `flip` if the target's
     /// first row is at the bottom, as a window's is.
     void show(const View& view, const RenderSettings& settings, GLuint target, bool flip);
@@ -74,6 +78,7 @@ class Renderer {
     TileNeeds comparison_needs(const View& view, const RenderSettings& settings) const;
     void load(Pass pass, Frame& frame);
     std::size_t pass_length(Pass rest, const RenderSettings& settings) const;
+    void draw_present(Frame& frame);
     void draw_passes(Pass photos, Frame& frame, bool consensus, int& into);
     void resolve(int sums, const Frame& frame);
     void expose(const DrawnView& drawn) const;
