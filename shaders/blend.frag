@@ -116,8 +116,8 @@ float weight_of(uint photo, vec2 pixel, vec4 masks, float theta, Footprint footp
     // [P] eq. 2.8, with the sign for which a frontal photo wins, divided by the squared angle: from a photo's own
     // viewpoint that photo wins wherever it sees the surface.
     const float limit = 0.342020143;  // cos 70 degrees
-    float frontal = max(1.0 - (1.0 + dot(normalize(surface_normal), photos[photo].direction_presence.xyz)) / (1.0 - limit), 0.0) + 0.05;
-    float p = max(dot(view_direction, photos[photo].direction_presence.xyz), 0.01) * frontal * max(photos[photo].center_hull.w, 0.01);
+    float frontal = max(1.0 - (1.0 + dot(normalize(surface_normal), photos[photo].direction.xyz)) / (1.0 - limit), 0.0) + 0.05;
+    float p = max(dot(view_direction, photos[photo].direction.xyz), 0.01) * frontal * max(photos[photo].center_hull.w, 0.01);
     return p / ((theta + 1e-4) * (theta + 1e-4));
 #elif defined(BLEND_LUMIGRAPH)
     float w = angle_weight(theta) * own_view(theta) * sampling(footprint);
@@ -197,7 +197,7 @@ void main() {
         Footprint footprint = footprint_of(photo, p, along_x, along_y);
         MaskPlace at = mask_place(photo, pixel, footprint.lod);
         if (at.level < 0) continue;
-        float w = photos[photo].direction_presence.w;
+        float w = 1.0;
 #ifdef PER_FRAGMENT
         w *= seen(photo, p, at);
 #endif

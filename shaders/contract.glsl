@@ -22,6 +22,7 @@ const int best_so_far_unit = 4;  // blend
 const int first_sums_unit = 5;
 const int sums_unit = 4;  // resolve
 const int surface_unit = 5;
+const int before_unit = 6;
 const int accumulated_unit = 4;  // show
 
 // Uniforms of surface and blend.
@@ -49,6 +50,7 @@ const int most_uniform = 3;
 const int exposure_uniform = 4;
 const int falloff_uniform = 5;
 const int lens_uniform = 6;
+const int progress_uniform = 7;
 
 // Uniforms of show.
 const int samples_uniform = 0;
@@ -124,7 +126,7 @@ struct Photo {
     vec4 focal_center;        // fx fy cx cy, pixels
     vec4 size_weight;         // width, height, number of levels, dynamic weight for this view
     vec4 center_hull;         // camera center relative to the origin; share of the photo that the model fills
-    vec4 direction_presence;  // corrected viewing direction [P]; how far the photo has faded in, 0 to 1
+    vec4 direction;           // corrected viewing direction [P]; w is unused
     vec4 thumbnail;           // layer (-1: none), share of the layer's width and height, width in pixels
     vec4 false_color;         // linear
     vec4 gain;                // factors to the mean photo's exposure, linear light; 2 / diagonal, 1/pixels

@@ -5,6 +5,8 @@
 layout(location = 0) out vec4 accumulated;
 layout(binding = sums_unit) uniform sampler2D sums;
 layout(binding = surface_unit) uniform sampler2D surface;
+layout(binding = before_unit) uniform sampler2D before;         // the picture of the photos that these replace, holes transparent
+layout(location = progress_uniform) uniform float progress;     // share of these photos; 1: `before` does not count
 layout(location = takes_one_uniform) uniform bool takes_one;    // the sums already hold a color
 layout(location = fill_uniform) uniform bool fill;              // shade holes, and fill the background
 layout(location = background_uniform) uniform vec3 background;  // linear
@@ -34,13 +36,23 @@ vec3 exposed(vec3 c) {
     return c * exposure * exp(-r2 * (falloff.x + r2 * (falloff.y + r2 * falloff.z)));
 }
 
+// Both pictures, in square roots of light as everywhere; the one that is not a hole, if only one is.
+vec4 mixed(vec4 replaced, vec4 c) {
+    if (!(replaced.a > 0.0)) return c;
+    if (!(c.a > 0.0)) return replaced;
+    vec3 root = mix(sqrt(max(replaced.rgb, 0.0)), sqrt(max(c.rgb, 0.0)), progress);
+    return vec4(root * root, 1.0);
+}
+
 void main() {
-    vec4 s = texelFetch(sums, ivec2(gl_FragCoord.xy), 0);
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    vec4 s = texelFetch(sums, at, 0);
     accumulated = vec4(0.0);
-    if (s.a > 0.0) {
+    if (s.a > 0.0)
         accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : mean_light(s)), 1.0);
-    } else if (fill) {
-        vec4 f = texelFetch(surface, ivec2(gl_FragCoord.xy), 0);
+    if (progress < 1.0) accumulated = mixed(texelFetch(before, at, 0), accumulated);
+    if (accumulated.a == 0.0 && fill) {
+        vec4 f = texelFetch(surface, at, 0);
         accumulated = vec4(f.a > 0.0 ? f.rgb : background, 1.0);
     }
 }

@@ -53,55 +53,67 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
     if (made_for_ && same(made_for_->view, view) && made_for_->settings == wanted &&
         std::ranges::equal(made_for_->photos, photos) && made_for_->seen == seen.version)
         return;
-    std::vector<std::uint32_t> previous = photos_of(plan_.photos);
+    const std::vector<std::uint32_t> previous = photos_of(plan_.photos);
     uses_seen_ = (!settings.complete || settings.photos > 0) && !seen.triangles.empty() &&
                  shows_much_of(seen.view, view, *scene_);
     plan_ = make_plan(*scene_, widened(view), wanted, photos, previous,
                       uses_seen_ ? seen.triangles : std::span<const std::uint32_t>());
-    plan_leaving(widened(view), settings, photos, std::move(previous));
+    plan_drawn(widened(view), settings, photos);
     made_for_ = Key{view, wanted, {photos.begin(), photos.end()}, seen.version};
 }
 
-void ViewPlan::plan_leaving(const View& view, const PlanSettings& settings,
-                            std::span<const std::uint32_t> photos, std::vector<std::uint32_t> previous) {
-    std::ranges::copy(photos_of(leaving_), std::back_inserter(previous));
-    std::ranges::sort(previous);
-    previous.erase(std::unique(previous.begin(), previous.end()), previous.end());
-    const std::vector<std::uint32_t> planned = photos_of(plan_.photos);
-    std::erase_if(previous, [&](std::uint32_t p) {
-        return presence_[p] <= 0 || !std::ranges::count(photos, p) || std::ranges::count(planned, p);
-    });
-    leaving_.clear();
-    if (previous.empty() || settings.complete) return;
+/// Plans the photos that are drawn as a set of their own: in the plan of others, clusters may lack photos
+/// that those outweigh.
+void ViewPlan::plan_drawn(const View& view, const PlanSettings& settings,
+                          std::span<const std::uint32_t> photos) {
+    kept_.clear();
+    std::vector<bool> planned(drawn_.size(), false);
+    for (const PlannedPhoto& p : plan_.photos) planned[p.photo] = true;
+    std::vector<std::uint32_t> drawn;
+    for (std::uint32_t p = 0; p < drawn_.size(); ++p) {
+        const bool allowed = std::ranges::count(photos, p) > 0;
+        drawn_[p] = drawn_[p] && allowed;
+        before_[p] = before_[p] && allowed;
+        if (drawn_[p] || before_[p]) drawn.push_back(p);
+    }
+    if (drawn.empty() || settings.complete || (settled() && drawn_ == planned)) return;
     PlanSettings all = settings;
     all.photos = 0;
-    leaving_ = make_plan(*scene_, view, all, previous).photos;
+    kept_ = make_plan(*scene_, view, all, drawn).photos;
 }
 
 void ViewPlan::fade(const PlanSettings& settings, double now, const std::vector<bool>& ready) {
-    const auto step = float(std::clamp((now - last_) / fade_seconds, 0.0, 1.0));
+    const double step = settings.complete ? 1 : std::clamp((now - last_) / fade_seconds, 0.0, 1.0);
     last_ = now;
-    std::vector<bool> stays(presence_.size(), false);
-    const bool first = std::ranges::all_of(presence_, [](float p) { return p == 0; });
-    for (const PlannedPhoto& p : plan_.photos) stays[p.photo] = settings.complete || ready[p.photo];
-    for (std::size_t i = 0; i < presence_.size(); ++i) {
-        presence_[i] = std::clamp(presence_[i] + (stays[i] ? step : -step), 0.0f, 1.0f);
-        if (settings.complete || (first && stays[i])) presence_[i] = stays[i];
-    }
-    std::erase_if(leaving_, [&](const PlannedPhoto& p) { return presence_[p.photo] <= 0; });
+    std::vector<bool> wanted(drawn_.size(), false);
+    for (const PlannedPhoto& p : plan_.photos) wanted[p.photo] = settings.complete || ready[p.photo];
+    progress_ = std::min(1.0, progress_ + step);
+    if (settled()) before_ = drawn_;
+    if (!settled() || wanted == drawn_) return;
+    const bool first = std::ranges::count(drawn_, true) == 0;
+    drawn_ = std::move(wanted);
+    progress_ = first ? 1 : step;
+    if (settled()) before_ = drawn_;
 }
 
-std::vector<const PlannedPhoto*> ViewPlan::present(const PlanSettings& settings) const {
+std::vector<const PlannedPhoto*> ViewPlan::drawn() const {
     std::vector<const PlannedPhoto*> out;
-    for (const PlannedPhoto& p : plan_.photos)
-        if (settings.complete || presence_[p.photo] > 0) out.push_back(&p);
-    for (const PlannedPhoto& p : leaving_)
-        if (presence_[p.photo] > 0) out.push_back(&p);
+    std::vector<bool> planned(drawn_.size(), false);
+    for (const PlannedPhoto& p : plan_.photos) {
+        planned[p.photo] = true;
+        if (drawn_[p.photo]) out.push_back(&p);
+    }
+    for (const PlannedPhoto& p : kept_)
+        if (drawn_[p.photo] && !planned[p.photo]) out.push_back(&p);
     return out;
 }
 
-bool ViewPlan::settled() const {
-    return leaving_.empty() && std::ranges::all_of(presence_, [](float p) { return p == 0 || p == 1; });
+std::vector<const PlannedPhoto*> ViewPlan::before() const {
+    if (settled()) return drawn();
+    std::vector<const PlannedPhoto*> out;
+    for (const PlannedPhoto& p : kept_)
+        if (before_[p.photo]) out.push_back(&p);
+    return out;
 }
 
 Plan ViewPlan::ahead(const View& next, const PlanSettings& settings, int side) const {

@@ -16,30 +16,36 @@ struct SeenTriangles {
     std::uint64_t version;
 };
 
-/// The plan for the current view, remade when anything it depends on changes, and the fading in and out of
-/// its photos.
+/// The plan for the current view, remade when anything it depends on changes, and the transition from the
+/// photos drawn before to those it chooses. During a transition both sets are to be drawn, each blended by
+/// itself at full weight, and the two pictures mixed: if instead a photo's weight faded, one that far
+/// outweighs the others would appear in the first frame and disappear in the last one.
 class ViewPlan {
   public:
-    explicit ViewPlan(const PlanScene& scene) : scene_(&scene), presence_(scene.photos.size(), 0) {}
+    explicit ViewPlan(const PlanScene& scene)
+        : scene_(&scene), drawn_(scene.photos.size(), false), before_(drawn_) {}
 
     /// Remakes the plan if necessary. `settings.samples` applies to one sample per pixel; `side` multiplies
     /// it. `seen` is used if the view has changed little since.
     void update(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos,
                 int side, const SeenTriangles& seen);
-    /// Advances fading to `now` seconds; planned photos fade in when they are `ready` (one flag per photo).
+    /// Advances the transition to `now` seconds. When it has ended, the next one begins if the planned photos
+    /// that are `ready` (one flag per photo) are not those drawn. At once if nothing was drawn before.
     void fade(const PlanSettings& settings, double now, const std::vector<bool>& ready);
 
     const Plan& plan() const { return plan_; }
-    /// No longer planned, fading out.
-    const std::vector<PlannedPhoto>& leaving() const { return leaving_; }
-    /// The photos to draw: planned ones by decreasing agreement, then leaving ones.
-    std::vector<const PlannedPhoto*> present(const PlanSettings& settings) const;
-    /// How far a photo has faded in, 0 to 1.
-    float presence(std::uint32_t photo) const { return presence_[photo]; }
+    /// The photos to draw: planned ones by decreasing agreement, then those no longer planned.
+    std::vector<const PlannedPhoto*> drawn() const;
+    /// The photos that those of drawn() replace; the same ones if no transition is in progress.
+    std::vector<const PlannedPhoto*> before() const;
+    /// The share of drawn() in the picture, in [0, 1]; 1: no transition is in progress.
+    double progress() const { return progress_; }
+    /// The plan of all photos drawn; empty if they are those of plan().
+    const std::vector<PlannedPhoto>& kept() const { return kept_; }
     /// The plan was made for the triangles seen, not for all that are in view.
     bool uses_seen() const { return uses_seen_; }
-    /// No photo is fading.
-    bool settled() const;
+    /// No transition is in progress.
+    bool settled() const { return progress_ >= 1; }
     /// A plan for a view to come, preferring the photos of the current one.
     Plan ahead(const View& next, const PlanSettings& settings, int side) const;
 
@@ -50,16 +56,15 @@ class ViewPlan {
         std::vector<std::uint32_t> photos;
         std::uint64_t seen;  ///< version
     };
-    void plan_leaving(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos,
-                      std::vector<std::uint32_t> previous);
+    void plan_drawn(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos);
 
     const PlanScene* scene_;
     std::optional<Key> made_for_;
     bool uses_seen_ = false;
     Plan plan_;
-    std::vector<PlannedPhoto> leaving_;
-    std::vector<float> presence_;  ///< per photo, 0 to 1
-    double last_ = 0;              ///< seconds
+    std::vector<PlannedPhoto> kept_;    ///< see kept()
+    std::vector<bool> drawn_, before_;  ///< per photo; the same if no transition is in progress
+    double progress_ = 1, last_ = 0;    ///< `last_` in seconds
 };
 
 }  // namespace vantage

@@ -26,13 +26,15 @@ FrameTargets make_frame_targets(int width, int height, bool half_sums) {
         t.sums[i] = gl::make_texture_2d("frame sums", half_sums ? GL_RGBA16F : GL_RGBA32F, width, height);
         t.sums_target[i] = gl::make_framebuffer("frame sums", std::array{t.sums[i].id()}, t.depth.id());
     }
+    t.before = gl::make_texture_2d("frame before", GL_RGBA16F, width, height);
+    t.before_target = gl::make_framebuffer("frame before", std::array{t.before.id()}, 0);
     t.accumulated = gl::make_texture_2d("frame samples", GL_RGBA32F, width, height);
     t.accumulated_target = gl::make_framebuffer("frame samples", std::array{t.accumulated.id()}, 0);
     return t;
 }
 
 std::uint64_t FrameTargets::bytes(int width, int height, bool half_sums) {
-    return std::uint64_t(width) * std::uint64_t(height) * (4 + 8 + 4 + 16 + (half_sums ? 16 : 32));
+    return std::uint64_t(width) * std::uint64_t(height) * (4 + 8 + 4 + 8 + 16 + (half_sums ? 16 : 32));
 }
 
 }  // namespace vantage

@@ -6,13 +6,13 @@
 namespace vantage {
 
 /// The render targets of a frame: the bare surface with its depth and the numbers of its triangles (from 1),
-/// two float targets of sums (best photo and consensus read one and write the other), and accumulated
-/// samples.
+/// the picture of photos that others are replacing, two float targets of sums (best photo and consensus read
+/// one and write the other), and accumulated samples.
 struct FrameTargets {
     int width = 0, height = 0;
     bool half_sums = false;
-    gl::Texture depth, surface, triangles, sums[2], accumulated;
-    gl::Framebuffer surface_target, sums_target[2], accumulated_target;
+    gl::Texture depth, surface, triangles, sums[2], before, accumulated;
+    gl::Framebuffer surface_target, sums_target[2], before_target, accumulated_target;
 
     static std::uint64_t bytes(int width, int height, bool half_sums);
 };

@@ -169,7 +169,7 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
         photos.push_back(p->photo);
     }
     ring_.begin();
-    bind_photos(photos, drawn.weights, &drawn.plan);
+    bind_photos(photos, drawn.weights);
     const std::size_t draws = draw_clusters(drawn.plan.plan().clusters);
     ring_.end();
     return draws;
@@ -206,8 +206,7 @@ void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shader::coordinates_buffer, store_->residency().coordinates());
 }
 
-void ModelPasses::bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights,
-                              const ViewPlan* plan) {
+void ModelPasses::bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights) {
     std::size_t words = 0;
     for (const std::uint32_t p : photos) words += store_->table_words(p);
     const FrameRing::Space blocks = ring_.take(photos.size() * sizeof(PhotoBlock)),
@@ -217,7 +216,6 @@ void ModelPasses::bind_photos(std::span<const std::uint32_t> photos, const std::
         const std::uint32_t p = photos[i];
         PhotoBlock b = blocks_[p];
         b.size_weight[3] = float(weights[p]);
-        b.direction_presence[3] = plan ? std::max(plan->presence(p), 1e-4f) : 1;
         store_->write_pages(p, b, table.memory, next);
         std::memcpy(blocks.memory + i * sizeof b, &b, sizeof b);
     }
@@ -230,7 +228,7 @@ void ModelPasses::bind_photos(std::span<const std::uint32_t> photos, const std::
 
 void ModelPasses::with_photo(std::uint32_t photo, const std::function<void()>& draw) {
     ring_.begin();
-    bind_photos(std::array{photo}, std::vector<double>(scene_->photos.size(), 1), nullptr);
+    bind_photos(std::array{photo}, std::vector<double>(scene_->photos.size(), 1));
     draw();
     ring_.end();
 }

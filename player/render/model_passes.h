@@ -56,9 +56,8 @@ class ModelPasses {
     /// Draws the given clusters that have bits in cluster_photos_, in one call. Returns the number of draws.
     std::size_t draw_clusters(std::span<const std::uint32_t> clusters);
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn);
-    /// Writes the photos with their presence (1 without a plan) and pages into the ring, and binds them.
-    void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights,
-                     const ViewPlan* plan);
+    /// Writes the photos and their pages into the ring, and binds them.
+    void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights);
     const gl::Program& blend_program(const RenderSettings& settings, bool consensus);
 
     const PackageReader* package_;

@@ -128,21 +128,33 @@ void Renderer::redraw(const View& view, const RenderSettings& settings) {
     gl::check("rendering a view again");
 }
 
-/// Draws the photos that are present on the surface drawn.
+/// Draws the photos on the surface drawn; during a transition also those that they replace.
 void Renderer::draw_present(Frame& frame) {
+    const std::vector<const PlannedPhoto*> drawn = plan_.drawn();
+    frame.report.photos = drawn.size();
+    if (!plan_.settled()) {
+        const std::vector<const PlannedPhoto*> before = plan_.before();
+        frame.report.photos += std::size_t(std::ranges::count_if(before, [&](const PlannedPhoto* p) {
+            return std::ranges::count(drawn, p->photo, &PlannedPhoto::photo) == 0;
+        }));
+        resolve_before(draw_set(before, frame), frame);
+    }
+    resolve(draw_set(drawn, frame), frame);
+}
+
+/// Blends photos into empty sums. Returns the number of the sums.
+int Renderer::draw_set(Pass photos, Frame& frame) {
     const RenderSettings& settings = frame.drawn.settings;
-    const std::vector<const PlannedPhoto*> shown = plan_.present(plan_settings(settings));
-    frame.report.photos = shown.size();
     const std::array<float, 4> zero{};
     for (const gl::Framebuffer& sums : targets_.sums_target)
         glClearNamedFramebufferfv(sums.id(), GL_COLOR, 0, zero.data());
     int into = 0;
-    draw_passes(shown, frame, false, into);
+    draw_passes(photos, frame, false, into);
     if (settings.consensus && !takes_one(settings.blend)) {
         into = 1;
-        draw_passes(shown, frame, true, into);
+        draw_passes(photos, frame, true, into);
     }
-    resolve(into, frame);
+    return into;
 }
 
 DrawnView Renderer::drawn_view(const View& view, const RenderSettings& settings, int side) const {
@@ -181,7 +193,7 @@ TileNeeds Renderer::comparison_needs(const View& view, const RenderSettings& set
 void Renderer::stream(Frame& frame, const View* next) {
     const RenderSettings& settings = frame.drawn.settings;
     for (const PlannedPhoto& p : plan_.plan().photos) store_.need_base(p.photo, !per_fragment(settings));
-    for (const PlannedPhoto& p : plan_.leaving()) store_.need_base(p.photo, !per_fragment(settings));
+    for (const PlannedPhoto& p : plan_.kept()) store_.need_base(p.photo, !per_fragment(settings));
     if (settings.whole_photos)
         for (const PlannedPhoto& p : plan_.plan().photos) frame.report.uploaded += store_.load_whole(p.photo);
     for (const PlannedPhoto& p : plan_.plan().photos) {
@@ -271,15 +283,29 @@ void Renderer::resolve(int sums, const Frame& frame) {
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
+    draw_resolved(sums, frame, frame.drawn.settings.fill_holes, plan_.progress());
+}
+
+/// The picture of the photos that are being replaced, with transparent holes.
+void Renderer::resolve_before(int sums, const Frame& frame) {
+    bind_target(targets_.before_target, targets_.width, targets_.height);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    draw_resolved(sums, frame, false, 1);
+}
+
+void Renderer::draw_resolved(int sums, const Frame& frame, bool fill, double progress) {
     glUseProgram(resolve_program_.id());
     const bool counts = frame.drawn.settings.show == Show::coverage;
     glUniform1i(shader::takes_one_uniform, takes_one(frame.drawn.settings.blend) && !counts);
-    glUniform1i(shader::fill_uniform, frame.drawn.settings.fill_holes);
+    glUniform1i(shader::fill_uniform, fill);
+    glUniform1f(shader::progress_uniform, float(progress));
     glUniform3fv(shader::background_uniform, 1, frame.drawn.settings.background);
     glUniform1f(shader::most_uniform, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
     expose(frame.drawn);
     glBindTextureUnit(shader::sums_unit, targets_.sums[sums].id());
     glBindTextureUnit(shader::surface_unit, targets_.surface.id());
+    glBindTextureUnit(shader::before_unit, progress < 1 ? targets_.before.id() : 0);
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -79,8 +79,11 @@ class Renderer {
     void load(Pass pass, Frame& frame);
     std::size_t pass_length(Pass rest, const RenderSettings& settings) const;
     void draw_present(Frame& frame);
+    int draw_set(Pass photos, Frame& frame);
     void draw_passes(Pass photos, Frame& frame, bool consensus, int& into);
     void resolve(int sums, const Frame& frame);
+    void resolve_before(int sums, const Frame& frame);
+    void draw_resolved(int sums, const Frame& frame, bool fill, double progress);
     void expose(const DrawnView& drawn) const;
 
     const PackageReader* package_;

@@ -23,10 +23,9 @@ PhotoBlock make_photo_block(const package::PhotoRecord& p, std::uint32_t index) 
     b.size_weight[3] = 1;
     for (int i = 0; i < 3; ++i) {
         b.center_hull[i] = float(center[i]);
-        b.direction_presence[i] = float(p.corrected_direction[i]);
+        b.direction[i] = float(p.corrected_direction[i]);
     }
     b.center_hull[3] = float(p.hull_area);
-    b.direction_presence[3] = 1;
     b.thumbnail[0] = -1;
     b.thumbnail[3] = float(p.thumbnail_width);
     const FalseColor c = false_color(index);

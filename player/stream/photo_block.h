@@ -11,7 +11,7 @@ namespace vantage {
 using PhotoBlock = shader::Photo;
 static_assert(shader::level_count == most_levels);
 
-/// The fields that do not change from frame to frame; no thumbnail, nothing resident, presence 1.
+/// The fields that do not change from frame to frame; no thumbnail, nothing resident.
 PhotoBlock make_photo_block(const package::PhotoRecord& photo, std::uint32_t index);
 
 /// A color that distinguishes photo `index` from the others, sRGB in [0, 1].
