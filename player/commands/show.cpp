@@ -22,7 +22,7 @@ std::string verbs_text() {
     std::string out;
     for (const Verb& verb : verbs) {
         std::string name = verb.name;
-        name.resize(10, ' ');
+        name.resize(12, ' ');
         out += "  " + name + verb.description + "\n";
     }
     return out;
