@@ -248,6 +248,10 @@ void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<do
 
 double log_falloff_at_square(const Falloff& f, double r2) { return r2 * (f[0] + r2 * (f[1] + r2 * f[2])); }
 
+double falloff_radius(const Intrinsics& k, const Eigen::Vector2d& pixel) {
+    return (pixel - Eigen::Vector2d(k.cx, k.cy)).norm() / (0.5 * std::hypot(k.width, k.height));
+}
+
 double log_falloff(const Falloff& f, double radius) { return log_falloff_at_square(f, radius * radius); }
 
 std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photos) {

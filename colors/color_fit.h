@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "colors/shared_discs.h"
+#include "scene/camera.h"
 #include "scene/package_format.h"
 
 namespace vantage {
@@ -15,6 +16,8 @@ namespace vantage {
 /// Coefficients of the ln factor that compensates a lens's falloff: f0 r^2 + f1 r^4 + f2 r^6, with r = 1 at
 /// half the diagonal.
 using Falloff = std::array<double, 3>;
+/// The r of a pixel: its distance from the principal point over half the photo's diagonal.
+double falloff_radius(const Intrinsics& intrinsics, const Eigen::Vector2d& pixel);
 double log_falloff(const Falloff& falloff, double radius);
 double log_falloff_at_square(const Falloff& falloff, double radius2);
 

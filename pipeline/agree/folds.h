@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/agree/photo_pairs.h"
+#include "agreement/photo_pairs.h"
 #include "pipeline/judge/coarse_photo.h"
 #include "pipeline/judge/sightings.h"
 #include "pipeline/run/lru_cache.h"

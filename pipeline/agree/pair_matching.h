@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/agree/photo_pairs.h"
+#include "agreement/photo_pairs.h"
 #include "pipeline/agree/surface_matches.h"
 #include "pipeline/run/progress.h"
 #include "scene/package_reader.h"

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "colors/color_fit.h"
-#include "pipeline/stages/surface_samples.h"
+#include "colors/color_fit.h"
 #include "shaders/contract.h"
 #include "values/srgb.h"
 

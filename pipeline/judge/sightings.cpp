@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/stages/surface_samples.h"
+#include "colors/color_fit.h"
 #include "shaders/contract.h"
 
 namespace vantage {

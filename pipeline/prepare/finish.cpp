@@ -71,12 +71,6 @@ void write_results(const FinishInput& in, const Agreement& agreement, PhotoTable
 
 }  // namespace
 
-std::vector<SurfaceDisc> thinned(std::span<const SurfaceDisc> discs, std::size_t step) {
-    std::vector<SurfaceDisc> out;
-    for (std::size_t d = 0; d < discs.size(); d += step) out.push_back(discs[d]);
-    return out;
-}
-
 Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     const auto read = [&](std::uint32_t photo) { return in.geometry.writer.read(Type::samples, photo); };
     const PackageReader part(part_of(in.out), PackageReader::Expect::part);

@@ -41,9 +41,6 @@ struct Agreement {
     Consensus consensus;
 };
 
-/// Every `step`-th disc.
-std::vector<SurfaceDisc> thinned(std::span<const SurfaceDisc> discs, std::size_t step);
-
 /// Determines cameras, colors and consensus from all photos and finishes the package: writes META, SCEN,
 /// PHOT, STAT, REGI and PAIR, and rewrites the chunks that depend on moved cameras. Throws Error(storage),
 /// and whatever `progress` throws.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "colors/color_fit.h"
 #include "pipeline/pixels/pyramid.h"
 #include "scene/tiling.h"
 #include "values/grid.h"
@@ -14,17 +15,8 @@
 namespace vantage {
 namespace {
 
-constexpr double disc_pixels = 48;  ///< radius in the finest photo
-constexpr double min_pixels = 6;    ///< foreshortened radius in a photo
+constexpr double min_pixels = 6;  ///< foreshortened radius in a photo
 constexpr double min_cosine = 0.2;
-
-/// The n-th point in a triangle, by the R2 sequence (Roberts 2018) folded at the diagonal.
-Eigen::Vector3f point_in(const std::array<Eigen::Vector3f, 3>& p, std::size_t n) {
-    float u = float(std::fmod(0.7548776662466927 * double(n), 1.0)),
-          v = float(std::fmod(0.5698402909980532 * double(n), 1.0));
-    if (u + v > 1) u = 1 - u, v = 1 - v;
-    return p[0] + u * (p[1] - p[0]) + v * (p[2] - p[0]);
-}
 
 /// Sample points on the unit disc: its center and three rings, each point for about the same area.
 constexpr std::size_t disc_points = 1 + 6 + 12 + 18;
@@ -137,36 +129,6 @@ class DiscSampler {
 
 }  // namespace
 
-std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> positions,
-                                          std::span<const std::uint32_t> indices, double density) {
-    const std::size_t triangles = indices.size() / 3;
-    const auto corners = [&](std::size_t t) {
-        return std::array{positions[indices[3 * t]], positions[indices[3 * t + 1]],
-                          positions[indices[3 * t + 2]]};
-    };
-    std::vector<double> area(triangles);
-    double whole = 0;
-    for (std::size_t t = 0; t < triangles; ++t) {
-        const auto p = corners(t);
-        area[t] = (p[1] - p[0]).cast<double>().cross((p[2] - p[0]).cast<double>()).norm();
-        whole += area[t];
-    }
-    std::vector<SurfaceDisc> discs;
-    const auto radius = float(disc_pixels / density);
-    double passed = 0;
-    for (std::size_t t = 0; t < triangles; ++t) {
-        const double share = 0.5 * (whole > 0 ? area[t] / whole : 0) + 0.5 / double(triangles);
-        passed += share * double(package::surface_discs);
-        const auto p = corners(t);
-        // Rounding must not lose the last disc.
-        const double until = t + 1 == triangles ? double(package::surface_discs) : passed;
-        while (discs.size() < package::surface_discs && double(discs.size()) + 0.5 < until)
-            discs.push_back(
-                {point_in(p, discs.size()), (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized(), radius});
-    }
-    return discs;
-}
-
 std::vector<package::SampleRecord> sample_discs(std::span<const SurfaceDisc> discs, RgbaImage photo,
                                                 const PhotoGeometry& geometry, const Intrinsics& k,
                                                 const Pose& pose) {
@@ -174,10 +136,6 @@ std::vector<package::SampleRecord> sample_discs(std::span<const SurfaceDisc> dis
     std::vector<package::SampleRecord> out(package::surface_discs, package::SampleRecord{});
     std::ranges::transform(discs, out.begin(), [&](const SurfaceDisc& d) { return sampler.sample(d); });
     return out;
-}
-
-double falloff_radius(const Intrinsics& k, const Eigen::Vector2d& pixel) {
-    return (pixel - Eigen::Vector2d(k.cx, k.cy)).norm() / (0.5 * std::hypot(k.width, k.height));
 }
 
 }  // namespace vantage

@@ -1,4 +1,4 @@
-#include "pipeline/agree/photo_pairs.h"
+#include "agreement/photo_pairs.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "agreement/surface_discs.h"
 #include "colors/shared_discs.h"
-#include "pipeline/stages/surface_samples.h"
 #include "scene/package_format.h"
 
 namespace vantage {

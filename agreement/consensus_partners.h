@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "agreement/photo_pairs.h"
+
+namespace vantage {
+
+/// The photos that each photo is compared with: the six that share the most surface with it from similar
+/// directions, and those that chose it.
+class ConsensusPartners {
+  public:
+    explicit ConsensusPartners(const SharedSurface& shared);
+    /// Ascending. `without`: as if that photo were not in the scene.
+    std::vector<std::uint32_t> of(std::uint32_t photo, std::optional<std::uint32_t> without = {}) const;
+
+  private:
+    bool chooses(std::uint32_t photo, std::uint32_t other, std::optional<std::uint32_t> without) const;
+    std::vector<std::vector<std::uint32_t>> best_;       ///< per photo: one more than it chooses
+    std::vector<std::vector<std::uint32_t>> chosen_by_;  ///< per photo: those that list it in `best_`
+};
+
+}  // namespace vantage

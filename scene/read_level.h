@@ -1,0 +1,21 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "scene/package_reader.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+
+/// Joins the tiles of a level: width * height texels of 4 bytes. Throws Error(damaged) if the chunk's tiles
+/// do not match the level's size.
+std::vector<std::byte> join_tiles(const PackageReader& reader, const package::DirectoryEntry& chunk,
+                                  const Level& level);
+
+/// The same for a level of a photo's TILE, MASK or DPTH; the chunk's memory is released. Also throws
+/// Error(damaged) if the chunk is missing.
+std::vector<std::byte> read_level(const PackageReader& reader, const package::PhotoRecord& record,
+                                  std::uint32_t photo, package::Type type, int level);
+
+}  // namespace vantage
