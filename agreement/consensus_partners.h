@@ -12,13 +12,17 @@ namespace vantage {
 class ConsensusPartners {
   public:
     explicit ConsensusPartners(const SharedSurface& shared);
-    /// Ascending. `without`: as if that photo were not in the scene.
+    /// Ascending. `without`: exactly as if that photo were not in the scene.
     std::vector<std::uint32_t> of(std::uint32_t photo, std::optional<std::uint32_t> without = {}) const;
 
   private:
+    struct Candidate {
+        std::uint32_t photo;
+        bool spare;  ///< considered only if another candidate is missing
+    };
     bool chooses(std::uint32_t photo, std::uint32_t other, std::optional<std::uint32_t> without) const;
-    std::vector<std::vector<std::uint32_t>> best_;       ///< per photo: one more than it chooses
-    std::vector<std::vector<std::uint32_t>> chosen_by_;  ///< per photo: those that list it in `best_`
+    std::vector<std::vector<Candidate>> candidates_;     ///< per photo, the best first
+    std::vector<std::vector<std::uint32_t>> chosen_by_;  ///< per photo: those whose candidate it is
 };
 
 }  // namespace vantage

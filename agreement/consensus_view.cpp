@@ -40,6 +40,8 @@ void find_ranges(ConsensusView& v) {
             }
 }
 
+int consensus_level(const package::PhotoRecord& r) { return std::max(coarse_level(r, 256) - 1, mask_level); }
+
 ConsensusView read_consensus_view(const PackageReader& package, const package::PhotoRecord& r,
                                   std::uint32_t photo, int level) {
     const int of_colors = std::clamp(level, 0, std::max(int(r.levels) - 1, 0));

@@ -30,6 +30,8 @@ void set_color(ConsensusView::Texel& texel, const float* linear, float z);
 /// Fills in `low` and `high` of all texels from their colors.
 void find_ranges(ConsensusView& view);
 
+/// The level of the evidence for consensus masks: with at most 512 texels on the longer side.
+int consensus_level(const package::PhotoRecord& record);
 /// A photo's pixels at a level that has masks, colors as exposed. Throws Error(damaged).
 ConsensusView read_consensus_view(const PackageReader& package, const package::PhotoRecord& record,
                                   std::uint32_t photo, int level);

@@ -31,10 +31,9 @@ std::uint32_t count_shared(const Bits& a, const Bits& b) {
     return n;
 }
 
-/// Favors much shared surface and similar directions.
-double worth(const PhotoPair& p) { return p.shared * std::exp(-std::pow(p.angle / 0.35, 2)); }
-
 }  // namespace
+
+double worth(const PhotoPair& p) { return p.shared * std::exp(-std::pow(p.angle / 0.35, 2)); }
 
 SharedSurface::SharedSurface(std::span<const package::PhotoRecord> photos, Samples samples,
                              std::span<const SurfaceDisc> discs)
@@ -68,17 +67,20 @@ void SharedSurface::compare(PhotoPair& pair) const {
     pair.color = quantile(std::move(colors), 0.5);
 }
 
-std::vector<PhotoPair> SharedSurface::best_pairs(std::uint32_t a, std::size_t count) const {
+std::vector<PhotoPair> SharedSurface::most_shared(std::uint32_t a, std::size_t count) const {
     std::vector<PhotoPair> pairs;
     for (std::uint32_t b = 0; b < seen_.size(); ++b)
         if (const std::uint32_t n = a == b ? 0 : count_shared(seen_[a], seen_[b]); n >= min_shared)
             pairs.push_back({std::min(a, b), std::max(a, b), n});
-    // Angles are more expensive than counts: only for the candidates that share the most.
-    const std::size_t candidates = std::min(pairs.size(), 4 * count);
-    std::ranges::partial_sort(pairs, pairs.begin() + std::ptrdiff_t(candidates), std::greater{},
-                              &PhotoPair::shared);
-    pairs.resize(candidates);
+    std::ranges::stable_sort(pairs, std::greater{}, &PhotoPair::shared);
+    pairs.resize(std::min(pairs.size(), count));
+    // Angles are more expensive than counts: only for these.
     for (PhotoPair& p : pairs) compare(p);
+    return pairs;
+}
+
+std::vector<PhotoPair> SharedSurface::best_pairs(std::uint32_t a, std::size_t count) const {
+    std::vector<PhotoPair> pairs = most_shared(a, candidates_of(count));
     std::ranges::stable_sort(pairs, std::greater{}, worth);
     pairs.resize(std::min(pairs.size(), count));
     return pairs;

@@ -17,6 +17,9 @@ struct PhotoPair {
     double color = 0;      ///< median |ln ratio| of linear light, mean of the channels
 };
 
+/// Favors much shared surface and similar directions.
+double worth(const PhotoPair& pair);
+
 /// Finds photos that share surface. The spans must outlive it.
 class SharedSurface {
   public:
@@ -25,9 +28,13 @@ class SharedSurface {
                   std::span<const SurfaceDisc> discs);
 
     std::size_t photos() const { return seen_.size(); }
-    /// Up to `count` pairs with `photo` that share the most surface from similar directions, at least 30
-    /// discs; the best first.
+    /// Up to `count` pairs with `photo` that share the most surface, at least 30 discs; the most first, equal
+    /// ones in the order of the other photo.
+    std::vector<PhotoPair> most_shared(std::uint32_t photo, std::size_t count) const;
+    /// Up to `count` pairs with `photo` that share the most surface from similar directions; the best
+    /// first. Chosen among the `candidates_of(count)` that share the most.
     std::vector<PhotoPair> best_pairs(std::uint32_t photo, std::size_t count) const;
+    static std::size_t candidates_of(std::size_t count) { return 4 * count; }
 
   private:
     using Bits = std::vector<std::uint64_t>;

@@ -7,6 +7,12 @@
 
 namespace vantage {
 
+int coarse_level(const package::PhotoRecord& r, int long_side) {
+    int l = mask_level;
+    while (l + 1 < int(r.levels) && int(std::max(r.width, r.height)) >> l > long_side) ++l;
+    return l;
+}
+
 std::vector<std::byte> join_tiles(const PackageReader& reader, const package::DirectoryEntry& e,
                                   const Level& level) {
     if (reader.blocks(e) != std::size_t(level.tiles()) || e.block_length != tile_bytes)

@@ -8,6 +8,9 @@
 
 namespace vantage {
 
+/// The finest level with at most `long_side` texels on its longer side that has masks, or the coarsest.
+int coarse_level(const package::PhotoRecord& record, int long_side);
+
 /// Joins the tiles of a level: width * height texels of 4 bytes. Throws Error(damaged) if the chunk's tiles
 /// do not match the level's size.
 std::vector<std::byte> join_tiles(const PackageReader& reader, const package::DirectoryEntry& chunk,

@@ -110,7 +110,7 @@ ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samp
         if (out.falloff.on) out.without = std::move(both);
     }
     const bool fitted = std::ranges::any_of(out.fit.falloff, [](const Falloff& f) { return f != Falloff{}; });
-    if (fitted && !out.falloff.on && out.exposure.on) out.fit = fit_colors(samples, lens, false);
+    if (fitted && !out.falloff.on) out.fit = fit_colors(samples, lens, false);
     return out;
 }
 

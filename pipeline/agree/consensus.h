@@ -6,7 +6,7 @@
 #include "agreement/consensus_partners.h"
 #include "pipeline/agree/color_agreement.h"
 #include "pipeline/agree/folds.h"
-#include "pipeline/run/lru_cache.h"
+#include "values/lru_cache.h"
 
 namespace vantage {
 

@@ -8,7 +8,7 @@
 #include "agreement/photo_pairs.h"
 #include "pipeline/judge/coarse_photo.h"
 #include "pipeline/judge/sightings.h"
-#include "pipeline/run/lru_cache.h"
+#include "values/lru_cache.h"
 
 namespace vantage {
 

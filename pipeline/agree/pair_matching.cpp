@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "pipeline/run/for_each_photo.h"
-#include "pipeline/run/lru_cache.h"
+#include "values/lru_cache.h"
 #include "values/quantile.h"
 
 namespace vantage {

@@ -92,12 +92,6 @@ CoarsePhoto every_second_texel(const CoarsePhoto& photo) {
     return out;
 }
 
-int coarse_level(const package::PhotoRecord& r, int long_side) {
-    int l = mask_level;
-    while (l + 1 < int(r.levels) && int(std::max(r.width, r.height)) >> l > long_side) ++l;
-    return l;
-}
-
 CoarsePhoto read_coarse_photo(const PackageReader& package, const package::PhotoRecord& r,
                               std::uint32_t photo, int level, double border_width) {
     const int tiles_level = std::clamp(level, 0, std::max(int(r.levels) - 1, 0));

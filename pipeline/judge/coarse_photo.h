@@ -7,6 +7,7 @@
 
 #include "scene/camera.h"
 #include "scene/package_reader.h"
+#include "scene/read_level.h"
 #include "values/grid.h"
 
 namespace vantage {
@@ -45,9 +46,6 @@ struct CoarsePhoto {
 
 /// Every second texel in x and in y: the same photo, seen by a quarter of its rays. Without `means`.
 CoarsePhoto every_second_texel(const CoarsePhoto& photo);
-
-/// The finest level with at most `long_side` texels on its longer side that has masks, or the coarsest.
-int coarse_level(const package::PhotoRecord& record, int long_side);
 
 /// Reads a photo's tiles, masks and depth at a level. Throws Error(damaged).
 CoarsePhoto read_coarse_photo(const PackageReader& package, const package::PhotoRecord& record,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "agreement/consensus_weights.h"
 #include "pipeline/agree/consensus.h"
 #include "pipeline/judge/verdict.h"
 #include "pipeline/package/earlier_package.h"
@@ -22,34 +23,13 @@ namespace {
 using package::PhotoRecord;
 using package::Type;
 
-/// The weight [0,255] at a position in the map's texels, bilinear.
-double weight_at(const ConsensusMap& map, double x, double y) {
-    const auto texel = [&](int i, int j) {
-        return double(map.weight[std::size_t(std::clamp(j, 0, map.height - 1)) * std::size_t(map.width) +
-                                 std::size_t(std::clamp(i, 0, map.width - 1))]);
-    };
-    const int i = int(std::floor(x - 0.5)), j = int(std::floor(y - 0.5));
-    const double u = x - 0.5 - i, v = y - 0.5 - j;
-    return (1 - v) * ((1 - u) * texel(i, j) + u * texel(i + 1, j)) +
-           v * ((1 - u) * texel(i, j + 1) + u * texel(i + 1, j + 1));
-}
-
 /// Writes the masks' fourth channel at all levels: 255 without a map; never 0 where the photo sees the model.
 void write_weights(const PackageReader& part, PackageWriter& writer, std::uint32_t photo,
                    const PhotoRecord& r, const ConsensusMap* map) {
     for (int l = mask_level; l < mask_levels_end(int(r.levels)); ++l) {
         const Level size = level_size(int(r.width), int(r.height), l);
         std::vector<std::byte> masks = read_level(part, r, photo, Type::masks, l);
-        const double across = map ? double(map->width) / size.width : 0,
-                     down = map ? double(map->height) / size.height : 0;
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x) {
-                std::byte& weight =
-                    masks[4 * (std::size_t(y) * std::size_t(size.width) + std::size_t(x)) + 3];
-                if (weight == std::byte(0)) continue;
-                const double w = map ? weight_at(*map, (x + 0.5) * across, (y + 0.5) * down) : 255;
-                weight = std::byte(std::clamp(std::lround(w), 1l, 255l));
-            }
+        set_weights(map, size, {masks.data(), 4 * size.width, size.height}, 0, 0);
         write_tiles(writer, Type::masks, photo, std::uint32_t(l), masks, size);
     }
 }
@@ -96,12 +76,9 @@ void confirm(const FinishInput& in, const Folds& folds, const ConsensusViews& vi
 }
 
 /// Masks are twice as fine as the evidence.
-ConsensusViews finer_views(const FinishInput& in, const PackageReader& part, const Folds& folds,
-                           std::span<const PhotoRecord> photos) {
-    return {cached_views, [&, photos](std::uint32_t i) {
-                const int level = std::max(folds.level(i) - 1, mask_level);
-                ConsensusView view =
-                    consensus_view(read_coarse_photo(part, photos[i], i, level, in.geometry.border_width));
+ConsensusViews finer_views(const PackageReader& part, std::span<const PhotoRecord> photos) {
+    return {cached_views, [&part, photos](std::uint32_t i) {
+                ConsensusView view = read_consensus_view(part, photos[i], i, consensus_level(photos[i]));
                 part.forget_all();
                 return view;
             }};
@@ -120,7 +97,7 @@ std::vector<ConsensusMap> decide_masks(const FinishInput& in, const PackageReade
     for (std::size_t i = 0; i < photos.size(); ++i) out.disagreeing[i] = evidence[i].disagreeing;
     if (out.decision.on && in.judge) confirm(in, folds, views, partners, colors, out.decision);
     if (!out.decision.on) return std::vector<ConsensusMap>(photos.size());
-    return consensus_maps(finer_views(in, part, folds, photos), all, partners, in.threads);
+    return consensus_maps(finer_views(part, photos), all, partners, in.threads);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "player/evaluate/colors_without.h"
 
-#include "colors/color_fit.h"
-
 namespace vantage {
 
 ColorsWithout::ColorsWithout(const PackageReader& package)
@@ -14,12 +12,15 @@ ColorsWithout::ColorsWithout(const PackageReader& package)
                             })),
       lens_(lenses_of(package.photos())) {}
 
-std::vector<package::PhotoRecord> ColorsWithout::records(std::uint32_t photo) const {
+PhotoColors ColorsWithout::colors(std::uint32_t photo) const {
+    return fit_without(samples_.spans(), lens_, photo, effect_on(package_.scene(), Effect::falloff));
+}
+
+std::vector<package::PhotoRecord> ColorsWithout::records(const PhotoColors& colors) const {
     std::vector<package::PhotoRecord> out(package_.photos().begin(), package_.photos().end());
     const bool gains = effect_on(package_.scene(), Effect::exposure),
                falloff = effect_on(package_.scene(), Effect::falloff);
-    if (gains || falloff)
-        apply_colors(fit_without(samples_.spans(), lens_, photo, falloff), gains, falloff, out);
+    if (gains || falloff) apply_colors(colors, gains, falloff, out);
     return out;
 }
 

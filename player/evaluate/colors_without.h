@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "colors/shared_discs.h"
+#include "colors/color_fit.h"
 #include "scene/package_reader.h"
 
 namespace vantage {
@@ -13,8 +13,13 @@ class ColorsWithout {
     /// Reads the photos' samples of the surface. Throws Error(damaged).
     explicit ColorsWithout(const PackageReader& package);
 
-    /// The package's records with gains and falloff fitted without `photo`, as far as these effects are on.
-    std::vector<package::PhotoRecord> records(std::uint32_t photo) const;
+    /// Gains, and falloff if that is on, fitted without `photo`.
+    PhotoColors colors(std::uint32_t photo) const;
+    /// The package's records with these colors, as far as the effects are on.
+    std::vector<package::PhotoRecord> records(const PhotoColors& colors) const;
+    std::vector<package::PhotoRecord> records(std::uint32_t photo) const { return records(colors(photo)); }
+
+    const PhotoSamples& samples() const { return samples_; }
 
   private:
     const PackageReader& package_;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <optional>
 
+#include "agreement/consensus_without.h"
 #include "gl/context.h"
 #include "output/make_folder.h"
 #include "player/camera/shots.h"
@@ -153,18 +155,37 @@ void expect_earlier(const EvaluateOptions& o) {
                     o.against.string() + ": would be overwritten, expected another folder for -o");
 }
 
-/// What all photos decided together and is not decided again without each: not used, or at least reported.
-void leave_out_votes(const PackageReader& package, RenderSettings& settings) {
-    if (effect_on(package.scene(), Effect::consensus) && settings.weights.consensus_mask) {
-        settings.weights.consensus_mask = false;
-        std::printf("without the consensus mask, on which the photos left out have voted\n");
-    }
+/// Registered cameras, on which the photos left out had a say.
+void report_registration(const PackageReader& package) {
     if (effect_on(package.scene(), Effect::registration))
         std::printf(
             "the other cameras were registered with the photos left out; for figures without them, use "
             "vantage "
             "prepare --hold-out\n");
 }
+
+/// The package's results without a photo that is left out.
+class SceneWithout {
+  public:
+    SceneWithout(const PackageReader& package, bool consensus_masks) : colors_(package) {
+        if (consensus_masks && effect_on(package.scene(), Effect::consensus))
+            consensus_.emplace(package, colors_.samples());
+    }
+    /// Shows the others' masks as they are without the photo. Returns the records.
+    std::vector<package::PhotoRecord> leave_out(std::uint32_t photo, Renderer& renderer) {
+        const PhotoColors colors = colors_.colors(photo);
+        std::vector<package::PhotoRecord> out = colors_.records(colors);
+        if (consensus_) {
+            consensus_->leave_out(photo, colors, out);
+            renderer.use_weights([this](std::uint32_t other) { return consensus_->of(other); });
+        }
+        return out;
+    }
+
+  private:
+    ColorsWithout colors_;
+    std::optional<ConsensusWithout> consensus_;
+};
 
 }  // namespace
 
@@ -177,10 +198,10 @@ int run_evaluate(const PackageReader& package, EvaluateOptions o) {
     make_folder(o.folder);
     RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);
     settings.fill_holes = false;  // the whole frame is scored besides
-    leave_out_votes(package, settings);
-    const ColorsWithout colors(package);
+    report_registration(package);
     const gl::HeadlessContext context;
     Renderer renderer(package, memory_budget(o.memory));
+    SceneWithout without(package, settings.weights.consensus_mask);
     std::vector<LeftOut> results;
     std::vector<RegionError> regions(renderer.scene().clusters.size());
     const int names = name_width(package, left_out);
@@ -188,8 +209,8 @@ int run_evaluate(const PackageReader& package, EvaluateOptions o) {
     for (const std::uint32_t p : left_out) {
         LeftOutPictures pictures;
         const int level = std::min(o.level, int(package.photos()[p].levels) - 1);
-        results.push_back(
-            leave_out(renderer, settings, photos, colors.records(p), p, level, regions, pictures));
+        const auto records = without.leave_out(p, renderer);
+        results.push_back(leave_out(renderer, settings, photos, records, p, level, regions, pictures));
         write_pictures(o.folder, results.back(), pictures);
         if (!o.against.empty()) compare(o, results.back(), pictures);
         print_row(results.back(), names);

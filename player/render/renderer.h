@@ -1,5 +1,7 @@
 #pragma once
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "gl/program.h"
@@ -40,6 +42,10 @@ class Renderer {
 
     /// See ModelPasses::use_records.
     void use_records(std::span<const package::PhotoRecord> photos) { passes_.use_records(photos); }
+    /// See PhotoStore::use_weights. Between draws of pictures that wait for their tiles.
+    void use_weights(std::function<const ConsensusMap*(std::uint32_t photo)> weights) {
+        store_.use_weights(std::move(weights));
+    }
     /// See ModelPasses::trace_texels.
     void trace_texels(GLuint buffer) { passes_.trace_texels(buffer); }
 

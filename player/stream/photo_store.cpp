@@ -42,14 +42,23 @@ void PhotoStore::fit(std::uint64_t bytes, bool with_coordinates) {
     residency_ = std::make_unique<Residency>(*package_, pages_, layout);
 }
 
+void PhotoStore::use_weights(std::function<const ConsensusMap*(std::uint32_t photo)> weights) {
+    weights_ = std::move(weights);
+    if (residency_) residency_->evict_masks();
+}
+
 void PhotoStore::begin_frame(double now, bool fade) {
     wanted_.clear();
     wanted_identities_.clear();
     residency_->begin_frame(now, fade);
 }
 
-void PhotoStore::want(const StreamRequest& request, Urgency urgency, std::uint32_t level) {
+void PhotoStore::want(StreamRequest request, Urgency urgency, std::uint32_t level) {
     missing_.clear();
+    if (weights_ && request.resource == Resource::masks && !residency_->holds(request)) {
+        request.reweighted = true;
+        request.weights = weights_(request.chunk->photo);
+    }
     residency_->need(request, missing_);
     for (const StreamRequest& r : missing_)
         if (wanted_identities_.insert(r.identity()).second) wanted_.push_back({r, urgency, level});

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,6 +26,11 @@ class PhotoStore {
     void fit(std::uint64_t bytes, bool with_coordinates);
     std::uint64_t bytes() const { return residency_ ? residency_->layout().bytes() : 0; }
     bool has_coordinates() const { return residency_ && residency_->layout().coordinates > 0; }
+
+    /// Shows masks with other consensus weights than those stored: `weights` gives a photo's map, see
+    /// set_weights; it is called when a tile of its masks is to be fetched, and must remain valid. Evicts all
+    /// masks. Requires that nothing is in flight. Empty: the stored weights.
+    void use_weights(std::function<const ConsensusMap*(std::uint32_t photo)> weights);
 
     /// Begins a frame at `now` seconds; without `fade`, tiles are shown in full as soon as they arrive.
     void begin_frame(double now, bool fade);
@@ -75,7 +81,7 @@ class PhotoStore {
         Urgency urgency;
         std::uint32_t level;  ///< of a tile
     };
-    void want(const StreamRequest& request, Urgency urgency, std::uint32_t level = 0);
+    void want(StreamRequest request, Urgency urgency, std::uint32_t level = 0);
     std::size_t want(std::uint32_t photo, const TileNeeds& needs, Urgency urgency);
     /// Sorts wanted_: the most urgent first, and coarse levels before fine ones.
     void sort_wanted();
@@ -85,6 +91,7 @@ class PhotoStore {
     PackagePages pages_;
     TileStream stream_;
     std::unique_ptr<Residency> residency_;
+    std::function<const ConsensusMap*(std::uint32_t photo)> weights_;
     std::vector<Wanted> wanted_;  ///< not resident
     std::unordered_set<std::uint64_t> wanted_identities_;
     std::vector<StreamRequest> missing_, ordered_;

@@ -176,6 +176,8 @@ std::size_t Residency::upload(TileStream& stream, std::size_t budget) {
     return uploaded;
 }
 
+void Residency::evict_masks() { mask_pool_ = LayerPool(layout_.masks, pages_->masks); }
+
 std::size_t Residency::upload_whole(std::uint32_t photo, std::uint32_t levels) {
     std::size_t uploaded = 0;
     std::vector<StreamRequest> missing;

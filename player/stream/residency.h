@@ -44,6 +44,8 @@ class Residency {
     bool need_coordinates(std::uint32_t photo, std::vector<StreamRequest>& missing);
     /// Uploads what has been fetched, at most `budget` bytes or one larger piece. Returns the bytes uploaded.
     std::size_t upload(TileStream& stream, std::size_t budget);
+    /// Forgets all masks and depth.
+    void evict_masks();
     /// Uploads all tiles of a photo at once, straight from the mapped package. Returns the bytes uploaded.
     std::size_t upload_whole(std::uint32_t photo, std::uint32_t levels);
 

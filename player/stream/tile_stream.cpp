@@ -4,6 +4,9 @@
 #include <chrono>
 #include <cstring>
 
+#include "agreement/consensus_weights.h"
+#include "scene/tiling.h"
+
 namespace vantage {
 
 std::uint64_t StreamRequest::size() const {
@@ -109,6 +112,11 @@ bool TileStream::fetch(const StreamRequest& r, std::span<std::byte> to) const {
     if (!package_.block_sound(*r.chunk, r.block) || (r.second && !package_.block_sound(*r.second, r.block)))
         return false;
     copy(package_.block(*r.chunk, r.block), 0);
+    if (r.reweighted) {
+        const package::PhotoRecord& p = package_.photos()[r.chunk->photo];
+        set_tile_weights(r.weights, level_size(int(p.width), int(p.height), int(r.chunk->level)), r.block,
+                         to.first(tile_bytes));
+    }
     if (r.second) copy(package_.block(*r.second, r.block), std::size_t(r.chunk->block_length));
     return true;
 }

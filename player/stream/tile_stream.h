@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "agreement/consensus_map.h"
 #include "player/stream/upload_ring.h"
 #include "scene/package_reader.h"
 
@@ -31,6 +32,8 @@ struct StreamRequest {
     std::uint32_t block = 0;                          ///< in a chunk with blocks
     std::uint64_t first = 0, bytes = 0;               ///< in a chunk without blocks
     const package::DirectoryEntry* second = nullptr;  ///< chunk whose block of the same number follows
+    bool reweighted = false;                          ///< of masks: with the consensus weights of `weights`
+    const ConsensusMap* weights = nullptr;            ///< see set_weights
 
     std::uint64_t size() const;
     std::uint64_t identity() const { return std::uint64_t(resource) << 32 | key; }

@@ -87,6 +87,22 @@ void paint_stranger(std::array<std::uint8_t, 3>& color, int x, int y) {
     if (x >= 360 && x < 460 && y >= 150 && y < 450) color = {200, 30, 30};
 }
 
+void replace_by_noise(const fs::path& file) {
+    std::mt19937 random(1);
+    repaint(file, [&](std::array<std::uint8_t, 3>& color, int, int) {
+        for (std::uint8_t& v : color) v = std::uint8_t(random());
+    });
+}
+
+/// Effects that depend on all photos, on without a judgment, which would be another without a photo.
+PrepareSettings all_but_registration() {
+    PrepareSettings settings;
+    for (const Effect e : {Effect::exposure, Effect::falloff, Effect::consensus})
+        settings.effects[e] = EffectChoice::on;
+    settings.effects[Effect::registration] = EffectChoice::off;
+    return settings;
+}
+
 Cause largest_at_colored(const CauseSquares& s) {
     Cause most = Cause::displaced;
     for (const CauseRow& row : cause_table())
@@ -275,26 +291,48 @@ TEST_F(Evaluate, ComparesWithAnEarlierEvaluation) {
 }
 
 TEST_F(Evaluate, LeftOutPhotoHasNoPartInItsPicture) {
-    PrepareSettings settings;
-    settings.effects[Effect::exposure] = EffectChoice::on;
-    settings.effects[Effect::falloff] = EffectChoice::on;
+    repaint(scene.photos[1].file, paint_stranger);
     EvaluateOptions options;
     options.level = 2;
     options.package.photos = {"0002"};
     const auto rendered = [&](const fs::path& folder) {
         fs::remove(file);
-        prepare(scene, settings, file, [](const Progress&) {});
+        prepare(scene, all_but_registration(), file, [](const Progress&) {});
         options.folder = folder;
         EXPECT_EQ(run_evaluate(PackageReader(file), options), 0);
         return slurp(folder / "0002-rendered.png");
     };
     const std::string before = rendered(dir / "before");
-    std::mt19937 random(1);
-    std::vector<std::byte> noise(800 * 600 * 3);
-    for (std::byte& b : noise) b = std::byte(random() & 255);
-    image_files().write(scene.photos[2].file, 800, 600, 3, Sample::u8, noise);
+    replace_by_noise(scene.photos[2].file);
     EXPECT_EQ(rendered(dir / "noise"), before);
     EXPECT_NE(slurp(dir / "noise" / "0002-photo.png"), slurp(dir / "before" / "0002-photo.png"));
+}
+
+TEST_F(Evaluate, PictureIsThatOfAPackagePreparedWithoutThePhoto) {
+    repaint(scene.photos[1].file, paint_stranger);
+    PrepareSettings settings = all_but_registration();
+    prepare(scene, settings, file, [](const Progress&) {});
+    EvaluateOptions options;
+    options.folder = dir / "evaluation";
+    options.package.photos = {"0002"};
+    ASSERT_EQ(run_evaluate(PackageReader(file), options), 0);
+    settings.hold_out = {"0002"};
+    const fs::path without = dir / "without.vantage";
+    prepare(scene, settings, without, [](const Progress&) {});
+    const auto picture = [](const fs::path& package_file, bool consensus_mask) {
+        const PackageReader package(package_file);
+        const gl::HeadlessContext context(gl::Debug::on);
+        Renderer renderer(package, {});
+        RenderSettings shown = render_settings(package, {}, Purpose::pictures);
+        shown.fill_holes = false;
+        shown.weights.consensus_mask = consensus_mask;
+        return take_picture(renderer, view_of_level(package.photos()[2], 1), shown,
+                            std::array{0u, 1u, 3u, 4u}, 2);
+    };
+    const Picture evaluated = read_png(options.folder / "0002-rendered.png");
+    EXPECT_EQ(evaluated.rgba, picture(without, true).rgba);
+    EXPECT_NE(evaluated.rgba, picture(without, false).rgba) << "the stranger is masked";
+    EXPECT_NE(evaluated.rgba, picture(file, true).rgba) << "on whose masks the photo has voted";
 }
 
 TEST_F(Evaluate, JudgeFindsTheGainsThatThePlayerShows) {

@@ -1,0 +1,38 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "agreement/consensus_map.h"
+#include "agreement/consensus_partners.h"
+#include "values/lru_cache.h"
+
+namespace vantage {
+
+/// Consensus maps of a package's photos as if one of them did not exist, made on demand from what the package
+/// holds.
+class ConsensusWithout {
+  public:
+    /// `samples` as read from the package. Throws Error(damaged).
+    ConsensusWithout(const PackageReader& package, const PhotoSamples& samples);
+
+    /// Chooses the photo that does not exist. `colors`: fitted without it; `photos`: the package's records,
+    /// with poses found without it.
+    void leave_out(std::uint32_t photo, PhotoColors colors, std::span<const package::PhotoRecord> photos);
+    /// What `prepare --hold-out` writes to the masks of another photo; null if it has fewer than two
+    /// partners. Valid until leave_out. Throws Error(damaged).
+    const ConsensusMap* of(std::uint32_t photo);
+
+  private:
+    ConsensusView view(std::uint32_t photo) const;
+
+    ConsensusPartners partners_;
+    LruCache<ConsensusView> uncorrected_;
+    std::uint32_t without_ = 0;
+    PhotoColors colors_;
+    std::vector<Pose> poses_;
+    std::map<std::uint32_t, ConsensusMap> maps_;
+};
+
+}  // namespace vantage
