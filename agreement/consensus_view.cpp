@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "scene/read_level.h"
+#include "agreement/read_level.h"
 #include "values/srgb.h"
 
 namespace vantage {

@@ -25,21 +25,22 @@ enum class Type : std::uint32_t {
     photos = fourcc("PHOT"),        ///< PhotoRecord[photos]
     states = fourcc("STAT"),        ///< PhotoState[photos]: what each photo's artifacts were made from
     registration = fourcc("REGI"),  ///< RegistrationRecord[photos]: poses as given, and residuals
-    pairs = fourcc("PAIR"),         ///< PairRecord[]: how well overlapping photos agree
-    positions = fourcc("VPOS"),     ///< float[3][vertices], relative to the origin
-    normals = fourcc("VNRM"),       ///< float[3][vertices], unit length
-    colors = fourcc("VCOL"),        ///< u8[4][vertices], sRGB and alpha; optional
-    scalars = fourcc("VSCL"),       ///< float[vertices] per layer, names in META; optional
-    indices = fourcc("INDX"),       ///< u32[3][triangles], ordered by cluster
-    clusters = fourcc("CLUS"),      ///< ClusterRecord[clusters]
-    thumbnail = fourcc("THMB"),     ///< per photo: RGBA8
-    coverage = fourcc("COVR"),      ///< per photo: CoverageRecord[clusters]
-    visible = fourcc("VISB"),       ///< per photo: u64[], a bit per triangle seen in full, then in part
-    samples = fourcc("SAMP"),       ///< per photo: SampleRecord[discs of the surface]
-    coordinates = fourcc("TEXC"),   ///< per photo: float[2][vertices]; (-1,-1) where not visible
-    tiles = fourcc("TILE"),         ///< per photo and level: blocks of RGBA8 tiles
-    masks = fourcc("MASK"),         ///< per photo and level: RGBA8 tiles: angle, depth, border, consensus
-    depth = fourcc("DPTH"),         ///< per photo and level: R32F tiles: linear z, +inf where nothing is seen
+    registration_without = fourcc("REGW"),  ///< PoseWithoutRecord[]: poses without a photo; optional
+    pairs = fourcc("PAIR"),                 ///< PairRecord[]: how well overlapping photos agree
+    positions = fourcc("VPOS"),             ///< float[3][vertices], relative to the origin
+    normals = fourcc("VNRM"),               ///< float[3][vertices], unit length
+    colors = fourcc("VCOL"),                ///< u8[4][vertices], sRGB and alpha; optional
+    scalars = fourcc("VSCL"),               ///< float[vertices] per layer, names in META; optional
+    indices = fourcc("INDX"),               ///< u32[3][triangles], ordered by cluster
+    clusters = fourcc("CLUS"),              ///< ClusterRecord[clusters]
+    thumbnail = fourcc("THMB"),             ///< per photo: RGBA8
+    coverage = fourcc("COVR"),              ///< per photo: CoverageRecord[clusters]
+    visible = fourcc("VISB"),      ///< per photo: u64[], a bit per triangle seen in full, then in part
+    samples = fourcc("SAMP"),      ///< per photo: SampleRecord[discs of the surface]
+    coordinates = fourcc("TEXC"),  ///< per photo: float[2][vertices]; (-1,-1) where not visible
+    tiles = fourcc("TILE"),        ///< per photo and level: blocks of RGBA8 tiles
+    masks = fourcc("MASK"),        ///< per photo and level: RGBA8 tiles: angle, depth, border, consensus
+    depth = fourcc("DPTH"),        ///< per photo and level: R32F tiles: linear z, +inf where nothing is seen
 };
 
 struct Header {
@@ -157,6 +158,15 @@ struct RegistrationRecord {
     std::uint64_t key;     ///< XXH3-64 of all inputs, the same for all photos
 };
 
+/// The pose of a registered camera, fitted again as if another photo were not in the scene.
+struct PoseWithoutRecord {
+    std::uint32_t without;  ///< the photo that has no say in it
+    std::uint32_t photo;    ///< of the camera
+    double R[9], t[3];      ///< like PhotoRecord's
+};
+/// Maximum number of poses stored without a photo.
+inline constexpr std::size_t poses_without_photo = 24;
+
 /// Maximum number of pairs measured and stored per photo.
 inline constexpr std::uint64_t stored_pairs_per_photo = 2;
 /// Size of a pair's displacement map, in cells.
@@ -187,7 +197,8 @@ static_assert(sizeof(Header) == 64 && sizeof(DirectoryEntry) == 64 && sizeof(Clu
 static_assert(sizeof(PhotoState) == 344 && std::is_trivially_copyable_v<PhotoState>);
 static_assert(sizeof(CoverageRecord) == 12 && sizeof(SampleRecord) == 8 && sizeof(SceneRecord) == 136 &&
               sizeof(PhotoRecord) % 8 == 0);
-static_assert(sizeof(RegistrationRecord) == 128 && sizeof(PairRecord) == 56 + 6 * pair_columns * pair_rows);
+static_assert(sizeof(RegistrationRecord) == 128 && sizeof(PoseWithoutRecord) == 104 &&
+              sizeof(PairRecord) == 56 + 6 * pair_columns * pair_rows);
 static_assert(std::is_trivially_copyable_v<PhotoRecord> && std::numeric_limits<float>::is_iec559);
 
 }  // namespace vantage::package

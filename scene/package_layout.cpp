@@ -39,7 +39,8 @@ std::uint64_t layout_checksum(const PackageLayout& layout, std::uint64_t names) 
 
 PackageLayout package_layout(std::span<const ChunkPlan> plan, std::uint64_t names) {
     PackageLayout out;
-    out.bytes = aligned(sizeof(package::Header) + plan.size() * sizeof(DirectoryEntry));
+    // With an entry for a chunk that is appended.
+    out.bytes = aligned(sizeof(package::Header) + (plan.size() + 1) * sizeof(DirectoryEntry));
     for (const ChunkPlan& chunk : plan) {
         out.directory.push_back(planned_entry(chunk, out.bytes));
         out.bytes += aligned(out.directory.back().length);

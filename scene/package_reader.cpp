@@ -311,6 +311,7 @@ Pose pose_of(const Record& r) {
 
 Pose cam_from_origin(const package::PhotoRecord& photo) { return pose_of(photo); }
 Pose cam_from_origin(const package::RegistrationRecord& given) { return pose_of(given); }
+Pose cam_from_origin(const package::PoseWithoutRecord& without) { return pose_of(without); }
 
 bool effect_on(const package::SceneRecord& scene, Effect effect) {
     return scene.effects & effect_bit(effect);

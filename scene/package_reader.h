@@ -96,6 +96,7 @@ class PackageReader {
 Intrinsics intrinsics(const package::PhotoRecord& photo);
 Pose cam_from_origin(const package::PhotoRecord& photo);
 Pose cam_from_origin(const package::RegistrationRecord& given);
+Pose cam_from_origin(const package::PoseWithoutRecord& without);
 bool effect_on(const package::SceneRecord& scene, Effect effect);
 
 /// A chunk's name in messages: "TILE of photo 3 (00003.jpg), level 2".

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 
@@ -56,7 +57,7 @@ bool can_resume(const Header& h, const PackageLayout& layout, Share share) {
     const auto is = [&](const char(&magic)[8]) { return std::memcmp(h.magic, magic, sizeof magic) == 0; };
     return (is(package::part_magic) || is(package::magic)) && is_sound(h) && h.version == package::version &&
            h.layout == layout.checksum && h.share == share.share && h.shares == share.shares &&
-           h.file_size == layout.bytes && h.directory_count <= layout.directory.size();
+           h.file_size >= layout.bytes && h.directory_count <= layout.directory.size() + 1;
 }
 
 enum class Settled : char {
@@ -73,6 +74,8 @@ struct PackageWriter::State {
     Share share;
     std::map<Key, std::size_t> index;
     std::vector<Settled> settled;  ///< per chunk
+    std::optional<package::Type> appended;
+    std::vector<std::byte> appended_bytes;
     bool resumed = false, holds_photos = false;
     mutable std::mutex mutex;  ///< of the checksums, `settled` and `holds_photos`
 
@@ -107,6 +110,20 @@ struct PackageWriter::State {
         file.write(slot(i), bytes_of_one(e));
     }
 
+    /// Writes the appended chunk behind the others. Returns its entry.
+    DirectoryEntry write_appended() {
+        DirectoryEntry e{};
+        e.type = std::uint32_t(*appended);
+        e.version = 1;
+        e.photo = package::scene_wide;
+        e.offset = layout.bytes;
+        e.length = e.head_length = appended_bytes.size();
+        e.checksum = checksum(appended_bytes);
+        file.write(e.offset, appended_bytes);
+        pad(e);
+        layout.bytes += aligned(e.length);
+        return e;
+    }
     bool resume();
     void begin();
 };
@@ -194,6 +211,11 @@ void PackageWriter::note(package::Type type, std::size_t index, std::span<const 
     s.file.write(e.offset + index * record.size(), record);
 }
 
+void PackageWriter::append(package::Type type, std::span<const std::byte> bytes) {
+    state_->appended = type;
+    state_->appended_bytes.assign(bytes.begin(), bytes.end());
+}
+
 void PackageWriter::keep(const DirectoryEntry& entry) {
     State& s = *state_;
     s.settle(s.find(package::Type(entry.type), entry.photo, entry.level), entry.checksum, Settled::present);
@@ -249,12 +271,14 @@ void PackageWriter::finish() {
         if (s.settled[i] == Settled::present) present.push_back(s.layout.directory[i]);
     }
     const bool whole = s.share.shares == 0;
+    const std::uint64_t directory_end = slot(s.settled.size() + 1);
+    if (s.appended) present.push_back(s.write_appended());
     Header h = make_header(whole ? package::magic : package::part_magic, s.layout, s.share);
     h.directory_count = std::uint32_t(present.size());
     h.directory_checksum = checksum(bytes_of(present));
     seal_header(h);
     s.file.write(sizeof h, bytes_of(present));
-    s.file.write_zeros(slot(present.size()), aligned(slot(s.settled.size())));
+    s.file.write_zeros(slot(present.size()), aligned(directory_end));
     s.file.write(0, bytes_of_one(h));
     s.file.publish();
 }

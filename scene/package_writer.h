@@ -46,6 +46,9 @@ class PackageWriter {
     /// read.
     void note(package::Type type, std::size_t index, std::span<const std::byte> record);
 
+    /// Adds a chunk of the scene that was not planned, after all others, with finish(). At most one.
+    void append(package::Type type, std::span<const std::byte> bytes);
+
     /// Keeps a chunk that FILE.part already holds, with the checksum in `entry`.
     void keep(const package::DirectoryEntry& entry);
     /// Copies a chunk from another package, as photo `photo`. The caller checks that it is sound.

@@ -101,7 +101,10 @@ void PartFile::reserve(std::uint64_t bytes) const {
         errno = error;
         fail("reserve " + std::to_string((bytes >> 20) + 1) + " MiB");
     }
-    if (error != 0 && ::ftruncate(fd_, off_t(bytes)) != 0) fail("size");
+    // A part may be longer: an interrupted run had appended to it.
+    struct stat st {};
+    const bool longer = ::fstat(fd_, &st) == 0 && std::uint64_t(st.st_size) > bytes;
+    if ((error != 0 || longer) && ::ftruncate(fd_, off_t(bytes)) != 0) fail("size");
 }
 
 void PartFile::punch_hole(std::uint64_t offset, std::uint64_t length) const {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "pipeline/agree/color_agreement.h"
+#include "pipeline/agree/poses_without.h"
 #include "pipeline/judge/prediction.h"
 #include "pipeline/judge/verdict.h"
 #include "values/quantile.h"
@@ -50,17 +51,18 @@ std::vector<std::uint32_t> odd_photos(const RegistrationInput& in, std::span<con
     return odd;
 }
 
-/// A solution with its poses when photos are left out.
-struct Candidate {
-    PoseSolution solution;
-    std::vector<std::vector<Pose>> without;  ///< per fold
-};
-
 /// Which cameras a solution moves.
 enum class Moved { odd_ones, all, together };
 
+/// A solution with its poses when photos are left out.
+struct Candidate {
+    PoseSolution solution;
+    Moved which;
+    std::vector<std::vector<Pose>> without;  ///< per fold
+};
+
 Candidate candidate(const PoseRounds& rounds, const Folds& folds, PoseSolution solution, Moved which) {
-    Candidate c{std::move(solution), {}};
+    Candidate c{std::move(solution), which, {}};
     for (const Fold& f : folds.all())
         c.without.push_back(which == Moved::together ? c.solution.poses
                                                      : rounds.poses_without(c.solution, f.photo));
@@ -170,6 +172,8 @@ class PoseChoice {
 
     void finish() {
         if (taken_) out_.photos = taken_->solution.photos;
+        if (taken_ && taken_->which != Moved::together)
+            out_.without = poses_without_each(rounds_, taken_->solution, folds_);
         out_.decision.on = any();
         if (!any()) out_.decision.evidence += "; no camera was moved";
     }

@@ -151,8 +151,9 @@ PoseSolution PoseRounds::fit_some(std::span<const std::uint32_t> photos) const {
         s.cameras[i].fixed = std::ranges::count(photos, i) == 0;
     const Pairs pairs = pairs_of(pairs_, photos);
     const Matching before = match(given_, pairs, fine);
-    const auto change = solve(s.cameras, pairs, std::vector<PoseChange>(s.cameras.size()),
-                              expected_error(before), from_coarse);
+    s.sigma = expected_error(before);
+    const auto change =
+        solve(s.cameras, pairs, std::vector<PoseChange>(s.cameras.size()), s.sigma, from_coarse);
     s.poses = poses_of(s.cameras, change);
     s.matched = match(s.poses, pairs, fine);
     keep_improved(s, pairs, change, before);
@@ -161,8 +162,9 @@ PoseSolution PoseRounds::fit_some(std::span<const std::uint32_t> photos) const {
 
 PoseSolution PoseRounds::fit_all() const {
     PoseSolution s{.photos = {}, .poses = {}, .cameras = cameras_, .matched = {}};
+    s.sigma = sigma_;
     const auto change =
-        solve(s.cameras, pairs_, std::vector<PoseChange>(s.cameras.size()), sigma_, from_coarse);
+        solve(s.cameras, pairs_, std::vector<PoseChange>(s.cameras.size()), s.sigma, from_coarse);
     s.poses = poses_of(s.cameras, change);
     s.matched = match(s.poses, pairs_, fine);
     take_back_common_motion(s);
@@ -187,15 +189,54 @@ PoseSolution PoseRounds::moved_together(const Similarity& common, double uncerta
     return s;
 }
 
-std::vector<Pose> PoseRounds::poses_without(const PoseSolution& s, std::uint32_t photo) const {
-    std::vector<PoseChange> change(s.cameras.size());
-    const std::vector<Track> tracks = tracks_without(s.matched.tracks, photo);
-    if (!fit_poses(s.cameras, subset(tracks, Subset::fitting), anchor, sigma_, change).usable) return given_;
-    Poses out = poses_of(s.cameras, change);
-    if (s.common_motion > 0) {
+std::vector<Pose> PoseRounds::fit_without(const PoseSolution& s, std::span<const FittedCamera> cameras,
+                                          std::span<const Track> tracks, bool free) const {
+    std::vector<PoseChange> change(cameras.size());
+    if (!fit_poses(cameras, subset(tracks, Subset::fitting), anchor, s.sigma, change).usable) return {};
+    Poses out = poses_of(cameras, change);
+    if (s.common_motion > 0 && free) {
         const Similarity back = inverse(common_motion(intrinsics_, given_, out, tracks));
         for (std::size_t i = 0; i < out.size(); ++i)
-            if (!s.cameras[i].fixed) out[i] = compose(out[i], back);
+            if (!cameras[i].fixed) out[i] = compose(out[i], back);
+    }
+    return out;
+}
+
+std::vector<Pose> PoseRounds::poses_without(const PoseSolution& s, std::uint32_t photo) const {
+    Poses out = fit_without(s, s.cameras, tracks_without(s.matched.tracks, photo), true);
+    return out.empty() ? given_ : out;
+}
+
+std::vector<Pose> PoseRounds::poses_without(const PoseSolution& s, std::uint32_t photo,
+                                            std::span<const std::uint32_t> fitted) const {
+    const auto is_fitted = [&](std::uint32_t i) { return std::ranges::count(fitted, i) > 0; };
+    std::vector<FittedCamera> cameras = s.cameras;
+    bool free = true;  // all cameras that the solution moved are fitted again
+    for (std::uint32_t i = 0; i < cameras.size(); ++i)
+        if (!cameras[i].fixed && i != photo && !is_fitted(i)) {
+            cameras[i].given = s.poses[i];
+            cameras[i].fixed = true;
+            free = false;
+        }
+    std::vector<Track> near;
+    bool has_say = false;
+    for (const Track& t : s.matched.tracks) {
+        const bool of_photo = t.photo == photo || std::ranges::count(t.matches, photo, &Match::photo) > 0;
+        const bool of_fitted = is_fitted(t.photo) || std::ranges::any_of(t.matches, [&](const Match& m) {
+                                   return is_fitted(m.photo);
+                               });
+        has_say |= of_photo && of_fitted;
+        if (of_fitted) near.push_back(t);
+    }
+    if (!has_say) return {};
+    // The difference of two fits to the same matches: the rounds of matching end before a fit has converged.
+    const Poses with = fit_without(s, cameras, near, free),
+                without = fit_without(s, cameras, tracks_without(near, photo), free);
+    if (with.empty() || without.empty()) return {};
+    Poses out = s.poses;
+    for (const std::uint32_t i : fitted) {
+        const Eigen::Matrix3d turned = without[i].R * with[i].R.transpose();
+        out[i] = {turned * out[i].R, turned * (out[i].t - with[i].t) + without[i].t};
     }
     return out;
 }

@@ -14,6 +14,7 @@ struct PoseSolution {
     std::vector<FittedCamera> cameras;  ///< `fixed` are those that were not moved
     Matching matched;                   ///< under these poses
     double before = 0, after = 0;       ///< median displacement of holdout corners, px
+    double sigma = 1;                   ///< of the anchor that the poses were fitted with, px
     /// Motion of all cameras that was taken back, px, median; 0 if some cameras were fixed from the start.
     double common_motion = 0;
 };
@@ -32,8 +33,12 @@ class PoseRounds {
     /// The given poses moved together; `uncertainty`: of that motion, px. Throws Error(damaged).
     PoseSolution moved_together(const Similarity& common, double uncertainty) const;
 
-    /// The solution's poses, fitted to the same matches except those of one photo.
+    /// The solution's poses, fitted to the same matches, with the same anchor, except those of one photo.
     std::vector<Pose> poses_without(const PoseSolution& solution, std::uint32_t photo) const;
+    /// The solution's poses, changed as those of a few cameras change when the photo's matches are dropped
+    /// from a fit to the others, which stay. Empty if the photo has no match with any of them.
+    std::vector<Pose> poses_without(const PoseSolution& solution, std::uint32_t photo,
+                                    std::span<const std::uint32_t> fitted) const;
     /// A photo's pose fitted to its matches with the others, which stay: to those found under the given poses
     /// (null), or under a solution's. The pose in `poses` if there are none.
     Pose resection(const PoseSolution* solution, std::span<const Pose> poses, std::uint32_t photo) const;
@@ -51,6 +56,8 @@ class PoseRounds {
     std::vector<PoseChange> solve(const std::vector<FittedCamera>& cameras, const Pairs& pairs,
                                   std::vector<PoseChange> change, double sigma,
                                   std::span<const int> long_sides) const;
+    std::vector<Pose> fit_without(const PoseSolution& solution, std::span<const FittedCamera> cameras,
+                                  std::span<const Track> tracks, bool free) const;
     void take_back_common_motion(PoseSolution& solution) const;
     void keep_improved(PoseSolution& solution, const Pairs& pairs, std::vector<PoseChange> change,
                        const Matching& before) const;

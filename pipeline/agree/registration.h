@@ -33,11 +33,18 @@ struct PhotoRegistration {
     double uncertainty = 0;        ///< standard error of the motion, px
 };
 
+/// The pose of a camera that registration moved, without what one photo shows.
+struct PoseWithout {
+    std::uint32_t without, photo;
+    Pose pose;
+};
+
 /// How well the photos agree through the model, and the poses with which they agree better.
 struct Registration {
     EffectDecision decision;
     std::vector<PhotoRegistration> photos;
     std::vector<package::PairRecord> pairs;  ///< under the given cameras
+    std::vector<PoseWithout> without;        ///< see poses_without_each; empty if no camera moved on its own
     std::vector<std::string> warnings;       ///< one line each: misplaced photos, swapped cameras
 };
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "agreement/read_level.h"
 #include "scene/camera.h"
 #include "scene/package_reader.h"
-#include "scene/read_level.h"
 #include "values/grid.h"
 
 namespace vantage {

@@ -32,7 +32,7 @@ Parts parts_of(const std::string& name) {
         case Effect::exposure:
             return {{"colors"}, {Type::samples}};
         case Effect::registration:
-            return {{"register"}, {Type::registration, Type::pairs}};
+            return {{"register"}, {Type::registration, Type::registration_without, Type::pairs}};
         case Effect::consensus:
             return {{"consensus"}, {}};
         default:

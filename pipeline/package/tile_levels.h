@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "agreement/read_level.h"
 #include "pipeline/pixels/rgba_image.h"
 #include "scene/package_reader.h"
 #include "scene/package_writer.h"
-#include "scene/read_level.h"
 #include "scene/tiling.h"
 
 namespace vantage {

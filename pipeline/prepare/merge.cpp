@@ -108,7 +108,8 @@ PackedModel model_of(const PackageReader& package) {
 
 bool is_written_last(const DirectoryEntry& e) {
     const Type type{e.type};
-    return type == Type::photos || type == Type::states || type == Type::registration || type == Type::pairs;
+    return type == Type::photos || type == Type::states || type == Type::registration ||
+           type == Type::pairs || type == Type::registration_without;
 }
 
 void copy_scene(const PackageReader& from, PackageWriter& writer) {

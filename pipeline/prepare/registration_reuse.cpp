@@ -78,7 +78,11 @@ std::optional<Registration> registration_of(const PackageReader& package, std::u
     const std::string text(package.meta());
     out.decision = decision_in(text, Effect::registration);
     out.warnings = findings_in(text);
+    // Packages of earlier versions lack the poses without each photo.
+    if (out.decision.on && !package.find(Type::registration_without)) return {};
     out.pairs = pairs_of(package);
+    for (const auto& r : sound_records<package::PoseWithoutRecord>(package, Type::registration_without))
+        out.without.push_back({r.without, r.photo, cam_from_origin(r)});
     for (std::size_t i = 0; i < records.size(); ++i) {
         out.photos.push_back({{}, records[i].by, records[i].before, records[i].after});
         if (photos[i].flags & package::photo_registered) out.photos.back().pose = cam_from_origin(photos[i]);
@@ -141,6 +145,14 @@ void write_registration(PackageWriter& writer, const Registration& found, std::s
     std::copy_n(found.pairs.begin(), std::min(pairs.size(), found.pairs.size()), pairs.begin());
     writer.write(Type::registration, package::scene_wide, bytes_of(records));
     writer.write(Type::pairs, package::scene_wide, bytes_of(pairs));
+    std::vector<package::PoseWithoutRecord> without;
+    for (const PoseWithout& p : found.without) {
+        package::PoseWithoutRecord& r = without.emplace_back();
+        r.without = p.without;
+        r.photo = p.photo;
+        set_pose(p.pose, r);
+    }
+    if (!without.empty()) writer.append(Type::registration_without, bytes_of(without));
 }
 
 }  // namespace vantage

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "agreement/consensus_without.h"
+#include "agreement/registered_without.h"
 #include "gl/context.h"
 #include "output/make_folder.h"
 #include "player/camera/shots.h"
@@ -155,13 +156,13 @@ void expect_earlier(const EvaluateOptions& o) {
                     o.against.string() + ": would be overwritten, expected another folder for -o");
 }
 
-/// Registered cameras, on which the photos left out had a say.
+/// Cameras that were moved together, on which the photos left out had a say.
 void report_registration(const PackageReader& package) {
-    if (effect_on(package.scene(), Effect::registration))
+    if (effect_on(package.scene(), Effect::registration) &&
+        !package.find(package::Type::registration_without))
         std::printf(
-            "the other cameras were registered with the photos left out; for figures without them, use "
-            "vantage "
-            "prepare --hold-out\n");
+            "the cameras were moved together, with the photos left out; for figures without them, use "
+            "vantage prepare --hold-out\n");
 }
 
 /// The package's results without a photo that is left out.
@@ -175,6 +176,8 @@ class SceneWithout {
     std::vector<package::PhotoRecord> leave_out(std::uint32_t photo, Renderer& renderer) {
         const PhotoColors colors = colors_.colors(photo);
         std::vector<package::PhotoRecord> out = colors_.records(colors);
+        if (effect_on(renderer.package().scene(), Effect::registration))
+            use_poses_without(renderer.package(), photo, out);
         if (consensus_) {
             consensus_->leave_out(photo, colors, out);
             renderer.use_weights([this](std::uint32_t other) { return consensus_->of(other); });

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "agreement/registered_without.h"
 #include "gl/context.h"
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/discover.h"
@@ -333,6 +334,41 @@ TEST_F(Evaluate, PictureIsThatOfAPackagePreparedWithoutThePhoto) {
     EXPECT_EQ(evaluated.rgba, picture(without, true).rgba);
     EXPECT_NE(evaluated.rgba, picture(without, false).rgba) << "the stranger is masked";
     EXPECT_NE(evaluated.rgba, picture(file, true).rgba) << "on whose masks the photo has voted";
+}
+
+TEST_F(Evaluate, CamerasAreRegisteredWithoutTheLeftOutPhoto) {
+    // A wrong camera, which moves; the photo left out has a say in it.
+    Pose& wrong = scene.photos[3].camera.cam_from_world;
+    const Intrinsics k = scene.photos[3].camera.intrinsics;
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(4 / k.fx, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    wrong.R = turn * wrong.R;
+    wrong.t = turn * wrong.t;
+    PrepareSettings settings;
+    settings.effects[Effect::registration] = EffectChoice::on;
+    const auto records = [&](const fs::path& package_file, bool without) {
+        prepare(scene, settings, package_file, [](const Progress&) {});
+        const PackageReader package(package_file);
+        EXPECT_TRUE(effect_on(package.scene(), Effect::registration));
+        std::vector<package::PhotoRecord> out(package.photos().begin(), package.photos().end());
+        if (without) use_poses_without(package, 2, out);
+        return out;
+    };
+    const auto stored = records(file, false), before = records(file, true);
+    settings.hold_out = {"0002"};
+    const auto held_out = records(dir / "without.vantage", false);
+    const PackageReader package(file);
+    const auto given = package.records<package::RegistrationRecord>(package::Type::registration);
+    // How far the middle of the photo moves.
+    const auto apart = [&](const Pose& a, const Pose& b) {
+        const Eigen::Vector3d x = a.R.transpose() * (Eigen::Vector3d(0, 0, stored[3].seen_distance) - a.t);
+        const Eigen::Vector3d p = b.R * x + b.t;
+        return k.fx * std::hypot(p.x(), p.y()) / p.z();
+    };
+    const auto pose = [](const auto& r) { return cam_from_origin(r[3]); };
+    EXPECT_GT(apart(pose(stored), pose(given)), 3) << "the camera was moved";
+    EXPECT_GT(apart(pose(before), pose(stored)), 0) << "the photo had a say in it";
+    EXPECT_LT(apart(pose(before), pose(held_out)), 0.25);
+    EXPECT_EQ(cam_from_origin(before[2]).t, cam_from_origin(given[2]).t) << "viewed from its given camera";
 }
 
 TEST_F(Evaluate, JudgeFindsTheGainsThatThePlayerShows) {

@@ -1,4 +1,4 @@
-#include "scene/read_level.h"
+#include "agreement/read_level.h"
 
 #include <algorithm>
 #include <cstring>
