@@ -99,7 +99,7 @@ const int tile_content_texels = 248;
 const int first_mask_level = 1;  // masks and depth have no finer level
 
 // The lumigraph's weight (docs/method.md), computed by shaders/blend.frag and by pipeline/judge.
-const float default_sharpness = 0.055f;  // radians: the angle between rays at which the weight is 1/e
+const float default_sharpness = 0.07f;  // radians: the angle between rays at which the weight is 1/e
 // Ramps in reference pixels: pixels of a photo scaled to this width.
 const float reference_width = 3072.0f;
 const float frame_ramp = 16.0f;  // from the photo's frame inward, so that it does not show as a seam

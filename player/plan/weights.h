@@ -3,6 +3,7 @@
 
 #include "player/camera/view.h"
 #include "scene/package_format.h"
+#include "shaders/contract.h"
 
 namespace vantage {
 
@@ -15,7 +16,8 @@ struct WeightSettings {
     bool fov_normalization = false;  ///< compare distances as if all fields of view were equal [M] 4.1 to 4.3
     bool corrected_directions = false;  ///< [P]: a photo's direction is toward the middle of what it sees
     double exponent = 2;                ///< of the distance and per-photo angle weights
-    double sharpness = 0.055;           ///< radians: the angle between rays at which the weight is 1/e
+    double sharpness =
+        shader::default_sharpness;  ///< radians: the angle between rays at which the weight is 1/e
 };
 
 /// 1 for the smallest value, decreasing linearly to `floor` for the largest; all equal: all 1. Values must be

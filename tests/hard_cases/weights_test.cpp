@@ -278,7 +278,7 @@ TEST_F(BlendedWeights, ExtremeSettingsLoseNoPixelAndHalfMatchesFloat) {
 // minimum. This loses no pixel and does not change pixels with a significant weight.
 TEST_F(BlendedWeights, OnePhotoPerPassLosesNoPixelInHalfFloats) {
     for (const Blend blend : {Blend::lumigraph, Blend::average, Blend::best})
-        for (const double sharpness : {0.055, 0.005}) {
+        for (const double sharpness : {RenderSettings{}.weights.sharpness, 0.005}) {
             RenderSettings s;
             s.blend = blend;
             s.photos_per_pass = 1;
@@ -288,7 +288,7 @@ TEST_F(BlendedWeights, OnePhotoPerPassLosesNoPixelInHalfFloats) {
             s.half_sums = true;
             const Compared c = compare(floats, picture(view, s));
             EXPECT_EQ(c.lost, 0u) << int(blend) << ' ' << sharpness;
-            if (sharpness == 0.055) {
+            if (sharpness == RenderSettings{}.weights.sharpness) {
                 EXPECT_LT(double(c.off), 0.05 * double(c.colored)) << int(blend);
             }
         }

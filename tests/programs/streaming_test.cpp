@@ -201,7 +201,7 @@ TEST_F(Streaming, PlansCoverTheViewAndKeepTheirPhotos) {
     const auto photos = all(package);
     PlanSettings settings;
     settings.photos = 1;
-    settings.sharpness = 0.055;
+    settings.sharpness = RenderSettings{}.weights.sharpness;
     const Navigation start = stand_at(package.photos()[2], {0, 0, 1});
     std::vector<std::uint32_t> previous;
     int changes = 0;

@@ -38,7 +38,7 @@ std::vector<PictureSetting> exponents(int) {
         s.timed = e == usual.weights.exponent;
         out.push_back(s);
     }
-    for (const double radians : {0.01, 0.02, 0.055, 0.1, 0.2, 0.5}) {
+    for (const double radians : {0.01, 0.02, 0.04, usual.weights.sharpness, 0.1, 0.2, 0.5}) {
         PictureSetting s{"lumigraph, sharpness",
                          fmt::format("{:g}", radians),
                          false,
