@@ -11,7 +11,11 @@ namespace vantage {
 std::vector<std::byte> read_file(const std::filesystem::path& file,
                                  std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
 
-/// The whole file as text. Throws Error(input).
+/// The whole file as text, unchanged. Throws Error(input).
 std::string read_text(const std::filesystem::path& file);
+
+/// The whole file as text without a byte order mark, lines ended by \n or \r\n. Throws Error(input), also for
+/// UTF-16.
+std::string read_plain_text(const std::filesystem::path& file);
 
 }  // namespace vantage

@@ -7,7 +7,30 @@
 namespace vantage {
 namespace {
 
-/// The names of the photos, in the order of the cameras: the first word of each line of list.txt.
+/// Takes the last word off a line; empty if there is none.
+std::string_view take_last_word(std::string_view& line) {
+    const std::size_t end = line.find_last_not_of(" \t");
+    line = line.substr(0, end == line.npos ? 0 : end + 1);
+    const std::size_t blank = line.find_last_of(" \t");
+    const std::string_view word = line.substr(blank == line.npos ? 0 : blank + 1);
+    line.remove_suffix(word.size());
+    return word;
+}
+
+/// The name in a line of list.txt: "NAME", or "NAME 0 FOCAL" with the focal length in pixels. The name may
+/// contain blanks and be quoted.
+std::string photo_name(std::string_view line) {
+    std::string_view rest = line;
+    double number = 0;
+    if (parse_number(take_last_word(rest), number) && take_last_word(rest) == "0" &&
+        rest.find_first_not_of(" \t") != rest.npos)
+        line = rest;
+    line = line.substr(0, line.find_last_not_of(" \t") + 1);
+    if (line.size() > 2 && line.front() == '"' && line.back() == '"') line = line.substr(1, line.size() - 2);
+    return std::string(line);
+}
+
+/// The names of the photos, in the order of the cameras.
 std::vector<std::string> photo_list(const std::filesystem::path& bundle) {
     const auto folder = bundle.parent_path();
     for (const std::filesystem::path& file :
@@ -17,8 +40,7 @@ std::vector<std::string> photo_list(const std::filesystem::path& bundle) {
         Tokens in(file);
         std::vector<std::string> names;
         while (!in.at_end()) {
-            names.emplace_back(in.word("a photo name"));
-            in.line();
+            names.push_back(photo_name(in.line()));
         }
         return names;
     }

@@ -5,6 +5,8 @@
 #include <array>
 #include <map>
 
+#include "pipeline/formats/import/obj.h"
+#include "pipeline/formats/import/off.h"
 #include "pipeline/formats/import/openmesh_reader.h"
 #include "pipeline/formats/import/ply.h"
 #include "scene/error.h"
@@ -79,14 +81,23 @@ void complete_normals(Mesh& mesh) {
     for (Eigen::Vector3f& n : mesh.normals) n.stableNormalize();
 }
 
+Mesh read_any(const std::filesystem::path& file, const std::string& extension) {
+    if (extension == ".ply") return read_ply(file);
+    if (extension == ".obj") return read_obj(file);
+    if (extension == ".off" && !is_binary_off(file)) return read_off(file);
+    return read_with_openmesh(file);
+}
+
 }  // namespace
 
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings) {
     if (!std::filesystem::exists(file)) throw Error(Exit::input, file.string() + ": does not exist");
+    if (std::filesystem::is_directory(file))
+        throw Error(Exit::input, file.string() + ": expected a file, found a folder");
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
-    Mesh mesh = extension == ".ply" ? read_ply(file) : read_with_openmesh(file);
+    Mesh mesh = read_any(file, extension);
     if (mesh.positions.empty()) throw Error(Exit::input, file.string() + ": has no vertices");
     if (const std::size_t n = drop_invalid_triangles(mesh))
         warnings.push_back(file.filename().string() + ": " + std::to_string(n) +

@@ -7,11 +7,11 @@
 
 namespace vantage {
 
-/// Reads a mesh: PLY by read_ply(); OBJ, STL and OFF by OpenMesh without its half-edge structure, so that
-/// non-manifold faces are kept. Positions from OBJ, STL and OFF have single precision. Polygons become
-/// triangle fans. Triangles with repeated, missing or non-finite vertices, or coordinates of 1e18 or more,
-/// are dropped and counted in `warnings`; vertices of no triangle are kept, but moved onto another vertex.
-/// Normals have unit length; missing ones are area-weighted means of the face normals. Throws Error(input).
+/// Reads a mesh: PLY, OBJ and text OFF at double precision, STL and binary OFF by OpenMesh in single
+/// precision without its half-edge structure, so that non-manifold faces are kept. Polygons become triangle
+/// fans. Triangles with repeated, missing or non-finite vertices, or coordinates of 1e18 or more, are dropped
+/// and counted in `warnings`; vertices of no triangle are kept, but moved onto another vertex. Normals have
+/// unit length; missing ones are area-weighted means of the face normals. Throws Error(input).
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
 }  // namespace vantage

@@ -1,14 +1,16 @@
 #include "pipeline/formats/import/ply.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <map>
 #include <span>
 #include <sstream>
 
+#include "pipeline/formats/import/color_bytes.h"
+#include "pipeline/formats/import/number.h"
 #include "pipeline/run/read_file.h"
 #include "scene/error.h"
 
@@ -87,10 +89,14 @@ void read_format(Ply& ply, const std::string& name) {
 
 Ply read_header(const std::filesystem::path& file, std::span<const char> bytes) {
     Ply ply{file, Format::text, {}, {}};
-    std::size_t at = 0;
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    const std::size_t start =
+        std::string_view(bytes.data(), bytes.size()).starts_with(mark) ? mark.size() : 0;
+    std::size_t at = start;
     for (bool first = true;; first = false) {
         const auto end = std::find(bytes.begin() + std::ptrdiff_t(at), bytes.end(), '\n');
-        if (end == bytes.end() || (first && end - bytes.begin() > 5)) ply.fail("a PLY header");
+        if (end == bytes.end() || (first && end - bytes.begin() > std::ptrdiff_t(start) + 5))
+            ply.fail("a PLY header");
         std::istringstream words(std::string(bytes.begin() + std::ptrdiff_t(at), end));
         at = std::size_t(end - bytes.begin()) + 1;
         std::string key, name;
@@ -192,9 +198,9 @@ class Values {
         const auto end = std::find_if(begin, rest_.end(), blank);
         if (begin == end) fail_truncated();
         double value = 0;
-        const char *from = &*begin, *to = from + (end - begin);
-        const auto [stop, error] = std::from_chars(from, to, value);
-        if (error != std::errc{} || stop != to) ply_.fail("a number, found '" + std::string(from, to) + "'");
+        const std::string_view text(&*begin, std::size_t(end - begin));
+        if (!parse_number(text, value))
+            ply_.fail("a number, found '" + std::string(text.substr(0, 40)) + "'");
         rest_ = rest_.subspan(std::size_t(end - rest_.begin()));
         return value;
     }
@@ -294,29 +300,32 @@ void read_faces(Values& values, const Element& e, Mesh& mesh) {
                 continue;
             }
             read_list(values, p, list);
-            if (p.name == "vertex_indices" || p.name == "vertex_index")
+            if (p.name == "vertex_indices" || p.name == "vertex_index" || p.name == "vertex_indexes")
                 e.name == "tristrips" ? add_strips(list, mesh) : add_fan(list, mesh);
         }
 }
 
-std::uint8_t to_byte(double v, bool is_fraction) {
-    v = is_fraction ? v * 255 : v;
-    return std::uint8_t(std::lround(std::clamp(std::isfinite(v) ? v : 0.0, 0.0, 255.0)));
-}
+/// Prefixes of the names of the color channels, in order of preference.
+constexpr std::array<std::array<const char*, 4>, 3> color_names{
+    {{"red", "green", "blue", "alpha"},
+     {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"},
+     {"r", "g", "b", "a"}}};
 
 void take_colors(const Element& e, Columns& columns, Mesh& mesh) {
-    const char* const names[] = {"red", "green", "blue", "alpha"};
-    if (!columns.contains("red") || !columns.contains("green") || !columns.contains("blue")) return;
-    mesh.colors.assign(e.count, {255, 255, 255, 255});
+    const auto names = std::ranges::find_if(color_names, [&](const auto& n) {
+        return columns.contains(n[0]) && columns.contains(n[1]) && columns.contains(n[2]);
+    });
+    if (names == color_names.end()) return;
+    std::array<std::vector<double>, 4> channels;
+    bool is_real = false;
     for (std::size_t c = 0; c < 4; ++c) {
-        const auto column = columns.extract(names[c]);
+        const auto column = columns.extract((*names)[c]);
         if (!column) continue;
-        const Type type = std::find_if(e.properties.begin(), e.properties.end(), [&](const auto& p) {
-                              return p.name == names[c];
-                          })->type;
-        for (std::size_t v = 0; v < e.count; ++v)
-            mesh.colors[v][c] = to_byte(column.mapped()[v], type == Type::f32 || type == Type::f64);
+        channels[c] = std::move(column.mapped());
+        const Type type = std::ranges::find(e.properties, std::string((*names)[c]), &Property::name)->type;
+        is_real |= c < 3 && (type == Type::f32 || type == Type::f64);
     }
+    mesh.colors = color_bytes(channels, is_real);
 }
 
 void take_vertices(const Ply& ply, const Element& e, Columns columns, Mesh& mesh) {
@@ -341,6 +350,19 @@ void take_vertices(const Ply& ply, const Element& e, Columns columns, Mesh& mesh
 }
 
 }  // namespace
+
+bool ply_has_faces(const std::filesystem::path& file) {
+    constexpr std::size_t header_bytes = 1 << 16;
+    const std::vector<std::byte> bytes = read_file(file, header_bytes);
+    try {
+        const Ply ply = read_header(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        return std::ranges::any_of(ply.elements, [](const Element& e) {
+            return (e.name == "face" || e.name == "tristrips") && e.count > 0;
+        });
+    } catch (const Error&) {
+        return true;
+    }
+}
 
 Mesh read_ply(const std::filesystem::path& file) {
     const std::vector<std::byte> bytes = read_file(file);

@@ -1,9 +1,10 @@
 #pragma once
-#include <charconv>
+#include <cctype>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "pipeline/formats/import/number.h"
 #include "pipeline/run/read_file.h"
 #include "scene/error.h"
 
@@ -14,7 +15,7 @@ namespace vantage {
 class Tokens {
   public:
     explicit Tokens(std::filesystem::path file)
-        : file_(std::move(file)), text_(read_text(file_)), rest_(text_) {}
+        : file_(std::move(file)), text_(read_plain_text(file_)), rest_(text_) {}
 
     bool at_end() {
         skip_blanks(true);
@@ -23,6 +24,22 @@ class Tokens {
     bool at_line_end() {
         skip_blanks(false);
         return rest_.empty() || rest_.front() == '\n';
+    }
+    /// Whether the next word starts a comment.
+    bool at_comment() {
+        skip_blanks(false);
+        return rest_.starts_with('#');
+    }
+    /// Whether the next word starts like a number.
+    bool at_number() {
+        skip_blanks(true);
+        return !rest_.empty() &&
+               (std::isdigit(static_cast<unsigned char>(rest_.front())) || rest_.front() == '+');
+    }
+    /// Whether the next word contains this character.
+    bool at_word_with(char c) {
+        skip_blanks(true);
+        return rest_.substr(0, rest_.find_first_of(" \t\r\n")).find(c) != rest_.npos;
     }
     /// Consumes the rest of the line and returns it without its end and trailing spaces.
     std::string_view line() {
@@ -45,9 +62,7 @@ class Tokens {
     T number(const char* what) {
         const std::string_view w = word(what);
         T value{};
-        const auto [p, error] = std::from_chars(w.data(), w.data() + w.size(), value);
-        if (error != std::errc{} || p != w.data() + w.size())
-            fail(what, "'" + std::string(w.substr(0, 40)) + "'");
+        if (!parse_number(w, value)) fail(what, "'" + std::string(w.substr(0, 40)) + "'");
         return value;
     }
     /// Skips a line that starts with #; false if there is none.
