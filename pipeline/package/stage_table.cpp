@@ -64,7 +64,7 @@ std::span<const StageRow> stage_table() {
          .adopt = nullptr},
         {.stage = Stage::tiles,
          .name = "tiles",
-         .version = 2,
+         .version = 3,
          .pixels = PixelInput::all,
          .model = false,
          .held_out = false,

@@ -18,6 +18,7 @@ struct PhotoHeader {
     PhotoSize size;       ///< as stored
     std::string profile;  ///< description of the ICC profile; empty if there is none or it is sRGB
     int orientation = 1;  ///< EXIF, 1 to 8
+    bool linear = false;  ///< stores linear light (EXR, Radiance HDR), which reading converts to sRGB
 };
 
 /// Type of a channel's values.
@@ -28,6 +29,7 @@ enum class Sample { u8, f32 };
 /// not need it. The functions throw Error(input) or Error(storage) naming the file.
 struct ImageFiles {
     PhotoHeader (*header)(const std::filesystem::path& file);
+    /// Linear light is converted to sRGB; what is brighter than 1 becomes 1.
     RgbaImage (*read)(const std::filesystem::path& file);
     /// Writes interleaved pixels, top row first, in the format of the file's extension: PNG, EXR, or JPEG at
     /// quality 97 without chroma subsampling. Four channels are RGBA with straight alpha.

@@ -46,8 +46,10 @@ struct JpegHeader {
 JpegHeader jpeg_header(std::span<const std::byte> bytes) {
     JpegHeader h{Decoder(tjInitDecompress(), tjDestroy)};
     int subsampling = 0;
+    // Of bytes that end before the size, libjpeg-turbo returns 0 x 0 and no error.
     h.readable = tjDecompressHeader3(h.decoder.get(), data(bytes), bytes.size(), &h.width, &h.height,
-                                     &subsampling, &h.space) == 0;
+                                     &subsampling, &h.space) == 0 &&
+                 h.width > 0 && h.height > 0;
     return h;
 }
 
@@ -98,8 +100,11 @@ RgbaImage transposed(const RgbaImage& p, int orientation) {
 }  // namespace
 
 PhotoHeader read_photo_header(const std::filesystem::path& file) {
-    // In a JPEG, the size and the profile come before the image data.
-    const std::vector<std::byte> head = read_file(file, std::size_t(1) << 18);
+    // In a JPEG, the size and the profile come before the image data, after metadata of any length.
+    std::size_t bytes = std::size_t(1) << 18;
+    std::vector<std::byte> head = read_file(file, bytes);
+    while (is_jpeg(head) && head.size() == bytes && !jpeg_header(head).readable)
+        head = read_file(file, bytes *= 4);
     const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
     if (is_jpeg(head) && text.find("ICC_PROFILE") == text.npos)
         if (const JpegHeader jpeg = jpeg_header(head); jpeg.readable)
