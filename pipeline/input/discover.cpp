@@ -1,18 +1,21 @@
 #include "pipeline/input/discover.h"
 
 #include <algorithm>
+#include <fstream>
 #include <map>
-#include <vector>
+#include <set>
+#include <tuple>
 
 #include "pipeline/formats/import/cameras.h"
+#include "pipeline/formats/import/ply.h"
+#include "pipeline/input/photo_matches.h"
 #include "scene/error.h"
 
 namespace vantage {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* stencil_suffix = ".mask.png";
+using Files = std::vector<fs::path>;
 
 std::string extension(const fs::path& file) {
     std::string e = file.extension().string();
@@ -24,26 +27,16 @@ bool is_one_of(const std::string& text, std::initializer_list<const char*> list)
     return std::any_of(list.begin(), list.end(), [&](const char* s) { return text == s; });
 }
 
-std::vector<fs::path> files_below(const fs::path& folder) {
-    std::vector<fs::path> files;
-    std::error_code error;
-    for (fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error),
-         end;
-         !error && it != end; it.increment(error)) {
-        if (it.depth() >= 2) it.disable_recursion_pending();
-        if (it->is_regular_file()) files.push_back(it->path());
-    }
-    if (error) throw Error(Exit::input, folder.string() + ": cannot list the folder: " + error.message());
-    std::sort(files.begin(), files.end());
-    return files;
-}
+bool has_faces(const fs::path& mesh) { return extension(mesh) != ".ply" || ply_has_faces(mesh); }
 
-fs::path find_mesh(const std::vector<fs::path>& files) {
+/// A mesh before points, mesh.* before other names, then the larger file.
+fs::path find_mesh(const Files& files) {
+    using Rank = std::tuple<bool, bool, std::uintmax_t>;
     fs::path best;
-    std::uintmax_t best_rank = 0;
+    Rank best_rank;
     for (const fs::path& f : files) {
         if (!is_one_of(extension(f), {".ply", ".obj", ".stl", ".off"})) continue;
-        const std::uintmax_t rank = f.stem() == "mesh" ? ~std::uintmax_t(0) : fs::file_size(f);
+        const Rank rank{has_faces(f), f.stem() == "mesh", fs::file_size(f)};
         if (best.empty() || rank > best_rank) best = f, best_rank = rank;
     }
     return best;
@@ -56,53 +49,128 @@ bool is_first_of(const CameraFormat& format, const fs::path& file) {
                                [&](const char* name) { return fs::exists(file.parent_path() / name); });
 }
 
-fs::path find_cameras(const std::vector<fs::path>& files) {
-    for (const CameraFormat& format : camera_formats())
-        for (const fs::path& f : files) {
-            if (format.files.empty() && format.matches(f)) return f;
-            if (is_first_of(format, f)) return f.parent_path();
-        }
-    return {};
+/// The photos' names in a camera file; none if it cannot be read.
+std::vector<std::string> photo_names(const fs::path& cameras) {
+    std::vector<std::string> names;
+    try {
+        for (const CameraSet::Entry& entry : read_cameras(cameras).entries) names.push_back(entry.photo);
+    } catch (const Error&) {
+        // read_scene reports it, if these cameras are used.
+    }
+    return names;
 }
 
-fs::path find_photos(const std::vector<fs::path>& files) {
-    std::map<fs::path, std::size_t> count;
+/// The camera files of the first format that has any.
+Files camera_candidates(const Files& files) {
+    Files found;
+    for (const CameraFormat& format : camera_formats()) {
+        for (const fs::path& f : files) {
+            if (format.files.empty() && format.matches(f)) found.push_back(f);
+            if (is_first_of(format, f)) found.push_back(f.parent_path());
+        }
+        if (!found.empty()) return found;
+    }
+    return found;
+}
+
+fs::path find_cameras(const fs::path& folder, const Files& files, std::vector<std::string>& notes) {
+    const Files found = camera_candidates(files);
+    if (found.size() < 2) return found.empty() ? fs::path() : found.front();
+    std::vector<std::size_t> sizes;
+    for (const fs::path& cameras : found) sizes.push_back(photo_names(cameras).size());
+    const auto most = std::size_t(std::ranges::max_element(sizes) - sizes.begin());
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (i != most)
+            notes.push_back(found[i].lexically_relative(folder).string() + ": not used, has " +
+                            std::to_string(sizes[i]) + " cameras; " +
+                            found[most].lexically_relative(folder).string() + " has " +
+                            std::to_string(sizes[most]));
+    return found[most];
+}
+
+/// Steps from one folder to another.
+std::ptrdiff_t distance(const fs::path& from, const fs::path& to) {
+    const fs::path steps = to.lexically_relative(from);
+    return std::distance(steps.begin(), steps.end());
+}
+
+/// How well a folder's photos fit the cameras.
+struct PhotoFolder {
+    fs::path path;
+    std::size_t matched = 0, by_name = 0, photos = 0;
+    bool derived = false, named = false;
+    std::ptrdiff_t from_cameras = 0;
+    auto rank() const {
+        return std::tuple(matched > 0 && !derived, matched, by_name, named, -from_cameras, photos);
+    }
+};
+
+bool is_below(const fs::path& path, const fs::path& folder) {
+    return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+PhotoFolder rated(const fs::path& path, const fs::path& root, const fs::path& cameras,
+                  const std::vector<std::string>& names) {
+    PhotoFolder f{.path = path};
+    const Files photos = photos_below(path);
+    for (const PhotoMatch& m : match_photos(path, photos, names)) {
+        f.matched += !m.file.empty();
+        f.by_name += m.by_name;
+    }
+    f.photos = std::size_t(std::ranges::count(photos, path, &fs::path::parent_path));
+    f.derived = std::ranges::any_of(path.lexically_relative(root), is_derived);
+    f.named = is_one_of(path.filename().string(), {"images", "photos"});
+    f.from_cameras = distance(cameras, path);
+    return f;
+}
+
+fs::path find_photos(const fs::path& root, const Files& files, const fs::path& cameras) {
+    std::set<fs::path> folders;
     for (const fs::path& f : files)
-        if (is_photo(f)) ++count[f.parent_path()];
-    // The folder's name takes precedence over the number of images: folders of masks or depth maps may hold
-    // more.
-    const auto rank = [](const auto& c) {
-        return std::pair(is_one_of(c.first.filename().string(), {"images", "photos"}), c.second);
-    };
-    const auto best = std::ranges::max_element(count, {}, rank);
-    return best == count.end() ? fs::path() : best->first;
+        if (is_photo(f)) folders.insert(f.parent_path());
+    if (folders.size() < 2) return folders.empty() ? fs::path() : *folders.begin();
+    for (const fs::path& f : std::set(folders))
+        for (fs::path above = f; above != root; folders.insert(above)) above = above.parent_path();
+    const std::vector<std::string> names = photo_names(cameras);
+    const fs::path beside = fs::is_directory(cameras) ? cameras : cameras.parent_path();
+    std::vector<PhotoFolder> all;
+    for (const fs::path& f : folders) all.push_back(rated(f, root, beside, names));
+    // A folder whose subfolder serves as many cameras is not the photos' own.
+    std::vector<PhotoFolder> candidates;
+    for (const PhotoFolder& f : all)
+        if (std::ranges::none_of(all, [&](const PhotoFolder& below) {
+                return below.path != f.path && is_below(below.path, f.path) && below.derived == f.derived &&
+                       below.matched >= f.matched && below.photos > 0;
+            }))
+            candidates.push_back(f);
+    return std::ranges::max_element(candidates, {}, &PhotoFolder::rank)->path;
 }
 
 }  // namespace
 
 fs::path find_stencil(const fs::path& photo) {
-    const fs::path folder = photo.parent_path(), masks = folder.parent_path() / "masks";
+    const fs::path folder = photo.parent_path(), above = folder.parent_path();
     for (const fs::path& name : {photo.filename(), photo.stem()})
         for (const fs::path& candidate :
-             {folder / (name.string() + stencil_suffix), masks / (name.string() + ".png")})
-            if (fs::is_regular_file(candidate)) return candidate;
+             {folder / (name.string() + ".mask.png"),
+              above.parent_path() / "masks" / folder.filename() / (name.string() + ".png"),
+              above / "masks" / (name.string() + ".png")})
+            if (std::error_code error; fs::is_regular_file(candidate, error)) return candidate;
     return {};
 }
 
-bool is_photo(const fs::path& file) {
-    if (file.filename().string().ends_with(stencil_suffix)) return false;
-    return is_one_of(extension(file), {".jpg", ".jpeg", ".png", ".tif", ".tiff", ".exr", ".webp", ".bmp",
-                                       ".jp2", ".cr2", ".nef", ".arw", ".dng", ".ppm", ".hdr"});
-}
-
 InputFiles discover(const fs::path& folder) {
+    if (!fs::exists(folder)) throw Error(Exit::input, folder.string() + ": does not exist");
     if (!fs::is_directory(folder)) throw Error(Exit::input, folder.string() + ": not a folder");
-    const std::vector<fs::path> files = files_below(folder);
-    const InputFiles found{find_mesh(files), find_cameras(files), find_photos(files)};
+    const Files files = files_below(folder, 2);
+    InputFiles found;
+    found.mesh = find_mesh(files);
+    found.cameras = find_cameras(folder, files, found.notes);
     if (found.mesh.empty())
         throw Error(Exit::input, folder.string() + ": no mesh found (PLY, OBJ, STL, OFF)");
     if (found.cameras.empty())
         throw Error(Exit::input, folder.string() + ": no cameras found; expected " + camera_format_names());
+    found.photos = find_photos(folder, files, found.cameras);
     if (found.photos.empty()) throw Error(Exit::input, folder.string() + ": no photos found");
     return found;
 }

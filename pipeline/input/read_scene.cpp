@@ -10,22 +10,14 @@
 #include "pipeline/formats/import/cameras.h"
 #include "pipeline/formats/import/mesh.h"
 #include "pipeline/input/discover.h"
+#include "pipeline/input/file_name.h"
+#include "pipeline/input/photo_matches.h"
 #include "scene/error.h"
 
 namespace vantage {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path find_photo(const fs::path& folder, const std::string& name) {
-    const fs::path wanted(name);
-    for (const fs::path& candidate :
-         {folder / wanted, folder / wanted.filename(), folder.parent_path() / wanted})
-        if (fs::is_regular_file(candidate)) return candidate;
-    for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().stem() == wanted.stem() && is_photo(entry.path())) return entry.path();
-    return {};
-}
 
 /// Fits the camera to the photo's size: fills in an unknown size, or scales a calibration made at another
 /// resolution. Throws Error(input) if the aspect ratios differ.
@@ -35,6 +27,7 @@ void fit_to_photo(PhotoInput& photo, bool size_known, SceneInput& scene) {
     if (!header.profile.empty())
         scene.warnings.push_back(photo.name + ": has the color profile '" + header.profile +
                                  "', treated as sRGB");
+    photo.linear = header.linear;
     Intrinsics& k = photo.camera.intrinsics;
     if (!size_known) {
         k = {size.width, size.height, k.fx, k.fy, size.width / 2.0, size.height / 2.0};
@@ -52,9 +45,30 @@ void fit_to_photo(PhotoInput& photo, bool size_known, SceneInput& scene) {
     k = k.scaled(size.width, size.height);
 }
 
+/// The names of files in a package: the file name, or for those that share one their path in the photos'
+/// folder, joined by _. Throws Error(input) if that does not tell them apart.
+std::map<fs::path, std::string> package_names(const fs::path& folder, const std::set<fs::path>& files) {
+    std::map<std::string, int> count;
+    for (const fs::path& file : files) ++count[utf8_name(file.filename().string())];
+    std::map<fs::path, std::string> names;
+    std::set<std::string> taken;
+    for (const fs::path& file : files) {
+        std::string name = utf8_name(file.filename().string());
+        if (count.at(name) > 1) {
+            name = utf8_name(file.lexically_relative(folder).generic_string());
+            std::ranges::replace(name, '/', '_');
+        }
+        if (!taken.insert(name).second)
+            throw Error(Exit::input, file.string() + ": another photo has the same name, " + name);
+        names[file] = name;
+    }
+    return names;
+}
+
 /// A photo with its camera, both checked. Throws Error(input) if they cannot be used.
-PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file, SceneInput& scene) {
-    PhotoInput photo{file.filename().string(), file, entry.camera};
+PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file, const std::string& name,
+                            SceneInput& scene) {
+    PhotoInput photo{name, file, entry.camera};
     fit_to_photo(photo, entry.size_known, scene);
     photo.decoded = {photo.camera.intrinsics.width, photo.camera.intrinsics.height};
     photo.stencil = find_stencil(file);
@@ -62,30 +76,68 @@ PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file,
     return photo;
 }
 
-void add_photos(SceneInput& scene, const CameraSet& set) {
+/// The photo of each camera; empty for cameras without one. Throws Error(input) if a photo has two.
+std::vector<fs::path> photo_files(const CameraSet& set, const fs::path& folder,
+                                  const std::vector<fs::path>& photos) {
+    std::vector<std::string> names;
+    for (const CameraSet::Entry& entry : set.entries) names.push_back(entry.photo);
+    std::vector<fs::path> files;
     std::set<fs::path> used;
-    for (const CameraSet::Entry& entry : set.entries) {
-        const fs::path file = find_photo(scene.files.photos, entry.photo);
-        if (file.empty()) {
-            scene.left_out.push_back({entry.photo, "has a camera but no photo"});
+    for (const PhotoMatch& match : match_photos(folder, photos, names)) {
+        files.push_back(match.file);
+        if (!match.file.empty() && !used.insert(match.file).second)
+            throw Error(Exit::input, match.file.string() + ": has more than one camera");
+    }
+    return files;
+}
+
+void add_photos(SceneInput& scene, const CameraSet& set) {
+    const fs::path& folder = scene.files.photos;
+    const std::vector<fs::path> photos = photos_below(folder), files = photo_files(set, folder, photos);
+    std::set<fs::path> used(files.begin(), files.end());
+    used.erase(fs::path());
+    const std::map<fs::path, std::string> names = package_names(folder, used);
+    const auto leave_out = [&](const fs::path& file, const std::string& why) {
+        scene.left_out.push_back({utf8_name(file.lexically_relative(folder).generic_string()), why});
+    };
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (files[i].empty()) {
+            scene.left_out.push_back({utf8_name(set.entries[i].photo), "has a camera but no photo"});
             continue;
         }
-        if (!used.insert(file).second) throw Error(Exit::input, file.string() + ": has more than one camera");
         try {
-            scene.photos.push_back(read_photo_input(entry, file, scene));
+            scene.photos.push_back(read_photo_input(set.entries[i], files[i], names.at(files[i]), scene));
         } catch (const Error& e) {
-            scene.left_out.push_back({file.filename().string(), reason_of(e, file)});
+            leave_out(files[i], reason_of(e, files[i]));
         }
     }
-    for (const auto& entry : fs::directory_iterator(scene.files.photos))
-        if (is_photo(entry.path()) && !used.contains(entry.path()))
-            scene.left_out.push_back({entry.path().filename().string(), "has no camera"});
+    if (const auto linear = std::ranges::count_if(scene.photos, &PhotoInput::linear))
+        scene.warnings.push_back(
+            std::to_string(linear) +
+            " photos hold linear light: converted to sRGB, what is brighter than 1 is clipped");
+    for (const fs::path& file : unused_photos(folder, photos, {used.begin(), used.end()}))
+        leave_out(file, "has no camera");
     std::ranges::sort(scene.photos, {}, &PhotoInput::name);
     std::ranges::sort(scene.left_out, {}, &UnusablePhoto::photo);
     std::ranges::sort(scene.warnings);
-    const auto duplicate = std::ranges::adjacent_find(scene.photos, {}, &PhotoInput::name);
-    if (duplicate != scene.photos.end())
-        throw Error(Exit::input, duplicate->file.string() + ": another photo has the same name");
+}
+
+/// No photo is left: says why, if they are there but cannot be used.
+[[noreturn]] void fail_without_photos(const SceneInput& scene) {
+    const std::string folder = scene.files.photos.string(), cameras = scene.files.cameras.string();
+    const auto unusable = std::ranges::find_if(scene.left_out, [](const UnusablePhoto& l) {
+        return l.why != "has no camera" && l.why != "has a camera but no photo";
+    });
+    if (unusable != scene.left_out.end())
+        throw Error(Exit::input,
+                    folder + ": no photo can be used; " + unusable->photo + ": " + unusable->why);
+    const auto first = [&](const char* why) {
+        const auto it = std::ranges::find(scene.left_out, why, &UnusablePhoto::why);
+        return it == scene.left_out.end() ? std::string("none") : "'" + it->photo + "'";
+    };
+    throw Error(Exit::input, folder + ": no photo has a camera in " + cameras + "; the first photo is " +
+                                 first("has no camera") + ", the first camera's photo " +
+                                 first("has a camera but no photo"));
 }
 
 }  // namespace
@@ -96,12 +148,12 @@ SceneInput read_scene(const InputFiles& files) {
     const CameraSet set = read_cameras(files.cameras);
     scene.camera_format = set.format;
     scene.warnings = set.warnings;
+    scene.warnings.insert(scene.warnings.end(), files.notes.begin(), files.notes.end());
     scene.mesh = read_mesh(files.mesh, scene.warnings);
+    if (!fs::exists(files.photos)) throw Error(Exit::input, files.photos.string() + ": does not exist");
     if (!fs::is_directory(files.photos)) throw Error(Exit::input, files.photos.string() + ": not a folder");
     add_photos(scene, set);
-    if (scene.photos.empty())
-        throw Error(Exit::input,
-                    files.photos.string() + ": no photo has a camera in " + files.cameras.string());
+    if (scene.photos.empty()) fail_without_photos(scene);
     return scene;
 }
 

@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "pipeline/input/discover.h"
+#include "pipeline/input/file_name.h"
+#include "pipeline/input/photo_matches.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -22,7 +24,7 @@ constexpr std::size_t max_findings = 8;
 
 json input_json(const fs::path& file, IdentityCache& identities) {
     const FileIdentity id = identities.of(file);
-    return {{"name", file.filename().string()}, {"bytes", id.bytes}, {"xxh3", id.checksum}};
+    return {{"name", utf8_name(file.filename().string())}, {"bytes", id.bytes}, {"xxh3", id.checksum}};
 }
 
 json effect_json(const EffectDecision& d) {
@@ -50,7 +52,8 @@ json inputs_json(const SceneInput& scene, IdentityCache& identities) {
     for (const fs::path& file : camera_files(scene.files.cameras))
         inputs["cameras"].push_back(input_json(file, identities));
     for (const PhotoInput& photo : scene.photos)
-        inputs["photos"].push_back(photo.file.lexically_relative(scene.files.photos).generic_string());
+        inputs["photos"].push_back(
+            utf8_name(photo.file.lexically_relative(scene.files.photos).generic_string()));
     inputs["stencils"] = json::object();
     for (const PhotoInput& photo : scene.photos)
         if (!photo.stencil.empty()) inputs["stencils"][photo.name] = input_json(photo.stencil, identities);
@@ -99,12 +102,14 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
     meta["inputs"] = inputs_json(scene, identities);
     for (const EffectDecision& d : effects) meta["effects"].push_back(effect_json(d));
     meta["scalars"] = json::array();
-    for (const ScalarLayer& layer : scene.mesh.scalars) meta["scalars"].push_back(layer.name);
+    for (const ScalarLayer& layer : scene.mesh.scalars) meta["scalars"].push_back(utf8_name(layer.name));
     meta["left_out"] = json::array();
     for (const UnusablePhoto& l : scene.left_out)
-        meta["left_out"].push_back(
-            {{"name", l.photo}, {"why", l.why}, {"there", fs::exists(scene.files.photos / l.photo)}});
-    meta["warnings"] = scene.warnings;
+        meta["left_out"].push_back({{"name", l.photo},
+                                    {"why", utf8_name(l.why)},
+                                    {"there", fs::exists(file_named(scene.files.photos, l.photo))}});
+    meta["warnings"] = json::array();
+    for (const std::string& w : scene.warnings) meta["warnings"].push_back(utf8_name(w));
     return meta.dump(1) + std::string(padding, ' ');
 }
 

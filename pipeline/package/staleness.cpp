@@ -7,6 +7,8 @@
 #include <set>
 
 #include "pipeline/input/discover.h"
+#include "pipeline/input/file_name.h"
+#include "pipeline/input/photo_matches.h"
 #include "pipeline/package/meta.h"
 #include "scene/error.h"
 
@@ -39,21 +41,21 @@ void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& i
     for (const json& was : meta.at("inputs").at("cameras")) {
         const auto name = was.at("name").get<std::string>();
         const auto file =
-            std::ranges::find(now, name, [](const fs::path& f) { return f.filename().string(); });
+            std::ranges::find(now, name, [](const fs::path& f) { return utf8_name(f.filename().string()); });
         compare(file == now.end() ? cameras / name : *file, was, identities, out);
     }
 }
 
-/// Photos in the folder that are not in the package.
-void add_new_photos(const PackageReader& package, const json& meta, const fs::path& folder, Changes& out) {
-    std::set<std::string> known;
-    for (const package::PhotoRecord& p : package.photos()) known.insert(p.name);
-    for (const json& l : meta.at("left_out")) known.insert(l.at("name").get<std::string>());
-    std::set<fs::path> found;
-    for (const auto& entry : fs::directory_iterator(folder))
-        if (is_photo(entry.path()) && !known.contains(entry.path().filename().string()))
-            found.insert(entry.path());
-    for (const fs::path& photo : found) add_new(photo, out);
+/// Photos that the package neither has nor left out.
+void add_new_photos(const json& meta, const fs::path& folder, Changes& out) {
+    std::set<fs::path> left_out;
+    for (const json& l : meta.at("left_out"))
+        left_out.insert(file_named(folder, l.at("name").get<std::string>()));
+    std::vector<fs::path> used;
+    for (const json& file : meta.at("inputs").at("photos"))
+        used.push_back(file_named(folder, file.get<std::string>()));
+    for (const fs::path& photo : unused_photos(folder, photos_below(folder), used))
+        if (!left_out.contains(photo)) add_new(photo, out);
 }
 
 void compare_photos(const PackageReader& package, const json& meta, const fs::path& folder,
@@ -63,7 +65,7 @@ void compare_photos(const PackageReader& package, const json& meta, const fs::pa
     for (std::size_t i = 0; i < photos.size() && i < files.size(); ++i) {
         if (photos[i].flags & package::photo_held_out) continue;
         const json was{{"bytes", photos[i].source_bytes}, {"xxh3", photos[i].source_checksum}};
-        compare(folder / files[i].get<std::string>(), was, identities, out);
+        compare(file_named(folder, files[i].get<std::string>()), was, identities, out);
     }
 }
 
@@ -73,7 +75,7 @@ void compare_stencils(const PackageReader& package, const json& meta, const fs::
     const json& files = meta.at("inputs").at("photos");
     const json stencils = meta.at("inputs").value("stencils", json::object());
     for (std::size_t i = 0; i < photos.size() && i < files.size(); ++i) {
-        const fs::path stencil = find_stencil(folder / files[i].get<std::string>());
+        const fs::path stencil = find_stencil(file_named(folder, files[i].get<std::string>()));
         const json was = stencils.value(photos[i].name, json{});
         if (was.is_object() && stencil.empty())
             add_missing(was.at("name").get<std::string>(), out);
@@ -87,7 +89,7 @@ void compare_stencils(const PackageReader& package, const json& meta, const fs::
 /// Photos that were left out and whose file has appeared or disappeared.
 void compare_left_out(const json& meta, const fs::path& folder, Changes& out) {
     for (const json& l : meta.at("left_out")) {
-        const fs::path photo = folder / l.at("name").get<std::string>();
+        const fs::path photo = file_named(folder, l.at("name").get<std::string>());
         const bool exists = fs::exists(photo);
         if (exists == l.at("there").get<bool>()) continue;
         if (exists)
@@ -108,7 +110,7 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
         compare_photos(package, meta, files.photos, identities, out);
         compare_stencils(package, meta, files.photos, identities, out);
         compare_left_out(meta, files.photos, out);
-        add_new_photos(package, meta, files.photos, out);
+        add_new_photos(meta, files.photos, out);
         return out;
     } catch (const json::exception& e) {
         throw Error(Exit::damaged, package.path().string() + ": META: " + e.what());

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace vantage {
+
+/// The name as UTF-8. Bytes that are not UTF-8 are taken as Windows-1252, which contains Latin-1.
+std::string utf8_name(std::string_view name);
+
+/// A form in which names are equal if people would call them the same: decomposed Unicode (as macOS stores
+/// names), lower case, `/` for `\`. Not for display.
+std::string comparable_name(std::string_view name);
+
+}  // namespace vantage

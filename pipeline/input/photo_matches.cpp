@@ -1,0 +1,219 @@
+#include "pipeline/input/photo_matches.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include "pipeline/input/file_name.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In the order in which they are taken if a camera's file has another extension.
+constexpr const char* extensions[] = {".jpg", ".jpeg", ".png",  ".tif",  ".tiff", ".webp", ".bmp", ".jp2",
+                                      ".ppm", ".heic", ".heif", ".avif", ".exr",  ".hdr",  ".dng", ".cr2",
+                                      ".cr3", ".nef",  ".arw",  ".raf",  ".orf",  ".rw2"};
+
+std::size_t rank_of(const fs::path& file) {
+    std::string e = file.extension().string();
+    std::ranges::transform(e, e.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return std::size_t(std::ranges::find(extensions, e) - std::begin(extensions));
+}
+
+bool has_photo_extension(const fs::path& file) { return rank_of(file) < std::size(extensions); }
+
+/// The folders and the file name of a path, comparable; the first element is the file's name.
+std::vector<std::string> parts_from_the_end(const std::string& path) {
+    const std::string comparable = comparable_name(path);
+    std::vector<std::string> parts;
+    for (const fs::path& part : fs::path(comparable))
+        if (!part.empty() && part != "." && part != "/") parts.push_back(part.string());
+    std::ranges::reverse(parts);
+    return parts;
+}
+
+/// Without the extension if it is that of a photo: "IMG_1.2" has none.
+std::string stem_of(const std::string& name) {
+    return has_photo_extension(name) ? fs::path(name).stem().string() : name;
+}
+
+struct Photo {
+    std::vector<std::string> parts;  ///< of the whole path
+    std::size_t below = 0;           ///< how many of them are below the photos' folder
+};
+
+/// The number of equal parts at the end of two paths, the first of which are known to fit.
+std::size_t common_parts(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    std::size_t n = 1;
+    while (n < a.size() && n < b.size() && a[n] == b[n]) ++n;
+    return n;
+}
+
+class Matches {
+  public:
+    Matches(const fs::path& folder, const std::vector<fs::path>& photos,
+            const std::vector<std::string>& names)
+        : folder_(folder), files_(photos), names_(names) {
+        for (const fs::path& file : photos) {
+            const auto below = file.lexically_relative(folder);
+            photos_.push_back({parts_from_the_end(fs::absolute(file).lexically_normal().string()),
+                               std::size_t(std::distance(below.begin(), below.end()))});
+            by_name_.emplace(photos_.back().parts.front(), photos_.size() - 1);
+            by_stem_.emplace(stem_of(photos_.back().parts.front()), photos_.size() - 1);
+        }
+        for (const std::string& name : names) {
+            parts_.push_back(parts_from_the_end(name));
+            if (!parts_.back().empty()) same_stem_[stem_of(parts_.back().front())].insert(parts_.back());
+        }
+    }
+    PhotoMatch of(std::size_t name) const {
+        if (parts_[name].empty()) return {};
+        if (const auto file = best(name, by_name_.equal_range(parts_[name].front())); !file.empty())
+            return {file, true};
+        return {best(name, by_stem_.equal_range(stem_of(parts_[name].front()))), false};
+    }
+
+  private:
+    using Index = std::multimap<std::string, std::size_t>;
+    /// Whether this photo may be what the name means.
+    bool fits(std::size_t name, const Photo& photo) const {
+        const std::vector<std::string>& parts = parts_[name];
+        const std::size_t common = common_parts(parts, photo.parts);
+        if (common == parts.size()) return true;
+        if (common < photo.below) return false;
+        // The name has other folders, such as those of another machine: no other name may fit as well.
+        return std::ranges::count_if(same_stem_.at(stem_of(parts.front())), [&](const auto& other) {
+                   return common_parts(other, photo.parts) >= photo.below;
+               }) == 1;
+    }
+    fs::path best(std::size_t name, std::pair<Index::const_iterator, Index::const_iterator> range) const {
+        // More equal folders, the path as it is, the name as it is, the extension, then depth.
+        using Rank = std::tuple<std::size_t, bool, bool, std::size_t, std::size_t>;
+        std::vector<std::pair<Rank, std::size_t>> found;
+        for (const auto& [key, i] : std::ranges::subrange(range.first, range.second)) {
+            if (!fits(name, photos_[i])) continue;
+            const fs::path& file = files_[i];
+            found.push_back(
+                {Rank{std::min(common_parts(parts_[name], photos_[i].parts), parts_[name].size()),
+                      file == folder_ / names_[name], file.filename() == fs::path(names_[name]).filename(),
+                      std::size(extensions) - rank_of(file),
+                      100 - std::min<std::size_t>(99, photos_[i].below)},
+                 i});
+        }
+        if (found.empty()) return {};
+        std::ranges::sort(found, std::greater{});
+        if (found.size() > 1 && found[0].first == found[1].first) return {};
+        return files_[found[0].second];
+    }
+
+    const fs::path& folder_;
+    const std::vector<fs::path>& files_;
+    const std::vector<std::string>& names_;
+    std::vector<Photo> photos_;
+    std::vector<std::vector<std::string>> parts_;
+    Index by_name_, by_stem_;
+    std::map<std::string, std::set<std::vector<std::string>>> same_stem_;
+};
+
+void add_files(const fs::path& folder, int levels, std::set<fs::path>& visited,
+               std::vector<fs::path>& files) {
+    std::error_code error;
+    if (!visited.insert(fs::canonical(folder, error)).second) return;  // a link to a folder above
+    fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, error);
+    if (error) throw Error(Exit::input, folder.string() + ": cannot list the folder: " + error.message());
+    for (const fs::directory_entry& entry : it) {
+        if (is_hidden(entry.path())) continue;
+        if (entry.is_regular_file(error))
+            files.push_back(entry.path());
+        else if (levels > 0 && entry.is_directory(error))
+            add_files(entry.path(), levels - 1, visited, files);
+    }
+}
+
+}  // namespace
+
+bool is_photo(const fs::path& file) {
+    return has_photo_extension(file) && !is_hidden(file) && !file.filename().string().ends_with(".mask.png");
+}
+
+bool is_hidden(const fs::path& file) {
+    const std::string name = file.filename().string();
+    return name.starts_with(".") || name == "__MACOSX" || name == "@eaDir";
+}
+
+bool is_derived(const fs::path& folder) {
+    const std::string name = comparable_name(folder.filename().string());
+    return std::ranges::any_of(
+        std::initializer_list<const char*>{"mask", "masks", "depth", "depths", "depth_map", "depth_maps",
+                                           "depthmaps", "normal", "normals", "normal_map", "normal_maps",
+                                           "thumbnail", "thumbnails", "thumbs", "stereo", "segmentation",
+                                           "semantics"},
+        [&](const char* n) { return name == n; });
+}
+
+std::vector<fs::path> files_below(const fs::path& folder, int levels) {
+    std::vector<fs::path> files;
+    std::set<fs::path> visited;
+    add_files(folder, levels, visited, files);
+    std::ranges::sort(files);
+    return files;
+}
+
+std::vector<fs::path> photos_below(const fs::path& folder) {
+    std::vector<fs::path> photos = files_below(folder, 2);
+    std::erase_if(photos, [&](const fs::path& file) {
+        if (!is_photo(file)) return true;
+        const fs::path below = file.lexically_relative(folder).parent_path();
+        return std::ranges::any_of(below, is_derived);
+    });
+    return photos;
+}
+
+fs::path file_named(const fs::path& folder, const std::string& utf8) {
+    fs::path path = folder;
+    for (const fs::path& part : fs::path(utf8)) {
+        std::error_code error;
+        fs::path next = path / part;
+        if (!fs::exists(next, error))
+            for (const auto& entry : fs::directory_iterator(path, error))
+                if (utf8_name(entry.path().filename().string()) == part) next = entry.path();
+        path = next;
+    }
+    return path;
+}
+
+std::vector<PhotoMatch> match_photos(const fs::path& folder, const std::vector<fs::path>& photos,
+                                     const std::vector<std::string>& names) {
+    const Matches matches(folder, photos, names);
+    std::vector<PhotoMatch> out;
+    for (std::size_t i = 0; i < names.size(); ++i) out.push_back(matches.of(i));
+    return out;
+}
+
+std::vector<fs::path> unused_photos(const fs::path& folder, const std::vector<fs::path>& photos,
+                                    const std::vector<fs::path>& used) {
+    const auto bare = [](const fs::path& file) {
+        return file.parent_path() / comparable_name(file.stem().string());
+    };
+    std::set<fs::path> folders{folder};
+    std::map<fs::path, std::size_t> formats;  // of the used photos
+    for (const fs::path& file : used) {
+        folders.insert(file.parent_path());
+        formats[bare(file)] = rank_of(file);
+    }
+    const std::set<fs::path> known(used.begin(), used.end());
+    std::vector<fs::path> out;
+    for (const fs::path& file : photos) {
+        const auto beside = formats.find(bare(file));
+        const bool other_format = beside != formats.end() && beside->second != rank_of(file);
+        if (folders.contains(file.parent_path()) && !known.contains(file) && !other_format)
+            out.push_back(file);
+    }
+    return out;
+}
+
+}  // namespace vantage

@@ -1,0 +1,48 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vantage {
+
+/// Whether the file's extension is that of a photo. False for stencils (NAME.mask.png) and hidden files.
+bool is_photo(const std::filesystem::path& file);
+
+/// Whether programs keep such a file or folder for themselves: .NAME (._NAME of macOS too), __MACOSX, @eaDir.
+bool is_hidden(const std::filesystem::path& file);
+
+/// Whether a folder of this name holds what is computed from photos: masks, depth, normals, thumbnails.
+bool is_derived(const std::filesystem::path& folder);
+
+/// The files in a folder and in its subfolders, `levels` deep (0: in the folder itself), sorted; hidden ones
+/// are left out, symbolic links are followed. Throws Error(input).
+std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder, int levels);
+
+/// The photos in a folder and two levels below it, sorted; subfolders of derived pictures are left out.
+std::vector<std::filesystem::path> photos_below(const std::filesystem::path& folder);
+
+/// The path of a file whose path in `folder` has this utf8_name(). A file that does not exist is taken to
+/// have the name itself.
+std::filesystem::path file_named(const std::filesystem::path& folder, const std::string& utf8);
+
+/// The photo of a camera.
+struct PhotoMatch {
+    std::filesystem::path file;  ///< empty: none
+    bool by_name = false;        ///< the extension is that of the camera too
+};
+
+/// Finds the photo of each name, which may have folders, among `photos` in `folder`. Names are compared as by
+/// comparable_name(). The file must have all of the name's folders, or the name all of the file's folders
+/// below `folder`; a file that fits several names, or a name that fits several files, is no match. If no file
+/// has the name's extension, one with another extension is taken.
+std::vector<PhotoMatch> match_photos(const std::filesystem::path& folder,
+                                     const std::vector<std::filesystem::path>& photos,
+                                     const std::vector<std::string>& names);
+
+/// The photos of `photos` that have no camera: not in `used`, not beside a used photo of the same name with
+/// another extension (RAW and JPEG), and in a folder that has a used photo or in `folder` itself.
+std::vector<std::filesystem::path> unused_photos(const std::filesystem::path& folder,
+                                                 const std::vector<std::filesystem::path>& photos,
+                                                 const std::vector<std::filesystem::path>& used);
+
+}  // namespace vantage
