@@ -17,7 +17,8 @@ enum class Exit : int {
     incomplete = 9,   ///< a package is sound, but some photos were left out
     different = 10,   ///< packages or pictures differ
     internal = 11,    ///< a bug
-    memory = 12       ///< out of memory
+    memory = 12,      ///< out of memory
+    misplaced = 13    ///< the photos do not see the mesh: another scale, frame or place than the cameras
 };
 
 /// An error to report to the user: a one-line message that gives the file, the item, what was expected and

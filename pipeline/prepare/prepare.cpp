@@ -16,6 +16,7 @@
 #include "pipeline/prepare/registration_reuse.h"
 #include "pipeline/prepare/resources.h"
 #include "pipeline/run/for_each_photo.h"
+#include "pipeline/stages/mesh_in_view.h"
 #include "scene/error.h"
 #include "scene/part_file.h"
 #include "values/bytes_of.h"
@@ -206,6 +207,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     PhotoPrefetch prefetch(scene, photos_to_prefetch(scene, settings, run.share, out),
                            threads_of(settings) - 1, run.trace);
     const PackedModel model = make_model(scene, settings, run.trace);
+    expect_mesh_in_view(scene);
     GeometryRenderer renderer(model, scene.mesh.normals, settings);
     PreparePlan plan = make_plan(model, scene, settings, run.share, identities, run.trace);
     const ResourceEstimate estimate = reserve(plan, scene, settings, run, renderer.by_opengl(), out);

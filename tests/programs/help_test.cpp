@@ -185,6 +185,8 @@ std::optional<std::regex> word_for(Exit code) {
             return std::regex("incomplete");
         case Exit::different:
             return std::regex("differ");
+        case Exit::misplaced:
+            return std::regex("mesh");
         case Exit::internal:
             return std::regex("internal error");
         case Exit::memory:

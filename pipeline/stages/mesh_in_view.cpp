@@ -1,0 +1,58 @@
+#include "pipeline/stages/mesh_in_view.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::size_t most_examined = 200000;  ///< vertices per photo
+
+/// Whether the vertices in the frame span enough of it. They are visited in large steps, so that a photo that
+/// sees the mesh is done after a few.
+bool sees(const PhotoInput& photo, const std::vector<Eigen::Vector3d>& positions) {
+    const Intrinsics& k = photo.camera.intrinsics;
+    const double enough = least_share_of_frame * k.width * k.height;
+    Eigen::AlignedBox2d box;
+    const std::size_t step = std::max<std::size_t>(1, positions.size() / most_examined);
+    constexpr std::size_t rounds = 61;
+    for (std::size_t first = 0; first < rounds; ++first)
+        for (std::size_t v = first * step; v < positions.size(); v += rounds * step) {
+            const auto p = project(k, photo.camera.cam_from_world, positions[v]);
+            if (!p || p->pixel.x() < 0 || p->pixel.y() < 0 || p->pixel.x() >= k.width ||
+                p->pixel.y() >= k.height)
+                continue;
+            box.extend(p->pixel);
+            if (box.volume() >= enough) return true;
+        }
+    return false;
+}
+
+std::string text(const Eigen::AlignedBox3d& box) {
+    const auto corner = [](const Eigen::Vector3d& p) {
+        return fmt::format("({:.7g}, {:.7g}, {:.7g})", p.x(), p.y(), p.z());
+    };
+    return "from " + corner(box.min()) + " to " + corner(box.max());
+}
+
+}  // namespace
+
+void expect_mesh_in_view(const SceneInput& scene) {
+    const auto blind = std::ranges::count_if(
+        scene.photos, [&](const PhotoInput& photo) { return !sees(photo, scene.mesh.positions); });
+    if (2 * std::size_t(blind) <= scene.photos.size()) return;
+    Eigen::AlignedBox3d mesh, cameras;
+    for (const Eigen::Vector3d& p : scene.mesh.positions) mesh.extend(p);
+    for (const PhotoInput& photo : scene.photos) cameras.extend(photo.camera.cam_from_world.center());
+    throw Error(Exit::misplaced,
+                fmt::format("{}: {} of {} photos see less than {} % of a frame of it, so it is not where the "
+                            "cameras look: mesh {}, cameras {}",
+                            scene.files.mesh.string(), blind, scene.photos.size(), 100 * least_share_of_frame,
+                            text(mesh), text(cameras)));
+}
+
+}  // namespace vantage
