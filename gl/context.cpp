@@ -1,11 +1,13 @@
 #include "gl/context.h"
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,6 +32,15 @@ EGLContext context_on(EGLDisplay display, Debug debug) {
 }
 
 bool has_extension(const char* list, const char* name) { return list && std::strstr(list, name); }
+
+/// libepoxy ends the process if it cannot load a library, so this is tried first.
+bool loads(const char* library) { return ::dlopen(library, RTLD_LAZY | RTLD_LOCAL) != nullptr; }
+
+/// The OpenGL libraries that cannot be loaded; empty if none.
+std::string missing_libraries() {
+    if (!loads("libEGL.so.1")) return "libEGL.so.1";
+    return loads("libOpenGL.so.0") || loads("libGL.so.1") ? "" : "libOpenGL.so.0 or libGL.so.1";
+}
 
 struct Devices {
     std::vector<EGLDeviceEXT> hardware, software;
@@ -66,7 +77,7 @@ Debug debug_from_environment() {
     return value && std::strcmp(value, "0") != 0 ? Debug::on : Debug::off;
 }
 
-bool has_hardware() { return !listed_devices().hardware.empty(); }
+bool has_hardware() { return missing_libraries().empty() && !listed_devices().hardware.empty(); }
 
 struct HeadlessContext::State {
     EGLDisplay display = EGL_NO_DISPLAY;
@@ -96,6 +107,8 @@ struct HeadlessContext::State {
 };
 
 HeadlessContext::HeadlessContext(Debug debug) : state_(std::make_unique<State>()) {
+    if (const std::string missing = missing_libraries(); !missing.empty())
+        throw Failure("no OpenGL: cannot load " + missing + " (packages libegl1 and libopengl0)");
     if (!state_->adopt_any(debug))
         throw Failure("no OpenGL 4.5 core context through EGL (tried every device, then surfaceless)");
     if (debug == Debug::on) watch_errors();

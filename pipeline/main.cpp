@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdlib>  // defines __GLIBC__
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -26,6 +27,7 @@ void keep_freed_memory() {
 int main(int argc, char** argv) {
     using namespace vantage;
     keep_freed_memory();
+    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit fails with a message
     name_lost_packages("vantage");
     CLI::App app{
         "vantage prepares a scanned mesh and its calibrated photos into one package for vantage-player."};

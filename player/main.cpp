@@ -1,3 +1,4 @@
+#include <csignal>
 #include <string_view>
 
 #include "cli/report_exception.h"
@@ -16,6 +17,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit fails with a message
     vantage::name_lost_packages("vantage-player");
     try {
         return run(argc, argv);

@@ -115,9 +115,13 @@ struct PackageReader::Mapping {
             damaged(Defect::not_a_package, "header: not a Vantage package");
         if (h.header_checksum != checksum({data, offsetof(package::Header, header_checksum)}))
             damaged(Defect::header_checksum, "header: checksum does not match");
-        if (h.version != package::version)
-            damaged(Defect::format_version, "header: format version " + std::to_string(h.version) +
-                                                ", this program reads " + std::to_string(package::version));
+        if (h.version != package::version) {
+            const bool newer = h.version > package::version;
+            damaged(newer ? Defect::newer_format : Defect::format_version,
+                    "header: format version " + std::to_string(h.version) + ", this program reads " +
+                        std::to_string(package::version) +
+                        (newer ? "; made by a newer version of vantage" : "; prepare it again"));
+        }
         if (h.file_size != size)
             damaged(Defect::truncated, "header: the file has " + std::to_string(size) + " bytes, expected " +
                                            std::to_string(h.file_size));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
@@ -53,7 +54,7 @@ std::string all_text(const std::vector<Issue>& issues) {
 
 void print_lines(const Checked& c, bool deep) {
     for (const Issue& i : c.issues)
-        fmt::print("{}: {} [{}]: {}\n", c.file, kind_name(i.row().kind), i.row().id, i.text);
+        fmt::print("{}: {} [{}]: {}\n", c.file, kind_name(i.row()), i.row().id, i.text);
     if (c.issues.empty()) fmt::print("{}: sound{}\n", c.file, deep ? ", every tile read" : "");
     std::fflush(stdout);
 }
@@ -65,17 +66,17 @@ void print_issues_json(const std::vector<Checked>& all) {
         for (const Issue& i : c.issues)
             issues.push_back({{"id", i.row().id},
                               {"severity", severity_name(i.row().severity)},
-                              {"kind", kind_name(i.row().kind)},
+                              {"kind", kind_name(i.row())},
                               {"text", i.text}});
         out["packages"].push_back(
             {{"file", c.file}, {"sound", c.issues.empty()}, {"issues", issues}, {"seconds", c.seconds}});
     }
-    fmt::print("{}\n", out.dump(1));
+    fmt::print("{}\n", out.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 void print_findings() {
     for (const FindingRow& row : finding_table())
-        fmt::print("{:<22} {:<8} {:<11} {}\n", row.id, severity_name(row.severity), kind_name(row.kind),
+        fmt::print("{:<22} {:<8} {:<17} {}\n", row.id, severity_name(row.severity), kind_name(row),
                    row.meaning);
 }
 
@@ -92,7 +93,10 @@ int run_check(const CheckOptions& o) {
         const Checked& c = all.emplace_back(check_one(o, identities, file));
         issues.insert(issues.end(), c.issues.begin(), c.issues.end());
         const Exit kind = worst(c.issues);
-        cases.push_back({file, kind == Exit::ok ? "" : kind_name(kind), all_text(c.issues), c.seconds});
+        const auto first =
+            std::ranges::find_if(c.issues, [&](const Issue& i) { return i.row().kind == kind; });
+        cases.push_back(
+            {file, first == c.issues.end() ? "" : kind_name(first->row()), all_text(c.issues), c.seconds});
         if (!o.json) print_lines(c, o.depth.deep);
     }
     if (o.json) print_issues_json(all);

@@ -24,7 +24,7 @@ void print(const std::vector<Difference>& all) {
 void print_json(const std::vector<Difference>& all) {
     nlohmann::json out = nlohmann::json::array();
     for (const Difference& d : all) out.push_back({{"of", d.of}, {"what", d.what}, {"text", d.text}});
-    fmt::print("{}\n", out.dump(1));
+    fmt::print("{}\n", out.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 int run_diff(const DiffOptions& o) {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 
 #include "cli/real_range.h"
@@ -15,8 +15,10 @@
 #include "pipeline/commands/progress_line.h"
 #include "pipeline/commands/stop_signals.h"
 #include "pipeline/formats/import/cameras.h"
+#include "pipeline/formats/import/number.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
+#include "pipeline/package/disk_space.h"
 #include "pipeline/package/effect_costs.h"
 #include "pipeline/package/meta.h"
 #include "pipeline/package/stage_table.h"
@@ -28,6 +30,7 @@
 #include "pipeline/run/trace.h"
 #include "pipeline/settings/config_files.h"
 #include "pipeline/settings/settings.h"
+#include "scene/damaged_package.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -70,12 +73,14 @@ InputFiles input_files(const PrepareOptions& o) {
 
 /// "3/8": the third of eight shares.
 Share share(const std::string& text) {
+    constexpr unsigned most = 65536;
     Share s;
-    char rest = 0;
     if (text.empty()) return s;
-    if (std::sscanf(text.c_str(), "%u/%u%c", &s.share, &s.shares, &rest) != 2 || s.share < 1 ||
-        s.share > s.shares)
-        throw Error(Exit::usage, "--shard " + text + ": expected i/n, i from 1 to n");
+    const std::size_t slash = std::min(text.find('/'), text.size() - 1);
+    if (!parse_number(text.substr(0, slash), s.share) || !parse_number(text.substr(slash + 1), s.shares) ||
+        s.share < 1 || s.share > s.shares || s.shares > most)
+        throw Error(Exit::usage,
+                    fmt::format("--shard {}: expected i/n, i from 1 to n, n up to {}", text, most));
     return s;
 }
 
@@ -89,6 +94,10 @@ std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const
             !changed_inputs(package, files, identities).empty())
             return {};
         return left_out_of(package);
+    } catch (const DamagedPackage& e) {
+        if (e.defect() == Defect::newer_format)
+            throw Error(Exit::input, std::string(e.what()) + "; not overwritten");
+        return {};
     } catch (const Error&) {
         return {};
     }
@@ -122,10 +131,9 @@ void print_done(const PrepareResult& done, bool why) {
 
 void print_needs(const ResourceEstimate& n) {
     fmt::print(
-        "needs    about {:.0f} s, at most {:.0f} MB of memory ({} photos at a time), {:.0f} MB of disk "
-        "({:.0f} MB free)\n",
+        "needs    about {:.0f} s, at most {:.0f} MB of memory ({} photos at a time), {:.0f} MB of disk{}\n",
         std::ceil(n.seconds), double(n.memory) / 1e6, n.in_flight, double(n.disk) / 1e6,
-        double(n.disk_free) / 1e6);
+        n.disk_free == unknown_space ? "" : fmt::format(" ({:.0f} MB free)", double(n.disk_free) / 1e6));
     std::fflush(stdout);
 }
 
@@ -249,10 +257,18 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--cluster-triangles", o->settings.cluster_triangles, "triangles per cluster")
         ->check(CLI::Range(1, 512))
         ->capture_default_str();
-    c->add_option("--threads", o->settings.threads, "photos in flight; 0 = all cores")->capture_default_str();
+    c->add_option("--threads", o->settings.threads, "photos in flight; 0 = all cores")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
     c->add_option("--memory", o->settings.memory,
                   "memory limit in bytes, such as 800M: fewer photos in flight")
-        ->transform(CLI::AsSizeValue(false));
+        ->transform(CLI::AsSizeValue(false))
+        ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 60))
+        ->transform([](const std::string& text) {  // applied first; CLI11 reads -5 as a large number
+            if (text.starts_with('-'))
+                throw CLI::ValidationError("--memory", "Value " + text + " is negative");
+            return text;
+        });
     c->add_option("--hold-out", o->settings.hold_out, "photos to store as cameras only, without their pixels")
         ->delimiter(',');
     c->add_flag(

@@ -22,10 +22,13 @@ void add_synth(CLI::App& app, Run& run) {
         run = [o] {
             {
                 std::mutex mutex;
-                ProgressLine line(progress_style("auto"));
+                const ProgressStyle style = progress_style("auto");
+                ProgressLine line(style);
                 synthesize(read_spec(o->spec), o->out, [&](std::size_t done, std::size_t total) {
                     const std::scoped_lock lock(mutex);
-                    line.show({"photos", "", done, total});
+                    // In a log, a line per tenth is enough.
+                    if (style == ProgressStyle::bar || done * 10 / total > (done - 1) * 10 / total)
+                        line.show({"photos", "", done, total});
                 });
             }
             fmt::print("scene    {}\n", o->out);

@@ -6,8 +6,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <limits>
-
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "scene/part_file.h"
@@ -44,7 +42,7 @@ std::uint64_t disk_space_for(const fs::path& out) {
     std::error_code error;
     const fs::path folder = fs::absolute(out, error).parent_path();
     const fs::space_info space = fs::space(folder, error);
-    if (error) return std::numeric_limits<std::uint64_t>::max();  // creating the file will report the error
+    if (error) return unknown_space;  // creating the file will report the error
     return space.available + allocated(part_of(out));
 }
 

@@ -6,6 +6,9 @@
 
 namespace vantage {
 
+/// What disk_space_for() returns if the file system does not tell.
+inline constexpr std::uint64_t unknown_space = ~std::uint64_t(0);
+
 /// Bytes available on disk for the package `out`, including those that its part already occupies.
 std::uint64_t disk_space_for(const std::filesystem::path& out);
 

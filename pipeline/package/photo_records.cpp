@@ -1,5 +1,6 @@
 #include "pipeline/package/photo_records.h"
 
+#include <algorithm>
 #include <cstring>
 #include <set>
 #include <string>
@@ -49,6 +50,11 @@ std::vector<package::PhotoRecord> photo_records(const SceneInput& scene, const P
     }
     if (!held.empty())
         throw Error(Exit::usage, "--hold-out " + *held.begin() + ": the scene has no such photo");
+    if (!records.empty() && std::ranges::all_of(records, [](const package::PhotoRecord& r) {
+            return r.flags & package::photo_held_out;
+        }))
+        throw Error(Exit::usage, "--hold-out: all " + std::to_string(records.size()) +
+                                     " photos are held out, expected at least one that is not");
     return records;
 }
 

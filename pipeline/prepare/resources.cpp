@@ -90,8 +90,10 @@ unsigned photos_in_flight(const PrepareSettings& settings,
     if (settings.memory == 0) return in_flight;
     while (in_flight > 1 && needed(in_flight) > settings.memory) --in_flight;
     if (needed(in_flight) > settings.memory)
-        throw Error(Exit::usage, fmt::format("--memory {}M: these photos and this model need at least {}M",
-                                             settings.memory >> 20, (needed(in_flight) >> 20) + 1));
+        throw Error(Exit::usage, fmt::format("--memory {}: these photos and this model need at least {}M",
+                                             settings.memory >> 20 ? fmt::format("{}M", settings.memory >> 20)
+                                                                   : fmt::format("{}", settings.memory),
+                                             (needed(in_flight) >> 20) + 1));
     return in_flight;
 }
 

@@ -18,7 +18,7 @@ constexpr std::array table{
                "the file is a share to be merged, or its preparation was interrupted"},
     FindingRow{Finding::header_checksum, "header-checksum", Severity::error, Exit::damaged,
                "the header does not match its checksum"},
-    FindingRow{Finding::format_version, "format-version", Severity::error, Exit::damaged,
+    FindingRow{Finding::format_version, "format-version", Severity::error, Exit::input,
                "the package has another format version than this program reads"},
     FindingRow{Finding::truncated, "truncated", Severity::error, Exit::damaged,
                "the file size is not the one in the header"},
@@ -80,6 +80,7 @@ Finding finding_of(Defect defect) {
         case Defect::header_checksum:
             return Finding::header_checksum;
         case Defect::format_version:
+        case Defect::newer_format:
             return Finding::format_version;
         case Defect::truncated:
             return Finding::truncated;
@@ -95,6 +96,10 @@ Finding finding_of(Defect defect) {
     return Finding::invalid_record;
 }
 
+const char* kind_name(const FindingRow& row) {
+    return row.finding == Finding::input_unreadable ? "inputs unreadable" : kind_name(row.kind);
+}
+
 const char* kind_name(Exit kind) {
     if (kind == Exit::input) return "unreadable";
     if (kind == Exit::damaged) return "damaged";
@@ -102,8 +107,8 @@ const char* kind_name(Exit kind) {
 }
 
 std::string markdown_row(const FindingRow& row) {
-    return fmt::format("| `{}` | {} | {}, {} | {} |", row.id, severity_name(row.severity),
-                       kind_name(row.kind), int(row.kind), row.meaning);
+    return fmt::format("| `{}` | {} | {}, {} | {} |", row.id, severity_name(row.severity), kind_name(row),
+                       int(row.kind), row.meaning);
 }
 
 }  // namespace vantage

@@ -57,6 +57,8 @@ Finding finding_of(Defect defect);
 
 /// "unreadable", "damaged", "stale", "incomplete".
 const char* kind_name(Exit kind);
+/// The same for a finding; "inputs unreadable" if that says nothing about the package.
+const char* kind_name(const FindingRow& row);
 
 /// The row as a line of the table in docs/check-findings.md.
 std::string markdown_row(const FindingRow& row);

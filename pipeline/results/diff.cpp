@@ -23,12 +23,56 @@ using package::Stage;
 using package::Type;
 using Differences = std::vector<Difference>;
 
-void diff_json(const char* of, const json& a, const json& b, Differences& out) {
-    json keys = a.is_object() ? a : json::object();
-    if (b.is_object()) keys.update(b);
+/// A value on a line of its own.
+std::string brief(const json& value) {
+    constexpr std::size_t longest = 60;
+    const std::string text = value.is_null()     ? "none"
+                             : value.is_string() ? value.get<std::string>()
+                                                 : value.dump();
+    return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
+/// The name by which an element of a list is found in the other list: its own, or its place.
+std::string key_in(const json& list, std::size_t i) {
+    const json& value = list[i];
+    if (value.is_object() && value.contains("name") && value["name"].is_string()) return value["name"];
+    return value.is_string() ? value.get<std::string>() : std::to_string(i + 1);
+}
+
+json keyed(const json& value) {
+    if (!value.is_array()) return value;
+    json out = json::object();
+    for (std::size_t i = 0; i < value.size(); ++i) out[key_in(value, i)] = value[i];
+    return out;
+}
+
+/// Lists values that differ, one line each, each named by its path.
+void diff_values(const char* of, const std::string& what, const json& a, const json& b, Differences& out) {
+    if (a == b) return;
+    const json x = keyed(a), y = keyed(b);
+    if (!x.is_object() || !y.is_object()) {
+        if (x.is_object() || y.is_object())
+            out.push_back({of, what, x.is_object() ? "only in the first" : "only in the second"});
+        else
+            out.push_back({of, what, brief(x) + " vs. " + brief(y)});
+        return;
+    }
+    json keys = x;
+    keys.update(y);
     for (const auto& [key, value] : keys.items())
-        if (const json was = a.value(key, json{}), is = b.value(key, json{}); was != is)
-            out.push_back({of, key, was.dump() + " vs. " + is.dump()});
+        diff_values(of, what.empty() ? key : what + ": " + key, x.value(key, json{}), y.value(key, json{}),
+                    out);
+}
+
+/// At most `listed` of the differences in one list; more only as their number.
+void diff_json(const char* of, const json& a, const json& b, Differences& out, const std::string& what = "") {
+    constexpr std::size_t listed = 12;
+    Differences found;
+    diff_values(of, what, a, b, found);
+    const std::size_t shown = std::min(listed, found.size());
+    out.insert(out.end(), found.begin(), found.begin() + std::ptrdiff_t(shown));
+    if (shown < found.size())
+        out.push_back({of, what, fmt::format("and {} more differences", found.size() - shown)});
 }
 
 void diff_meta(const PackageReader& a, const PackageReader& b, Differences& out) {
@@ -42,9 +86,7 @@ void diff_meta(const PackageReader& a, const PackageReader& b, Differences& out)
     diff_json("settings", of_a.value("config", json{}), of_b.value("config", json{}), out);
     diff_json("inputs", of_a.value("inputs", json{}), of_b.value("inputs", json{}), out);
     for (const char* list : {"effects", "left_out", "warnings"})
-        if (of_a.value(list, json{}) != of_b.value(list, json{}))
-            out.push_back({"inputs", list,
-                           of_a.value(list, json{}).dump() + " vs. " + of_b.value(list, json{}).dump()});
+        diff_json("inputs", of_a.value(list, json{}), of_b.value(list, json{}), out, list);
 }
 
 bool same_chunk(const DirectoryEntry* a, const DirectoryEntry* b) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "gl/failure.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -15,7 +16,7 @@ GlThread::GlThread() {
 gl::Device GlThread::device() const {
     try {
         return device_.get();
-    } catch (const std::exception& e) {
+    } catch (const gl::Failure& e) {
         throw Error(Exit::graphics, e.what());
     }
 }

@@ -70,6 +70,7 @@ std::vector<Shot> read_path(const std::string& file, const PackageReader& packag
     std::vector<Shot> shots;
     std::string line;
     for (int number = 1; std::getline(in, line); ++number) {
+        if (number == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);  // byte order mark
         if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
         char name[16];
         std::snprintf(name, sizeof name, "%04zu", shots.size());

@@ -29,6 +29,7 @@ struct Verified {
     std::vector<std::string> lines;  ///< one per finding
     std::vector<GoldenDifference> views;
     double seconds = 0;
+    bool opened = false;  ///< the package could be opened
 
     void add(Exit code, const std::string& line) {
         exit = code;
@@ -77,9 +78,12 @@ void verify_view(const VerifyOptions& o, const fs::path& folder, const Shot& sho
 
 void verify_package(const VerifyOptions& o, Verified& out) {
     const PackageReader package(out.package);
+    out.opened = true;
     const fs::path folder = golden_of(o, out.package), views = folder / "views.path";
     if (o.update) make_folder(folder);
     if (o.update && !fs::exists(views)) write_default_views(views, package);
+    if (!fs::exists(views))
+        return out.add(Exit::input, views.string() + ": does not exist; --update stores views and pictures");
     const RenderSettings settings = render_settings(package, {}, Purpose::pictures);
     const std::vector<std::uint32_t> photos = photos_in_use(package, {});
     Renderer renderer(package, memory_budget({}));
@@ -111,15 +115,15 @@ Verified verify_one(const VerifyOptions& o, const std::string& package) {
     return out;
 }
 
-const char* kind(Exit code) {
-    if (code == Exit::ok) return "";
-    if (code == Exit::input) return "unreadable";
-    return code == Exit::damaged ? "damaged" : "different";
+const char* kind(const Verified& v) {
+    if (v.exit == Exit::ok) return "";
+    if (v.exit == Exit::input) return v.opened ? "views unreadable" : "unreadable";
+    return v.exit == Exit::damaged ? "damaged" : "different";
 }
 
 void print(const VerifyOptions& o, const Verified& v) {
     for (const std::string& line : v.lines)
-        std::printf("%s: %s: %s\n", v.package.c_str(), kind(v.exit), line.c_str());
+        std::printf("%s: %s: %s\n", v.package.c_str(), kind(v), line.c_str());
     if (!v.lines.empty()) return;
     int worst = 0;
     for (const GoldenDifference& d : v.views) worst = std::max(worst, d.worst);
@@ -144,18 +148,18 @@ void print_json(const std::vector<Verified>& all) {
                              {"share", d.share},
                              {"mean", d.mean}});
         out["packages"].push_back({{"file", v.package},
-                                   {"kind", kind(v.exit)},
+                                   {"kind", kind(v)},
                                    {"issues", v.lines},
                                    {"views", views},
                                    {"seconds", v.seconds}});
     }
-    std::printf("%s\n", out.dump(1).c_str());
+    std::printf("%s\n", out.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
 CheckCase junit_case(const Verified& v) {
     std::string text;
     for (const std::string& line : v.lines) text += (text.empty() ? "" : "\n") + line;
-    return {v.package, kind(v.exit), text, v.seconds};
+    return {v.package, kind(v), text, v.seconds};
 }
 
 }  // namespace
