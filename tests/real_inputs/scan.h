@@ -1,0 +1,72 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace vantage::real_inputs {
+
+/// A scan as a user has it on disk, in memory: paths relative to its folder, and the files' bytes.
+struct Scan {
+    std::map<std::string, std::string> files;
+    std::map<std::string, std::string> links;  ///< symbolic links: path, target
+    std::set<std::string> folders;             ///< empty folders
+
+    std::string& operator[](const std::string& path) { return files[path]; }
+    /// Renames a file, or a folder with everything in it.
+    void move(const std::string& from, const std::string& to);
+    /// Copies a file, or a folder with everything in it.
+    void copy(const std::string& from, const std::string& to);
+    void remove(const std::string& path);
+    /// Replaces every occurrence in a file. Throws std::logic_error if there is none.
+    void replace(const std::string& path, const std::string& from, const std::string& to);
+    void write(const std::filesystem::path& folder) const;
+};
+
+/// The scan that every row changes: `images/` with A.jpg (red), B.jpg (green) and C.jpg (blue), 64x48;
+/// `sparse/` with their cameras in COLMAP's text format; mesh.ply, a box of 12 triangles.
+Scan standard_scan();
+
+using Names = std::vector<std::string>;
+
+/// COLMAP's images.txt for the cameras of A, B and C, in this order, under these names.
+std::string colmap_images(const Names& names);
+/// images.bin and cameras.bin of the same.
+std::string colmap_images_bin(const Names& names);
+std::string colmap_cameras_bin();
+/// A Bundler file of as many of these cameras.
+std::string bundle(std::size_t cameras = 3);
+/// A MeshLab project with these file names.
+std::string meshlab(const Names& names);
+/// Replaces the cameras by a Bundler file and this list.txt.
+void use_bundler(Scan& scan, const std::string& list);
+void use_meshlab(Scan& scan, const Names& names);
+
+/// The box as text, its corners moved and scaled: x = scale * corner + at.
+struct Place {
+    double scale = 1, x = 0, y = 0, z = 0;
+};
+std::string box_ply(const Place& place = {});
+std::string box_obj(const std::string& colors = "");  ///< `colors` is appended to each vertex
+std::string box_off(const std::string& header = "OFF\n8 12 0\n", const std::string& after_vertex = "",
+                    const std::string& after_face = "");
+/// The box as PLY with more vertex properties: header lines, and the values of each vertex.
+std::string box_ply_with(const std::string& properties, const std::string& values);
+std::string box_stl();
+std::string box_stl_binary();
+/// Points of the box's corners without faces, as COLMAP's fused.ply.
+std::string points_ply(std::size_t points = 1000);
+
+/// A photo of one color in the format of the extension: ".jpg", ".png", ".tif", ".exr", ".hdr", ...
+/// Values are those stored: sRGB, or linear light if the format stores it.
+std::string photo(const std::string& extension, double r, double g, double b, int width = 64,
+                  int height = 48);
+std::string red(const std::string& extension = ".jpg");
+std::string green(const std::string& extension = ".jpg");
+std::string blue(const std::string& extension = ".jpg");
+/// A JPEG with this many bytes of metadata before its size.
+std::string with_metadata(const std::string& jpeg, std::size_t bytes);
+
+}  // namespace vantage::real_inputs
