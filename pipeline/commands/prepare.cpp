@@ -108,6 +108,7 @@ void print_scene(const SceneInput& scene) {
                scene.files.mesh.string(), scene.mesh.positions.size(), scene.mesh.triangles.size(),
                scene.files.cameras.string(), scene.camera_format, scene.files.photos.string(),
                scene.photos.size());
+    for (const std::string& n : scene.files.notes) fmt::print("note     {}\n", n);
     for (const std::string& w : scene.warnings) fmt::print("warning  {}\n", w);
     std::fflush(stdout);
 }

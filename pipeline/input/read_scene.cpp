@@ -91,6 +91,16 @@ std::vector<fs::path> photo_files(const CameraSet& set, const fs::path& folder,
     return files;
 }
 
+void warn_of_linear_light(SceneInput& scene) {
+    const auto n = std::ranges::count_if(scene.photos, &PhotoInput::linear);
+    if (n == 0) return;
+    const std::string first = std::ranges::find_if(scene.photos, &PhotoInput::linear)->name;
+    const std::string which = n == 1   ? first + " holds"
+                              : n == 2 ? first + " and another photo hold"
+                                       : first + " and " + std::to_string(n - 1) + " other photos hold";
+    scene.warnings.push_back(which + " linear light: converted to sRGB, what is brighter than 1 is clipped");
+}
+
 void add_photos(SceneInput& scene, const CameraSet& set) {
     const fs::path& folder = scene.files.photos;
     const std::vector<fs::path> photos = photos_below(folder), files = photo_files(set, folder, photos);
@@ -111,13 +121,10 @@ void add_photos(SceneInput& scene, const CameraSet& set) {
             leave_out(files[i], reason_of(e, files[i]));
         }
     }
-    if (const auto linear = std::ranges::count_if(scene.photos, &PhotoInput::linear))
-        scene.warnings.push_back(
-            std::to_string(linear) +
-            " photos hold linear light: converted to sRGB, what is brighter than 1 is clipped");
     for (const fs::path& file : unused_photos(folder, photos, {used.begin(), used.end()}))
         leave_out(file, "has no camera");
     std::ranges::sort(scene.photos, {}, &PhotoInput::name);
+    warn_of_linear_light(scene);
     std::ranges::sort(scene.left_out, {}, &UnusablePhoto::photo);
     std::ranges::sort(scene.warnings);
 }
@@ -148,7 +155,6 @@ SceneInput read_scene(const InputFiles& files) {
     const CameraSet set = read_cameras(files.cameras);
     scene.camera_format = set.format;
     scene.warnings = set.warnings;
-    scene.warnings.insert(scene.warnings.end(), files.notes.begin(), files.notes.end());
     scene.mesh = read_mesh(files.mesh, scene.warnings);
     if (!fs::exists(files.photos)) throw Error(Exit::input, files.photos.string() + ": does not exist");
     if (!fs::is_directory(files.photos)) throw Error(Exit::input, files.photos.string() + ": not a folder");

@@ -90,7 +90,7 @@ unsigned photos_in_flight(const PrepareSettings& settings,
     if (settings.memory == 0) return in_flight;
     while (in_flight > 1 && needed(in_flight) > settings.memory) --in_flight;
     if (needed(in_flight) > settings.memory)
-        throw Error(Exit::usage, fmt::format("--memory {}: these photos and this model need at least {}M",
+        throw Error(Exit::usage, fmt::format("--memory {}: a photo at a time and this model may need up to {}M",
                                              settings.memory >> 20 ? fmt::format("{}M", settings.memory >> 20)
                                                                    : fmt::format("{}", settings.memory),
                                              (needed(in_flight) >> 20) + 1));

@@ -128,11 +128,11 @@ Outcome run(const std::string& command, const fs::path& folder) {
     return outcome;
 }
 
-/// The name of the strongest channel, "gray" if they are alike, or "white".
+/// The name of the strongest channel; "gray(128)" if they are alike; "white".
 std::string color_name(const std::array<double, 3>& mean) {
     const auto [least, most] = std::minmax_element(mean.begin(), mean.end());
     if (*least > 250) return "white";
-    if (*most - *least < 20) return "gray";
+    if (*most - *least < 20) return fmt::format("gray({:.0f})", mean[1]);
     return std::array{"red", "green", "blue"}[std::size_t(most - mean.begin())];
 }
 
@@ -269,15 +269,15 @@ namespace {
 
 std::string joined(const Parts& parts) {
     std::string text;
-    for (const std::string& p : parts) text += fmt::format("{}`{}`", text.empty() ? "" : " ", p);
+    for (const std::string& p : parts) text += fmt::format("{}<code>{}</code>", text.empty() ? "" : " ", p);
     return text;
 }
 
 std::string command_text(const Row& row) {
     const std::string full = row.command.words, usual = prepare_command;
     if (full == usual) return "";
-    if (full.starts_with(usual)) return "`" + full.substr(usual.size() + 1) + "`";
-    return "`" + full + "`";
+    if (full.starts_with(usual)) return "<code>" + full.substr(usual.size() + 1) + "</code>";
+    return "<code>" + full + "</code>";
 }
 
 std::string document() {
