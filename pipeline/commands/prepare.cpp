@@ -61,11 +61,8 @@ void force_effect(const std::string& text, std::map<Effect, EffectChoice>& choic
 }
 
 InputFiles input_files(const PrepareOptions& o) {
-    InputFiles files;
-    if (!o.input.empty()) files = discover(o.input);
-    if (!o.mesh.empty()) files.mesh = o.mesh;
-    if (!o.cameras.empty()) files.cameras = o.cameras;
-    if (!o.photos.empty()) files.photos = o.photos;
+    InputFiles files{.mesh = o.mesh, .cameras = o.cameras, .photos = o.photos};
+    if (!o.input.empty()) files = discover(o.input, files);
     if (files.mesh.empty() || files.cameras.empty() || files.photos.empty())
         throw Error(Exit::usage, "expected an INPUT folder, or --mesh, --cameras and --photos together");
     return files;
@@ -141,7 +138,8 @@ void print_needs(const ResourceEstimate& n) {
 PrepareResult prepare_shown(const PrepareOptions& o, const SceneInput& scene, IdentityCache& identities,
                             Trace& trace) {
     ProgressLine line(progress_style(o.progress));
-    const PrepareRun run{&stop_on_signals(), o.strict, &identities, share(o.share), &trace, print_needs};
+    const PrepareRun run{&stop_on_signals(), o.strict, &identities, share(o.share), &trace,
+                         print_needs,        true};
     return prepare(
         scene, o.settings, o.out, [&](const Progress& p) { line.show(p); }, run);
 }

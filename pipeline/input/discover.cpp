@@ -49,14 +49,10 @@ bool is_first_of(const CameraFormat& format, const fs::path& file) {
                                [&](const char* name) { return fs::exists(file.parent_path() / name); });
 }
 
-/// The photos' names in a camera file; none if it cannot be read.
+/// The photos' names in a camera file.
 std::vector<std::string> photo_names(const fs::path& cameras) {
     std::vector<std::string> names;
-    try {
-        for (const CameraSet::Entry& entry : read_cameras(cameras).entries) names.push_back(entry.photo);
-    } catch (const Error&) {
-        // read_scene reports it, if these cameras are used.
-    }
+    for (const CameraSet::Entry& entry : read_cameras(cameras).entries) names.push_back(entry.photo);
     return names;
 }
 
@@ -159,18 +155,18 @@ fs::path find_stencil(const fs::path& photo) {
     return {};
 }
 
-InputFiles discover(const fs::path& folder) {
+InputFiles discover(const fs::path& folder, const InputFiles& given) {
     if (!fs::exists(folder)) throw Error(Exit::input, folder.string() + ": does not exist");
     if (!fs::is_directory(folder)) throw Error(Exit::input, folder.string() + ": not a folder");
     const Files files = files_below(folder, 2);
-    InputFiles found;
-    found.mesh = find_mesh(files);
-    found.cameras = find_cameras(folder, files, found.notes);
+    InputFiles found = given;
+    if (found.mesh.empty()) found.mesh = find_mesh(files);
+    if (found.cameras.empty()) found.cameras = find_cameras(folder, files, found.notes);
     if (found.mesh.empty())
         throw Error(Exit::input, folder.string() + ": no mesh found (PLY, OBJ, STL, OFF)");
     if (found.cameras.empty())
         throw Error(Exit::input, folder.string() + ": no cameras found; expected " + camera_format_names());
-    found.photos = find_photos(folder, files, found.cameras);
+    if (found.photos.empty()) found.photos = find_photos(folder, files, found.cameras);
     if (found.photos.empty()) throw Error(Exit::input, folder.string() + ": no photos found");
     return found;
 }

@@ -207,7 +207,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     PhotoPrefetch prefetch(scene, photos_to_prefetch(scene, settings, run.share, out),
                            threads_of(settings) - 1, run.trace);
     const PackedModel model = make_model(scene, settings, run.trace);
-    expect_mesh_in_view(scene);
+    if (run.expect_view) expect_mesh_in_view(scene);
     GeometryRenderer renderer(model, scene.mesh.normals, settings);
     PreparePlan plan = make_plan(model, scene, settings, run.share, identities, run.trace);
     const ResourceEstimate estimate = reserve(plan, scene, settings, run, renderer.by_opengl(), out);

@@ -30,6 +30,7 @@ struct PrepareRun {
     Share share{};                        ///< of the photos; default: all
     Trace* trace = nullptr;               ///< records what each thread does
     std::function<void(const ResourceEstimate&)> on_estimate{};  ///< called before the first photo is started
+    bool expect_view = false;  ///< throw Error(misplaced) by expect_mesh_in_view()
 };
 
 /// What a run did.

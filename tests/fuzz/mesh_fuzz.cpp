@@ -1,4 +1,4 @@
-// Meshes read by OpenMesh. The first byte is the format (o: OBJ, s: STL, f: OFF), the rest the file. Checks
+// OBJ, STL and OFF meshes. The first byte is the format (o: OBJ, s: STL, f: OFF), the rest the file. Checks
 // that indices are in range and normals finite.
 #include <cstdlib>
 

@@ -19,6 +19,7 @@
 #include <sstream>
 #include <thread>
 
+#include "pipeline/input/file_name.h"
 #include "scene/checksum.h"
 #include "scene/package_reader.h"
 #include "tests/real_inputs/row.h"
@@ -269,12 +270,13 @@ namespace {
 
 std::string joined(const Parts& parts) {
     std::string text;
-    for (const std::string& p : parts) text += fmt::format("{}<code>{}</code>", text.empty() ? "" : " ", p);
+    for (const std::string& p : parts)
+        text += fmt::format("{}<code>{}</code>", text.empty() ? "" : " ", utf8_name(p));
     return text;
 }
 
 std::string command_text(const Row& row) {
-    const std::string full = row.command.words, usual = prepare_command;
+    const std::string full = utf8_name(row.command.words), usual = prepare_command;
     if (full == usual) return "";
     if (full.starts_with(usual)) return "<code>" + full.substr(usual.size() + 1) + "</code>";
     return "<code>" + full + "</code>";
