@@ -19,6 +19,7 @@
 #include "scene/damaged_package.h"
 #include "scene/lost_package.h"
 #include "scene/tiling.h"
+#include "values/photo_names.h"
 
 namespace vantage {
 
@@ -51,6 +52,12 @@ const char* flaw_of(const package::PhotoRecord& p) {
         if (!(p.gain[i] >= 1e-3 && p.gain[i] <= 1e3) || !(std::abs(p.falloff[i]) <= 100))
             return "gain or falloff is out of range";
     return nullptr;
+}
+
+std::vector<std::string_view> names_of(std::span<const package::PhotoRecord> photos) {
+    std::vector<std::string_view> names;
+    for (const package::PhotoRecord& p : photos) names.emplace_back(p.name);
+    return names;
 }
 
 }  // namespace
@@ -289,13 +296,15 @@ std::string_view PackageReader::meta() const& {
 }
 
 std::optional<std::uint32_t> PackageReader::photo_index(std::string_view wanted) const {
-    const auto all = photos();
-    for (std::uint32_t i = 0; i < all.size(); ++i) {
-        const std::string_view full = all[i].name;
-        if (full == wanted || full.substr(0, full.rfind('.')) == wanted) return i;
-    }
-    return std::nullopt;
+    const std::vector<std::string_view> names = names_of(photos());
+    const std::vector<std::size_t> meant = photos_meant(names, wanted);
+    if (meant.size() > 1)
+        throw Error(Exit::usage, map_->path.string() + ": photo " + std::string(wanted) +
+                                     " is ambiguous, expected one of " + listed(names, meant));
+    return meant.empty() ? std::nullopt : std::optional(std::uint32_t(meant.front()));
 }
+
+std::vector<std::string> PackageReader::photo_stems() const { return file_stems(names_of(photos())); }
 
 Intrinsics intrinsics(const package::PhotoRecord& p) {
     return {int(p.width), int(p.height), p.fx, p.fy, p.cx, p.cy};

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/camera.h"
 #include "scene/effects.h"
@@ -81,8 +82,11 @@ class PackageReader {
     std::string_view meta() const&;
     std::string_view meta() const&& = delete;
 
-    /// Index of the photo with this name, given with or without its extension.
+    /// Index of the photo with this name, given with or without its extension. Throws Error(usage) if several
+    /// photos have this name without extension.
     std::optional<std::uint32_t> photo_index(std::string_view name) const;
+    /// Per photo, its name in the names of files made from it (see file_stems).
+    std::vector<std::string> photo_stems() const;
 
   private:
     struct Mapping;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstring>
-#include <set>
+#include <functional>
 #include <string>
+#include <string_view>
 
 #include "pipeline/pixels/pyramid.h"
 #include "scene/checksum.h"
 #include "scene/error.h"
+#include "values/photo_names.h"
 
 namespace vantage {
 
@@ -39,20 +41,28 @@ package::PhotoRecord photo_record(const PhotoInput& photo, const Eigen::Vector3d
 
 }  // namespace
 
+std::vector<bool> held_out(const SceneInput& scene, std::span<const std::string> wanted) {
+    std::vector<std::string_view> names;
+    for (const PhotoInput& photo : scene.photos) names.emplace_back(photo.name);
+    std::vector<bool> held(names.size(), false);
+    for (const std::string& name : wanted) {
+        const std::vector<std::size_t> meant = photos_meant(names, name);
+        if (meant.empty()) throw Error(Exit::usage, "--hold-out " + name + ": the scene has no such photo");
+        if (meant.size() > 1)
+            throw Error(Exit::usage,
+                        "--hold-out " + name + ": ambiguous, expected one of " + listed(names, meant));
+        held[meant.front()] = true;
+    }
+    return held;
+}
+
 std::vector<package::PhotoRecord> photo_records(const SceneInput& scene, const PrepareSettings& settings,
                                                 const Eigen::Vector3d& origin) {
-    std::set<std::string> held(settings.hold_out.begin(), settings.hold_out.end());
+    const std::vector<bool> held = held_out(scene, settings.hold_out);
     std::vector<package::PhotoRecord> records;
-    for (const PhotoInput& photo : scene.photos) {
-        const std::string stem = photo.name.substr(0, photo.name.rfind('.'));
-        const bool out = held.erase(photo.name) + held.erase(stem) > 0;
-        records.push_back(photo_record(photo, origin, settings.thumbnail, out));
-    }
-    if (!held.empty())
-        throw Error(Exit::usage, "--hold-out " + *held.begin() + ": the scene has no such photo");
-    if (!records.empty() && std::ranges::all_of(records, [](const package::PhotoRecord& r) {
-            return r.flags & package::photo_held_out;
-        }))
+    for (std::size_t i = 0; i < scene.photos.size(); ++i)
+        records.push_back(photo_record(scene.photos[i], origin, settings.thumbnail, held[i]));
+    if (!held.empty() && std::ranges::all_of(held, std::identity{}))
         throw Error(Exit::usage, "--hold-out: all " + std::to_string(records.size()) +
                                      " photos are held out, expected at least one that is not");
     return records;

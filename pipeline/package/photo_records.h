@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "pipeline/input/scene_input.h"
@@ -17,8 +18,12 @@ void set_pose(const Pose& pose, Record& r) {
     Eigen::Map<Eigen::Vector3d>(r.t) = pose.t;
 }
 
+/// Per photo of the scene, whether `names` (each with or without extension) holds it out. Throws Error(usage)
+/// if a name means no photo of the scene, or several.
+std::vector<bool> held_out(const SceneInput& scene, std::span<const std::string> names);
+
 /// One record per photo, in the scene's order; fields measured by the per-photo stages are left empty. Throws
-/// Error(usage) if a photo to hold out is not in the scene.
+/// Error(usage) like held_out().
 std::vector<package::PhotoRecord> photo_records(const SceneInput& scene, const PrepareSettings& settings,
                                                 const Eigen::Vector3d& origin);
 

@@ -67,9 +67,9 @@ std::vector<std::size_t> photos_to_prefetch(const SceneInput& scene, const Prepa
     std::vector<std::size_t> first;
     if (settings.memory || std::filesystem::exists(out) || std::filesystem::exists(part_of(out)))
         return first;
+    const std::vector<bool> held = held_out(scene, settings.hold_out);
     for (std::size_t i = 0; i < scene.photos.size() && first.size() < 2 * threads_of(settings); ++i)
-        if (share.holds(i) && !std::ranges::count(settings.hold_out, scene.photos[i].name))
-            first.push_back(i);
+        if (share.holds(i) && !held[i]) first.push_back(i);
     return first;
 }
 

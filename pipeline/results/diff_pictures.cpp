@@ -81,14 +81,15 @@ void write_difference_pictures(const PackageReader& a, const PackageReader& b, c
     make_folder(folder);
     std::vector<std::pair<std::string, std::string>> pictures;
     const auto photos = a.photos();
+    const std::vector<std::string> stems = a.photo_stems();
     for (std::uint32_t i = 0; i < photos.size(); ++i) {
         const auto j = b.photo_index(photos[i].name);
         if (!j) continue;
-        const std::string name = photos[i].name, stem = name.substr(0, name.rfind('.'));
+        const std::string name = photos[i].name;
         const auto add = [&](Type type, const char* what, std::optional<std::size_t> mask) {
             const auto pair = differing(a, b, i, *j, type, std::uint32_t(shown_level(photos[i], type)));
             if (!pair) return;
-            const std::string file = stem + "-" + what + ".png";
+            const std::string file = stems[i] + "-" + what + ".png";
             const auto picture =
                 side_by_side(shown(pair->a, mask), shown(pair->b, mask), std::size_t(pair->size.width));
             image_files().write(folder / file, 3 * pair->size.width, pair->size.height, 4, Sample::u8,

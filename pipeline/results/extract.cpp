@@ -24,12 +24,11 @@ void write_mesh(const PackageReader& reader, const fs::path& file) {
 }
 
 void write_photo(const PackageReader& reader, std::uint32_t i, const package::PhotoRecord& p,
-                 const fs::path& folder) {
-    const std::string name = p.name, stem = name.substr(0, name.rfind('.'));
+                 const std::string& stem, const fs::path& folder) {
     const auto image = [&](Type type, std::uint32_t l, const fs::path& file, int channels, Sample format) {
         const Level size = level_size(int(p.width), int(p.height), int(l));
         const auto* e = reader.find(type, i, l);
-        if (!e) throw Error(Exit::damaged, name + ": a pyramid level is missing");
+        if (!e) throw Error(Exit::damaged, std::string(p.name) + ": a pyramid level is missing");
         image_files().write(file, size.width, size.height, channels, format, join_tiles(reader, *e, size));
     };
     image(Type::tiles, 0, folder / "photos" / (stem + ".png"), 4, Sample::u8);
@@ -51,8 +50,9 @@ void extract(const fs::path& package, const fs::path& folder, const std::vector<
     }
     if (names.empty())
         for (std::uint32_t i = 0; i < photos.size(); ++i) wanted.push_back(i);
+    const std::vector<std::string> stems = reader.photo_stems();
     for (const std::uint32_t i : wanted)
-        if (photos[i].levels) write_photo(reader, i, photos[i], folder);
+        if (photos[i].levels) write_photo(reader, i, photos[i], stems[i], folder);
     write_mesh(reader, folder / "mesh.ply");
 }
 

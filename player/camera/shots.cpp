@@ -21,11 +21,14 @@ FrameSize parse_size(const std::string& text) {
 std::vector<std::uint32_t> named_photos(const PackageReader& package, const std::vector<std::string>& names) {
     const auto count = std::uint32_t(package.photos().size());
     std::vector<std::uint32_t> out;
+    const auto add = [&](std::uint32_t photo) {
+        if (!std::ranges::count(out, photo)) out.push_back(photo);
+    };
     for (const std::string& name : names) {
         if (const auto i = package.photo_index(name)) {
-            out.push_back(*i);
+            add(*i);
         } else if (name == "all") {
-            for (std::uint32_t p = 0; p < count; ++p) out.push_back(p);
+            for (std::uint32_t p = 0; p < count; ++p) add(p);
         } else {
             throw Error(Exit::usage,
                         name + ": " + package.path().string() + " has no such photo (--list lists them)");
@@ -34,9 +37,9 @@ std::vector<std::uint32_t> named_photos(const PackageReader& package, const std:
     return out;
 }
 
-Shot photo_shot(const package::PhotoRecord& photo, std::optional<FrameSize> size, double scale) {
-    const std::string_view name = photo.name;
-    Shot shot{std::string(name.substr(0, name.rfind('.'))), view_of_photo(photo, scale)};
+Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std::optional<FrameSize> size,
+                double scale) {
+    Shot shot{name, view_of_photo(photo, scale)};
     if (!size) return shot;
     Intrinsics k = intrinsics(photo);
     const double s = std::min(double(size->width) / k.width, double(size->height) / k.height);

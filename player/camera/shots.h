@@ -20,12 +20,14 @@ struct FrameSize {
 /// "1280x720". Throws Error(usage).
 FrameSize parse_size(const std::string& text);
 
-/// Indices of photos by name (with or without extension); "all" for every photo. Throws Error(usage) for an
-/// unknown name.
+/// Indices of photos by name (with or without extension), each once; "all" for every photo. Throws
+/// Error(usage) for an unknown or ambiguous name.
 std::vector<std::uint32_t> named_photos(const PackageReader& package, const std::vector<std::string>& names);
 
 /// From the photo's own camera, with its intrinsics at `scale`, or with the whole photo fitted into `size`.
-Shot photo_shot(const package::PhotoRecord& photo, std::optional<FrameSize> size, double scale);
+/// `name`: of the picture.
+Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std::optional<FrameSize> size,
+                double scale);
 
 /// "EX,EY,EZ,TX,TY,TZ", eye and target in the input's coordinates, with the vertical field of view in degrees
 /// as an optional seventh number (default 45); separated by commas or spaces. Throws Error(usage).

@@ -20,8 +20,9 @@ std::vector<Shot> shots(const PackageReader& package, const ShowOptions& options
     std::optional<FrameSize> size;
     if (!options.output.size.empty()) size = parse_size(options.output.size);
     std::vector<Shot> out;
+    const std::vector<std::string> stems = package.photo_stems();
     for (const std::uint32_t p : named_photos(package, options.package.photos))
-        out.push_back(photo_shot(package.photos()[p], size, o.scale));
+        out.push_back(photo_shot(package.photos()[p], stems[p], size, o.scale));
     FrameSize frame = size.value_or(FrameSize{1280, 720});
     if (!size && o.scale != 1)
         frame = {std::max(1, int(std::lround(1280 * o.scale))), std::max(1, int(std::lround(720 * o.scale)))};

@@ -128,10 +128,8 @@ void print_remarks(const std::vector<LeftOut>& results) {
 /// Of the table's first column.
 int name_width(const PackageReader& package, const std::vector<std::uint32_t>& photos) {
     std::size_t width = 5;
-    for (const std::uint32_t p : photos) {
-        const std::string name = package.photos()[p].name;
-        width = std::max(width, std::min(name.size(), name.rfind('.')));
-    }
+    const std::vector<std::string> stems = package.photo_stems();
+    for (const std::uint32_t p : photos) width = std::max(width, stems[p].size());
     return int(width);
 }
 

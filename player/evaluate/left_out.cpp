@@ -146,8 +146,7 @@ LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<
     const auto triangles = render_view(renderer, view_of_level(records[photo], level), settings, others, p);
     LeftOut out;
     out.photo = photo;
-    out.name = records[photo].name;
-    out.name = out.name.substr(0, out.name.rfind('.'));
+    out.name = package.photo_stems()[photo];
     out.score = score(p.photo, p.rendered, p.scored);
     out.colored = colored_share(p.rendered, surface_pixels(package, photo, level, p.rendered));
     if (out.score.pixels > 0) {

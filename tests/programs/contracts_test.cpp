@@ -1,0 +1,103 @@
+// What docs/contracts.md promises: what programs write and replace, what they never touch, and what "current"
+// and "sound" mean.
+#include <sys/stat.h>
+
+#include <fstream>
+#include <functional>
+#include <regex>
+
+#include "pipeline/formats/images/image_files.h"
+#include "pipeline/formats/images/photos.h"
+#include "scene/error.h"
+#include "scene/package_reader.h"
+#include "tests/programs/overnight.h"
+
+using namespace vantage;
+
+namespace {
+
+bool one_line(const std::string& text) {
+    return !text.empty() && std::ranges::count(text, '\n') == 1 && text.back() == '\n';
+}
+
+void write(const fs::path& to, const std::string& bytes) { std::ofstream(to, std::ios::binary) << bytes; }
+
+class Contracts : public Overnight {
+  protected:
+    const fs::path images = scene / "images", mesh = scene / "mesh.ply", sparse = scene / "sparse";
+
+    /// Expects a refusal in one line, before any work, that leaves `kept` as it is.
+    void expect_refused(const std::string& words, const fs::path& kept,
+                        const std::string& program = VANTAGE_PROGRAM) const {
+        const std::string before = slurp(kept);
+        const Outcome o = run(words, "", program);
+        EXPECT_EQ(o.code, int(Exit::usage)) << words << '\n' << o.out << o.err;
+        EXPECT_TRUE(one_line(o.err)) << words << '\n' << o.err;
+        EXPECT_EQ(o.out, "") << words;
+        EXPECT_TRUE(slurp(kept) == before) << words << ": " << kept;
+    }
+    std::string prepare_to(const fs::path& out) const {
+        return "prepare --progress none " + scene.string() + " -o " + out.string() + " ";
+    }
+    Outcome player(const std::string& words) const { return run(words, "", VANTAGE_PLAYER); }
+    std::string package() const { return file.string(); }
+
+    /// Overwrites bytes of a chunk without changing the file's size.
+    void damage(package::Type type, std::uint32_t photo = package::scene_wide, std::uint64_t at = 20) const {
+        {
+            const PackageReader reader(file);
+            const auto* e = reader.find(type, photo);
+            at += e->offset + (e->block_length ? e->head_length : 0);
+        }
+        std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+        bytes.seekp(std::streamoff(at));
+        bytes << "rot";
+    }
+    /// Makes the second photo a PNG whose name without extension is that of the first.
+    void share_a_stem() const {
+        const std::string jpeg = slurp(images / "0001.jpg");
+        const RgbaImage image = read_photo(images / "0001.jpg", read_photo_header(images / "0001.jpg").size);
+        image_files().write(images / "0000.png", image.width, image.height, 4, Sample::u8,
+                            std::as_bytes(std::span(image.rgba)));
+        fs::remove(images / "0001.jpg");
+        write(sparse / "images.txt",
+              std::regex_replace(slurp(sparse / "images.txt"), std::regex("0001\\.jpg"), "0000.png"));
+    }
+};
+
+}  // namespace
+
+TEST_F(Contracts, PhotosOfEqualStemKeepTheirOwnFiles) {
+    share_a_stem();
+    ASSERT_EQ(prepare_program().code, 0);
+    const fs::path files = dir / "files", pictures = dir / "pictures", evaluation = dir / "evaluation";
+    ASSERT_EQ(run("extract " + package() + " -o " + files.string()).code, 0);
+    const Outcome shown =
+        player(package() + " --offscreen --photo 0000.jpg,0000.png --scale 0.1 -o " + pictures.string());
+    ASSERT_EQ(shown.code, 0) << shown.err;
+    const Outcome evaluated = player("evaluate " + package() + " --level 3 -o " + evaluation.string() +
+                                     " --photo 0000.jpg,0000.png");
+    ASSERT_EQ(evaluated.code, 0) << evaluated.err;
+    for (const std::string photo : {"0000.jpg", "0000.png"})
+        for (const fs::path& made : {files / "photos" / (photo + ".png"), files / "masks" / (photo + ".png"),
+                                     files / "depth" / (photo + ".exr"), pictures / (photo + ".png"),
+                                     evaluation / (photo + "-photo.png")})
+            EXPECT_TRUE(fs::exists(made)) << made;
+    EXPECT_NE(slurp(files / "photos" / "0000.jpg.png"), slurp(files / "photos" / "0000.png.png"));
+    EXPECT_TRUE(fs::exists(files / "photos" / "0002.png")) << "unique names stay short";
+}
+
+TEST_F(Contracts, AmbiguousPhotoNamesAreRefused) {
+    share_a_stem();
+    const Outcome held = prepare_program("--hold-out 0000");
+    EXPECT_EQ(held.code, int(Exit::usage));
+    ASSERT_EQ(prepare_program("--hold-out 0000.png").code, 0);
+    const Outcome extracted = run("extract " + package() + " --photo 0000 -o " + (dir / "x").string());
+    const Outcome shown = player(package() + " --offscreen --photo 0000 -o " + (dir / "x.png").string());
+    for (const Outcome& o : {held, extracted, shown}) {
+        EXPECT_EQ(o.code, int(Exit::usage)) << o.out;
+        EXPECT_TRUE(one_line(o.err)) << o.err;
+        EXPECT_NE(o.err.find("0000.jpg and 0000.png"), std::string::npos) << o.err;
+    }
+    EXPECT_FALSE(fs::exists(dir / "x.png"));
+}

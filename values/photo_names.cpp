@@ -1,0 +1,39 @@
+#include "values/photo_names.h"
+
+#include <map>
+#include <set>
+
+namespace vantage {
+
+std::string_view stem_of(std::string_view name) { return name.substr(0, name.rfind('.')); }
+
+std::vector<std::size_t> photos_meant(std::span<const std::string_view> names, std::string_view wanted) {
+    std::vector<std::size_t> out;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i] == wanted) return {i};
+        if (stem_of(names[i]) == wanted) out.push_back(i);
+    }
+    return out;
+}
+
+std::string listed(std::span<const std::string_view> names, std::span<const std::size_t> indices) {
+    std::string out;
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        out += (i == 0 ? "" : i + 1 == indices.size() ? " and " : ", ") + std::string(names[indices[i]]);
+    return out;
+}
+
+std::vector<std::string> file_stems(std::span<const std::string_view> names) {
+    const std::set<std::string_view> whole(names.begin(), names.end());
+    std::map<std::string_view, std::size_t> count;
+    for (const std::string_view name : names) ++count[stem_of(name)];
+    std::vector<std::string> out;
+    for (const std::string_view name : names) {
+        const std::string_view stem = stem_of(name);
+        const bool taken = count[stem] > 1 || (stem != name && whole.contains(stem));
+        out.emplace_back(taken ? name : stem);
+    }
+    return out;
+}
+
+}  // namespace vantage
