@@ -17,6 +17,7 @@ std::vector<std::byte> join_tiles(const PackageReader& reader, const package::Di
                                   const Level& level) {
     if (reader.blocks(e) != std::size_t(level.tiles()) || e.block_length != tile_bytes)
         throw Error(Exit::damaged, describe(e, reader) + ": tiles do not match the level's size");
+    for (std::size_t t = 0; t < reader.blocks(e); ++t) reader.sound_block(e, t);
     std::vector<std::byte> out(std::size_t(level.width) * std::size_t(level.height) * 4);
     for (int y = 0; y < level.height; ++y)
         for (int column = 0; column < level.columns(); ++column) {

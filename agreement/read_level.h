@@ -12,7 +12,7 @@ namespace vantage {
 int coarse_level(const package::PhotoRecord& record, int long_side);
 
 /// Joins the tiles of a level: width * height texels of 4 bytes. Throws Error(damaged) if the chunk's tiles
-/// do not match the level's size.
+/// do not match the level's size, or a tile its checksum.
 std::vector<std::byte> join_tiles(const PackageReader& reader, const package::DirectoryEntry& chunk,
                                   const Level& level);
 

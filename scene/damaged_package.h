@@ -16,6 +16,7 @@ enum class Defect {
     directory,        ///< the directory does not match its checksum, or points outside the file
     chunk_missing,    ///< a required chunk is missing
     chunk_checksum,   ///< a chunk does not match its checksum
+    tile_checksum,    ///< a tile does not match its checksum
     invalid_record    ///< a record is out of range, or the number of records is wrong
 };
 

@@ -60,6 +60,11 @@ std::vector<std::string_view> names_of(std::span<const package::PhotoRecord> pho
     return names;
 }
 
+std::string tile_mismatch(const PackageReader& reader, const DirectoryEntry& e, std::size_t tile) {
+    return describe(e, reader) + ": tile " + std::to_string(tile) + " of " +
+           std::to_string(reader.blocks(e)) + ": checksum does not match";
+}
+
 }  // namespace
 
 struct PackageReader::Mapping {
@@ -202,6 +207,12 @@ std::span<const std::byte> PackageReader::block(const DirectoryEntry& e, std::si
     return {map_->data + e.offset + e.head_length + i * e.block_length, e.block_length};
 }
 
+std::span<const std::byte> PackageReader::sound_block(const DirectoryEntry& e, std::size_t i) const& {
+    const auto bytes = block(e, i);
+    if (!block_sound(e, i)) map_->damaged(Defect::tile_checksum, tile_mismatch(*this, e, i));
+    return bytes;
+}
+
 bool PackageReader::block_sound(const DirectoryEntry& e, std::size_t i) const {
     std::uint64_t expected;
     std::memcpy(&expected, map_->data + e.offset + i * sizeof expected, sizeof expected);
@@ -305,6 +316,26 @@ std::optional<std::uint32_t> PackageReader::photo_index(std::string_view wanted)
 }
 
 std::vector<std::string> PackageReader::photo_stems() const { return file_stems(names_of(photos())); }
+
+std::vector<Mismatch> mismatches(const PackageReader& package, bool tiles, std::size_t most) {
+    std::vector<Mismatch> out;
+    for (const DirectoryEntry& e : package.directory()) {
+        const bool sound = package.head_sound(e);
+        if (!sound)
+            out.push_back({Defect::chunk_checksum, describe(e, package) + ": checksum does not match"});
+        for (std::size_t b = 0; tiles && sound && b < package.blocks(e) && out.size() < most; ++b)
+            if (!package.block_sound(e, b))
+                out.push_back({Defect::tile_checksum, tile_mismatch(package, e, b)});
+        if (tiles) package.forget(package.raw(e));
+        if (out.size() >= most) break;
+    }
+    return out;
+}
+
+void expect_sound(const PackageReader& package) {
+    for (const Mismatch& m : mismatches(package, true, 1))
+        throw DamagedPackage(m.defect, package.path().string() + ": " + m.text);
+}
 
 Intrinsics intrinsics(const package::PhotoRecord& p) {
     return {int(p.width), int(p.height), p.fx, p.fy, p.cx, p.cy};

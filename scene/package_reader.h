@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/damaged_package.h"
 #include "scene/effects.h"
 #include "scene/package_format.h"
 
@@ -47,6 +49,9 @@ class PackageReader {
     /// Throws Error(damaged) if there is no such block.
     std::span<const std::byte> block(const package::DirectoryEntry& entry, std::size_t index) const&;
     std::span<const std::byte> block(const package::DirectoryEntry&, std::size_t) const&& = delete;
+    /// The same, checked. Throws Error(damaged) if its checksum does not match.
+    std::span<const std::byte> sound_block(const package::DirectoryEntry& entry, std::size_t index) const&;
+    std::span<const std::byte> sound_block(const package::DirectoryEntry&, std::size_t) const&& = delete;
     /// True if the block's checksum matches.
     bool block_sound(const package::DirectoryEntry& entry, std::size_t index) const;
     /// Head and blocks as stored, and the file's descriptor, for copying.
@@ -95,6 +100,18 @@ class PackageReader {
     package::SceneRecord checked_scene() const;
     std::unique_ptr<Mapping> map_;
 };
+
+/// A chunk or tile that does not match its checksum.
+struct Mismatch {
+    Defect defect;  ///< chunk_checksum or tile_checksum
+    std::string text;
+};
+/// The chunks that do not match their checksums, or whose heads do not, and with `tiles` all tiles; at most
+/// `most`. A package without any is sound. Pages that were read are released.
+std::vector<Mismatch> mismatches(const PackageReader& package, bool tiles,
+                                 std::size_t most = std::numeric_limits<std::size_t>::max());
+/// Reads the whole package. Throws Error(damaged) with the first mismatch.
+void expect_sound(const PackageReader& package);
 
 /// A photo's pinhole camera, for positions relative to the origin.
 Intrinsics intrinsics(const package::PhotoRecord& photo);

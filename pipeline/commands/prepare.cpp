@@ -81,7 +81,8 @@ Share share(const std::string& text) {
     return s;
 }
 
-/// The photos that the existing package lacks, if it is what this run would make; otherwise nullopt.
+/// The photos that the existing package lacks, if it is sound and what this run would make; otherwise
+/// nullopt.
 std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const InputFiles& files,
                                                   IdentityCache& identities) {
     if (!std::filesystem::exists(o.out)) return {};
@@ -90,6 +91,10 @@ std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const
         if (!changed_settings(package, o.settings).empty() ||
             !changed_inputs(package, files, identities).empty())
             return {};
+        if (const std::string damage = damage_of(package, identities); !damage.empty()) {
+            fmt::print("package  {} is damaged and is repaired: {}\n", o.out, damage);
+            return {};
+        }
         return left_out_of(package);
     } catch (const DamagedPackage& e) {
         if (e.defect() == Defect::newer_format)

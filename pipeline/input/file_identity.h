@@ -1,18 +1,25 @@
 #pragma once
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <span>
+#include <string>
+
+#include "scene/checksum.h"
 
 namespace vantage {
 
-/// Length in bytes and XXH3-64 of a file's content, by which a package recognizes its inputs.
-struct FileIdentity {
-    std::uint64_t bytes = 0, checksum = 0;
-    bool operator==(const FileIdentity&) const = default;
-};
-FileIdentity identify(std::span<const std::byte> bytes);
 /// Reads the whole file. Throws Error(input).
 FileIdentity identify(const std::filesystem::path& file);
+
+/// Device, inode, length, mtime and ctime: changes whenever the file does. Empty if there is no such file.
+std::string stamp_of(const std::filesystem::path& file);
+
+/// A file and its stamp before it was first read.
+struct StampedFile {
+    std::filesystem::path file;
+    std::string stamp{};  ///< empty: unknown
+};
+StampedFile stamped(const std::filesystem::path& file);
+/// Throws Error(input) if the file has been modified since it was stamped, so that different parts of a run
+/// may have read different contents.
+void expect_unchanged(const StampedFile& file);
 
 }  // namespace vantage

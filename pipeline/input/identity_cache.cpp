@@ -20,15 +20,10 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t max_cache_bytes = 16u << 20;  ///< about 150,000 files; a larger cache is emptied
 constexpr std::time_t timestamp_resolution = 2;        ///< s, of the coarsest file system in use (FAT)
 
-bool read_status(const fs::path& file, struct stat& st) { return ::stat(file.c_str(), &st) == 0; }
+/// Marks the stamp of a package that was found sound.
+const std::string sound_prefix = "sound:";
 
-/// Device, inode, length, mtime and ctime: changes whenever the file does. Empty if there is no such file.
-std::string stamp_of(const fs::path& file) {
-    struct stat st {};
-    if (!read_status(file, st)) return {};
-    return fmt::format("{:x}:{:x}:{:x}:{:x}.{:x}:{:x}.{:x}", st.st_dev, st.st_ino, st.st_size,
-                       st.st_mtim.tv_sec, st.st_mtim.tv_nsec, st.st_ctim.tv_sec, st.st_ctim.tv_nsec);
-}
+bool read_status(const fs::path& file, struct stat& st) { return ::stat(file.c_str(), &st) == 0; }
 
 /// Whether the next modification will change the timestamps; one right after the previous one may not.
 bool timestamps_are_reliable(const fs::path& file) {
@@ -100,6 +95,17 @@ std::pair<std::vector<std::byte>, FileIdentity> IdentityCache::read(const fs::pa
     const FileIdentity id = identify(bytes);
     add(file, stamp, id);
     return {std::move(bytes), id};
+}
+
+bool IdentityCache::known_sound(const std::string& stamp) const {
+    const std::scoped_lock lock(mutex_);
+    return added_.contains(sound_prefix + stamp) || (!rehash_ && stored_.contains(sound_prefix + stamp));
+}
+
+void IdentityCache::remember_sound(const fs::path& file, const std::string& stamp) {
+    if (stamp.empty() || !timestamps_are_reliable(file) || stamp_of(file) != stamp) return;
+    const std::scoped_lock lock(mutex_);
+    added_[sound_prefix + stamp] = {};
 }
 
 FileIdentity stencil_identity(const PhotoInput& photo, IdentityCache& identities) {

@@ -129,6 +129,14 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
     return out;
 }
 
+std::string damage_of(const PackageReader& package, IdentityCache& identities) {
+    const std::string stamp = stamp_of(package.path());
+    if (identities.known_sound(stamp)) return {};
+    const std::vector<Mismatch> found = mismatches(package, true, 1);
+    if (found.empty()) identities.remember_sound(package.path(), stamp);
+    return found.empty() ? std::string() : found.front().text;
+}
+
 std::vector<UnusablePhoto> left_out_of(const PackageReader& package) {
     std::vector<UnusablePhoto> out;
     const json meta = parse_meta(package);

@@ -22,6 +22,10 @@ std::vector<InputChange> changed_inputs(const PackageReader& package, const Inpu
 /// The settings that differ from those of the package, and the program's version if it does, one line each.
 std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings);
 
+/// The first chunk or tile of the package that does not match its checksum, as a message; empty if there is
+/// none. Reads the whole package, unless it was found sound before and has not been modified since.
+std::string damage_of(const PackageReader& package, IdentityCache& identities);
+
 /// The photos that a package lacks: those without a camera or file, and those that could not be decoded.
 std::vector<UnusablePhoto> left_out_of(const PackageReader& package);
 

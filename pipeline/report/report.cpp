@@ -134,7 +134,7 @@ RgbaImage mask_picture(const PackageReader& package, std::uint32_t i, const Phot
 }
 
 RgbaImage thumbnail(const PackageReader& package, std::uint32_t i, const PhotoRecord& p) {
-    const auto bytes = package.bytes(package.find(Type::thumbnail, i));
+    const auto bytes = package.records<std::byte>(Type::thumbnail, i);
     RgbaImage image{int(p.thumbnail_width), int(p.thumbnail_height), {}};
     image.rgba.resize(bytes.size());
     std::memcpy(image.rgba.data(), bytes.data(), bytes.size());

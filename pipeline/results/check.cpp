@@ -24,21 +24,6 @@ using Issues = std::vector<Issue>;
 
 void add(Issues& out, Finding finding, std::string text) { out.push_back({finding, std::move(text)}); }
 
-void check_checksums(const PackageReader& reader, bool deep, Issues& out) {
-    for (const package::DirectoryEntry& e : reader.directory()) {
-        if (!reader.head_sound(e)) {
-            add(out, Finding::chunk_checksum, describe(e, reader) + ": checksum does not match");
-            continue;
-        }
-        if (!deep) continue;
-        for (std::size_t b = 0; b < reader.blocks(e); ++b)
-            if (!reader.block_sound(e, b))
-                add(out, Finding::tile_checksum,
-                    fmt::format("{}: tile {} of {}: checksum does not match", describe(e, reader), b,
-                                reader.blocks(e)));
-    }
-}
-
 void check_model(const PackageReader& reader, Issues& out) {
     for (const auto& p : reader.records<std::array<float, 3>>(Type::positions))
         if (!std::isfinite(p[0] + p[1] + p[2])) {
@@ -102,7 +87,7 @@ void check_states(const PackageReader& reader, Issues& out) {
 }
 
 void check_structure(const PackageReader& reader, bool deep, Issues& out) {
-    check_checksums(reader, deep, out);
+    for (Mismatch& m : mismatches(reader, deep)) add(out, finding_of(m.defect), std::move(m.text));
     if (!out.empty()) return;
     for (std::string& line : misshapen(reader)) add(out, Finding::misshapen, std::move(line));
     if (!out.empty()) return;

@@ -90,6 +90,8 @@ Finding finding_of(Defect defect) {
             return Finding::chunk_missing;
         case Defect::chunk_checksum:
             return Finding::chunk_checksum;
+        case Defect::tile_checksum:
+            return Finding::tile_checksum;
         case Defect::invalid_record:
             return Finding::invalid_record;
     }

@@ -225,6 +225,8 @@ void diff_photo(const PackageReader& a, const PackageReader& b, std::uint32_t i,
 }  // namespace
 
 Differences diff(const PackageReader& a, const PackageReader& b) {
+    expect_sound(a);
+    expect_sound(b);
     Differences out;
     diff_meta(a, b, out);
     diff_model(a, b, out);

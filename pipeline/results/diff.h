@@ -14,7 +14,8 @@ struct Difference {
     std::string text;  ///< how they differ, as a message
 };
 
-/// All differences; photos are paired by name, in the order of `a`. Chunks with equal checksums are not read.
+/// All differences; photos are paired by name, in the order of `a`. Chunks with equal checksums are equal, for
+/// both packages are checked first. Throws Error(damaged) if one of them is not sound.
 std::vector<Difference> diff(const PackageReader& a, const PackageReader& b);
 
 /// Writes pictures of the photos that differ (tiles and each mask): A, B and the difference side by side, as

@@ -4,7 +4,6 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "scene/error.h"
 #include "scene/tiling.h"
 #include "values/grid.h"
 
@@ -19,10 +18,7 @@ Picture level_of_photo(const PackageReader& package, package::Type type, std::ui
     p.rgba.resize(std::size_t(size.width) * std::size_t(size.height) * 4);
     const Grid<std::uint8_t> out{p.rgba.data(), 4 * size.width, size.height};
     for (int t = 0; t < size.tiles(); ++t) {
-        if (!package.block_sound(*chunk, std::size_t(t)))
-            throw Error(Exit::damaged, package.path().string() + ": " + describe(*chunk, package) +
-                                           ": tile " + std::to_string(t) + ": checksum mismatch");
-        const Grid<const std::byte> texels{package.block(*chunk, std::size_t(t)).data(), 4 * tile_size,
+        const Grid<const std::byte> texels{package.sound_block(*chunk, std::size_t(t)).data(), 4 * tile_size,
                                            tile_size};
         const int x0 = t % size.columns() * tile_content, y0 = t / size.columns() * tile_content;
         const int width = std::min(tile_content, size.width - x0),

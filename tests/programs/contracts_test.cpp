@@ -101,3 +101,49 @@ TEST_F(Contracts, AmbiguousPhotoNamesAreRefused) {
     }
     EXPECT_FALSE(fs::exists(dir / "x.png"));
 }
+
+TEST_F(Contracts, DamagedPackagesAreFoundByAllThatReadThem) {
+    const std::string bytes = undisturbed();
+    ASSERT_EQ(prepare_program().code, 0);
+    const fs::path sound = dir / "sound.vantage", files = dir / "files";
+    fs::copy_file(file, sound);
+    for (const package::Type type : {package::Type::tiles, package::Type::masks, package::Type::thumbnail,
+                                     package::Type::coordinates, package::Type::positions}) {
+        const bool whole = type == package::Type::positions, mask = type == package::Type::masks;
+        const bool extracted = whole || mask || type == package::Type::tiles;
+        if (mask) {
+            std::uint64_t at;
+            {
+                const PackageReader reader(file);
+                const auto* e = reader.find(type, 1, 1);
+                at = e->offset + e->head_length + 40;
+            }
+            std::fstream out(file, std::ios::in | std::ios::out | std::ios::binary);
+            out.seekp(std::streamoff(at));
+            out << "rot";
+        } else {
+            damage(type, whole ? package::scene_wide : 1);
+        }
+        EXPECT_EQ(run("check --deep " + package()).code, int(Exit::damaged));
+        fs::remove_all(files);
+        const Outcome x = run("extract " + package() + " -o " + files.string());
+        EXPECT_EQ(x.code, extracted ? int(Exit::damaged) : 0) << int(type);
+        EXPECT_EQ(one_line(x.err), extracted) << x.err;
+        EXPECT_EQ(fs::exists(files / "photos" / "0001.png"), type != package::Type::tiles);
+        const Outcome d = run("diff " + package() + " " + sound.string());
+        EXPECT_EQ(d.code, int(Exit::damaged)) << d.out;
+        EXPECT_TRUE(one_line(d.err)) << d.err;
+        const Outcome repaired = prepare_program();
+        EXPECT_EQ(repaired.code, 0) << repaired.err;
+        EXPECT_NE(repaired.out.find("is damaged and is repaired: "), std::string::npos) << repaired.out;
+        expect_whole(bytes, "a repaired package");
+    }
+    damage(package::Type::tiles, 1);
+    const Outcome evaluated =
+        player("evaluate " + package() + " --photo 0001 --level 0 -o " + (dir / "e").string());
+    EXPECT_EQ(evaluated.code, int(Exit::damaged));
+    EXPECT_EQ(prepare_program().code, 0);
+    fs::resize_file(file, fs::file_size(file) / 2);
+    EXPECT_EQ(prepare_program().code, 0) << "a truncated package is still one";
+    expect_whole(bytes, "a truncated package");
+}
