@@ -171,13 +171,4 @@ InputFiles discover(const fs::path& folder, const InputFiles& given) {
     return found;
 }
 
-std::vector<fs::path> camera_files(const fs::path& cameras) {
-    if (!fs::is_directory(cameras)) return {cameras};
-    std::vector<fs::path> files;
-    for (const CameraFormat& format : camera_formats())
-        for (const char* name : format.files)
-            if (fs::exists(cameras / name)) files.push_back(cameras / name);
-    return files;
-}
-
 }  // namespace vantage

@@ -19,7 +19,5 @@ InputFiles discover(const std::filesystem::path& folder, const InputFiles& given
 /// with or without its extension. Empty if there is no such file.
 std::filesystem::path find_stencil(const std::filesystem::path& photo);
 
-/// The files that `cameras` stands for: the camera files in it if it is a folder, else the file itself.
-std::vector<std::filesystem::path> camera_files(const std::filesystem::path& cameras);
 
 }  // namespace vantage

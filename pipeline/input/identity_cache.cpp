@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "pipeline/run/read_file.h"
+#include "scene/error.h"
 
 namespace vantage {
 namespace {
@@ -87,6 +88,14 @@ void IdentityCache::add(const fs::path& file, const std::string& stamp, FileIden
 FileIdentity IdentityCache::of(const fs::path& file) {
     if (const auto id = known(file)) return *id;
     return read(file).second;
+}
+
+std::optional<FileIdentity> IdentityCache::try_of(const fs::path& file) {
+    try {
+        return of(file);
+    } catch (const Error&) {
+        return {};
+    }
 }
 
 std::pair<std::vector<std::byte>, FileIdentity> IdentityCache::read(const fs::path& file) {

@@ -32,6 +32,8 @@ class IdentityCache {
     std::optional<FileIdentity> known(const std::filesystem::path& file) const;
     /// The cached identity, or that of the file's content, read in full. Throws Error(input).
     FileIdentity of(const std::filesystem::path& file);
+    /// The same; none if the file cannot be read.
+    std::optional<FileIdentity> try_of(const std::filesystem::path& file);
     /// Reads a file and caches its identity. Throws Error(input).
     std::pair<std::vector<std::byte>, FileIdentity> read(const std::filesystem::path& file);
 

@@ -69,9 +69,11 @@ std::map<fs::path, std::string> package_names(const fs::path& folder, const std:
 PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file, const std::string& name,
                             SceneInput& scene) {
     PhotoInput photo{name, file, entry.camera};
+    photo.stencil = find_stencil(file);
+    photo.read.push_back(stamped(file));
+    if (!photo.stencil.empty()) photo.read.push_back(stamped(photo.stencil));
     fit_to_photo(photo, entry.size_known, scene);
     photo.decoded = {photo.camera.intrinsics.width, photo.camera.intrinsics.height};
-    photo.stencil = find_stencil(file);
     validate(photo.camera, photo.name);
     return photo;
 }
@@ -115,14 +117,17 @@ void add_photos(SceneInput& scene, const CameraSet& set) {
             scene.left_out.push_back({utf8_name(set.entries[i].photo), "has a camera but no photo"});
             continue;
         }
+        const StampedFile before = stamped(files[i]);
         try {
             scene.photos.push_back(read_photo_input(set.entries[i], files[i], names.at(files[i]), scene));
         } catch (const Error& e) {
             leave_out(files[i], reason_of(e, files[i]));
+            scene.left_out.back().file = files[i];
+            scene.read.push_back(before);
         }
     }
     for (const fs::path& file : unused_photos(folder, photos, {used.begin(), used.end()}))
-        leave_out(file, "has no camera");
+        leave_out(file, without_camera);
     std::ranges::sort(scene.photos, {}, &PhotoInput::name);
     warn_of_linear_light(scene);
     std::ranges::sort(scene.left_out, {}, &UnusablePhoto::photo);
@@ -133,7 +138,7 @@ void add_photos(SceneInput& scene, const CameraSet& set) {
 [[noreturn]] void fail_without_photos(const SceneInput& scene) {
     const std::string folder = scene.files.photos.string(), cameras = scene.files.cameras.string();
     const auto unusable = std::ranges::find_if(scene.left_out, [](const UnusablePhoto& l) {
-        return l.why != "has no camera" && l.why != "has a camera but no photo";
+        return l.why != without_camera && l.why != "has a camera but no photo";
     });
     if (unusable != scene.left_out.end())
         throw Error(Exit::input,
@@ -143,7 +148,7 @@ void add_photos(SceneInput& scene, const CameraSet& set) {
         return it == scene.left_out.end() ? std::string("none") : "'" + it->photo + "'";
     };
     throw Error(Exit::input, folder + ": no photo has a camera in " + cameras + "; the first photo is " +
-                                 first("has no camera") + ", the first camera's photo " +
+                                 first(without_camera) + ", the first camera's photo " +
                                  first("has a camera but no photo"));
 }
 
@@ -152,6 +157,8 @@ void add_photos(SceneInput& scene, const CameraSet& set) {
 SceneInput read_scene(const InputFiles& files) {
     SceneInput scene;
     scene.files = files;
+    scene.read.push_back(stamped(files.mesh));
+    for (const fs::path& file : camera_files(files.cameras)) scene.read.push_back(stamped(file));
     const CameraSet set = read_cameras(files.cameras);
     scene.camera_format = set.format;
     scene.warnings = set.warnings;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/formats/images/image_files.h"
+#include "pipeline/input/file_identity.h"
 #include "scene/camera.h"
 #include "scene/mesh.h"
 
@@ -17,6 +18,7 @@ struct PhotoInput {
     PhotoSize decoded{};  ///< in the camera's orientation; larger than the camera's if photos are reduced
     std::filesystem::path stencil{};  ///< image, black where the photo must not be shown; empty: none
     bool linear = false;              ///< its file holds linear light
+    std::vector<StampedFile> read{};  ///< photo and stencil, stamped before the photo's header was read
 };
 
 /// Where the parts of an input are.
@@ -27,9 +29,13 @@ struct InputFiles {
     std::vector<std::string> notes{};  ///< what else was found and not taken
 };
 
+/// The reason to leave out a photo that no camera belongs to.
+inline constexpr const char* without_camera = "has no camera";
+
 /// A photo that cannot be used, and the reason.
 struct UnusablePhoto {
     std::string photo, why;
+    std::filesystem::path file{};  ///< empty if there is none, or if its content does not matter
 };
 
 /// Everything `prepare` starts from.
@@ -40,6 +46,7 @@ struct SceneInput {
     std::vector<PhotoInput> photos;       ///< sorted by name
     std::vector<UnusablePhoto> left_out;  ///< sorted by name; found unusable before decoding
     std::vector<std::string> warnings;
+    std::vector<StampedFile> read{};  ///< mesh, cameras and photos left out, stamped before they were read
 };
 
 }  // namespace vantage

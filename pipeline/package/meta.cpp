@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "pipeline/input/discover.h"
+#include "pipeline/formats/import/cameras.h"
 #include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"
 #include "scene/error.h"
@@ -25,6 +25,18 @@ constexpr std::size_t max_findings = 8;
 json input_json(const fs::path& file, IdentityCache& identities) {
     const FileIdentity id = identities.of(file);
     return {{"name", utf8_name(file.filename().string())}, {"bytes", id.bytes}, {"xxh3", id.checksum}};
+}
+
+/// With the content of a file that was read, so that a repaired photo is recognized.
+json left_out_json(const UnusablePhoto& photo, const fs::path& folder, IdentityCache& identities) {
+    const fs::path file = file_named(folder, photo.photo);
+    json out{{"name", photo.photo}, {"why", utf8_name(photo.why)}, {"there", fs::exists(file)}};
+    if (photo.file.empty()) return out;
+    if (const auto id = identities.try_of(photo.file)) {
+        out["bytes"] = id->bytes;
+        out["xxh3"] = id->checksum;
+    }
+    return out;
 }
 
 json effect_json(const EffectDecision& d) {
@@ -105,9 +117,9 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
     for (const ScalarLayer& layer : scene.mesh.scalars) meta["scalars"].push_back(utf8_name(layer.name));
     meta["left_out"] = json::array();
     for (const UnusablePhoto& l : scene.left_out)
-        meta["left_out"].push_back({{"name", l.photo},
-                                    {"why", utf8_name(l.why)},
-                                    {"there", fs::exists(file_named(scene.files.photos, l.photo))}});
+        meta["left_out"].push_back(left_out_json(l, scene.files.photos, identities));
+    // The identities are those of the bytes that were read before.
+    for (const StampedFile& file : scene.read) expect_unchanged(file);
     meta["warnings"] = json::array();
     for (const std::string& w : scene.warnings) meta["warnings"].push_back(utf8_name(w));
     return meta.dump(1) + std::string(padding, ' ');

@@ -4,8 +4,10 @@
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
+#include "pipeline/formats/import/cameras.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"
@@ -27,23 +29,32 @@ void add_new(const fs::path& file, Changes& out) {
     out.push_back({InputChange::Kind::added, file.string() + ": was added after the package was prepared"});
 }
 
+void add_changed(const fs::path& file, Changes& out) {
+    out.push_back(
+        {InputChange::Kind::changed, file.string() + ": has changed since the package was prepared"});
+}
+
 void compare(const fs::path& file, const json& was, IdentityCache& identities, Changes& out) {
     if (!fs::exists(file)) return add_missing(file.string(), out);
     const bool same = fs::file_size(file) == was.at("bytes").get<std::uint64_t>() &&
                       identities.of(file) == FileIdentity{was.at("bytes"), was.at("xxh3")};
-    if (!same)
-        out.push_back(
-            {InputChange::Kind::changed, file.string() + ": has changed since the package was prepared"});
+    if (!same) add_changed(file, out);
 }
 
 void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& identities, Changes& out) {
-    const auto now = camera_files(cameras);
+    const std::vector<fs::path> now = camera_files(cameras);
+    const fs::path folder = fs::is_directory(cameras) ? cameras : cameras.parent_path();
+    std::set<std::string> known;
     for (const json& was : meta.at("inputs").at("cameras")) {
         const auto name = was.at("name").get<std::string>();
         const auto file =
             std::ranges::find(now, name, [](const fs::path& f) { return utf8_name(f.filename().string()); });
-        compare(file == now.end() ? cameras / name : *file, was, identities, out);
+        compare(file == now.end() ? folder / name : *file, was, identities, out);
+        known.insert(name);
     }
+    // Files of a format that is preferred, or that the format reads if they are there.
+    for (const fs::path& file : now)
+        if (!known.contains(utf8_name(file.filename().string()))) add_new(file, out);
 }
 
 /// Photos that the package neither has nor left out.
@@ -86,16 +97,23 @@ void compare_stencils(const PackageReader& package, const json& meta, const fs::
     }
 }
 
-/// Photos that were left out and whose file has appeared or disappeared.
-void compare_left_out(const json& meta, const fs::path& folder, Changes& out) {
+/// Photos that were left out and whose file has appeared, changed or disappeared. Of a photo without a camera
+/// only whether it is there matters.
+void compare_left_out(const json& meta, const fs::path& folder, IdentityCache& identities, Changes& out) {
     for (const json& l : meta.at("left_out")) {
         const fs::path photo = file_named(folder, l.at("name").get<std::string>());
         const bool exists = fs::exists(photo);
-        if (exists == l.at("there").get<bool>()) continue;
-        if (exists)
-            add_new(photo, out);
-        else
-            add_missing(photo.string(), out);
+        if (exists != l.at("there").get<bool>()) {
+            if (exists)
+                add_new(photo, out);
+            else
+                add_missing(photo.string(), out);
+        } else if (exists && l.at("why") != without_camera) {
+            const std::optional<FileIdentity> now = identities.try_of(photo);
+            const auto was =
+                l.contains("bytes") ? std::optional(FileIdentity{l["bytes"], l["xxh3"]}) : std::nullopt;
+            if (now != was) add_changed(photo, out);
+        }
     }
 }
 
@@ -109,7 +127,7 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
         compare_cameras(meta, files.cameras, identities, out);
         compare_photos(package, meta, files.photos, identities, out);
         compare_stencils(package, meta, files.photos, identities, out);
-        compare_left_out(meta, files.photos, out);
+        compare_left_out(meta, files.photos, identities, out);
         add_new_photos(meta, files.photos, out);
         return out;
     } catch (const json::exception& e) {

@@ -146,6 +146,7 @@ std::vector<Stage> run_photo(const PhotoContext& c, std::uint32_t i, bool spare_
         r = planned;
         leave_out(c, i, job.at.pose, r, state);
     }
+    for (const StampedFile& read : photo.read) expect_unchanged(read);
     seal(state, r);
     c.writer.note(Type::photos, i, bytes_of_one(r));
     c.writer.note(Type::states, i, bytes_of_one(state));

@@ -102,6 +102,35 @@ TEST_F(Contracts, AmbiguousPhotoNamesAreRefused) {
     EXPECT_FALSE(fs::exists(dir / "x.png"));
 }
 
+TEST_F(Contracts, RepairedPhotosAreTakenUpAgain) {
+    const fs::path photo = images / "0002.jpg";
+    const std::string sound = slurp(photo), bytes = undisturbed();
+    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    spec.photos.count = 1;
+    spec.photos.width = 120;
+    spec.photos.height = 110;
+    synthesize(spec, dir / "other", {});
+    const std::string broken[] = {"", sound.substr(0, 100), sound.substr(0, sound.size() / 2),
+                                  slurp(dir / "other" / "images" / "0000.jpg")};
+    for (const std::string& bad : broken) {
+        const std::string rehash = bad.empty() ? "--rehash" : "";
+        write(photo, bad);
+        const Outcome lacking = prepare_program(rehash);
+        EXPECT_EQ(lacking.code, int(Exit::incomplete)) << bad.size() << lacking.out;
+        write(photo, sound);
+        EXPECT_EQ(run("check " + package() + " --against " + scene.string()).code, int(Exit::stale))
+            << bad.size();
+        const Outcome repaired = prepare_program(rehash);
+        EXPECT_EQ(repaired.code, 0) << bad.size() << repaired.out;
+        expect_whole(bytes, "a repaired photo");
+    }
+    write(images / "stranger.jpg", "no camera");
+    EXPECT_EQ(prepare_program().code, int(Exit::incomplete));
+    write(images / "stranger.jpg", "still no camera");
+    EXPECT_EQ(run("check " + package() + " --against " + scene.string()).code, int(Exit::incomplete))
+        << "a photo without a camera is not an input";
+}
+
 TEST_F(Contracts, DamagedPackagesAreFoundByAllThatReadThem) {
     const std::string bytes = undisturbed();
     ASSERT_EQ(prepare_program().code, 0);
@@ -146,4 +175,66 @@ TEST_F(Contracts, DamagedPackagesAreFoundByAllThatReadThem) {
     fs::resize_file(file, fs::file_size(file) / 2);
     EXPECT_EQ(prepare_program().code, 0) << "a truncated package is still one";
     expect_whole(bytes, "a truncated package");
+}
+
+TEST_F(Contracts, EveryCameraFileIsAnInput) {
+    const std::string explicit_text = "prepare --progress none --mesh " + mesh.string() + " --photos " +
+                                      images.string() + " -o " + package() + " --cameras ";
+    const auto expect_stale = [&](const std::string& words, const std::string& changed) {
+        const Outcome o = run(words + " --explain");
+        EXPECT_EQ(o.out.find("nothing to do"), std::string::npos) << changed << '\n' << o.out;
+    };
+    const std::string by_file = explicit_text + (sparse / "cameras.txt").string();
+    ASSERT_EQ(run(by_file).code, 0);
+    write(sparse / "images.txt", slurp(sparse / "images.txt") + "# a comment\n");
+    expect_stale(by_file, "images.txt beside the cameras.txt that was given");
+
+    // Bundler: the same cameras, with the principal point in the middle.
+    std::string bundle = "# Bundle file v0.3\n6 0\n", list;
+    for (const PhotoInput& photo : read_scene(discover(scene)).photos) {
+        const Camera& c = photo.camera;
+        const Eigen::Vector3d flip(1, -1, -1);
+        const Eigen::Matrix3d R = flip.asDiagonal() * c.cam_from_world.R;
+        const Eigen::Vector3d t = flip.asDiagonal() * c.cam_from_world.t;
+        std::ostringstream out;
+        out << c.intrinsics.fx << " 0 0\n" << R << '\n' << t.transpose() << '\n';
+        bundle += out.str();
+        list += photo.name + "\n";
+    }
+    write(dir / "bundle.out", bundle);
+    write(dir / "list.txt", list);
+    const std::string by_bundle = explicit_text + (dir / "bundle.out").string();
+    ASSERT_EQ(run(by_bundle).code, 0);
+    EXPECT_NE(run(by_bundle).out.find("nothing to do"), std::string::npos);
+    write(dir / "list.txt", std::regex_replace(list, std::regex("0000.jpg\n0001.jpg"), "0001.jpg\n0000.jpg"));
+    expect_stale(by_bundle, "list.txt");
+
+    ASSERT_EQ(prepare_program().code, 0);
+    for (const char* name : {"cameras.bin", "images.bin"})
+        write(sparse / name, "binary cameras are preferred");
+    const Outcome checked = run("check " + package() + " --against " + scene.string());
+    EXPECT_EQ(checked.code, int(Exit::stale));
+    EXPECT_NE(checked.out.find("cameras.bin: was added"), std::string::npos) << checked.out;
+    EXPECT_EQ(prepare_program().code, int(Exit::input)) << "it reads them";
+}
+
+TEST_F(Contracts, InputsThatChangeDuringARunStopIt) {
+    write(images / "0001.mask.png", slurp(images / "0001.jpg"));
+    for (const fs::path& input :
+         {mesh, sparse / "images.txt", images / "0002.jpg", images / "0001.mask.png"}) {
+        const SceneInput read = read_scene(discover(scene));
+        const std::string before = slurp(input);
+        write(input, before + "\n");
+        try {
+            prepare(read, {}, file, [](const Progress&) {});
+            ADD_FAILURE() << input << ": the package would hold the old content and the new checksum";
+        } catch (const Error& e) {
+            EXPECT_EQ(e.code(), Exit::input);
+            EXPECT_NE(std::string(e.what()).find(input.string() + ": changed while it was being prepared"),
+                      std::string::npos)
+                << e.what();
+        }
+        EXPECT_FALSE(fs::exists(file));
+        write(input, before);
+    }
 }

@@ -32,23 +32,26 @@ std::string photo_name(std::string_view line) {
 
 /// The names of the photos, in the order of the cameras.
 std::vector<std::string> photo_list(const std::filesystem::path& bundle) {
-    const auto folder = bundle.parent_path();
-    for (const std::filesystem::path& file :
-         {folder / "list.txt", folder / (bundle.stem().string() + ".list.txt"),
-          folder.parent_path() / "list.txt"}) {
-        if (!std::filesystem::exists(file)) continue;
-        Tokens in(file);
-        std::vector<std::string> names;
-        while (!in.at_end()) {
-            names.push_back(photo_name(in.line()));
-        }
-        return names;
-    }
-    throw Error(Exit::input,
-                bundle.string() + ": expected a list.txt with the photo names next to it, found none");
+    const std::filesystem::path file = bundler_list(bundle);
+    if (file.empty())
+        throw Error(Exit::input,
+                    bundle.string() + ": expected a list.txt with the photo names next to it, found none");
+    Tokens in(file);
+    std::vector<std::string> names;
+    while (!in.at_end()) names.push_back(photo_name(in.line()));
+    return names;
 }
 
 }  // namespace
+
+std::filesystem::path bundler_list(const std::filesystem::path& bundle) {
+    const auto folder = bundle.parent_path();
+    for (const std::filesystem::path& file :
+         {folder / "list.txt", folder / (bundle.stem().string() + ".list.txt"),
+          folder.parent_path() / "list.txt"})
+        if (std::filesystem::exists(file)) return file;
+    return {};
+}
 
 CameraSet read_bundler(const std::filesystem::path& file) {
     CameraSet set{"Bundler", {}, {}};

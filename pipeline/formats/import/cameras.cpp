@@ -42,13 +42,20 @@ const CameraFormat formats[] = {
      .form = ".out",
      .files = {},
      .matches = [](const fs::path& p) { return has_extension(p, ".out"); },
-     .read = read_bundler},
+     .read = read_bundler,
+     .companions = [](const fs::path& p) { return std::vector{bundler_list(p)}; }},
     {.name = "MeshLab",
      .form = ".mlp",
      .files = {},
      .matches = [](const fs::path& p) { return has_extension(p, ".mlp"); },
      .read = read_meshlab},
 };
+
+/// The first format that matches; null if none does.
+const CameraFormat* format_of(const fs::path& path) {
+    const auto format = std::ranges::find_if(formats, [&](const CameraFormat& f) { return f.matches(path); });
+    return format == std::end(formats) ? nullptr : format;
+}
 
 }  // namespace
 
@@ -64,9 +71,19 @@ std::string camera_format_names() {
     return names;
 }
 
+std::vector<fs::path> camera_files(const fs::path& path) {
+    const CameraFormat* format = format_of(path);
+    if (!format) return {path};
+    std::vector<fs::path> files;
+    for (const char* name : format->files) files.push_back(colmap_folder(path) / name);
+    if (format->files.empty()) files.push_back(path);
+    if (format->companions) std::ranges::move(format->companions(path), std::back_inserter(files));
+    std::erase_if(files, [](const fs::path& file) { return !fs::exists(file); });
+    return files;
+}
+
 CameraSet read_cameras(const fs::path& path) {
-    const auto format = std::ranges::find_if(formats, [&](const CameraFormat& f) { return f.matches(path); });
-    if (format != std::end(formats)) return format->read(path);
+    if (const CameraFormat* format = format_of(path)) return format->read(path);
     const std::string expected = "expected " + camera_format_names();
     if (path.extension() == ".rz3")
         throw Error(Exit::input,

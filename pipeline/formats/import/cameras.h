@@ -27,6 +27,8 @@ struct CameraFormat {
     std::vector<const char*> files;  ///< names of the files in the folder; empty if the format is one file
     bool (*matches)(const std::filesystem::path& path);
     CameraSet (*read)(const std::filesystem::path& path);  ///< of a path that matches
+    /// Other files that read() reads; null if there are none.
+    std::vector<std::filesystem::path> (*companions)(const std::filesystem::path& path) = nullptr;
 };
 
 /// All formats; if several match, the first is read.
@@ -34,6 +36,9 @@ std::span<const CameraFormat> camera_formats();
 
 /// The formats for messages: "COLMAP folder (...), Bundler .out, ...".
 std::string camera_format_names();
+
+/// The files that read_cameras reads: those of the first format that matches, or `path` if none does.
+std::vector<std::filesystem::path> camera_files(const std::filesystem::path& path);
 
 /// Reads cameras in the first format that matches. This and the readers below throw Error(input) naming the
 /// file and the item.
@@ -43,6 +48,8 @@ CameraSet read_colmap_text(const std::filesystem::path& folder);
 CameraSet read_colmap_binary(const std::filesystem::path& folder);
 /// Photo names come from list.txt or NAME.list.txt next to the file, or from list.txt in the folder above.
 CameraSet read_bundler(const std::filesystem::path& file);
+/// The list of photo names that read_bundler reads; empty if there is none.
+std::filesystem::path bundler_list(const std::filesystem::path& file);
 /// Reads the rasters of a MeshLab project. CenterPx is measured from the photo's upper left corner, as in
 /// programs that write projects with an off-center principal point (MeshLab itself uses it for the size
 /// only). A mesh with a transformation is an error, because the mesh is not read through the project.
