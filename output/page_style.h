@@ -2,6 +2,9 @@
 
 namespace vantage {
 
+/// The beginning of page_style, by which a page written by these programs is recognized.
+inline constexpr const char* page_mark = ":root { --ink: #222; --soft: #666; --paper: #fff;";
+
 /// CSS shared by all HTML pages. Each page's own rules come after it and may override it.
 inline constexpr const char* page_style = R"(
 :root { --ink: #222; --soft: #666; --paper: #fff; --line: #ddd; --worse: #b02a20; --better: #117733; }

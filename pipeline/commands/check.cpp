@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output/junit.h"
+#include "output/output_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/input/identity_cache.h"
 
@@ -85,6 +86,7 @@ int run_check(const CheckOptions& o) {
         print_findings();
         return int(Exit::ok);
     }
+    if (!o.junit.empty()) output_file(o.junit, Product::junit, {{o.files.begin(), o.files.end()}, {}}, false);
     IdentityCache identities(default_identity_cache(), o.rehash);
     std::vector<Checked> all;
     std::vector<Issue> issues;

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/force_option.h"
 #include "pipeline/commands/commands.h"
 #include "scene/error.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 struct DiffOptions {
     std::string a, b, folder;
-    bool json = false;
+    bool json = false, force = false;
 };
 
 void print(const std::vector<Difference>& all) {
@@ -29,6 +30,7 @@ void print_json(const std::vector<Difference>& all) {
 
 int run_diff(const DiffOptions& o) {
     const PackageReader a(o.a), b(o.b);
+    if (!o.folder.empty()) expect_replaceable(a, b, o.folder, o.force);
     const std::vector<Difference> all = diff(a, b);
     if (!o.folder.empty()) write_difference_pictures(a, b, o.folder);
     o.json ? print_json(all) : print(all);
@@ -48,6 +50,7 @@ void add_diff(CLI::App& app, Run& run) {
     c->add_option("A", o->a, "a package")->required();
     c->add_option("B", o->b, "the package to compare it with")->required();
     c->add_option("-o,--output", o->folder, "folder for pictures of the differences and an HTML page");
+    add_force(*c, o->force);
     c->add_flag("--json", o->json, "machine-readable output");
     c->callback([o, &run] { run = [o] { return run_diff(*o); }; });
 }

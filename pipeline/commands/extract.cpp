@@ -1,5 +1,6 @@
 #include "pipeline/results/extract.h"
 
+#include "cli/force_option.h"
 #include "pipeline/commands/commands.h"
 
 namespace vantage {
@@ -8,6 +9,7 @@ namespace {
 struct ExtractOptions {
     std::string file, out;
     std::vector<std::string> photos;
+    bool force = false;
 };
 
 }  // namespace
@@ -20,9 +22,10 @@ void add_extract(CLI::App& app, Run& run) {
     c->add_option("FILE", o->file, "the package")->required();
     c->add_option("-o,--output", o->out, "folder to write into")->required();
     c->add_option("--photo", o->photos, "only these photos")->delimiter(',');
+    add_force(*c, o->force);
     c->callback([o, &run] {
         run = [o] {
-            extract(o->file, o->out, o->photos);
+            extract(o->file, o->out, o->photos, o->force);
             return 0;
         };
     });

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/force_option.h"
+#include "output/output_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
 #include "pipeline/commands/progress_line.h"
@@ -13,10 +15,11 @@ namespace {
 struct MergeOptions {
     std::vector<std::string> shares;
     std::string out, progress = "auto";
-    bool remove = false;
+    bool remove = false, force = false;
 };
 
-int run_merge(const MergeOptions& o) {
+int run_merge(MergeOptions o) {
+    o.out = output_file(o.out, Product::package, {{o.shares.begin(), o.shares.end()}, {}}, o.force).string();
     {
         ProgressLine line(progress_style(o.progress));
         merge({o.shares.begin(), o.shares.end()}, o.out, shown_until_signal(line));
@@ -41,6 +44,7 @@ void add_merge(CLI::App& app, Run& run) {
     c->add_option("SHARES", o->shares, "all shares of one preparation, in any order")->required();
     c->add_option("-o,--output", o->out, "the package to write")->required();
     c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();
+    add_force(*c, o->force);
     c->add_flag("--remove", o->remove, "remove the shares when the package is complete");
     c->callback([o, &run] { run = [o] { return run_merge(*o); }; });
 }

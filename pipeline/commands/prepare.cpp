@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <optional>
 
+#include "cli/force_option.h"
 #include "cli/real_range.h"
+#include "output/output_file.h"
 #include "pipeline/commands/apply_config.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
@@ -17,6 +19,7 @@
 #include "pipeline/formats/import/cameras.h"
 #include "pipeline/formats/import/number.h"
 #include "pipeline/input/discover.h"
+#include "pipeline/input/input_paths.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/package/disk_space.h"
 #include "pipeline/package/effect_costs.h"
@@ -32,6 +35,7 @@
 #include "pipeline/settings/settings.h"
 #include "scene/damaged_package.h"
 #include "scene/error.h"
+#include "scene/part_file.h"
 
 namespace vantage {
 namespace {
@@ -42,7 +46,9 @@ struct PrepareOptions {
     std::string progress = "auto", share, trace, report, refine = "full";
     std::vector<std::string> effects;
     PrepareSettings settings;
-    bool explain = false, strict = false, rehash = false, no_report = false;
+    bool explain = false, strict = false, rehash = false, no_report = false, force = false;
+
+    bool writes_report() const { return !no_report && share.empty(); }
 };
 
 /// Adds "NAME=on|off|auto" to the table of forced effects.
@@ -79,6 +85,23 @@ Share share(const std::string& text) {
         throw Error(Exit::usage,
                     fmt::format("--shard {}: expected i/n, i from 1 to n, n up to {}", text, most));
     return s;
+}
+
+/// The files to write, with links followed. Throws Error(usage) if one of them must not be replaced.
+void resolve_outputs(PrepareOptions& o, const InputFiles& files) {
+    Inputs inputs{input_paths(files), {}};
+    if (!o.config.empty()) inputs.files.push_back(find_preset(o.config));
+    if (o.writes_report() && o.report.empty())
+        o.report = std::filesystem::path(o.out).replace_extension(".html").string();
+    o.out = output_file(o.out, Product::package, inputs, o.force).string();
+    for (const std::filesystem::path& own :
+         {std::filesystem::path(o.out), part_of(o.out), displaced_part_of(o.out)})
+        inputs.files.push_back(own);
+    if (o.writes_report()) {
+        o.report = output_file(o.report, Product::page, inputs, o.force).string();
+        inputs.files.emplace_back(o.report);
+    }
+    if (!o.trace.empty()) o.trace = output_file(o.trace, Product::trace, inputs, o.force).string();
 }
 
 /// The photos that the existing package lacks, if it is sound and what this run would make; otherwise
@@ -149,11 +172,6 @@ PrepareResult prepare_shown(const PrepareOptions& o, const SceneInput& scene, Id
         scene, o.settings, o.out, [&](const Progress& p) { line.show(p); }, run);
 }
 
-std::filesystem::path report_file(const PrepareOptions& o) {
-    return o.report.empty() ? std::filesystem::path(o.out).replace_extension(".html")
-                            : std::filesystem::path(o.report);
-}
-
 SceneInput read_traced(const InputFiles& files, Trace& trace) {
     const Traced traced(&trace, "import");
     return read_scene(files);
@@ -177,6 +195,7 @@ int run_prepare(PrepareOptions o) {
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const InputFiles files = input_files(o);
+    resolve_outputs(o, files);
     IdentityCache identities(default_identity_cache(), o.rehash);
     if (const auto lacking = current(o, files, identities)) {
         fmt::print("package  {} is current, nothing to do\n", o.out);
@@ -188,9 +207,8 @@ int run_prepare(PrepareOptions o) {
     const PrepareResult done = prepare_shown(o, scene, identities, trace);
     if (!o.trace.empty()) write_trace(o.trace, trace.spans());
     const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const bool report = !o.no_report && o.share.empty();
-    if (report)
-        write_report(report_file(o), PackageReader(o.out),
+    if (o.writes_report())
+        write_report(o.report, PackageReader(o.out),
                      ReportRun{done, trace.spans(), s, double(memory_peak()) / 1e6});
     if (done.agreement)
         for (const std::string& w : done.agreement->registration.warnings) fmt::print("warning  {}\n", w);
@@ -198,7 +216,7 @@ int run_prepare(PrepareOptions o) {
     fmt::print("package  {} ({:.1f} MB, {:.1f} s)\n", o.out, double(std::filesystem::file_size(o.out)) / 1e6,
                s);
     fmt::print("memory   {:.0f} MB peak\n", double(memory_peak()) / 1e6);
-    if (report) fmt::print("report   {}\n", report_file(o).string());
+    if (o.writes_report()) fmt::print("report   {}\n", o.report);
     if (o.explain && o.share.empty()) print_explanation(o, scene, trace);
     return int(report_left_out(done.left_out));
 }
@@ -283,6 +301,7 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--shard", o->share, "i/n: only every n-th photo, for 'vantage merge'");
     c->add_option("--report", o->report, "file for the HTML report (default: next to the package)");
     c->add_flag("--no-report", o->no_report, "do not write a report");
+    add_force(*c, o->force);
     c->add_option("--trace", o->trace, "write a trace of all threads for Perfetto or chrome://tracing");
     c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();
     c->add_option("--effect", o->effects, "NAME=on|off|auto, see 'vantage info'");

@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "cli/force_option.h"
+#include "output/output_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/progress_line.h"
 #include "pipeline/package/meta.h"
@@ -16,6 +18,7 @@ namespace {
 
 struct RefineOptions {
     std::string file, out, progress = "auto";
+    bool force = false;
     std::map<Effect, std::string> effects;  ///< of those that depend on all photos
 };
 
@@ -23,8 +26,16 @@ EffectChoice choice(const std::string& text) {
     return text == "on" ? EffectChoice::on : text == "off" ? EffectChoice::off : EffectChoice::automatic;
 }
 
+/// FILE may be replaced by the same package, refined.
+std::filesystem::path refined_file(const RefineOptions& o) {
+    const std::filesystem::path out = o.out.empty() ? o.file : o.out;
+    std::error_code error;
+    const bool in_place = std::filesystem::equivalent(out, o.file, error);
+    return output_file(out, Product::package, in_place ? Inputs{} : Inputs{{o.file}, {}}, o.force);
+}
+
 int run_refine(const RefineOptions& o) {
-    const std::string out = o.out.empty() ? o.file : o.out;
+    const std::string out = refined_file(o).string();
     {
         ProgressLine line(progress_style(o.progress));
         std::map<Effect, EffectChoice> choices;
@@ -61,6 +72,7 @@ void add_refine(CLI::App& app, Run& run) {
                           "auto (on if the evidence calls for it), on or off")
                 ->check(CLI::IsMember({"auto", "on", "off"}))
                 ->capture_default_str();
+    add_force(*c, o->force);
     c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();
     c->callback([o, &run] { run = [o] { return run_refine(*o); }; });
 }

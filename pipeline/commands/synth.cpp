@@ -2,6 +2,8 @@
 
 #include <mutex>
 
+#include "cli/force_option.h"
+#include "output/output_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/progress_line.h"
 #include "pipeline/synth/synthesize.h"
@@ -11,6 +13,7 @@ namespace vantage {
 void add_synth(CLI::App& app, Run& run) {
     struct SynthOptions {
         std::string spec, out;
+        bool force = false;
     };
     auto o = std::make_shared<SynthOptions>();
     CLI::App* c = app.add_subcommand(
@@ -18,13 +21,17 @@ void add_synth(CLI::App& app, Run& run) {
     c->footer("Example:\n  vantage synth data/demo.toml -o demo-scene");
     c->add_option("SPEC", o->spec, "TOML specification, such as those in data/")->required();
     c->add_option("-o,--output", o->out, "folder to write into")->required();
+    add_force(*c, o->force);
     c->callback([o, &run] {
         run = [o] {
             {
+                const SynthSpec spec = read_spec(o->spec);
+                expect_result_folder(o->out, synth_mark, Product::csv, synthesized_files(spec),
+                                     {{o->spec}, {}}, o->force);
                 std::mutex mutex;
                 const ProgressStyle style = progress_style("auto");
                 ProgressLine line(style);
-                synthesize(read_spec(o->spec), o->out, [&](std::size_t done, std::size_t total) {
+                synthesize(spec, o->out, [&](std::size_t done, std::size_t total) {
                     const std::scoped_lock lock(mutex);
                     // In a log, a line per tenth is enough.
                     if (style == ProgressStyle::bar || done * 10 / total > (done - 1) * 10 / total)

@@ -130,14 +130,15 @@ std::vector<Stage> run_photo(const PhotoContext& c, std::uint32_t i, bool spare_
     const PhotoInput& photo = c.scene.photos[i];
     const PhotoJob job{c, photo, {i, photo.name, photo.camera.intrinsics, c.poses[i]}, spare_core};
     std::optional<PhotoFile> file;
-    if (r.levels) {
+    {
         const Traced traced(c.trace, "read", photo.name);
         file.emplace(c.identities, photo.file);
     }
-    const FileIdentity id = file ? file->identity() : FileIdentity{};
-    r.source_bytes = id.bytes;
-    r.source_checksum = id.checksum;
-    state = stage_keys(c.key, photo, c.poses[i], id, stencil_identity(photo, c.identities));
+    r.source_bytes = file->identity().bytes;
+    r.source_checksum = file->identity().checksum;
+    if (!r.levels) file.reset();  // held out: identified, so that no program overwrites it
+    state = stage_keys(c.key, photo, c.poses[i], file ? file->identity() : FileIdentity{},
+                       stencil_identity(photo, c.identities));
     const package::PhotoRecord planned = r;
     std::vector<Stage> made;
     if (!known_unreadable(c, r.name, state)) made = make_missing(job, file, r, state);

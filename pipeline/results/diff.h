@@ -14,9 +14,13 @@ struct Difference {
     std::string text;  ///< how they differ, as a message
 };
 
-/// All differences; photos are paired by name, in the order of `a`. Chunks with equal checksums are equal, for
-/// both packages are checked first. Throws Error(damaged) if one of them is not sound.
+/// All differences; photos are paired by name, in the order of `a`. Chunks with equal checksums are equal,
+/// for both packages are checked first. Throws Error(damaged) if one of them is not sound.
 std::vector<Difference> diff(const PackageReader& a, const PackageReader& b);
+
+/// Whether write_difference_pictures may write into the folder. Throws Error(usage).
+void expect_replaceable(const PackageReader& a, const PackageReader& b, const std::filesystem::path& folder,
+                        bool force);
 
 /// Writes pictures of the photos that differ (tiles and each mask): A, B and the difference side by side, as
 /// PNG files and an index.html. Throws Error(storage).

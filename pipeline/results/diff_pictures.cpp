@@ -7,6 +7,8 @@
 
 #include "output/make_folder.h"
 #include "output/markup.h"
+#include "output/output_file.h"
+#include "output/package_inputs.h"
 #include "output/page_style.h"
 #include "output/side_by_side.h"
 #include "pipeline/formats/images/image_files.h"
@@ -36,6 +38,23 @@ int shown_level(const PhotoRecord& p, Type type) {
     return std::min(l, mask_levels_end(int(p.levels)) - 1);
 }
 
+constexpr const char* page_name = "index.html";
+
+struct Artifact {
+    Type type;
+    const char* name;
+    std::optional<std::size_t> mask;  ///< channel
+};
+constexpr Artifact artifacts[] = {{Type::tiles, "tiles", {}},
+                                  {Type::masks, "angle", 0},
+                                  {Type::masks, "depth", 1},
+                                  {Type::masks, "border", 2},
+                                  {Type::masks, "consensus", 3}};
+
+fs::path picture_of(const fs::path& folder, const std::string& stem, const Artifact& artifact) {
+    return folder / (stem + "-" + artifact.name + ".png");
+}
+
 struct Pair {
     Level size;
     std::vector<std::byte> a, b;
@@ -62,7 +81,7 @@ std::optional<Pair> differing(const PackageReader& a, const PackageReader& b, st
 
 void write_page(const fs::path& folder, const PackageReader& a, const PackageReader& b,
                 const std::vector<std::pair<std::string, std::string>>& pictures) {
-    std::ofstream out(folder / "index.html");
+    std::ofstream out(folder / page_name);
     const auto name = [](const PackageReader& p) { return escaped(p.path().filename().string()); };
     out << "<!doctype html>\n<html lang=en><meta charset=utf-8><title>Differences</title>\n<style>"
         << page_style << diff_style << "</style>\n<h1>Differences</h1>\n<p>Left: " << name(a)
@@ -72,10 +91,21 @@ void write_page(const fs::path& folder, const PackageReader& a, const PackageRea
             << "\" alt=\"\"></figure>\n";
     out << "</html>\n";
     out.flush();
-    if (!out) throw Error(Exit::storage, (folder / "index.html").string() + ": cannot write");
+    if (!out) throw Error(Exit::storage, (folder / page_name).string() + ": cannot write");
 }
 
 }  // namespace
+
+void expect_replaceable(const PackageReader& a, const PackageReader& b, const fs::path& folder, bool force) {
+    Inputs inputs = inputs_of(a);
+    const Inputs others = inputs_of(b);
+    inputs.files.push_back(b.path());
+    inputs.contents.insert(inputs.contents.end(), others.contents.begin(), others.contents.end());
+    output_file(folder / page_name, Product::page, inputs, force);
+    for (const std::string& stem : a.photo_stems())
+        for (const Artifact& artifact : artifacts)
+            output_file(picture_of(folder, stem, artifact), Product::png, inputs, force);
+}
 
 void write_difference_pictures(const PackageReader& a, const PackageReader& b, const fs::path& folder) {
     make_folder(folder);
@@ -86,21 +116,16 @@ void write_difference_pictures(const PackageReader& a, const PackageReader& b, c
         const auto j = b.photo_index(photos[i].name);
         if (!j) continue;
         const std::string name = photos[i].name;
-        const auto add = [&](Type type, const char* what, std::optional<std::size_t> mask) {
+        for (const auto& [type, what, mask] : artifacts) {
             const auto pair = differing(a, b, i, *j, type, std::uint32_t(shown_level(photos[i], type)));
-            if (!pair) return;
-            const std::string file = stems[i] + "-" + what + ".png";
+            if (!pair) continue;
+            const fs::path file = picture_of(folder, stems[i], {type, what, mask});
             const auto picture =
                 side_by_side(shown(pair->a, mask), shown(pair->b, mask), std::size_t(pair->size.width));
-            image_files().write(folder / file, 3 * pair->size.width, pair->size.height, 4, Sample::u8,
+            image_files().write(file, 3 * pair->size.width, pair->size.height, 4, Sample::u8,
                                 std::as_bytes(std::span(picture)));
-            pictures.push_back({name + ": " + what, file});
-        };
-        add(Type::tiles, "tiles", {});
-        add(Type::masks, "angle", 0);
-        add(Type::masks, "depth", 1);
-        add(Type::masks, "border", 2);
-        add(Type::masks, "consensus", 3);
+            pictures.push_back({name + ": " + what, file.filename().string()});
+        }
     }
     write_page(folder, a, b, pictures);
 }

@@ -1,7 +1,11 @@
 #include "pipeline/results/extract.h"
 
+#include <algorithm>
 #include <array>
 
+#include "output/make_folder.h"
+#include "output/output_file.h"
+#include "output/package_inputs.h"
 #include "pipeline/formats/export/ply.h"
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/package/tile_levels.h"
@@ -14,6 +18,17 @@ namespace {
 
 using package::Type;
 namespace fs = std::filesystem;
+
+constexpr const char* mesh_name = "mesh.ply";
+
+/// The files made from a photo.
+struct PhotoFiles {
+    fs::path photo, masks, depth;
+};
+PhotoFiles files_of(const fs::path& folder, const std::string& stem) {
+    return {folder / "photos" / (stem + ".png"), folder / "masks" / (stem + ".png"),
+            folder / "depth" / (stem + ".exr")};
+}
 
 void write_mesh(const PackageReader& reader, const fs::path& file) {
     const package::SceneRecord& s = reader.scene();
@@ -31,29 +46,44 @@ void write_photo(const PackageReader& reader, std::uint32_t i, const package::Ph
         if (!e) throw Error(Exit::damaged, std::string(p.name) + ": a pyramid level is missing");
         image_files().write(file, size.width, size.height, channels, format, join_tiles(reader, *e, size));
     };
-    image(Type::tiles, 0, folder / "photos" / (stem + ".png"), 4, Sample::u8);
-    image(Type::masks, mask_level, folder / "masks" / (stem + ".png"), 4, Sample::u8);
-    image(Type::depth, mask_level, folder / "depth" / (stem + ".exr"), 1, Sample::f32);
+    const PhotoFiles files = files_of(folder, stem);
+    image(Type::tiles, 0, files.photo, 4, Sample::u8);
+    image(Type::masks, mask_level, files.masks, 4, Sample::u8);
+    image(Type::depth, mask_level, files.depth, 1, Sample::f32);
+}
+
+void expect_replaceable(const PackageReader& reader, const std::vector<std::uint32_t>& wanted,
+                        const std::vector<std::string>& stems, const fs::path& folder, bool force) {
+    const Inputs inputs = inputs_of(reader);
+    output_file(folder / mesh_name, Product::ply, inputs, force);
+    for (const std::uint32_t i : wanted) {
+        const PhotoFiles files = files_of(folder, stems[i]);
+        output_file(files.photo, Product::png, inputs, force);
+        output_file(files.masks, Product::png, inputs, force);
+        output_file(files.depth, Product::exr, inputs, force);
+    }
 }
 
 }  // namespace
 
-void extract(const fs::path& package, const fs::path& folder, const std::vector<std::string>& names) {
+void extract(const fs::path& package, const fs::path& folder, const std::vector<std::string>& names,
+             bool force) {
     const PackageReader reader(package);
-    for (const char* sub : {"photos", "masks", "depth"}) fs::create_directories(folder / sub);
     const auto photos = reader.photos();
     std::vector<std::uint32_t> wanted;
     for (const std::string& n : names) {
         const auto i = reader.photo_index(n);
         if (!i) throw Error(Exit::usage, package.string() + ": has no photo " + n);
-        wanted.push_back(*i);
+        if (!std::ranges::count(wanted, *i)) wanted.push_back(*i);
     }
     if (names.empty())
         for (std::uint32_t i = 0; i < photos.size(); ++i) wanted.push_back(i);
     const std::vector<std::string> stems = reader.photo_stems();
+    expect_replaceable(reader, wanted, stems, folder, force);
+    for (const char* sub : {"photos", "masks", "depth"}) make_folder(folder / sub);
     for (const std::uint32_t i : wanted)
         if (photos[i].levels) write_photo(reader, i, photos[i], stems[i], folder);
-    write_mesh(reader, folder / "mesh.ply");
+    write_mesh(reader, folder / mesh_name);
 }
 
 }  // namespace vantage

@@ -15,6 +15,7 @@
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/synth/cast_photo.h"
 #include "scene/error.h"
+#include "values/photo_names.h"
 
 namespace vantage {
 namespace {
@@ -74,6 +75,10 @@ void write_gains(const std::filesystem::path& file, std::span<const NamedCamera>
     if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot write");
 }
 
+std::filesystem::path depth_of(const NamedCamera& photo) {
+    return std::filesystem::path("truth") / "depth" / (std::string(stem_of(photo.photo)) + ".exr");
+}
+
 void write_model(const SynthModel& model, const std::filesystem::path& file) {
     std::vector<Vector3f> positions;
     for (const Vector3d& p : model.mesh.positions) positions.push_back(p.cast<float>());
@@ -105,6 +110,16 @@ std::vector<NamedCamera> place_cameras(const SynthSpec& spec) {
     return photos;
 }
 
+std::vector<std::filesystem::path> synthesized_files(const SynthSpec& spec) {
+    std::vector<std::filesystem::path> out{"mesh.ply", "sparse/cameras.txt", "sparse/images.txt",
+                                           "truth/sparse/cameras.txt", "truth/sparse/images.txt"};
+    for (const NamedCamera& photo : place_cameras(spec)) {
+        out.push_back(std::filesystem::path("images") / photo.photo);
+        out.push_back(depth_of(photo));
+    }
+    return out;
+}
+
 void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
                 const std::function<void(std::size_t, std::size_t)>& progress) {
     const SynthModel model = build_model(spec);
@@ -120,7 +135,7 @@ void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
     std::filesystem::create_directories(folder / "truth" / "depth");
     write_colmap_text(folder / "sparse", written);
     write_colmap_text(folder / "truth" / "sparse", photos);
-    write_gains(folder / "truth" / "exposure.csv", photos, exposed);
+    write_gains(folder / synth_mark, photos, exposed);
     write_model(model, folder / "mesh.ply");
     std::atomic<std::size_t> done{0};
     for_each_photo(photos.size(), 0, [&](std::size_t i) {
@@ -130,8 +145,7 @@ void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
         image_files().write(folder / "images" / photos[i].photo, k.width, k.height, 3, Sample::u8,
                             std::as_bytes(std::span(rgb)));
         const auto z = cast_depth(rays, camera);
-        const std::string stem = photos[i].photo.substr(0, photos[i].photo.rfind('.'));
-        image_files().write(folder / "truth" / "depth" / (stem + ".exr"), k.width, k.height, 1, Sample::f32,
+        image_files().write(folder / depth_of(photos[i]), k.width, k.height, 1, Sample::f32,
                             std::as_bytes(std::span(z)));
         if (progress) progress(++done, photos.size());
     });

@@ -14,6 +14,12 @@ namespace vantage {
 /// The specified cameras without error: on an arc in front of the facade, alternating between two heights.
 std::vector<NamedCamera> place_cameras(const SynthSpec& spec);
 
+/// The file in the folder that no input of a user has: the gains per photo.
+inline constexpr const char* synth_mark = "truth/exposure.csv";
+
+/// The other files that synthesize() writes, relative to its folder.
+std::vector<std::filesystem::path> synthesized_files(const SynthSpec& spec);
+
 /// Renders a scene by ray casting and writes it to `folder`: the input that a user would have
 /// (images/NAME.jpg, sparse/ in COLMAP text, mesh.ply) and the ground truth: truth/sparse/ (the cameras
 /// without error), truth/exposure.csv (linear gains per photo) and truth/depth/NAME.exr (as cast_depth()).

@@ -1,6 +1,8 @@
 #include "player/measure/bench.h"
 
 #include "cli/real_range.h"
+#include "output/output_file.h"
+#include "output/package_inputs.h"
 #include "player/commands/commands.h"
 #include "player/commands/parse.h"
 
@@ -55,6 +57,25 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
         "256");
 }
 
+namespace {
+
+/// Throws Error(usage) if the measurements would overwrite anything but earlier ones.
+void expect_bench_folder(const PackageReader& package, const BenchOptions& o) {
+    const std::filesystem::path folder =
+        o.output.file.empty() ? o.folder : std::filesystem::path(o.output.file);
+    const Inputs inputs = inputs_of(package);
+    if (!o.sweep.empty()) {
+        output_file(folder / ("sweep-" + o.sweep + ".svg"), Product::plot, inputs, o.output.force);
+        return;
+    }
+    expect_result_folder(folder, "frames.csv", Product::csv, {"summary.json"}, inputs, o.output.force);
+    for (const std::string& path : o.paths)
+        output_file(folder / (std::filesystem::path(path).stem().string() + ".svg"), Product::plot, inputs,
+                    o.output.force);
+}
+
+}  // namespace
+
 int bench_command(int argc, char** argv) {
     CLI::App app{"vantage-player bench flies scripted paths and measures every frame."};
     BenchOptions options;
@@ -62,7 +83,9 @@ int bench_command(int argc, char** argv) {
     add_bench_options(app, options, unused);
     if (const auto code = parse(app, argc, argv)) return *code;
     if (unused.pictures.offscreen) options.purpose = Purpose::pictures;
-    return run_bench(PackageReader(options.package.file), options);
+    const PackageReader package(options.package.file);
+    expect_bench_folder(package, options);
+    return run_bench(package, options);
 }
 
 }  // namespace vantage

@@ -1,5 +1,7 @@
 #include "player/evaluate/evaluate.h"
 
+#include "output/output_file.h"
+#include "output/package_inputs.h"
 #include "player/commands/commands.h"
 #include "player/commands/parse.h"
 
@@ -51,6 +53,24 @@ void add_evaluate_options(CLI::App& app, EvaluateOptions& o, UnusedOptions& unus
         "  vantage-player evaluate chapel.vantage -o after --against before");
 }
 
+namespace {
+
+/// Throws Error(usage) if the evaluation would overwrite anything but an earlier one.
+void expect_evaluation_folder(const PackageReader& package, const EvaluateOptions& o) {
+    const std::filesystem::path folder =
+        o.output.file.empty() ? o.folder : std::filesystem::path(o.output.file);
+    std::vector<std::filesystem::path> files{"photos.csv", "regions.csv", "regions.ply"};
+    std::error_code error;
+    // Pictures are named for their photos.
+    for (const std::string& stem : package.photo_stems())
+        for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+            if (entry.path().extension() == ".png" && entry.path().stem().string().starts_with(stem + "-"))
+                files.push_back(entry.path().filename());
+    expect_result_folder(folder, "index.html", Product::page, files, inputs_of(package), o.output.force);
+}
+
+}  // namespace
+
 int evaluate_command(int argc, char** argv) {
     CLI::App app{
         "vantage-player evaluate leaves out each photo in turn and compares it with the picture that the "
@@ -59,7 +79,9 @@ int evaluate_command(int argc, char** argv) {
     UnusedOptions unused;
     add_evaluate_options(app, options, unused);
     if (const auto code = parse(app, argc, argv)) return *code;
-    return run_evaluate(PackageReader(options.package.file), options);
+    const PackageReader package(options.package.file);
+    expect_evaluation_folder(package, options);
+    return run_evaluate(package, options);
 }
 
 }  // namespace vantage

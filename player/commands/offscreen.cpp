@@ -5,9 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include "gl/context.h"
 #include "output/make_folder.h"
+#include "output/output_file.h"
+#include "output/package_inputs.h"
 #include "player/camera/shots.h"
 #include "player/render/picture.h"
 #include "scene/error.h"
@@ -34,12 +38,28 @@ std::vector<Shot> shots(const PackageReader& package, const ShowOptions& options
 }
 
 /// The file for a picture: the output file itself if there is one picture and the output is not a folder,
-/// otherwise a file in the output folder, which is created.
+/// otherwise a file in the output folder.
 std::filesystem::path picture_file(const std::string& output, const std::string& name, std::size_t count) {
     const std::filesystem::path out = output.empty() ? (count == 1 ? name + ".png" : ".") : output;
-    if (count == 1 && out.extension() == ".png" && !std::filesystem::is_directory(out)) return out;
-    make_folder(out);
-    return out / (name + ".png");
+    const bool file = count == 1 && out.extension() == ".png" && !std::filesystem::is_directory(out);
+    return file ? out : out / (name + ".png");
+}
+
+/// The files for all pictures, with links followed. Throws Error(usage) if one must not be replaced, or if
+/// two pictures have the same name.
+std::vector<std::filesystem::path> picture_files(const PackageReader& package, const ShowOptions& o,
+                                                 const std::vector<Shot>& shots) {
+    Inputs inputs = inputs_of(package);
+    if (!o.pictures.path.empty()) inputs.files.emplace_back(o.pictures.path);
+    std::vector<std::filesystem::path> out;
+    std::set<std::string> names;
+    for (const Shot& shot : shots) {
+        if (!names.insert(shot.name).second)
+            throw Error(Exit::usage, shot.name + ".png: two pictures have this name; take them in two runs");
+        out.push_back(output_file(picture_file(o.output.file, shot.name, shots.size()), Product::png, inputs,
+                                  o.output.force));
+    }
+    return out;
 }
 
 double colored_share(const Picture& p) {
@@ -53,6 +73,7 @@ double colored_share(const Picture& p) {
 int run_offscreen(const PackageReader& package, const ShowOptions& options) {
     const PictureOptions& o = options.pictures;
     const std::vector<Shot> wanted = shots(package, options);
+    const std::vector<std::filesystem::path> files = picture_files(package, options, wanted);
     const std::vector<std::uint32_t> photos = photos_in_use(package, options.package);
     const RenderSettings settings = render_settings(package, options.blending, Purpose::pictures);
     const gl::HeadlessContext context(options.window.debug_gl);
@@ -60,10 +81,12 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options) {
     const bool own_pixels = o.scale == 1 && options.output.size.empty() && o.view.empty() && o.path.empty();
     const int side = o.samples ? o.samples : own_pixels ? 1 : 2;
     std::size_t damaged = 0;
-    for (const Shot& shot : wanted) {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const Shot& shot = wanted[i];
+        const std::filesystem::path& file = files[i];
         const auto start = std::chrono::steady_clock::now();
         const Picture picture = take_picture(renderer, shot.view, settings, photos, side);
-        const auto file = picture_file(options.output.file, shot.name, wanted.size());
+        if (file.has_parent_path()) make_folder(file.parent_path());
         write_png(file, picture);
         const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const FrameReport& r = picture.report;

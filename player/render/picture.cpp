@@ -1,6 +1,7 @@
 #include "player/render/picture.h"
 
 #include <png.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstring>
@@ -31,7 +32,7 @@ void write_png(const std::filesystem::path& file, const Picture& picture) {
     image.width = png_uint_32(picture.width);
     image.height = png_uint_32(picture.height);
     image.format = PNG_FORMAT_RGBA;
-    const std::filesystem::path part = file.string() + ".part";
+    const std::filesystem::path part = file.string() + ".part-" + std::to_string(::getpid());
     const bool written =
         png_image_write_to_file(&image, part.c_str(), 0, picture.rgba.data(), 0, nullptr) != 0;
     std::error_code error;

@@ -4,10 +4,13 @@
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "gl/context.h"
 #include "output/junit.h"
 #include "output/make_folder.h"
+#include "output/output_file.h"
+#include "output/package_inputs.h"
 #include "player/camera/shots.h"
 #include "player/options/blending_options.h"
 #include "player/options/memory_options.h"
@@ -55,10 +58,11 @@ std::string words(const GoldenDifference& d, int tolerance) {
            std::to_string(d.x) + "," + std::to_string(d.y);
 }
 
-void verify_view(const VerifyOptions& o, const fs::path& folder, const Shot& shot, const Picture& now,
-                 Verified& out) {
+/// `inputs`: not to be overwritten.
+void verify_view(const VerifyOptions& o, const fs::path& folder, const Inputs& inputs, const Shot& shot,
+                 const Picture& now, Verified& out) {
     const fs::path file = folder / (shot.name + ".png");
-    if (o.update) return write_png(file, now);
+    if (o.update) return write_png(output_file(file, Product::png, inputs, false), now);
     GoldenDifference d;
     if (!fs::exists(file)) {
         d.problem = "no picture is stored, see --update";
@@ -68,7 +72,8 @@ void verify_view(const VerifyOptions& o, const fs::path& folder, const Shot& sho
         if (d.problem.empty() && d.share > o.share) {
             const fs::path pictures = o.differences / fs::path(out.package).stem();
             make_folder(pictures);
-            write_png(pictures / (shot.name + ".png"), side_by_side(stored, now));
+            write_png(output_file(pictures / (shot.name + ".png"), Product::png, inputs, false),
+                      side_by_side(stored, now));
         }
     }
     d.view = shot.name;
@@ -84,6 +89,7 @@ void verify_package(const VerifyOptions& o, Verified& out) {
     if (o.update && !fs::exists(views)) write_default_views(views, package);
     if (!fs::exists(views))
         return out.add(Exit::input, views.string() + ": does not exist; --update stores views and pictures");
+    const Inputs inputs = inputs_of(package);
     const RenderSettings settings = render_settings(package, {}, Purpose::pictures);
     const std::vector<std::uint32_t> photos = photos_in_use(package, {});
     Renderer renderer(package, memory_budget({}));
@@ -94,7 +100,7 @@ void verify_package(const VerifyOptions& o, Verified& out) {
                            std::to_string(now.report.tiles_damaged) + " tiles have a checksum mismatch");
         if (const NonFinite wrong = count_non_finite(renderer.targets()); wrong.all() > 0)
             out.add(Exit::different, shot.name + ": " + words(wrong));
-        verify_view(o, folder, shot, now, out);
+        verify_view(o, folder, inputs, shot, now, out);
     }
 }
 
@@ -162,9 +168,21 @@ CheckCase junit_case(const Verified& v) {
     return {v.package, kind(v), text, v.seconds};
 }
 
+/// Packages of the same name in different folders would share golden pictures.
+void expect_outputs(const VerifyOptions& o) {
+    if (!o.junit.empty())
+        output_file(o.junit, Product::junit, {{o.packages.begin(), o.packages.end()}, {}}, false);
+    std::set<fs::path> names;
+    for (const std::string& package : o.packages)
+        if (!names.insert(fs::path(package).stem()).second)
+            throw Error(Exit::usage,
+                        package + ": another package has the same name; verify them in two runs");
+}
+
 }  // namespace
 
 int run_verify(const VerifyOptions& o) {
+    expect_outputs(o);
     const gl::HeadlessContext context;
     std::vector<Verified> all;
     std::vector<CheckCase> cases;

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "output/output_file.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -13,10 +14,10 @@ void write_ply(const std::filesystem::path& file, const Eigen::Vector3d& origin,
                std::span<const std::array<std::uint32_t, 3>> triangles) {
     std::ofstream out(file, std::ios::binary);
     out << fmt::format(
-        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
+        "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty double x\nproperty double y\n"
         "property double z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face {}\n"
         "property list uchar int vertex_indices\nend_header\n",
-        positions.size(), triangles.size());
+        ply_mark, positions.size(), triangles.size());
     const auto put = [&](const auto& v) { out.write(reinterpret_cast<const char*>(&v), sizeof v); };
     for (std::size_t i = 0; i < positions.size(); ++i) {
         put(Eigen::Vector3d(origin + positions[i].cast<double>()));

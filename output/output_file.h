@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "scene/checksum.h"
+
+namespace vantage {
+
+/// What the programs write: each kind replaces only files of the same kind that they have written, pictures
+/// any file of their format.
+enum class Product { package, page, trace, junit, ply, csv, plot, png, exr };
+
+/// A line of the header of a mesh written by these programs.
+inline constexpr const char* ply_mark = "comment written by Vantage\n";
+
+/// What a command reads and must not overwrite.
+struct Inputs {
+    std::vector<std::filesystem::path> files;  ///< also other files that the command writes
+    std::vector<FileIdentity> contents;        ///< of files whose place is unknown
+};
+
+/// The file to write so that `file` is written: `file`, or what it links to. A package also needs the names
+/// under which it is written until it is complete. Every command asks before it does any work. Throws
+/// Error(usage) if the file is an input, a folder, a device or a pipe, or, unless `force`, if it exists, has
+/// content and is not of the kind to replace.
+std::filesystem::path output_file(const std::filesystem::path& file, Product product, const Inputs& inputs,
+                                  bool force);
+
+/// A folder of results that are written together: its `mark` is a product that shows whose the folder is, and
+/// the other files may be replaced if it is there. Throws Error(usage) like output_file() for the mark, or
+/// if it does not exist and one of the others does, unless `force`.
+void expect_result_folder(const std::filesystem::path& folder, const char* mark, Product product,
+                          const std::vector<std::filesystem::path>& others, const Inputs& inputs, bool force);
+
+}  // namespace vantage

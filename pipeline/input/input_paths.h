@@ -1,0 +1,13 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "pipeline/input/scene_input.h"
+
+namespace vantage {
+
+/// Every file that a run may read: the mesh, the cameras, and all photos of the folder, three levels deep,
+/// with their stencils, used or not.
+std::vector<std::filesystem::path> input_paths(const InputFiles& files);
+
+}  // namespace vantage
