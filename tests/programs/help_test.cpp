@@ -250,6 +250,10 @@ TEST_F(Help, ExitCodesAgree) {
     expect_described(table);
     for (int code = 0; code < 256; ++code)
         EXPECT_EQ(table.contains(code), word_for(Exit(code)).has_value()) << code;
+    const auto promised =
+        codes_in(slurp(fs::path(VANTAGE_SOURCE_DIR) / "docs" / "contracts.md"), R"(\| (\d+) \| ([^|]+) )");
+    expect_described(promised);
+    EXPECT_EQ(promised.size(), table.size());
     for (const char* name : {"vantage", "vantage-player"}) {
         const std::string& help = programs.at(name).help;
         const std::size_t footer = help.find("Exit codes:");
