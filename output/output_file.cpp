@@ -95,7 +95,7 @@ bool has_content_of(const fs::path& file, const std::vector<FileIdentity>& conte
 }
 
 void expect_replaceable(const fs::path& file, const fs::path& to, const Row& row, const Inputs& inputs,
-                        bool force) {
+                        std::optional<bool> force) {
     for (const fs::path& input : inputs.files)
         if (same_place(to, input))
             refuse(file, "would overwrite " + input.string() + ", which this command reads or writes");
@@ -107,9 +107,9 @@ void expect_replaceable(const fs::path& file, const fs::path& to, const Row& row
         refuse(file, "is a device or a pipe, expected a file");
     if (fs::file_size(to) == 0) return;
     if (has_content_of(to, inputs.contents)) refuse(file, "is an input of the package and is not replaced");
-    if (!force && !row.is_ours(head_of(to)))
-        refuse(file, std::string("exists and is not ") + row.name +
-                         "; expected another name, or --force to replace it");
+    if (!force.value_or(false) && !row.is_ours(head_of(to)))
+        refuse(file, std::string("exists and is not ") + row.name + "; expected another name" +
+                         (force ? ", or --force to replace it" : ""));
 }
 
 /// A file that only this program uses, under a name that it chose.
@@ -123,7 +123,7 @@ void expect_own(const fs::path& file) {
 
 }  // namespace
 
-fs::path output_file(const fs::path& file, Product product, const Inputs& inputs, bool force) {
+fs::path output_file(const fs::path& file, Product product, const Inputs& inputs, std::optional<bool> force) {
     if (file.filename().empty()) refuse(file, "is a folder, expected a file");
     const fs::path to = followed(file);
     expect_replaceable(file, to, row_of(product), inputs, force);

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "scene/checksum.h"
@@ -22,9 +23,9 @@ struct Inputs {
 /// The file to write so that `file` is written: `file`, or what it links to. A package also needs the names
 /// under which it is written until it is complete. Every command asks before it does any work. Throws
 /// Error(usage) if the file is an input, a folder, a device or a pipe, or, unless `force`, if it exists, has
-/// content and is not of the kind to replace.
+/// content and is not of the kind to replace. `force`: the option --force, none if the command lacks it.
 std::filesystem::path output_file(const std::filesystem::path& file, Product product, const Inputs& inputs,
-                                  bool force);
+                                  std::optional<bool> force);
 
 /// A folder of results that are written together: its `mark` is a product that shows whose the folder is, and
 /// the other files may be replaced if it is there. Throws Error(usage) like output_file() for the mark, or

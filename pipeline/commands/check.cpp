@@ -86,7 +86,7 @@ int run_check(const CheckOptions& o) {
         print_findings();
         return int(Exit::ok);
     }
-    if (!o.junit.empty()) output_file(o.junit, Product::junit, {{o.files.begin(), o.files.end()}, {}}, false);
+    if (!o.junit.empty()) output_file(o.junit, Product::junit, {{o.files.begin(), o.files.end()}, {}}, std::nullopt);
     IdentityCache identities(default_identity_cache(), o.rehash);
     std::vector<Checked> all;
     std::vector<Issue> issues;

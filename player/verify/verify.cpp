@@ -62,7 +62,7 @@ std::string words(const GoldenDifference& d, int tolerance) {
 void verify_view(const VerifyOptions& o, const fs::path& folder, const Inputs& inputs, const Shot& shot,
                  const Picture& now, Verified& out) {
     const fs::path file = folder / (shot.name + ".png");
-    if (o.update) return write_png(output_file(file, Product::png, inputs, false), now);
+    if (o.update) return write_png(output_file(file, Product::png, inputs, std::nullopt), now);
     GoldenDifference d;
     if (!fs::exists(file)) {
         d.problem = "no picture is stored, see --update";
@@ -72,7 +72,7 @@ void verify_view(const VerifyOptions& o, const fs::path& folder, const Inputs& i
         if (d.problem.empty() && d.share > o.share) {
             const fs::path pictures = o.differences / fs::path(out.package).stem();
             make_folder(pictures);
-            write_png(output_file(pictures / (shot.name + ".png"), Product::png, inputs, false),
+            write_png(output_file(pictures / (shot.name + ".png"), Product::png, inputs, std::nullopt),
                       side_by_side(stored, now));
         }
     }
@@ -171,7 +171,7 @@ CheckCase junit_case(const Verified& v) {
 /// Packages of the same name in different folders would share golden pictures.
 void expect_outputs(const VerifyOptions& o) {
     if (!o.junit.empty())
-        output_file(o.junit, Product::junit, {{o.packages.begin(), o.packages.end()}, {}}, false);
+        output_file(o.junit, Product::junit, {{o.packages.begin(), o.packages.end()}, {}}, std::nullopt);
     std::set<fs::path> names;
     for (const std::string& package : o.packages)
         if (!names.insert(fs::path(package).stem()).second)
