@@ -1,5 +1,7 @@
 #include "player/evaluate/evaluate.h"
 
+#include <algorithm>
+
 #include "output/output_file.h"
 #include "output/package_inputs.h"
 #include "player/commands/commands.h"
@@ -57,16 +59,21 @@ namespace {
 
 /// Throws Error(usage) if the evaluation would overwrite anything but an earlier one.
 void expect_evaluation_folder(const PackageReader& package, const EvaluateOptions& o) {
-    const std::filesystem::path folder =
-        o.output.file.empty() ? o.folder : std::filesystem::path(o.output.file);
-    std::vector<std::filesystem::path> files{"photos.csv", "regions.csv", "regions.ply"};
-    std::error_code error;
+    namespace fs = std::filesystem;
+    const fs::path folder = o.output.file.empty() ? o.folder : fs::path(o.output.file);
+    const Inputs inputs = inputs_of(package);
+    expect_result_folder(folder, "index.html", Product::page, {"photos.csv", "regions.csv", "regions.ply"},
+                         inputs, o.output.force);
     // Pictures are named for their photos.
-    for (const std::string& stem : package.photo_stems())
-        for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-            if (entry.path().extension() == ".png" && entry.path().stem().string().starts_with(stem + "-"))
-                files.push_back(entry.path().filename());
-    expect_result_folder(folder, "index.html", Product::page, files, inputs_of(package), o.output.force);
+    const std::vector<std::string> stems = package.photo_stems();
+    const auto for_photo = [&](const fs::path& file) {
+        const std::string name = file.stem();
+        return file.extension() == ".png" &&
+               std::ranges::any_of(stems, [&](const auto& stem) { return name.starts_with(stem + "-"); });
+    };
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error))
+        if (for_photo(entry.path())) output_file(entry.path(), Product::png, inputs, o.output.force);
 }
 
 }  // namespace

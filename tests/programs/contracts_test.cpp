@@ -221,6 +221,11 @@ TEST_F(Contracts, PlayerReplacesPicturesButNoInputs) {
     const std::string again = "evaluate " + package() + " --photo 0003 --level 3 -o " + (dir / "e").string();
     EXPECT_EQ(player(again).code, 0);
     EXPECT_EQ(player(again).code, 0) << "an evaluation over an older one";
+    fs::remove(dir / "e" / "index.html");
+    for (const char* last : {"photos.csv", "regions.csv", "regions.ply"}) fs::remove(dir / "e" / last);
+    EXPECT_EQ(player(again).code, 0) << "an evaluation over one that was interrupted";
+    fs::copy_file(images / "0000.png", dir / "e" / "0003-photo.png", fs::copy_options::overwrite_existing);
+    expect_refused(again, dir / "e" / "0003-photo.png", VANTAGE_PLAYER);
     const std::string bench = "bench " + package() + " --paths still --modes resident --path-frames 2 " +
                               "--repeats 1 --size 64x48 -o " + (dir / "b").string();
     EXPECT_EQ(player(bench).code, 0);
