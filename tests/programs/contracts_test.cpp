@@ -175,11 +175,13 @@ TEST_F(Contracts, OtherCommandsReplaceOnlyTheirOwnFiles) {
     expect_refused("refine " + package() + " -o " + text.string(), text);
     expect_refused("check " + package() + " --junit " + text.string(), text);
     expect_refused("check " + package() + " --junit " + package(), file);
+    const fs::path spec = dir / "one.toml";
+    write(spec, std::regex_replace(slurp(VANTAGE_SOURCE_DIR "/data/tiny.toml"), std::regex("count = 5"),
+                                   "count = 1"));
     for (int twice = 0; twice < 2; ++twice) {
         EXPECT_EQ(run("extract " + package() + " -o " + files.string()).code, 0);
         EXPECT_EQ(run("check " + package() + " --junit " + (dir / "checks.xml").string()).code, 0);
-        EXPECT_EQ(run("synth " VANTAGE_SOURCE_DIR "/data/tiny.toml -o " + (dir / "synthetic").string()).code,
-                  0);
+        EXPECT_EQ(run("synth " + spec.string() + " -o " + (dir / "synthetic").string()).code, 0);
         EXPECT_EQ(run("merge " + share.string() + " -o " + package()).code, 0);
     }
     // The input mesh and a stencil, by content; --force does not help.
@@ -259,6 +261,16 @@ TEST_F(Contracts, RepairedPhotosAreTakenUpAgain) {
     write(images / "stranger.jpg", "still no camera");
     EXPECT_EQ(run("check " + package() + " --against " + scene.string()).code, int(Exit::incomplete))
         << "a photo without a camera is not an input";
+}
+
+TEST_F(Contracts, PackagesDoNotDependOnWhereTheInputsAre) {
+    write(images / "0001.jpg", "not a picture");
+    const fs::path elsewhere = dir / "elsewhere", other = dir / "other.vantage";
+    fs::copy(scene, elsewhere, fs::copy_options::recursive);
+    EXPECT_EQ(prepare_program().code, int(Exit::incomplete));
+    EXPECT_EQ(run("prepare --progress none " + elsewhere.string() + " -o " + other.string()).code,
+              int(Exit::incomplete));
+    EXPECT_TRUE(slurp(file) == slurp(other));
 }
 
 TEST_F(Contracts, DamagedPackagesAreFoundByAllThatReadThem) {

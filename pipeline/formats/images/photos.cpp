@@ -128,9 +128,16 @@ RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::b
 }
 
 std::string reason_of(const Error& error, const std::filesystem::path& file) {
-    const std::string message = error.what();
+    std::string message = error.what();
     for (const std::string& prefix : {file.string() + ": ", file.filename().string() + ": "})
-        if (message.starts_with(prefix)) return message.substr(prefix.size());
+        if (message.starts_with(prefix)) {
+            message.erase(0, prefix.size());
+            break;
+        }
+    // Libraries repeat the path.
+    const std::string path = file.string(), name = file.filename().string();
+    for (std::size_t at = 0; path != name && (at = message.find(path, at)) != message.npos; at += name.size())
+        message.replace(at, path.size(), name);
     return message;
 }
 
