@@ -351,6 +351,7 @@ TEST_F(EndToEnd, PhotosCoarserThanThePictureCountLess) {
         if (i % 4 < 3) rgb.push_back(image.rgba[i]);
     image_files().write(coarse.file, 166, 125, 3, Sample::u8, std::as_bytes(std::span(rgb)));
     coarse.camera.intrinsics = coarse.camera.intrinsics.scaled(166, 125);
+    coarse.read.clear();  // changed on purpose
     Prepared p(std::move(input), dir / "scene.vantage");
     const auto photo = read_photo(p.scene.photos[2].file, {662, 500}).rgba;
     std::erase(p.photos, 2u);

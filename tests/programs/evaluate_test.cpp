@@ -47,6 +47,7 @@ class Evaluate : public TemporaryFolder {
         spec.photos.samples = 2;
         synthesize(spec, dir / "scene", {});
         scene = read_scene(discover(dir / "scene"));
+        for (PhotoInput& photo : scene.photos) photo.read.clear();  // tests repaint photos on purpose
     }
     std::vector<LeftOut> evaluate() {
         PrepareSettings as_given;

@@ -192,8 +192,9 @@ TEST_F(SyntheticRegistration, IdenticalPhotosStayInPlace) {
     SynthSpec s = spec();
     s.photos.count = 2;
     synthesize(s, scene, {});
+    const SceneInput photos = truth();
+    fs::copy_file(photos.photos[0].file, photos.photos[1].file, fs::copy_options::overwrite_existing);
     SceneInput input = truth();
-    fs::copy_file(input.photos[0].file, input.photos[1].file, fs::copy_options::overwrite_existing);
     input.photos[1].camera = input.photos[0].camera;
     const auto done = prepare_as(input, EffectChoice::on);
     ASSERT_EQ(registration(done).pairs.size(), 1u);
