@@ -2,6 +2,7 @@
 
 #include "pipeline/formats/import/cameras.h"
 #include "pipeline/input/discover.h"
+#include "pipeline/input/photo_matches.h"
 
 namespace vantage {
 
@@ -10,15 +11,11 @@ namespace fs = std::filesystem;
 std::vector<fs::path> input_paths(const InputFiles& files) {
     std::vector<fs::path> out = camera_files(files.cameras);
     out.push_back(files.mesh);
-    std::error_code error;
-    constexpr auto options = fs::directory_options::skip_permission_denied;
     // Cameras may name photos in subfolders.
-    for (fs::recursive_directory_iterator it(files.photos, options, error), end; !error && it != end;
-         it.increment(error)) {
-        if (it.depth() >= 2) it.disable_recursion_pending();
-        if (!is_photo(it->path())) continue;
-        out.push_back(it->path());
-        if (fs::path stencil = find_stencil(it->path()); !stencil.empty()) out.push_back(std::move(stencil));
+    for (const fs::path& file : files_below(files.photos, 2)) {
+        if (!is_photo(file)) continue;
+        out.push_back(file);
+        if (fs::path stencil = find_stencil(file); !stencil.empty()) out.push_back(std::move(stencil));
     }
     return out;
 }

@@ -7,7 +7,7 @@
 namespace vantage {
 
 /// Every file that a run may read: the mesh, the cameras, and all photos of the folder, three levels deep,
-/// with their stencils, used or not.
+/// with their stencils, used or not. Throws Error(input) if the folder cannot be read.
 std::vector<std::filesystem::path> input_paths(const InputFiles& files);
 
 }  // namespace vantage
