@@ -33,7 +33,8 @@ bool is_package(std::string_view head) {
 }
 
 bool is_csv(std::string_view head) {
-    return head.starts_with("photo,red,green,blue\n") || head.starts_with("path,mode,repeat,");
+    return head.starts_with("photo,red,green,blue\n") || head.starts_with("path,mode,repeat,") ||
+           head.starts_with("frame,degrees,mean,");
 }
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != text.npos; }

@@ -8,7 +8,7 @@ namespace vantage {
 std::string utf8_name(std::string_view name);
 
 /// A form in which names are equal if people would call them the same: decomposed Unicode (as macOS stores
-/// names), lower case, `/` for `\`. Not for display.
+/// names), folded case, `/` for `\`. Not for display.
 std::string comparable_name(std::string_view name);
 
 }  // namespace vantage

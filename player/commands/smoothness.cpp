@@ -1,6 +1,8 @@
 #include "player/measure/smoothness.h"
 
 #include "cli/real_range.h"
+#include "output/output_file.h"
+#include "output/package_inputs.h"
 #include "player/commands/commands.h"
 #include "player/commands/parse.h"
 
@@ -29,20 +31,16 @@ void add_smoothness_options(CLI::App& app, SmoothnessOptions& o) {
         ->capture_default_str()
         ->group(group);
     app.footer(
-        "Each frame is drawn as in the window (640x360 by default, 30 per second, 4 photos), with every tile "
-        "in "
-        "place, and\n"
-        "again with the photos and weights of the next frame: the difference is how far a surface's color "
-        "jumps, "
-        "without\n"
-        "any movement. It is averaged in cells of 1/40 of the picture's width. Printed: the mean of a "
-        "picture's "
-        "cells, and\n"
-        "what its worst hundredth exceeds, each over the frames and per degree of movement.\n"
+        "Each frame is drawn as in the window (640x360 by default, 30 per second, 4 photos), every tile in "
+        "place, and again\nwith the photos and weights of the next frame: the difference is how far the "
+        "color "
+        "of a surface jumps, without any\nmovement. It is averaged in cells of 1/40 of the picture's width. "
+        "Printed: the mean of a picture's cells, and what its\nworst hundredth exceeds, each over the frames "
+        "and per degree of movement.\n"
         "Writes steps.csv, summary.json, steps.svg and the worst steps as step-FRAME.png (the frame, the "
         "same "
-        "with the\n"
-        "next one's weights, eight times the difference) into the folder given by -o (default smoothness).\n"
+        "with the next\none's weights, eight times the difference) into the folder given by -o (default "
+        "smoothness).\n"
         "Examples:\n"
         "  vantage-player smoothness chapel.vantage\n"
         "  vantage-player smoothness chapel.vantage --original-colors -o as-taken\n"
@@ -50,15 +48,33 @@ void add_smoothness_options(CLI::App& app, SmoothnessOptions& o) {
         "5");
 }
 
+namespace {
+
+/// Throws Error(usage) if the measurements would overwrite anything but earlier ones.
+void expect_smoothness_folder(const PackageReader& package, const SmoothnessOptions& o) {
+    namespace fs = std::filesystem;
+    const fs::path folder = o.output.file.empty() ? o.folder : fs::path(o.output.file);
+    const Inputs inputs = inputs_of(package);
+    expect_result_folder(folder, "steps.csv", Product::csv, {"summary.json"}, inputs, o.output.force);
+    output_file(folder / "steps.svg", Product::plot, inputs, o.output.force);
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error))
+        if (entry.path().extension() == ".png" && entry.path().stem().string().starts_with("step-"))
+            output_file(entry.path(), Product::png, inputs, o.output.force);
+}
+
+}  // namespace
+
 int smoothness_command(int argc, char** argv) {
     CLI::App app{
         "vantage-player smoothness flies along a path and measures how far the colors of surfaces jump from "
-        "frame "
-        "to frame."};
+        "frame to frame."};
     SmoothnessOptions options;
     add_smoothness_options(app, options);
     if (const auto code = parse(app, argc, argv)) return *code;
-    return run_smoothness(PackageReader(options.package.file), options);
+    const PackageReader package(options.package.file);
+    expect_smoothness_folder(package, options);
+    return run_smoothness(package, options);
 }
 
 }  // namespace vantage

@@ -216,8 +216,10 @@ TEST_F(Contracts, PlayerReplacesPicturesButNoInputs) {
     fs::create_directories(page);
     write(page / "index.html", "<html>mine</html>");
     write(page / "frames.csv", "mine");
+    write(page / "steps.csv", "mine");
     expect_refused("evaluate " + package() + " -o " + page.string(), page / "index.html", VANTAGE_PLAYER);
     expect_refused("bench " + package() + " -o " + page.string(), page / "frames.csv", VANTAGE_PLAYER);
+    expect_refused("smoothness " + package() + " -o " + page.string(), page / "steps.csv", VANTAGE_PLAYER);
     expect_refused("verify " + package() + " --golden " + page.string() + " --junit " + text.string(), text,
                    VANTAGE_PLAYER);
     const std::string again = "evaluate " + package() + " --photo 0003 --level 3 -o " + (dir / "e").string();
@@ -232,6 +234,10 @@ TEST_F(Contracts, PlayerReplacesPicturesButNoInputs) {
                               "--repeats 1 --size 64x48 -o " + (dir / "b").string();
     EXPECT_EQ(player(bench).code, 0);
     EXPECT_EQ(player(bench).code, 0) << "measurements over older ones";
+    const std::string steps =
+        "smoothness " + package() + " --step 30 --size 64x48 -o " + (dir / "s").string();
+    EXPECT_EQ(player(steps).code, 0);
+    EXPECT_EQ(player(steps).code, 0) << "steps over older ones";
 }
 
 TEST_F(Contracts, RepairedPhotosAreTakenUpAgain) {
@@ -353,11 +359,13 @@ TEST_F(Contracts, EveryCameraFileIsAnInput) {
 
     ASSERT_EQ(prepare_program().code, 0);
     for (const char* name : {"cameras.bin", "images.bin"})
-        write(sparse / name, "binary cameras are preferred");
+        write(sparse / name, std::string(8, '\0'));  // none, but binary cameras are preferred
     const Outcome checked = run("check " + package() + " --against " + scene.string());
     EXPECT_EQ(checked.code, int(Exit::stale));
     EXPECT_NE(checked.out.find("cameras.bin: was added"), std::string::npos) << checked.out;
     EXPECT_EQ(prepare_program().code, int(Exit::input)) << "it reads them";
+    write(sparse / "cameras.bin", "cut off");
+    EXPECT_EQ(run("check " + package() + " --against " + scene.string()).code, int(Exit::input));
 }
 
 TEST_F(Contracts, InputsThatChangeDuringARunStopIt) {
