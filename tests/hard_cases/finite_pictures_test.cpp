@@ -65,24 +65,24 @@ std::vector<std::pair<std::string, RenderSettings>> kinds() {
             s.consensus = true;
             out.emplace_back(name + ", sharp, consensus", s);
         }
-    RenderSettings s;
-    s.fill_holes = true;
-    s.show = Show::sources;
-    out.emplace_back("sources", s);
-    s.show = Show::coverage;
-    out.emplace_back("coverage", s);
-    s.half_sums = true;
-    out.emplace_back("coverage, half floats", s);
-    s = {};
-    s.coordinates = Coordinates::fragment;
-    s.anisotropy = 4;
-    s.trilinear = false;
-    out.emplace_back("fragment, 4 taps, bilinear", s);
+    RenderSettings shown;
+    shown.fill_holes = true;
+    shown.show = Show::sources;
+    out.emplace_back("sources", shown);
+    shown.show = Show::coverage;
+    out.emplace_back("coverage", shown);
+    shown.half_sums = true;
+    out.emplace_back("coverage, half floats", shown);
+    RenderSettings taps;
+    taps.coordinates = Coordinates::fragment;
+    taps.anisotropy = 4;
+    taps.trilinear = false;
+    out.emplace_back("fragment, 4 taps, bilinear", taps);
     for (const Compare c : {Compare::side_by_side, Compare::wiper, Compare::difference}) {
-        s = {};
-        s.compare = c;
-        s.compare_photo = 1;
-        out.emplace_back("compare " + std::to_string(int(c)), s);
+        RenderSettings compared;
+        compared.compare = c;
+        compared.compare_photo = 1;
+        out.emplace_back("compare " + std::to_string(int(c)), compared);
     }
     return out;
 }
