@@ -330,10 +330,11 @@ double summed(const std::vector<double>& weights, const std::vector<double>& col
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glUseProgram(add.id());
-    glUniform1i(0, GL_FALSE);
-    glUniform1f(3, 0);
-    glUniform3f(5, 0, 0, 0);
-    glUniform3f(6, 0, 0, 0);
+    glUniform1i(shader::takes_one_uniform, GL_FALSE);
+    glUniform1f(shader::most_uniform, 0);
+    glUniform3f(shader::falloff_uniform, 0, 0, 0);
+    glUniform3f(shader::lens_uniform, 0, 0, 0);
+    glUniform1f(shader::progress_uniform, 1);
     glBindVertexArray(none.id());
     for (std::size_t i = 0; i < weights.size(); ++i) {
         // resolve squares the root and gives (color, 1); blending by a constant makes it (color * weight,
@@ -341,9 +342,9 @@ double summed(const std::vector<double>& weights, const std::vector<double>& col
         const auto c = float(std::sqrt(colors[i])), w = float(weights[i]);
         const std::array<float, 4> texel{c, c, c, 1};
         glTextureSubImage2D(one.id(), 0, 0, 0, 1, 1, GL_RGBA, GL_FLOAT, texel.data());
-        glUniform3f(4, w, w, w);
-        glBindTextureUnit(4, one.id());
-        glBindTextureUnit(5, one.id());
+        glUniform3f(shader::exposure_uniform, w, w, w);
+        glBindTextureUnit(shader::sums_unit, one.id());
+        glBindTextureUnit(shader::surface_unit, one.id());
         // Color by the uniform, alpha by the constant: constants are clamped to 1, which no weight exceeds.
         glBlendFuncSeparate(GL_ONE, GL_ONE, GL_CONSTANT_ALPHA, GL_ONE);
         glBlendColor(0, 0, 0, w);
