@@ -148,26 +148,65 @@ TEST_F(Rasterize, VertexVisibilityMatchesRayCasting) {
             positions.push_back(center + size * Eigen::Vector3f(unit(random), unit(random), unit(random)));
         }
     }
-    const auto found = vertex_coordinates(projected(positions, camera, Pose{}), indices, camera);
     const RayScene rays(positions, indices);
-    std::size_t seen = 0, hidden = 0, differ = 0;
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-        const Eigen::Vector3d point = positions[v].cast<double>();
-        const auto at = project(camera, Pose{}, point);
-        if (!at || !in_frame(camera, at->pixel)) {
-            EXPECT_EQ(found[v], Eigen::Vector2f(-1, -1));
-            continue;
+    // At several vertices per pixel, too.
+    for (const Intrinsics& k : {camera, Intrinsics{32, 24, 24, 24, 15.3, 12.6}}) {
+        const auto found = vertex_coordinates(projected(positions, k, Pose{}), indices, k);
+        std::size_t seen = 0, hidden = 0, differ = 0;
+        for (std::size_t v = 0; v < positions.size(); ++v) {
+            const Eigen::Vector3d point = positions[v].cast<double>();
+            const auto at = project(k, Pose{}, point);
+            if (!at || !in_frame(k, at->pixel)) {
+                EXPECT_EQ(found[v], Eigen::Vector2f(-1, -1));
+                continue;
+            }
+            const bool free = !rays.occluded(Eigen::Vector3d::Zero(), point, 0, 1 - 0.3 / k.fx);
+            differ += free != (found[v].x() >= 0);
+            ++(free ? seen : hidden);
+            if (found[v].x() < 0) continue;
+            EXPECT_NEAR(found[v].x() * float(k.width), at->pixel.x(), 1e-3);
+            EXPECT_NEAR(found[v].y() * float(k.height), at->pixel.y(), 1e-3);
         }
-        const bool free = !rays.occluded(Eigen::Vector3d::Zero(), point, 0, 1 - 0.3 / camera.fx);
-        differ += free != (found[v].x() >= 0);
-        ++(free ? seen : hidden);
-        if (found[v].x() < 0) continue;
-        EXPECT_NEAR(found[v].x() * float(camera.width), at->pixel.x(), 1e-3);
-        EXPECT_NEAR(found[v].y() * float(camera.height), at->pixel.y(), 1e-3);
+        EXPECT_GT(seen, 300u) << k.width;
+        EXPECT_GT(hidden, 300u) << k.width;
+        EXPECT_EQ(differ, 0u) << "of " << seen + hidden << " in " << k.width;
     }
-    EXPECT_GT(seen, 300u);
-    EXPECT_GT(hidden, 300u);
-    EXPECT_EQ(differ, 0u) << "of " << seen + hidden;
+}
+
+TEST_F(Rasterize, VisibilityTakesNoMoreWorkPerTriangleFromFarAway) {
+    // Two wavy sheets, one behind the other, in a frame that they fill, and from 5 and 20 times as far, where
+    // hundreds of triangles share a pixel; upright and diagonal.
+    constexpr std::uint32_t side = 250;
+    for (const double turn : {0.0, 0.7})
+        for (const double tilt : {0.0, 1.3})
+            for (const float far : {1.0f, 5.0f, 20.0f}) {
+                const Eigen::Matrix3f R = (Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) *
+                                           Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitX()))
+                                              .toRotationMatrix()
+                                              .cast<float>();
+                std::vector<Eigen::Vector3f> positions;
+                std::vector<std::uint32_t> indices;
+                for (std::uint32_t sheet = 0; sheet < 2; ++sheet)
+                    for (std::uint32_t i = 0; i <= side; ++i)
+                        for (std::uint32_t j = 0; j <= side; ++j) {
+                            const float x = 2 * float(j) / side - 1, y = 2 * float(i) / side - 1;
+                            const float z = 0.1f * std::sin(7 * x) * std::cos(5 * y) + 0.5f * float(sheet);
+                            positions.push_back(R * Eigen::Vector3f(x, y, z) +
+                                                Eigen::Vector3f(0, 0, 2.6f * far));
+                            const std::uint32_t a = std::uint32_t(positions.size()) - 1, b = a + side + 1;
+                            if (i < side && j < side)
+                                indices.insert(indices.end(), {a, a + 1, b + 1, a, b + 1, b});
+                        }
+                const Intrinsics k{800, 600, 800, 800, 400, 300};
+                std::uint64_t tests = 0;
+                const auto found = vertex_coordinates(projected(positions, k, Pose{}), indices, k, &tests);
+                const double triangles = double(indices.size()) / 3;
+                EXPECT_GT(double(tests), 0.5 * triangles);
+                EXPECT_LT(double(tests), 25 * triangles)
+                    << "far " << far << ", turned " << turn << ", " << tilt;
+                const auto seen = std::ranges::count_if(found, [](const auto& at) { return at.x() >= 0; });
+                EXPECT_GT(double(seen), 0.3 * double(found.size()));
+            }
 }
 
 TEST_F(Rasterize, CurvedSurfaceDoesNotOccludeItself) {
