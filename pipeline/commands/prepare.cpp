@@ -164,10 +164,10 @@ void print_needs(const ResourceEstimate& n) {
 }
 
 PrepareResult prepare_shown(const PrepareOptions& o, const SceneInput& scene, IdentityCache& identities,
-                            Trace& trace) {
+                            Trace& trace, std::chrono::steady_clock::time_point start) {
     ProgressLine line(progress_style(o.progress));
     const PrepareRun run{&stop_on_signals(), o.strict, &identities, share(o.share), &trace,
-                         print_needs,        true};
+                         print_needs,        true,     start};
     return prepare(
         scene, o.settings, o.out, [&](const Progress& p) { line.show(p); }, run);
 }
@@ -204,7 +204,7 @@ int run_prepare(PrepareOptions o) {
     Trace trace;
     const SceneInput scene = read_traced(files, trace);
     print_scene(scene);
-    const PrepareResult done = prepare_shown(o, scene, identities, trace);
+    const PrepareResult done = prepare_shown(o, scene, identities, trace, start);
     if (!o.trace.empty()) write_trace(o.trace, trace.spans());
     const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (o.writes_report())

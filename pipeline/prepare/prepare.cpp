@@ -85,12 +85,15 @@ ResourceEstimate reserve(const PreparePlan& plan, const SceneInput& scene, const
         return base + std::max(in_flight * photo, shared ? 0 : agree_memory(scene, settings, in_flight));
     };
     const unsigned in_flight = photos_in_flight(settings, needed);
-    const double share = shared ? 1.0 / run.share.shares : 1;
+    const ExpectedSeconds expected = expected_seconds(scene, plan.scene, in_flight);
+    const double photos = expected.photos / (shared ? run.share.shares : 1);
+    const std::chrono::duration<double> before = std::chrono::steady_clock::now() - run.start;
     const ResourceEstimate estimate{.disk = layout.bytes,
                                     .disk_free = disk_space_for(out),
                                     .memory = needed(in_flight),
                                     .in_flight = in_flight,
-                                    .seconds = share * expected_seconds(scene, plan.scene, in_flight)};
+                                    .seconds = before.count() + photos + (shared ? 0 : expected.finish),
+                                    .photo_seconds = photos};
     if (run.on_estimate) run.on_estimate(estimate);
     ensure_disk_space(out, layout);
     return estimate;
@@ -190,7 +193,7 @@ PrepareResult prepare_photos(const PhotoContext& context, PhotoTables& photos,
     const auto start = std::chrono::steady_clock::now();
     run_photos(context, photos, estimate.in_flight, threads_of(settings), run, counts, progress);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    if (context.earlier.empty()) remember_speed(estimate.seconds, took.count());
+    if (context.earlier.empty()) remember_speed(estimate.photo_seconds, took.count());
     record_left_out(context.scene, photos, counts.result);
     return std::move(counts.result);
 }

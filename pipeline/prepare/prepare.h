@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -31,6 +32,8 @@ struct PrepareRun {
     Trace* trace = nullptr;               ///< records what each thread does
     std::function<void(const ResourceEstimate&)> on_estimate{};  ///< called before the first photo is started
     bool expect_view = false;  ///< throw Error(misplaced) by expect_mesh_in_view()
+    std::chrono::steady_clock::time_point start =
+        std::chrono::steady_clock::now();  ///< when the run began; the estimate counts from here
 };
 
 /// What a run did.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <string>
@@ -13,6 +15,7 @@
 #include "pipeline/input/identity_cache.h"
 #include "pipeline/settings/settings.h"
 #include "scene/error.h"
+#include "scene/package_reader.h"
 
 namespace vantage {
 namespace {
@@ -30,12 +33,33 @@ std::uint64_t status_bytes(const char* key) {
 
 double pixels(const PhotoInput& photo) { return double(photo.decoded.width) * photo.decoded.height; }
 
-/// For one thread of a 2023 server; machine_speed() scales them.
-constexpr double seconds_per_pixel = 15e-9, seconds_per_triangle = 0.12e-6;
+/// For one thread of a 2023 server; machine_speed() scales them. Measured as in docs/measurements.md, "Cost
+/// by number of triangles".
+constexpr double seconds_per_pixel = 8e-9, seconds_per_undistorted_pixel = 45e-9,
+                 seconds_per_triangle = 0.16e-6;
+/// Of decoding.
+constexpr double seconds_per_jpeg_pixel = 5e-9, seconds_per_other_pixel = 35e-9;
+/// Of comparing photos; more for each of the first, because few are left out to judge effects.
+constexpr double seconds_per_photo = 0.012, seconds_per_judged = 0.035;
+constexpr std::size_t most_judged = 12;
+/// Shorter runs tell too little about the speed.
+constexpr double shortest_run = 0.5;
+
+/// Seconds of one thread for a photo.
+double photo_seconds(const PhotoInput& photo, const package::SceneRecord& model) {
+    const double kept = double(photo.camera.intrinsics.width) * photo.camera.intrinsics.height;
+    std::string extension = photo.file.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    const bool jpeg = extension == ".jpg" || extension == ".jpeg";
+    const bool undistorted = photo.camera.lens.distorts() && effect_on(model, Effect::undistortion);
+    return pixels(photo) * (jpeg ? seconds_per_jpeg_pixel : seconds_per_other_pixel) +
+           kept * (seconds_per_pixel + (undistorted ? seconds_per_undistorted_pixel : 0)) +
+           double(model.triangles) * seconds_per_triangle;
+}
 
 fs::path speed_file() {
     const fs::path cache = default_identity_cache();
-    return cache.empty() ? fs::path() : cache.parent_path() / "speed";
+    return cache.empty() ? fs::path() : cache.parent_path() / "machine-speed";
 }
 
 double machine_speed() {
@@ -97,19 +121,22 @@ unsigned photos_in_flight(const PrepareSettings& settings,
     return in_flight;
 }
 
-double expected_seconds(const SceneInput& scene, const package::SceneRecord& model, unsigned in_flight) {
+ExpectedSeconds expected_seconds(const SceneInput& scene, const package::SceneRecord& model,
+                                 unsigned in_flight) {
     double work = 0;
-    for (const PhotoInput& photo : scene.photos)
-        work += pixels(photo) * seconds_per_pixel + double(model.triangles) * seconds_per_triangle;
-    const double at_once = std::min({in_flight, std::max(1u, std::thread::hardware_concurrency()),
-                                     unsigned(std::max<std::size_t>(1, scene.photos.size()))});
-    return work / at_once * machine_speed();
+    for (const PhotoInput& photo : scene.photos) work += photo_seconds(photo, model);
+    const auto at_once = double(std::min({in_flight, std::max(1u, std::thread::hardware_concurrency()),
+                                          unsigned(std::max<std::size_t>(1, scene.photos.size()))}));
+    const std::size_t photos = scene.photos.size();
+    const double finish =
+        double(photos) * seconds_per_photo + double(std::min(photos, most_judged)) * seconds_per_judged;
+    return {work / at_once * machine_speed(), finish * machine_speed()};
 }
 
 void remember_speed(double expected, double took) {
     const fs::path file = speed_file();
-    if (file.empty() || !(expected > 0) || !(took > 0)) return;
-    const double speed = machine_speed() * took / expected;
+    if (file.empty() || !(std::max(expected, took) > shortest_run) || !(expected > 0) || !(took > 0)) return;
+    const double speed = machine_speed() * std::sqrt(took / expected);
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
     std::ofstream(file) << speed << '\n';

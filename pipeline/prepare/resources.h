@@ -14,7 +14,8 @@ struct ResourceEstimate {
     std::uint64_t disk, disk_free;  ///< bytes
     std::uint64_t memory;           ///< bytes, peak
     unsigned in_flight;             ///< photos processed concurrently
-    double seconds;                 ///< if nothing can be reused
+    double seconds;                 ///< of the whole run, with what is already over, if nothing can be reused
+    double photo_seconds;           ///< of them, for the photos
 };
 
 /// Memory per photo in flight, in bytes: its pixels, the rendered maps of the model, and masks.
@@ -39,9 +40,16 @@ unsigned threads_of(const PrepareSettings& settings);
 unsigned photos_in_flight(const PrepareSettings& settings,
                           const std::function<std::uint64_t(unsigned in_flight)>& needed);
 
-/// Expected seconds for all photos, scaled by this machine's speed in earlier runs.
-double expected_seconds(const SceneInput& scene, const package::SceneRecord& model, unsigned in_flight);
-/// Saves the ratio of actual to expected time for the next estimate. Errors are ignored.
+/// Expected seconds, scaled by this machine's speed in earlier runs. Linear in photos * (triangles + pixels).
+struct ExpectedSeconds {
+    double photos;
+    double finish;  ///< results of all photos; longer if they show that cameras have to be registered
+};
+ExpectedSeconds expected_seconds(const SceneInput& scene, const package::SceneRecord& model,
+                                 unsigned in_flight);
+/// Corrects the speed by the ratio of actual to expected time, for the next estimate. Runs too short to tell
+/// are ignored, as are errors. A single run moves it by the root of its ratio, as the machine may have been
+/// busy.
 void remember_speed(double expected, double took);
 
 }  // namespace vantage
