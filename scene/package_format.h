@@ -72,7 +72,7 @@ struct DirectoryEntry {
 
 struct SceneRecord {
     double origin[3];
-    double bounds_min[3], bounds_max[3];  ///< of the input, in its units
+    double bounds_min[3], bounds_max[3];  ///< of the input, in its units, without strays (values/main_box.h)
     std::uint64_t vertices, triangles, clusters, photos;
     double reference_density;  ///< pixels per unit at which the depth mask is 255
     double border_width;       ///< pixels of a photo 3072 wide at which the border mask is 255

@@ -39,15 +39,11 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// otherwise the player could not estimate how finely a photo samples it.
 class Splitter {
   public:
-    Splitter(const std::vector<Eigen::Vector3f>& positions, std::vector<std::uint32_t>& indices)
-        : positions_(positions), triangles_(reinterpret_cast<Triangle*>(indices.data())) {
-        Eigen::Vector3f low = positions.front(), high = low;
-        for (const Eigen::Vector3f& p : positions) {
-            low = low.cwiseMin(p);
-            high = high.cwiseMax(p);
-        }
-        scene_radius_ = (high - low).norm() / 2;
-    }
+    Splitter(const std::vector<Eigen::Vector3f>& positions, std::vector<std::uint32_t>& indices,
+             const Eigen::AlignedBox3f& scene)
+        : positions_(positions),
+          triangles_(reinterpret_cast<Triangle*>(indices.data())),
+          scene_radius_((scene.max() - scene.min()).norm() / 2) {}
     void split(std::uint32_t first, std::uint32_t count, std::vector<package::ClusterRecord>& out) {
         const package::ClusterRecord c = bounds(positions_, triangles_[first].data(), first, count);
         const std::uint32_t left = count > 1 ? partition(c) : 0;
@@ -94,19 +90,41 @@ class Splitter {
     float scene_radius_;
 };
 
-}  // namespace
+Eigen::AlignedBox3f box_of(const std::vector<Eigen::Vector3f>& positions) {
+    Eigen::AlignedBox3f box;
+    for (const Eigen::Vector3f& p : positions) box.extend(p);
+    return box;
+}
 
-std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vector3f>& positions,
-                                                  std::vector<std::uint32_t>& indices,
-                                                  std::uint32_t cluster_triangles) {
-    std::vector<package::ClusterRecord> clusters;
-    if (indices.empty()) return clusters;
+/// The space-filling curve has a fixed resolution: far points would leave all others in one cell.
+std::vector<Eigen::Vector3f> clamped(std::vector<Eigen::Vector3f> positions, const Eigen::AlignedBox3f& box) {
+    for (Eigen::Vector3f& p : positions) p = p.cwiseMax(box.min()).cwiseMin(box.max()).eval();
+    return positions;
+}
+
+/// Along a space-filling curve.
+void sort_triangles(const std::vector<Eigen::Vector3f>& positions, std::vector<std::uint32_t>& indices) {
     std::vector<std::uint32_t> ordered(indices.size());
     meshopt_spatialSortTriangles(ordered.data(), indices.data(), indices.size(), positions[0].data(),
                                  positions.size(), sizeof(Eigen::Vector3f));
     indices = std::move(ordered);
+}
+
+}  // namespace
+
+std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vector3f>& positions,
+                                                  std::vector<std::uint32_t>& indices,
+                                                  std::uint32_t cluster_triangles,
+                                                  const Eigen::AlignedBox3f& given) {
+    std::vector<package::ClusterRecord> clusters;
+    if (indices.empty()) return clusters;
+    if (given.isEmpty())
+        sort_triangles(positions, indices);
+    else
+        sort_triangles(clamped(positions, given), indices);
+    const Eigen::AlignedBox3f scene = given.isEmpty() ? box_of(positions) : given;
     const auto triangles = std::uint32_t(indices.size() / 3);
-    Splitter splitter(positions, indices);
+    Splitter splitter(positions, indices, scene);
     for (std::uint32_t first = 0; first < triangles; first += cluster_triangles)
         splitter.split(first, std::min(cluster_triangles, triangles - first), clusters);
     return clusters;

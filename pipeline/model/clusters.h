@@ -1,5 +1,5 @@
 #pragma once
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
@@ -10,9 +10,11 @@ namespace vantage {
 /// Orders the triangles along a space-filling curve and cuts them into clusters of at most
 /// `cluster_triangles` triangles, each with a bounding sphere and a normal cone (meshoptimizer). Clusters of
 /// large triangles are split further, until they are small relative to the scene and face roughly one way.
-/// Reorders `indices` in place.
+/// Reorders `indices` in place. `scene`: the model's box if some vertices lie far outside it; if empty, that
+/// of all vertices.
 std::vector<package::ClusterRecord> make_clusters(const std::vector<Eigen::Vector3f>& positions,
                                                   std::vector<std::uint32_t>& indices,
-                                                  std::uint32_t cluster_triangles);
+                                                  std::uint32_t cluster_triangles,
+                                                  const Eigen::AlignedBox3f& scene = {});
 
 }  // namespace vantage

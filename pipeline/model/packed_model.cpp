@@ -4,6 +4,7 @@
 
 #include "pipeline/model/clusters.h"
 #include "values/bytes_of.h"
+#include "values/main_box.h"
 
 namespace vantage {
 
@@ -47,20 +48,20 @@ void order_vertices(PackedModel& m, Mesh& mesh) {
 
 PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles) {
     PackedModel m;
-    Eigen::Vector3d low = mesh.positions.front(), high = low;
-    for (const Eigen::Vector3d& p : mesh.positions) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    m.origin = low + (high - low) / 2;
+    const MainBox box = main_box(mesh.positions, mesh.triangles);
+    m.origin = box.low + (box.high - box.low) / 2;
     m.positions.reserve(mesh.positions.size());
     for (const Eigen::Vector3d& p : mesh.positions) m.positions.push_back((p - m.origin).cast<float>());
     for (const auto& t : mesh.triangles) m.indices.insert(m.indices.end(), t.begin(), t.end());
-    m.clusters = make_clusters(m.positions, m.indices, cluster_triangles);
+    const auto from_origin = [&](const Eigen::Vector3d& p) { return (p - m.origin).cast<float>().eval(); };
+    const Eigen::AlignedBox3f scene = box.strays.empty()
+                                          ? Eigen::AlignedBox3f()
+                                          : Eigen::AlignedBox3f(from_origin(box.low), from_origin(box.high));
+    m.clusters = make_clusters(m.positions, m.indices, cluster_triangles, scene);
     order_vertices(m, mesh);
     Eigen::Map<Eigen::Vector3d>(m.record.origin) = m.origin;
-    Eigen::Map<Eigen::Vector3d>(m.record.bounds_min) = low;
-    Eigen::Map<Eigen::Vector3d>(m.record.bounds_max) = high;
+    Eigen::Map<Eigen::Vector3d>(m.record.bounds_min) = box.low;
+    Eigen::Map<Eigen::Vector3d>(m.record.bounds_max) = box.high;
     m.record.vertices = m.positions.size();
     m.record.triangles = m.indices.size() / 3;
     m.record.clusters = m.clusters.size();

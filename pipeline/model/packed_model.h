@@ -12,7 +12,7 @@ namespace vantage {
 /// The model as the package holds it, with triangles ordered by cluster.
 struct PackedModel {
     package::SceneRecord record{};
-    Eigen::Vector3d origin;                  ///< center of the bounding box, in the mesh's coordinates
+    Eigen::Vector3d origin;                  ///< center of the mesh's main_box, in its coordinates
     std::vector<Eigen::Vector3f> positions;  ///< relative to `origin`
     std::vector<std::uint32_t> indices;      ///< three per triangle
     std::vector<package::ClusterRecord> clusters;

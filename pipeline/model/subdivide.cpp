@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
+
+#include "values/main_box.h"
 
 namespace vantage {
 namespace {
@@ -11,13 +14,6 @@ namespace {
 using Triangle = std::array<std::uint32_t, 3>;
 constexpr std::size_t max_added_triangles = std::size_t(1) << 18;
 constexpr std::uint32_t no_midpoint = ~0u;
-
-double diagonal(const Mesh& mesh) {
-    if (mesh.positions.empty()) return 0;
-    Eigen::Vector3d low = mesh.positions.front(), high = low;
-    for (const Eigen::Vector3d& p : mesh.positions) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    return (high - low).norm();
-}
 
 std::uint32_t add_midpoint(Mesh& m, std::uint32_t a, std::uint32_t b) {
     m.positions.push_back((m.positions[a] + m.positions[b]) / 2);
@@ -34,22 +30,27 @@ std::uint32_t add_midpoint(Mesh& m, std::uint32_t a, std::uint32_t b) {
     return std::uint32_t(m.positions.size() - 1);
 }
 
-bool is_longer(const Mesh& m, std::uint32_t a, std::uint32_t b, double longest) {
-    return (m.positions[a] - m.positions[b]).squaredNorm() > longest * longest;
-}
+/// Which edges are halved: those longer than `longest` between vertices that are not strays.
+struct Limit {
+    double longest;
+    std::span<const std::uint32_t> strays;  ///< ascending
 
-bool has_longer_edge(const Mesh& m, const Triangle& t, double longest) {
-    return is_longer(m, t[0], t[1], longest) || is_longer(m, t[1], t[2], longest) ||
-           is_longer(m, t[2], t[0], longest);
-}
+    bool is_exceeded(const Mesh& m, std::uint32_t a, std::uint32_t b) const {
+        const auto stray = [&](std::uint32_t v) { return std::ranges::binary_search(strays, v); };
+        return (m.positions[a] - m.positions[b]).squaredNorm() > longest * longest && !stray(a) && !stray(b);
+    }
+    bool is_exceeded(const Mesh& m, const Triangle& t) const {
+        return is_exceeded(m, t[0], t[1]) || is_exceeded(m, t[1], t[2]) || is_exceeded(m, t[2], t[0]);
+    }
+};
 
 /// Midpoints of long edges, shared by the triangles on both sides.
 class Midpoints {
   public:
-    Midpoints(Mesh& mesh, double longest) : mesh_(mesh), longest_(longest) {}
-    /// The midpoint vertex of an edge longer than `longest`; `no_midpoint` for shorter edges.
+    Midpoints(Mesh& mesh, const Limit& limit) : mesh_(mesh), limit_(limit) {}
+    /// The midpoint vertex of an edge that exceeds the limit; `no_midpoint` for others.
     std::uint32_t of(std::uint32_t a, std::uint32_t b) {
-        if (!is_longer(mesh_, a, b, longest_)) return no_midpoint;
+        if (!limit_.is_exceeded(mesh_, a, b)) return no_midpoint;
         const auto [low, high] = std::minmax(a, b);
         const auto [at, inserted] = vertices_.try_emplace(std::uint64_t(low) << 32 | high, no_midpoint);
         if (inserted) at->second = add_midpoint(mesh_, low, high);
@@ -58,7 +59,7 @@ class Midpoints {
 
   private:
     Mesh& mesh_;
-    double longest_;
+    Limit limit_;
     std::unordered_map<std::uint64_t, std::uint32_t> vertices_;  ///< by edge
 };
 
@@ -80,23 +81,21 @@ void add_pieces(const Triangle& t, const Triangle& m, std::vector<Triangle>& out
     }
 }
 
-/// The mesh without edges longer than `longest`; nothing if that takes too many triangles.
-std::optional<Mesh> subdivided(const Mesh& mesh, double longest) {
+/// The mesh without edges that exceed the limit; nothing if that takes too many triangles.
+std::optional<Mesh> subdivided(const Mesh& mesh, const Limit& limit) {
     Mesh out = mesh;
-    const auto large =
-        std::stable_partition(out.triangles.begin(), out.triangles.end(),
-                              [&](const Triangle& t) { return !has_longer_edge(out, t, longest); });
+    const auto large = std::stable_partition(out.triangles.begin(), out.triangles.end(),
+                                             [&](const Triangle& t) { return !limit.is_exceeded(out, t); });
     std::vector<Triangle> todo(large, out.triangles.end());
     out.triangles.erase(large, out.triangles.end());
-    Midpoints midpoints(out, longest);
+    Midpoints midpoints(out, limit);
     while (!todo.empty()) {
         std::vector<Triangle> pieces;
         for (const Triangle& t : todo)
             add_pieces(t, {midpoints.of(t[0], t[1]), midpoints.of(t[1], t[2]), midpoints.of(t[2], t[0])},
                        pieces);
         todo.clear();
-        for (const Triangle& t : pieces)
-            (has_longer_edge(out, t, longest) ? todo : out.triangles).push_back(t);
+        for (const Triangle& t : pieces) (limit.is_exceeded(out, t) ? todo : out.triangles).push_back(t);
         if (out.triangles.size() + todo.size() > mesh.triangles.size() + max_added_triangles)
             return std::nullopt;
     }
@@ -107,11 +106,13 @@ std::optional<Mesh> subdivided(const Mesh& mesh, double longest) {
 
 std::size_t subdivide_large_triangles(Mesh& mesh) {
     const std::size_t before = mesh.triangles.size();
-    const double extent = diagonal(mesh);
+    const MainBox box = main_box(mesh.positions, mesh.triangles);
+    const double extent = box.diagonal();
     for (double longest = extent / 64; longest > 0 && longest < extent; longest *= 2) {
-        const auto large = [&](const Triangle& t) { return has_longer_edge(mesh, t, longest); };
+        const Limit limit{longest, box.strays};
+        const auto large = [&](const Triangle& t) { return limit.is_exceeded(mesh, t); };
         if (std::ranges::none_of(mesh.triangles, large)) break;
-        auto fine = subdivided(mesh, longest);
+        auto fine = subdivided(mesh, limit);
         if (!fine) continue;
         mesh = std::move(*fine);
         break;

@@ -1,5 +1,7 @@
 #include "pipeline/prepare/plan.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "pipeline/model/subdivide.h"
@@ -12,21 +14,26 @@
 namespace vantage {
 namespace {
 
-/// RMS distance of the vertices from their mean: the same however the model is rotated.
-double spread(const Mesh& mesh) {
-    const auto n = double(mesh.positions.size());
+/// RMS distance from their mean of the vertices in the model's bounds: the same however the model is rotated.
+double spread(const Mesh& mesh, const package::SceneRecord& model) {
+    const Eigen::AlignedBox3d bounds(Eigen::Map<const Eigen::Vector3d>(model.bounds_min),
+                                     Eigen::Map<const Eigen::Vector3d>(model.bounds_max));
+    const auto inside = [&](const Eigen::Vector3d& p) { return bounds.contains(p); };
+    const auto n = double(std::ranges::count_if(mesh.positions, inside));
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& p : mesh.positions) mean += p / n;
+    for (const Eigen::Vector3d& p : mesh.positions)
+        if (inside(p)) mean += p / n;
     double squares = 0;
-    for (const Eigen::Vector3d& p : mesh.positions) squares += (p - mean).squaredNorm() / n;
+    for (const Eigen::Vector3d& p : mesh.positions)
+        if (inside(p)) squares += (p - mean).squaredNorm() / n;
     return squares > 0 ? std::sqrt(squares) : 1;
 }
 
 /// The finest density, rounded up to a power of two so that adding or removing a photo does not change every
 /// mask: an octave is twelve steps of the depth mask. The powers are relative to the model's size: in input
 /// units, rounding would depend on the unit.
-double reference_density(const SceneInput& scene) {
-    const double size = spread(scene.mesh);
+double reference_density(const SceneInput& scene, const package::SceneRecord& model) {
+    const double size = spread(scene.mesh, model);
     return std::exp2(std::ceil(std::log2(finest_density(scene) * size))) / size;
 }
 
@@ -35,7 +42,7 @@ package::SceneRecord scene_record(const PackedModel& model, const SceneInput& sc
                                   const std::vector<EffectDecision>& effects) {
     package::SceneRecord record = model.record;
     record.photos = scene.photos.size();
-    record.reference_density = reference_density(scene);
+    record.reference_density = reference_density(scene, model.record);
     record.border_width = settings.border_width;
     record.scalar_layers = scene.mesh.scalars.size();
     for (const EffectDecision& d : effects) record.effects |= std::uint64_t(d.on) << int(d.effect);

@@ -110,13 +110,16 @@ class ScaleAndPlace : public TemporaryFolder {
         ScalarLayer number{"number", {}};
         for (std::size_t v = 0; v < scene.mesh.positions.size(); ++v) number.values.push_back(float(v));
         scene.mesh.scalars.push_back(number);
-        given = opened({}, "given");
+        given = opened(Similarity{}, "given");
     }
     std::unique_ptr<Opened> opened(const Similarity& by, const char* name) const {
+        return opened(by.moved(scene), name);
+    }
+    std::unique_ptr<Opened> opened(const SceneInput& input, const char* name) const {
         const std::filesystem::path file = dir / name;
         PrepareSettings settings;  // for these photos, rounding decides whether gains are enabled
         settings.effects = {{Effect::exposure, EffectChoice::off}, {Effect::falloff, EffectChoice::off}};
-        prepare(by.moved(scene), settings, file, [](const Progress&) {});
+        prepare(input, settings, file, [](const Progress&) {});
         for (const Issue& i : check_package(file, {.deep = true})) ADD_FAILURE() << name << ": " << i.text;
         return std::make_unique<Opened>(file);
     }
@@ -207,6 +210,27 @@ class ScaleAndPlace : public TemporaryFolder {
     }
 };
 
+/// PSNR of two pictures of the same size, dB.
+double psnr(const Picture& a, const Picture& b) {
+    double squares = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i)
+        squares += std::pow(double(a.rgba[i]) - double(b.rgba[i]), 2);
+    return 10 * std::log10(255.0 * 255 * double(a.rgba.size()) / std::max(squares, 1e-9));
+}
+
+/// Adds a triangle from the two vertices that are farthest in +y to `corner`.
+void add_stray(SceneInput& scene, const Eigen::Vector3d& corner) {
+    Mesh& mesh = scene.mesh;
+    std::vector<std::uint32_t> by_y(mesh.positions.size());
+    std::iota(by_y.begin(), by_y.end(), 0u);
+    std::ranges::sort(by_y, std::ranges::greater(), [&](std::uint32_t v) { return mesh.positions[v].y(); });
+    mesh.triangles.push_back({by_y[0], by_y[1], std::uint32_t(mesh.positions.size())});
+    mesh.positions.push_back(corner);
+    mesh.normals.push_back(Eigen::Vector3f::UnitZ());
+    if (!mesh.colors.empty()) mesh.colors.push_back(mesh.colors.front());
+    for (ScalarLayer& layer : mesh.scalars) layer.values.push_back(float(by_y.size()));
+}
+
 Eigen::Matrix3d turned(double angle, const Eigen::Vector3d& axis) {
     return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
@@ -230,7 +254,7 @@ TEST_F(ScaleAndPlace, UnitsPositionAndOrientationDoNotMatter) {
 }
 
 TEST_F(ScaleAndPlace, ScalingByAPowerOfTwoIsBitExact) {
-    const auto other = opened({.scale = 0x1p13}, "other");
+    const auto other = opened(Similarity{.scale = 0x1p13}, "other");
     for (const std::uint32_t photo : given->photos) {
         EXPECT_EQ(given->texels(Type::masks, photo, mask_level),
                   other->texels(Type::masks, photo, mask_level));
@@ -239,4 +263,35 @@ TEST_F(ScaleAndPlace, ScalingByAPowerOfTwoIsBitExact) {
     const View a = view_of_photo(given->package.photos()[1], 1),
                b = view_of_photo(other->package.photos()[1], 1);
     EXPECT_EQ(given->picture(a, Blend::lumigraph).rgba, other->picture(b, Blend::lumigraph).rgba);
+}
+
+// One triangle far away takes no precision from the rest: the picture of a photo that is left out is as good,
+// and the clusters and the extent of the scene are those of the rest.
+TEST_F(ScaleAndPlace, StrayTriangleCostsNoPrecision) {
+    struct Case {
+        const char* name;
+        Similarity by;
+        Eigen::Vector3d corner;
+    };
+    for (const Case& c : {Case{"utm", {1, {5e5, -5.4e6, 120}}, {0, 0, 0}}, Case{"local", {}, {3, 1e6, -2}}}) {
+        SCOPED_TRACE(c.name);
+        SceneInput input = c.by.moved(scene);
+        const auto without = opened(input, "without");
+        add_stray(input, c.corner);
+        const auto with = opened(input, "with");
+        EXPECT_LT((with->origin() - without->origin()).norm(), 1);
+        const package::SceneRecord &given = without->package.scene(), &other = with->package.scene();
+        EXPECT_NEAR(other.reference_density, given.reference_density, 0.01 * given.reference_density);
+        EXPECT_NEAR(double(other.clusters), double(given.clusters), 0.1 * double(given.clusters));
+        // The side of the stray in the scene is subdivided as others are.
+        EXPECT_NEAR(double(other.triangles), double(given.triangles), 64);
+        const std::vector<std::uint32_t> others{0, 2};
+        const Picture own = without->picture(view_of_photo(without->package.photos()[1], 1), Blend::best);
+        const auto left_out = [&](Opened& o) {
+            return take_picture(o.renderer, view_of_photo(o.package.photos()[1], 1), {}, others, 1);
+        };
+        const Picture a = left_out(*without), b = left_out(*with);
+        EXPECT_NEAR(psnr(a, own), psnr(b, own), 0.1);
+        EXPECT_GT(psnr(a, b), 45);
+    }
 }

@@ -341,6 +341,7 @@ std::vector<Row> rows() {
         {"meshes", "PLY without x", text("mesh.ply", "property double x", "property double u"), Exit::input, Says{"expected vertices with x, y and z"}},
         {"meshes", "PLY with an unknown type", text("mesh.ply", "property double x", "property half x"), Exit::input, Says{"expected a PLY property type, found 'half'"}},
         {"meshes", "PLY with an unused vertex far away", [](Scan& s) { s.replace("mesh.ply", "element vertex 8", "element vertex 9"); s.replace("mesh.ply", "\n3 0 2 1\n", "\n1e9 1e9 1e9\n3 0 2 1\n"); }},
+        {"meshes", "PLY with a triangle that reaches far away", [](Scan& s) { s.replace("mesh.ply", "element vertex 8\n", "element vertex 9\n"); s.replace("mesh.ply", "element face 12\n", "element face 13\n"); s.replace("mesh.ply", "\n3 0 2 1\n", "\n0 0 1e6\n3 0 2 1\n"); s["mesh.ply"] += "3 6 7 8\n"; }, Says{"mesh.ply: vertex 8 of triangle 12 (counted from 0) at (0, 0, 1000000) lies 1e+06 from the rest of the mesh, which is 3.46 in size"}, Holds{"A.jpg=red B.jpg=green C.jpg=blue"}},
         {"meshes", "a PLY named mesh.obj", with_mesh("mesh.obj", box_ply()), Exit::input, Says{"mesh.obj"}},
         {"meshes", "an HTML page named mesh.ply", with_mesh("mesh.ply", "<!DOCTYPE html><html>404</html>"), Exit::input, Says{"mesh.ply: expected a PLY header"}},
         {"meshes", "in UTM, cameras too far", mesh_at({.x = 512000, .y = 4200000, .z = 300}), Exit::misplaced, Says{"mesh.ply", "mesh from (511999, 4199999, 299) to (512001, 4200001, 301), cameras from (-2.7", "cameras from"}},

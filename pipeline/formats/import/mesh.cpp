@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 
+#include "pipeline/formats/import/coordinate_warnings.h"
 #include "pipeline/formats/import/obj.h"
 #include "pipeline/formats/import/off.h"
 #include "pipeline/formats/import/openmesh_reader.h"
@@ -104,6 +105,8 @@ Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warn
                            " invalid triangles dropped");
     if (extension == ".stl") weld(mesh);
     complete_normals(mesh);
+    for (const std::string& w : coordinate_warnings(mesh))
+        warnings.push_back(file.filename().string() + ": " + w);
     return mesh;
 }
 

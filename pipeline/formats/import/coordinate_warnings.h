@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/mesh.h"
+
+namespace vantage {
+
+/// One line each about vertices far from all others (values/main_box.h) and about coordinates that were
+/// rounded to few digits far from zero: to single precision or to a power of ten, in steps of more than
+/// 1/100,000 of the mesh's size. Empty for points and for sound meshes. Positions must be finite. Lines do
+/// not name the file.
+std::vector<std::string> coordinate_warnings(const Mesh& mesh);
+
+}  // namespace vantage

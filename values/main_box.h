@@ -1,0 +1,26 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vantage {
+
+/// The box of a mesh's vertices, without those that lie far from all others.
+struct MainBox {
+    Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = low;
+    std::vector<std::uint32_t> strays;  ///< the vertices outside, ascending
+
+    double diagonal() const { return (high - low).norm(); }
+    double distance(const Eigen::Vector3d& p) const { return (p - p.cwiseMax(low).cwiseMin(high)).norm(); }
+};
+
+/// Strays are at most 1 % of the vertices (at least 3 may be, but no more than a quarter) and 20 times as far
+/// as any other vertex from the median of each coordinate. Only vertices of triangles count, all if there are
+/// no triangles; the box is that of all vertices if none is a stray. Positions must be finite. Zero without
+/// vertices.
+MainBox main_box(std::span<const Eigen::Vector3d> positions,
+                 std::span<const std::array<std::uint32_t, 3>> triangles);
+
+}  // namespace vantage
