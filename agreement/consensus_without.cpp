@@ -8,10 +8,11 @@ namespace {
 constexpr std::size_t cached_views = 24;  ///< some 7 MB each
 
 ConsensusPartners partners_in(const PackageReader& package, const PhotoSamples& samples) {
-    const auto discs = thinned(surface_disc_set(package.records<Eigen::Vector3f>(package::Type::positions),
-                                                package.records<std::uint32_t>(package::Type::indices),
-                                                package.scene().reference_density),
-                               samples.step);
+    const auto discs =
+        thinned(surface_disc_set(package.records<Eigen::Vector3f>(package::Type::positions),
+                                 package.records<std::uint32_t>(package::Type::indices),
+                                 package.scene().reference_density, bounds_from_origin(package.scene())),
+                samples.step);
     const auto spans = samples.spans();
     return ConsensusPartners(SharedSurface(package.photos(), spans, discs));
 }

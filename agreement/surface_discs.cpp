@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "values/main_box.h"
+
 namespace vantage {
 namespace {
 
@@ -20,7 +22,8 @@ Eigen::Vector3f point_in(const std::array<Eigen::Vector3f, 3>& p, std::size_t n)
 }  // namespace
 
 std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> positions,
-                                          std::span<const std::uint32_t> indices, double density) {
+                                          std::span<const std::uint32_t> indices, double density,
+                                          const Eigen::AlignedBox3d& bounds) {
     const std::size_t triangles = indices.size() / 3;
     const auto corners = [&](std::size_t t) {
         return std::array{positions[indices[3 * t]], positions[indices[3 * t + 1]],
@@ -30,6 +33,7 @@ std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> posit
     double whole = 0;
     for (std::size_t t = 0; t < triangles; ++t) {
         const auto p = corners(t);
+        if (has_stray(p, bounds)) continue;
         area[t] = (p[1] - p[0]).cast<double>().cross((p[2] - p[0]).cast<double>()).norm();
         whole += area[t];
     }

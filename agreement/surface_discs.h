@@ -1,5 +1,5 @@
 #pragma once
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,9 +17,11 @@ struct SurfaceDisc {
 
 /// Discs spread over the model, half by area and half by triangle count, so that neither a large ground plane
 /// nor a dense object takes them all. Deterministic. Their radius is 48 px at `density` (pixels per unit of
-/// the finest photo). Empty if the model has no triangles.
+/// the finest photo). Triangles with strays count as
+/// without area (has_stray; `bounds` relative to the origin). Empty if the model has no triangles.
 std::vector<SurfaceDisc> surface_disc_set(std::span<const Eigen::Vector3f> positions,
-                                          std::span<const std::uint32_t> indices, double density);
+                                          std::span<const std::uint32_t> indices, double density,
+                                          const Eigen::AlignedBox3d& bounds = {});
 
 /// Every `step`-th disc.
 std::vector<SurfaceDisc> thinned(std::span<const SurfaceDisc> discs, std::size_t step);

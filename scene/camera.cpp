@@ -41,9 +41,9 @@ Eigen::Matrix4d clip_from_cam(const Intrinsics& k, double near, double far) {
     return m;
 }
 
-Eigen::Vector2d clip_range(double nearest, double farthest) {
+Eigen::Vector2d clip_range(double nearest, double farthest, double reach) {
     if (!(farthest > 0)) return {0, 0};
-    return {std::max(nearest * 0.999, farthest * 1e-7), farthest * 1.001};
+    return {std::max(nearest * 0.999, std::min(farthest, reach) * 1e-7), farthest * 1.001};
 }
 
 void validate(Camera& camera, const std::string& who) {

@@ -357,6 +357,15 @@ Pose cam_from_origin(const package::PhotoRecord& photo) { return pose_of(photo);
 Pose cam_from_origin(const package::RegistrationRecord& given) { return pose_of(given); }
 Pose cam_from_origin(const package::PoseWithoutRecord& without) { return pose_of(without); }
 
+Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& s) {
+    const Eigen::Map<const Eigen::Vector3d> origin(s.origin), low(s.bounds_min), high(s.bounds_max);
+    return {Eigen::Vector3d(low - origin), Eigen::Vector3d(high - origin)};
+}
+
+double model_reach(const package::SceneRecord& s, const Pose& pose) {
+    return pose.center().norm() + 2 * bounds_from_origin(s).diagonal().norm();  // spheres around it as well
+}
+
 bool effect_on(const package::SceneRecord& scene, Effect effect) {
     return scene.effects & effect_bit(effect);
 }

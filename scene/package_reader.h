@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <filesystem>
 #include <limits>
@@ -118,6 +119,10 @@ Intrinsics intrinsics(const package::PhotoRecord& photo);
 Pose cam_from_origin(const package::PhotoRecord& photo);
 Pose cam_from_origin(const package::RegistrationRecord& given);
 Pose cam_from_origin(const package::PoseWithoutRecord& without);
+/// The bounds of the model without strays, relative to the origin.
+Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& scene);
+/// No part of the model within its bounds is farther from the camera.
+double model_reach(const package::SceneRecord& scene, const Pose& cam_from_origin);
 bool effect_on(const package::SceneRecord& scene, Effect effect);
 
 /// A chunk's name in messages: "TILE of photo 3 (00003.jpg), level 2".

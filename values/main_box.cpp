@@ -75,4 +75,11 @@ MainBox main_box(std::span<const Eigen::Vector3d> positions,
     return box;
 }
 
+bool has_stray(const std::array<Eigen::Vector3f, 3>& corners, const Eigen::AlignedBox3d& bounds) {
+    if (bounds.isEmpty()) return false;
+    const double most = bounds.diagonal().norm();
+    return std::ranges::any_of(
+        corners, [&](const auto& p) { return bounds.exteriorDistance(p.template cast<double>()) > most; });
+}
+
 }  // namespace vantage

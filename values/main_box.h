@@ -1,5 +1,5 @@
 #pragma once
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -22,5 +22,9 @@ struct MainBox {
 /// vertices.
 MainBox main_box(std::span<const Eigen::Vector3d> positions,
                  std::span<const std::array<std::uint32_t, 3>> triangles);
+
+/// Whether a triangle has a stray: a corner farther from `bounds`, the box without strays, than its diagonal.
+/// False if `bounds` is empty.
+bool has_stray(const std::array<Eigen::Vector3f, 3>& corners, const Eigen::AlignedBox3d& bounds);
 
 }  // namespace vantage

@@ -80,7 +80,8 @@ std::vector<std::uint8_t> validity(const RgbaImage& level) {
 
 PhotoView view_of(const GeometryContext& c, const PosedPhoto& photo) {
     const Traced traced(c.trace, "project", photo.name);
-    const Eigen::Vector2d near_far = depth_range(c.model.positions, photo.pose);
+    const Eigen::Vector2d near_far =
+        depth_range(c.model.positions, photo.pose, model_reach(c.model.record, photo.pose));
     return {triangles_in_frame(c.model.clusters, c.model.indices, photo.intrinsics, photo.pose), near_far,
             project_model(c.model.positions, map_intrinsics(photo.intrinsics), photo.pose, near_far.x())};
 }

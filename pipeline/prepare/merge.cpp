@@ -177,7 +177,8 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
     const std::vector<Eigen::Vector3f> normals(from.begin(), from.end());
     const PrepareSettings settings = scene_settings_in(meta);
     GeometryRenderer renderer(model, normals, settings);
-    const auto discs = surface_disc_set(model.positions, model.indices, scene.reference_density);
+    const auto discs =
+        surface_disc_set(model.positions, model.indices, scene.reference_density, bounds_from_origin(scene));
     const GeometryContext geometry{.model = model,
                                    .discs = discs,
                                    .renderer = renderer,

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "pipeline/run/for_each_photo.h"
+#include "values/main_box.h"
 
 namespace vantage {
 
@@ -27,10 +28,12 @@ std::size_t class_of(unsigned photos) { return photos < 3 ? photos : photos < 5 
 struct Geometry {
     std::span<const Eigen::Vector3f> positions;
     std::span<const std::uint32_t> indices;
+    Eigen::AlignedBox3d bounds;
 
     explicit Geometry(const PackageReader& package)
         : positions(package.records<Eigen::Vector3f>(Type::positions)),
-          indices(package.records<std::uint32_t>(Type::indices)) {}
+          indices(package.records<std::uint32_t>(Type::indices)),
+          bounds(bounds_from_origin(package.scene())) {}
     std::array<Eigen::Vector3f, 3> corners(std::size_t triangle) const {
         return {positions[indices[3 * triangle]], positions[indices[3 * triangle + 1]],
                 positions[indices[3 * triangle + 2]]};
@@ -168,6 +171,7 @@ std::array<double, 5> covered_area(const PackageReader& package, const std::vect
     double total = 0;
     for (std::size_t t = 0; t < photos.size(); ++t) {
         const auto p = g.corners(t);
+        if (has_stray(p, g.bounds)) continue;
         const double a = double((p[1] - p[0]).cross(p[2] - p[0]).norm());
         area[class_of(photos[t])] += a;
         total += a;
@@ -180,8 +184,9 @@ namespace {
 
 std::array<ParallelView, 3> views(const Geometry& g, int size) {
     Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
-    for (const std::uint32_t i : g.indices)
-        low = low.cwiseMin(g.positions[i]), high = high.cwiseMax(g.positions[i]);
+    for (std::size_t t = 0; t < g.indices.size() / 3; ++t)
+        if (const auto corners = g.corners(t); !has_stray(corners, g.bounds))
+            for (const Eigen::Vector3f& p : corners) low = low.cwiseMin(p), high = high.cwiseMax(p);
     return {look_along(0, low, high, size), look_along(1, low, high, size), look_along(2, low, high, size)};
 }
 
@@ -193,6 +198,7 @@ std::vector<Canvas> draw(const Geometry& g, const std::array<ParallelView, 3>& v
     for_each_photo(shares, 0, [&](std::size_t s) {
         for (std::size_t t = triangles * s / shares; t < triangles * (s + 1) / shares; ++t) {
             const auto p = g.corners(t);
+            if (has_stray(p, g.bounds)) continue;
             for (std::size_t axis = 0; axis < views.size(); ++axis)
                 fill(canvases[s][axis], {views[axis].at(p[0]), views[axis].at(p[1]), views[axis].at(p[2])},
                      std::uint32_t(t));

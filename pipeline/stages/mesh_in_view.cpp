@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "scene/error.h"
+#include "values/main_box.h"
 
 namespace vantage {
 namespace {
@@ -45,8 +46,9 @@ void expect_mesh_in_view(const SceneInput& scene) {
     const auto blind = std::ranges::count_if(
         scene.photos, [&](const PhotoInput& photo) { return !sees(photo, scene.mesh.positions); });
     if (2 * std::size_t(blind) <= scene.photos.size()) return;
-    Eigen::AlignedBox3d mesh, cameras;
-    for (const Eigen::Vector3d& p : scene.mesh.positions) mesh.extend(p);
+    const MainBox box = main_box(scene.mesh.positions, scene.mesh.triangles);
+    const Eigen::AlignedBox3d mesh(box.low, box.high);
+    Eigen::AlignedBox3d cameras;
     for (const PhotoInput& photo : scene.photos) cameras.extend(photo.camera.cam_from_world.center());
     throw Error(Exit::misplaced,
                 fmt::format("{}: {} of {} photos see less than {} % of a frame of it, so it is not where the "

@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& pose) {
+Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& pose, double reach) {
     const Eigen::Vector3d axis = pose.R.row(2);
     double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
     for (const Eigen::Vector3f& p : positions) {
@@ -16,7 +16,7 @@ Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Po
         nearest = std::min(nearest, std::max(z, 0.0));
         farthest = std::max(farthest, z);
     }
-    return clip_range(nearest, farthest);
+    return clip_range(nearest, farthest, reach);
 }
 
 Intrinsics map_intrinsics(const Intrinsics& k) { return k.at_level(mask_level); }

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,8 +20,9 @@ struct PhotoGeometry {
 /// The intrinsics of a photo's maps.
 Intrinsics map_intrinsics(const Intrinsics& photo);
 
-/// Near and far planes that enclose all vertices, see clip_range.
-Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& cam_from_origin);
+/// Near and far planes that enclose all vertices; `reach` as for clip_range.
+Eigen::Vector2d depth_range(std::span<const Eigen::Vector3f> positions, const Pose& cam_from_origin,
+                            double reach = std::numeric_limits<double>::infinity());
 
 /// Maps of a photo that sees nothing.
 PhotoGeometry empty_geometry(const Intrinsics& photo);

@@ -20,11 +20,6 @@ bool in_use(const Renderer& renderer, std::uint32_t photo) {
                                [&](const PlannedPhoto& p) { return p.photo == photo; });
 }
 
-double scene_size(const PlanScene& scene) {
-    const ClusterTree::Node& all = scene.tree.nodes.front();
-    return (all.high - all.low).norm();
-}
-
 /// A line between two points relative to the origin, clipped in front of the viewer.
 void line(ImDrawList& list, const View& view, Eigen::Vector3d a, Eigen::Vector3d b, ImU32 color,
           float width) {
@@ -48,7 +43,7 @@ void draw_frusta(const Session& s, const Renderer& renderer, const View& view) {
     const PlanScene& scene = renderer.scene();
     const ViewWeights weights = view_weights(view, scene.photos, s.settings.weights);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const double length = 0.06 * scene_size(scene);
+    const double length = 0.06 * scene.size;
     for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
         const Intrinsics& k = scene.intrinsics[i];
         const Pose& pose = scene.poses[i];
@@ -78,7 +73,7 @@ void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const
     const PlanScene& scene = renderer.scene();
     const Eigen::Vector3d up = s.camera.up, east = up.unitOrthogonal(), north = up.cross(east);
     const Eigen::Vector3d eye = view.cam_from_origin.center();
-    double reach = scene_size(scene) / 2;
+    double reach = scene.size / 2;
     for (const Pose& pose : scene.poses) reach = std::max(reach, pose.center().norm());
     reach = std::max(reach, eye.norm()) * 1.08;
     const ImVec2 low = ImGui::GetCursorScreenPos();

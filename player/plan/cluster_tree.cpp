@@ -110,7 +110,7 @@ bool faces_away(const package::ClusterRecord& c, const Eigen::Vector3d& eye) {
 }
 
 Eigen::Vector2d depth_range(std::span<const package::ClusterRecord> clusters,
-                            std::span<const std::uint32_t> in_view, const View& view) {
+                            std::span<const std::uint32_t> in_view, const View& view, double reach) {
     double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
     for (const std::uint32_t i : in_view) {
         const package::ClusterRecord& c = clusters[i];
@@ -119,7 +119,7 @@ Eigen::Vector2d depth_range(std::span<const package::ClusterRecord> clusters,
         nearest = std::min(nearest, z - c.radius);
         farthest = std::max(farthest, z + c.radius);
     }
-    return clip_range(nearest, farthest);
+    return clip_range(nearest, farthest, reach);
 }
 
 }  // namespace vantage

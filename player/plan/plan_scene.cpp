@@ -15,6 +15,7 @@ PlanScene make_plan_scene(const PackageReader& package) {
     const auto clusters = package.records<package::ClusterRecord>(Type::clusters);
     s.clusters.assign(clusters.begin(), clusters.end());
     s.tree = make_cluster_tree(s.clusters);
+    s.size = bounds_from_origin(record).diagonal().norm();
     s.triangles = record.triangles;
     s.positions = package.records<Eigen::Vector3f>(Type::positions);
     s.indices = package.records<std::uint32_t>(Type::indices);

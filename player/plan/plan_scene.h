@@ -18,6 +18,7 @@ struct PlanScene {
     std::vector<Pose> poses;                                         ///< per photo, cam_from_origin
     std::vector<std::span<const package::CoverageRecord>> coverage;  ///< per photo; empty if held out
     std::vector<std::span<const std::uint64_t>> visible;             ///< per photo, as VISB
+    double size = 0;                                                 ///< diagonal of the model's bounds
     std::size_t triangles = 0;
     std::span<const Eigen::Vector3f> positions;
     std::span<const std::uint32_t> indices;

@@ -26,8 +26,7 @@ PlanSettings with_side(PlanSettings settings, int side) {
 bool shows_much_of(const View& before, const View& now, const PlanScene& scene) {
     const double turned = before.cam_from_origin.direction().dot(now.cam_from_origin.direction());
     const double moved = (before.cam_from_origin.center() - now.cam_from_origin.center()).norm();
-    const ClusterTree::Node& all = scene.tree.nodes.front();
-    return turned > std::cos(std::numbers::pi / 9) && moved < 0.1 * (all.high - all.low).norm();
+    return turned > std::cos(std::numbers::pi / 9) && moved < 0.1 * scene.size;
 }
 
 /// One pixel wider on each side: samples lie up to half a pixel from a pixel's center.

@@ -162,7 +162,8 @@ DrawnView Renderer::drawn_view(const View& view, const RenderSettings& settings,
             settings,
             plan_,
             side,
-            clip_matrix(view, depth_range(scene_.clusters, plan_.plan().clusters, view)),
+            clip_matrix(view, depth_range(scene_.clusters, plan_.plan().clusters, view,
+                                          model_reach(package_->scene(), view.cam_from_origin))),
             dynamic_weights(settings.weights_from.value_or(view), scene_.photos, settings.weights)};
 }
 

@@ -228,6 +228,14 @@ TEST(SurfaceDiscs, AreSpreadHalfByAreaAndHalfByTriangles) {
     }
     EXPECT_NEAR(double(large), 0.5 * double(package::surface_discs), 0.01 * double(package::surface_discs));
     EXPECT_TRUE(surface_disc_set(positions, {}, 100).empty());
+    // A triangle that reaches far beyond the model does not take the discs of all others.
+    const auto far = std::uint32_t(positions.size());
+    positions.push_back({0, 0, 1e6f});
+    indices.insert(indices.end(), {0, 1, far});
+    const auto with = surface_disc_set(
+        positions, indices, 100, Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(50, 10, 1)));
+    EXPECT_LE(double(std::ranges::count_if(with, [](const auto& d) { return std::abs(d.center.z()) > 1; })),
+              0.01 * double(package::surface_discs));
 }
 
 TEST(SurfaceDiscs, AreSampledOnlyWhereClearlyVisible) {

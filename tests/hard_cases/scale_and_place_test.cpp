@@ -12,6 +12,7 @@
 #include "pipeline/input/read_scene.h"
 #include "pipeline/model/subdivide.h"
 #include "pipeline/prepare/prepare.h"
+#include "pipeline/report/coverage_pictures.h"
 #include "pipeline/results/check.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
@@ -293,5 +294,11 @@ TEST_F(ScaleAndPlace, StrayTriangleCostsNoPrecision) {
         const Picture a = left_out(*without), b = left_out(*with);
         EXPECT_NEAR(psnr(a, own), psnr(b, own), 0.1);
         EXPECT_GT(psnr(a, b), 45);
+        const auto covered = [](const Opened& o) {
+            return covered_area(o.package, photos_per_triangle(o.package));
+        };
+        for (std::size_t i = 0; i < coverage_classes.size(); ++i)
+            EXPECT_NEAR(covered(*with)[i], covered(*without)[i], 0.02) << coverage_classes[i].name;
+        EXPECT_NEAR(with->renderer.scene().size, without->renderer.scene().size, 1e-3);
     }
 }
