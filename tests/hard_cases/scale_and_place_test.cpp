@@ -274,7 +274,8 @@ TEST_F(ScaleAndPlace, StrayTriangleCostsNoPrecision) {
         Similarity by;
         Eigen::Vector3d corner;
     };
-    for (const Case& c : {Case{"utm", {1, {5e5, -5.4e6, 120}}, {0, 0, 0}}, Case{"local", {}, {3, 1e6, -2}}}) {
+    for (const Case& c : {Case{"utm", {1, {5e5, -5.4e6, 120}}, {0, 0, 0}}, Case{"local", {}, {3, 1e6, -2}},
+                          Case{"near plane", {}, {3, 1e9, -2}}}) {
         SCOPED_TRACE(c.name);
         SceneInput input = c.by.moved(scene);
         const auto without = opened(input, "without");
