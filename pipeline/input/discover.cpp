@@ -10,6 +10,7 @@
 #include "pipeline/formats/import/ply.h"
 #include "pipeline/input/photo_matches.h"
 #include "scene/error.h"
+#include "values/lower_extension.h"
 
 namespace vantage {
 namespace {
@@ -17,17 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 using Files = std::vector<fs::path>;
 
-std::string extension(const fs::path& file) {
-    std::string e = file.extension().string();
-    std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return e;
-}
-
 bool is_one_of(const std::string& text, std::initializer_list<const char*> list) {
     return std::any_of(list.begin(), list.end(), [&](const char* s) { return text == s; });
 }
 
-bool has_faces(const fs::path& mesh) { return extension(mesh) != ".ply" || ply_has_faces(mesh); }
+bool has_faces(const fs::path& mesh) { return lower_extension(mesh) != ".ply" || ply_has_faces(mesh); }
 
 /// A mesh before points, mesh.* before other names, then the larger file.
 fs::path find_mesh(const Files& files) {
@@ -35,7 +30,7 @@ fs::path find_mesh(const Files& files) {
     fs::path best;
     Rank best_rank;
     for (const fs::path& f : files) {
-        if (!is_one_of(extension(f), {".ply", ".obj", ".stl", ".off"})) continue;
+        if (!is_one_of(lower_extension(f), {".ply", ".obj", ".stl", ".off"})) continue;
         const Rank rank{has_faces(f), f.stem() == "mesh", fs::file_size(f)};
         if (best.empty() || rank > best_rank) best = f, best_rank = rank;
     }

@@ -1,12 +1,12 @@
 #include "pipeline/input/photo_matches.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 
 #include "pipeline/input/file_name.h"
 #include "scene/error.h"
+#include "values/lower_extension.h"
 
 namespace vantage {
 namespace {
@@ -19,9 +19,7 @@ constexpr const char* extensions[] = {".jpg", ".jpeg", ".png",  ".tif",  ".tiff"
                                       ".cr3", ".nef",  ".arw",  ".raf",  ".orf",  ".rw2"};
 
 std::size_t rank_of(const fs::path& file) {
-    std::string e = file.extension().string();
-    std::ranges::transform(e, e.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return std::size_t(std::ranges::find(extensions, e) - std::begin(extensions));
+    return std::size_t(std::ranges::find(extensions, lower_extension(file)) - std::begin(extensions));
 }
 
 bool has_photo_extension(const fs::path& file) { return rank_of(file) < std::size(extensions); }

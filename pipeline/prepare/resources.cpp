@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -16,6 +15,7 @@
 #include "pipeline/settings/settings.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "values/lower_extension.h"
 
 namespace vantage {
 namespace {
@@ -48,8 +48,7 @@ constexpr double shortest_run = 0.5;
 /// Seconds of one thread for a photo.
 double photo_seconds(const PhotoInput& photo, const package::SceneRecord& model) {
     const double kept = double(photo.camera.intrinsics.width) * photo.camera.intrinsics.height;
-    std::string extension = photo.file.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string extension = lower_extension(photo.file);
     const bool jpeg = extension == ".jpg" || extension == ".jpeg";
     const bool undistorted = photo.camera.lens.distorts() && effect_on(model, Effect::undistortion);
     return pixels(photo) * (jpeg ? seconds_per_jpeg_pixel : seconds_per_other_pixel) +
@@ -114,10 +113,11 @@ unsigned photos_in_flight(const PrepareSettings& settings,
     if (settings.memory == 0) return in_flight;
     while (in_flight > 1 && needed(in_flight) > settings.memory) --in_flight;
     if (needed(in_flight) > settings.memory)
-        throw Error(Exit::usage, fmt::format("--memory {}: a photo at a time and this model may need up to {}M",
-                                             settings.memory >> 20 ? fmt::format("{}M", settings.memory >> 20)
-                                                                   : fmt::format("{}", settings.memory),
-                                             (needed(in_flight) >> 20) + 1));
+        throw Error(Exit::usage,
+                    fmt::format("--memory {}: a photo at a time and this model may need up to {}M",
+                                settings.memory >> 20 ? fmt::format("{}M", settings.memory >> 20)
+                                                      : fmt::format("{}", settings.memory),
+                                (needed(in_flight) >> 20) + 1));
     return in_flight;
 }
 

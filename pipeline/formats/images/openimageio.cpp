@@ -4,11 +4,11 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "pipeline/formats/images/image_files.h"
 #include "scene/error.h"
+#include "values/lower_extension.h"
 #include "values/srgb.h"
 
 namespace vantage {
@@ -26,9 +26,7 @@ bool is_linear(const OIIO::ImageSpec& spec, const std::string& format) {
 
 /// Says what to do about a format that needs a library of its own.
 [[noreturn]] void fail_to_open(const std::filesystem::path& file, const std::string& reason) {
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
+    const std::string extension = lower_extension(file);
     const bool heic = extension == ".heic" || extension == ".heif" || extension == ".avif";
     fail(file,
          heic ? "not a readable photo; HEIC and AVIF need OpenImageIO with libheif and its decoders (package "

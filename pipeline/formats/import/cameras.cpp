@@ -1,20 +1,14 @@
 #include "pipeline/formats/import/cameras.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "scene/error.h"
+#include "values/lower_extension.h"
 
 namespace vantage {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool has_extension(const fs::path& path, const char* wanted) {
-    std::string e = path.extension().string();
-    std::ranges::transform(e, e.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return e == wanted;
-}
 
 /// COLMAP's folder; `path` is the folder itself or one of its files.
 fs::path colmap_folder(const fs::path& path) { return fs::is_directory(path) ? path : path.parent_path(); }
@@ -41,13 +35,13 @@ const CameraFormat formats[] = {
     {.name = "Bundler",
      .form = ".out",
      .files = {},
-     .matches = [](const fs::path& p) { return has_extension(p, ".out"); },
+     .matches = [](const fs::path& p) { return lower_extension(p) == ".out"; },
      .read = read_bundler,
      .companions = [](const fs::path& p) { return std::vector{bundler_list(p)}; }},
     {.name = "MeshLab",
      .form = ".mlp",
      .files = {},
-     .matches = [](const fs::path& p) { return has_extension(p, ".mlp"); },
+     .matches = [](const fs::path& p) { return lower_extension(p) == ".mlp"; },
      .read = read_meshlab},
 };
 

@@ -11,6 +11,7 @@
 #include "pipeline/formats/import/openmesh_reader.h"
 #include "pipeline/formats/import/ply.h"
 #include "scene/error.h"
+#include "values/lower_extension.h"
 
 namespace vantage {
 namespace {
@@ -95,9 +96,7 @@ Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warn
     if (!std::filesystem::exists(file)) throw Error(Exit::input, file.string() + ": does not exist");
     if (std::filesystem::is_directory(file))
         throw Error(Exit::input, file.string() + ": expected a file, found a folder");
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return char(std::tolower(c)); });
+    const std::string extension = lower_extension(file);
     Mesh mesh = read_any(file, extension);
     if (mesh.positions.empty()) throw Error(Exit::input, file.string() + ": has no vertices");
     if (const std::size_t n = drop_invalid_triangles(mesh))
