@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "agreement/read_level.h"
-#include "values/srgb.h"
 
 namespace vantage {
 namespace {
@@ -44,28 +43,16 @@ int consensus_level(const package::PhotoRecord& r) { return std::max(coarse_leve
 
 ConsensusView read_consensus_view(const PackageReader& package, const package::PhotoRecord& r,
                                   std::uint32_t photo, int level) {
-    const int of_colors = std::clamp(level, 0, std::max(int(r.levels) - 1, 0));
-    const int finer = level - of_colors;  // 1 for a photo of a single level, whose masks are half its size
     const Intrinsics k = intrinsics(r).at_level(level);
     ConsensusView v{k.width, k.height, k, cam_from_origin(r), {}};
-    const auto rgba = read_level(package, r, photo, Type::tiles, of_colors),
-               depth = read_level(package, r, photo, Type::depth, level);
-    const Level size = level_size(int(r.width), int(r.height), of_colors);
+    const auto colors = read_linear_colors(package, r, photo, level);
+    const auto depth = read_level(package, r, photo, Type::depth, level);
     v.texels.resize(v.grid().size());
-    for (int y = 0; y < v.height; ++y)
-        for (int x = 0; x < v.width; ++x) {
-            const std::size_t at = std::size_t(y) * std::size_t(v.width) + std::size_t(x);
-            const std::byte* color =
-                &rgba[4 * (std::size_t(std::min(y << finer, size.height - 1)) * std::size_t(size.width) +
-                           std::size_t(std::min(x << finer, size.width - 1)))];
-            float linear[3], z;
-            for (std::size_t c = 0; c < 3; ++c)
-                linear[c] = color[3] == std::byte(255)
-                                ? float(linear_of_srgb_byte()[std::to_integer<std::size_t>(color[c])])
-                                : no_color;
-            std::memcpy(&z, &depth[4 * at], 4);
-            set_color(v.texels[at], linear, z);
-        }
+    for (std::size_t i = 0; i < v.texels.size(); ++i) {
+        float z;
+        std::memcpy(&z, &depth[4 * i], 4);
+        set_color(v.texels[i], colors[i].data(), z);
+    }
     find_ranges(v);
     return v;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,5 +21,11 @@ std::vector<std::byte> join_tiles(const PackageReader& reader, const package::Di
 /// Error(damaged) if the chunk is missing.
 std::vector<std::byte> read_level(const PackageReader& reader, const package::PhotoRecord& record,
                                   std::uint32_t photo, package::Type type, int level);
+
+/// Linear light, 0 to 1, of a photo at a level of tiles or of masks; NaN where it has no opaque pixel. A
+/// photo of a single level, whose masks are half its size, gives every second pixel. Throws like read_level.
+std::vector<std::array<float, 3>> read_linear_colors(const PackageReader& reader,
+                                                     const package::PhotoRecord& record, std::uint32_t photo,
+                                                     int level);
 
 }  // namespace vantage

@@ -10,7 +10,6 @@
 #include "pipeline/package/tile_levels.h"
 #include "scene/tiling.h"
 #include "shaders/contract.h"
-#include "values/srgb.h"
 
 namespace vantage {
 namespace {
@@ -32,17 +31,6 @@ void smooth_colors(CoarsePhoto& photo) {
         for (std::size_t k = 0; k < 3; ++k)
             photo.texels[i].smooth[k] = c[3] > 0.5f ? c[k] / c[3] : std::numeric_limits<float>::quiet_NaN();
     }
-}
-
-/// A level's colors; NaN where the photo has no opaque pixel.
-std::vector<std::array<float, 3>> linear_colors(const std::vector<std::byte>& rgba) {
-    std::vector<std::array<float, 3>> out(rgba.size() / 4);
-    for (std::size_t i = 0; i < out.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c)
-            out[i][c] = rgba[4 * i + 3] == std::byte(255)
-                            ? float(linear_of_srgb_byte()[std::to_integer<std::size_t>(rgba[4 * i + c])])
-                            : std::numeric_limits<float>::quiet_NaN();
-    return out;
 }
 
 }  // namespace
@@ -94,27 +82,21 @@ CoarsePhoto every_second_texel(const CoarsePhoto& photo) {
 
 CoarsePhoto read_coarse_photo(const PackageReader& package, const package::PhotoRecord& r,
                               std::uint32_t photo, int level, double border_width) {
-    const int tiles_level = std::clamp(level, 0, std::max(int(r.levels) - 1, 0));
     CoarsePhoto out;
     out.k = intrinsics(r).at_level(level);
     out.pose = cam_from_origin(r);
     out.focal = r.fx;
-    const auto colors = linear_colors(read_level(package, r, photo, Type::tiles, tiles_level));
+    const auto colors = read_linear_colors(package, r, photo, level);
     const auto masks = read_level(package, r, photo, Type::masks, level),
                z = read_level(package, r, photo, Type::depth, level);
-    const Level fine = level_size(int(r.width), int(r.height), tiles_level);
-    const int finer = level - tiles_level;  // 1 for a photo of a single level, whose masks are half its size
     const float texel = std::ldexp(1.0f, level), ramp = shader::reference_width / float(r.width);
     out.texels.resize(out.grid().size());
     for (int y = 0; y < out.k.height; ++y)
         for (int x = 0; x < out.k.width; ++x) {
             const std::size_t at = std::size_t(y) * std::size_t(out.k.width) + std::size_t(x);
-            const std::size_t color =
-                std::size_t(std::min(y << finer, fine.height - 1)) * std::size_t(fine.width) +
-                std::size_t(std::min(x << finer, fine.width - 1));
             CoarsePhoto::Texel& t = out.texels[at];
             std::memcpy(&t.z, &z[4 * at], 4);
-            std::ranges::copy(colors[color], t.linear);
+            std::ranges::copy(colors[at], t.linear);
             const float px = (float(x) + 0.5f) * texel, py = (float(y) + 0.5f) * texel,
                         inside = std::min({px, py, float(r.width) - px, float(r.height) - py}),
                         edge = float(std::to_integer<int>(masks[4 * at + 2])) / 255 * float(border_width);
@@ -124,8 +106,7 @@ CoarsePhoto read_coarse_photo(const PackageReader& package, const package::Photo
     smooth_colors(out);
     const int finer_level = std::min(level - 1, std::max(int(r.levels) - 1, 0));
     const Level size = level_size(int(r.width), int(r.height), finer_level);
-    out.means = square_means(linear_colors(read_level(package, r, photo, Type::tiles, finer_level)),
-                             size.width, size.height);
+    out.means = square_means(read_linear_colors(package, r, photo, finer_level), size.width, size.height);
     return out;
 }
 
