@@ -156,4 +156,14 @@ ConsensusMap consensus_of(const ConsensusView& photo, std::span<const ConsensusV
     return out;
 }
 
+ConsensusMap consensus_of(std::uint32_t photo, std::span<const std::uint32_t> partners,
+                          const LruCache<ConsensusView>& views) {
+    if (partners.size() < 2) return {};
+    std::vector<std::shared_ptr<const ConsensusView>> held;
+    for (const std::uint32_t other : partners) held.push_back(views.get(other));
+    std::vector<const ConsensusView*> others;
+    for (const auto& h : held) others.push_back(h.get());
+    return consensus_of(*views.get(photo), others);
+}
+
 }  // namespace vantage

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "agreement/consensus_view.h"
+#include "values/lru_cache.h"
 
 namespace vantage {
 
@@ -16,10 +17,15 @@ struct ConsensusMap {
 
 /// Compares each texel with the same place in `others`. The weight falls when no other photo shows its color
 /// around that place within 0.35 (ln of linear light), and it is outside the range that most of them show by
-/// more than 0.35 plus twice the spread among them; it is 0 at twice that. Single texels are ignored as noise.
-/// The weight is 255 if fewer than two others see the place or they disagree among themselves. At most six
-/// others are used per texel.
+/// more than 0.35 plus twice the spread among them; it is 0 at twice that. Single texels are ignored as
+/// noise. The weight is 255 if fewer than two others see the place or they disagree among themselves. At most
+/// six others are used per texel.
 ConsensusMap consensus_of(const ConsensusView& photo, std::span<const ConsensusView* const> others);
+
+/// The same for one of many photos, with the views of `partners` as others. Empty if there are fewer than
+/// two.
+ConsensusMap consensus_of(std::uint32_t photo, std::span<const std::uint32_t> partners,
+                          const LruCache<ConsensusView>& views);
 
 /// Removes single texels below 255, which are noise, and grows the rest over its blurred edges: median of
 /// 3x3, minimum over 5x5 without the corners' three texels, binomial blur of 3x3.

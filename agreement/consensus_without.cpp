@@ -1,11 +1,9 @@
 #include "agreement/consensus_without.h"
 
-#include "scene/error.h"
-
 namespace vantage {
 namespace {
 
-constexpr std::size_t cached_views = 24;  ///< some 7 MB each
+constexpr std::size_t cached_views = 16;  ///< some 7 MB each, as exposed and as corrected
 
 ConsensusPartners partners_in(const PackageReader& package, const PhotoSamples& samples) {
     const auto discs =
@@ -17,23 +15,13 @@ ConsensusPartners partners_in(const PackageReader& package, const PhotoSamples& 
     return ConsensusPartners(SharedSurface(package.photos(), spans, discs));
 }
 
-/// The photo's view, read from chunks whose checksums match.
-ConsensusView sound_view(const PackageReader& package, std::uint32_t photo) {
-    const package::PhotoRecord& r = package.photos()[photo];
-    const int level = consensus_level(r);
-    for (const auto& [type, l] : {std::pair{package::Type::tiles, std::min(level, int(r.levels) - 1)},
-                                  std::pair{package::Type::depth, level}})
-        if (const auto* e = package.find(type, photo, std::uint32_t(l)); e && !package.sound(*e))
-            throw Error(Exit::damaged,
-                        package.path().string() + ": " + describe(*e, package) + ": checksum does not match");
-    return read_consensus_view(package, r, photo, level);
-}
-
 }  // namespace
 
 ConsensusWithout::ConsensusWithout(const PackageReader& package, const PhotoSamples& samples)
-    : partners_(partners_in(package, samples)),
-      uncorrected_(cached_views, [&package](std::uint32_t i) { return sound_view(package, i); }) {}
+    : partners_(partners_in(package, samples)), uncorrected_(cached_views, [&package](std::uint32_t i) {
+          const package::PhotoRecord& r = package.photos()[i];
+          return read_consensus_view(package, r, i, consensus_level(r));
+      }) {}
 
 void ConsensusWithout::leave_out(std::uint32_t photo, PhotoColors colors,
                                  std::span<const package::PhotoRecord> photos) {
@@ -42,23 +30,18 @@ void ConsensusWithout::leave_out(std::uint32_t photo, PhotoColors colors,
     poses_.clear();
     for (const package::PhotoRecord& p : photos) poses_.push_back(cam_from_origin(p));
     maps_.clear();
-}
-
-ConsensusView ConsensusWithout::view(std::uint32_t photo) const {
-    ConsensusView out = corrected(*uncorrected_.get(photo), colors_.ln_gain[photo], colors_.falloff[photo]);
-    out.pose = poses_[photo];
-    return out;
+    corrected_.emplace(cached_views, [this](std::uint32_t i) {
+        ConsensusView view = corrected(*uncorrected_.get(i), colors_.ln_gain[i], colors_.falloff[i]);
+        view.pose = poses_[i];
+        return view;
+    });
 }
 
 const ConsensusMap* ConsensusWithout::of(std::uint32_t photo) {
-    if (const auto known = maps_.find(photo); known != maps_.end()) return &known->second;
-    const std::vector<std::uint32_t> partners = partners_.of(photo, without_);
-    if (partners.size() < 2) return nullptr;
-    std::vector<ConsensusView> views;
-    for (const std::uint32_t i : partners) views.push_back(view(i));
-    std::vector<const ConsensusView*> others;
-    for (const ConsensusView& v : views) others.push_back(&v);
-    return &maps_.emplace(photo, consensus_of(view(photo), others)).first->second;
+    auto at = maps_.find(photo);
+    if (at == maps_.end())
+        at = maps_.emplace(photo, consensus_of(photo, partners_.of(photo, without_), *corrected_)).first;
+    return at->second.weight.empty() ? nullptr : &at->second;
 }
 
 }  // namespace vantage

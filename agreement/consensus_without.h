@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,13 +26,12 @@ class ConsensusWithout {
     const ConsensusMap* of(std::uint32_t photo);
 
   private:
-    ConsensusView view(std::uint32_t photo) const;
-
     ConsensusPartners partners_;
     LruCache<ConsensusView> uncorrected_;
     std::uint32_t without_ = 0;
     PhotoColors colors_;
     std::vector<Pose> poses_;
+    std::optional<LruCache<ConsensusView>> corrected_;  ///< for the photo left out
     std::map<std::uint32_t, ConsensusMap> maps_;
 };
 

@@ -1,7 +1,6 @@
 #include "pipeline/agree/consensus.h"
 
 #include <array>
-#include <map>
 
 #include "pipeline/judge/prediction.h"
 #include "pipeline/judge/verdict.h"
@@ -26,12 +25,7 @@ std::vector<ConsensusMap> consensus_maps(const ConsensusViews& uncorrected, cons
         return corrected(*uncorrected.get(i), colors.ln_gain[i], colors.falloff[i]);
     });
     for_each_photo(n, threads, [&](std::size_t i) {
-        std::vector<std::shared_ptr<const ConsensusView>> held;
-        for (const std::uint32_t other : partners.of(std::uint32_t(i))) held.push_back(views.get(other));
-        if (held.size() < 2) return;
-        std::vector<const ConsensusView*> others;
-        for (const auto& h : held) others.push_back(h.get());
-        out[i] = consensus_of(*views.get(std::uint32_t(i)), others);
+        out[i] = consensus_of(std::uint32_t(i), partners.of(std::uint32_t(i)), views);
     });
     return out;
 }
@@ -42,19 +36,11 @@ namespace {
 std::vector<ConsensusMap> maps_without(const Folds& folds, const Fold& fold,
                                        const ConsensusPartners& partners, const PhotoColors& colors,
                                        const ConsensusViews& uncorrected) {
-    std::map<std::uint32_t, ConsensusView> views;
-    const auto view = [&](std::uint32_t i) -> const ConsensusView& {
-        const auto it = views.find(i);
-        if (it != views.end()) return it->second;
-        return views.emplace(i, corrected(*uncorrected.get(i), colors.ln_gain[i], colors.falloff[i]))
-            .first->second;
-    };
+    const LruCache<ConsensusView> views(fold.others.size(), [&](std::uint32_t i) {
+        return corrected(*uncorrected.get(i), colors.ln_gain[i], colors.falloff[i]);
+    });
     std::vector<ConsensusMap> out(folds.input().photos.size());
-    for (const std::uint32_t i : fold.others) {
-        std::vector<const ConsensusView*> others;
-        for (const std::uint32_t other : partners.of(i, fold.photo)) others.push_back(&view(other));
-        if (others.size() >= 2) out[i] = consensus_of(view(i), others);
-    }
+    for (const std::uint32_t i : fold.others) out[i] = consensus_of(i, partners.of(i, fold.photo), views);
     return out;
 }
 
