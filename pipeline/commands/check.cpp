@@ -6,6 +6,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "output/json_text.h"
 #include "output/junit.h"
 #include "output/output_file.h"
 #include "pipeline/commands/commands.h"
@@ -72,7 +73,7 @@ void print_issues_json(const std::vector<Checked>& all) {
         out["packages"].push_back(
             {{"file", c.file}, {"sound", c.issues.empty()}, {"issues", issues}, {"seconds", c.seconds}});
     }
-    fmt::print("{}\n", out.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", json_text(out));
 }
 
 void print_findings() {
@@ -86,7 +87,8 @@ int run_check(const CheckOptions& o) {
         print_findings();
         return int(Exit::ok);
     }
-    if (!o.junit.empty()) output_file(o.junit, Product::junit, {{o.files.begin(), o.files.end()}, {}}, std::nullopt);
+    if (!o.junit.empty())
+        output_file(o.junit, Product::junit, {{o.files.begin(), o.files.end()}, {}}, std::nullopt);
     IdentityCache identities(default_identity_cache(), o.rehash);
     std::vector<Checked> all;
     std::vector<Issue> issues;

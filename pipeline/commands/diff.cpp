@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/force_option.h"
+#include "output/json_text.h"
 #include "pipeline/commands/commands.h"
 #include "scene/error.h"
 
@@ -25,7 +26,7 @@ void print(const std::vector<Difference>& all) {
 void print_json(const std::vector<Difference>& all) {
     nlohmann::json out = nlohmann::json::array();
     for (const Difference& d : all) out.push_back({{"of", d.of}, {"what", d.what}, {"text", d.text}});
-    fmt::print("{}\n", out.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", json_text(out));
 }
 
 int run_diff(const DiffOptions& o) {

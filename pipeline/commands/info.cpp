@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "output/json_text.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/package/effect_costs.h"
 #include "pipeline/prepare/registration_reuse.h"
@@ -84,7 +85,7 @@ void add_info(CLI::App& app, Run& run) {
             const PackageReader package(o->file);
             const nlohmann::json j = describe_package(package);
             if (o->json)
-                fmt::print("{}\n", j.dump(1));
+                fmt::print("{}\n", json_text(j));
             else
                 print_package(j, effect_costs(package, {}));
             return 0;

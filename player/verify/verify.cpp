@@ -7,6 +7,7 @@
 #include <set>
 
 #include "gl/context.h"
+#include "output/json_text.h"
 #include "output/junit.h"
 #include "output/make_folder.h"
 #include "output/output_file.h"
@@ -159,7 +160,7 @@ void print_json(const std::vector<Verified>& all) {
                                    {"views", views},
                                    {"seconds", v.seconds}});
     }
-    std::printf("%s\n", out.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    std::printf("%s\n", json_text(out).c_str());
 }
 
 CheckCase junit_case(const Verified& v) {
