@@ -1,12 +1,10 @@
 #pragma once
+#include <string_view>
 
 namespace vantage {
 
-/// The beginning of page_style, by which a page written by these programs is recognized.
-inline constexpr const char* page_mark = ":root { --ink: #222; --soft: #666; --paper: #fff;";
-
 /// CSS shared by all HTML pages. Each page's own rules come after it and may override it.
-inline constexpr const char* page_style = R"(
+inline constexpr std::string_view page_style = R"(
 :root { --ink: #222; --soft: #666; --paper: #fff; --line: #ddd; --worse: #b02a20; --better: #117733; }
 body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 78rem; padding: 0 1rem;
        color: var(--ink); background: var(--paper); }
@@ -16,5 +14,8 @@ th, td { padding: .2rem .9rem .2rem 0; text-align: left; border-bottom: 1px soli
 figure { margin: 0; }
 img { display: block; max-width: 100%; height: auto; }
 )";
+
+/// The beginning of page_style, by which a page written by these programs is recognized.
+inline constexpr std::string_view page_mark = page_style.substr(1, page_style.find(" --line") - 1);
 
 }  // namespace vantage
