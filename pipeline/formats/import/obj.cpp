@@ -7,8 +7,7 @@
 #include "pipeline/formats/import/color_bytes.h"
 #include "pipeline/formats/import/number.h"
 #include "pipeline/formats/import/ply.h"
-#include "pipeline/run/read_file.h"
-#include "scene/error.h"
+#include "pipeline/formats/import/tokens.h"
 
 namespace vantage {
 namespace {
@@ -17,11 +16,11 @@ using Words = std::vector<std::string_view>;
 
 class ObjReader {
   public:
-    explicit ObjReader(const std::filesystem::path& file) : file_(file), text_(read_plain_text(file)) {}
+    explicit ObjReader(const std::filesystem::path& file) : in_(file) {}
 
     Mesh read() {
         for (Words words; next_line(words);) {
-            if (words.empty()) continue;
+            if (words.empty()) continue;  // only a comment
             if (words[0] == "v")
                 add_vertex(words);
             else if (words[0] == "vn")
@@ -34,35 +33,22 @@ class ObjReader {
     }
 
   private:
-    /// The words of a line and of those it goes on in; views of `text_`.
+    /// The words of a line and of those it continues on; views of the file's text.
     bool next_line(Words& words) {
         words.clear();
-        if (at_ >= text_.size()) return false;
-        for (bool goes_on = true; goes_on && at_ < text_.size();) {
-            const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-            std::string_view line(text_.data() + at_, end - at_);
-            at_ = end + 1;
-            ++line_;
-            line = line.substr(0, line.find('#'));
-            while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
-            goes_on = !line.empty() && line.back() == '\\';
-            if (goes_on) line.remove_suffix(1);
-            split(line, words);
+        if (in_.at_end()) return false;
+        while (!in_.at_line_end()) {
+            const std::string_view found = in_.word("a word");
+            std::string_view word = found.substr(0, found.find('#'));
+            if (word.size() < found.size()) in_.skip_to_line_end();
+            const bool continues = found.ends_with('\\') && in_.at_line_end();
+            if (continues) word.remove_suffix(1), in_.next_line();
+            if (!word.empty()) words.push_back(word);
         }
         return true;
     }
-    static void split(std::string_view line, Words& words) {
-        constexpr const char* blanks = " \t\r";
-        for (std::size_t from; (from = line.find_first_not_of(blanks)) != line.npos;) {
-            line.remove_prefix(from);
-            const std::size_t length = std::min(line.find_first_of(blanks), line.size());
-            words.push_back(line.substr(0, length));
-            line.remove_prefix(length);
-        }
-    }
     [[noreturn]] void fail(const std::string& expected, std::string_view found) const {
-        throw Error(Exit::input, file_.string() + ", line " + std::to_string(line_) + ": expected " +
-                                     expected + ", found '" + std::string(found.substr(0, 40)) + "'");
+        in_.fail(expected, "'" + std::string(found.substr(0, 40)) + "'");
     }
     double real(std::string_view word) const {
         double value = 0;
@@ -104,9 +90,7 @@ class ObjReader {
             mesh_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
     }
 
-    const std::filesystem::path& file_;
-    const std::string text_;
-    std::size_t at_ = 0, line_ = 0;
+    Tokens in_;
     Mesh mesh_;
     std::vector<Eigen::Vector3f> normals_;
     std::array<std::vector<double>, 4> colors_;

@@ -41,6 +41,14 @@ class Tokens {
         skip_blanks(true);
         return rest_.substr(0, rest_.find_first_of(" \t\r\n")).find(c) != rest_.npos;
     }
+    /// Skips the rest of the line, but not its end.
+    void skip_to_line_end() { rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size())); }
+    /// Consumes the end of a line, if that is next.
+    void next_line() {
+        if (!rest_.starts_with('\n')) return;
+        rest_.remove_prefix(1);
+        ++line_;
+    }
     /// Consumes the rest of the line and returns it without its end and trailing spaces.
     std::string_view line() {
         const std::size_t end = std::min(rest_.find('\n'), rest_.size());
