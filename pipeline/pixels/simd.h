@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <cstring>
 
 /// Marks a function that loops over pixels. It is compiled for AVX2 and for the baseline, and the version is
 /// selected at program start. Both give bit-identical results, because AVX2 alone, without FMA, has no fused
@@ -10,6 +11,9 @@
 #define VANTAGE_SIMD
 #endif
 
+/// Marks a function called in such a loop: it must be inlined to be compiled for the same instruction set.
+#define VANTAGE_INLINE __attribute__((always_inline)) inline
+
 namespace vantage {
 
 /// Vectors for loops vectorized by hand, and their number of elements.
@@ -17,7 +21,16 @@ inline constexpr int lanes = 8;
 using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
 using Floats = float __attribute__((vector_size(4 * lanes)));
 
-}  // namespace vantage
+/// Elements from `at` on, which need not be aligned.
+template <class Vector, class T>
+VANTAGE_INLINE void load(Vector& elements, const T* at) {
+    static_assert(sizeof(T) * lanes == sizeof elements);
+    std::memcpy(&elements, at, sizeof elements);
+}
+template <class Vector, class T>
+VANTAGE_INLINE void store(const Vector& elements, T* at) {
+    static_assert(sizeof(T) * lanes == sizeof elements);
+    std::memcpy(at, &elements, sizeof elements);
+}
 
-/// Marks a function called in such a loop: it must be inlined to be compiled for the same instruction set.
-#define VANTAGE_INLINE __attribute__((always_inline)) inline
+}  // namespace vantage

@@ -66,11 +66,11 @@ VANTAGE_INLINE Size set_up(std::span<const ProjectedVertex> vertices, const std:
 VANTAGE_INLINE bool hide_lanes(const SmallTriangle& t, std::size_t i, BinnedVertices& s) {
     Ints x, y, vertex, hidden;
     Floats inverse;
-    std::memcpy(&x, &s.x[i], sizeof x);
-    std::memcpy(&y, &s.y[i], sizeof y);
-    std::memcpy(&vertex, &s.vertex[i], sizeof vertex);
-    std::memcpy(&hidden, &s.hidden[i], sizeof hidden);
-    std::memcpy(&inverse, &s.inverse[i], sizeof inverse);
+    load(x, &s.x[i]);
+    load(y, &s.y[i]);
+    load(vertex, &s.vertex[i]);
+    load(hidden, &s.hidden[i]);
+    load(inverse, &s.inverse[i]);
     const Floats px = __builtin_convertvector(x - t.x, Floats), py = __builtin_convertvector(y - t.y, Floats);
     const Floats of_b = px * t.cy - py * t.cx, of_c = py * t.bx - px * t.by, of_a = t.area - of_b - of_c;
     const Ints inside =
@@ -80,7 +80,7 @@ VANTAGE_INLINE bool hide_lanes(const SmallTriangle& t, std::size_t i, BinnedVert
     nearest = nearest > t.most_inverse ? Floats{} + t.most_inverse : nearest;
     const Ints found = inside & other & (nearest > inverse) & ~hidden;
     hidden |= found;
-    std::memcpy(&s.hidden[i], &hidden, sizeof hidden);
+    store(hidden, &s.hidden[i]);
     std::uint64_t any[sizeof found / 8];
     std::memcpy(any, &found, sizeof found);
     return any[0] | any[1] | any[2] | any[3];
@@ -91,11 +91,11 @@ VANTAGE_INLINE bool hide_lanes(const SmallTriangle& t, std::size_t i, BinnedVert
 VANTAGE_INLINE std::uint64_t blocks_behind(const SmallTriangle& t, std::size_t first, const VertexBlocks& b) {
     Ints left, right, top, bottom;
     Floats inverse;
-    std::memcpy(&left, &b.left[first], sizeof left);
-    std::memcpy(&right, &b.right[first], sizeof right);
-    std::memcpy(&top, &b.top[first], sizeof top);
-    std::memcpy(&bottom, &b.bottom[first], sizeof bottom);
-    std::memcpy(&inverse, &b.inverse[first], sizeof inverse);
+    load(left, &b.left[first]);
+    load(right, &b.right[first]);
+    load(top, &b.top[first]);
+    load(bottom, &b.bottom[first]);
+    load(inverse, &b.inverse[first]);
     const Ints behind = (left <= t.right) & (right >= t.left) & (top <= t.bottom) & (bottom >= t.top) &
                         (inverse < t.most_inverse);
     using Bytes = std::int8_t __attribute__((vector_size(lanes)));

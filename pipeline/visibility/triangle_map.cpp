@@ -107,9 +107,9 @@ VANTAGE_INLINE void fill(const SmallTriangle& s, TriangleMap& map) {
         for (int y = s.y0; y <= s.y1; ++y, at += std::size_t(map.width)) {
             Floats depth, shown;
             Ints triangle;
-            std::memcpy(&depth, &map.inverse_depth[at], sizeof depth);
-            std::memcpy(&shown, &map.value[at], sizeof shown);
-            std::memcpy(&triangle, &map.triangles[at], sizeof triangle);
+            load(depth, &map.inverse_depth[at]);
+            load(shown, &map.value[at]);
+            load(triangle, &map.triangles[at]);
             Floats inverse = slope + float(plane);
             // Clamped to the range of the corners, because interpolation loses precision on slivers.
             inverse = inverse < s.min_inverse ? Floats{} + s.min_inverse : inverse;
@@ -118,9 +118,9 @@ VANTAGE_INLINE void fill(const SmallTriangle& s, TriangleMap& map) {
             depth = seen ? inverse : depth;
             shown = seen ? value : shown;
             triangle = seen ? number : triangle;
-            std::memcpy(&map.inverse_depth[at], &depth, sizeof depth);
-            std::memcpy(&map.value[at], &shown, sizeof shown);
-            std::memcpy(&map.triangles[at], &triangle, sizeof triangle);
+            store(depth, &map.inverse_depth[at]);
+            store(shown, &map.value[at]);
+            store(triangle, &map.triangles[at]);
             a += s.step_y[0], b += s.step_y[1], c += s.step_y[2];
             plane += s.inverse_y;
             value += s.value_y;
