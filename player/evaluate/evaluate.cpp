@@ -166,13 +166,14 @@ void report_registration(const PackageReader& package) {
 /// The package's results without a photo that is left out.
 class SceneWithout {
   public:
-    SceneWithout(const PackageReader& package, bool consensus_masks) : colors_(package) {
+    SceneWithout(const PackageReader& package, bool consensus_masks)
+        : colors_(package), fits_colors_(uses_colors(package.scene())) {
         if (consensus_masks && effect_on(package.scene(), Effect::consensus))
             consensus_.emplace(package, colors_.samples());
     }
     /// Shows the others' masks as they are without the photo. Returns the records.
     std::vector<package::PhotoRecord> leave_out(std::uint32_t photo, Renderer& renderer) {
-        const PhotoColors colors = colors_.colors(photo);
+        const PhotoColors colors = fits_colors_ ? colors_.colors(photo) : PhotoColors{};
         std::vector<package::PhotoRecord> out = colors_.records(colors);
         if (effect_on(renderer.package().scene(), Effect::registration))
             use_poses_without(renderer.package(), photo, out);
@@ -184,7 +185,13 @@ class SceneWithout {
     }
 
   private:
+    static bool uses_colors(const package::SceneRecord& scene) {
+        return effect_on(scene, Effect::exposure) || effect_on(scene, Effect::falloff) ||
+               effect_on(scene, Effect::consensus);
+    }
+
     ColorsWithout colors_;
+    bool fits_colors_;
     std::optional<ConsensusWithout> consensus_;
 };
 
