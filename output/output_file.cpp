@@ -150,4 +150,13 @@ void expect_result_folder(const fs::path& folder, const char* mark, Product prod
     }
 }
 
+void expect_result_pictures(const fs::path& folder,
+                            const std::function<bool(const std::string& name)>& is_result,
+                            const Inputs& inputs, bool force) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error))
+        if (entry.path().extension() == ".png" && is_result(entry.path().stem()))
+            output_file(entry.path(), Product::png, inputs, force);
+}
+
 }  // namespace vantage

@@ -1,6 +1,8 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "scene/checksum.h"
@@ -32,5 +34,10 @@ std::filesystem::path output_file(const std::filesystem::path& file, Product pro
 /// if it does not exist and one of the others does, unless `force`.
 void expect_result_folder(const std::filesystem::path& folder, const char* mark, Product product,
                           const std::vector<std::filesystem::path>& others, const Inputs& inputs, bool force);
+
+/// The same for the PNG pictures in it whose names, without extension, `is_result`.
+void expect_result_pictures(const std::filesystem::path& folder,
+                            const std::function<bool(const std::string& name)>& is_result,
+                            const Inputs& inputs, bool force);
 
 }  // namespace vantage

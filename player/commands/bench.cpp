@@ -61,16 +61,14 @@ namespace {
 
 /// Throws Error(usage) if the measurements would overwrite anything but earlier ones.
 void expect_bench_folder(const PackageReader& package, const BenchOptions& o) {
-    const std::filesystem::path folder =
-        o.output.file.empty() ? o.folder : std::filesystem::path(o.output.file);
     const Inputs inputs = inputs_of(package);
     if (!o.sweep.empty()) {
-        output_file(folder / ("sweep-" + o.sweep + ".svg"), Product::plot, inputs, o.output.force);
+        output_file(o.folder / ("sweep-" + o.sweep + ".svg"), Product::plot, inputs, o.output.force);
         return;
     }
-    expect_result_folder(folder, "frames.csv", Product::csv, {"summary.json"}, inputs, o.output.force);
+    expect_result_folder(o.folder, "frames.csv", Product::csv, {"summary.json"}, inputs, o.output.force);
     for (const std::string& path : o.paths)
-        output_file(folder / (std::filesystem::path(path).stem().string() + ".svg"), Product::plot, inputs,
+        output_file(o.folder / (std::filesystem::path(path).stem().string() + ".svg"), Product::plot, inputs,
                     o.output.force);
 }
 
@@ -83,6 +81,7 @@ int bench_command(int argc, char** argv) {
     add_bench_options(app, options, unused);
     if (const auto code = parse(app, argc, argv)) return *code;
     if (unused.pictures.offscreen) options.purpose = Purpose::pictures;
+    if (!options.output.file.empty()) options.folder = options.output.file;
     const PackageReader package(options.package.file);
     expect_bench_folder(package, options);
     return run_bench(package, options);

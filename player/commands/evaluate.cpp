@@ -59,21 +59,15 @@ namespace {
 
 /// Throws Error(usage) if the evaluation would overwrite anything but an earlier one.
 void expect_evaluation_folder(const PackageReader& package, const EvaluateOptions& o) {
-    namespace fs = std::filesystem;
-    const fs::path folder = o.output.file.empty() ? o.folder : fs::path(o.output.file);
     const Inputs inputs = inputs_of(package);
-    expect_result_folder(folder, "index.html", Product::page, {"photos.csv", "regions.csv", "regions.ply"},
+    expect_result_folder(o.folder, "index.html", Product::page, {"photos.csv", "regions.csv", "regions.ply"},
                          inputs, o.output.force);
     // Pictures are named for their photos.
     const std::vector<std::string> stems = package.photo_stems();
-    const auto for_photo = [&](const fs::path& file) {
-        const std::string name = file.stem();
-        return file.extension() == ".png" &&
-               std::ranges::any_of(stems, [&](const auto& stem) { return name.starts_with(stem + "-"); });
+    const auto for_photo = [&](const std::string& name) {
+        return std::ranges::any_of(stems, [&](const auto& stem) { return name.starts_with(stem + "-"); });
     };
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error))
-        if (for_photo(entry.path())) output_file(entry.path(), Product::png, inputs, o.output.force);
+    expect_result_pictures(o.folder, for_photo, inputs, o.output.force);
 }
 
 }  // namespace
@@ -86,6 +80,7 @@ int evaluate_command(int argc, char** argv) {
     UnusedOptions unused;
     add_evaluate_options(app, options, unused);
     if (const auto code = parse(app, argc, argv)) return *code;
+    if (!options.output.file.empty()) options.folder = options.output.file;
     const PackageReader package(options.package.file);
     expect_evaluation_folder(package, options);
     return run_evaluate(package, options);

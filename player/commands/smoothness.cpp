@@ -52,15 +52,11 @@ namespace {
 
 /// Throws Error(usage) if the measurements would overwrite anything but earlier ones.
 void expect_smoothness_folder(const PackageReader& package, const SmoothnessOptions& o) {
-    namespace fs = std::filesystem;
-    const fs::path folder = o.output.file.empty() ? o.folder : fs::path(o.output.file);
     const Inputs inputs = inputs_of(package);
-    expect_result_folder(folder, "steps.csv", Product::csv, {"summary.json"}, inputs, o.output.force);
-    output_file(folder / "steps.svg", Product::plot, inputs, o.output.force);
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error))
-        if (entry.path().extension() == ".png" && entry.path().stem().string().starts_with("step-"))
-            output_file(entry.path(), Product::png, inputs, o.output.force);
+    expect_result_folder(o.folder, "steps.csv", Product::csv, {"summary.json"}, inputs, o.output.force);
+    output_file(o.folder / "steps.svg", Product::plot, inputs, o.output.force);
+    const auto is_step = [](const std::string& name) { return name.starts_with("step-"); };
+    expect_result_pictures(o.folder, is_step, inputs, o.output.force);
 }
 
 }  // namespace
@@ -72,6 +68,7 @@ int smoothness_command(int argc, char** argv) {
     SmoothnessOptions options;
     add_smoothness_options(app, options);
     if (const auto code = parse(app, argc, argv)) return *code;
+    if (!options.output.file.empty()) options.folder = options.output.file;
     const PackageReader package(options.package.file);
     expect_smoothness_folder(package, options);
     return run_smoothness(package, options);

@@ -197,8 +197,7 @@ class SceneWithout {
 
 }  // namespace
 
-int run_evaluate(const PackageReader& package, EvaluateOptions o) {
-    if (!o.output.file.empty()) o.folder = o.output.file;
+int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
     const std::vector<std::uint32_t> left_out = photos_to_leave_out(package, o, photos);
     if (left_out.empty()) throw Error(Exit::input, package.path().string() + ": no photos to leave out");

@@ -26,6 +26,6 @@ struct EvaluateOptions {
 /// a measure of scan, calibration and coverage, per photo and per region. Writes photos.csv, regions.csv,
 /// regions.ply (the model, colored by error), pictures and index.html, and prints the table; with `against`,
 /// also the changes since an earlier evaluation. Throws Error.
-int run_evaluate(const PackageReader& package, EvaluateOptions options);
+int run_evaluate(const PackageReader& package, const EvaluateOptions& options);
 
 }  // namespace vantage

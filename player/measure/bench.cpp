@@ -74,10 +74,8 @@ void summarize_path(const BenchOptions& o, const std::vector<Flight>& flights, n
 
 }  // namespace
 
-int run_bench(const PackageReader& package, const BenchOptions& options) {
-    BenchOptions o = options;
+int run_bench(const PackageReader& package, const BenchOptions& o) {
     const FrameSize size = o.output.size.empty() ? FrameSize{1280, 720} : parse_size(o.output.size);
-    if (!o.output.file.empty()) o.folder = o.output.file;
     make_folder(o.folder);
     const gl::HeadlessContext context;
     const FlightTarget target = make_flight_target(size);

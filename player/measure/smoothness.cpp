@@ -187,10 +187,8 @@ std::vector<FrameStep> fly_in_steps(const PackageReader& package, const Smoothne
     return steps;
 }
 
-int run_smoothness(const PackageReader& package, const SmoothnessOptions& options) {
-    SmoothnessOptions o = options;
+int run_smoothness(const PackageReader& package, const SmoothnessOptions& o) {
     const FrameSize size = o.output.size.empty() ? FrameSize{640, 360} : parse_size(o.output.size);
-    if (!o.output.file.empty()) o.folder = o.output.file;
     const std::vector<Navigation> path = path_of(package, o);
     make_folder(o.folder);
     const gl::HeadlessContext context;
