@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <utility>
 
 #include "values/quantile.h"
 
@@ -14,18 +14,14 @@ constexpr double stray_ratio = 20;  ///< of distances; nearer vertices cost litt
 
 std::vector<std::uint32_t> vertices_in_use(std::size_t vertices,
                                            std::span<const std::array<std::uint32_t, 3>> triangles) {
-    std::vector<bool> used(vertices, triangles.empty());
+    std::vector<char> used(vertices, triangles.empty());
     for (const auto& t : triangles)
         for (const std::uint32_t v : t) used[v] = true;
     std::vector<std::uint32_t> out;
+    out.reserve(vertices);
     for (std::uint32_t v = 0; v < vertices; ++v)
         if (used[v]) out.push_back(v);
     return out;
-}
-
-void extend(MainBox& box, const Eigen::Vector3d& p) {
-    box.low = box.low.cwiseMin(p);
-    box.high = box.high.cwiseMax(p);
 }
 
 /// Distances from the median of each coordinate, the largest of the three axes.
@@ -41,12 +37,45 @@ std::vector<double> distances_from_median(std::span<const Eigen::Vector3d> posit
     return out;
 }
 
+/// The most strays that `vertices` may have.
+std::size_t most_strays(std::size_t vertices) {
+    return std::min(std::max<std::size_t>(3, vertices / 100), vertices / 4);
+}
+
+/// Whether it shows without medians that no vertex is a stray: along the longest axis both ends have more
+/// vertices than may be strays, each end 45 % of the length. Wherever the median is, one end is 5 % of the
+/// length away from it, and no vertex is more than 20 times as far.
+bool fills_both_ends(std::span<const Eigen::Vector3d> positions, std::span<const std::uint32_t> vertices) {
+    constexpr double share = 0.5 - 1 / stray_ratio;
+    Eigen::AlignedBox3d box;
+    for (const std::uint32_t v : vertices) box.extend(positions[v]);
+    int axis = 0;
+    const double length = box.sizes().maxCoeff(&axis);
+    const double low = box.min()[axis] + share * length, high = box.max()[axis] - share * length;
+    std::size_t at_low = 0, at_high = 0;
+    for (const std::uint32_t v : vertices) {
+        at_low += positions[v][axis] <= low;
+        at_high += positions[v][axis] >= high;
+    }
+    return std::min(at_low, at_high) > most_strays(vertices.size());
+}
+
 /// The largest distance that is not a stray's.
 double reach_of(std::vector<double> distances) {
-    const std::size_t n = distances.size(), most = std::min(std::max<std::size_t>(3, n / 100), n / 4);
-    const auto last = distances.end() - std::ptrdiff_t(most) - 1;
+    const auto last = distances.end() - std::ptrdiff_t(most_strays(distances.size())) - 1;
     std::nth_element(distances.begin(), last, distances.end());
     return *last > 0 ? stray_ratio * *last : std::numeric_limits<double>::infinity();
+}
+
+std::vector<std::uint32_t> strays_of(std::span<const Eigen::Vector3d> positions,
+                                     std::span<const std::uint32_t> vertices) {
+    std::vector<std::uint32_t> out;
+    if (fills_both_ends(positions, vertices)) return out;
+    const std::vector<double> distances = distances_from_median(positions, vertices);
+    const double reach = reach_of(distances);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        if (distances[i] > reach) out.push_back(vertices[i]);
+    return out;
 }
 
 }  // namespace
@@ -56,30 +85,18 @@ MainBox main_box(std::span<const Eigen::Vector3d> positions,
     MainBox box;
     if (positions.empty()) return box;
     const std::vector<std::uint32_t> vertices = vertices_in_use(positions.size(), triangles);
-    const std::vector<double> distances = distances_from_median(positions, vertices);
-    const double reach = reach_of(distances);
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        if (distances[i] > reach) box.strays.push_back(vertices[i]);
+    box.strays = strays_of(positions, vertices);
+    Eigen::AlignedBox3d bounds;
     if (box.strays.empty()) {
-        box.low = box.high = positions.front();
-        for (const Eigen::Vector3d& p : positions) extend(box, p);
-        return box;
+        for (const Eigen::Vector3d& p : positions) bounds.extend(p);
+    } else {
+        std::vector<std::uint32_t> others;
+        std::ranges::set_difference(vertices, box.strays, std::back_inserter(others));
+        for (const std::uint32_t v : others) bounds.extend(positions[v]);
     }
-    bool first = true;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const Eigen::Vector3d& p = positions[vertices[i]];
-        if (distances[i] > reach) continue;
-        if (std::exchange(first, false)) box.low = box.high = p;
-        extend(box, p);
-    }
+    box.low = bounds.min();
+    box.high = bounds.max();
     return box;
-}
-
-bool has_stray(const std::array<Eigen::Vector3f, 3>& corners, const Eigen::AlignedBox3d& bounds) {
-    if (bounds.isEmpty()) return false;
-    const double most = bounds.diagonal().norm();
-    return std::ranges::any_of(
-        corners, [&](const auto& p) { return bounds.exteriorDistance(p.template cast<double>()) > most; });
 }
 
 }  // namespace vantage

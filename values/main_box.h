@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -25,6 +26,12 @@ MainBox main_box(std::span<const Eigen::Vector3d> positions,
 
 /// Whether a triangle has a stray: a corner farther from `bounds`, the box without strays, than its diagonal.
 /// False if `bounds` is empty.
-bool has_stray(const std::array<Eigen::Vector3f, 3>& corners, const Eigen::AlignedBox3d& bounds);
+inline bool has_stray(const std::array<Eigen::Vector3f, 3>& corners, const Eigen::AlignedBox3d& bounds) {
+    if (bounds.isEmpty()) return false;
+    const double most = bounds.diagonal().squaredNorm();
+    return std::ranges::any_of(corners, [&](const Eigen::Vector3f& p) {
+        return bounds.squaredExteriorDistance(p.cast<double>()) > most;
+    });
+}
 
 }  // namespace vantage
