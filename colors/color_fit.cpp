@@ -29,9 +29,11 @@ struct Model {
         const auto at = 3 * Eigen::Index(l);
         return {falloff[at], falloff[at + 1], falloff[at + 2]};
     }
-    double corrected(const Observation& o, int channel) const {
-        return double(o.ln[channel]) + gain(o.photo, channel) +
-               log_falloff_at_square(of_lens(lens[o.photo]), double(o.radius2));
+    Eigen::Vector3d corrected(const Observation& o) const {
+        const double lost = log_falloff_at_square(of_lens(lens[o.photo]), double(o.radius2));
+        Eigen::Vector3d out;
+        for (int c = 0; c < 3; ++c) out[c] = double(o.ln[c]) + gain(o.photo, c) + lost;
+        return out;
     }
 };
 
@@ -40,20 +42,19 @@ struct Model {
 template <class Visit>
 void each_residual(const SharedDiscs& obs, const Model& m, const std::vector<double>& weights,
                    const Visit& visit) {
+    std::vector<Eigen::Vector3d> colors;  // of a disc
     obs.each_disc([&](std::span<const Observation> disc, std::size_t at) {
         Eigen::Vector3d mean = Eigen::Vector3d::Zero();
         double sum = 0;
+        colors.clear();
         for (std::size_t i = 0; i < disc.size(); ++i) {
             const double w = weights[at + i];
-            for (int c = 0; c < 3; ++c) mean[c] += w * m.corrected(disc[i], c);
+            colors.push_back(m.corrected(disc[i]));
+            mean += w * colors.back();
             sum += w;
         }
         mean /= sum;
-        for (std::size_t i = 0; i < disc.size(); ++i) {
-            Eigen::Vector3d e;
-            for (int c = 0; c < 3; ++c) e[c] = m.corrected(disc[i], c) - mean[c];
-            visit(at + i, e.squaredNorm() / 3);
-        }
+        for (std::size_t i = 0; i < disc.size(); ++i) visit(at + i, (colors[i] - mean).squaredNorm() / 3);
     });
 }
 
@@ -66,7 +67,7 @@ double cost(const SharedDiscs& obs, const Model& m, const std::vector<double>& w
 
 /// Weighted normal equations with the discs' colors eliminated. A, B and C are the same for all channels.
 struct Normal {
-    Eigen::MatrixXd A;  ///< photos x photos
+    Eigen::MatrixXd A;  ///< photos x photos; only the lower triangle
     Eigen::MatrixXd B;  ///< photos x falloff
     Eigen::MatrixXd C;  ///< falloff x falloff
     Eigen::MatrixXd b;  ///< photos x 3
@@ -127,7 +128,8 @@ Normal normal_equations(const SharedDiscs& obs, const Model& m, const std::vecto
         ln /= sum;
         for (const WeightedObservation& a : ws) {
             n.A(a.photo, a.photo) += a.weight;
-            for (const WeightedObservation& b : ws) n.A(a.photo, b.photo) -= a.weight * b.weight / sum;
+            for (const WeightedObservation& b : ws)
+                if (b.photo <= a.photo) n.A(a.photo, b.photo) -= a.weight * b.weight / sum;
             n.b.row(a.photo) += a.weight * ln - a.ln;
             if (!with_falloff) continue;
             n.B.block<1, 3>(a.photo, a.lens) += a.features.transpose();
@@ -232,8 +234,7 @@ void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<do
         for (std::size_t i = 0; i < disc.size(); ++i) {
             const Observation &a = disc[i], &b = disc[(i + 1) % disc.size()];
             if (i + 1 == disc.size() && i < 2) break;  // two photos are one pair
-            double d = 0;
-            for (int c = 0; c < 3; ++c) d += std::abs(m.corrected(a, c) - m.corrected(b, c)) / 3;
+            const double d = (m.corrected(a) - m.corrected(b)).lpNorm<1>() / 3;
             differences.push_back(float(d));
             by_photo[a.photo].push_back(float(d));
             by_photo[b.photo].push_back(float(d));
@@ -242,6 +243,52 @@ void measure(const SharedDiscs& obs, const Model& m, double& all, std::vector<do
     all = double(upper_median(std::span(differences)));
     for (std::size_t i = 0; i < of_photo.size(); ++i)
         of_photo[i] = double(upper_median(std::span(by_photo[i])));
+}
+
+std::vector<std::array<double, 3>> gains_of(const Model& m) {
+    std::vector<std::array<double, 3>> out;
+    for (Eigen::Index i = 0; i < m.gain.rows(); ++i)
+        out.push_back({m.gain(i, 0), m.gain(i, 1), m.gain(i, 2)});
+    return out;
+}
+
+/// What a fit works on, and its result so far.
+struct Fit {
+    std::vector<std::size_t> samples;  ///< as in ColorFit
+    SharedDiscs obs;
+    std::vector<std::uint32_t> component;  ///< as in ColorFit
+    Model m;
+    std::vector<double> weights;
+
+    Fit(Samples of_photos, std::span<const std::uint32_t> lens)
+        : obs(shared_discs(of_photos, samples)),
+          component(components(obs, of_photos.size())),
+          weights(obs.all.size(), 1) {
+        const auto photos = of_photos.size(), lenses = photos ? std::ranges::max(lens) + std::size_t(1) : 0;
+        m = {Eigen::MatrixXd::Zero(Eigen::Index(photos), 3), Eigen::VectorXd::Zero(3 * Eigen::Index(lenses)),
+             std::vector<int>(lenses, 0), lens};
+    }
+    void add_gains() {
+        if (!obs.all.empty()) iterate(obs, m, weights, initial_scale);
+    }
+    void add_falloff() {
+        if (!obs.all.empty()) fit_falloff(obs, m, weights);
+    }
+    PhotoColors colors() const {
+        Model centered = m;
+        center_gains(centered, component, samples);
+        PhotoColors out{gains_of(centered), {}};
+        for (const std::uint32_t l : m.lens) out.falloff.push_back(m.of_lens(l));
+        return out;
+    }
+};
+
+Fit gains_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo) {
+    std::vector<std::span<const package::SampleRecord>> others(samples.begin(), samples.end());
+    others[photo] = {};
+    Fit fit(others, lens);
+    fit.add_gains();
+    return fit;
 }
 
 }  // namespace
@@ -271,28 +318,23 @@ std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photo
 }
 
 ColorFit fit_colors(Samples samples, std::span<const std::uint32_t> lens, bool with_falloff) {
-    const std::size_t photos = samples.size();
-    const std::size_t lenses = photos ? std::ranges::max(lens) + std::size_t(1) : 0;
-    ColorFit fit;
-    fit.ln_gain.resize(photos, {});
-    fit.falloff.resize(lenses, {});
-    fit.photo_before.resize(photos, 0);
-    fit.photo_after.resize(photos, 0);
-    const SharedDiscs obs = shared_discs(samples, fit.samples);
-    fit.component = components(obs, photos);
-    if (obs.all.empty()) return fit;
-    Model m{Eigen::MatrixXd::Zero(Eigen::Index(photos), 3), Eigen::VectorXd::Zero(3 * Eigen::Index(lenses)),
-            std::vector<int>(lenses, 0), lens};
-    measure(obs, m, fit.before, fit.photo_before);
-    std::vector<double> weights(obs.all.size(), 1);
-    iterate(obs, m, weights, initial_scale);
-    if (with_falloff) fit_falloff(obs, m, weights);
-    center_gains(m, fit.component, fit.samples);
-    measure(obs, m, fit.after, fit.photo_after);
-    for (std::size_t i = 0; i < photos; ++i)
-        for (std::size_t c = 0; c < 3; ++c) fit.ln_gain[i][c] = m.gain(Eigen::Index(i), Eigen::Index(c));
-    for (std::size_t l = 0; l < lenses; ++l) fit.falloff[l] = m.of_lens(l);
-    return fit;
+    Fit fit(samples, lens);
+    ColorFit out;
+    out.ln_gain.resize(samples.size(), {});
+    out.falloff.resize(fit.m.terms.size(), {});
+    out.photo_before.resize(samples.size(), 0);
+    out.photo_after.resize(samples.size(), 0);
+    out.samples = fit.samples;
+    out.component = fit.component;
+    if (fit.obs.all.empty()) return out;
+    measure(fit.obs, fit.m, out.before, out.photo_before);
+    fit.add_gains();
+    if (with_falloff) fit.add_falloff();
+    center_gains(fit.m, fit.component, fit.samples);
+    measure(fit.obs, fit.m, out.after, out.photo_after);
+    out.ln_gain = gains_of(fit.m);
+    for (std::size_t l = 0; l < out.falloff.size(); ++l) out.falloff[l] = fit.m.of_lens(l);
+    return out;
 }
 
 PhotoColors colors_of(const ColorFit& fit, std::span<const std::uint32_t> lens) {
@@ -303,9 +345,16 @@ PhotoColors colors_of(const ColorFit& fit, std::span<const std::uint32_t> lens) 
 
 PhotoColors fit_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo,
                         bool with_falloff) {
-    std::vector<std::span<const package::SampleRecord>> others(samples.begin(), samples.end());
-    others[photo] = {};
-    return colors_of(fit_colors(others, lens, with_falloff), lens);
+    Fit fit = gains_without(samples, lens, photo);
+    if (with_falloff) fit.add_falloff();
+    return fit.colors();
+}
+
+FitsWithout fits_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo) {
+    Fit fit = gains_without(samples, lens, photo);
+    PhotoColors gains = fit.colors();
+    fit.add_falloff();
+    return {std::move(gains), fit.colors()};
 }
 
 void apply_colors(const PhotoColors& colors, bool gains_on, bool falloff_on,

@@ -65,6 +65,12 @@ PhotoColors colors_of(const ColorFit& fit, std::span<const std::uint32_t> lens);
 PhotoColors fit_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo,
                         bool with_falloff);
 
+/// The same with gains alone and with falloff.
+struct FitsWithout {
+    PhotoColors gains, both;
+};
+FitsWithout fits_without(Samples samples, std::span<const std::uint32_t> lens, std::uint32_t photo);
+
 /// Writes gains and falloff into the photos' records; 1 and 0 for what is off.
 void apply_colors(const PhotoColors& colors, bool gains_on, bool falloff_on,
                   std::span<package::PhotoRecord> photos);

@@ -73,15 +73,22 @@ Alternative alternative(const PhotoColors& colors, bool gains_on, bool falloff_o
     return a;
 }
 
-std::vector<PhotoColors> colors_without(const Folds& folds, std::span<const std::uint32_t> lens,
-                                        bool falloff) {
+FoldColors colors_without(const Folds& folds, std::span<const std::uint32_t> lens, bool falloff) {
     // A gain is one number per photo and channel: a part of the samples determines it.
     std::size_t shown_discs = 0;
     for (const auto& s : folds.input().samples) shown_discs += std::size_t(std::ranges::count_if(s, shown));
     const PhotoSamples some = thinned(folds.input().samples, 1 + shown_discs / max_fitted);
-    std::vector<PhotoColors> out(folds.all().size());
-    for_each_photo(out.size(), folds.input().threads, [&](std::size_t f) {
-        out[f] = fit_without(some.spans(), lens, folds.all()[f].photo, falloff);
+    const std::size_t n = folds.all().size();
+    FoldColors out{std::vector<PhotoColors>(n), std::vector<PhotoColors>(falloff ? n : 0)};
+    for_each_photo(n, folds.input().threads, [&](std::size_t f) {
+        const std::uint32_t photo = folds.all()[f].photo;
+        if (falloff) {
+            FitsWithout fits = fits_without(some.spans(), lens, photo);
+            out.gains[f] = std::move(fits.gains);
+            out.both[f] = std::move(fits.both);
+        } else {
+            out.gains[f] = fit_without(some.spans(), lens, photo, false);
+        }
     });
     return out;
 }
@@ -100,14 +107,12 @@ ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samp
     // Unless forced, falloff is corrected only together with exposure.
     if (!out.exposure.on && falloff == EffectChoice::automatic) out.falloff.on = false;
     if (folds && out.exposure.on) {
-        out.without = colors_without(*folds, lens, false);
-        std::vector<PhotoColors> both;
-        if (out.falloff.on) both = colors_without(*folds, lens, true);
-        const ColorJudgments judged = judge_colors(*folds, out.without, both);
+        FoldColors without = colors_without(*folds, lens, out.falloff.on);
+        const ColorJudgments judged = judge_colors(*folds, without.gains, without.both);
         confirm(out.exposure, judged.exposure);
         if (out.falloff.on) confirm(out.falloff, judged.falloff);
         if (!out.exposure.on && falloff == EffectChoice::automatic) out.falloff.on = false;
-        if (out.falloff.on) out.without = std::move(both);
+        out.without = std::move(out.falloff.on ? without.both : without.gains);
     }
     const bool fitted = std::ranges::any_of(out.fit.falloff, [](const Falloff& f) { return f != Falloff{}; });
     if (fitted && !out.falloff.on) out.fit = fit_colors(samples, lens, false);

@@ -27,9 +27,12 @@ struct ColorRefinement {
 ColorRefinement refine_colors(std::span<const package::PhotoRecord> photos, Samples samples,
                               const std::map<Effect, EffectChoice>& choices, const Folds* folds = nullptr);
 
-/// The colors of all photos but that of each fold, fitted without it.
-std::vector<PhotoColors> colors_without(const Folds& folds, std::span<const std::uint32_t> lens,
-                                        bool falloff);
+/// Per fold, the colors of all photos but its own, fitted without it: gains alone, and with falloff (empty if
+/// not wanted).
+struct FoldColors {
+    std::vector<PhotoColors> gains, both;
+};
+FoldColors colors_without(const Folds& folds, std::span<const std::uint32_t> lens, bool falloff);
 
 /// Colors as the judge applies them to predict a photo; they must outlive the result.
 Alternative alternative(const PhotoColors& colors, bool gains_on, bool falloff_on, std::uint32_t photo);

@@ -138,7 +138,7 @@ class PoseChoice {
           rounds_(in),
           folds_({in.package, in.photos, in.samples, in.discs, in.border_width, in.threads, long_side,
                   max_judged}),
-          gains_(colors_without(folds_, lenses_of(in.photos), false)) {}
+          gains_(colors_without(folds_, lenses_of(in.photos), false).gains) {}
 
     /// Takes the solution if it is better than what has been taken so far.
     void consider(PoseSolution solution, const std::string& of, Moved which) {

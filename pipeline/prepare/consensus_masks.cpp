@@ -69,7 +69,8 @@ EffectDecision decide_consensus(std::span<const PhotoRecord> photos, const std::
 void confirm(const FinishInput& in, const Folds& folds, const ConsensusViews& views,
              const ConsensusPartners& partners, const ColorRefinement& colors, EffectDecision& decision) {
     const Traced traced(in.geometry.trace, "judge consensus");
-    const auto fits = colors.without.empty() ? colors_without(folds, colors.lens, false) : colors.without;
+    const auto fits =
+        colors.without.empty() ? colors_without(folds, colors.lens, false).gains : colors.without;
     const Judgment judged =
         judge_consensus(folds, views, partners, fits, colors.exposure.on, colors.falloff.on);
     confirm(decision, judged);
