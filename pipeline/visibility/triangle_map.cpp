@@ -63,12 +63,12 @@ VANTAGE_INLINE Size set_up(const Corner (&p)[3], const float (&values)[3], int w
         return Size::large;
     std::tie(s.x0, s.x1) = pixel_centers(left, right, width);
     std::tie(s.y0, s.y1) = pixel_centers(top, bottom, height);
+    if (s.x0 > s.x1 || s.y0 > s.y1) return Size::none;
     const int area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
+    if (area == 0) return Size::none;
     const int sign = area > 0 ? 1 : -1;
-    // The box's first pixel center; clamped so that empty boxes do not overflow.
-    const int cx = std::clamp(s.x0 * subpixels + subpixels / 2, left, right),
-              cy = std::clamp(s.y0 * subpixels + subpixels / 2, top, bottom);
-    const double share = 1 / double(std::max(std::abs(area), 1));
+    const int cx = s.x0 * subpixels + subpixels / 2, cy = s.y0 * subpixels + subpixels / 2;
+    const double share = 1 / double(std::abs(area));
     s.inverse = s.inverse_x = s.inverse_y = 0;
     s.value = s.value_x = s.value_y = 0;
     for (int i = 0; i < 3; ++i) {
@@ -86,7 +86,7 @@ VANTAGE_INLINE Size set_up(const Corner (&p)[3], const float (&values)[3], int w
         s.value_x += float(s.step_x[i]) * value;
         s.value_y += float(s.step_y[i]) * value;
     }
-    return ((s.x0 <= s.x1) & (s.y0 <= s.y1) & (area != 0)) ? Size::small : Size::none;
+    return Size::small;
 }
 
 /// Fills eight pixels of a row at a time.
