@@ -26,18 +26,18 @@ cv::Mat level_of(const PackageReader& package, const package::PhotoRecord& r, st
 
 /// Normalizes by local mean and contrast, which differ with exposure, haze and shadow; leaves the detail.
 cv::Mat normalize_contrast(const cv::Mat& gray) {
-    cv::Mat x, mean, square;
-    gray.convertTo(x, CV_32F);
+    cv::Mat mean, square;
     const cv::Size window(25, 25);
-    cv::boxFilter(x, mean, CV_32F, window);
-    cv::sqrBoxFilter(x, square, CV_32F, window);
+    cv::boxFilter(gray, mean, CV_32F, window);
+    cv::sqrBoxFilter(gray, square, CV_32F, window);
     cv::Mat out(gray.size(), CV_8U);
     for (int y = 0; y < out.rows; ++y) {
-        const auto *v = x.ptr<float>(y), *m = mean.ptr<float>(y), *s = square.ptr<float>(y);
+        const auto* v = gray.ptr<std::uint8_t>(y);
+        const auto *m = mean.ptr<float>(y), *s = square.ptr<float>(y);
         auto* o = out.ptr<std::uint8_t>(y);
         for (int i = 0; i < out.cols; ++i) {
             const float contrast = std::sqrt(std::max(s[i] - m[i] * m[i], 0.0f)) + 4;
-            o[i] = std::uint8_t(std::clamp(128 + 44 * (v[i] - m[i]) / contrast, 0.0f, 255.0f));
+            o[i] = std::uint8_t(std::clamp(128 + 44 * (float(v[i]) - m[i]) / contrast, 0.0f, 255.0f));
         }
     }
     return out;

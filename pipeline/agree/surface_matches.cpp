@@ -61,13 +61,17 @@ cv::Mat warp(const MatchView& chart, const MatchView& from, const Pose& from_pos
     return out;
 }
 
-/// Normalized cross-correlation of two patches.
+/// Normalized cross-correlation of two patches; 0 if one has no contrast.
 double correlation(const cv::Mat& a, const cv::Point2f& at_a, const cv::Mat& b, const cv::Point2f& at_b) {
-    cv::Mat p, q, result;
+    cv::Mat p, q;
     cv::getRectSubPix(a, patch, at_a, p, CV_32F);
     cv::getRectSubPix(b, patch, at_b, q, CV_32F);
-    cv::matchTemplate(p, q, result, cv::TM_CCOEFF_NORMED);
-    return double(result.at<float>(0, 0));
+    using Values = Eigen::Map<const Eigen::ArrayXf>;
+    const Eigen::ArrayXd x = Values(p.ptr<float>(), patch.area()).cast<double>(),
+                         y = Values(q.ptr<float>(), patch.area()).cast<double>();
+    const double mean_x = x.mean(), mean_y = y.mean(), both = ((x - mean_x) * (y - mean_y)).sum(),
+                 of_x = (x - mean_x).square().sum(), of_y = (y - mean_y).square().sum();
+    return of_x > 0 && of_y > 0 ? both / std::sqrt(of_x * of_y) : 0;
 }
 
 }  // namespace
