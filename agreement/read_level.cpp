@@ -1,7 +1,6 @@
 #include "agreement/read_level.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 
 #include "scene/error.h"
@@ -20,16 +19,15 @@ std::vector<std::byte> join_tiles(const PackageReader& reader, const package::Di
     if (reader.blocks(e) != std::size_t(level.tiles()) || e.block_length != tile_bytes)
         throw Error(Exit::damaged, describe(e, reader) + ": tiles do not match the level's size");
     for (std::size_t t = 0; t < reader.blocks(e); ++t) reader.sound_block(e, t);
-    std::vector<std::byte> out(std::size_t(level.width) * std::size_t(level.height) * 4);
+    std::vector<std::byte> out;
+    out.reserve(std::size_t(level.width) * std::size_t(level.height) * 4);
     for (int y = 0; y < level.height; ++y)
         for (int column = 0; column < level.columns(); ++column) {
             const int tile = (y / tile_content) * level.columns() + column, x = column * tile_content;
-            const int n = std::min(tile_content, level.width - x);
-            const auto from = reader.block(e, std::size_t(tile));
-            std::memcpy(
-                out.data() + (std::size_t(y) * std::size_t(level.width) + std::size_t(x)) * 4,
-                from.data() + (std::size_t(y % tile_content + tile_border) * tile_size + tile_border) * 4,
-                std::size_t(n) * 4);
+            const auto n = std::size_t(std::min(tile_content, level.width - x));
+            const auto first = std::size_t(y % tile_content + tile_border) * tile_size + tile_border;
+            const auto row = reader.block(e, std::size_t(tile)).subspan(4 * first, 4 * n);
+            out.insert(out.end(), row.begin(), row.end());
         }
     return out;
 }
