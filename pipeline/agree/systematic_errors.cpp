@@ -166,14 +166,8 @@ class ErrorSearch {
         if (cells_.frame_unit == 0) return;
         all_ = fit_.solve({}, any_cell);
         groups_ = std::min(std::uint32_t(in.photos.size()), std::uint32_t(max_groups));
-        for (std::uint32_t g = 0; g < groups_; ++g) {
-            const auto rest = [&](const PairCells& p, const auto&) {
-                return p.a % groups_ != g && p.b % groups_ != g;
-            };
-            without_.push_back(fit_.solve({}, rest, all_));
-        }
     }
-    SystematicErrors result() const {
+    SystematicErrors result() {
         SystematicErrors out;
         if (cells_.frame_unit == 0) return out;
         for (std::uint32_t l = 0; l < fit_.lenses(); ++l)
@@ -189,19 +183,29 @@ class ErrorSearch {
             if (fit_.lens(i) == lens) out.push_back(i);
         return out;
     }
+    /// What is fitted without each group of photos. Fitted on first use: most scenes show no error.
+    const std::vector<VectorXd>& fits_without_groups() {
+        for (std::uint32_t g = std::uint32_t(without_.size()); g < groups_; ++g) {
+            const auto rest = [&](const PairCells& p, const auto&) {
+                return p.a % groups_ != g && p.b % groups_ != g;
+            };
+            without_.push_back(fit_.solve({}, rest, all_));
+        }
+        return without_;
+    }
     /// Jackknife over the groups of photos, without groups that hold all of `photos`.
     double uncertainty(const std::function<double(const VectorXd&)>& distance,
-                       std::span<const std::uint32_t> photos = {}) const {
+                       std::span<const std::uint32_t> photos = {}) {
         std::vector<double> distances;
         for (std::uint32_t g = 0; g < groups_; ++g) {
             const auto in_group = [&](std::uint32_t i) { return i % groups_ == g; };
             if (photos.empty() || !std::ranges::all_of(photos, in_group))
-                distances.push_back(distance(without_[g]));
+                distances.push_back(distance(fits_without_groups()[g]));
         }
         return jackknife_error(distances);
     }
     /// Whether unknowns of a lens are an error.
-    bool is_found(std::uint32_t lens, int at, int count, const Model& without) const {
+    bool is_found(std::uint32_t lens, int at, int count, const Model& without) {
         const double value = all_.segment(at, count).norm();
         const auto distance = [&](const VectorXd& x) { return (x - all_).segment(at, count).norm(); };
         if (!(value >= min_pixels && value >= min_sigmas * uncertainty(distance, photos_of(lens))))
@@ -218,7 +222,7 @@ class ErrorSearch {
         const std::string first = in_.photos[photos[0]].name;
         return photos.size() == 1 ? first : fmt::format("{} and {} more", first, photos.size() - 1);
     }
-    LensError lens_error(std::uint32_t lens) const {
+    LensError lens_error(std::uint32_t lens) {
         LensError out{.photos = photos_of(lens)};
         const int at = fit_.lens_at(lens);
         const package::PhotoRecord& photo = in_.photos[out.photos[0]];
@@ -247,13 +251,15 @@ class ErrorSearch {
             for (const CellDisplacement& c : p.cells) moved.push_back((c.*of * (a - b).tail<7>()).norm());
         return quantile(std::move(moved), 0.5);
     }
-    void find_common_motion(SystematicErrors& out) const {
+    void find_common_motion(SystematicErrors& out) {
         const auto size = [&](auto of) { return motion(of, all_, VectorXd::Zero(all_.size())); };
         const auto error = [&](auto of) {
             return uncertainty([&](const VectorXd& x) { return motion(of, x, all_); });
         };
-        const double apart = size(&CellDisplacement::frame), apart_error = error(&CellDisplacement::frame);
-        if (!(apart >= min_apart && apart >= min_sigmas * apart_error)) return;
+        const double apart = size(&CellDisplacement::frame);
+        if (!(apart >= min_apart)) return;
+        const double apart_error = error(&CellDisplacement::frame);
+        if (!(apart >= min_sigmas * apart_error)) return;
         const double before = fit_.held_out_cost({.frame = false}, any_cell);
         if (!(fit_.held_out_cost({}, any_cell) <= common_explains * before)) return;
         out.common = similarity(cells_.frame_unit * all_.tail<7>(), cells_.frame);
