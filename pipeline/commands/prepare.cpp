@@ -163,13 +163,13 @@ void print_needs(const ResourceEstimate& n) {
     std::fflush(stdout);
 }
 
-PrepareResult prepare_shown(const PrepareOptions& o, const SceneInput& scene, IdentityCache& identities,
+PrepareResult prepare_shown(const PrepareOptions& o, SceneInput scene, IdentityCache& identities,
                             Trace& trace, std::chrono::steady_clock::time_point start) {
     ProgressLine line(progress_style(o.progress));
     const PrepareRun run{&stop_on_signals(), o.strict, &identities, share(o.share), &trace,
                          print_needs,        true,     start};
     return prepare(
-        scene, o.settings, o.out, [&](const Progress& p) { line.show(p); }, run);
+        std::move(scene), o.settings, o.out, [&](const Progress& p) { line.show(p); }, run);
 }
 
 SceneInput read_traced(const InputFiles& files, Trace& trace) {
@@ -202,9 +202,10 @@ int run_prepare(PrepareOptions o) {
         return int(report_left_out(*lacking));
     }
     Trace trace;
-    const SceneInput scene = read_traced(files, trace);
+    SceneInput scene = read_traced(files, trace);
     print_scene(scene);
-    const PrepareResult done = prepare_shown(o, scene, identities, trace, start);
+    const PrepareResult done =
+        prepare_shown(o, o.explain ? scene : std::move(scene), identities, trace, start);
     if (!o.trace.empty()) write_trace(o.trace, trace.spans());
     const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (o.writes_report())
