@@ -63,54 +63,86 @@ float weight_among(const float* ln, const Others& others, std::size_t n) {
     return std::clamp(2 - deviation / (tolerance + 2 * spread), 0.0f, 1.0f);
 }
 
-/// Calls set(x, y) for every texel and stores what it returns.
-template <class Value>
-std::vector<std::uint8_t> filled(int width, int height, const Value& value) {
-    std::vector<std::uint8_t> out;
-    out.reserve(std::size_t(width) * std::size_t(height));
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) out.push_back(value(x, y));
-    return out;
+int clamped(int i, int n) { return std::clamp(i, 0, n - 1); }
+/// Mirrors a position at the first and the last of `n`, which are not repeated.
+int mirrored(int i, int n) { return clamped(i < 0 ? -i : i >= n ? 2 * n - 2 - i : i, n); }
+
+/// Values of a row, and two on each side.
+template <class T>
+class WideRow {
+  public:
+    explicit WideRow(int width) : width_(width), values_(std::size_t(width) + 4) {}
+    T* data() { return values_.data() + 2; }
+    /// Fills the sides from inside; `index`: clamped or mirrored.
+    void extend(int (*index)(int, int)) {
+        for (const int i : {-2, -1, width_, width_ + 1}) data()[i] = data()[index(i, width_)];
+    }
+
+  private:
+    int width_;
+    std::vector<T> values_;
+};
+
+std::uint8_t median_of(std::uint8_t a, std::uint8_t b, std::uint8_t c) {
+    return std::max(std::min(a, b), std::min(std::max(a, b), c));
 }
 
-/// Median of the 3x3 texels around each; the edge is repeated.
+/// Median of the 3x3 texels around each, from the sorted columns (Smith 1996); the edge is repeated.
 std::vector<std::uint8_t> median_3x3(Grid<const std::uint8_t> from) {
-    return filled(from.width, from.height, [&](int x, int y) {
-        std::array<std::uint8_t, 9> around;
-        std::size_t n = 0;
-        for (int j = y - 1; j <= y + 1; ++j)
-            for (int i = x - 1; i <= x + 1; ++i)
-                around[n++] = from(std::clamp(i, 0, from.width - 1), std::clamp(j, 0, from.height - 1));
-        return upper_median(std::span<std::uint8_t>(around));
-    });
+    std::vector<std::uint8_t> out(from.size());
+    WideRow<std::uint8_t> low(from.width), middle(from.width), high(from.width);
+    std::uint8_t *l = low.data(), *m = middle.data(), *h = high.data();
+    for (int y = 0; y < from.height; ++y) {
+        const auto *a = from.row(clamped(y - 1, from.height)).data(), *b = from.row(y).data(),
+                   *c = from.row(clamped(y + 1, from.height)).data();
+        for (int x = 0; x < from.width; ++x) {
+            l[x] = std::min(std::min(a[x], b[x]), c[x]);
+            m[x] = median_of(a[x], b[x], c[x]);
+            h[x] = std::max(std::max(a[x], b[x]), c[x]);
+        }
+        for (auto* row : {&low, &middle, &high}) row->extend(clamped);
+        auto* to = out.data() + std::size_t(y) * std::size_t(from.width);
+        for (int x = 0; x < from.width; ++x)
+            to[x] =
+                median_of(std::max(std::max(l[x - 1], l[x]), l[x + 1]), median_of(m[x - 1], m[x], m[x + 1]),
+                          std::min(std::min(h[x - 1], h[x]), h[x + 1]));
+    }
+    return out;
 }
 
 /// Least of the texels around each: a row of five in it and in the rows beside it, and one two rows away.
 std::vector<std::uint8_t> least_around(Grid<const std::uint8_t> from) {
-    return filled(from.width, from.height, [&](int x, int y) {
-        std::uint8_t least = 255;
-        for (int j = std::max(y - 2, 0); j <= std::min(y + 2, from.height - 1); ++j) {
-            const int reach = std::abs(j - y) == 2 ? 0 : 2;
-            for (int i = std::max(x - reach, 0); i <= std::min(x + reach, from.width - 1); ++i)
-                least = std::min(least, from(i, j));
+    std::vector<std::uint8_t> out(from.size());
+    WideRow<std::uint8_t> least(from.width);
+    std::uint8_t* l = least.data();
+    for (int y = 0; y < from.height; ++y) {
+        const auto row = [&](int j) { return from.row(clamped(j, from.height)).data(); };
+        const auto *a = row(y - 2), *b = row(y - 1), *c = row(y), *d = row(y + 1), *e = row(y + 2);
+        for (int x = 0; x < from.width; ++x) l[x] = std::min(std::min(b[x], c[x]), d[x]);
+        least.extend(clamped);
+        auto* to = out.data() + std::size_t(y) * std::size_t(from.width);
+        for (int x = 0; x < from.width; ++x) {
+            const std::uint8_t beside = std::min(std::min(l[x - 2], l[x - 1]), std::min(l[x + 1], l[x + 2]));
+            to[x] = std::min(std::min(beside, l[x]), std::min(a[x], e[x]));
         }
-        return least;
-    });
+    }
+    return out;
 }
-
-/// Mirrors a position at the first and the last of `n`, which are not repeated.
-int mirrored(int i, int n) { return n == 1 ? 0 : i < 0 ? -i : i >= n ? 2 * n - 2 - i : i; }
 
 /// Weights 1 2 1 in each direction.
 std::vector<std::uint8_t> binomial_3x3(Grid<const std::uint8_t> from) {
-    return filled(from.width, from.height, [&](int x, int y) {
-        int sum = 0;
-        for (int j = -1; j <= 1; ++j)
-            for (int i = -1; i <= 1; ++i)
-                sum += (2 - std::abs(i)) * (2 - std::abs(j)) *
-                       from(mirrored(x + i, from.width), mirrored(y + j, from.height));
-        return std::uint8_t((sum + 8) / 16);
-    });
+    std::vector<std::uint8_t> out(from.size());
+    WideRow<std::uint16_t> sums(from.width);
+    std::uint16_t* s = sums.data();
+    for (int y = 0; y < from.height; ++y) {
+        const auto *a = from.row(mirrored(y - 1, from.height)).data(), *b = from.row(y).data(),
+                   *c = from.row(mirrored(y + 1, from.height)).data();
+        for (int x = 0; x < from.width; ++x) s[x] = std::uint16_t(a[x] + 2 * b[x] + c[x]);
+        sums.extend(mirrored);
+        auto* to = out.data() + std::size_t(y) * std::size_t(from.width);
+        for (int x = 0; x < from.width; ++x) to[x] = std::uint8_t((s[x - 1] + 2 * s[x] + s[x + 1] + 8) / 16);
+    }
+    return out;
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ namespace {
 std::vector<ConsensusMap> maps_without(const Folds& folds, const Fold& fold,
                                        const ConsensusPartners& partners, const PhotoColors& colors,
                                        const ConsensusViews& uncorrected) {
-    const LruCache<ConsensusView> views(fold.others.size(), [&](std::uint32_t i) {
+    const LruCache<ConsensusView> views(cached_views, [&](std::uint32_t i) {
         return corrected(*uncorrected.get(i), colors.ln_gain[i], colors.falloff[i]);
     });
     std::vector<ConsensusMap> out(folds.input().photos.size());
