@@ -67,6 +67,19 @@ void SharedSurface::compare(PhotoPair& pair) const {
     pair.color = quantile(std::move(colors), 0.5);
 }
 
+/// The pair after compare(), which is done once.
+PhotoPair SharedSurface::compared(const PhotoPair& pair) const {
+    const std::pair key(pair.a, pair.b);
+    {
+        const std::scoped_lock lock(mutex_);
+        if (const auto known = compared_.find(key); known != compared_.end()) return known->second;
+    }
+    PhotoPair out = pair;
+    compare(out);
+    const std::scoped_lock lock(mutex_);
+    return compared_.emplace(key, out).first->second;
+}
+
 std::vector<PhotoPair> SharedSurface::most_shared(std::uint32_t a, std::size_t count) const {
     std::vector<PhotoPair> pairs;
     for (std::uint32_t b = 0; b < seen_.size(); ++b)
@@ -75,7 +88,7 @@ std::vector<PhotoPair> SharedSurface::most_shared(std::uint32_t a, std::size_t c
     std::ranges::stable_sort(pairs, std::greater{}, &PhotoPair::shared);
     pairs.resize(std::min(pairs.size(), count));
     // Angles are more expensive than counts: only for these.
-    for (PhotoPair& p : pairs) compare(p);
+    for (PhotoPair& p : pairs) p = compared(p);
     return pairs;
 }
 

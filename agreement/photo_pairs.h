@@ -1,6 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <map>
+#include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "agreement/surface_discs.h"
@@ -39,11 +42,14 @@ class SharedSurface {
   private:
     using Bits = std::vector<std::uint64_t>;
     void compare(PhotoPair& pair) const;
+    PhotoPair compared(const PhotoPair& pair) const;
 
     Samples samples_;
     std::span<const SurfaceDisc> discs_;
     std::vector<Bits> seen_;  ///< a bit per disc
     std::vector<Eigen::Vector3d> eyes_;
+    mutable std::mutex mutex_;
+    mutable std::map<std::pair<std::uint32_t, std::uint32_t>, PhotoPair> compared_;
 };
 
 /// The best `per_photo` pairs of every photo, each once, sorted by (a, b).
