@@ -135,7 +135,14 @@ Registration register_photos(const RegistrationInput& in, EffectChoice choice) {
         return out;
     }
     out.pairs = measure_pairs(in);
-    out.warnings = misplaced_photos(in, out.pairs);
+    MisplacedPhotos misplaced = misplaced_photos(in, out.pairs);
+    out.warnings = std::move(misplaced.warnings);
+    if (misplaced.swapped) {
+        out.decision =
+            decide(Effect::registration, choice, 0, "cameras appear to be swapped; no camera was moved");
+        out.decision.on = false;
+        return out;
+    }
     if (const std::string why = without_evidence(in, out.pairs); !why.empty()) {
         out.decision = decide(Effect::registration, choice, 0, why);
         out.decision.on = false;

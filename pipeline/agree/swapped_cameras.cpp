@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+
+#include "values/lru_cache.h"
 
 namespace vantage {
 namespace {
@@ -10,78 +13,143 @@ namespace {
 using package::PairRecord;
 
 constexpr int long_side = 800, corners = 300;
-constexpr double min_fit = 0.4;  ///< share of the corners
-constexpr int max_neighbors = 4;
-constexpr std::size_t max_tried = 12;  ///< photos tried with each other's cameras
+constexpr double far_away = 0.01;  ///< share of the longer side
+constexpr double min_fit = 0.4;    ///< share of the corners
+constexpr double min_better = 2;   ///< times the fit with the cameras as given
+constexpr int max_neighbors = 3;
+constexpr std::size_t max_suspects = 12;
+constexpr std::size_t cached_views = 16;
 
-/// Photos whose pairs all contradict; none if no pair at all is trusted.
-std::vector<std::uint32_t> lost_photos(const RegistrationInput& in, std::span<const PairRecord> pairs) {
-    std::vector<std::uint32_t> lost;
-    if (std::ranges::none_of(pairs, trusted)) return lost;
-    for (std::uint32_t i = 0; i < in.photos.size(); ++i) {
-        std::size_t against = 0, with = 0;
-        for (const PairRecord& p : pairs)
-            if (p.a == i || p.b == i) ++(contradicts(p) ? against : with);
-        if (against > 0 && with == 0) lost.push_back(i);
-    }
-    return lost;
+double longer_side(const package::PhotoRecord& p) { return double(std::max(p.width, p.height)); }
+
+/// Whether the pair contradicts, or is displaced farther than by inexact cameras.
+bool is_bad(const RegistrationInput& in, const PairRecord& p) {
+    return contradicts(p) || (trusted(p) && double(p.median) > far_away * longer_side(in.photos[p.a]));
 }
 
-/// The share of a neighbor's corners that match the pixels of one photo seen with the camera of another.
-double fit_with(const RegistrationInput& in, std::uint32_t neighbor, std::uint32_t pixels,
-                std::uint32_t camera) {
-    const MatchView from = read_match_view(in.package, in.photos[neighbor], neighbor, long_side);
-    MatchView other = read_match_view(in.package, in.photos[camera], camera, long_side);
-    other.gray = read_match_view(in.package, in.photos[pixels], pixels, long_side).gray;
-    SurfaceChart chart(from, from.pose, neighbor, corners);
-    const std::size_t compared = chart.match(other, other.pose, camera);
-    std::size_t found = 0;
-    for (const Track& s : chart.tracks()) found += s.matches.size();
-    return compared < 20 ? 0 : double(found) / double(compared);
+struct Counts {
+    std::size_t all = 0, bad = 0, contradicting = 0;
+};
+/// Of each photo's pairs, without those with photos to `ignore`.
+std::vector<Counts> count_pairs(const RegistrationInput& in, std::span<const PairRecord> pairs,
+                                const std::vector<bool>& ignore) {
+    std::vector<Counts> out(in.photos.size());
+    for (const PairRecord& p : pairs) {
+        if (ignore[p.a] || ignore[p.b]) continue;
+        for (Counts* c : {&out[p.a], &out[p.b]}) {
+            ++c->all;
+            c->bad += is_bad(in, p);
+            c->contradicting += contradicts(p);
+        }
+    }
+    return out;
 }
 
-/// The best fit over a few neighbors that are not lost themselves; 0 if there are none.
-double fit(const RegistrationInput& in, std::span<const PhotoPair> pairs, std::span<const std::uint32_t> lost,
-           std::uint32_t pixels, std::uint32_t camera) {
-    double best = 0;
-    int tried = 0;
-    for (const PhotoPair& p : pairs) {
-        if ((p.a != camera && p.b != camera) || tried == max_neighbors) continue;
-        const std::uint32_t neighbor = p.a == camera ? p.b : p.a;
-        if (std::ranges::count(lost, neighbor)) continue;
-        best = std::max(best, fit_with(in, neighbor, pixels, camera));
-        ++tried;
+/// How well photos fit their neighbors with their own and with other cameras.
+class CameraFits {
+  public:
+    explicit CameraFits(const RegistrationInput& in)
+        // More neighbors than were measured, in case the nearest ones are misplaced as well.
+        : in_(in),
+          near_(photo_pairs(in.photos, in.samples, in.discs, 8)),
+          views_(cached_views, [&in](auto photo) {
+              return read_match_view(in.package, in.photos[photo], photo, long_side);
+          }) {}
+
+    /// The best fit over a few neighbors of the camera: the share of their corners that match the photo's
+    /// pixels where the camera predicts them.
+    double of(std::uint32_t pixels, std::uint32_t camera) {
+        const auto [known, is_new] = fits_.emplace(std::pair(pixels, camera), 0);
+        int tried = 0;
+        for (const PhotoPair& p : near_) {
+            if (!is_new || tried == max_neighbors) break;
+            if (p.a != camera && p.b != camera) continue;
+            const std::uint32_t neighbor = p.a == camera ? p.b : p.a;
+            if (neighbor == pixels) continue;
+            known->second = std::max(known->second, with(neighbor, pixels, camera));
+            ++tried;
+        }
+        return known->second;
     }
-    return best;
+
+  private:
+    double with(std::uint32_t neighbor, std::uint32_t pixels, std::uint32_t camera) const {
+        const auto from = views_.get(neighbor);
+        MatchView other = *views_.get(camera);
+        other.gray = views_.get(pixels)->gray;
+        SurfaceChart chart(*from, from->pose, neighbor, corners);
+        const std::size_t compared = chart.match(other, other.pose, camera);
+        const double most = far_away * longer_side(in_.photos[neighbor]);
+        std::size_t found = 0;
+        for (const Track& t : chart.tracks())
+            found += std::size_t(
+                std::ranges::count_if(t.matches, [&](const Match& m) { return m.moved.norm() <= most; }));
+        return compared < 20 ? 0 : double(found) / double(compared);
+    }
+
+    const RegistrationInput& in_;
+    std::vector<PhotoPair> near_;
+    LruCache<MatchView> views_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> fits_;
+};
+
+/// Two photos with each other's cameras.
+struct Swap {
+    std::uint32_t a, b;
+    double fit_a, fit_b;  ///< with the other's camera
+    double least() const { return std::min(fit_a, fit_b); }
+};
+
+/// Photos with bad pairs, the largest share first.
+std::vector<std::uint32_t> suspects(const RegistrationInput& in, std::span<const PairRecord> pairs) {
+    const std::vector<Counts> counts = count_pairs(in, pairs, std::vector<bool>(in.photos.size()));
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t i = 0; i < in.photos.size(); ++i)
+        if (counts[i].bad > 0) out.push_back(i);
+    std::ranges::stable_sort(out, std::greater{},
+                             [&](std::uint32_t i) { return double(counts[i].bad) / double(counts[i].all); });
+    out.resize(std::min(out.size(), max_suspects));
+    std::ranges::sort(out);
+    return out;
+}
+
+std::vector<Swap> possible_swaps(const RegistrationInput& in, std::span<const std::uint32_t> photos) {
+    std::vector<Swap> out;
+    if (photos.size() < 2) return out;
+    CameraFits fits(in);
+    for (std::size_t i = 0; i < photos.size(); ++i)
+        for (std::size_t j = i + 1; j < photos.size(); ++j) {
+            const std::uint32_t a = photos[i], b = photos[j];
+            if (in.photos[a].width != in.photos[b].width || in.photos[a].height != in.photos[b].height)
+                continue;
+            if (fits.of(a, b) < min_fit) continue;
+            const Swap s{a, b, fits.of(a, b), fits.of(b, a)};
+            if (s.least() >= min_fit && s.least() >= min_better * std::max(fits.of(a, a), fits.of(b, b)))
+                out.push_back(s);
+        }
+    std::ranges::stable_sort(out, std::greater{}, &Swap::least);
+    return out;
 }
 
 }  // namespace
 
-std::vector<std::string> misplaced_photos(const RegistrationInput& in, std::span<const PairRecord> pairs) {
-    std::vector<std::uint32_t> lost = lost_photos(in, pairs);
-    std::vector<std::string> out;
-    // More neighbors than were measured, in case the nearest ones are lost as well.
-    const std::vector<PhotoPair> near =
-        lost.empty() ? std::vector<PhotoPair>{} : photo_pairs(in.photos, in.samples, in.discs, 8);
+MisplacedPhotos misplaced_photos(const RegistrationInput& in, std::span<const PairRecord> pairs) {
+    MisplacedPhotos out;
     std::vector<bool> reported(in.photos.size());
-    for (std::size_t i = 0; i < std::min(lost.size(), max_tried); ++i)
-        for (std::size_t j = i + 1; j < std::min(lost.size(), max_tried) && !reported[lost[i]]; ++j) {
-            const std::uint32_t a = lost[i], b = lost[j];
-            if (reported[b] || in.photos[a].width != in.photos[b].width ||
-                in.photos[a].height != in.photos[b].height)
-                continue;
-            const double fit_a = fit(in, near, lost, a, b), fit_b = fit(in, near, lost, b, a);
-            if (std::min(fit_a, fit_b) < min_fit) continue;
-            reported[a] = reported[b] = true;
-            out.push_back(fmt::format(
-                "the cameras of {} and {} appear to be swapped: each photo matches its neighbors with the "
-                "other's camera ({:.0f} and {:.0f} % of the corners)",
-                in.photos[a].name, in.photos[b].name, 100 * fit_a, 100 * fit_b));
-        }
-    for (const std::uint32_t i : lost)
-        if (!reported[i])
-            out.push_back(fmt::format("{} contradicts all photos of the same surface: wrong camera?",
-                                      in.photos[i].name));
+    for (const Swap& s : possible_swaps(in, suspects(in, pairs))) {
+        if (reported[s.a] || reported[s.b]) continue;
+        reported[s.a] = reported[s.b] = out.swapped = true;
+        out.warnings.push_back(fmt::format(
+            "the cameras of {} and {} appear to be swapped: each photo matches its neighbors with the "
+            "other's camera ({:.0f} and {:.0f} % of the corners)",
+            in.photos[s.a].name, in.photos[s.b].name, 100 * s.fit_a, 100 * s.fit_b));
+    }
+    if (std::ranges::none_of(pairs, trusted)) return out;
+    const std::vector<Counts> others = count_pairs(in, pairs, reported);
+    for (std::uint32_t i = 0; i < in.photos.size(); ++i)
+        if (!reported[i] && others[i].all > 0 && others[i].contradicting == others[i].all)
+            out.warnings.push_back(fmt::format("{} contradicts all photos of the same surface: wrong camera?",
+                                               in.photos[i].name));
     return out;
 }
 

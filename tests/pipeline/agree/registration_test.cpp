@@ -273,6 +273,32 @@ TEST(RealRegistration, NamesAWrongFocalLength) {
     fs::remove(file);
 }
 
+/// Neighbors and photos far apart; nobody else is accused, and nothing is moved.
+TEST(RealRegistration, NamesSwappedCamerasAndNoOthers) {
+    for (const char* name : {"sceaux-small", "fountain-P11"}) {
+        VANTAGE_DATASET(dataset, name);
+        const SceneInput whole = read_scene(discover(dataset));
+        const std::size_t last = whole.photos.size() - 1;
+        for (const auto& [a, b] :
+             {std::pair<std::size_t, std::size_t>{0, 1}, {2, 3}, {1, last}, {last - 1, last}}) {
+            SceneInput input = whole;
+            std::swap(input.photos[a].camera, input.photos[b].camera);
+            const fs::path file = fs::temp_directory_path() / "swapped.registration.vantage";
+            PrepareSettings settings;
+            settings.judge = false;
+            const auto done = prepare(std::move(input), settings, file, [](const Progress&) {});
+            const Registration& r = done.agreement->registration;
+            const std::string both = whole.photos[a].name + " and " + whole.photos[b].name;
+            EXPECT_EQ(r.warnings.size(), 1u) << name << ": " << both;
+            for (const std::string& w : r.warnings)
+                EXPECT_NE(w.find("cameras of " + both + " appear to be swapped"), std::string::npos)
+                    << name << ": " << both << ": " << w;
+            for (const PhotoRegistration& p : r.photos) EXPECT_FALSE(p.pose);
+            fs::remove(file);
+        }
+    }
+}
+
 /// Corrects cameras that are 3 px off, up to the position of the whole frame on the model, which photos do
 /// not determine.
 TEST(RealRegistration, RecoversPerturbedCameras) {
