@@ -1,6 +1,8 @@
 #include "output/output_file.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -18,11 +20,13 @@ namespace fs = std::filesystem;
 constexpr std::size_t head_bytes = 1024;
 constexpr int most_links = 40;  ///< as in the kernel
 
-/// The first bytes of a file.
+/// The first bytes of a file. Throws Error(storage) if it cannot be read.
 std::string head_of(const fs::path& file) {
     std::string head(head_bytes, '\0');
     std::ifstream in(file, std::ios::binary);
     in.read(head.data(), std::streamsize(head.size()));
+    if (!in.is_open() || in.bad())
+        throw Error(Exit::storage, file.string() + ": exists and cannot be read: " + std::strerror(errno));
     head.resize(std::size_t(in.gcount()));
     return head;
 }

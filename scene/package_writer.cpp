@@ -162,8 +162,10 @@ PackageWriter::PackageWriter(const std::filesystem::path& file, std::span<const 
     s.resumed = s.holds_photos = s.resume();
     if (!s.resumed) s.file.displace();
     try {
-        // Marks the file before it has a size, so that after a crash it is recognized as a part.
+        // Marks the file before it has a size, so that after a crash or a power cut it is recognized as a
+        // part.
         s.file.write(0, std::as_bytes(std::span(package::part_magic)));
+        if (!s.resumed) s.file.flush();
         s.file.reserve(s.layout.bytes);
         s.begin();
     } catch (...) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scene/error.h"
+#include "scene/flush_to_disk.h"
 
 namespace vantage {
 namespace {
@@ -20,6 +21,14 @@ void rename_or_throw(const std::filesystem::path& from, const std::filesystem::p
     std::error_code error;
     std::filesystem::rename(from, to, error);
     if (error) throw Error(Exit::storage, reported.string() + ": cannot rename: " + error.message());
+}
+
+/// Whether the file is the one of that name.
+bool is_at(int fd, const std::filesystem::path& path) {
+    struct stat opened {
+    }, named{};
+    return ::fstat(fd, &opened) == 0 && ::stat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+           opened.st_dev == named.st_dev;
 }
 
 }  // namespace
@@ -38,12 +47,16 @@ void PartFile::fail(const std::string& doing) const {
 }
 
 void PartFile::open() {
-    fd_ = ::open(part_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
-    if (fd_ < 0) fail("create");
-    if (::flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    do {
         close();
-        throw Error(Exit::storage, part_.string() + ": another process is writing it");
-    }
+        fd_ = ::open(part_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+        if (fd_ < 0) fail("create");
+        if (::flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            close();
+            throw Error(Exit::storage, part_.string() + ": another process is writing it");
+        }
+        // Another process may have completed or removed what was opened, before it was locked.
+    } while (!is_at(fd_, part_));
 }
 
 void PartFile::close() {
@@ -132,9 +145,14 @@ void PartFile::displace() {
 
 void PartFile::remove() const { ::unlink(part_.c_str()); }
 
-void PartFile::publish() {
+void PartFile::flush() const {
     if (::fsync(fd_) != 0) fail("flush");
+}
+
+void PartFile::publish() {
+    flush();
     rename_or_throw(part_, file_, file_);
+    flush_to_disk(file_.parent_path());
     close();
     std::error_code ignored;
     std::filesystem::remove(displaced_part_of(file_), ignored);

@@ -38,6 +38,8 @@ class PartFile {
     void reserve(std::uint64_t bytes) const;
     /// Zeroes a range, and frees its space if the file system supports holes.
     void punch_hole(std::uint64_t offset, std::uint64_t length) const;
+    /// Waits until all that was written is on the disk.
+    void flush() const;
     /// Starts writing a range to the disk without waiting, so that the disk is busy while photos are
     /// prepared.
     void start_flush(std::uint64_t offset, std::uint64_t length) const;
@@ -46,8 +48,8 @@ class PartFile {
     void displace();
     /// Deletes the part.
     void remove() const;
-    /// Flushes to the disk, then renames to file(), so that a file with this name is always complete; deletes
-    /// the displaced part.
+    /// Flushes to the disk, then renames to file(), so that a file with this name is always complete, and
+    /// flushes the folder, so that a power cut does not take the name back; deletes the displaced part.
     void publish();
     bool published() const { return fd_ < 0; }
 

@@ -24,6 +24,7 @@
 #include "pipeline/report/timeline.h"
 #include "pipeline/run/for_each_photo.h"
 #include "scene/error.h"
+#include "scene/flush_to_disk.h"
 
 namespace vantage {
 namespace {
@@ -200,8 +201,10 @@ void write_report(const fs::path& file, const PackageReader& package, const std:
     if (!meta.is_object()) throw Error(Exit::damaged, package.path().string() + ": META: cannot be parsed");
     const std::vector<UnusablePhoto> left_out = left_out_of(package);
     std::ofstream out(file, std::ios::binary);
-    out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << page_style << report_style
-        << "</style>\n"
+    out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << page_style << std::flush;
+    // Whatever a power cut leaves of the rest, the page is recognized as ours and may be replaced.
+    flush_to_disk(file);
+    out << report_style << "</style>\n"
         << heading(package, meta, left_out, run) << left_out_part(left_out) << warnings_part(meta)
         << effects_part(package, meta, run) << coverage_part(package);
     if (run && run->prepared.agreement) {

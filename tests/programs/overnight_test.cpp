@@ -7,7 +7,9 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <future>
 #include <random>
+#include <thread>
 
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
@@ -21,6 +23,7 @@
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "scene/part_file.h"
+#include "tests/faults/number_from.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
@@ -35,11 +38,6 @@ constexpr Stage every_stage[] = {Stage::thumbnail, Stage::tiles, Stage::masks, S
 
 bool one_line(const std::string& text) {
     return !text.empty() && std::ranges::count(text, '\n') == 1 && text.back() == '\n';
-}
-
-int number_from(const char* variable, int usual) {
-    const char* text = std::getenv(variable);
-    return text ? std::atoi(text) : usual;
 }
 
 }  // namespace
@@ -69,9 +67,10 @@ TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtRandom) {
 
 TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtAnyWrite) {
     const std::string bytes = undisturbed();
-    for (const char* fault : {"pwrite:1:KILL", "pwrite:2:KILL", "pwrite:3:KILL_AFTER", "pwrite:40:KILL",
-                              "pwrite:77:KILL", "pwrite:150:KILL_AFTER", "fallocate:1:KILL", "fsync:1:KILL",
-                              "fsync:1:KILL_AFTER", "rename:1:KILL", "rename:1:KILL_AFTER"}) {
+    for (const char* fault :
+         {"pwrite:1:KILL", "pwrite:2:KILL", "pwrite:3:KILL_AFTER", "pwrite:40:KILL", "pwrite:77:KILL",
+          "pwrite:150:KILL_AFTER", "fallocate:1:KILL", "fsync:1:KILL_AFTER", "fsync:2:KILL",
+          "fsync:2:KILL_AFTER", "fsync:3:KILL", "rename:1:KILL", "rename:1:KILL_AFTER"}) {
         fs::remove(file);
         EXPECT_EQ(with_fault(fault).code, -1) << fault;
         const Outcome next = prepare_program();
@@ -89,7 +88,7 @@ TEST_F(Overnight, FinishesDespiteRepeatedKills) {
 }
 
 TEST_F(Overnight, FinishedWorkIsKept) {
-    EXPECT_EQ(with_fault("fsync:1:KILL").code, -1);
+    EXPECT_EQ(with_fault("fsync:2:KILL").code, -1);
     const PrepareResult next = prepare_here();
     for (const Stage s : every_stage) EXPECT_EQ(made(next, s), 0u) << int(s);
     for (const Stage s : every_stage) EXPECT_EQ(kept(next, s), 6u) << int(s);
@@ -97,7 +96,7 @@ TEST_F(Overnight, FinishedWorkIsKept) {
 
 TEST_F(Overnight, DamagedDataInThePartIsRedone) {
     const std::string bytes = undisturbed();
-    EXPECT_EQ(with_fault("fsync:1:KILL").code, -1);
+    EXPECT_EQ(with_fault("fsync:2:KILL").code, -1);
     std::uint64_t at = 0;
     {
         const PackageReader part(part_of(file), PackageReader::Expect::part);
@@ -115,7 +114,7 @@ TEST_F(Overnight, DamagedDataInThePartIsRedone) {
 TEST_F(Overnight, FullDiskIsReportedInOneLineAndNothingIsLost) {
     const std::string bytes = undisturbed();
     for (const char* fault : {"fallocate:1:ENOSPC", "pwrite:1:ENOSPC", "pwrite:30:ENOSPC", "pwrite:120:EIO",
-                              "pwrite:90:EACCES", "fsync:1:EIO", "rename:1:EACCES"}) {
+                              "pwrite:90:EACCES", "fsync:1:EIO", "fsync:2:EIO", "rename:1:EACCES"}) {
         const Outcome failed = with_fault(fault);
         EXPECT_EQ(failed.code, int(Exit::storage)) << fault << failed.err;
         EXPECT_TRUE(one_line(failed.err)) << fault << failed.err;
@@ -412,6 +411,53 @@ TEST_F(Overnight, OnlyOneProcessWritesAtATime) {
     EXPECT_EQ(second.code, int(Exit::storage));
     EXPECT_TRUE(one_line(second.err)) << second.err;
     EXPECT_NE(second.err.find("another process is writing it"), std::string::npos) << second.err;
+}
+
+TEST_F(Overnight, AnyNumberOfProcessesMayWriteOnePackage) {
+    const std::string bytes = undisturbed();
+    for (const int n : {2, 3, 10}) {
+        fs::remove(file);
+        std::vector<std::future<int>> codes;
+        const auto text_of = [&](int i) { return dir / ("process" + std::to_string(i)); };
+        for (int i = 0; i < n; ++i)
+            codes.push_back(std::async(std::launch::async, [&, i] {
+                const int status =
+                    std::system((VANTAGE_PROGRAM " prepare --progress none " + scene.string() + " -o " +
+                                 file.string() + " --no-report >/dev/null 2>" + text_of(i).string())
+                                    .c_str());
+                return WEXITSTATUS(status);
+            }));
+        int done = 0;
+        for (int i = 0; i < n; ++i) {
+            const int code = codes[std::size_t(i)].get();
+            done += code == 0;
+            const std::string said = slurp(text_of(i));
+            if (code == 0) continue;
+            EXPECT_EQ(code, int(Exit::storage)) << said;
+            EXPECT_NE(said.find("another process is writing it"), std::string::npos) << said;
+        }
+        EXPECT_GE(done, 1) << n << " processes";
+        expect_whole(bytes, std::to_string(n) + " processes");
+    }
+}
+
+TEST_F(Overnight, ProcessThatOpensAPartJustBeforeItIsCompletedLeavesThePackageAlone) {
+    const std::string bytes = undisturbed();
+    auto late = std::async(std::launch::async, [&] {
+        return std::system(
+            ("FAULT=flock:1:SLEEP LD_PRELOAD=" FAULTY_DISK " " VANTAGE_PROGRAM " prepare --progress none " +
+             scene.string() + " -o " + file.string() + " --no-report --border-width 48 >/dev/null 2>&1")
+                .c_str());
+    });
+    while (!fs::exists(part_of(file))) std::this_thread::yield();
+    ASSERT_EQ(prepare_program("--no-report").code, 0);
+    ASSERT_EQ(late.wait_for(std::chrono::seconds(0)), std::future_status::timeout) << "too slow to tell";
+    const fs::path kept = dir / "kept.vantage";
+    fs::create_hard_link(file, kept);
+    EXPECT_EQ(WEXITSTATUS(late.get()), 0);
+    EXPECT_TRUE(slurp(kept) == bytes) << "a complete package was written to";
+    EXPECT_FALSE(fs::exists(part_of(file)));
+    EXPECT_FALSE(slurp(file) == bytes) << "the late process did its work, with its own settings";
 }
 
 TEST_F(Overnight, SharesMergeToTheBytesOfASingleRun) {

@@ -1,0 +1,59 @@
+// Every operation of a command on its files fails in turn.
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "scene/error.h"
+#include "tests/faults/number_from.h"
+#include "tests/faults/written_package.h"
+
+using namespace vantage;
+
+namespace {
+
+class EveryOperation : public WrittenPackage {
+  protected:
+    std::string fault(int n, const std::string& how) const {
+        return "FAULT=any:" + std::to_string(n) + ":" + how + " FAULT_FOLDER=" + dir.string();
+    }
+    int operations_of(const WritingCommand& c) const {
+        start(c);
+        const fs::path count = fs::temp_directory_path() / (dir.filename().string() + ".count");
+        EXPECT_EQ(run_command(c, fault(0, "SHORT_ONCE") + " FAULT_COUNT=" + count.string()).code, 0);
+        const int n = std::atoi(slurp(count).c_str());
+        fs::remove(count);
+        return n;
+    }
+    void expect_said(const Outcome& o, const std::string& when) const {
+        const std::set<int> codes{int(Exit::ok), int(Exit::input), int(Exit::damaged), int(Exit::storage),
+                                  int(Exit::incomplete)};
+        EXPECT_TRUE(codes.contains(o.code)) << when << ": exit " << o.code << ": " << o.err;
+        EXPECT_EQ(std::ranges::count(o.err, '\n'), o.code == 0 ? 0 : 1) << when << ": " << o.err;
+    }
+};
+
+}  // namespace
+
+TEST_F(EveryOperation, MayFailAndNothingIsLost) {
+    const int at_most = number_from("VANTAGE_FAULTS", 10);
+    for (const WritingCommand& c : commands) {
+        const int operations = operations_of(c);
+        ASSERT_GT(operations, 50) << c.name;
+        const int step = std::max(1, operations / at_most);
+        int runs = 0;
+        for (const char* how : {"EIO_ONCE", "ENOSPC", "SHORT_ONCE", "KILL"})
+            for (int n = 1 + runs % step; n <= operations; n += step, ++runs) {
+                const std::string when = std::string(how) + " at operation " + std::to_string(n);
+                start(c);
+                const Outcome done = run_command(c, fault(n, how));
+                if (std::string_view(how) != "KILL") expect_said(done, c.name + ", " + when);
+                if (done.code == 0) {
+                    EXPECT_TRUE(slurp(package) == c.after) << c.name << ", " << when;
+                } else if (done.code != int(Exit::incomplete)) {
+                    expect_old_or_new(c, when);
+                }
+                expect_finished_by_next_run(c, when);
+            }
+        std::printf("%-24s %4d operations, %4d runs\n", c.name.c_str(), operations, runs);
+    }
+}

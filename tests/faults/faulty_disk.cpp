@@ -1,0 +1,345 @@
+// Simulates disk failures in a program that preloads it, as set by FAULT="CALL:N:HOW".
+// CALL: pwrite, fallocate, fsync, rename, flock, statvfs, or "any" operation on a file below FAULT_FOLDER.
+// HOW: ENOSPC, EIO or EACCES, the N-th call and all later ones fail; statvfs reports no free space instead;
+//      EIO_ONCE, only the N-th fails; SHORT_ONCE, only the N-th reads or writes half of its bytes;
+//      KILL or KILL_AFTER, the process is killed before or after the N-th call is executed;
+//      SLEEP, it sleeps for two seconds before the N-th call (flock only).
+// FAULT_LOG=FILE records all operations that change files below FAULT_FOLDER (tests/faults/disk_log.h).
+// FAULT_COUNT=FILE is given the number of calls at the end.
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <sys/syscall.h>
+#include <sys/types.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdarg>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+struct Fault {
+    char call[16] = "", how[16] = "";
+    int from = 0, calls = 0;
+    std::string folder;
+    int log = -1;
+    std::mutex mutex;  ///< of `calls`, and of an operation with its record: the log is in order
+
+    Fault() {
+        if (const char* text = std::getenv("FAULT")) std::sscanf(text, "%15[^:]:%d:%15s", call, &from, how);
+        if (const char* text = std::getenv("FAULT_FOLDER")) folder = std::string(text) + "/";
+        if (const char* text = std::getenv("FAULT_LOG"))
+            log = int(::syscall(SYS_openat, AT_FDCWD, text, O_CREAT | O_WRONLY | O_APPEND | O_CLOEXEC, 0644));
+    }
+    ~Fault() {
+        if (const char* file = std::getenv("FAULT_COUNT"))
+            if (FILE* out = std::fopen(file, "w")) std::fprintf(out, "%d\n", calls), std::fclose(out);
+    }
+    bool is(const char* name) const { return std::strcmp(how, name) == 0; }
+    int error() const { return is("ENOSPC") ? ENOSPC : is("EACCES") ? EACCES : EIO; }
+    bool holds(const std::string& path) const {
+        return !folder.empty() && (path.starts_with(folder) || path + "/" == folder);
+    }
+};
+
+Fault& fault() {
+    static Fault f;
+    return f;
+}
+
+enum class Fate { real, fails, is_short };
+
+/// Counts a call and says how it goes; `path`: of its file. Kills the process before a call.
+Fate fate_of(const char* name, const std::string& path, bool& killed_after) {
+    Fault& f = fault();
+    const bool any = std::strcmp(f.call, "any") == 0;
+    if (any ? !f.holds(path) : std::strcmp(f.call, name) != 0) return Fate::real;
+    const int n = ++f.calls;
+    if (n == f.from && f.is("KILL")) ::kill(::getpid(), SIGKILL);
+    killed_after = n == f.from && f.is("KILL_AFTER");
+    if (f.is("KILL") || f.is("KILL_AFTER")) return Fate::real;
+    if (f.is("SHORT_ONCE")) return n == f.from ? Fate::is_short : Fate::real;
+    if (f.is("EIO_ONCE")) return n == f.from ? Fate::fails : Fate::real;
+    return n >= f.from ? Fate::fails : Fate::real;
+}
+
+/// What a call returns that fails: -1, or the constant of mmap and fopen.
+template <class T>
+T failed() {
+    if constexpr (std::is_pointer_v<T>)
+        return nullptr;
+    else
+        return -1;
+}
+
+/// The result of the real call, or the simulated failure. `real` is given the number of bytes, 0 for calls
+/// without; `record` the result of a call that succeeded.
+template <class Real, class Record>
+auto perform(const char* name, const std::string& path, std::size_t bytes, Real real, Record record)
+    -> decltype(real(bytes)) {
+    Fault& f = fault();
+    const std::scoped_lock lock(f.mutex);
+    bool killed_after = false;
+    const Fate fate = fate_of(name, path, killed_after);
+    if (fate == Fate::fails) {
+        errno = f.error();
+        return failed<decltype(real(bytes))>();
+    }
+    const auto result = real(fate == Fate::is_short ? (bytes + 1) / 2 : bytes);
+    if (f.log >= 0 && f.holds(path) && result != failed<decltype(real(bytes))>()) record(result);
+    if (killed_after) ::kill(::getpid(), SIGKILL);
+    return result;
+}
+template <class Real>
+auto perform(const char* name, const std::string& path, std::size_t bytes, Real real)
+    -> decltype(real(bytes)) {
+    return perform(name, path, bytes, real, [](const auto&) {});
+}
+
+template <class F>
+F* next(const char* name) {
+    return reinterpret_cast<F*>(::dlsym(RTLD_NEXT, name));
+}
+
+std::string path_of(int fd) {
+    if (fault().folder.empty()) return {};
+    char path[4096];
+    const ssize_t n = ::readlink(("/proc/self/fd/" + std::to_string(fd)).c_str(), path, sizeof path);
+    return n > 0 ? std::string(path, std::size_t(n)) : std::string();
+}
+
+/// One record: kind, offset, sizes of path, second path and data, and these.
+void record(char kind, const std::string& path, std::uint64_t offset = 0, std::string_view data = {},
+            const std::string& other = {}) {
+    const std::uint64_t numbers[] = {std::uint64_t(kind), offset, path.size(), other.size(), data.size()};
+    std::string all(reinterpret_cast<const char*>(numbers), sizeof numbers);
+    all.append(path).append(other).append(data);
+    for (std::string_view rest = all; !rest.empty();)
+        rest.remove_prefix(
+            std::size_t(std::max(0l, ::syscall(SYS_write, fault().log, rest.data(), rest.size()))));
+}
+
+void record_size(const std::string& path, std::uint64_t size) { record('s', path, size); }
+
+std::uint64_t size_of(int fd) {
+    struct stat st {};
+    return ::fstat(fd, &st) == 0 ? std::uint64_t(st.st_size) : 0;
+}
+
+/// Records bytes that are in a file by now.
+void record_content(int fd, const std::string& path, std::uint64_t offset, std::size_t size) {
+    std::string data(size, '\0');
+    const long n = ::syscall(SYS_pread64, fd, data.data(), size, off64_t(offset));
+    record('w', path, offset, std::string_view(data).substr(0, std::size_t(std::max(0l, n))));
+}
+
+std::string_view text(const void* data, ssize_t size) {
+    return {static_cast<const char*>(data), std::size_t(size)};
+}
+
+int open_file(const char* symbol, const char* path, int flags, mode_t mode) {
+    struct stat st {};
+    const bool existed = ::stat(path, &st) == 0;
+    return perform(
+        "open", path, 0,
+        [&](std::size_t) { return next<int(const char*, int, ...)>(symbol)(path, flags, mode); },
+        [&](int) {
+            if (flags & O_CREAT && !existed) record('c', path);
+            if (flags & O_TRUNC) record_size(path, 0);
+        });
+}
+
+FILE* open_stream(const char* symbol, const char* path, const char* mode) {
+    struct stat st {};
+    const bool existed = ::stat(path, &st) == 0;
+    return perform(
+        "open", path, 0,
+        [&](std::size_t) { return next<FILE*(const char*, const char*)>(symbol)(path, mode); },
+        [&](FILE*) {
+            if (*mode == 'w' && !existed) record('c', path);
+            if (*mode == 'w') record_size(path, 0);
+        });
+}
+
+ssize_t write_at(const char* symbol, int fd, const void* data, size_t size, off64_t at) {
+    const std::string path = path_of(fd);
+    return perform(
+        "pwrite", path, size,
+        [&](std::size_t n) {
+            return next<ssize_t(int, const void*, size_t, off64_t)>(symbol)(fd, data, n, at);
+        },
+        [&](ssize_t n) { record('w', path, std::uint64_t(at), text(data, n)); });
+}
+
+ssize_t read_at(const char* symbol, int fd, void* data, size_t size, off64_t at) {
+    return perform("pread", path_of(fd), size, [&](std::size_t n) {
+        return next<ssize_t(int, void*, size_t, off64_t)>(symbol)(fd, data, n, at);
+    });
+}
+
+/// What write() has written, at the end of which the position now is.
+void record_written(int fd, const std::string& path, std::string_view data) {
+    const long end = ::syscall(SYS_lseek, fd, 0, SEEK_CUR);
+    record('w', path, std::uint64_t(end) - data.size(), data);
+}
+
+int truncate_file(const char* symbol, int fd, off64_t size) {
+    const std::string path = path_of(fd);
+    return perform(
+        "ftruncate", path, 0, [&](std::size_t) { return next<int(int, off64_t)>(symbol)(fd, size); },
+        [&](int) { record_size(path, std::uint64_t(size)); });
+}
+
+void* map_file(const char* symbol, void* at, size_t size, int protection, int flags, int fd, off64_t offset) {
+    const auto real = [&](std::size_t) {
+        return next<void*(void*, size_t, int, int, int, off64_t)>(symbol)(at, size, protection, flags, fd,
+                                                                          offset);
+    };
+    if (fd < 0) return real(0);
+    void* const mapped = perform("mmap", path_of(fd), 0, real);
+    return mapped ? mapped : MAP_FAILED;
+}
+
+int allocate(const char* symbol, int fd, off64_t from, off64_t size) {
+    const std::string path = path_of(fd);
+    int error = 0;
+    const int result = perform(
+        "fallocate", path, 0,
+        [&](std::size_t) {
+            error = next<int(int, off64_t, off64_t)>(symbol)(fd, from, size);
+            return error ? -1 : 0;
+        },
+        [&](int) { record_size(path, size_of(fd)); });
+    return result == 0 ? 0 : error ? error : errno;
+}
+
+}  // namespace
+
+extern "C" {
+
+int open(const char* path, int flags, ...) {
+    std::va_list more;
+    va_start(more, flags);
+    const auto mode = flags & (O_CREAT | O_TMPFILE) ? mode_t(va_arg(more, int)) : mode_t(0);
+    va_end(more);
+    return open_file("open", path, flags, mode);
+}
+int open64(const char* path, int flags, ...) {
+    std::va_list more;
+    va_start(more, flags);
+    const auto mode = flags & (O_CREAT | O_TMPFILE) ? mode_t(va_arg(more, int)) : mode_t(0);
+    va_end(more);
+    return open_file("open64", path, flags, mode);
+}
+FILE* fopen(const char* path, const char* mode) { return open_stream("fopen", path, mode); }
+FILE* fopen64(const char* path, const char* mode) { return open_stream("fopen64", path, mode); }
+
+ssize_t pwrite(int fd, const void* data, size_t size, off_t at) {
+    return write_at("pwrite", fd, data, size, at);
+}
+ssize_t pwrite64(int fd, const void* data, size_t size, off64_t at) {
+    return write_at("pwrite64", fd, data, size, at);
+}
+ssize_t pread(int fd, void* data, size_t size, off_t at) { return read_at("pread", fd, data, size, at); }
+ssize_t pread64(int fd, void* data, size_t size, off64_t at) {
+    return read_at("pread64", fd, data, size, at);
+}
+ssize_t write(int fd, const void* data, size_t size) {
+    const std::string path = path_of(fd);
+    return perform(
+        "write", path, size,
+        [&](std::size_t n) { return next<ssize_t(int, const void*, size_t)>("write")(fd, data, n); },
+        [&](ssize_t n) { record_written(fd, path, text(data, n)); });
+}
+ssize_t writev(int fd, const struct iovec* parts, int count) {
+    const std::string path = path_of(fd);
+    return perform(
+        "write", path, 0,
+        [&](std::size_t) { return next<ssize_t(int, const struct iovec*, int)>("writev")(fd, parts, count); },
+        [&](ssize_t n) {
+            std::string data;
+            for (int i = 0; i < count; ++i) data += text(parts[i].iov_base, ssize_t(parts[i].iov_len));
+            record_written(fd, path, std::string_view(data).substr(0, std::size_t(n)));
+        });
+}
+ssize_t read(int fd, void* data, size_t size) {
+    return perform("read", path_of(fd), size,
+                   [&](std::size_t n) { return next<ssize_t(int, void*, size_t)>("read")(fd, data, n); });
+}
+ssize_t copy_file_range(int from, off64_t* from_at, int to, off64_t* to_at, size_t size, unsigned flags) {
+    const std::string path = path_of(to);
+    const off64_t at = to_at ? *to_at : 0;
+    return perform(
+        "copy", path, size,
+        [&](std::size_t n) {
+            return next<ssize_t(int, off64_t*, int, off64_t*, size_t, unsigned)>("copy_file_range")(
+                from, from_at, to, to_at, n, flags);
+        },
+        [&](ssize_t n) { record_content(to, path, std::uint64_t(at), std::size_t(n)); });
+}
+int ftruncate(int fd, off_t size) { return truncate_file("ftruncate", fd, size); }
+int ftruncate64(int fd, off64_t size) { return truncate_file("ftruncate64", fd, size); }
+int posix_fallocate(int fd, off_t from, off_t size) { return allocate("posix_fallocate", fd, from, size); }
+int posix_fallocate64(int fd, off64_t from, off64_t size) {
+    return allocate("posix_fallocate64", fd, from, size);
+}
+int fallocate(int fd, int mode, off_t from, off_t size) {
+    const std::string path = path_of(fd);
+    return perform(
+        "fallocate", path, 0,
+        [&](std::size_t) { return next<int(int, int, off_t, off_t)>("fallocate")(fd, mode, from, size); },
+        [&](int) { record_content(fd, path, std::uint64_t(from), std::size_t(size)); });
+}
+void* mmap(void* at, size_t size, int protection, int flags, int fd, off_t offset) {
+    return map_file("mmap", at, size, protection, flags, fd, offset);
+}
+void* mmap64(void* at, size_t size, int protection, int flags, int fd, off64_t offset) {
+    return map_file("mmap64", at, size, protection, flags, fd, offset);
+}
+int statvfs(const char* path, struct statvfs* out) {
+    const int result = next<int(const char*, struct statvfs*)>("statvfs")(path, out);
+    if (perform("statvfs", {}, 0, [](std::size_t) { return 0; }) < 0) out->f_bavail = 0;  // no free space
+    return result;
+}
+int flock(int fd, int operation) {
+    Fault& f = fault();
+    if (std::strcmp(f.call, "flock") == 0 && f.is("SLEEP") && ++f.calls == f.from) ::sleep(2);
+    return next<int(int, int)>("flock")(fd, operation);
+}
+int fsync(int fd) {
+    const std::string path = path_of(fd);
+    return perform(
+        "fsync", path, 0, [&](std::size_t) { return next<int(int)>("fsync")(fd); },
+        [&](int) { record('f', path); });
+}
+int rename(const char* from, const char* to) {
+    return perform(
+        "rename", from, 0,
+        [&](std::size_t) { return next<int(const char*, const char*)>("rename")(from, to); },
+        [&](int) { record('r', from, 0, {}, to); });
+}
+int unlink(const char* path) {
+    return perform(
+        "unlink", path, 0, [&](std::size_t) { return next<int(const char*)>("unlink")(path); },
+        [&](int) { record('u', path); });
+}
+int remove(const char* path) {
+    return perform(
+        "unlink", path, 0, [&](std::size_t) { return next<int(const char*)>("remove")(path); },
+        [&](int) { record('u', path); });
+}
+}

@@ -1,0 +1,37 @@
+// A power cut after any operation, with any selection of what had not been flushed.
+#include <random>
+
+#include "tests/faults/disk_log.h"
+#include "tests/faults/number_from.h"
+#include "tests/faults/written_package.h"
+
+using namespace vantage;
+
+using PowerCut = WrittenPackage;
+
+TEST_F(PowerCut, LeavesTheOldPackageOrTheNewOne) {
+    std::mt19937 random(1);
+    const int cuts = number_from("VANTAGE_POWER_CUTS", 40);
+    for (const WritingCommand& c : commands) {
+        start(c);
+        const Files before = files_below(out);
+        const fs::path log = dir / "log";
+        ASSERT_EQ(run_command(c, "FAULT_FOLDER=" + out.string() + " FAULT_LOG=" + log.string()).code, 0);
+        const std::vector<DiskOperation> operations = read_disk_log(log);
+        fs::remove(log);
+        EXPECT_TRUE(after_power_cut(before, operations, random).at(package) == c.after)
+            << c.name << ": reported as done, but not yet on the disk";
+        int old = 0, fresh = 0;
+        for (int i = 0; i < cuts / int(commands.size()); ++i) {
+            // Most happens at the end: flushing, renaming, cleaning up.
+            const std::size_t n = operations.size() - random() % (i % 2 ? 8 : operations.size() + 1);
+            restore(out, after_power_cut(before, std::span(operations).first(n), random));
+            const std::string when = "after " + std::to_string(n) + " operations";
+            expect_old_or_new(c, when);
+            ++(fs::exists(package) && slurp(package) == c.after ? fresh : old);
+            expect_finished_by_next_run(c, when);
+        }
+        std::printf("%-24s %4zu operations, %3d times the old state, %3d times the new package\n",
+                    c.name.c_str(), operations.size(), old, fresh);
+    }
+}

@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tests/programs/overnight.h"
+
+namespace vantage {
+
+/// A command that writes a package, with its inputs in `inputs` and its output in `out`.
+struct WritingCommand {
+    std::string name, words;
+    std::string before, after;  ///< the package, empty if there is none
+};
+
+/// Commands on a small scene: a first preparation, one that updates a package, a merge and a refinement.
+class WrittenPackage : public Overnight {
+  protected:
+    const fs::path out = dir / "out", package = out / "scene.vantage";
+
+    void SetUp() override;
+    /// Puts the folder of the output into its state before the command.
+    void start(const WritingCommand& c) const;
+    /// Runs the command with variables of faulty_disk.cpp, or undisturbed.
+    Outcome run_command(const WritingCommand& c, const std::string& fault = "") const;
+    /// Expects the package as it was or as it shall be, and none only if there was none.
+    void expect_old_or_new(const WritingCommand& c, const std::string& when) const;
+    /// Runs the command again, undisturbed, and expects what it shall write.
+    void expect_finished_by_next_run(const WritingCommand& c, const std::string& when) const;
+
+    std::vector<WritingCommand> commands;
+};
+
+}  // namespace vantage
