@@ -13,9 +13,11 @@ namespace {
 using package::PairRecord;
 
 constexpr int long_side = 800, corners = 300;
-constexpr double far_away = 0.01;  ///< share of the longer side
-constexpr double min_fit = 0.4;    ///< share of the corners
-constexpr double min_better = 2;   ///< times the fit with the cameras as given
+/// Shares of the longer side: a pair that is displaced farther is suspect, and a match that is displaced
+/// farther does not fit. The first tells cameras from their neighbors, the second allows for inexact ones.
+constexpr double near = 0.003, far_away = 0.01;
+constexpr double min_fit = 0.4;   ///< share of the corners
+constexpr double min_better = 2;  ///< times the fit with the cameras as given
 constexpr int max_neighbors = 3;
 constexpr std::size_t max_suspects = 12;
 constexpr std::size_t cached_views = 16;
@@ -24,7 +26,7 @@ double longer_side(const package::PhotoRecord& p) { return double(std::max(p.wid
 
 /// Whether the pair contradicts, or is displaced farther than by inexact cameras.
 bool is_bad(const RegistrationInput& in, const PairRecord& p) {
-    return contradicts(p) || (trusted(p) && double(p.median) > far_away * longer_side(in.photos[p.a]));
+    return contradicts(p) || (trusted(p) && double(p.median) > near * longer_side(in.photos[p.a]));
 }
 
 struct Counts {
@@ -57,40 +59,42 @@ class CameraFits {
           }) {}
 
     /// The best fit over a few neighbors of the camera: the share of their corners that match the photo's
-    /// pixels where the camera predicts them.
-    double of(std::uint32_t pixels, std::uint32_t camera) {
-        const auto [known, is_new] = fits_.emplace(std::pair(pixels, camera), 0);
+    /// pixels within `near` and `far_away` of where the camera predicts them.
+    Eigen::Array2d of(std::uint32_t pixels, std::uint32_t camera) {
+        const auto [known, is_new] = fits_.emplace(std::pair(pixels, camera), Eigen::Array2d::Zero());
         int tried = 0;
         for (const PhotoPair& p : near_) {
             if (!is_new || tried == max_neighbors) break;
             if (p.a != camera && p.b != camera) continue;
             const std::uint32_t neighbor = p.a == camera ? p.b : p.a;
             if (neighbor == pixels) continue;
-            known->second = std::max(known->second, with(neighbor, pixels, camera));
+            known->second = known->second.max(with(neighbor, pixels, camera));
             ++tried;
         }
         return known->second;
     }
 
   private:
-    double with(std::uint32_t neighbor, std::uint32_t pixels, std::uint32_t camera) const {
+    Eigen::Array2d with(std::uint32_t neighbor, std::uint32_t pixels, std::uint32_t camera) const {
         const auto from = views_.get(neighbor);
         MatchView other = *views_.get(camera);
         other.gray = views_.get(pixels)->gray;
         SurfaceChart chart(*from, from->pose, neighbor, corners);
         const std::size_t compared = chart.match(other, other.pose, camera);
-        const double most = far_away * longer_side(in_.photos[neighbor]);
-        std::size_t found = 0;
+        Eigen::Array2d found = Eigen::Array2d::Zero();
         for (const Track& t : chart.tracks())
-            found += std::size_t(
-                std::ranges::count_if(t.matches, [&](const Match& m) { return m.moved.norm() <= most; }));
-        return compared < 20 ? 0 : double(found) / double(compared);
+            for (const Match& m : t.matches) {
+                const double moved = m.moved.norm() / longer_side(in_.photos[neighbor]);
+                found += Eigen::Array2d(moved <= near, moved <= far_away);
+            }
+        if (compared < 20) return Eigen::Array2d::Zero();
+        return found / double(compared);
     }
 
     const RegistrationInput& in_;
     std::vector<PhotoPair> near_;
     LruCache<MatchView> views_;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, double> fits_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Eigen::Array2d> fits_;
 };
 
 /// Two photos with each other's cameras.
@@ -122,10 +126,12 @@ std::vector<Swap> possible_swaps(const RegistrationInput& in, std::span<const st
             const std::uint32_t a = photos[i], b = photos[j];
             if (in.photos[a].width != in.photos[b].width || in.photos[a].height != in.photos[b].height)
                 continue;
-            if (fits.of(a, b) < min_fit) continue;
-            const Swap s{a, b, fits.of(a, b), fits.of(b, a)};
-            if (s.least() >= min_fit && s.least() >= min_better * std::max(fits.of(a, a), fits.of(b, b)))
-                out.push_back(s);
+            const Eigen::Array2d fit_a = fits.of(a, b);
+            if (!(fit_a >= min_fit).any()) continue;
+            const Eigen::Array2d fit_b = fits.of(b, a), as_given = fits.of(a, a).max(fits.of(b, b)),
+                                 least = fit_a.min(fit_b);
+            if ((least >= min_fit && least >= min_better * as_given).any())
+                out.push_back({a, b, fit_a[1], fit_b[1]});
         }
     std::ranges::stable_sort(out, std::greater{}, &Swap::least);
     return out;

@@ -13,10 +13,10 @@ struct MisplacedPhotos {
     bool swapped = false;               ///< any two
 };
 
-/// Suspects are photos with pairs that contradict, or are displaced by more than 1 % of the photo: at most 12,
-/// those with the largest share of such pairs. Two suspects are swapped if each fits its neighbors with the
-/// other's camera, and at least twice as well as with its own. Of the other photos, those are reported that
-/// contradict all photos but swapped ones. Throws Error(damaged).
+/// Suspects are photos with pairs that contradict, or are displaced by more than 0.3 % of the photo: at most
+/// 12, those with the largest share of such pairs. Two suspects are swapped if each fits its neighbors with
+/// the other's camera, and at least twice as well as with its own. Of the other photos, those are reported
+/// that contradict all photos but swapped ones. Throws Error(damaged).
 MisplacedPhotos misplaced_photos(const RegistrationInput& input, std::span<const package::PairRecord> pairs);
 
 }  // namespace vantage
