@@ -12,6 +12,7 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"
+#include "pipeline/run/read_file.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -120,6 +121,9 @@ void add_photos(SceneInput& scene, const CameraSet& set) {
         const StampedFile before = stamped(files[i]);
         try {
             scene.photos.push_back(read_photo_input(set.entries[i], files[i], names.at(files[i]), scene));
+        } catch (const UnreadableFile& e) {
+            // Not identified by its content: the next run tries again.
+            leave_out(files[i], reason_of(e, files[i]));
         } catch (const Error& e) {
             leave_out(files[i], reason_of(e, files[i]));
             scene.left_out.back().file = files[i];

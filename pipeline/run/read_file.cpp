@@ -1,6 +1,8 @@
 #include "pipeline/run/read_file.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <limits>
 
@@ -12,14 +14,15 @@ namespace {
 template <class Content>
 Content read(const std::filesystem::path& file, std::size_t max_bytes) {
     std::ifstream in(file, std::ios::binary | std::ios::ate);
-    if (!in) throw Error(Exit::input, file.string() + ": cannot open");
+    if (!in) throw UnreadableFile(file.string() + ": cannot open: " + std::strerror(errno));
     if (std::filesystem::is_directory(file))
         throw Error(Exit::input, file.string() + ": expected a file, found a folder");
     Content content;
     content.resize(std::min(std::size_t(in.tellg()), max_bytes));
     in.seekg(0);
     if (!in.read(reinterpret_cast<char*>(content.data()), std::streamsize(content.size())))
-        throw Error(Exit::input, file.string() + ": cannot read");
+        throw UnreadableFile(file.string() + ": cannot read" +
+                             (in.bad() ? std::string(": ") + std::strerror(errno) : ""));
     return content;
 }
 

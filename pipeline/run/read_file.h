@@ -5,13 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "scene/error.h"
+
 namespace vantage {
 
-/// The bytes of a file, at most the first `max_bytes`. Throws Error(input).
+/// A file cannot be opened or read, whatever its content: the next attempt may succeed.
+class UnreadableFile : public Error {
+  public:
+    explicit UnreadableFile(const std::string& message) : Error(Exit::input, message) {}
+};
+
+/// The bytes of a file, at most the first `max_bytes`. Throws UnreadableFile, and Error(input) for a folder.
 std::vector<std::byte> read_file(const std::filesystem::path& file,
                                  std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
 
-/// The whole file as text, unchanged. Throws Error(input).
+/// The whole file as text, unchanged. Throws like read_file.
 std::string read_text(const std::filesystem::path& file);
 
 /// The whole file as text without a byte order mark, lines ended by \n or \r\n. Throws Error(input), also for
