@@ -30,7 +30,7 @@ EffectChoice choice(const std::string& text) {
 std::filesystem::path refined_file(const RefineOptions& o) {
     const std::filesystem::path out = o.out.empty() ? o.file : o.out;
     std::error_code error;
-    const bool in_place = std::filesystem::equivalent(out, o.file, error);
+    const bool in_place = o.out.empty() || std::filesystem::equivalent(out, o.file, error);
     return output_file(out, Product::package, in_place ? Inputs{} : Inputs{{o.file}, {}}, o.force);
 }
 
