@@ -1,0 +1,268 @@
+#!/usr/bin/env python3
+"""Several processes use one shelf of packages at random, and an oracle checks every verdict.
+
+    soak.py --vantage PROGRAM --player PROGRAM FOLDER [--minutes 10] [--workers 3] [--packages 4] [--seed 1]
+
+Each package has its inputs, which the soak changes: photos are exchanged, truncated, repaired, added and removed; the package
+is damaged, truncated, deleted or replaced by another. Then a command is run on it: prepare (with several settings, with little
+memory, killed at a random instant, on a full disk), check, check --against, refine, extract, diff, info, or the player's
+picture from a photo's camera. What the command must answer is known from what was done. While one worker changes a package,
+others read it: they may see the old one or the new one.
+
+Prints a line per wrong verdict and, at the end, the operations by kind, the wrong verdicts and the largest memory of a command
+by tenth of the run. Exit code 1 if a verdict was wrong."""
+import argparse
+import collections
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+SOUND, STALE, DAMAGED, INCOMPLETE = 0, 5, 4, 9  # exit codes
+
+
+class Package:
+    """A package, its inputs, and what the oracle knows of them."""
+
+    def __init__(self, folder, index, template):
+        self.scene = os.path.join(folder, 'scene%d' % index)
+        shutil.copytree(template, self.scene)
+        self.file = os.path.join(folder, 'shelf%d.vantage' % index)
+        self.photos = sorted(os.listdir(os.path.join(self.scene, 'images')))
+        self.good = {p: self.content(p) for p in self.photos}
+        self.lock = threading.Lock()
+        self.prepared = None  # the inputs and settings of the package
+        self.damaged = False
+
+    def path(self, photo):
+        return os.path.join(self.scene, 'images', photo)
+
+    def content(self, photo):
+        with open(self.path(photo), 'rb') as f:
+            return f.read()
+
+    def inputs(self):
+        return tuple(self.content(p) if os.path.exists(self.path(p)) else None for p in self.photos)
+
+    def is_broken(self, photo):
+        return os.path.exists(self.path(photo)) and len(self.content(photo)) < 1000
+
+    def broken(self):
+        return any(not os.path.exists(self.path(p)) or self.is_broken(p) for p in self.photos)
+
+    def usable(self):
+        return sum(os.path.exists(self.path(p)) and not self.is_broken(p) for p in self.photos)
+
+
+class Soak:
+    def __init__(self, o):
+        self.o = o
+        self.counts = collections.Counter()
+        self.wrong = []
+        self.memory = collections.defaultdict(int)  # KB by tenth of the run
+        self.start = time.time()
+        self.mutex = threading.Lock()
+        self.log = open(os.path.join(o.folder, 'soak.log'), 'w')
+
+    def tenth(self):
+        return min(9, int(10 * (time.time() - self.start) / (60 * self.o.minutes)))
+
+    def run(self, words, limit=120, kill_after=None):
+        """Exit code (negative: signal, None: killed by us or hung), and what was printed."""
+        with tempfile.TemporaryFile('w+') as said:
+            p = subprocess.Popen(words, stdout=said, stderr=said)
+            timer = threading.Timer(kill_after or limit, p.kill)
+            timer.start()
+            _, status, usage = os.wait4(p.pid, 0)
+            timer.cancel()
+            said.seek(0)
+            text = said.read()
+        p.returncode = os.waitstatus_to_exitcode(status)
+        with self.mutex:
+            self.memory[self.tenth()] = max(self.memory[self.tenth()], usage.ru_maxrss)
+        if p.returncode != -signal.SIGKILL:
+            return p.returncode, text
+        if kill_after is None:
+            self.fail('hangs: ' + ' '.join(words))
+        return None, text
+
+    def fail(self, text):
+        with self.mutex:
+            self.wrong.append(text)
+        print('WRONG', text, flush=True)
+
+    def expect(self, what, code, text, allowed):
+        with self.mutex:
+            self.counts[what] += 1
+            self.log.write('%s %s\n' % (what, code))
+        if code not in allowed:
+            self.fail('%s: exit %s, expected %s: %s' % (what, code, sorted(allowed), text.strip()[-300:]))
+
+    # What the package's state must be said to be.
+    def verdict(self, p):
+        if not os.path.exists(p.file):
+            return {3}
+        if p.damaged:
+            return {DAMAGED}
+        return {INCOMPLETE} if p.prepared[2] else {SOUND}
+
+    def verdict_against(self, p):
+        if not os.path.exists(p.file) or p.damaged:
+            return self.verdict(p)
+        inputs, incomplete = p.prepared[0], p.prepared[2]
+        if inputs != p.inputs():
+            return {STALE}
+        return {INCOMPLETE} if incomplete else {SOUND}
+
+    def prepare(self, p, r):
+        settings = r.choice([[], [], ['--border-width', '48'], ['--refine', 'off'], ['--memory', '600M']])
+        words = [self.o.vantage, 'prepare', p.scene, '-o', p.file, '--progress', 'none', *settings]
+        kill = r.random() < 0.2
+        inputs, broken = p.inputs(), p.broken()
+        code, text = self.run(words, kill_after=r.uniform(0.02, 0.5) if kill else None)
+        if code is None:  # killed: the old package stays, or the new one is complete
+            with self.mutex:
+                self.counts['prepare, killed'] += 1
+            code, text = self.run(words)
+        self.expect('prepare', code, text, {INCOMPLETE} if broken else {0})
+        if code in (0, INCOMPLETE):
+            p.prepared, p.damaged = (inputs, tuple(settings), broken), False
+
+    def change(self, p, r):
+        photo = r.choice(p.photos)
+        kind = r.choice(['exchange', 'exchange', 'truncate', 'remove', 'restore', 'restore'])
+        if kind == 'exchange':
+            content = p.good[r.choice(p.photos)]
+        elif kind == 'truncate':
+            content = p.good[photo][:500]
+        else:
+            content = p.good[photo]
+        if kind == 'remove':
+            if os.path.exists(p.path(photo)):
+                os.remove(p.path(photo))
+        else:
+            with open(p.path(photo) + '.new', 'wb') as f:
+                f.write(content)
+            os.replace(p.path(photo) + '.new', p.path(photo))
+        if p.usable() < 2:
+            for photo in p.photos:
+                with open(p.path(photo), 'wb') as f:
+                    f.write(p.good[photo])
+        self.counts['inputs, ' + kind] += 1
+
+    def harm(self, p, r):
+        if not os.path.exists(p.file):
+            return
+        kind = r.choice(['damage', 'truncate', 'delete'])
+        if kind == 'delete':
+            os.remove(p.file)
+        else:
+            # In a copy that replaces it, as readers may have it open.
+            with open(p.file, 'rb') as f:
+                content = bytearray(f.read())
+            if kind == 'truncate':
+                content = content[:r.randrange(200, len(content) - 1)]
+            else:
+                at = r.randrange(len(content))
+                # Padding between chunks is not part of the package: damage a whole page.
+                for i in range(at, min(at + 4096, len(content))):
+                    content[i] ^= 0x55
+            with open(p.file + '.new', 'wb') as f:
+                f.write(content)
+            os.replace(p.file + '.new', p.file)
+            p.damaged = True
+        self.counts['package, ' + kind] += 1
+
+    def check(self, p, r):
+        code, text = self.run([self.o.vantage, 'check', '--deep', p.file])
+        self.expect('check --deep', code, text, self.verdict(p))
+
+    def check_against(self, p, r):
+        code, text = self.run([self.o.vantage, 'check', '--deep', '--against', p.scene, p.file])
+        self.expect('check --against', code, text, self.verdict_against(p))
+
+    def refine(self, p, r):
+        words = [self.o.vantage, 'refine', '--progress', 'none', '--exposure', r.choice(['on', 'off']), p.file]
+        code, text = self.run(words)
+        self.expect('refine', code, text, {0} if self.verdict(p) <= {SOUND, INCOMPLETE} else {3, DAMAGED} | ({0} if p.damaged else set()))
+        if code == 0 and p.damaged:  # what was damaged was made again, or is said to be damaged still
+            code, text = self.run([self.o.vantage, 'check', '--deep', p.file])
+            self.expect('check --deep after refine', code, text, {0, DAMAGED})
+            p.damaged = code == DAMAGED
+
+    def extract(self, p, r):
+        folder = p.file + '.extracted'
+        code, text = self.run([self.o.vantage, 'extract', p.file, '-o', folder])
+        allowed = {3} if not os.path.exists(p.file) else {0, DAMAGED} if p.damaged else {0, INCOMPLETE}
+        self.expect('extract', code, text, allowed)
+        shutil.rmtree(folder, ignore_errors=True)
+
+    def show(self, p, r):
+        picture = '%s.%d.png' % (p.file, threading.get_ident())
+        name = os.path.splitext(r.choice(p.photos))[0]
+        code, text = self.run([self.o.player, p.file, '--offscreen', '--photo', name, '--scale', '0.5', '-q', '-o', picture])
+        allowed = {3} if not os.path.exists(p.file) else {0, 2, 3, DAMAGED} if p.damaged else {0, 2}
+        self.expect('show', code, text, allowed)
+        if os.path.exists(picture):
+            os.remove(picture)
+
+    def read_while_written(self, p):
+        """Any state is right, but the answer must be one of a whole package, and no crash."""
+        code, text = self.run([self.o.vantage, 'check', '--deep', p.file])
+        self.expect('check while it may change', code, text, {0, 3, DAMAGED, INCOMPLETE})
+        code, text = self.run([self.o.vantage, 'info', p.file])
+        self.expect('info while it may change', code, text, {0, 3, DAMAGED})
+
+    def work(self, seed, packages):
+        r = random.Random(seed)
+        steps = [(self.prepare, 4), (self.change, 4), (self.harm, 1), (self.check, 2), (self.check_against, 3),
+                 (self.refine, 1), (self.extract, 1), (self.show, 1)]
+        names, weights = zip(*steps)
+        while time.time() < self.start + 60 * self.o.minutes:
+            p = r.choice(packages)
+            if p.lock.acquire(blocking=False):
+                try:
+                    r.choices(names, weights)[0](p, r)
+                finally:
+                    p.lock.release()
+            else:
+                self.read_while_written(p)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('folder')
+    parser.add_argument('--vantage', required=True)
+    parser.add_argument('--player', required=True)
+    parser.add_argument('--scene', required=True, help='specification of a small synthetic scene, such as data/tiny.toml')
+    parser.add_argument('--minutes', type=float, default=10)
+    parser.add_argument('--workers', type=int, default=3)
+    parser.add_argument('--packages', type=int, default=4)
+    parser.add_argument('--seed', type=int, default=1)
+    o = parser.parse_args()
+    shutil.rmtree(o.folder, ignore_errors=True)
+    os.makedirs(o.folder)
+    os.environ['XDG_CACHE_HOME'] = os.path.join(o.folder, 'cache')
+    template = os.path.join(o.folder, 'template')
+    subprocess.run([o.vantage, 'synth', o.scene, '-o', template], check=True, stdout=subprocess.DEVNULL)
+    packages = [Package(o.folder, i, template) for i in range(o.packages)]
+    soak = Soak(o)
+    workers = [threading.Thread(target=soak.work, args=(o.seed + i, packages)) for i in range(o.workers)]
+    for w in workers:
+        w.start()
+    for w in workers:
+        w.join()
+    for what, n in sorted(soak.counts.items()):
+        print('%-28s %6d' % (what, n))
+    print('%-28s %6d' % ('operations', sum(soak.counts.values())))
+    print('%-28s %6d' % ('wrong verdicts', len(soak.wrong)))
+    print('peak memory, MB by tenth      ' + ' '.join('%d' % (soak.memory[t] / 1000) for t in range(10)))
+    return 1 if soak.wrong else 0
+
+
+sys.exit(main())
