@@ -151,44 +151,16 @@ std::string_view text(const void* data, ssize_t size) {
     return {static_cast<const char*>(data), std::size_t(size)};
 }
 
-int open_file(const char* symbol, const char* path, int flags, mode_t mode) {
+int open_file(const char* path, int flags, mode_t mode) {
     struct stat st {};
     const bool existed = ::stat(path, &st) == 0;
     return perform(
         "open", path, 0,
-        [&](std::size_t) { return next<int(const char*, int, ...)>(symbol)(path, flags, mode); },
+        [&](std::size_t) { return next<int(const char*, int, ...)>("open")(path, flags, mode); },
         [&](int) {
             if (flags & O_CREAT && !existed) record('c', path);
             if (flags & O_TRUNC) record_size(path, 0);
         });
-}
-
-FILE* open_stream(const char* symbol, const char* path, const char* mode) {
-    struct stat st {};
-    const bool existed = ::stat(path, &st) == 0;
-    return perform(
-        "open", path, 0,
-        [&](std::size_t) { return next<FILE*(const char*, const char*)>(symbol)(path, mode); },
-        [&](FILE*) {
-            if (*mode == 'w' && !existed) record('c', path);
-            if (*mode == 'w') record_size(path, 0);
-        });
-}
-
-ssize_t write_at(const char* symbol, int fd, const void* data, size_t size, off64_t at) {
-    const std::string path = path_of(fd);
-    return perform(
-        "pwrite", path, size,
-        [&](std::size_t n) {
-            return next<ssize_t(int, const void*, size_t, off64_t)>(symbol)(fd, data, n, at);
-        },
-        [&](ssize_t n) { record('w', path, std::uint64_t(at), text(data, n)); });
-}
-
-ssize_t read_at(const char* symbol, int fd, void* data, size_t size, off64_t at) {
-    return perform("pread", path_of(fd), size, [&](std::size_t n) {
-        return next<ssize_t(int, void*, size_t, off64_t)>(symbol)(fd, data, n, at);
-    });
 }
 
 /// What write() has written, at the end of which the position now is.
@@ -197,38 +169,9 @@ void record_written(int fd, const std::string& path, std::string_view data) {
     record('w', path, std::uint64_t(end) - data.size(), data);
 }
 
-int truncate_file(const char* symbol, int fd, off64_t size) {
-    const std::string path = path_of(fd);
-    return perform(
-        "ftruncate", path, 0, [&](std::size_t) { return next<int(int, off64_t)>(symbol)(fd, size); },
-        [&](int) { record_size(path, std::uint64_t(size)); });
-}
-
-void* map_file(const char* symbol, void* at, size_t size, int protection, int flags, int fd, off64_t offset) {
-    const auto real = [&](std::size_t) {
-        return next<void*(void*, size_t, int, int, int, off64_t)>(symbol)(at, size, protection, flags, fd,
-                                                                          offset);
-    };
-    if (fd < 0) return real(0);
-    void* const mapped = perform("mmap", path_of(fd), 0, real);
-    return mapped ? mapped : MAP_FAILED;
-}
-
-int allocate(const char* symbol, int fd, off64_t from, off64_t size) {
-    const std::string path = path_of(fd);
-    int error = 0;
-    const int result = perform(
-        "fallocate", path, 0,
-        [&](std::size_t) {
-            error = next<int(int, off64_t, off64_t)>(symbol)(fd, from, size);
-            return error ? -1 : 0;
-        },
-        [&](int) { record_size(path, size_of(fd)); });
-    return result == 0 ? 0 : error ? error : errno;
-}
-
 }  // namespace
 
+// Where off_t has 64 bits, the names that end in 64 mean the same functions.
 extern "C" {
 
 int open(const char* path, int flags, ...) {
@@ -236,28 +179,38 @@ int open(const char* path, int flags, ...) {
     va_start(more, flags);
     const auto mode = flags & (O_CREAT | O_TMPFILE) ? mode_t(va_arg(more, int)) : mode_t(0);
     va_end(more);
-    return open_file("open", path, flags, mode);
+    return open_file(path, flags, mode);
 }
-int open64(const char* path, int flags, ...) {
-    std::va_list more;
-    va_start(more, flags);
-    const auto mode = flags & (O_CREAT | O_TMPFILE) ? mode_t(va_arg(more, int)) : mode_t(0);
-    va_end(more);
-    return open_file("open64", path, flags, mode);
+int open64(const char*, int, ...) __attribute__((alias("open")));
+FILE* fopen(const char* path, const char* mode) {
+    struct stat st {};
+    const bool existed = ::stat(path, &st) == 0;
+    return perform(
+        "open", path, 0,
+        [&](std::size_t) { return next<FILE*(const char*, const char*)>("fopen")(path, mode); },
+        [&](FILE*) {
+            if (*mode == 'w' && !existed) record('c', path);
+            if (*mode == 'w') record_size(path, 0);
+        });
 }
-FILE* fopen(const char* path, const char* mode) { return open_stream("fopen", path, mode); }
-FILE* fopen64(const char* path, const char* mode) { return open_stream("fopen64", path, mode); }
+FILE* fopen64(const char*, const char*) __attribute__((alias("fopen")));
 
 ssize_t pwrite(int fd, const void* data, size_t size, off_t at) {
-    return write_at("pwrite", fd, data, size, at);
+    const std::string path = path_of(fd);
+    return perform(
+        "pwrite", path, size,
+        [&](std::size_t n) {
+            return next<ssize_t(int, const void*, size_t, off_t)>("pwrite")(fd, data, n, at);
+        },
+        [&](ssize_t n) { record('w', path, std::uint64_t(at), text(data, n)); });
 }
-ssize_t pwrite64(int fd, const void* data, size_t size, off64_t at) {
-    return write_at("pwrite64", fd, data, size, at);
+ssize_t pwrite64(int, const void*, size_t, off64_t) __attribute__((alias("pwrite")));
+ssize_t pread(int fd, void* data, size_t size, off_t at) {
+    return perform("pread", path_of(fd), size, [&](std::size_t n) {
+        return next<ssize_t(int, void*, size_t, off_t)>("pread")(fd, data, n, at);
+    });
 }
-ssize_t pread(int fd, void* data, size_t size, off_t at) { return read_at("pread", fd, data, size, at); }
-ssize_t pread64(int fd, void* data, size_t size, off64_t at) {
-    return read_at("pread64", fd, data, size, at);
-}
+ssize_t pread64(int, void*, size_t, off64_t) __attribute__((alias("pread")));
 ssize_t write(int fd, const void* data, size_t size) {
     const std::string path = path_of(fd);
     return perform(
@@ -291,12 +244,26 @@ ssize_t copy_file_range(int from, off64_t* from_at, int to, off64_t* to_at, size
         },
         [&](ssize_t n) { record_content(to, path, std::uint64_t(at), std::size_t(n)); });
 }
-int ftruncate(int fd, off_t size) { return truncate_file("ftruncate", fd, size); }
-int ftruncate64(int fd, off64_t size) { return truncate_file("ftruncate64", fd, size); }
-int posix_fallocate(int fd, off_t from, off_t size) { return allocate("posix_fallocate", fd, from, size); }
-int posix_fallocate64(int fd, off64_t from, off64_t size) {
-    return allocate("posix_fallocate64", fd, from, size);
+int ftruncate(int fd, off_t size) {
+    const std::string path = path_of(fd);
+    return perform(
+        "ftruncate", path, 0, [&](std::size_t) { return next<int(int, off_t)>("ftruncate")(fd, size); },
+        [&](int) { record_size(path, std::uint64_t(size)); });
 }
+int ftruncate64(int, off64_t) __attribute__((alias("ftruncate")));
+int posix_fallocate(int fd, off_t from, off_t size) {
+    const std::string path = path_of(fd);
+    int error = 0;
+    const int result = perform(
+        "fallocate", path, 0,
+        [&](std::size_t) {
+            error = next<int(int, off_t, off_t)>("posix_fallocate")(fd, from, size);
+            return error ? -1 : 0;
+        },
+        [&](int) { record_size(path, size_of(fd)); });
+    return result == 0 ? 0 : error ? error : errno;
+}
+int posix_fallocate64(int, off64_t, off64_t) __attribute__((alias("posix_fallocate")));
 int fallocate(int fd, int mode, off_t from, off_t size) {
     const std::string path = path_of(fd);
     return perform(
@@ -305,11 +272,15 @@ int fallocate(int fd, int mode, off_t from, off_t size) {
         [&](int) { record_content(fd, path, std::uint64_t(from), std::size_t(size)); });
 }
 void* mmap(void* at, size_t size, int protection, int flags, int fd, off_t offset) {
-    return map_file("mmap", at, size, protection, flags, fd, offset);
+    const auto real = [&](std::size_t) {
+        return next<void*(void*, size_t, int, int, int, off_t)>("mmap")(at, size, protection, flags, fd,
+                                                                        offset);
+    };
+    if (fd < 0) return real(0);
+    void* const mapped = perform("mmap", path_of(fd), 0, real);
+    return mapped ? mapped : MAP_FAILED;
 }
-void* mmap64(void* at, size_t size, int protection, int flags, int fd, off64_t offset) {
-    return map_file("mmap64", at, size, protection, flags, fd, offset);
-}
+void* mmap64(void*, size_t, int, int, int, off64_t) __attribute__((alias("mmap")));
 int statvfs(const char* path, struct statvfs* out) {
     const int result = next<int(const char*, struct statvfs*)>("statvfs")(path, out);
     if (perform("statvfs", {}, 0, [](std::size_t) { return 0; }) < 0) out->f_bavail = 0;  // no free space
