@@ -20,6 +20,7 @@ namespace vantage {
 inline constexpr int lanes = 8;
 using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
 using Floats = float __attribute__((vector_size(4 * lanes)));
+using Doubles = double __attribute__((vector_size(8 * lanes)));
 
 /// Elements from `at` on, which need not be aligned.
 template <class Vector, class T>
@@ -31,6 +32,15 @@ template <class Vector, class T>
 VANTAGE_INLINE void store(const Vector& elements, T* at) {
     static_assert(sizeof(T) * lanes == sizeof elements);
     std::memcpy(at, &elements, sizeof elements);
+}
+
+template <class Vector>
+VANTAGE_INLINE Vector least(const Vector& a, const Vector& b) {
+    return b < a ? b : a;
+}
+template <class Vector>
+VANTAGE_INLINE Vector greatest(const Vector& a, const Vector& b) {
+    return a < b ? b : a;
 }
 
 }  // namespace vantage

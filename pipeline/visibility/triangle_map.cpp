@@ -16,19 +16,11 @@ constexpr int subpixels = 1 << subpixel_bits;
 /// Up to this extent, in subpixels, edge functions fit in 32 bits.
 constexpr int small_extent = 62 * subpixels;
 
-/// A corner on the map, in subpixels.
-struct Corner {
-    std::int32_t x, y;
-    float inverse;
-};
-
 template <class Int>
 Int snapped(Int position) {
     constexpr int shift = position_bits - subpixel_bits;
     return (position + (Int(1) << (shift - 1))) >> shift;
 }
-
-Corner snapped(const ProjectedVertex& v) { return {snapped(v.x), snapped(v.y), v.inverse}; }
 
 /// The first and last pixel of the map whose centers lie in [low, high] (subpixels); none if first > last.
 template <class Int>
@@ -38,92 +30,123 @@ std::pair<int, int> pixel_centers(Int low, Int high, int size) {
             int(std::clamp<Int>((high - half) >> subpixel_bits, -1, size - 1))};
 }
 
-/// A small triangle after setup. Edge function i, opposite corner i, is nonnegative inside the triangle; 1/z
-/// and value/z are linear over the map.
-struct SmallTriangle {
-    int x0, x1, y0, y1;  ///< bounding box, pixels
-    int row[3], step_x[3], step_y[3];
-    float min_inverse, max_inverse;  ///< bounds of 1/z
-    double inverse, inverse_x, inverse_y;
-    float value, value_x, value_y;
-    std::uint32_t number;
+/// Triangles after setup, `lanes` at a time. Edge function i, opposite corner i, is nonnegative inside the
+/// triangle; 1/z and value/z are linear over the map.
+struct SmallTriangles {
+    Ints small;           ///< -1 for those that are; the rest of the others is undefined
+    Ints large;           ///< likewise
+    Ints x0, x1, y0, y1;  ///< bounding box, pixels; may be empty
+    Ints row[3], step_x[3], step_y[3];
+    Floats min_inverse, max_inverse;  ///< bounds of 1/z
+    Doubles inverse, inverse_x, inverse_y;
+    Floats value, value_x, value_y;
 };
 
-enum class Size { none, small, large };
+VANTAGE_INLINE Ints snapped(const Ints& position) {
+    constexpr int shift = position_bits - subpixel_bits;
+    return (position + (1 << (shift - 1))) >> shift;
+}
 
-VANTAGE_INLINE Size set_up(const Corner (&p)[3], const float (&values)[3], int width, int height,
-                           SmallTriangle& s) {
-    s.min_inverse = std::min(std::min(p[0].inverse, p[1].inverse), p[2].inverse);
-    s.max_inverse = std::max(std::max(p[0].inverse, p[1].inverse), p[2].inverse);
-    const int left = std::min(std::min(p[0].x, p[1].x), p[2].x),
-              right = std::max(std::max(p[0].x, p[1].x), p[2].x),
-              top = std::min(std::min(p[0].y, p[1].y), p[2].y),
-              bottom = std::max(std::max(p[0].y, p[1].y), p[2].y);
-    if (!(s.min_inverse > 0) || right - left > small_extent || bottom - top > small_extent)
-        return Size::large;
-    std::tie(s.x0, s.x1) = pixel_centers(left, right, width);
-    std::tie(s.y0, s.y1) = pixel_centers(top, bottom, height);
-    if (s.x0 > s.x1 || s.y0 > s.y1) return Size::none;
-    const int area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
-    if (area == 0) return Size::none;
-    const int sign = area > 0 ? 1 : -1;
-    const int cx = s.x0 * subpixels + subpixels / 2, cy = s.y0 * subpixels + subpixels / 2;
-    const double share = 1 / double(std::abs(area));
-    s.inverse = s.inverse_x = s.inverse_y = 0;
-    s.value = s.value_x = s.value_y = 0;
+/// A corner of each triangle, on the map, in subpixels.
+struct Corners {
+    Ints x, y;
+    Floats inverse, value;
+};
+
+VANTAGE_INLINE Corners corners(std::span<const ProjectedVertex> vertices, std::span<const float> values,
+                               const std::uint32_t* indices) {
+    Corners out;
+    for (int i = 0; i < lanes; ++i) {
+        const std::uint32_t v = indices[3 * i];
+        out.x[i] = vertices[v].x, out.y[i] = vertices[v].y;
+        out.inverse[i] = vertices[v].inverse, out.value[i] = values[v];
+    }
+    out.x = snapped(out.x), out.y = snapped(out.y);
+    return out;
+}
+
+VANTAGE_INLINE SmallTriangles set_up(const Corners (&p)[3], int width, int height) {
+    SmallTriangles s;
+    s.min_inverse = least(least(p[0].inverse, p[1].inverse), p[2].inverse);
+    s.max_inverse = greatest(greatest(p[0].inverse, p[1].inverse), p[2].inverse);
+    const Ints left = least(least(p[0].x, p[1].x), p[2].x),
+               right = greatest(greatest(p[0].x, p[1].x), p[2].x), top = least(least(p[0].y, p[1].y), p[2].y),
+               bottom = greatest(greatest(p[0].y, p[1].y), p[2].y);
+    s.large = ~((s.min_inverse > 0) & (right - left <= small_extent) & (bottom - top <= small_extent));
+    constexpr int half = subpixels / 2;
+    const auto first = [](const Ints& low, int size) {
+        return greatest(least((low + half - 1) >> subpixel_bits, Ints{} + size), Ints{});
+    };
+    const auto last = [](const Ints& high, int size) {
+        return greatest(least((high - half) >> subpixel_bits, Ints{} + (size - 1)), Ints{} - 1);
+    };
+    s.x0 = first(left, width), s.x1 = last(right, width);
+    s.y0 = first(top, height), s.y1 = last(bottom, height);
+    const Ints area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
+    s.small = ~s.large & (s.x0 <= s.x1) & (s.y0 <= s.y1) & (area != 0);
+    const Ints negative = area < 0;
+    const auto with_sign = [&](const Ints& v) { return negative ? -v : v; };
+    const Ints cx = s.x0 * subpixels + half, cy = s.y0 * subpixels + half;
+    const Doubles share = 1 / __builtin_convertvector(with_sign(area), Doubles);
+    s.inverse = s.inverse_x = s.inverse_y = Doubles{};
+    s.value = s.value_x = s.value_y = Floats{};
     for (int i = 0; i < 3; ++i) {
-        const Corner &a = p[(i + 1) % 3], &b = p[(i + 2) % 3];
-        const int dx = sign * (b.x - a.x), dy = sign * (b.y - a.y);
+        const Corners &a = p[(i + 1) % 3], &b = p[(i + 2) % 3];
+        const Ints dx = with_sign(b.x - a.x), dy = with_sign(b.y - a.y);
         s.row[i] = dx * (cy - a.y) - dy * (cx - a.x);
         s.step_x[i] = -dy * subpixels;
         s.step_y[i] = dx * subpixels;
-        const double depth = double(p[i].inverse) * share;
-        s.inverse += s.row[i] * depth;
-        s.inverse_x += s.step_x[i] * depth;
-        s.inverse_y += s.step_y[i] * depth;
-        const float value = float(depth) * values[i];
-        s.value += float(s.row[i]) * value;
-        s.value_x += float(s.step_x[i]) * value;
-        s.value_y += float(s.step_y[i]) * value;
+        const Doubles depth = __builtin_convertvector(p[i].inverse, Doubles) * share;
+        s.inverse += __builtin_convertvector(s.row[i], Doubles) * depth;
+        s.inverse_x += __builtin_convertvector(s.step_x[i], Doubles) * depth;
+        s.inverse_y += __builtin_convertvector(s.step_y[i], Doubles) * depth;
+        const Floats value = __builtin_convertvector(depth, Floats) * p[i].value;
+        s.value += __builtin_convertvector(s.row[i], Floats) * value;
+        s.value_x += __builtin_convertvector(s.step_x[i], Floats) * value;
+        s.value_y += __builtin_convertvector(s.step_y[i], Floats) * value;
     }
-    return Size::small;
+    return s;
 }
 
-/// Fills eight pixels of a row at a time.
-VANTAGE_INLINE void fill(const SmallTriangle& s, TriangleMap& map) {
+/// Fills triangle `i`, eight pixels of a row at a time.
+VANTAGE_INLINE void fill(const SmallTriangles& s, int i, std::uint32_t t, TriangleMap& map) {
     constexpr Ints lane{0, 1, 2, 3, 4, 5, 6, 7};
     constexpr Floats lane_f{0, 1, 2, 3, 4, 5, 6, 7};
-    const Ints number = Ints{} + int(s.number);
-    const Floats slope = lane_f * float(s.inverse_x);
-    for (int x = s.x0; x <= s.x1; x += lanes) {
-        const int along = x - s.x0;
-        Ints a = lane * s.step_x[0] + (s.row[0] + along * s.step_x[0]),
-             b = lane * s.step_x[1] + (s.row[1] + along * s.step_x[1]),
-             c = lane * s.step_x[2] + (s.row[2] + along * s.step_x[2]);
-        const Ints in_bounds = lane <= s.x1 - x;
-        double plane = s.inverse + along * s.inverse_x;
-        Floats value = lane_f * s.value_x + (s.value + float(along) * s.value_x);
-        std::size_t at = std::size_t(s.y0) * std::size_t(map.width) + std::size_t(x);
-        for (int y = s.y0; y <= s.y1; ++y, at += std::size_t(map.width)) {
+    const Ints number = Ints{} + int(t);
+    const auto width = std::size_t(map.width);
+    float *depths = map.inverse_depth.data(), *values = map.value.data();
+    std::uint32_t* triangles = map.triangles.data();
+    const int x0 = s.x0[i], x1 = s.x1[i], y0 = s.y0[i], y1 = s.y1[i];
+    const Floats least_inverse = Floats{} + s.min_inverse[i], most_inverse = Floats{} + s.max_inverse[i];
+    const Floats slope = lane_f * float(s.inverse_x[i]);
+    const double inverse_y = s.inverse_y[i];
+    for (int x = x0; x <= x1; x += lanes) {
+        const int along = x - x0;
+        Ints a = lane * s.step_x[0][i] + (s.row[0][i] + along * s.step_x[0][i]),
+             b = lane * s.step_x[1][i] + (s.row[1][i] + along * s.step_x[1][i]),
+             c = lane * s.step_x[2][i] + (s.row[2][i] + along * s.step_x[2][i]);
+        const Ints in_bounds = lane <= x1 - x;
+        double plane = s.inverse[i] + along * s.inverse_x[i];
+        Floats value = lane_f * s.value_x[i] + (s.value[i] + float(along) * s.value_x[i]);
+        std::size_t at = std::size_t(y0) * width + std::size_t(x);
+        for (int y = y0; y <= y1; ++y, at += width) {
             Floats depth, shown;
             Ints triangle;
-            load(depth, &map.inverse_depth[at]);
-            load(shown, &map.value[at]);
-            load(triangle, &map.triangles[at]);
-            Floats inverse = slope + float(plane);
+            load(depth, depths + at);
+            load(shown, values + at);
+            load(triangle, triangles + at);
             // Clamped to the range of the corners, because interpolation loses precision on slivers.
-            inverse = inverse < s.min_inverse ? Floats{} + s.min_inverse : inverse;
-            inverse = inverse > s.max_inverse ? Floats{} + s.max_inverse : inverse;
+            const Floats inverse = least(greatest(slope + float(plane), least_inverse), most_inverse);
             const Ints seen = ((a | b | c) >= 0) & in_bounds & (inverse > depth);
             depth = seen ? inverse : depth;
             shown = seen ? value : shown;
             triangle = seen ? number : triangle;
-            store(depth, &map.inverse_depth[at]);
-            store(shown, &map.value[at]);
-            store(triangle, &map.triangles[at]);
-            a += s.step_y[0], b += s.step_y[1], c += s.step_y[2];
-            plane += s.inverse_y;
-            value += s.value_y;
+            store(depth, depths + at);
+            store(shown, values + at);
+            store(triangle, triangles + at);
+            a += s.step_y[0][i], b += s.step_y[1][i], c += s.step_y[2][i];
+            plane += inverse_y;
+            value += s.value_y[i];
         }
     }
 }
@@ -133,15 +156,19 @@ VANTAGE_SIMD std::vector<std::uint32_t> fill_small(std::span<const ProjectedVert
                                                    std::span<const std::uint32_t> indices,
                                                    std::span<const float> values, TriangleMap& map) {
     std::vector<std::uint32_t> large;
-    for (std::size_t t = 0; 3 * t < indices.size(); ++t) {
+    const std::size_t count = indices.size() / 3;
+    std::uint32_t last[3 * lanes] = {};  // followed by degenerate triangles
+    for (std::size_t t = 0; t < count; t += std::size_t(lanes)) {
+        const std::size_t n = std::min(count - t, std::size_t(lanes));
         const std::uint32_t* v = &indices[3 * t];
-        const Corner corners[3] = {snapped(vertices[v[0]]), snapped(vertices[v[1]]), snapped(vertices[v[2]])};
-        SmallTriangle s;
-        s.number = std::uint32_t(t);
-        const Size size =
-            set_up(corners, {values[v[0]], values[v[1]], values[v[2]]}, map.width, map.height, s);
-        if (size == Size::small) fill(s, map);
-        if (size == Size::large) large.push_back(s.number);
+        if (n < std::size_t(lanes)) std::copy_n(std::exchange(v, last), 3 * n, last);
+        const SmallTriangles s = set_up({corners(vertices, values, v), corners(vertices, values, v + 1),
+                                         corners(vertices, values, v + 2)},
+                                        map.width, map.height);
+        for (std::size_t i = 0; i < n; ++i) {
+            if (s.small[i]) fill(s, int(i), std::uint32_t(t + i), map);
+            if (s.large[i]) large.push_back(std::uint32_t(t + i));
+        }
     }
     return large;
 }
