@@ -5,10 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <sstream>
+#include <utility>
 
 #include "pipeline/run/read_file.h"
 #include "scene/error.h"
@@ -25,6 +26,18 @@ constexpr std::time_t timestamp_resolution = 2;        ///< s, of the coarsest f
 const std::string sound_prefix = "sound:";
 
 bool read_status(const fs::path& file, struct stat& st) { return ::stat(file.c_str(), &st) == 0; }
+
+/// A line of the cache: the stamp, the bytes, and the checksum in hexadecimal.
+std::optional<std::pair<std::string, FileIdentity>> parsed(const std::string& line) {
+    const std::size_t stamp = line.find(' ');
+    if (stamp == line.npos) return {};
+    FileIdentity id;
+    const char* const end = line.data() + line.size();
+    const auto bytes = std::from_chars(line.data() + stamp + 1, end, id.bytes);
+    if (bytes.ec != std::errc() || bytes.ptr == end || *bytes.ptr != ' ') return {};
+    if (std::from_chars(bytes.ptr + 1, end, id.checksum, 16).ec != std::errc()) return {};
+    return std::pair(line.substr(0, stamp), id);
+}
 
 /// Whether the next modification will change the timestamps; one right after the previous one may not.
 bool timestamps_are_reliable(const fs::path& file) {
@@ -45,12 +58,8 @@ fs::path default_identity_cache() {
 
 IdentityCache::IdentityCache(fs::path cache, bool rehash) : cache_(std::move(cache)), rehash_(rehash) {
     std::ifstream in(cache_);
-    for (std::string line; std::getline(in, line);) {
-        std::istringstream words(line);
-        std::string stamp;
-        FileIdentity id;
-        if (words >> stamp >> id.bytes >> std::hex >> id.checksum) stored_[stamp] = id;
-    }
+    for (std::string line; std::getline(in, line);)
+        if (auto entry = parsed(line)) stored_.insert_or_assign(std::move(entry->first), entry->second);
 }
 
 // Whole lines in a single write, because several programs may append at once.

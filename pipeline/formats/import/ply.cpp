@@ -182,6 +182,16 @@ class Values {
         for (std::size_t i = 0; i < types.size(); from += size_of(types[i++]))
             convert(types[i], from, stride, swapped(), columns[i]);
     }
+    /// Reads a list of three 32-bit integers after a byte, the most common face. False, with nothing read, if
+    /// something else follows.
+    bool next_triangle(std::array<std::uint32_t, 3>& corners) {
+        constexpr std::size_t bytes = 1 + sizeof corners;
+        if (rest_.size() < bytes || rest_[0] != 3) return false;
+        std::memcpy(corners.data(), rest_.data() + 1, sizeof corners);
+        rest_ = rest_.subspan(bytes);
+        return true;
+    }
+    bool is_native() const { return ply_.format != Format::text && !swapped(); }
     /// Rejects a count of elements for which the rest of the file is too short, before memory is allocated.
     /// In text, a value takes at least a digit and a blank.
     void check_count(std::size_t count, std::size_t bytes_each, std::size_t values_each) const {
@@ -289,20 +299,37 @@ void add_strips(const std::vector<double>& strip, Mesh& mesh) {
     }
 }
 
+bool lists_corners(const Property& p) {
+    return p.list && (p.name == "vertex_indices" || p.name == "vertex_index" || p.name == "vertex_indexes");
+}
+
+/// Whether faces may be read by Values::next_triangle.
+bool has_plain_triangles(const Values& values, const Element& e) {
+    if (!values.is_native() || e.name != "face" || e.properties.size() != 1) return false;
+    const Property& p = e.properties[0];
+    return lists_corners(p) && p.count_type == Type::u8 && (p.type == Type::i32 || p.type == Type::u32);
+}
+
 void read_faces(Values& values, const Element& e, Mesh& mesh) {
     values.check_count(e.count, min_bytes(e), e.properties.size());
     mesh.triangles.reserve(mesh.triangles.size() + e.count);
+    const bool plain = has_plain_triangles(values, e);
     std::vector<double> list;
-    for (std::size_t row = 0; row < e.count; ++row)
+    for (std::size_t row = 0; row < e.count; ++row) {
+        if (std::array<std::uint32_t, 3> t; plain && values.next_triangle(t)) {
+            for (std::uint32_t& v : t) v = v < mesh.positions.size() ? v : no_vertex;
+            mesh.triangles.push_back(t);
+            continue;
+        }
         for (const Property& p : e.properties) {
             if (!p.list) {
                 values.next(p.type);
                 continue;
             }
             read_list(values, p, list);
-            if (p.name == "vertex_indices" || p.name == "vertex_index" || p.name == "vertex_indexes")
-                e.name == "tristrips" ? add_strips(list, mesh) : add_fan(list, mesh);
+            if (lists_corners(p)) e.name == "tristrips" ? add_strips(list, mesh) : add_fan(list, mesh);
         }
+    }
 }
 
 /// Prefixes of the names of the color channels, in order of preference.
