@@ -11,6 +11,7 @@
 
 #include "colors/color_fit.h"
 #include "pipeline/agree/cell_displacements.h"
+#include "pipeline/run/for_each_photo.h"
 #include "values/quantile.h"
 
 namespace vantage {
@@ -185,12 +186,14 @@ class ErrorSearch {
     }
     /// What is fitted without each group of photos. Fitted on first use: most scenes show no error.
     const std::vector<VectorXd>& fits_without_groups() {
-        for (std::uint32_t g = std::uint32_t(without_.size()); g < groups_; ++g) {
+        if (!without_.empty()) return without_;
+        without_.resize(groups_);
+        for_each_photo(groups_, in_.threads, [&](std::size_t g) {
             const auto rest = [&](const PairCells& p, const auto&) {
                 return p.a % groups_ != g && p.b % groups_ != g;
             };
-            without_.push_back(fit_.solve({}, rest, all_));
-        }
+            without_[g] = fit_.solve({}, rest, all_);
+        });
         return without_;
     }
     /// Jackknife over the groups of photos, without groups that hold all of `photos`.

@@ -1,6 +1,8 @@
 #include "pipeline/prepare/finish.h"
 
 #include <array>
+#include <future>
+#include <utility>
 
 #include "pipeline/agree/folds.h"
 #include "pipeline/package/meta.h"
@@ -75,15 +77,27 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     const auto read = [&](std::uint32_t photo) { return in.geometry.writer.read(Type::samples, photo); };
     const PackageReader part(part_of(in.out), PackageReader::Expect::part);
     PhotoSamples samples = read_samples(photos.records, read);
+    const std::vector<std::uint32_t> lens = lenses_of(photos.records);
+    const auto fit = [&] {
+        const Traced traced(in.geometry.trace, "colors");
+        return fit_colors(samples.spans(), lens, choice_of(in.choices, Effect::falloff) != EffectChoice::off);
+    };
     Agreement out;
+    // In the meantime, because cameras seldom move.
+    std::future<ColorFit> fitting = std::async(std::launch::async, fit);
     out.registration = register_cameras(in, part, samples, photos);
-    if (out.registration.decision.on && !in.known) samples = read_samples(photos.records, read);
+    ColorFit colors = fitting.get();
+    if (out.registration.decision.on && !in.known) {
+        samples = read_samples(photos.records, read);
+        colors = fit();
+    }
     const auto spans = samples.spans();
     const std::vector<SurfaceDisc> discs = thinned(in.geometry.discs, samples.step);
     const Folds folds({part, photos.records, spans, discs, in.geometry.border_width, in.threads});
     {
         const Traced traced(in.geometry.trace, "colors");
-        out.colors = refine_colors(photos.records, spans, in.choices, in.judge ? &folds : nullptr);
+        out.colors =
+            refine_colors(std::move(colors), photos.records, spans, in.choices, in.judge ? &folds : nullptr);
         apply_colors(out.colors, photos.records);
     }
     out.consensus = find_consensus(in, part, folds, out.colors, photos);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <future>
 #include <nlohmann/json.hpp>
 
 #include "output/markup.h"
@@ -110,7 +111,14 @@ std::string css(const std::array<std::uint8_t, 3>& c) {
 
 std::string coverage_part(const PackageReader& package) {
     const std::vector<unsigned> photos = photos_per_triangle(package);
-    const auto area = covered_area(package, photos);
+    auto covered = std::async(std::launch::async, [&] { return covered_area(package, photos); });
+    const std::vector<CoveragePicture> pictures = coverage_pictures(package, photos, 360);
+    std::vector<std::string> figures(pictures.size());
+    for_each_photo(figures.size(), 0, [&](std::size_t i) {
+        figures[i] = "<figure>" + embedded_picture(pictures[i].image, "the model from " + pictures[i].from) +
+                     "<figcaption>from " + pictures[i].from + "</figcaption></figure>\n";
+    });
+    const auto area = covered.get();
     std::string out = "<h2>Coverage</h2>\n<p>The number of photos that see the surface.</p>\n<div class=bar>";
     for (std::size_t c = 0; c < area.size(); ++c)
         out += fmt::format("<div style=\"width:{:.3f}%;background:{}\"></div>", 100 * area[c],
@@ -120,9 +128,7 @@ std::string coverage_part(const PackageReader& package) {
         out += fmt::format("<span><i style=\"background:{}\"></i>{}: {:.1f} % of the area</span> ",
                            css(coverage_classes[c].color), coverage_classes[c].name, 100 * area[c]);
     out += "</p>\n<div class=model>\n";
-    for (const CoveragePicture& p : coverage_pictures(package, photos, 360))
-        out += "<figure>" + embedded_picture(p.image, "the model from " + p.from) + "<figcaption>from " +
-               p.from + "</figcaption></figure>\n";
+    for (const std::string& figure : figures) out += figure;
     return out + "</div>\n";
 }
 

@@ -185,19 +185,22 @@ TEST(ColorFit, OutliersOnlyGiveFiniteGainsWithinBounds) {
 TEST(ColorAgreement, IsEnabledOnlyIfPhotosDisagree) {
     std::vector<package::PhotoRecord> photos(12);
     for (package::PhotoRecord& p : photos) p.width = 300, p.height = 200, p.fx = 300, p.levels = 1;
-    const auto agreeing = refine_colors(photos, make({.stops = 0, .noise = 0.005}).spans(), {});
+    const auto refine = [&](const SyntheticPhotos& made, const std::map<Effect, EffectChoice>& choices) {
+        const auto spans = made.spans();
+        return refine_colors(fit_colors(spans, lenses_of(photos), true), photos, spans, choices);
+    };
+    const auto agreeing = refine(make({.stops = 0, .noise = 0.005}), {});
     EXPECT_FALSE(agreeing.exposure.on) << agreeing.exposure.evidence;
     EXPECT_FALSE(agreeing.falloff.on);
     // Disagreement that gains do not explain.
-    const auto noisy = refine_colors(photos, make({.stops = 0, .noise = 0.1}).spans(), {});
+    const auto noisy = refine(make({.stops = 0, .noise = 0.1}), {});
     EXPECT_FALSE(noisy.exposure.on) << noisy.exposure.evidence;
     const SyntheticPhotos exposed = make({.falloff = 0.3});
-    const auto called = refine_colors(photos, exposed.spans(), {});
+    const auto called = refine(exposed, {});
     EXPECT_TRUE(called.exposure.on) << called.exposure.evidence;
     EXPECT_TRUE(called.falloff.on) << called.falloff.evidence;
     const auto forbidden =
-        refine_colors(photos, exposed.spans(),
-                      {{Effect::exposure, EffectChoice::off}, {Effect::falloff, EffectChoice::off}});
+        refine(exposed, {{Effect::exposure, EffectChoice::off}, {Effect::falloff, EffectChoice::off}});
     apply_colors(forbidden, photos);
     for (const package::PhotoRecord& p : photos)
         for (int i = 0; i < 3; ++i) {
