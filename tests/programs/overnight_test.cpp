@@ -56,7 +56,8 @@ TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtRandom) {
     for (const int wanted = number_from("VANTAGE_KILLS", 6); killed < wanted;) {
         fs::remove(file);
         fs::remove(part_of(file));
-        killed += prepare_program("", "timeout -s KILL " + std::to_string(instant(random))).code == -1;
+        killed +=
+            prepare_program("", "timeout --foreground -s KILL " + std::to_string(instant(random))).code == -1;
         resumed += fs::exists(part_of(file));
         const Outcome next = prepare_program();
         ASSERT_EQ(next.code, 0) << next.err;
