@@ -32,8 +32,12 @@ int report_exception(const char* program) noexcept {
     } catch (const std::ios_base::failure& e) {
         return report(Exit::storage, e.what());
     } catch (const std::system_error& e) {
-        // Starting a thread or a child process can also fail for lack of memory.
-        return e.code() == std::errc::not_enough_memory ? out_of_memory() : report(Exit::internal, e.what());
+        if (e.code() == std::errc::not_enough_memory) return out_of_memory();
+        if (e.code() == std::errc::resource_unavailable_try_again)
+            return report(
+                Exit::memory,
+                "cannot start another thread or process: out of memory, or their number is limited");
+        return report(Exit::internal, e.what());
     } catch (const std::exception& e) {
         return report(Exit::internal, e.what());
     } catch (...) {

@@ -1,8 +1,11 @@
 #include <csignal>
 #include <cstdlib>  // defines __GLIBC__
+#include <new>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
+
+#include <opencv2/core.hpp>
 
 #include "cli/exit_codes.h"
 #include "cli/report_exception.h"
@@ -22,13 +25,8 @@ void keep_freed_memory() {
 #endif
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
     using namespace vantage;
-    keep_freed_memory();
-    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit fails with a message
-    name_lost_packages("vantage");
     CLI::App app{
         "vantage prepares a scanned mesh and its calibrated photos into one package for vantage-player."};
     app.set_version_flag("--version", "vantage " VANTAGE_VERSION);
@@ -38,14 +36,31 @@ int main(int argc, char** argv) {
         "  vantage prepare scans/chapel -o chapel.vantage\n"
         "  vantage check --deep chapel.vantage\n" +
         exit_codes_text());
-    Run run;
-    for (const auto add : all_commands) add(app, run);
+    Run command;
+    for (const auto add : all_commands) add(app, command);
     try {
         app.parse(argc, argv);
-        return run();
+        return command();
     } catch (const CLI::ParseError& e) {
         return app.exit(e) == 0 ? 0 : int(Exit::usage);
+    } catch (const cv::Exception& e) {
+        if (e.code == cv::Error::StsNoMem) throw std::bad_alloc();
+        throw;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    keep_freed_memory();
+    // Photos are divided among our own threads. OpenCV's would compete with them, and its pool waits for ever
+    // for a thread that the system refuses to start.
+    cv::setNumThreads(1);
+    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit fails with a message
+    vantage::name_lost_packages("vantage");
+    try {
+        return run(argc, argv);
     } catch (...) {
-        return report_exception("vantage");
+        return vantage::report_exception("vantage");
     }
 }

@@ -52,6 +52,10 @@ TEST(ReportException, DistinguishesMemoryFromStorage) {
     EXPECT_EQ(memory.text, "vantage: out of memory\n");
     EXPECT_EQ(report(std::system_error(std::make_error_code(std::errc::not_enough_memory), "fork")).code,
               Exit::memory);
+    EXPECT_EQ(
+        report(std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again), "thread"))
+            .code,
+        Exit::memory);
     const Report storage = report(std::filesystem::filesystem_error(
         "rename", "/full/a.part", std::make_error_code(std::errc::no_space_on_device)));
     EXPECT_EQ(storage.code, Exit::storage);

@@ -80,6 +80,28 @@ TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtAnyWrite) {
     }
 }
 
+// With less address space the libraries cannot be loaded.
+TEST_F(Overnight, EndsWithOneLineIfMemoryRunsOut) {
+    const std::string bytes = undisturbed();
+    int ran_out = 0;
+    for (int megabytes = 135; megabytes <= 255; megabytes += 10) {
+        const std::string limit = std::to_string(megabytes) + " MB";
+        fs::remove(file);
+        fs::remove(part_of(file));
+        const Outcome done =
+            prepare_program("", "ulimit -v " + std::to_string(megabytes * 1000) + "; timeout 100 ");
+        if (done.code != 0) {
+            EXPECT_EQ(done.code, int(Exit::memory)) << limit;
+            EXPECT_TRUE(one_line(done.err)) << limit << ": " << done.err;
+            ++ran_out;
+        }
+        const Outcome next = prepare_program();
+        ASSERT_EQ(next.code, 0) << limit << ": " << next.err;
+        expect_whole(bytes, limit);
+    }
+    EXPECT_GE(ran_out, 3);
+}
+
 TEST_F(Overnight, FinishesDespiteRepeatedKills) {
     const std::string bytes = undisturbed();
     int runs = 0;
