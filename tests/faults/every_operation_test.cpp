@@ -16,10 +16,11 @@ class EveryOperation : public WrittenPackage {
     std::string fault(int n, const std::string& how) const {
         return "FAULT=any:" + std::to_string(n) + ":" + how + " FAULT_FOLDER=" + dir.string();
     }
-    int operations_of(const WritingCommand& c) const {
+    /// Of the command, undisturbed; with "BAD_PAGE" pages that it maps.
+    int operations_of(const WritingCommand& c, const std::string& how = "SHORT_ONCE") const {
         start(c);
         const fs::path count = fs::temp_directory_path() / (dir.filename().string() + ".count");
-        EXPECT_EQ(run_command(c, fault(0, "SHORT_ONCE") + " FAULT_COUNT=" + count.string()).code, 0);
+        EXPECT_EQ(run_command(c, fault(0, how) + " FAULT_COUNT=" + count.string()).code, 0);
         const int n = std::atoi(slurp(count).c_str());
         fs::remove(count);
         return n;
@@ -56,5 +57,40 @@ TEST_F(EveryOperation, MayFailAndNothingIsLost) {
                 expect_finished_by_next_run(c, when);
             }
         std::printf("%-24s %4d operations, %4d runs\n", c.name.c_str(), operations, runs);
+    }
+}
+
+TEST_F(EveryOperation, MayMeetAPageThatCannotBeRead) {
+    const int at_most = number_from("VANTAGE_FAULTS", 10);
+    for (const WritingCommand& c : commands) {
+        const int pages = operations_of(c, "BAD_PAGE");
+        ASSERT_GT(pages, 50) << c.name;
+        const int step = std::max(1, pages / at_most);
+        int runs = 0, met = 0;
+        for (int n = 1 + step / 2; n <= pages; n += step, ++runs) {
+            const std::string when = "page " + std::to_string(n) + " cannot be read";
+            start(c);
+            const Outcome done = run_command(c, fault(n, "BAD_PAGE"));
+            expect_said(done, c.name + ", " + when);
+            met += done.code == int(Exit::damaged);
+            if (done.code == 0)
+                EXPECT_TRUE(slurp(package) == c.after) << c.name << ", " << when;
+            else
+                expect_old_or_new(c, when);
+            expect_finished_by_next_run(c, when);
+        }
+        std::printf("%-24s %5d pages mapped, %4d runs, %4d of them met the page\n", c.name.c_str(), pages,
+                    runs, met);
+        EXPECT_GT(met, 0) << c.name;
+    }
+}
+
+TEST_F(EveryOperation, IgnoresAClockThatJumps) {
+    for (const WritingCommand& c : commands) {
+        start(c);
+        const Outcome done = run_command(c, "FAULT_CLOCK=1");
+        EXPECT_EQ(done.code, 0) << c.name << ": " << done.err;
+        EXPECT_TRUE(slurp(package) == c.after) << c.name;
+        expect_finished_by_next_run(c, "the clock jumped");
     }
 }

@@ -3,9 +3,12 @@
 // HOW: ENOSPC, EIO or EACCES, the N-th call and all later ones fail; statvfs reports no free space instead;
 //      EIO_ONCE, only the N-th fails; SHORT_ONCE, only the N-th reads or writes half of its bytes;
 //      KILL or KILL_AFTER, the process is killed before or after the N-th call is executed;
-//      SLEEP, it sleeps for two seconds before the N-th call (flock only).
+//      SLEEP, it sleeps for two seconds before the N-th call (flock only);
+//      BAD_PAGE, the N-th page of the files that are mapped cannot be read: touching it raises SIGBUS (mmap
+//      only).
+// FAULT_CLOCK=1 sets the clock back and forward by a year from one call to the next.
 // FAULT_LOG=FILE records all operations that change files below FAULT_FOLDER (tests/faults/disk_log.h).
-// FAULT_COUNT=FILE is given the number of calls at the end.
+// FAULT_COUNT=FILE is given the number of calls (or mapped pages) at the end.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -18,6 +21,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdarg>
@@ -25,6 +29,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -61,11 +66,28 @@ Fault& fault() {
     return f;
 }
 
+constexpr std::size_t page_bytes = 4096;
+
+/// Counts the pages of a mapping. If the one that shall fail is among them, it is replaced by one beyond the
+/// end of a file.
+void spoil_page(void* mapping, std::size_t size) {
+    Fault& f = fault();
+    const auto pages = int((size + page_bytes - 1) / page_bytes);
+    const int page = f.from - 1 - f.calls;
+    f.calls += pages;
+    if (page < 0 || page >= pages) return;
+    const int empty = int(::syscall(SYS_memfd_create, "empty", 0u));
+    ::syscall(SYS_mmap, static_cast<char*>(mapping) + std::size_t(page) * page_bytes, page_bytes, PROT_READ,
+              MAP_SHARED | MAP_FIXED, empty, 0l);
+    ::syscall(SYS_close, empty);
+}
+
 enum class Fate { real, fails, is_short };
 
 /// Counts a call and says how it goes; `path`: of its file. Kills the process before a call.
 Fate fate_of(const char* name, const std::string& path, bool& killed_after) {
     Fault& f = fault();
+    if (f.is("BAD_PAGE")) return Fate::real;
     const bool any = std::strcmp(f.call, "any") == 0;
     if (any ? !f.holds(path) : std::strcmp(f.call, name) != 0) return Fate::real;
     const int n = ++f.calls;
@@ -167,6 +189,14 @@ int open_file(const char* path, int flags, mode_t mode) {
 void record_written(int fd, const std::string& path, std::string_view data) {
     const long end = ::syscall(SYS_lseek, fd, 0, SEEK_CUR);
     record('w', path, std::uint64_t(end) - data.size(), data);
+}
+
+/// Seconds by which the clock is wrong at this call.
+time_t clock_error() {
+    static const bool jumps = std::getenv("FAULT_CLOCK") != nullptr;
+    static std::atomic<int> calls = 0;
+    constexpr time_t year = 365 * 24 * 3600;
+    return !jumps ? 0 : ++calls % 2 ? year : -year;
 }
 
 }  // namespace
@@ -277,6 +307,12 @@ void* mmap(void* at, size_t size, int protection, int flags, int fd, off_t offse
                                                                         offset);
     };
     if (fd < 0) return real(0);
+    if (Fault& f = fault(); f.is("BAD_PAGE")) {
+        void* const mapped = real(0);
+        const std::scoped_lock lock(f.mutex);
+        if (mapped != MAP_FAILED && f.holds(path_of(fd))) spoil_page(mapped, size);
+        return mapped;
+    }
     void* const mapped = perform("mmap", path_of(fd), 0, real);
     return mapped ? mapped : MAP_FAILED;
 }
@@ -312,5 +348,17 @@ int remove(const char* path) {
     return perform(
         "unlink", path, 0, [&](std::size_t) { return next<int(const char*)>("remove")(path); },
         [&](int) { record('u', path); });
+}
+
+int clock_gettime(clockid_t clock, struct timespec* now) {
+    const int result = int(::syscall(SYS_clock_gettime, clock, now));
+    if (clock == CLOCK_REALTIME) now->tv_sec += clock_error();
+    return result;
+}
+time_t time(time_t* out) {
+    struct timespec now {};
+    clock_gettime(CLOCK_REALTIME, &now);
+    if (out) *out = now.tv_sec;
+    return now.tv_sec;
 }
 }

@@ -4,8 +4,8 @@
     soak.py --vantage PROGRAM --player PROGRAM FOLDER [--minutes 10] [--workers 3] [--packages 4] [--seed 1]
 
 Each package has its inputs, which the soak changes: photos are exchanged, truncated, repaired, added and removed; the package
-is damaged, truncated, deleted or replaced by another. Then a command is run on it: prepare (with several settings, with little
-memory, killed at a random instant, on a full disk), check, check --against, refine, extract, diff, info, or the player's
+is damaged, truncated, deleted or replaced by another. Then a command is run on it: prepare (with several settings, killed at a
+random instant, with little memory, with little room for files; then again without), check, check --against, refine, extract, diff, info, or the player's
 picture from a photo's camera. What the command must answer is known from what was done. While one worker changes a package,
 others read it: they may see the old one or the new one.
 
@@ -15,6 +15,7 @@ import argparse
 import collections
 import os
 import random
+import resource
 import shutil
 import signal
 import subprocess
@@ -23,7 +24,7 @@ import tempfile
 import threading
 import time
 
-SOUND, STALE, DAMAGED, INCOMPLETE = 0, 5, 4, 9  # exit codes
+SOUND, STALE, DAMAGED, INCOMPLETE, STORAGE, MEMORY = 0, 5, 4, 9, 6, 12  # exit codes
 
 
 class Package:
@@ -72,10 +73,13 @@ class Soak:
     def tenth(self):
         return min(9, int(10 * (time.time() - self.start) / (60 * self.o.minutes)))
 
-    def run(self, words, limit=120, kill_after=None):
-        """Exit code (negative: signal, None: killed by us or hung), and what was printed."""
+    def run(self, words, limit=120, kill_after=None, resources=()):
+        """Exit code (negative: signal, None: killed by us or hung), and what was printed. `resources`: limits as (kind, bytes)."""
+        def set_limits():
+            for kind, most in resources:
+                resource.setrlimit(kind, (most, most))
         with tempfile.TemporaryFile('w+') as said:
-            p = subprocess.Popen(words, stdout=said, stderr=said)
+            p = subprocess.Popen(words, stdout=said, stderr=said, preexec_fn=set_limits if resources else None)
             timer = threading.Timer(kill_after or limit, p.kill)
             timer.start()
             _, status, usage = os.wait4(p.pid, 0)
@@ -122,14 +126,21 @@ class Soak:
     def prepare(self, p, r):
         settings = r.choice([[], [], ['--border-width', '48'], ['--refine', 'off'], ['--memory', '600M']])
         words = [self.o.vantage, 'prepare', p.scene, '-o', p.file, '--progress', 'none', *settings]
-        kill = r.random() < 0.2
         inputs, broken = p.inputs(), p.broken()
-        code, text = self.run(words, kill_after=r.uniform(0.02, 0.5) if kill else None)
-        if code is None:  # killed: the old package stays, or the new one is complete
-            with self.mutex:
+        usual = {INCOMPLETE} if broken else {0}
+        trouble = r.choices(['none', 'killed', 'little memory', 'little room'], [7, 2, 1, 1])[0]
+        if trouble == 'killed':
+            if self.run(words, kill_after=r.uniform(0.02, 0.5))[0] is None:
                 self.counts['prepare, killed'] += 1
-            code, text = self.run(words)
-        self.expect('prepare', code, text, {INCOMPLETE} if broken else {0})
+        elif trouble == 'little memory':
+            code, text = self.run(words, resources=[(resource.RLIMIT_AS, r.randrange(135, 300) * 1000000)])
+            self.expect('prepare, ' + trouble, code, text, usual | {MEMORY})
+        elif trouble == 'little room':
+            code, text = self.run(words, resources=[(resource.RLIMIT_FSIZE, r.randrange(20000000))])
+            self.expect('prepare, ' + trouble, code, text, usual | {STORAGE})
+        # Whatever has happened, the next run ends well.
+        code, text = self.run(words)
+        self.expect('prepare', code, text, usual)
         if code in (0, INCOMPLETE):
             p.prepared, p.damaged = (inputs, tuple(settings), broken), False
 
