@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# The time of `prepare` for 0.16 to 5 million triangles on two photos of 800x600 pixels, from near, where the mesh fills them,
-# and from 20 times as far, where hundreds of triangles share a pixel; in all, of vertex visibility alone, and as estimated
-# before the first photo on a machine without history. Writes many_triangles.tsv into FOLDER.
+# Time and memory of `prepare` for 0.16 to 20 million triangles on two photos of 800x600 pixels, from near, where the mesh fills
+# them, and from 20 times as far, where hundreds of triangles share a pixel; in all, of vertex visibility alone, and as estimated
+# before the first photo on a machine without history. Writes many_triangles.tsv and many_triangles.svg into FOLDER.
 # usage: many_triangles.sh VANTAGE FOLDER [MILLIONS...]
 set -euo pipefail
 vantage=$1
 folder=$2
 shift 2
-[ $# -gt 0 ] || set -- 0.16 0.64 1.28 2.5 5
+[ $# -gt 0 ] || set -- 0.16 0.64 1.28 2.5 5 10 20
 mkdir -p "$folder"
 export XDG_CACHE_HOME=$folder/cache
 
@@ -57,16 +57,18 @@ PYTHON
 seconds() {  # seconds TRACE SPAN: total duration of the spans in the trace
   tr '{' '\n' <"$1" | grep -oP "\"dur\":[0-9.]+,\"name\":\"$2\"" | awk -F'[:,]' '{ s += $2 } END { printf "%.2f", s / 1e6 }'
 }
-prepare() {  # prepare SCENE: in all, estimated, visibility; seconds
+prepare() {  # prepare SCENE: in all, estimated, visibility, in seconds; memory and its estimate in MB
   rm -rf "$folder/package"* "$XDG_CACHE_HOME"
   local printed
   printed=$("$vantage" prepare "$1" -o "$folder/package.vantage" --progress none --no-report --trace "$folder/trace.json")
   echo -ne "\t$(grep -oP '^package .*, \K[0-9.]+(?= s\))' <<<"$printed")"
   echo -ne "\t$(grep -oP '^needs .*about \K[0-9]+' <<<"$printed")\t$(seconds "$folder/trace.json" coordinates)"
+  echo -ne "\t$(awk '$1 == "memory" { print $2 }' <<<"$printed")\t$(grep -oP '^needs .*at most \K[0-9]+' <<<"$printed")"
 }
 
 table=$folder/many_triangles.tsv
-echo -e "million\tnear_s\testimated_s\tvisibility_s\tfar_s\testimated_s\tvisibility_s" | tee "$table"
+columns="s\testimated_s\tvisibility_s\tMB\testimated_MB"
+echo -e "million\tnear_$columns\tfar_$columns" | tee "$table"
 for millions in "$@"; do
   line=$millions
   for distance in 1 20; do
@@ -77,3 +79,28 @@ for millions in "$@"; do
   echo "$line" | tee -a "$table"
 done
 rm -rf "$folder/package"* "$folder/trace.json" "$XDG_CACHE_HOME"
+gnuplot <<PLOT
+set terminal svg size 900,380 font "sans,13" background "white"
+set output "$folder/many_triangles.svg"
+set multiplot layout 1,2
+set logscale xy
+set xlabel "million triangles"
+set xrange [0.1:30]
+set grid
+set border 3
+set tics nomirror
+set key top left Left reverse
+set pointsize 0.6
+set title "seconds"
+set yrange [0.1:100]
+plot "$table" every ::1 using 1:2 with linespoints linewidth 2 pointtype 7 linecolor rgb "#1565c0" title "near", \
+  "" every ::1 using 1:7 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "20 times as far", \
+  "" every ::1 using 1:3 with points pointtype 6 linecolor rgb "#1565c0" title "near, as estimated", \
+  "" every ::1 using 1:8 with points pointtype 4 linecolor rgb "#c62828" title "far, as estimated"
+set title "peak memory, MB"
+set yrange [50:20000]
+plot "$table" every ::1 using 1:5 with linespoints linewidth 2 pointtype 7 linecolor rgb "#1565c0" title "near", \
+  "" every ::1 using 1:10 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "20 times as far", \
+  "" every ::1 using 1:6 with points pointtype 6 linecolor rgb "#1565c0" title "near, at most as estimated", \
+  "" every ::1 using 1:11 with points pointtype 4 linecolor rgb "#c62828" title "far, at most as estimated"
+PLOT
