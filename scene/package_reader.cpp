@@ -105,7 +105,8 @@ struct PackageReader::Mapping {
                     "not a Vantage package: " + std::to_string(size) + " bytes, a header has 64");
         void* p = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, fd, 0);
         if (p == MAP_FAILED)
-            throw Error(errno == ENOMEM ? Exit::memory : Exit::input, path.string() + ": cannot map: " + std::strerror(errno));
+            throw Error(errno == ENOMEM ? Exit::memory : Exit::input,
+                        path.string() + ": cannot map: " + std::strerror(errno));
         data = static_cast<const std::byte*>(p);
         announce_mapping({data, size}, path.c_str());
     }
