@@ -6,6 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
+#include "pipeline/pixels/simd.h"
+
 namespace vantage {
 namespace {
 
@@ -22,37 +24,58 @@ constexpr int levels = 3;       ///< of its pyramids, besides the first
 
 Vector2d to_vector(const cv::Point2f& p) { return {double(p.x), double(p.y)}; }
 
+/// From one camera's pixels to another's.
+struct Reprojection {
+    Eigen::Matrix3f R;
+    Eigen::Vector3f t;
+    float fx, fy, cx, cy;
+};
+
+/// Pixels of a row at depths `z`, on rays (x, y, 1), in the other camera: their position and depth there.
+/// Undefined where z is infinite.
+VANTAGE_SIMD void reproject_row(const Reprojection& to, const float* z, const float* ray_x, float ray_y,
+                                int width, float* u, float* v, float* depth) {
+    const Eigen::Matrix3f R = to.R;
+    const Eigen::Vector3f t = to.t;
+    const float fx = to.fx, fy = to.fy, cx = to.cx - 0.5f, cy = to.cy - 0.5f;
+    for (int x = 0; x < width; ++x) {
+        const float right = ray_x[x] * z[x], down = ray_y * z[x];
+        const auto along = [&](int i) { return R(i, 0) * right + R(i, 1) * down + R(i, 2) * z[x] + t[i]; };
+        depth[x] = along(2);
+        u[x] = fx * along(0) / depth[x] + cx;
+        v[x] = fy * along(1) / depth[x] + cy;
+    }
+}
+
 /// Warps `from` into the chart through the surface. `shown`: 255 if `from` sees the surface there; elsewhere
 /// the result is `fallback`.
 cv::Mat warp(const MatchView& chart, const MatchView& from, const Pose& from_pose, const cv::Mat& fallback,
              cv::Mat& shown) {
-    const Eigen::Matrix3f R = (from_pose.R * chart.pose.R.transpose()).cast<float>();
-    const Eigen::Vector3f t =
-        (from_pose.t - from_pose.R * chart.pose.R.transpose() * chart.pose.t).cast<float>();
+    const Eigen::Matrix3d R = from_pose.R * chart.pose.R.transpose();
+    const Reprojection reprojection{R.cast<float>(),  (from_pose.t - R * chart.pose.t).cast<float>(),
+                                    float(from.k.fx), float(from.k.fy),
+                                    float(from.k.cx), float(from.k.cy)};
     const int width = chart.depth.cols, height = chart.depth.rows;
     cv::Mat map_x(height, width, CV_32F), map_y(height, width, CV_32F);
     shown.create(height, width, CV_8U);
-    const auto fx = float(from.k.fx), fy = float(from.k.fy), cx = float(from.k.cx), cy = float(from.k.cy);
     const auto right = float(from.gray.cols - 1), bottom = float(from.gray.rows - 1);
+    std::vector<float> ray_x, depth(static_cast<std::size_t>(width));
+    for (int x = 0; x < width; ++x) ray_x.push_back(float((x + 0.5 - chart.k.cx) / chart.k.fx));
     for (int y = 0; y < height; ++y) {
         const auto* z = chart.depth.ptr<float>(y);
         auto *u = map_x.ptr<float>(y), *v = map_y.ptr<float>(y);
         auto* ok = shown.ptr<std::uint8_t>(y);
-        const auto ray_y = float((y + 0.5 - chart.k.cy) / chart.k.fy);
+        reproject_row(reprojection, z, ray_x.data(), float((y + 0.5 - chart.k.cy) / chart.k.fy), width, u, v,
+                      depth.data());
         for (int x = 0; x < width; ++x) {
-            u[x] = v[x] = -1;
-            ok[x] = 0;
-            if (!std::isfinite(z[x])) continue;
-            const auto ray_x = float((x + 0.5 - chart.k.cx) / chart.k.fx);
-            const Eigen::Vector3f p = R * Eigen::Vector3f(ray_x * z[x], ray_y * z[x], z[x]) + t;
-            if (!(p.z() > 0)) continue;
-            const float px = fx * p.x() / p.z() + cx - 0.5f, py = fy * p.y() / p.z() + cy - 0.5f;
-            if (!(px >= 0 && py >= 0 && px <= right && py <= bottom)) continue;
-            const float seen_z = from.depth.at<float>(int(py + 0.5f), int(px + 0.5f));
-            if (!(std::abs(seen_z - p.z()) <= float(depth_step) * p.z())) continue;
-            u[x] = px;
-            v[x] = py;
-            ok[x] = 255;
+            const float there = depth[std::size_t(x)];
+            const bool inside =
+                std::isfinite(z[x]) && there > 0 && u[x] >= 0 && v[x] >= 0 && u[x] <= right && v[x] <= bottom;
+            ok[x] = inside && std::abs(from.depth.at<float>(int(v[x] + 0.5f), int(u[x] + 0.5f)) - there) <=
+                                  float(depth_step) * there
+                        ? 255
+                        : 0;
+            if (!ok[x]) u[x] = v[x] = -1;
         }
     }
     cv::Mat out;
