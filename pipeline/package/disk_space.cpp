@@ -2,8 +2,10 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/magic.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include "scene/error.h"
@@ -44,6 +46,13 @@ std::uint64_t disk_space_for(const fs::path& out) {
     const fs::space_info space = fs::space(folder, error);
     if (error) return unknown_space;  // creating the file will report the error
     return space.available + allocated(part_of(out));
+}
+
+bool is_in_memory(const fs::path& out) {
+    struct statfs at {};
+    std::error_code error;
+    return ::statfs(fs::absolute(out, error).parent_path().c_str(), &at) == 0 &&
+           (at.f_type == TMPFS_MAGIC || at.f_type == RAMFS_MAGIC);
 }
 
 void ensure_disk_space(const fs::path& out, const PackageLayout& layout) {

@@ -85,7 +85,8 @@ ResourceEstimate reserve(const PreparePlan& plan, const SceneInput& scene, const
         return base + std::max(in_flight * photo, shared ? 0 : agree_memory(scene, settings, in_flight));
     };
     const unsigned in_flight = photos_in_flight(settings, needed);
-    const ExpectedSeconds expected = expected_seconds(scene, plan.scene, in_flight);
+    const ExpectedSeconds expected =
+        expected_seconds(scene, plan.scene, in_flight, is_in_memory(out) ? 0 : layout.bytes);
     const double photos = expected.photos / (shared ? run.share.shares : 1);
     const std::chrono::duration<double> before = std::chrono::steady_clock::now() - run.start;
     const ResourceEstimate estimate{.disk = layout.bytes,

@@ -39,6 +39,8 @@ constexpr double seconds_per_pixel = 8e-9, seconds_per_undistorted_pixel = 45e-9
                  seconds_per_triangle = 0.16e-6;
 /// Of decoding.
 constexpr double seconds_per_jpeg_pixel = 5e-9, seconds_per_other_pixel = 35e-9;
+/// Of a package on a disk, which is flushed at the end.
+constexpr double seconds_per_written_byte = 2e-9;
 /// Of comparing photos; more for each of the first, because few are left out to judge effects.
 constexpr double seconds_per_photo = 0.012, seconds_per_judged = 0.035;
 constexpr std::size_t most_judged = 12;
@@ -122,7 +124,7 @@ unsigned photos_in_flight(const PrepareSettings& settings,
 }
 
 ExpectedSeconds expected_seconds(const SceneInput& scene, const package::SceneRecord& model,
-                                 unsigned in_flight) {
+                                 unsigned in_flight, std::uint64_t to_disk) {
     double work = 0;
     for (const PhotoInput& photo : scene.photos) work += photo_seconds(photo, model);
     const auto at_once = double(std::min({in_flight, std::max(1u, std::thread::hardware_concurrency()),
@@ -130,7 +132,8 @@ ExpectedSeconds expected_seconds(const SceneInput& scene, const package::SceneRe
     const std::size_t photos = scene.photos.size();
     const double finish =
         double(photos) * seconds_per_photo + double(std::min(photos, most_judged)) * seconds_per_judged;
-    return {work / at_once * machine_speed(), finish * machine_speed()};
+    const double writing = double(to_disk) * seconds_per_written_byte;
+    return {std::max(work / at_once, writing) * machine_speed(), finish * machine_speed()};
 }
 
 void remember_speed(double expected, double took) {
