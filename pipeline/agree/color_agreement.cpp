@@ -96,14 +96,18 @@ FoldColors colors_without(const Folds& folds, std::span<const std::uint32_t> len
 ColorRefinement refine_colors(ColorFit fit, std::span<const package::PhotoRecord> photos, Samples samples,
                               const std::map<Effect, EffectChoice>& choices, const Folds* folds) {
     const std::vector<std::uint32_t> lens = lenses_of(photos);
-    const EffectChoice falloff = choice_of(choices, Effect::falloff);
+    const EffectChoice falloff = choice_of(choices, Effect::falloff),
+                       exposure = choice_of(choices, Effect::exposure);
+    // One photo at a time, which takes less memory than each thread reading one when it needs it.
+    std::future<void> reading;
+    if (folds && exposure != EffectChoice::off)
+        reading = std::async(std::launch::async, [&] { folds->read_ahead(); });
     ColorRefinement out{std::move(fit), lens, {}, {}};
-    out.exposure = decide_exposure(out.fit, choice_of(choices, Effect::exposure));
+    out.exposure = decide_exposure(out.fit, exposure);
     out.falloff = decide_falloff(out.fit, falloff);
     // Unless forced, falloff is corrected only together with exposure.
     if (!out.exposure.on && falloff == EffectChoice::automatic) out.falloff.on = false;
     if (folds && out.exposure.on) {
-        const auto reading = std::async(std::launch::async, [&] { folds->read_ahead(); });
         FoldColors without = colors_without(*folds, lens, out.falloff.on);
         const ColorJudgments judged = judge_colors(*folds, without.gains, without.both);
         confirm(out.exposure, judged.exposure);
