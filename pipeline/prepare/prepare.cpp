@@ -77,12 +77,15 @@ std::vector<std::size_t> photos_to_prefetch(const SceneInput& scene, const Prepa
 ResourceEstimate reserve(const PreparePlan& plan, const SceneInput& scene, const PrepareSettings& settings,
                          const PrepareRun& run, bool opengl, const std::filesystem::path& out) {
     const PackageLayout layout = package_layout(plan.chunks, plan.names);
-    const std::uint64_t photo = photo_memory(scene, plan.scene);
+    const auto photo = [&](unsigned in_flight) {
+        return photo_memory(scene, plan.scene, uses_spare_cores(settings, in_flight));
+    };
     const std::uint64_t base = memory_now() + scene_memory(plan.scene, opengl);
     const bool shared = run.share.shares > 0;
     // The photos' memory is free when their results are compared.
     const auto needed = [&](unsigned in_flight) {
-        return base + std::max(in_flight * photo, shared ? 0 : agree_memory(scene, settings, in_flight));
+        return base +
+               std::max(in_flight * photo(in_flight), shared ? 0 : agree_memory(scene, settings, in_flight));
     };
     const unsigned in_flight = photos_in_flight(settings, needed);
     const ExpectedSeconds expected =
@@ -192,7 +195,8 @@ PrepareResult prepare_photos(const PhotoContext& context, PhotoTables& photos,
     const PrepareSettings& settings = context.key.settings;
     StageCounts counts(context.scene, settings_json(settings), context.earlier);
     const auto start = std::chrono::steady_clock::now();
-    run_photos(context, photos, estimate.in_flight, threads_of(settings), run, counts, progress);
+    const unsigned cores = uses_spare_cores(settings, estimate.in_flight) ? threads_of(settings) : 1;
+    run_photos(context, photos, estimate.in_flight, cores, run, counts, progress);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     if (context.earlier.empty()) remember_speed(estimate.photo_seconds, took.count());
     record_left_out(context.scene, photos, counts.result);

@@ -71,16 +71,20 @@ double machine_speed() {
 
 }  // namespace
 
-std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& model) {
+std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& model, bool spare_cores) {
     double most = 0;
     for (const PhotoInput& photo : scene.photos) {
-        const double lens =
-            photo.camera.lens.distorts() ? 12 : 0;  // a copy and the source position of each pixel
-        // Bytes per pixel: RGBA and its pyramid 6, the file 1, and 28 for maps, distances and masks at a
-        // quarter of the pixels.
-        most = std::max(most, pixels(photo) * (14 + lens));
+        // Bytes per pixel: RGBA and its pyramid 6, and the file 1; a copy and the source position of each
+        // pixel; a stencil. Maps, distances and masks take 28 at a quarter of the pixels.
+        const double texels = 7 + (photo.camera.lens.distorts() ? 12 : 0) + (photo.stencil.empty() ? 0 : 4);
+        constexpr double maps = 7;
+        most = std::max(most, pixels(photo) * (spare_cores ? texels + maps : std::max(texels, maps)));
     }
     return std::uint64_t(most + 44.0 * double(model.vertices) + 28.0 * double(model.triangles));
+}
+
+bool uses_spare_cores(const PrepareSettings& settings, unsigned in_flight) {
+    return threads_of(settings) > 1 && !(settings.memory > 0 && in_flight == 1);
 }
 
 std::uint64_t agree_memory(const SceneInput& scene, const PrepareSettings& settings, unsigned threads) {

@@ -18,8 +18,12 @@ struct ResourceEstimate {
     double photo_seconds;           ///< of them, for the photos
 };
 
-/// Memory per photo in flight, in bytes: its pixels, the rendered maps of the model, and masks.
-std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& model);
+/// Memory per photo in flight, in bytes: its pixels, and the rendered maps of the model with masks; both at
+/// once if it may use a spare core.
+std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& model, bool spare_cores);
+
+/// Whether a photo may use two cores while others are idle: not if memory is limited to one photo.
+bool uses_spare_cores(const PrepareSettings& settings, unsigned in_flight);
 
 /// Memory in bytes that results of all photos need after the photos are done: the coarse photos that are held
 /// to judge effects, on up to `threads` threads; 0 if nothing is judged.
