@@ -55,7 +55,7 @@ done
 rm -rf "$XDG_CACHE_HOME"
 rm -f "$folder/package"* "$folder/trace.json"
 gnuplot <<PLOT
-set terminal svg size 900,380 font "sans,13" background "white"
+set terminal svg size 900,520 font "sans,13" background "white"
 set output "$folder/many_photos.svg"
 set multiplot layout 1,2
 set logscale xy
@@ -64,12 +64,12 @@ set xlabel "photos"
 set grid
 set border 3
 set tics nomirror
-set key top left Left reverse
+set key below vertical maxrows 6 Left reverse
 set pointsize 0.6
-set xrange [10:2000]
+set xrange [8:2000]
 set datafile missing "-"
 set title "seconds"
-set yrange [0.01:30000]
+set yrange [0.01:1000]
 plot "$table" every ::1 using 1:10 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "camera registration (if needed)", \
   "" every ::1 using 1:2 with linespoints linewidth 2 pointtype 7 linecolor rgb "#424242" title "prepare", \
   "" every ::1 using 1:3 with points pointtype 6 linecolor rgb "#424242" title "as estimated", \
@@ -77,7 +77,7 @@ plot "$table" every ::1 using 1:10 with linespoints linewidth 2 pointtype 7 line
   "" every ::1 using 1:7 with linespoints linewidth 2 pointtype 7 linecolor rgb "#2e7d32" title "consensus evidence (always)", \
   "" every ::1 using 1:6 with linespoints linewidth 2 pointtype 7 linecolor rgb "#1565c0" title "camera evidence (always)"
 set title "peak memory, MB"
-set yrange [10:5000]
+set yrange [10:1000]
 plot "$table" every ::1 using 1:11 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "with registration", \
   "" every ::1 using 1:4 with linespoints linewidth 2 pointtype 7 linecolor rgb "#424242" title "prepare", \
   "" every ::1 using 1:5 with points pointtype 6 linecolor rgb "#424242" title "at most, as estimated"

@@ -80,7 +80,7 @@ for millions in "$@"; do
 done
 rm -rf "$folder/package"* "$folder/trace.json" "$XDG_CACHE_HOME"
 gnuplot <<PLOT
-set terminal svg size 900,380 font "sans,13" background "white"
+set terminal svg size 900,460 font "sans,13" background "white"
 set output "$folder/many_triangles.svg"
 set multiplot layout 1,2
 set logscale xy
@@ -89,7 +89,7 @@ set xrange [0.1:30]
 set grid
 set border 3
 set tics nomirror
-set key top left Left reverse
+set key below vertical maxrows 4 Left reverse
 set pointsize 0.6
 set title "seconds"
 set yrange [0.1:100]
