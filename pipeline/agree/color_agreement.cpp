@@ -93,22 +93,21 @@ FoldColors colors_without(const Folds& folds, std::span<const std::uint32_t> len
     return out;
 }
 
-ColorRefinement refine_colors(ColorFit fit, std::span<const package::PhotoRecord> photos, Samples samples,
+ColorRefinement refine_colors(ColorFit fit, std::vector<std::uint32_t> lens, Samples samples,
                               const std::map<Effect, EffectChoice>& choices, const Folds* folds) {
-    const std::vector<std::uint32_t> lens = lenses_of(photos);
     const EffectChoice falloff = choice_of(choices, Effect::falloff),
                        exposure = choice_of(choices, Effect::exposure);
     // One photo at a time, which takes less memory than each thread reading one when it needs it.
     std::future<void> reading;
     if (folds && exposure != EffectChoice::off)
         reading = std::async(std::launch::async, [&] { folds->read_ahead(); });
-    ColorRefinement out{std::move(fit), lens, {}, {}};
+    ColorRefinement out{std::move(fit), std::move(lens), {}, {}};
     out.exposure = decide_exposure(out.fit, exposure);
     out.falloff = decide_falloff(out.fit, falloff);
     // Unless forced, falloff is corrected only together with exposure.
     if (!out.exposure.on && falloff == EffectChoice::automatic) out.falloff.on = false;
     if (folds && out.exposure.on) {
-        FoldColors without = colors_without(*folds, lens, out.falloff.on);
+        FoldColors without = colors_without(*folds, out.lens, out.falloff.on);
         const ColorJudgments judged = judge_colors(*folds, without.gains, without.both);
         confirm(out.exposure, judged.exposure);
         if (out.falloff.on) confirm(out.falloff, judged.falloff);
@@ -116,7 +115,7 @@ ColorRefinement refine_colors(ColorFit fit, std::span<const package::PhotoRecord
         out.without = std::move(out.falloff.on ? without.both : without.gains);
     }
     const bool fitted = std::ranges::any_of(out.fit.falloff, [](const Falloff& f) { return f != Falloff{}; });
-    if (fitted && !out.falloff.on) out.fit = fit_colors(samples, lens, false);
+    if (fitted && !out.falloff.on) out.fit = fit_colors(samples, out.lens, false);
     return out;
 }
 

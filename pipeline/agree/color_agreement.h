@@ -24,7 +24,8 @@ struct ColorRefinement {
 /// Gains are needed if photos disagree by more than the effect's threshold and gains remove at least a tenth
 /// of that; falloff above its own threshold, but not without gains. What is needed is then judged by left-out
 /// photos (see is_called_for), unless `folds` is null or a choice forces it.
-ColorRefinement refine_colors(ColorFit fit, std::span<const package::PhotoRecord> photos, Samples samples,
+/// `fit`: of these samples and lenses, with falloff unless that is turned off.
+ColorRefinement refine_colors(ColorFit fit, std::vector<std::uint32_t> lens, Samples samples,
                               const std::map<Effect, EffectChoice>& choices, const Folds* folds = nullptr);
 
 /// Per fold, the colors of all photos but its own, fitted without it: gains alone, and with falloff (empty if

@@ -96,8 +96,7 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     const Folds folds({part, photos.records, spans, discs, in.geometry.border_width, in.threads});
     {
         const Traced traced(in.geometry.trace, "colors");
-        out.colors =
-            refine_colors(std::move(colors), photos.records, spans, in.choices, in.judge ? &folds : nullptr);
+        out.colors = refine_colors(std::move(colors), lens, spans, in.choices, in.judge ? &folds : nullptr);
         apply_colors(out.colors, photos.records);
     }
     out.consensus = find_consensus(in, part, folds, out.colors, photos);

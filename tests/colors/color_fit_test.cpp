@@ -187,7 +187,7 @@ TEST(ColorAgreement, IsEnabledOnlyIfPhotosDisagree) {
     for (package::PhotoRecord& p : photos) p.width = 300, p.height = 200, p.fx = 300, p.levels = 1;
     const auto refine = [&](const SyntheticPhotos& made, const std::map<Effect, EffectChoice>& choices) {
         const auto spans = made.spans();
-        return refine_colors(fit_colors(spans, lenses_of(photos), true), photos, spans, choices);
+        return refine_colors(fit_colors(spans, lenses_of(photos), true), lenses_of(photos), spans, choices);
     };
     const auto agreeing = refine(make({.stops = 0, .noise = 0.005}), {});
     EXPECT_FALSE(agreeing.exposure.on) << agreeing.exposure.evidence;
