@@ -17,6 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of a file that need not exist.
+fs::path folder_of(const fs::path& file) {
+    std::error_code error;
+    return fs::absolute(file, error).parent_path();
+}
+
 std::uint64_t allocated(const fs::path& file) {
     struct stat st {};
     return ::stat(file.c_str(), &st) == 0 ? std::uint64_t(st.st_blocks) * 512 : 0;
@@ -42,16 +48,14 @@ bool has_layout(const fs::path& file, const PackageLayout& layout) {
 
 std::uint64_t disk_space_for(const fs::path& out) {
     std::error_code error;
-    const fs::path folder = fs::absolute(out, error).parent_path();
-    const fs::space_info space = fs::space(folder, error);
+    const fs::space_info space = fs::space(folder_of(out), error);
     if (error) return unknown_space;  // creating the file will report the error
     return space.available + allocated(part_of(out));
 }
 
 bool is_in_memory(const fs::path& out) {
     struct statfs at {};
-    std::error_code error;
-    return ::statfs(fs::absolute(out, error).parent_path().c_str(), &at) == 0 &&
+    return ::statfs(folder_of(out).c_str(), &at) == 0 &&
            (at.f_type == TMPFS_MAGIC || at.f_type == RAMFS_MAGIC);
 }
 
