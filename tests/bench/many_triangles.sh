@@ -79,6 +79,16 @@ for millions in "$@"; do
   echo "$line" | tee -a "$table"
 done
 rm -rf "$folder/package"* "$folder/trace.json" "$XDG_CACHE_HOME"
+curves() {  # curves TITLE YRANGE NEAR FAR NEAR_ESTIMATED FAR_ESTIMATED WORDS: columns of the table as lines and points
+  cat <<PLOT
+set title "$1"
+set yrange $2
+plot "$table" every ::1 using 1:$3 with linespoints linewidth 2 pointtype 7 linecolor rgb "#1565c0" title "near", \
+  "" every ::1 using 1:$4 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "20 times as far", \
+  "" every ::1 using 1:$5 with points pointtype 6 linecolor rgb "#1565c0" title "near, $7", \
+  "" every ::1 using 1:$6 with points pointtype 4 linecolor rgb "#c62828" title "far, $7"
+PLOT
+}
 gnuplot <<PLOT
 set terminal svg size 900,460 font "sans,13" background "white"
 set output "$folder/many_triangles.svg"
@@ -91,16 +101,6 @@ set border 3
 set tics nomirror
 set key below vertical maxrows 4 Left reverse
 set pointsize 0.6
-set title "seconds"
-set yrange [0.1:100]
-plot "$table" every ::1 using 1:2 with linespoints linewidth 2 pointtype 7 linecolor rgb "#1565c0" title "near", \
-  "" every ::1 using 1:7 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "20 times as far", \
-  "" every ::1 using 1:3 with points pointtype 6 linecolor rgb "#1565c0" title "near, as estimated", \
-  "" every ::1 using 1:8 with points pointtype 4 linecolor rgb "#c62828" title "far, as estimated"
-set title "peak memory, MB"
-set yrange [50:20000]
-plot "$table" every ::1 using 1:5 with linespoints linewidth 2 pointtype 7 linecolor rgb "#1565c0" title "near", \
-  "" every ::1 using 1:10 with linespoints linewidth 2 pointtype 7 linecolor rgb "#c62828" title "20 times as far", \
-  "" every ::1 using 1:6 with points pointtype 6 linecolor rgb "#1565c0" title "near, at most as estimated", \
-  "" every ::1 using 1:11 with points pointtype 4 linecolor rgb "#c62828" title "far, at most as estimated"
+$(curves seconds "[0.1:100]" 2 7 3 8 "as estimated")
+$(curves "peak memory, MB" "[50:20000]" 5 10 6 11 "at most as estimated")
 PLOT
