@@ -5,9 +5,9 @@
 
 Each package has its inputs, which the soak changes: photos are exchanged, truncated, repaired, added and removed; the package
 is damaged, truncated, deleted or replaced by another. Then a command is run on it: prepare (with several settings, killed at a
-random instant, with little memory, with little room for files; then again without), check, check --against, refine, extract, diff, info, or the player's
-picture from a photo's camera. What the command must answer is known from what was done. While one worker changes a package,
-others read it: they may see the old one or the new one.
+random instant, with little memory, with little room for files; then again without), check, check --against, refine, extract, or
+the player's picture from a photo's camera. What the command must answer is known from what was done. While one worker changes a
+package, others read it: they may see the old one or the new one.
 
 Prints a line per wrong verdict and, at the end, the operations by kind, the wrong verdicts and the largest memory of a command
 by tenth of the run. Exit code 1 if a verdict was wrong."""
@@ -37,7 +37,7 @@ class Package:
         self.photos = sorted(os.listdir(os.path.join(self.scene, 'images')))
         self.good = {p: self.content(p) for p in self.photos}
         self.lock = threading.Lock()
-        self.prepared = None  # the inputs and settings of the package
+        self.prepared = None  # the inputs of the package, and whether photos were left out
         self.damaged = False
 
     def path(self, photo):
@@ -75,6 +75,7 @@ class Soak:
 
     def run(self, words, limit=120, kill_after=None, resources=()):
         """Exit code (negative: signal, None: killed by us or hung), and what was printed. `resources`: limits as (kind, bytes)."""
+
         def set_limits():
             for kind, most in resources:
                 resource.setrlimit(kind, (most, most))
@@ -113,12 +114,12 @@ class Soak:
             return {3}
         if p.damaged:
             return {DAMAGED}
-        return {INCOMPLETE} if p.prepared[2] else {SOUND}
+        return {INCOMPLETE} if p.prepared[1] else {SOUND}
 
     def verdict_against(self, p):
         if not os.path.exists(p.file) or p.damaged:
             return self.verdict(p)
-        inputs, incomplete = p.prepared[0], p.prepared[2]
+        inputs, incomplete = p.prepared
         if inputs != p.inputs():
             return {STALE}
         return {INCOMPLETE} if incomplete else {SOUND}
@@ -142,7 +143,7 @@ class Soak:
         code, text = self.run(words)
         self.expect('prepare', code, text, usual)
         if code in (0, INCOMPLETE):
-            p.prepared, p.damaged = (inputs, tuple(settings), broken), False
+            p.prepared, p.damaged = (inputs, broken), False
 
     def change(self, p, r):
         photo = r.choice(p.photos)
