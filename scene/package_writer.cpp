@@ -74,8 +74,11 @@ struct PackageWriter::State {
     Share share;
     std::map<Key, std::size_t> index;
     std::vector<Settled> settled;  ///< per chunk
-    std::optional<package::Type> appended;
-    std::vector<std::byte> appended_bytes;
+    struct Appended {
+        package::Type type;
+        std::vector<std::byte> bytes;
+    };
+    std::vector<Appended> appended;
     bool resumed = false, holds_photos = false;
     mutable std::mutex mutex;  ///< of the checksums, `settled` and `holds_photos`
 
@@ -110,16 +113,16 @@ struct PackageWriter::State {
         file.write(slot(i), bytes_of_one(e));
     }
 
-    /// Writes the appended chunk behind the others. Returns its entry.
-    DirectoryEntry write_appended() {
+    /// Writes a chunk behind the others. Returns its entry.
+    DirectoryEntry write_behind(const Appended& chunk) {
         DirectoryEntry e{};
-        e.type = std::uint32_t(*appended);
+        e.type = std::uint32_t(chunk.type);
         e.version = 1;
         e.photo = package::scene_wide;
         e.offset = layout.bytes;
-        e.length = e.head_length = appended_bytes.size();
-        e.checksum = checksum(appended_bytes);
-        file.write(e.offset, appended_bytes);
+        e.length = e.head_length = chunk.bytes.size();
+        e.checksum = checksum(chunk.bytes);
+        file.write(e.offset, chunk.bytes);
         pad(e);
         layout.bytes += aligned(e.length);
         return e;
@@ -216,8 +219,7 @@ void PackageWriter::note(package::Type type, std::size_t index, std::span<const 
 }
 
 void PackageWriter::append(package::Type type, std::span<const std::byte> bytes) {
-    state_->appended = type;
-    state_->appended_bytes.assign(bytes.begin(), bytes.end());
+    state_->appended.push_back({type, {bytes.begin(), bytes.end()}});
 }
 
 void PackageWriter::keep(const DirectoryEntry& entry) {
@@ -276,7 +278,7 @@ void PackageWriter::finish() {
     }
     const bool whole = s.share.shares == 0;
     const std::uint64_t directory_end = slot(s.settled.size() + 1);
-    if (s.appended) present.push_back(s.write_appended());
+    for (const State::Appended& chunk : s.appended) present.push_back(s.write_behind(chunk));
     Header h = make_header(whole ? package::magic : package::part_magic, s.layout, s.share);
     h.directory_count = std::uint32_t(present.size());
     h.directory_checksum = checksum(bytes_of(present));

@@ -46,7 +46,7 @@ class PackageWriter {
     /// read.
     void note(package::Type type, std::size_t index, std::span<const std::byte> record);
 
-    /// Adds a chunk of the scene that was not planned, after all others, with finish(). At most one.
+    /// Adds a chunk of the scene that was not planned, after all others, with finish().
     void append(package::Type type, std::span<const std::byte> bytes);
 
     /// Keeps a chunk that FILE.part already holds, with the checksum in `entry`.
