@@ -32,6 +32,9 @@ constexpr std::array table{
               1, Basis::pixels, "", ""},
     EffectRow{Effect::consensus, "consensus", "consensus", "largest share of a photo that others contradict",
               "", 0.005, Basis::pixels, "blend", "PHOTO_CONSENSUS"},
+    EffectRow{Effect::surroundings, "surroundings", "surroundings",
+              "share of the photos that the mesh does not cover", "", 0.005, Basis::beside, "blend",
+              "SURROUNDINGS"},
 };
 static_assert(table.size() == std::size_t(Effect::count));
 static_assert(std::ranges::is_sorted(table, {}, &EffectRow::effect), "rows are in the order of Effect");

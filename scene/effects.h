@@ -21,6 +21,7 @@ enum class Effect : int {
     falloff,
     registration,
     consensus,
+    surroundings,
     count
 };
 
@@ -28,7 +29,8 @@ enum class Effect : int {
 enum class Basis {
     scene,   ///< cameras and mesh, before any photo is prepared
     colors,  ///< surface colors of all photos, after each is prepared
-    pixels   ///< the surface as matched between all photos, after each is prepared
+    pixels,  ///< the surface as matched between all photos, after each is prepared
+    beside   ///< what all photos show beside the mesh, after each is prepared
 };
 
 /// The constant part of the table.

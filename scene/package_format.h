@@ -33,6 +33,7 @@ enum class Type : std::uint32_t {
     scalars = fourcc("VSCL"),               ///< float[vertices] per layer, names in META; optional
     indices = fourcc("INDX"),               ///< u32[3][triangles], ordered by cluster
     clusters = fourcc("CLUS"),              ///< ClusterRecord[clusters]
+    surroundings = fourcc("SURR"),          ///< SurroundingsRecord and a backdrop; optional
     thumbnail = fourcc("THMB"),             ///< per photo: RGBA8
     coverage = fourcc("COVR"),              ///< per photo: CoverageRecord[clusters]
     visible = fourcc("VISB"),      ///< per photo: u64[], a bit per triangle seen in full, then in part
@@ -131,6 +132,11 @@ struct ClusterRecord {
     float center[3], radius;          ///< bounding sphere, relative to the origin
     float cone_axis[3], cone_cutoff;  ///< meshoptimizer's normal cone; cutoff 1 = no culling
     std::uint32_t first_triangle, triangles;
+};
+
+/// The head of SURR; scene/surroundings.h has what follows.
+struct SurroundingsRecord {
+    std::uint64_t vertices, triangles, clusters, photos;
 };
 
 /// What one photo sees of one cluster.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/error.h"
+#include "scene/surroundings.h"
 #include "scene/tiling.h"
 
 namespace vantage {
@@ -32,6 +33,17 @@ void model_shape(const PackageReader& reader, const package::SceneRecord& scene,
                           " is out of range");
     }
     if (!covered || next != scene.triangles) out.emplace_back("CLUS: clusters do not cover the triangles");
+}
+
+void surroundings_shape(const PackageReader& reader, Lines& out) {
+    try {
+        const bool present = read_surroundings(reader).has_value();
+        if (present != effect_on(reader.scene(), Effect::surroundings))
+            out.emplace_back(present ? "SURR: the effect is off" : "SURR is missing");
+    } catch (const Error& e) {
+        const std::string line = e.what(), path = reader.path().string() + ": ";
+        out.push_back(line.starts_with(path) ? line.substr(path.size()) : line);
+    }
 }
 
 void blocks_shape(const PackageReader& reader, Type type, std::uint32_t i, std::uint32_t level,
@@ -71,6 +83,7 @@ std::vector<std::string> misshapen(const PackageReader& reader) {
     Lines out;
     const package::SceneRecord& scene = reader.scene();
     model_shape(reader, scene, out);
+    surroundings_shape(reader, out);
     const auto photos = reader.photos();
     for (std::uint32_t i = 0; i < photos.size(); ++i)
         if (photos[i].levels > 0) photo_shape(reader, scene, photos[i], i, out);

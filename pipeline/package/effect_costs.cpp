@@ -35,6 +35,8 @@ Parts parts_of(const std::string& name) {
             return {{"register"}, {Type::registration, Type::registration_without, Type::pairs}};
         case Effect::consensus:
             return {{"consensus"}, {}};
+        case Effect::surroundings:
+            return {{"surroundings"}, {Type::surroundings}};
         default:
             return {};
     }

@@ -10,6 +10,7 @@
 #include "pipeline/prepare/moved_photo.h"
 #include "pipeline/prepare/registration_reuse.h"
 #include "pipeline/run/for_each_photo.h"
+#include "pipeline/surroundings/find_surroundings.h"
 #include "scene/part_file.h"
 #include "values/bytes_of.h"
 
@@ -58,7 +59,8 @@ Registration register_cameras(const FinishInput& in, const PackageReader& part, 
 void write_results(const FinishInput& in, const Agreement& agreement, PhotoTables& photos) {
     PackageWriter& writer = in.geometry.writer;
     const std::array decisions{agreement.registration.decision, agreement.colors.exposure,
-                               agreement.colors.falloff, agreement.consensus.decision};
+                               agreement.colors.falloff, agreement.consensus.decision,
+                               agreement.surroundings};
     package::SceneRecord scene = in.scene;
     for (const EffectDecision& d : decisions)
         if (d.on) scene.effects |= effect_bit(d.effect);
@@ -69,6 +71,23 @@ void write_results(const FinishInput& in, const Agreement& agreement, PhotoTable
     writer.write(Type::photos, package::scene_wide, bytes_of(photos.records));
     writer.write(Type::states, package::scene_wide, bytes_of(photos.states));
     writer.finish();
+}
+
+EffectDecision add_surroundings(const FinishInput& in, const PackageReader& part, const PhotoSamples& samples,
+                                const ColorRefinement& colors, const PhotoTables& photos) {
+    const Traced traced(in.geometry.trace, "surroundings");
+    const auto spans = samples.spans();
+    const Surroundings found = find_surroundings({.package = part,
+                                                  .photos = photos.records,
+                                                  .samples = spans,
+                                                  .discs = in.geometry.discs,
+                                                  .lens = colors.lens,
+                                                  .colors = colors.fit,
+                                                  .choice = choice_of(in.choices, Effect::surroundings),
+                                                  .judge = in.judge,
+                                                  .threads = in.threads});
+    if (found.decision.on) in.geometry.writer.append(Type::surroundings, found.chunk);
+    return found.decision;
 }
 
 }  // namespace
@@ -100,6 +119,7 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
         apply_colors(out.colors, photos.records);
     }
     out.consensus = find_consensus(in, part, folds, out.colors, photos);
+    out.surroundings = add_surroundings(in, part, samples, out.colors, photos);
     write_results(in, out, photos);
     return out;
 }

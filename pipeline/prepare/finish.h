@@ -39,6 +39,7 @@ struct Agreement {
     Registration registration;
     ColorRefinement colors;
     Consensus consensus;
+    EffectDecision surroundings;
 };
 
 /// Determines cameras, colors and consensus from all photos and finishes the package: writes META, SCEN,

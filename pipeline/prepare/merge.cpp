@@ -109,7 +109,7 @@ PackedModel model_of(const PackageReader& package) {
 bool is_written_last(const DirectoryEntry& e) {
     const Type type{e.type};
     return type == Type::photos || type == Type::states || type == Type::registration ||
-           type == Type::pairs || type == Type::registration_without;
+           type == Type::pairs || type == Type::registration_without || type == Type::surroundings;
 }
 
 void copy_scene(const PackageReader& from, PackageWriter& writer) {

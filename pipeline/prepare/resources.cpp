@@ -42,8 +42,10 @@ constexpr double seconds_per_jpeg_pixel = 5e-9, seconds_per_other_pixel = 35e-9;
 /// Of a package on a disk, which is flushed at the end.
 constexpr double seconds_per_written_byte = 2e-9;
 /// Of comparing photos; more for each of the first, because few are left out to judge effects.
-constexpr double seconds_per_photo = 0.012, seconds_per_judged = 0.035;
+constexpr double seconds_per_photo = 0.012, seconds_per_judged = 0.07;
 constexpr std::size_t most_judged = 12;
+/// Depths by direction, their costs and what they say to each other, at most.
+constexpr std::uint64_t surroundings_memory = 48'000'000;
 /// Shorter runs tell too little about the speed.
 constexpr double shortest_run = 0.5;
 
@@ -89,16 +91,17 @@ bool uses_spare_cores(const PrepareSettings& settings, unsigned in_flight) {
 
 std::uint64_t agree_memory(const SceneInput& scene, const PrepareSettings& settings, unsigned threads) {
     const auto off = [&](Effect e) { return choice_of(settings.effects, e) == EffectChoice::off; };
-    if (off(Effect::exposure) && off(Effect::consensus)) return 0;
+    const std::uint64_t beside = off(Effect::surroundings) ? 0 : surroundings_memory;
+    if (off(Effect::exposure) && off(Effect::consensus)) return beside;
     const auto at_most = [&](std::size_t n) { return double(std::min(scene.photos.size(), n)); };
     double texels = 0;  // at the level of Folds, at most 256 on the longer side
     for (const PhotoInput& photo : scene.photos)
         texels = std::max(texels, std::min(pixels(photo) / 4, 256.0 * 256.0 * 3 / 4));
     // Bytes per texel: Folds' photos 100, consensus views 80, sightings of 52 at a quarter of the texels; and
     // per thread the blended colors of three predictions.
-    return std::uint64_t(texels *
-                         (100 * at_most(cached_photos) + 80 * at_most(cached_views) +
-                          13 * at_most(kept_sightings) * at_most(max_others) + 100 * at_most(threads)));
+    return beside + std::uint64_t(texels * (100 * at_most(cached_photos) + 80 * at_most(cached_views) +
+                                            13 * at_most(kept_sightings) * at_most(max_others) +
+                                            100 * at_most(threads)));
 }
 
 std::uint64_t scene_memory(const package::SceneRecord& model, bool opengl) {

@@ -1,0 +1,89 @@
+#include "pipeline/surroundings/backdrop.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/surroundings/depth_smoothing.h"
+#include "pipeline/surroundings/view_sample.h"
+
+namespace vantage {
+namespace {
+
+/// Square roots of light, where darkness and light look evenly spaced.
+Eigen::Array3f root_of(const Eigen::Array3f& ln) { return (ln.exp() - 0.02f).max(0.0f).sqrt(); }
+
+/// A rotation to the cameras' own axes, so that the world's do not matter.
+Eigen::Matrix3f frame_of(std::span<const CoarseView> views) {
+    const Eigen::Vector3d down = down_direction(views);
+    Eigen::Vector3d forward = Eigen::Vector3d::Zero();
+    for (const CoarseView& v : views) forward += v.pose.direction();
+    forward -= forward.dot(down) * down;
+    if (forward.norm() < 1e-3 * double(views.size())) forward = views[0].pose.R.row(0).transpose();
+    const Eigen::Vector3d right = down.cross(forward).normalized();
+    Eigen::Matrix3f out;
+    out << right.cast<float>(), down.cross(right).cast<float>(), down.cast<float>();
+    return out;
+}
+
+ViewSample seen_at(const CoarseView& view, const Eigen::Vector3f& position) {
+    return sample(view, (view.pose.R * position.cast<double>() + view.pose.t).cast<float>(), 1);
+}
+
+}  // namespace
+
+bool have_parallax(std::span<const CoarseView> views) {
+    double farthest = 0, size = 0;
+    for (const CoarseView& v : views) {
+        farthest = std::max(farthest, (v.pose.center() - views[0].pose.center()).norm());
+        size = std::max(size, v.pose.center().norm());
+    }
+    return views.size() > 1 && farthest > 1e-6 * size;
+}
+
+Backdrop estimate_backdrop(std::span<const CoarseView> views, std::span<const Plane> mesh_planes,
+                           const BackdropDetail& detail, unsigned threads) {
+    Backdrop out{.sphere = direction_sphere(detail.sphere), .center = {}, .positions = {}};
+    const Eigen::Matrix3f frame = frame_of(views);
+    for (Eigen::Vector3f& d : out.sphere.directions) d = (frame * d).normalized();
+    const ScenePlanes planes{find_ground(views), {mesh_planes.begin(), mesh_planes.end()}};
+    const SweptDepths depths = sweep_depths(views, out.sphere, planes, detail.labels, threads);
+    out.center = depths.center;
+    const std::vector<float> inverse = inverse_distances(depths, out.sphere);
+    for (std::size_t v = 0; v < inverse.size(); ++v)
+        out.positions.push_back(
+            (out.center + out.sphere.directions[v].cast<double>() / double(inverse[v])).cast<float>());
+    return out;
+}
+
+std::vector<Eigen::Array3f> quiet_colors(const Backdrop& backdrop, std::span<const CoarseView> views) {
+    constexpr int rounds = 96;
+    constexpr float toward_mean = 0.02f;  // per round
+    const std::size_t n = backdrop.positions.size();
+    std::vector<Eigen::Array3f> out(n, Eigen::Array3f::Zero()), colors;
+    std::vector<std::uint8_t> unknown(n, 1);
+    Eigen::Array3f mean = Eigen::Array3f::Zero();
+    float known = 0;
+    for (std::size_t v = 0; v < n; ++v) {
+        colors.clear();
+        for (const CoarseView& view : views)
+            if (const ViewSample s = seen_at(view, backdrop.positions[v]); s.kind == ViewSample::open)
+                colors.push_back(root_of(s.ln));
+        if (colors.empty()) continue;
+        out[v] = median(colors);
+        mean += out[v];
+        ++known;
+        unknown[v] = 0;
+    }
+    mean = known > 0 ? Eigen::Array3f(mean / known) : Eigen::Array3f::Constant(0.5f);
+    for (std::size_t v = 0; v < n; ++v)
+        if (unknown[v]) out[v] = mean;
+    for (int round = 0; round < rounds; ++round) {
+        relax(backdrop.sphere, unknown, 1, out);
+        for (std::size_t v = 0; v < n; ++v)
+            if (unknown[v]) out[v] += toward_mean * (mean - out[v]);
+    }
+    for (Eigen::Array3f& c : out) c = c.square();
+    return out;
+}
+
+}  // namespace vantage

@@ -1,0 +1,40 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pipeline/surroundings/coarse_view.h"
+#include "pipeline/surroundings/direction_sphere.h"
+#include "pipeline/surroundings/planes.h"
+
+namespace vantage {
+
+/// How finely surroundings are estimated.
+struct BackdropDetail {
+    int sphere = 6;   ///< level of the direction sphere
+    int labels = 96;  ///< depths per direction
+};
+/// Enough to judge whether there is anything to estimate.
+inline constexpr BackdropDetail judged_detail{.sphere = 5, .labels = 48};
+
+/// A closed surface around the cameras, as seen from their center: one vertex per direction.
+struct Backdrop {
+    DirectionSphere sphere;
+    Eigen::Vector3d center;                  ///< relative to the origin
+    std::vector<Eigen::Vector3f> positions;  ///< relative to the origin, all finite
+};
+
+/// Finds the surroundings' depth by direction from what the photos show beside the mesh, see docs/method.md.
+/// Needs at least two views, not all from one place.
+Backdrop estimate_backdrop(std::span<const CoarseView> views, std::span<const Plane> mesh_planes,
+                           const BackdropDetail& detail, unsigned threads);
+
+/// Whether the views allow estimate_backdrop.
+bool have_parallax(std::span<const CoarseView> views);
+
+/// The backdrop's quiet color, in which photos agree and which is shown where none does: per vertex the
+/// median of what the views show, fading to the mean of all where none shows it. Linear light.
+std::vector<Eigen::Array3f> quiet_colors(const Backdrop& backdrop, std::span<const CoarseView> views);
+
+}  // namespace vantage

@@ -1,0 +1,117 @@
+#include "pipeline/surroundings/backdrop_coverage.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace vantage {
+namespace {
+
+/// A vertex in a photo.
+struct Seen {
+    bool in_front = false;  ///< of the camera
+    bool near = false;      ///< in the photo, or next to it, and next to an open texel
+    bool open = false;      ///< on an open texel
+    Eigen::Vector2f place;  ///< 0 to 1 inside the photo
+    float density = 0;      ///< pixels per unit
+};
+
+Seen seen_by(const CoarseView& v, const Eigen::Vector3f& position) {
+    const Eigen::Vector3f p = (v.pose.R * position.cast<double>() + v.pose.t).cast<float>();
+    if (!(p.z() > 0)) return {};
+    const float x = float(v.k.fx) * p.x() / p.z() + float(v.k.cx),
+                y = float(v.k.fy) * p.y() / p.z() + float(v.k.cy);
+    Seen s{.in_front = true,
+           .place = {x / float(v.k.width), y / float(v.k.height)},
+           .density = float(v.k.fx) / p.z()};
+    if (!(std::abs(x) < 1e6f && std::abs(y) < 1e6f)) return s;
+    const int i = int(std::floor(x)), j = int(std::floor(y));
+    for (int dy = -2; dy <= 2; ++dy)
+        for (int dx = -2; dx <= 2; ++dx) {
+            if (i + dx < 0 || j + dy < 0 || i + dx >= v.k.width || j + dy >= v.k.height) continue;
+            const std::size_t at = std::size_t(j + dy) * std::size_t(v.k.width) + std::size_t(i + dx);
+            s.near |= v.gaps[at] == 1;
+            s.open |= dx == 0 && dy == 0 && v.is_open(at);
+        }
+    return s;
+}
+
+std::uint16_t unorm16(float share) { return std::uint16_t(std::clamp(share, 0.0f, 1.0f) * 65535); }
+
+void set(std::vector<std::uint64_t>& words, std::size_t first, std::uint32_t bit) {
+    words[first + bit / 64] |= std::uint64_t(1) << (bit % 64);
+}
+
+}  // namespace
+
+std::vector<package::ClusterRecord> backdrop_clusters(const Backdrop& b) {
+    std::vector<package::ClusterRecord> out;
+    const auto triangles = std::uint32_t(b.sphere.triangles.size());
+    for (std::uint32_t first = 0; first < triangles; first += backdrop_cluster) {
+        package::ClusterRecord c{};
+        c.first_triangle = first;
+        c.triangles = std::min(backdrop_cluster, triangles - first);
+        Eigen::AlignedBox3f box;
+        const auto each = [&](const auto& visit) {
+            for (std::uint32_t t = first; t < first + c.triangles; ++t)
+                for (const std::uint32_t v : b.sphere.triangles[t]) visit(b.positions[v]);
+        };
+        each([&](const Eigen::Vector3f& p) { box.extend(p); });
+        const Eigen::Vector3f center = box.center();
+        each([&](const Eigen::Vector3f& p) { c.radius = std::max(c.radius, (p - center).norm()); });
+        std::copy_n(center.data(), 3, c.center);
+        c.cone_cutoff = 1;
+        out.push_back(c);
+    }
+    return out;
+}
+
+BackdropCoverage backdrop_coverage(const Backdrop& b, std::span<const package::ClusterRecord> clusters,
+                                   const CoarseView& view) {
+    std::vector<Seen> seen;
+    for (const Eigen::Vector3f& p : b.positions) seen.push_back(seen_by(view, p));
+    const std::uint64_t words = package::visible_words(b.sphere.triangles.size());
+    const Eigen::AlignedBox2f frame(Eigen::Vector2f(0, 0), Eigen::Vector2f(1, 1));
+    const Eigen::Vector2f large_area(4 / float(view.k.width), 4 / float(view.k.height));
+    BackdropCoverage out{{}, std::vector<std::uint64_t>(2 * words, 0)};
+    for (const package::ClusterRecord& c : clusters) {
+        Eigen::AlignedBox2f box;
+        std::uint32_t part = 0;
+        float density = 0;
+        for (std::uint32_t t = c.first_triangle; t < c.first_triangle + c.triangles; ++t) {
+            const auto& corners = b.sphere.triangles[t];
+            const auto count = [&](auto member) {
+                return std::ranges::count_if(corners, [&](std::uint32_t v) { return seen[v].*member; });
+            };
+            const auto in_front = count(&Seen::in_front);
+            Eigen::AlignedBox2f area;
+            for (const std::uint32_t v : corners)
+                if (seen[v].in_front) area.extend(seen[v].place);
+            // One that reaches behind the camera may be anywhere in the photo.
+            if (in_front > 0 && in_front < 3) area = frame;
+            if (in_front == 0 || !area.intersects(frame)) continue;
+            // Between the corners of a large one, anything may be open.
+            const bool large = (area.sizes().array() > large_area.array()).any();
+            if (!large && count(&Seen::near) == 0) continue;
+            ++part;
+            set(out.visible, words, t);
+            if (in_front == 3 && count(&Seen::open) == 3) set(out.visible, 0, t);
+            box.extend(area.intersection(frame));
+            for (const std::uint32_t v : corners) density = std::max(density, seen[v].density);
+        }
+        package::CoverageRecord r{};
+        if (part > 0) {
+            r.seen = std::max<std::uint16_t>(1, unorm16(float(part) / float(c.triangles)));
+            const Eigen::Vector2f margin(4 / float(view.k.width), 4 / float(view.k.height));
+            const Eigen::Vector2f low = box.min() - margin, high = box.max() + margin;
+            r.u0 = unorm16(low.x()), r.v0 = unorm16(low.y()), r.u1 = unorm16(high.x()),
+            r.v1 = unorm16(high.y());
+        }
+        const float level = density > 0 ? std::log2(density) : 0;
+        r.log2_density = std::int16_t(std::lround(256 * std::clamp(level, -120.0f, 120.0f)));
+        out.clusters.push_back(r);
+    }
+    return out;
+}
+
+}  // namespace vantage

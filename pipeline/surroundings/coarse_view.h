@@ -1,0 +1,50 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "colors/color_fit.h"
+#include "scene/camera.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+
+/// A photo at a coarse level, and where the mesh leaves it open: where it shows something else.
+struct CoarseView {
+    std::uint32_t photo = 0;
+    Intrinsics k;  ///< of the level
+    Pose pose;     ///< relative to the origin
+    /// Linear light in the exposure of the mean photo; NaN where the photo has no pixel.
+    std::vector<Eigen::Array3f> color;
+    std::vector<Eigen::Array3f> ln;    ///< ln(color + 0.02), for comparison
+    std::vector<float> z;              ///< of the mesh, +inf where it is open
+    std::vector<std::uint8_t> gaps;    ///< 1: some of the texel is open at `mask_level`; see find_gaps
+    std::size_t pixels = 0, open = 0;  ///< texels with a pixel, and those of them without mesh
+
+    bool is_open(std::size_t texel) const {
+        return z[texel] == std::numeric_limits<float>::infinity() && color[texel][0] >= 0;
+    }
+};
+
+/// Reads the photos `of` at the finest level with at most 192 texels on the longer side. `colors`: gains and
+/// falloff per photo of the scene. Throws Error(damaged).
+std::vector<CoarseView> read_coarse_views(const PackageReader& package,
+                                          std::span<const package::PhotoRecord> photos,
+                                          std::span<const std::uint32_t> of, const PhotoColors& colors,
+                                          unsigned threads);
+
+/// Fills in `gaps`. Throws Error(damaged).
+void find_gaps(const PackageReader& package, const package::PhotoRecord& record, CoarseView& view);
+
+/// Views, and the colors in which they are.
+struct CoarseViews {
+    std::vector<CoarseView> views;
+    PhotoColors colors;
+};
+
+/// At most `most` photos with pixels, spread over the cameras: each is the farthest from those before it.
+std::vector<std::uint32_t> spread_photos(std::span<const package::PhotoRecord> photos, std::size_t most);
+
+}  // namespace vantage

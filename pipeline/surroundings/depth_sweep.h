@@ -1,0 +1,36 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pipeline/surroundings/coarse_view.h"
+#include "pipeline/surroundings/direction_sphere.h"
+#include "pipeline/surroundings/planes.h"
+
+namespace vantage {
+
+/// Depths by direction, as inverse distances from a center: the base, which is the ground and else infinity,
+/// plus `step` times a label.
+struct SweptDepths {
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< mean of the cameras, relative to the origin
+    double reach = 1;                                  ///< root mean square distance of the cameras from it
+    int labels = 0;
+    float step = 0;
+    std::vector<float> base;                 ///< per direction
+    std::vector<float> most;                 ///< per direction: larger, a camera would be behind the backdrop
+    std::vector<std::uint32_t> shown;        ///< directions that a photo may show
+    std::vector<float> cost;                 ///< labels per shown direction: how much photos disagree there
+    std::vector<std::vector<float>> planes;  ///< per plane and shown direction: inverse distance, or 0
+};
+
+/// Sweeps a place along each direction from infinity inward, as plane sweeping does (Collins 1996), and
+/// compares the photos that show it.
+SweptDepths sweep_depths(std::span<const CoarseView> views, const DirectionSphere& sphere,
+                         const ScenePlanes& planes, int labels, unsigned threads);
+
+/// Position of each direction in `shown`; none for others.
+std::vector<std::uint32_t> positions_of(const SweptDepths& depths);
+
+}  // namespace vantage

@@ -1,0 +1,42 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace vantage {
+
+/// Directions spread evenly over the sphere: the vertices of an icosahedron whose triangles were divided into
+/// four, several times.
+struct DirectionSphere {
+    static constexpr std::uint32_t none = ~0u;
+    std::vector<Eigen::Vector3f> directions;              ///< unit length
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise seen from the center;
+                                                          ///< the four pieces of a triangle are consecutive
+    std::vector<std::array<std::uint32_t, 6>> neighbors;  ///< per direction; the last of twelve is none
+};
+
+/// `level`: how often triangles are divided; 20 * 4^level triangles.
+DirectionSphere direction_sphere(int level);
+
+/// Replaces the values of the directions marked in `open` by the mean of their neighbors', `rounds` times.
+/// Value: float or an Eigen array.
+template <class Value>
+void relax(const DirectionSphere& sphere, const std::vector<std::uint8_t>& open, int rounds,
+           std::vector<Value>& values) {
+    std::vector<Value> next = values;
+    for (int round = 0; round < rounds; ++round) {
+        for (std::size_t v = 0; v < values.size(); ++v) {
+            if (!open[v]) continue;
+            Value sum = values[sphere.neighbors[v][0]];
+            float count = 1;
+            for (std::size_t i = 1; i < 6; ++i)
+                if (const std::uint32_t u = sphere.neighbors[v][i]; u != DirectionSphere::none)
+                    sum += values[u], ++count;
+            next[v] = sum / count;
+        }
+        values.swap(next);
+    }
+}
+
+}  // namespace vantage

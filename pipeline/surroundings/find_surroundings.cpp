@@ -1,0 +1,114 @@
+#include "pipeline/surroundings/find_surroundings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <future>
+#include <numeric>
+
+#include "pipeline/judge/verdict.h"
+#include "pipeline/run/for_each_photo.h"
+#include "pipeline/surroundings/backdrop_coverage.h"
+#include "pipeline/surroundings/judge_surroundings.h"
+#include "scene/surroundings.h"
+#include "values/bytes_of.h"
+#include "values/srgb.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::size_t most_views = 32;  ///< from which the shape is estimated
+constexpr std::size_t most_folds = 6;
+
+std::array<std::uint8_t, 4> srgb(const Eigen::Array3f& linear) {
+    std::array<std::uint8_t, 4> out{0, 0, 0, 255};
+    for (int c = 0; c < 3; ++c)
+        out[std::size_t(c)] =
+            std::uint8_t(std::lround(255 * std::clamp(srgb_from_linear(double(linear[c])), 0.0, 1.0)));
+    return out;
+}
+
+/// Share of the photos' pixels that the mesh does not cover.
+double open_share(std::span<const CoarseView> views) {
+    std::size_t pixels = 0, open = 0;
+    for (const CoarseView& v : views) pixels += v.pixels, open += v.open;
+    return pixels ? double(open) / double(pixels) : 0;
+}
+
+/// The decision before any photo is left out.
+EffectDecision first_decision(const SurroundingsInput& in, std::span<const CoarseView> views) {
+    const double share = open_share(views);
+    EffectDecision d = decide(Effect::surroundings, in.choice, share,
+                              fmt::format("the mesh leaves {:.1f} % of the photos open", 100 * share));
+    if (have_parallax(views)) return d;
+    d.on = false;
+    d.evidence += "; one viewpoint does not show how far away it is";
+    return d;
+}
+
+/// Lets left-out photos confirm it.
+EffectDecision judged(const SurroundingsInput& in, const CoarseViews& some, std::span<const Plane> planes,
+                      EffectDecision d) {
+    const unsigned threads = std::max(1u, in.threads > 1 ? in.threads - 1 : 1);
+    const SurroundingsJudgment j =
+        judge_surroundings(some, in.samples, in.photos, in.lens, planes, most_folds, threads);
+    d.judgment = j.gain;
+    d.evidence += "; " + sentence(j.gain);
+    if (j.gain.photos >= min_judged_photos) d.evidence += " over a plain color";
+    if (const std::string objection = j.objection(); !objection.empty()) {
+        d.evidence += "; " + objection;
+        if (!d.forced) d.on = false;
+    }
+    return d;
+}
+
+std::vector<std::byte> chunk_of(const SurroundingsInput& in, const Backdrop& backdrop,
+                                const CoarseViews& some) {
+    SurroundingsContent content;
+    content.positions = backdrop.positions;
+    content.triangles = backdrop.sphere.triangles;
+    content.clusters = backdrop_clusters(backdrop);
+    content.coverage.resize(in.photos.size());
+    content.visible.resize(in.photos.size());
+    // Some at a time: there may be many photos.
+    std::vector<std::uint32_t> with_pixels;
+    for (std::uint32_t i = 0; i < in.photos.size(); ++i)
+        if (in.photos[i].levels) with_pixels.push_back(i);
+    for (std::span<const std::uint32_t> rest = with_pixels; !rest.empty();) {
+        const auto now = rest.first(std::min(rest.size(), most_views));
+        rest = rest.subspan(now.size());
+        auto views = read_coarse_views(in.package, in.photos, now, some.colors, in.threads);
+        for_each_photo(views.size(), in.threads, [&](std::size_t i) {
+            find_gaps(in.package, in.photos[now[i]], views[i]);
+            BackdropCoverage c = backdrop_coverage(backdrop, content.clusters, views[i]);
+            content.coverage[now[i]] = std::move(c.clusters);
+            content.visible[now[i]] = std::move(c.visible);
+        });
+    }
+    for (const Eigen::Array3f& c : quiet_colors(backdrop, some.views)) content.colors.push_back(srgb(c));
+    return surroundings_chunk(content);
+}
+
+}  // namespace
+
+Surroundings find_surroundings(const SurroundingsInput& in) {
+    if (in.choice == EffectChoice::off)
+        return {decide(Effect::surroundings, in.choice, 0, "not measured"), {}};
+    const PhotoColors colors = colors_of(in.colors, in.lens);
+    const CoarseViews some{
+        read_coarse_views(in.package, in.photos, spread_photos(in.photos, most_views), colors, in.threads),
+        colors};
+    const std::vector<Plane> planes = mesh_planes(in.discs);
+    Surroundings out{first_decision(in, some.views), {}};
+    if (!out.decision.on) return out;
+    // In the meantime, because most scenes with something to show keep it.
+    std::future<Backdrop> estimate =
+        std::async(std::launch::async, [&] { return estimate_backdrop(some.views, planes, {}, 1); });
+    if (in.judge) out.decision = judged(in, some, planes, std::move(out.decision));
+    if (!out.decision.on) return out;
+    const Backdrop backdrop = estimate.get();
+    out.chunk = chunk_of(in, backdrop, some);
+    return out;
+}
+
+}  // namespace vantage

@@ -1,0 +1,36 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "agreement/surface_discs.h"
+#include "colors/color_fit.h"
+#include "scene/effects.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+
+/// What surroundings are estimated from. The spans must outlive the call.
+struct SurroundingsInput {
+    const PackageReader& package;  ///< with tiles and depth
+    std::span<const package::PhotoRecord> photos;
+    Samples samples;
+    std::span<const SurfaceDisc> discs;
+    std::span<const std::uint32_t> lens;  ///< per photo
+    const ColorFit& colors;
+    EffectChoice choice = EffectChoice::automatic;
+    bool judge = true;
+    unsigned threads = 0;
+};
+
+/// The decision, and the content of SURR (scene/surroundings.h): empty if the effect is off.
+struct Surroundings {
+    EffectDecision decision;
+    std::vector<std::byte> chunk;
+};
+
+/// Decides whether the photos show surroundings that the mesh lacks, and estimates them. Throws
+/// Error(damaged).
+Surroundings find_surroundings(const SurroundingsInput& input);
+
+}  // namespace vantage

@@ -1,0 +1,198 @@
+#include "pipeline/surroundings/judge_surroundings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <opencv2/core.hpp>
+
+#include "colors/shared_discs.h"
+#include "pipeline/judge/prediction.h"
+#include "pipeline/judge/verdict.h"
+#include "pipeline/run/for_each_photo.h"
+#include "pipeline/surroundings/view_sample.h"
+#include "pipeline/visibility/photo_geometry.h"
+#include "pipeline/visibility/photo_projection.h"
+#include "pipeline/visibility/triangle_map.h"
+#include "scene/tiling.h"
+#include "shaders/contract.h"
+#include "values/srgb.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::size_t max_fitted = 8192;  ///< samples of all photos, in the gains of a fold
+constexpr double worth_having = 0.01;     ///< share of a photo that is open
+constexpr double plain_enough = 30;       ///< dB
+
+/// A picture of NaN, the size of the view.
+cv::Mat blank(const CoarseView& view) {
+    return {view.k.height, view.k.width, CV_32FC3, cv::Scalar::all(std::numeric_limits<double>::quiet_NaN())};
+}
+
+void set(cv::Mat& picture, std::size_t at, const Eigen::Array3f& linear) {
+    auto* pixel = picture.ptr<float>() + 3 * at;
+    for (int c = 0; c < 3; ++c)
+        pixel[c] = float(255 * srgb_from_linear(std::clamp(double(linear[c]), 0.0, 1.0)));
+}
+
+/// What the view shows where it is open.
+cv::Mat own_surroundings(const CoarseView& view) {
+    cv::Mat out = blank(view);
+    for (std::size_t at = 0; at < view.color.size(); ++at)
+        if (view.is_open(at)) set(out, at, view.color[at]);
+    return out;
+}
+
+/// The mean of colors, weighted: of square roots of light, as the player blends.
+class Blend {
+  public:
+    void add(const Eigen::Array3f& linear, float weight) {
+        sum_.head<3>() += weight * linear.max(0.0f).sqrt();
+        sum_[3] += weight;
+    }
+    bool empty() const { return !(sum_[3] > 0); }
+    Eigen::Array3f color() const { return (sum_.head<3>() / sum_[3]).square(); }
+
+  private:
+    Eigen::Array4f sum_ = Eigen::Array4f::Zero();
+};
+
+float angle_weight(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+    return std::exp(-std::atan2(a.cross(b).norm(), a.dot(b)) / shader::default_sharpness);
+}
+
+/// The view from the backdrop, painted with the others.
+cv::Mat from_backdrop(const CoarseView& view, const Backdrop& backdrop,
+                      std::span<const CoarseView* const> others) {
+    cv::Mat out = blank(view);
+    std::vector<std::uint32_t> indices;
+    for (const auto& t : backdrop.sphere.triangles) indices.insert(indices.end(), t.begin(), t.end());
+    const Eigen::Vector2d near_far = depth_range(backdrop.positions, view.pose);
+    const PhotoProjection projection = project_model(backdrop.positions, view.k, view.pose, near_far.x());
+    const std::vector<float> values(backdrop.positions.size(), 0);
+    const TriangleMap map = rasterize(projection, indices, values);
+    const Eigen::Vector3f eye = view.pose.center().cast<float>();
+    const Eigen::Matrix3f world = view.pose.R.transpose().cast<float>();
+    for (std::size_t at = 0; at < view.color.size(); ++at) {
+        if (!view.is_open(at) || !(map.inverse_depth[at] > 0)) continue;
+        const float x = float(int(at) % view.k.width) + 0.5f, y = float(int(at) / view.k.width) + 0.5f;
+        const Eigen::Vector3f ray((x - float(view.k.cx)) / float(view.k.fx),
+                                  (y - float(view.k.cy)) / float(view.k.fy), 1);
+        const Eigen::Vector3f point = eye + world * ray / map.inverse_depth[at];
+        Blend blend;
+        for (const CoarseView* o : others) {
+            const ViewSample s = sample(*o, (o->pose.R * point.cast<double>() + o->pose.t).cast<float>(), 1);
+            if (s.kind != ViewSample::open) continue;
+            const Eigen::Vector3f back = o->pose.center().cast<float>() - point;
+            blend.add(s.ln.exp() - 0.02f, std::max(angle_weight(eye - point, back), 1e-12f));
+        }
+        if (!blend.empty()) set(out, at, blend.color());
+    }
+    return out;
+}
+
+/// The view as if its background had moved with the camera: the same pixels of the others, the nearest
+/// most. And as if it had one color.
+std::array<cv::Mat, 2> without_geometry(const CoarseView& view, std::span<const CoarseView* const> others) {
+    std::array<cv::Mat, 2> out{blank(view), blank(view)};
+    const Eigen::Vector3d eye = view.pose.center();
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const CoarseView* o : others) nearest = std::min(nearest, (o->pose.center() - eye).norm());
+    for (std::size_t at = 0; at < view.color.size(); ++at) {
+        if (!view.is_open(at)) continue;
+        const int x = int(at) % view.k.width, y = int(at) / view.k.width;
+        Blend blend;
+        for (const CoarseView* o : others) {
+            const auto i = std::size_t(x * o->k.width / view.k.width),
+                       j = std::size_t(y * o->k.height / view.k.height);
+            const std::size_t there = j * std::size_t(o->k.width) + i;
+            if (!o->is_open(there)) continue;
+            const double distance = (o->pose.center() - eye).norm() / std::max(nearest, 1e-30);
+            blend.add(o->color[there], float(std::exp(-2 * distance)) + 1e-12f);
+        }
+        if (!blend.empty()) set(out[0], at, blend.color());
+        set(out[1], at, Eigen::Array3f::Constant(0.2f));
+    }
+    return out;
+}
+
+/// Views in the exposure that their photos have without photo `without`.
+std::vector<CoarseView> exposed_without(std::span<const CoarseView> views, std::uint32_t without,
+                                        const PhotoColors& used, const PhotoColors& fitted) {
+    std::vector<CoarseView> out;
+    for (const CoarseView& v : views) {
+        if (v.photo == without) continue;
+        CoarseView& changed = out.emplace_back(v);
+        Eigen::Array3f factor;
+        for (int c = 0; c < 3; ++c)
+            factor[c] = float(
+                std::exp(fitted.ln_gain[v.photo][std::size_t(c)] - used.ln_gain[v.photo][std::size_t(c)]));
+        for (std::size_t at = 0; at < v.color.size(); ++at) {
+            changed.color[at] *= factor;
+            changed.ln[at] = (changed.color[at] + 0.02f).log();
+        }
+    }
+    return out;
+}
+
+/// A photo predicted by the backdrop, by the same pixels of others, and by one color.
+struct Predicted {
+    std::string name;
+    JudgeScore backdrop, same, plain;
+};
+
+Predicted predicted(const CoarseView& view, std::span<const CoarseView> others,
+                    std::span<const Plane> mesh_planes, const std::string& name) {
+    const Backdrop backdrop = estimate_backdrop(others, mesh_planes, judged_detail, 1);
+    std::vector<const CoarseView*> by;
+    for (const CoarseView& v : others) by.push_back(&v);
+    const auto [same, plain] = without_geometry(view, by);
+    const std::array predictions{Prediction{from_backdrop(view, backdrop, by)}, Prediction{same},
+                                 Prediction{plain}};
+    const std::vector<JudgeScore> scores = score(own_surroundings(view), predictions);
+    return {name, scores[0], scores[1], scores[2]};
+}
+
+}  // namespace
+
+SurroundingsJudgment judge_surroundings(const CoarseViews& all, Samples samples,
+                                        std::span<const package::PhotoRecord> photos,
+                                        std::span<const std::uint32_t> lens,
+                                        std::span<const Plane> mesh_planes, std::size_t most,
+                                        unsigned threads) {
+    std::size_t shown_discs = 0;
+    for (const auto& s : samples) shown_discs += std::size_t(std::ranges::count_if(s, shown));
+    const PhotoSamples some = thinned(samples, 1 + shown_discs / max_fitted);
+    std::vector<std::size_t> candidates;
+    for (std::size_t i = 0; i < all.views.size(); ++i)
+        if (double(all.views[i].open) > worth_having * double(all.views[i].pixels)) candidates.push_back(i);
+    const std::size_t count = std::min(most, candidates.size());
+    std::vector<Predicted> folds(count);
+    for_each_photo(count, threads, [&](std::size_t f) {
+        const CoarseView& view = all.views[candidates[f * candidates.size() / count]];
+        const std::vector<CoarseView> others = exposed_without(
+            all.views, view.photo, all.colors, fit_without(some.spans(), lens, view.photo, false));
+        if (have_parallax(others)) folds[f] = predicted(view, others, mesh_planes, photos[view.photo].name);
+    });
+    std::vector<JudgedPhoto> gain, moves;
+    SurroundingsJudgment out;
+    for (const Predicted& p : folds) {
+        gain.push_back({p.name, p.plain, p.backdrop});
+        moves.push_back({p.name, p.backdrop, p.same});
+        out.plain += p.plain.pixels > 0 && p.plain.psnr > plain_enough;
+    }
+    out.gain = summarize(gain);
+    out.moves = summarize(moves);
+    return out;
+}
+
+std::string SurroundingsJudgment::objection() const {
+    if (gain.photos < min_judged_photos) return "";
+    if (2 * plain > gain.photos) return "the background is plain";
+    if (moves.gain > 2 * moves.error)
+        return "the background moves with the camera, as it does when the object is turned";
+    return gain.gain > 0 ? "" : "other photos do not tell what is there";
+}
+
+}  // namespace vantage

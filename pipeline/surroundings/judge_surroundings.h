@@ -1,0 +1,31 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "colors/color_fit.h"
+#include "pipeline/surroundings/backdrop.h"
+#include "scene/effects.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+
+/// What surroundings are worth, from photos that are left out and predicted where the mesh leaves them open.
+struct SurroundingsJudgment {
+    Judgment gain;   ///< over one plain color
+    Judgment moves;  ///< of the same pixels of other photos over the backdrop: a background that moves
+                     ///< with the camera, as behind a turntable, gains
+    int plain = 0;   ///< photos that one color predicts to 30 dB
+    /// Why there is nothing to show; empty if there is.
+    std::string objection() const;
+};
+
+/// Leaves out at most `most` of the views in turn; backdrop and gains are found without them.
+SurroundingsJudgment judge_surroundings(const CoarseViews& all, Samples samples,
+                                        std::span<const package::PhotoRecord> photos,
+                                        std::span<const std::uint32_t> lens,
+                                        std::span<const Plane> mesh_planes, std::size_t most,
+                                        unsigned threads);
+
+}  // namespace vantage
