@@ -6,6 +6,9 @@
 in vec3 surface_position;
 in vec3 surface_normal;
 flat in uint draw_photos;
+#ifdef SURROUNDINGS
+in vec3 quiet_color;  // square root of light
+#endif
 #ifndef PER_FRAGMENT
 in vec2 coordinate[PASS_PHOTOS];
 #endif
@@ -19,6 +22,9 @@ layout(location = switches_uniform) uniform uint switches;              // bits 
 layout(location = border_width_uniform) uniform float border_width;     // reference pixels at which the border mask is 1
 layout(location = sharpness_uniform) uniform float sharpness;           // radians
 layout(location = lod_bias_uniform) uniform float lod_bias;
+#ifdef SURROUNDINGS
+layout(location = surroundings_distance_uniform) uniform float surroundings_distance;
+#endif
 layout(location = blend_show_uniform) uniform uint show;
 layout(location = half_scale_uniform) uniform float half_scale;  // factor of a pass's sums in half floats; 0: full floats
 #ifdef TAKES_ONE
@@ -32,9 +38,18 @@ const float least = 0.001;               // minimum of each mask: a photo that s
 const float half_least = 1.0 / 16384.0;  // the smallest half float with full precision
 const float consensus_scale = 0.08;      // square root of linear color: a difference of this much halves the weight
 
-// Angle in radians between the rays from the surface to the viewer and to the photo; accurate for small angles.
+#ifdef SURROUNDINGS
+bool surrounds() { return (draw_photos & surroundings_bit) != 0u; }
+#endif
+
+// Angle in radians between the rays from the surface to the viewer and to the photo; accurate for small angles. Of
+// surroundings, which may be infinitely far, as if they were near: the photos taken nearby then count most.
 float ray_angle(uint photo) {
-    vec3 a = normalize(weight_eye - surface_position), b = normalize(photos[photo].center_hull.xyz - surface_position);
+    vec3 at = surface_position;
+#ifdef SURROUNDINGS
+    if (surrounds()) at = weight_eye + (at - weight_eye) * min(1.0, surroundings_distance / distance(at, weight_eye));
+#endif
+    vec3 a = normalize(weight_eye - at), b = normalize(photos[photo].center_hull.xyz - at);
     return atan(length(cross(a, b)), dot(a, b));
 }
 
@@ -76,6 +91,29 @@ float own_view(float theta) {
     float r = own_angle / max(theta, own_least);
     return (switches & angle_switch) == 0u || half_scale > 0.0 ? 1.0 : 1.0 + r * r;
 }
+
+#ifdef SURROUNDINGS
+// Share of the area around a photo pixel that does not show the mesh, 0 on the mesh itself.
+float beyond_mesh(uint photo, vec2 pixel, float lod, MaskPlace at) {
+    vec2 fine = depths_at(at);
+    if (!isinf(fine.x)) return isinf(fine.y) ? surroundings_least * 0.1 : 0.0;
+    float level = log2(surroundings_margin * photos[photo].size_weight.x / reference_width);
+    MaskPlace coarse = mask_place(photo, pixel, max(lod, level));
+    vec4 z = textureGather(depth_tiles, coarse.coordinate);
+    vec2 share = fract(coarse.coordinate.xy * tile_size - 0.5);
+    vec4 clear = vec4(isinf(z));
+    float area = mix(mix(clear.w, clear.z, share.x), mix(clear.x, clear.y, share.x), share.y);
+    return max(surroundings_least, smoothstep(0.5, 1.0, area));
+}
+
+// How surely a photo shows what is there: not at its frame, where others may go on, and not from another side.
+float assurance(uint photo, vec2 pixel, float theta) {
+    vec2 size = photos[photo].size_weight.xy, inside = min(pixel, size - pixel);
+    float frame = min(inside.x, inside.y) * reference_width / size.x;
+    float sure = smoothstep(0.0, surroundings_ramp, frame) * (1.0 - smoothstep(surroundings_near, surroundings_far, theta));
+    return max(sure, own_share(theta));
+}
+#endif
 
 // The area of a photo that a sample covers.
 struct Footprint {
@@ -161,9 +199,26 @@ vec3 refined(uint photo, vec2 pixel, vec3 c) {
     return c;
 }
 
+#ifdef SURROUNDINGS
+// Weight of a photo's color of the surroundings: a sky too bright for it says little, and what is far from the color in
+// which all photos agree stands before them, such as leaves beside the camera.
+float credible(uint photo, vec2 pixel, vec3 shown, float theta) {
+    vec3 full = refined(photo, pixel, vec3(0.96)), off = (sqrt(shown) - quiet_color) / surroundings_spread;
+    float far = dot(off, off);
+    float w = (any(greaterThan(shown, full)) ? surroundings_clipped : 1.0) / (1.0 + far * far);
+    return mix(w, 1.0, own_share(theta));
+}
+#endif
+
 vec4 shown_color(uint photo, vec2 pixel, Footprint footprint) {
     vec4 c = filtered(photo, pixel, footprint);
     c.rgb = refined(photo, pixel, c.rgb);
+#ifdef SURROUNDINGS
+    if (surrounds()) {
+        vec3 root = mix(quiet_color, sqrt(c.rgb), assurance(photo, pixel, ray_angle(photo)));
+        c.rgb = root * root;
+    }
+#endif
     return show == show_colors ? c : vec4(show == show_sources ? photos[photo].false_color.rgb : vec3(1.0), c.a);
 }
 
@@ -198,12 +253,19 @@ void main() {
         MaskPlace at = mask_place(photo, pixel, footprint.lod);
         if (at.level < 0) continue;
         float w = 1.0;
-#ifdef PER_FRAGMENT
+        float theta = ray_angle(photo);
+        vec4 masks = masks_at(at);
+#ifdef SURROUNDINGS
+        if (surrounds()) {
+            w *= max(beyond_mesh(photo, pixel, footprint.lod, at), own_share(theta) - 0.5) * max(assurance(photo, pixel, theta), 0.0001);
+            masks = vec4(1.0);  // those of the photo are the mesh's
+        } else {
+            w *= seen(photo, p, at);
+        }
+#elif defined(PER_FRAGMENT)
         w *= seen(photo, p, at);
 #endif
         if (!(w > 0.0)) continue;
-        vec4 masks = masks_at(at);
-        float theta = ray_angle(photo);
         w *= weight_of(photo, pixel, masks, theta, footprint);
 #ifdef PHOTO_CONSENSUS
         // 1 of 255: visible, but contradicted by other photos.
@@ -220,6 +282,9 @@ void main() {
         }
 #else
         vec4 c = shown_color(photo, pixel, footprint);
+#ifdef SURROUNDINGS
+        w *= surrounds() ? credible(photo, pixel, c.rgb, theta) : 1.0;
+#endif
 #ifdef CONSENSUS
         vec3 off = (sqrt(c.rgb) - mean) / consensus_scale;
         w /= 1.0 + dot(off, off);

@@ -6,6 +6,7 @@ const int position_attribute = 0;
 const int normal_attribute = 1;
 const int color_attribute = 2;
 const int draw_attribute = 3;  // per draw: its first triangle; one bit per photo of the pass that is drawn
+const uint surroundings_bit = 0x80000000u;  // beside the photos' bits: the draw is of the surroundings
 
 // Shader storage buffers.
 const int photos_buffer = 0;
@@ -40,6 +41,7 @@ const int blend_show_uniform = 9;
 const int first_layers_uniform = 10;
 const int weight_eye_uniform = 11;
 const int half_scale_uniform = 12;
+const int surroundings_distance_uniform = 13;
 const int pass_slots_uniform = 16;  // an array, PASS_PHOTOS long
 
 // Uniforms of resolve.
@@ -51,6 +53,7 @@ const int exposure_uniform = 4;
 const int falloff_uniform = 5;
 const int lens_uniform = 6;
 const int progress_uniform = 7;
+const int surroundings_light_uniform = 8;
 
 // Uniforms of show.
 const int samples_uniform = 0;
@@ -116,6 +119,15 @@ const float own_least = 0.00001f;  // smaller angles count as this one; bounds t
 const float depth_slack = 0.004f;
 const float least_cosine = 0.1f;
 const float beside = 0.03f;  // the weight in that case
+
+// Surroundings are painted from where a photo shows them for sure.
+const float surroundings_ramp = 128.0f;    // reference pixels from the photo's frame inward, to the quiet color
+const float surroundings_margin = 8.0f;    // reference pixels per texel of the depth that must not show the mesh
+const float surroundings_least = 0.001f;   // the weight next to the mesh: its silhouette is not exact
+const float surroundings_clipped = 0.1f;   // the weight of a photo's brightest pixels
+const float surroundings_spread = 0.25f;   // square root of light: half the weight at this distance from the quiet color
+const float surroundings_near = 0.5f;      // radians between rays up to which a photo tells what is there,
+const float surroundings_far = 1.0f;       // and from which it does not
 
 const uint not_resident = 0xffffffffu;  // in place of a page's entry
 const int level_count = 12;             // of a photo's pyramid, at most

@@ -24,6 +24,10 @@ vec3 count_color(float share) {
     return mix(stops[i], stops[i + 1], at - float(i));
 }
 
+#ifdef SURROUNDINGS
+layout(location = surroundings_light_uniform) uniform float surroundings_light;  // factor of their light
+#endif
+
 // The mean of square roots of light.
 vec3 mean_light(vec4 sums) {
     vec3 root = sums.rgb / sums.a;
@@ -51,6 +55,13 @@ void main() {
     if (s.a > 0.0)
         accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : mean_light(s)), 1.0);
     if (progress < 1.0) accumulated = mixed(texelFetch(before, at, 0), accumulated);
+#ifdef SURROUNDINGS
+    vec4 behind = texelFetch(surface, at, 0);
+    if (behind.a > 1.5) {
+        if (accumulated.a == 0.0) accumulated = vec4(exposed(behind.rgb), 1.0);
+        accumulated.rgb *= surroundings_light;
+    }
+#endif
     if (accumulated.a == 0.0 && fill) {
         vec4 f = texelFetch(surface, at, 0);
         accumulated = vec4(f.a > 0.0 ? f.rgb : background, 1.0);

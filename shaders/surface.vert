@@ -5,20 +5,26 @@ layout(location = position_attribute) in vec3 position;
 layout(location = normal_attribute) in vec3 normal;
 layout(location = draw_attribute) in uvec2 of_draw;  // first triangle; photos
 layout(location = clip_from_origin_uniform) uniform mat4 clip_from_origin;
-#ifdef VERTEX_COLORS
+#if defined(VERTEX_COLORS) || defined(SURROUNDINGS)
 layout(location = color_attribute) in vec4 color;
 out vec4 surface_color;
 #endif
 out vec3 surface_position;
 out vec3 surface_normal;
 flat out uint draw_first;
+#ifdef SURROUNDINGS
+flat out uint draw_bits;
+#endif
 invariant gl_Position;
 
 void main() {
     surface_position = position;
     surface_normal = normal;
     draw_first = of_draw.x;
-#ifdef VERTEX_COLORS
+#ifdef SURROUNDINGS
+    draw_bits = of_draw.y;
+#endif
+#if defined(VERTEX_COLORS) || defined(SURROUNDINGS)
     surface_color = color;
 #endif
     gl_Position = clip_from_origin * vec4(position, 1.0);

@@ -135,11 +135,12 @@ double RegionError::rms() const {
     return pixels > uncolored ? std::sqrt(squares / (3.0 * double(pixels - uncolored))) : 0;
 }
 
-LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<const std::uint32_t> photos,
+LeftOut leave_out(Renderer& renderer, RenderSettings settings, std::span<const std::uint32_t> photos,
                   std::span<const package::PhotoRecord> records, std::uint32_t photo, int level,
                   std::vector<RegionError>& regions, LeftOutPictures& p) {
     const PackageReader& package = renderer.package();
     renderer.use_records(records);
+    settings.surroundings = ShowSurroundings::off;  // the photo had a say in their shape
     std::vector<std::uint32_t> others(photos.begin(), photos.end());
     std::erase(others, photo);
     p.photo = level_of_photo(package, package::Type::tiles, photo, level);

@@ -46,7 +46,7 @@ struct LeftOutPictures {
 
 /// Compares a photo with its view rendered from the others (`photos` without it), at a pyramid level, with
 /// 2x2 samples per pixel. `records`: see ColorsWithout. Adds the errors to `regions`, one per cluster.
-LeftOut leave_out(Renderer& renderer, const RenderSettings& settings, std::span<const std::uint32_t> photos,
+LeftOut leave_out(Renderer& renderer, RenderSettings settings, std::span<const std::uint32_t> photos,
                   std::span<const package::PhotoRecord> records, std::uint32_t photo, int level,
                   std::vector<RegionError>& regions, LeftOutPictures& pictures);
 

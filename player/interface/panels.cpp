@@ -71,8 +71,7 @@ void weight_section(Controls& c, Session& s, const Renderer& renderer) {
 
 void photo_section(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
-    static const char* const choices[] = {"cover the view", "nearest", "direction",
-                                          "direction and normals"};
+    static const char* const choices[] = {"cover the view", "nearest", "direction", "direction and normals"};
     choice(c, "Choose", r.choice, choices);
     c.slider("Photos", &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));
     c.slider("Per pass", &r.photos_per_pass, 1, most_photos_per_pass);
@@ -98,6 +97,10 @@ void show_section(Controls& c, Session& s, const Renderer& renderer) {
     exposure_section(c, s, renderer);
     static const char* const shows[] = {"photos", "which photo", "how many photos"};
     choice(c, "Show", r.show, shows);
+    if (renderer.scene().has_surroundings()) {
+        static const char* const surroundings[] = {"shown", "dimmed", "hidden"};
+        choice(c, "Surroundings", r.surroundings, surroundings);
+    }
     static const char* const compares[] = {"nothing", "side by side", "wiper", "difference"};
     choice(c, "Compare", r.compare, compares);
     if (r.compare == Compare::wiper) c.slider("Wiper", &r.wiper, 0.0, 1.0);

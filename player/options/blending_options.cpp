@@ -47,6 +47,14 @@ void add_choices(CLI::App& app, RenderSettings& r) {
             {"colors", Show::colors}, {"sources", Show::sources}, {"coverage", Show::coverage}}))
         ->default_str("colors")
         ->group(group);
+    app.add_option("--surroundings", r.surroundings,
+                   "what photos show beside the mesh, if the package has it: on, dimmed, off")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, ShowSurroundings>{{"on", ShowSurroundings::on},
+                                                    {"dimmed", ShowSurroundings::dimmed},
+                                                    {"off", ShowSurroundings::off}}))
+        ->default_str("on")
+        ->group(group);
 }
 
 void add_sampling(CLI::App& app, RenderSettings& r) {

@@ -91,7 +91,7 @@ void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
                std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous,
                std::span<const std::uint32_t> seen) {
-    VisibleSurface surface = visible_surface(scene, view, seen, settings.samples);
+    VisibleSurface surface = visible_surface(scene, view, seen, settings.samples, settings.surroundings);
     Plan plan;
     const PhotoChoice choice = choose_photos(surface, settings, allowed, previous);
     plan.uncovered = choice.uncovered;
@@ -110,7 +110,7 @@ Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& set
 }
 
 std::vector<double> agreements(const PlanScene& scene, const View& view) {
-    const VisibleSurface surface = visible_surface(scene, view, {}, 1);
+    const VisibleSurface surface = visible_surface(scene, view, {}, 1, false);
     std::vector<double> out;
     for (std::uint32_t p = 0; p < scene.photos.size(); ++p) out.push_back(agreement(surface, p));
     return out;

@@ -1,10 +1,80 @@
 #include "player/plan/plan_scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/package_shape.h"
+#include "scene/surroundings.h"
 
 namespace vantage {
+namespace {
+
+/// The triangles of the mesh in whole words of VISB; those of the surroundings follow.
+std::uint32_t first_triangle_behind(std::size_t triangles) {
+    return std::uint32_t(64 * package::visible_words(triangles));
+}
+
+/// The mesh's set of bits and then the surroundings', first for triangles seen whole, then in part.
+std::vector<std::uint64_t> joined_bits(std::span<const std::uint64_t> mesh,
+                                       const std::vector<std::uint64_t>& behind) {
+    const std::size_t m = mesh.size() / 2, n = behind.size() / 2;
+    std::vector<std::uint64_t> out;
+    for (const std::size_t half : {0, 1}) {
+        const auto of_mesh = mesh.subspan(half * m, m);
+        out.insert(out.end(), of_mesh.begin(), of_mesh.end());
+        const auto from = behind.begin() + std::ptrdiff_t(half * n);
+        out.insert(out.end(), from, from + std::ptrdiff_t(n));
+    }
+    return out;
+}
+
+void join_geometry(PlanScene& s, const SurroundingsContent& content) {
+    auto& [positions, indices, coverage, visible] = s.joined;
+    positions.assign(s.positions.begin(), s.positions.end());
+    positions.insert(positions.end(), content.positions.begin(), content.positions.end());
+    indices.assign(s.indices.begin(), s.indices.end());
+    // Triangles that no cluster draws fill the last word of the mesh's bits.
+    const std::uint32_t first = first_triangle_behind(s.triangles);
+    indices.resize(3 * std::size_t(first), 0);
+    s.first_surrounding = std::uint32_t(s.clusters.size());
+    const auto vertices = std::uint32_t(s.positions.size());
+    for (const auto& t : content.triangles)
+        for (const std::uint32_t v : t) indices.push_back(vertices + v);
+    for (package::ClusterRecord c : content.clusters) {
+        c.first_triangle += first;
+        s.clusters.push_back(c);
+    }
+    s.positions = positions;
+    s.indices = indices;
+    s.triangles = indices.size() / 3;
+    s.surrounding_colors = content.colors;
+}
+
+double spread_of(const std::vector<Pose>& poses) {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Pose& p : poses) mean += p.center() / double(poses.size());
+    double squares = 0;
+    for (const Pose& p : poses) squares += (p.center() - mean).squaredNorm() / double(poses.size());
+    return std::sqrt(squares);
+}
+
+/// Makes the surroundings part of everything that plans read.
+void join(PlanScene& s, const SurroundingsContent& content) {
+    join_geometry(s, content);
+    s.joined.coverage.resize(s.photos.size());
+    s.joined.visible.resize(s.photos.size());
+    for (std::size_t i = 0; i < s.photos.size(); ++i) {
+        if (!s.photos[i].levels) continue;
+        auto& coverage = s.joined.coverage[i];
+        coverage.assign(s.coverage[i].begin(), s.coverage[i].end());
+        coverage.insert(coverage.end(), content.coverage[i].begin(), content.coverage[i].end());
+        s.joined.visible[i] = joined_bits(s.visible[i], content.visible[i]);
+        s.coverage[i] = coverage;
+        s.visible[i] = s.joined.visible[i];
+    }
+}
+
+}  // namespace
 
 PlanScene make_plan_scene(const PackageReader& package) {
     using package::Type;
@@ -14,7 +84,6 @@ PlanScene make_plan_scene(const PackageReader& package) {
     s.photos = package.photos();
     const auto clusters = package.records<package::ClusterRecord>(Type::clusters);
     s.clusters.assign(clusters.begin(), clusters.end());
-    s.tree = make_cluster_tree(s.clusters);
     s.size = bounds_from_origin(record).diagonal().norm();
     s.triangles = record.triangles;
     s.positions = package.records<Eigen::Vector3f>(Type::positions);
@@ -28,6 +97,10 @@ PlanScene make_plan_scene(const PackageReader& package) {
         s.coverage.back() = package.records<package::CoverageRecord>(Type::coverage, i);
         s.visible.back() = package.records<std::uint64_t>(Type::visible, i);
     }
+    s.spread = spread_of(s.poses);
+    if (effect_on(record, Effect::surroundings))
+        if (const auto surroundings = read_surroundings(package)) join(s, *surroundings);
+    s.tree = make_cluster_tree(s.clusters);
     return s;
 }
 

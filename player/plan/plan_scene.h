@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,6 +12,10 @@ namespace vantage {
 /// The input of plans: the package's photos and clusters, and what each photo sees. Spans are valid as long
 /// as the package. The file may be overwritten while it is shown, so any value behind them may change.
 struct PlanScene {
+    PlanScene() = default;
+    PlanScene(PlanScene&&) = default;  ///< moving a vector keeps the spans of its elements valid
+    PlanScene& operator=(PlanScene&&) = default;
+
     std::span<const package::PhotoRecord> photos;
     std::vector<package::ClusterRecord> clusters;
     ClusterTree tree;
@@ -18,10 +23,23 @@ struct PlanScene {
     std::vector<Pose> poses;                                         ///< per photo, cam_from_origin
     std::vector<std::span<const package::CoverageRecord>> coverage;  ///< per photo; empty if held out
     std::vector<std::span<const std::uint64_t>> visible;             ///< per photo, as VISB
-    double size = 0;                                                 ///< diagonal of the model's bounds
+    double spread = 0;  ///< root mean square distance of the cameras from their mean
+    double size = 0;    ///< diagonal of the model's bounds
     std::size_t triangles = 0;
     std::span<const Eigen::Vector3f> positions;
     std::span<const std::uint32_t> indices;
+
+    /// The surroundings are clusters, triangles and vertices behind those of the mesh.
+    std::uint32_t first_surrounding = ~0u;  ///< cluster; beyond all if there are no surroundings
+    std::vector<std::array<std::uint8_t, 4>> surrounding_colors;  ///< one per vertex of theirs
+    /// What the spans show if there are surroundings.
+    struct Joined {
+        std::vector<Eigen::Vector3f> positions;
+        std::vector<std::uint32_t> indices;
+        std::vector<std::vector<package::CoverageRecord>> coverage;
+        std::vector<std::vector<std::uint64_t>> visible;
+    } joined;
+    bool has_surroundings() const { return first_surrounding < clusters.size(); }
 };
 /// Throws Error(damaged).
 PlanScene make_plan_scene(const PackageReader& package);

@@ -54,9 +54,11 @@ VisibleSurface::Points points_on(const PlanScene& scene, const View& view,
 }  // namespace
 
 VisibleSurface visible_surface(const PlanScene& scene, const View& view, std::span<const std::uint32_t> seen,
-                               double samples) {
+                               double samples, bool surroundings) {
     VisibleSurface s{scene, view, view.cam_from_origin.center(),
                      clusters_in_view(scene.tree, scene.clusters, view)};
+    if (!surroundings)
+        std::erase_if(s.clusters, [&](std::uint32_t c) { return c >= scene.first_surrounding; });
     const std::vector<std::uint32_t> all = clusters_of(scene, seen);
     std::vector<std::uint32_t> count(scene.clusters.size(), 0), clusters;
     for (std::size_t i = 0; i < seen.size(); ++i) {

@@ -17,6 +17,7 @@ struct BlendVariant {
     bool trilinear;
     int anisotropy;
     bool refined_colors;
+    bool surroundings;  ///< shown; implies per_fragment
 
     auto operator<=>(const BlendVariant&) const = default;
 };

@@ -1,6 +1,9 @@
 #include "player/render/model.h"
 
+#include <array>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "scene/error.h"
 #include "shaders/contract.h"
@@ -9,35 +12,73 @@ namespace vantage {
 
 using package::Type;
 
-Model load_model(const PackageReader& package) {
+namespace {
+
+/// Of the mesh, as stored; of the surroundings, inward.
+std::vector<Eigen::Vector3f> normals_of(const PackageReader& package, const PlanScene& scene) {
+    const auto stored = package.records<Eigen::Vector3f>(Type::normals);
+    std::vector<Eigen::Vector3f> out(stored.begin(), stored.end());
+    out.resize(scene.positions.size(), Eigen::Vector3f::Zero());
+    for (std::size_t t = scene.clusters[scene.first_surrounding].first_triangle; t < scene.triangles; ++t) {
+        const std::uint32_t* v = &scene.indices[3 * t];
+        const Eigen::Vector3f a = scene.positions[v[0]];
+        const Eigen::Vector3f n =
+            (scene.positions[v[1]] - a).cross(scene.positions[v[2]] - a).stableNormalized();
+        for (int i = 0; i < 3; ++i) out[v[i]] += n;
+    }
+    for (std::size_t v = stored.size(); v < out.size(); ++v) out[v].stableNormalize();
+    package.forget(std::as_bytes(stored));
+    return out;
+}
+
+/// sRGB and alpha, one per vertex. A mesh without colors is white.
+std::vector<std::array<std::uint8_t, 4>> colors_of(const PackageReader& package, const PlanScene& scene) {
+    using Color = std::array<std::uint8_t, 4>;
+    std::vector<Color> out(package.scene().vertices, Color{255, 255, 255, 255});
+    if (effect_on(package.scene(), Effect::vertex_colors)) {
+        const auto stored = package.records<Color>(Type::colors);
+        if (stored.size() != out.size())
+            throw Error(Exit::damaged,
+                        package.path().string() + ": VCOL: length does not fit the scene's counts");
+        out.assign(stored.begin(), stored.end());
+    }
+    out.insert(out.end(), scene.surrounding_colors.begin(), scene.surrounding_colors.end());
+    return out;
+}
+
+template <class T>
+gl::Buffer buffer_of(const char* name, std::span<const T> values) {
+    return gl::make_buffer(name, values.size_bytes(), values.data());
+}
+
+}  // namespace
+
+Model load_model(const PackageReader& package, const PlanScene& scene) {
     using shader::color_attribute, shader::draw_attribute;
-    const package::SceneRecord& scene = package.scene();
-    const auto positions = package.records<float>(Type::positions),
-               normals = package.records<float>(Type::normals);
-    const auto indices = package.records<std::uint32_t>(Type::indices);
-    if (indices.size() > std::size_t(std::numeric_limits<GLsizei>::max()))
+    if (scene.indices.size() > std::size_t(std::numeric_limits<GLsizei>::max()))
         throw Error(Exit::damaged, package.path().string() + ": INDX has more triangles than can be drawn");
     Model m;
-    m.vertex_count = std::uint32_t(scene.vertices);
-    m.positions = gl::make_buffer("positions", positions.size_bytes(), positions.data());
-    m.normals = gl::make_buffer("normals", normals.size_bytes(), normals.data());
-    m.indices = gl::make_buffer("indices", indices.size_bytes(), indices.data());
+    m.vertex_count = std::uint32_t(package.scene().vertices);
+    m.positions = buffer_of("positions", scene.positions);
+    if (scene.has_surroundings()) {
+        m.normals = buffer_of("normals", std::span<const Eigen::Vector3f>(normals_of(package, scene)));
+    } else {
+        const auto normals = package.records<float>(Type::normals);
+        m.normals = buffer_of("normals", normals);
+        package.forget(std::as_bytes(normals));
+    }
+    m.indices = buffer_of("indices", scene.indices);
     m.vertices = gl::make_vertex_array("model");
     gl::attach_floats(m.vertices, shader::position_attribute, m.positions, 3, 12);
     gl::attach_floats(m.vertices, shader::normal_attribute, m.normals, 3, 12);
     glVertexArrayElementBuffer(m.vertices.id(), m.indices.id());
-    for (const auto chunk : {std::as_bytes(positions), std::as_bytes(normals), std::as_bytes(indices)})
-        package.forget(chunk);
+    for (const Type type : {Type::positions, Type::indices}) package.forget(package.records<std::byte>(type));
     glVertexArrayAttribIFormat(m.vertices.id(), draw_attribute, 2, GL_UNSIGNED_INT, 0);
     glVertexArrayAttribBinding(m.vertices.id(), draw_attribute, draw_attribute);
     glVertexArrayBindingDivisor(m.vertices.id(), draw_attribute, 1);
     glEnableVertexArrayAttrib(m.vertices.id(), draw_attribute);
-    if (!effect_on(scene, Effect::vertex_colors)) return m;
-    const auto colors = package.records<std::uint32_t>(Type::colors);
-    if (colors.size() != scene.vertices)
-        throw Error(Exit::damaged,
-                    package.path().string() + ": VCOL: length does not fit the scene's counts");
-    m.colors = gl::make_buffer("colors", colors.size_bytes(), colors.data());
+    if (!effect_on(package.scene(), Effect::vertex_colors) && !scene.has_surroundings()) return m;
+    m.colors = buffer_of("colors", std::span<const std::array<std::uint8_t, 4>>(colors_of(package, scene)));
     glVertexArrayVertexBuffer(m.vertices.id(), color_attribute, m.colors.id(), 0, 4);
     glVertexArrayAttribFormat(m.vertices.id(), color_attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
     glVertexArrayAttribBinding(m.vertices.id(), color_attribute, color_attribute);

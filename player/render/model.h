@@ -2,21 +2,22 @@
 #include <Eigen/Core>
 
 #include "gl/object.h"
+#include "player/plan/plan_scene.h"
 #include "scene/package_reader.h"
 
 namespace vantage {
 
-/// The package's mesh on the graphics card, with the attributes of shaders/contract.glsl. Colors are present
-/// only if the effect is on. The attribute `draw` is one DrawRecord per draw, selected by base instance from
-/// a buffer that each pass binds.
+/// The package's mesh and surroundings on the graphics card, with the attributes of shaders/contract.glsl.
+/// Colors are present only if the effect is on, or if there are surroundings. The attribute `draw` is one
+/// DrawRecord per draw, selected by base instance from a buffer that each pass binds.
 struct Model {
     gl::Buffer positions, normals, colors, indices;
     gl::VertexArray vertices;
-    std::uint32_t vertex_count = 0;
+    std::uint32_t vertex_count = 0;  ///< of the mesh
 };
 
 /// Throws Error(damaged) for a checksum mismatch or a triangle with a vertex out of range.
-Model load_model(const PackageReader& package);
+Model load_model(const PackageReader& package, const PlanScene& scene);
 
 /// One draw of glMultiDrawElementsIndirect.
 struct DrawCommand {
@@ -24,7 +25,7 @@ struct DrawCommand {
 };
 struct DrawRecord {
     std::uint32_t first_triangle;
-    std::uint32_t photos;  ///< one bit per photo of the pass
+    std::uint32_t photos;  ///< one bit per photo of the pass; shader::surroundings_bit
 };
 
 }  // namespace vantage

@@ -1,5 +1,6 @@
 #include "player/render/model_passes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -51,25 +52,44 @@ std::size_t pass_bytes(const PackagePages& pages, std::size_t clusters) {
     for (const PhotoPages& p : pages.photos)
         largest = std::max<std::size_t>(largest, p.color_count + p.mask_count);
     return std::size_t(most_photos_per_pass) * (sizeof(PhotoBlock) + 4 * largest) +
-           clusters * (sizeof(DrawCommand) + sizeof(DrawRecord)) + 2048;
+           clusters * (sizeof(DrawCommand) + sizeof(DrawRecord)) + 4096;
 }
 
+std::vector<std::string> surface_defines(const PackageReader& package, const PlanScene& scene) {
+    std::vector<std::string> defines = shader_defines("surface", package.scene().effects);
+    for (std::string& d : surroundings_defines(scene)) defines.push_back(std::move(d));
+    return defines;
+}
+
+/// Depth of the surroundings, behind everything of the mesh: a power of two keeps the precision of floats.
+constexpr float surroundings_depth = 0x1p-60f;
+
 }  // namespace
+
+std::vector<std::string> surroundings_defines(const PlanScene& scene) {
+    return scene.has_surroundings() ? std::vector<std::string>{"SURROUNDINGS"} : std::vector<std::string>{};
+}
 
 ModelPasses::ModelPasses(const PackageReader& package, const PlanScene& scene, const PhotoStore& store)
     : package_(&package),
       scene_(&scene),
       store_(&store),
-      model_(load_model(package)),
+      model_(load_model(package, scene)),
       blocks_(make_blocks(scene.photos)),
       ring_(pass_bytes(store.pages(), scene.clusters.size())),
       surface_program_(gl::make_program(
           "surface", {{GL_VERTEX_SHADER, "surface.vert"}, {GL_FRAGMENT_SHADER, "surface.frag"}},
-          shader_defines("surface", package.scene().effects))) {}
+          surface_defines(package, scene))) {}
 
 void ModelPasses::use_records(std::span<const package::PhotoRecord> photos) { blocks_ = make_blocks(photos); }
 
+bool ModelPasses::shows_surroundings(const RenderSettings& settings) const {
+    return scene_->has_surroundings() && settings.surroundings != ShowSurroundings::off;
+}
+
 bool ModelPasses::per_fragment(const RenderSettings& settings) const {
+    // Triangles of the surroundings are too large for coordinates per vertex.
+    if (shows_surroundings(settings)) return true;
     if (settings.coordinates != Coordinates::automatic) return settings.coordinates == Coordinates::fragment;
     return effect_on(package_->scene(), Effect::per_fragment);
 }
@@ -98,6 +118,23 @@ void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targe
 }
 
 std::size_t ModelPasses::draw_clusters(std::span<const std::uint32_t> clusters) {
+    const auto behind = std::ranges::lower_bound(clusters, scene_->first_surrounding);
+    const auto of_mesh = std::size_t(behind - clusters.begin());
+    std::size_t draws = draw_run(clusters.first(of_mesh), 0);
+    if (of_mesh == clusters.size()) return draws;
+    // Whatever is wrong with their depth, surroundings never hide the mesh, and from outside they are not
+    // seen.
+    glDepthRangef(0, surroundings_depth);
+    glEnable(GL_CULL_FACE);
+    glFrontFace(GL_CW);  // row 0 of a frame is its top row, which mirrors triangles
+    draws += draw_run(clusters.subspan(of_mesh), shader::surroundings_bit);
+    glDisable(GL_CULL_FACE);
+    glFrontFace(GL_CCW);
+    glDepthRangef(0, 1);
+    return draws;
+}
+
+std::size_t ModelPasses::draw_run(std::span<const std::uint32_t> clusters, std::uint32_t bits) {
     const std::size_t most = clusters.size();
     const FrameRing::Space commands = ring_.take(most * sizeof(DrawCommand)),
                            records = ring_.take(most * sizeof(DrawRecord));
@@ -111,7 +148,7 @@ std::size_t ModelPasses::draw_clusters(std::span<const std::uint32_t> clusters) 
         if (!cluster_photos_[first]) continue;
         const std::uint32_t start = scene_->clusters[first].first_triangle;
         const DrawCommand command{3 * triangles, 1, 3 * start, 0, draws};
-        const DrawRecord record{start, cluster_photos_[first]};
+        const DrawRecord record{start, cluster_photos_[first] | bits};
         std::memcpy(commands.memory + draws * sizeof command, &command, sizeof command);
         std::memcpy(records.memory + draws * sizeof record, &record, sizeof record);
         ++draws;
@@ -137,7 +174,8 @@ const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bo
                                .traces_texels = trace_ != 0,
                                .trilinear = settings.trilinear,
                                .anisotropy = settings.anisotropy,
-                               .refined_colors = settings.refined_colors};
+                               .refined_colors = settings.refined_colors,
+                               .surroundings = shows_surroundings(settings)};
     gl::Program& program = blend_programs_[variant];
     if (!program) program = make_blend_program(variant, package_->scene());
     return program;
@@ -191,6 +229,8 @@ void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
     // All photos of the scene at full weight, in colors eight times as bright as white, stay below the
     // largest half float, 65504.
     glUniform1f(shader::half_scale_uniform, settings.half_sums ? 8000 / float(scene_->photos.size()) : 0.0f);
+    if (shows_surroundings(settings))
+        glUniform1f(shader::surroundings_distance_uniform, float(2 * scene_->spread));
     if (trace_) {
         const ResidencyLayout& layout = store_->residency().layout();
         glUniform2ui(shader::first_layers_uniform, layout.color, layout.color + layout.masks);

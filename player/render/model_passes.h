@@ -2,6 +2,7 @@
 #include <functional>
 #include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "gl/program.h"
@@ -17,6 +18,9 @@
 #include "player/stream/photo_store.h"
 
 namespace vantage {
+
+/// The preprocessor symbols of a scene with surroundings.
+std::vector<std::string> surroundings_defines(const PlanScene& scene);
 
 /// What all passes of a frame have in common.
 struct DrawnView {
@@ -55,6 +59,8 @@ class ModelPasses {
   private:
     /// Draws the given clusters that have bits in cluster_photos_, in one call. Returns the number of draws.
     std::size_t draw_clusters(std::span<const std::uint32_t> clusters);
+    bool shows_surroundings(const RenderSettings& settings) const;
+    std::size_t draw_run(std::span<const std::uint32_t> clusters, std::uint32_t bits);
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn);
     /// Writes the photos and their pages into the ring, and binds them.
     void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights);

@@ -13,6 +13,7 @@ PlanSettings plan_settings(const RenderSettings& s) {
     p.choice = s.choice;
     p.photos = s.photos;
     p.tiles = !s.thumbnails;
+    p.surroundings = s.surroundings != ShowSurroundings::off;
     p.complete = s.complete;
     p.angle_limit = s.photos > 0 ? s.angle_limit * std::numbers::pi / 180 : 0;
     // The plan keeps footprints up to 4 times longer than wide sharp; more taps read finer levels.

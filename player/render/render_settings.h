@@ -19,6 +19,8 @@ enum class Coordinates { automatic, vertex, fragment, count };
 enum class Show { colors, sources, coverage, count };
 /// Comparison with a photo. Values as in shaders/contract.glsl.
 enum class Compare { nothing, side_by_side, wiper, difference, count };
+/// What photos show beside the mesh, if the package has it.
+enum class ShowSurroundings { on, dimmed, off, count };
 
 inline constexpr int most_photos_per_pass = 16;
 /// Photos that a window blends: 4 look as good as 8 and take two thirds to four fifths of the time
@@ -42,13 +44,14 @@ struct RenderSettings {
     bool half_sums = false;    ///< sums of a pass in half floats: half the bandwidth
     bool thumbnails = false;   ///< nothing finer than thumbnails
     Show show = Show::colors;
+    ShowSurroundings surroundings = ShowSurroundings::on;
     Compare compare = Compare::nothing;
     std::uint32_t compare_photo = 0;
     std::optional<View> weights_from;       ///< weights frozen as seen from there [M]
     double wiper = 0.5;                     ///< share of the width
     bool refined_colors = true;             ///< apply gains and falloff if the package's effects are on
     std::optional<std::uint32_t> exposure;  ///< of this photo, instead of the view's
-    bool complete = true;       ///< wait for all tiles that the view needs; else show what is resident
+    bool complete = true;  ///< wait for all tiles that the view needs; else show what is resident
     /// Without `complete`: photos fade as in a window, but each frame waits for its tiles and for the
     /// triangles that the frame before it showed. The same frames at the same times then give the same
     /// pictures.

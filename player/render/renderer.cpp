@@ -17,6 +17,8 @@ static_assert(GLuint(Compare::nothing) == shader::compare_nothing &&
               GLuint(Compare::wiper) == shader::compare_wiper &&
               GLuint(Compare::difference) == shader::compare_difference);
 
+constexpr float dimmed_light = 0.2f;  ///< of surroundings that are dimmed
+
 Eigen::Matrix4f clip_matrix(const View& view, Eigen::Vector2d range) {
     if (!(range.y() > 0)) range = {1, 2};
     Eigen::Matrix4d cam = Eigen::Matrix4d::Identity();
@@ -69,7 +71,8 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
       passes_(package, scene_, store_),
       plan_(scene_),
       resolve_program_(gl::make_program(
-          "resolve", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "resolve.frag"}})),
+          "resolve", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "resolve.frag"}},
+          surroundings_defines(scene_))),
       show_program_(
           gl::make_program("show", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "show.frag"}})),
       no_vertices_(gl::make_vertex_array("no vertices")) {
@@ -301,6 +304,9 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool fill, double pro
     glUniform1i(shader::takes_one_uniform, takes_one(frame.drawn.settings.blend) && !counts);
     glUniform1i(shader::fill_uniform, fill);
     glUniform1f(shader::progress_uniform, float(progress));
+    if (scene_.has_surroundings())
+        glUniform1f(shader::surroundings_light_uniform,
+                    frame.drawn.settings.surroundings == ShowSurroundings::dimmed ? dimmed_light : 1.0f);
     glUniform3fv(shader::background_uniform, 1, frame.drawn.settings.background);
     glUniform1f(shader::most_uniform, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
     expose(frame.drawn);

@@ -457,14 +457,16 @@ TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
     std::vector<std::uint32_t> others = p.photos;
     std::erase(others, 3u);
     const View view = view_of_photo(p.package->photos()[3], 1);
-    const double without = psnr(take_picture(*p.renderer, view, {}, others, 1), untouched);
-    RenderSettings all;
+    RenderSettings model_only;
+    model_only.surroundings = ShowSurroundings::off;
+    const double without = psnr(take_picture(*p.renderer, view, model_only, others, 1), untouched);
+    RenderSettings all = model_only;
     all.weights.consensus_mask = false;
     const double with = psnr(take_picture(*p.renderer, view, all, others, 1), untouched);
     // The same photos, unpainted.
     fs::remove_all(folder);
     Prepared clean = Prepared(make(spec), dir / "again.vantage");
-    const double best = psnr(take_picture(*clean.renderer, view, {}, others, 1), untouched);
+    const double best = psnr(take_picture(*clean.renderer, view, model_only, others, 1), untouched);
     std::printf("with strangers %.1f dB, without them %.1f dB, never painted %.1f dB\n", with, without, best);
     EXPECT_GT(without, with + 1);
     EXPECT_GT(without, best - 0.1);
@@ -532,7 +534,7 @@ TEST_F(EndToEnd, VisibilityMatchesRayCastingOnTheDemoScene) {
 TEST_F(EndToEnd, OwnViewsMatchThePhotosOnSceaux) {
     VANTAGE_DATASET(set, "sceaux");
     Prepared p = prepared(set);
-    expect_own_views_are_the_photos(p, 6, 3);
+    expect_own_views_are_the_photos(p, 6, 4);
     expect_visibility_is_that_of_rays(p);
 }
 
@@ -544,9 +546,60 @@ TEST_F(EndToEnd, OwnViewsMatchThePhotosDespiteTheConsensusMask) {
     expect_own_views_are_the_photos(p, 6, 3);
 }
 
+TEST_F(EndToEnd, SurroundingsFillTheFrameAndLeaveTheMeshAlone) {
+    VANTAGE_DATASET(set, "sceaux-small");
+    const auto picture = [](Prepared& of, ShowSurroundings shown) {
+        RenderSettings settings;
+        settings.surroundings = shown;
+        std::vector<std::uint32_t> others = of.photos;
+        std::erase(others, 4u);
+        return take_picture(*of.renderer, view_of_photo(of.package->photos()[4], 1), settings, others, 1)
+            .rgba;
+    };
+    std::vector<package::DirectoryEntry> chunks;
+    std::vector<std::uint8_t> before;
+    {
+        PrepareSettings without;
+        without.effects[Effect::surroundings] = EffectChoice::off;
+        Prepared none(set, dir / "none.vantage", without);
+        const auto directory = none.package->directory();
+        chunks.assign(directory.begin(), directory.end());
+        before = picture(none, ShowSurroundings::on);
+    }
+    Prepared p = prepared(set);
+    ASSERT_TRUE(effect_on(p.package->scene(), Effect::surroundings)) << "trees, lawn and sky";
+    EXPECT_EQ(p.package->directory().size(), chunks.size() + 1);
+    for (const package::DirectoryEntry& e : chunks) {
+        const auto* same = p.package->find(package::Type(e.type), e.photo, e.level);
+        const bool lists_effects =
+            e.type == std::uint32_t(package::Type::meta) || e.type == std::uint32_t(package::Type::scene);
+        ASSERT_TRUE(same);
+        EXPECT_TRUE(lists_effects || same->checksum == e.checksum) << describe(*same, *p.package);
+    }
+    const auto off = picture(p, ShowSurroundings::off), on = picture(p, ShowSurroundings::on),
+               dimmed = picture(p, ShowSurroundings::dimmed);
+    EXPECT_TRUE(off == before) << "the same frame as without the effect";
+    std::size_t filled = 0, beside = 0, changed = 0, darker = 0;
+    for (std::size_t i = 0; i < on.size(); i += 4) {
+        filled += on[i + 3] == 255;
+        if (off[i + 3] == 255) {
+            changed +=
+                !std::equal(&on[i], &on[i] + 3, &off[i]) || !std::equal(&on[i], &on[i] + 3, &dimmed[i]);
+        } else {
+            ++beside;
+            darker += dimmed[i] + dimmed[i + 1] + dimmed[i + 2] <= on[i] + on[i + 1] + on[i + 2];
+        }
+    }
+    EXPECT_GE(double(filled), 0.99 * double(on.size() / 4));
+    EXPECT_GT(double(beside), 0.2 * double(on.size() / 4));
+    // The clip planes differ, and with them which of two triangles at the same depth is drawn.
+    EXPECT_LE(double(changed), 1e-4 * double(on.size() / 4 - beside)) << "pixels of the mesh";
+    EXPECT_EQ(darker, beside);
+}
+
 TEST_F(EndToEnd, OwnViewsMatchThePhotosOnFountain) {
     VANTAGE_DATASET(set, "fountain-P11");
     Prepared p = prepared(set);
-    expect_own_views_are_the_photos(p, 6, 3);
+    expect_own_views_are_the_photos(p, 6, 5);
     expect_visibility_is_that_of_rays(p);
 }

@@ -31,7 +31,8 @@ TEST(ShaderContract, PhotosHaveTheSameLayoutInCppAndGlsl) {
                                                     .traces_texels = false,
                                                     .trilinear = true,
                                                     .anisotropy = 1,
-                                                    .refined_colors = true},
+                                                    .refined_colors = true,
+                                                    .surroundings = false},
                                                    package::SceneRecord{});
     struct Member {
         const char* name;
