@@ -69,8 +69,11 @@ VisibleSurface visible_surface(const PlanScene& scene, const View& view, std::sp
     }
     s.points = points_on(scene, view, s.triangles, clusters, seen.size(), samples);
     for (const std::uint32_t n : count) s.seen.push_back(n > 0);
-    for (const std::uint32_t c : s.clusters)
-        s.areas.push_back(s.triangles.empty() ? area_in_view(scene.clusters[c], view) : count[c]);
+    const auto guessed = [&](std::uint32_t c) {
+        // Nearly all of the frame is in the sphere around a cluster that reaches to the horizon.
+        return area_in_view(scene.clusters[c], view) * (c < scene.first_surrounding ? 1 : 1e-4);
+    };
+    for (const std::uint32_t c : s.clusters) s.areas.push_back(s.triangles.empty() ? guessed(c) : count[c]);
     return s;
 }
 
