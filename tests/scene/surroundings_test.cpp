@@ -8,6 +8,7 @@
 
 #include "scene/error.h"
 #include "scene/package_writer.h"
+#include "tests/temporary_folder.h"
 #include "values/bytes_of.h"
 
 using namespace vantage;
@@ -30,8 +31,8 @@ SurroundingsContent tetrahedron() {
     return s;
 }
 
-struct SurroundingsFile : ::testing::Test {
-    std::filesystem::path file = std::filesystem::temp_directory_path() / "surroundings_test.vantage";
+struct SurroundingsFile : TemporaryFolder {
+    std::filesystem::path file = dir / "surroundings.vantage";
     void write(std::span<const std::byte> chunk) {
         std::filesystem::remove(file);
         const std::vector<ChunkPlan> plan{{Type::scene, package::scene_wide, 0, sizeof(package::SceneRecord)},
@@ -42,7 +43,6 @@ struct SurroundingsFile : ::testing::Test {
         writer.append(Type::surroundings, chunk);
         writer.finish();
     }
-    ~SurroundingsFile() override { std::filesystem::remove(file); }
 };
 
 }  // namespace
