@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::size_t max_fitted = 8192;  ///< samples of all photos, in the gains of a fold
 constexpr double worth_having = 0.01;     ///< share of a photo that is open
+constexpr double same_enough = 25;        ///< dB, of a background that moves with the camera
 constexpr double plain_enough = 30;       ///< dB
 
 /// A picture of NaN, the size of the view.
@@ -175,24 +176,23 @@ SurroundingsJudgment judge_surroundings(const CoarseViews& all, Samples samples,
             all.views, view.photo, all.colors, fit_without(some.spans(), lens, view.photo, false));
         if (have_parallax(others)) folds[f] = predicted(view, others, mesh_planes, photos[view.photo].name);
     });
-    std::vector<JudgedPhoto> gain, moves;
+    std::vector<JudgedPhoto> gain;
     SurroundingsJudgment out;
     for (const Predicted& p : folds) {
         gain.push_back({p.name, p.plain, p.backdrop});
-        moves.push_back({p.name, p.backdrop, p.same});
+        out.with_camera += p.same.psnr > std::max(same_enough, p.backdrop.psnr);
         out.plain += p.plain.pixels > 0 && p.plain.psnr > plain_enough;
     }
     out.gain = summarize(gain);
-    out.moves = summarize(moves);
     return out;
 }
 
 std::string SurroundingsJudgment::objection() const {
     if (gain.photos < min_judged_photos) return "";
     if (2 * plain > gain.photos) return "the background is plain";
-    if (moves.gain > 2 * moves.error)
+    if (2 * with_camera > gain.photos)
         return "the background moves with the camera, as it does when the object is turned";
-    return gain.gain > 0 ? "" : "other photos do not tell what is there";
+    return gain.gain < -2 * gain.error ? "other photos do not tell what is there" : "";
 }
 
 }  // namespace vantage

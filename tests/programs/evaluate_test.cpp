@@ -327,6 +327,7 @@ TEST_F(Evaluate, PictureIsThatOfAPackagePreparedWithoutThePhoto) {
         Renderer renderer(package, {});
         RenderSettings shown = render_settings(package, {}, Purpose::pictures);
         shown.fill_holes = false;
+        shown.surroundings = ShowSurroundings::off;  // as in evaluate
         shown.weights.consensus_mask = consensus_mask;
         return take_picture(renderer, view_of_level(package.photos()[2], 1), shown,
                             std::array{0u, 1u, 3u, 4u}, 2);
