@@ -253,19 +253,21 @@ void main() {
         MaskPlace at = mask_place(photo, pixel, footprint.lod);
         if (at.level < 0) continue;
         float w = 1.0;
-        float theta = ray_angle(photo);
-        vec4 masks = masks_at(at);
 #ifdef SURROUNDINGS
-        if (surrounds()) {
-            w *= max(beyond_mesh(photo, pixel, footprint.lod, at), own_share(theta) - 0.5) * max(assurance(photo, pixel, theta), 0.0001);
-            masks = vec4(1.0);  // those of the photo are the mesh's
-        } else {
-            w *= seen(photo, p, at);
-        }
+        if (!surrounds()) w *= seen(photo, p, at);
 #elif defined(PER_FRAGMENT)
         w *= seen(photo, p, at);
 #endif
         if (!(w > 0.0)) continue;
+        vec4 masks = masks_at(at);
+        float theta = ray_angle(photo);
+#ifdef SURROUNDINGS
+        if (surrounds()) {
+            w *= max(beyond_mesh(photo, pixel, footprint.lod, at), own_share(theta) - 0.5) * max(assurance(photo, pixel, theta), 0.0001);
+            masks = vec4(1.0);  // those of the photo are the mesh's
+            if (!(w > 0.0)) continue;
+        }
+#endif
         w *= weight_of(photo, pixel, masks, theta, footprint);
 #ifdef PHOTO_CONSENSUS
         // 1 of 255: visible, but contradicted by other photos.
