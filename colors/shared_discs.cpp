@@ -81,6 +81,13 @@ PhotoSamples thinned(Samples samples, std::size_t step) {
     return out;
 }
 
+PhotoSamples samples_to_fit(Samples samples) {
+    constexpr std::size_t most = 8192;  // of all photos
+    std::size_t shown_discs = 0;
+    for (const auto& s : samples) shown_discs += std::size_t(std::ranges::count_if(s, shown));
+    return thinned(samples, 1 + shown_discs / most);
+}
+
 PhotoSamples read_samples(std::span<const package::PhotoRecord> photos,
                           const std::function<std::vector<std::byte>(std::uint32_t photo)>& read) {
     PhotoSamples out;

@@ -25,6 +25,8 @@ struct PhotoSamples {
 };
 /// Every `step`-th disc.
 PhotoSamples thinned(Samples samples, std::size_t step);
+/// Enough of the discs to fit the colors of a fold: a gain is one number per photo and channel.
+PhotoSamples samples_to_fit(Samples samples);
 /// `read` returns the bytes of a photo's SAMP chunk.
 PhotoSamples read_samples(std::span<const package::PhotoRecord> photos,
                           const std::function<std::vector<std::byte>(std::uint32_t photo)>& read);

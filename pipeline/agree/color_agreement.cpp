@@ -13,8 +13,7 @@
 namespace vantage {
 namespace {
 
-constexpr double min_improvement = 0.1;   ///< share of the disagreement that gains must remove
-constexpr std::size_t max_fitted = 8192;  ///< samples of all photos, in the fit of a fold
+constexpr double min_improvement = 0.1;  ///< share of the disagreement that gains must remove
 
 EffectDecision decide_exposure(const ColorFit& fit, EffectChoice wanted) {
     if (!fit.shares_surface())
@@ -74,10 +73,7 @@ Alternative alternative(const PhotoColors& colors, bool gains_on, bool falloff_o
 }
 
 FoldColors colors_without(const Folds& folds, std::span<const std::uint32_t> lens, bool falloff) {
-    // A gain is one number per photo and channel: a part of the samples determines it.
-    std::size_t shown_discs = 0;
-    for (const auto& s : folds.input().samples) shown_discs += std::size_t(std::ranges::count_if(s, shown));
-    const PhotoSamples some = thinned(folds.input().samples, 1 + shown_discs / max_fitted);
+    const PhotoSamples some = samples_to_fit(folds.input().samples);
     const std::size_t n = folds.all().size();
     FoldColors out{std::vector<PhotoColors>(n), std::vector<PhotoColors>(falloff ? n : 0)};
     for_each_photo(n, folds.input().threads, [&](std::size_t f) {

@@ -10,7 +10,7 @@ namespace vantage {
 namespace {
 
 /// Square roots of light, where darkness and light look evenly spaced.
-Eigen::Array3f root_of(const Eigen::Array3f& ln) { return (ln.exp() - 0.02f).max(0.0f).sqrt(); }
+Eigen::Array3f root_of(const Eigen::Array3f& ln) { return linear_of(ln).max(0.0f).sqrt(); }
 
 /// A rotation to the cameras' own axes, so that the world's do not matter.
 Eigen::Matrix3f frame_of(std::span<const CoarseView> views) {
@@ -23,10 +23,6 @@ Eigen::Matrix3f frame_of(std::span<const CoarseView> views) {
     Eigen::Matrix3f out;
     out << right.cast<float>(), down.cross(right).cast<float>(), down.cast<float>();
     return out;
-}
-
-ViewSample seen_at(const CoarseView& view, const Eigen::Vector3f& position) {
-    return sample(view, (view.pose.R * position.cast<double>() + view.pose.t).cast<float>(), 1);
 }
 
 }  // namespace
@@ -66,7 +62,8 @@ std::vector<Eigen::Array3f> quiet_colors(const Backdrop& backdrop, std::span<con
     for (std::size_t v = 0; v < n; ++v) {
         colors.clear();
         for (const CoarseView& view : views)
-            if (const ViewSample s = seen_at(view, backdrop.positions[v]); s.kind == ViewSample::open)
+            if (const ViewSample s = sample(view, in_camera(view, backdrop.positions[v]), 1);
+                s.kind == ViewSample::open)
                 colors.push_back(root_of(s.ln));
         if (colors.empty()) continue;
         out[v] = median(colors);

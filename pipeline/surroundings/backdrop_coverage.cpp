@@ -17,7 +17,7 @@ struct Seen {
 };
 
 Seen seen_by(const CoarseView& v, const Eigen::Vector3f& position) {
-    const Eigen::Vector3f p = (v.pose.R * position.cast<double>() + v.pose.t).cast<float>();
+    const Eigen::Vector3f p = in_camera(v, position);
     if (!(p.z() > 0)) return {};
     const float x = float(v.k.fx) * p.x() / p.z() + float(v.k.cx),
                 y = float(v.k.fy) * p.y() / p.z() + float(v.k.cy);

@@ -12,7 +12,6 @@ namespace vantage {
 namespace {
 
 constexpr int long_side = 192;
-constexpr float offset = 0.02f;  ///< keeps noise in dark pixels from becoming large differences
 
 CoarseView read_view(const PackageReader& package, const package::PhotoRecord& r, std::uint32_t photo,
                      const PhotoColors& colors) {
@@ -33,7 +32,7 @@ CoarseView read_view(const PackageReader& package, const package::PhotoRecord& r
         for (int i = 0; i < 3; ++i)
             c[i] = linear[at][std::size_t(i)] * float(std::exp(gain[std::size_t(i)] + falloff));
         v.color.push_back(c);
-        v.ln.push_back((c + offset).log());
+        v.ln.push_back(ln_of(c));
         v.pixels += c[0] >= 0;
         v.open += v.is_open(at);
     }

@@ -11,6 +11,11 @@
 
 namespace vantage {
 
+/// ln of linear light for comparison; the offset keeps noise in dark pixels from becoming large differences.
+inline constexpr float ln_offset = 0.02f;
+inline Eigen::Array3f ln_of(const Eigen::Array3f& linear) { return (linear + ln_offset).log(); }
+inline Eigen::Array3f linear_of(const Eigen::Array3f& ln) { return ln.exp() - ln_offset; }
+
 /// A photo at a coarse level, and where the mesh leaves it open: where it shows something else.
 struct CoarseView {
     std::uint32_t photo = 0;
@@ -18,7 +23,7 @@ struct CoarseView {
     Pose pose;     ///< relative to the origin
     /// Linear light in the exposure of the mean photo; NaN where the photo has no pixel.
     std::vector<Eigen::Array3f> color;
-    std::vector<Eigen::Array3f> ln;    ///< ln(color + 0.02), for comparison
+    std::vector<Eigen::Array3f> ln;    ///< ln_of(color)
     std::vector<float> z;              ///< of the mesh, +inf where it is open
     std::vector<std::uint8_t> gaps;    ///< 1: some of the texel is open at `mask_level`; see find_gaps
     std::size_t pixels = 0, open = 0;  ///< texels with a pixel, and those of them without mesh
@@ -27,6 +32,11 @@ struct CoarseView {
         return z[texel] == std::numeric_limits<float>::infinity() && color[texel][0] >= 0;
     }
 };
+
+/// A position relative to the origin in the view's camera space.
+inline Eigen::Vector3f in_camera(const CoarseView& view, const Eigen::Vector3f& position) {
+    return (view.pose.R * position.cast<double>() + view.pose.t).cast<float>();
+}
 
 /// Reads the photos `of` at the finest level with at most 192 texels on the longer side. `colors`: gains and
 /// falloff per photo of the scene. Throws Error(damaged).

@@ -34,7 +34,7 @@ Cameras cameras_of(std::span<const CoarseView> views) {
     return c;
 }
 
-/// A photo's camera relative to the center, and what a direction is in its space.
+/// A photo, and how places on a direction get into its camera space.
 struct SweptView {
     const CoarseView& view;
     Eigen::Matrix3f R;

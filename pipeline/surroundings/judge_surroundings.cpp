@@ -21,10 +21,9 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t max_fitted = 8192;  ///< samples of all photos, in the gains of a fold
-constexpr double worth_having = 0.01;     ///< share of a photo that is open
-constexpr double same_enough = 25;        ///< dB, of a background that moves with the camera
-constexpr double plain_enough = 30;       ///< dB
+constexpr double worth_having = 0.01;  ///< share of a photo that is open
+constexpr double same_enough = 25;     ///< dB, of a background that moves with the camera
+constexpr double plain_enough = 30;    ///< dB
 
 /// A picture of NaN, the size of the view.
 cv::Mat blank(const CoarseView& view) {
@@ -64,8 +63,7 @@ float angle_weight(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
 }
 
 /// The view from the backdrop, painted with the others.
-cv::Mat from_backdrop(const CoarseView& view, const Backdrop& backdrop,
-                      std::span<const CoarseView* const> others) {
+cv::Mat from_backdrop(const CoarseView& view, const Backdrop& backdrop, std::span<const CoarseView> others) {
     cv::Mat out = blank(view);
     std::vector<std::uint32_t> indices;
     for (const auto& t : backdrop.sphere.triangles) indices.insert(indices.end(), t.begin(), t.end());
@@ -82,11 +80,11 @@ cv::Mat from_backdrop(const CoarseView& view, const Backdrop& backdrop,
                                   (y - float(view.k.cy)) / float(view.k.fy), 1);
         const Eigen::Vector3f point = eye + world * ray / map.inverse_depth[at];
         Blend blend;
-        for (const CoarseView* o : others) {
-            const ViewSample s = sample(*o, (o->pose.R * point.cast<double>() + o->pose.t).cast<float>(), 1);
+        for (const CoarseView& o : others) {
+            const ViewSample s = sample(o, in_camera(o, point), 1);
             if (s.kind != ViewSample::open) continue;
-            const Eigen::Vector3f back = o->pose.center().cast<float>() - point;
-            blend.add(s.ln.exp() - 0.02f, std::max(angle_weight(eye - point, back), 1e-12f));
+            const Eigen::Vector3f back = o.pose.center().cast<float>() - point;
+            blend.add(linear_of(s.ln), std::max(angle_weight(eye - point, back), 1e-12f));
         }
         if (!blend.empty()) set(out, at, blend.color());
     }
@@ -95,22 +93,22 @@ cv::Mat from_backdrop(const CoarseView& view, const Backdrop& backdrop,
 
 /// The view as if its background had moved with the camera: the same pixels of the others, the nearest
 /// most. And as if it had one color.
-std::array<cv::Mat, 2> without_geometry(const CoarseView& view, std::span<const CoarseView* const> others) {
+std::array<cv::Mat, 2> without_geometry(const CoarseView& view, std::span<const CoarseView> others) {
     std::array<cv::Mat, 2> out{blank(view), blank(view)};
     const Eigen::Vector3d eye = view.pose.center();
     double nearest = std::numeric_limits<double>::infinity();
-    for (const CoarseView* o : others) nearest = std::min(nearest, (o->pose.center() - eye).norm());
+    for (const CoarseView& o : others) nearest = std::min(nearest, (o.pose.center() - eye).norm());
     for (std::size_t at = 0; at < view.color.size(); ++at) {
         if (!view.is_open(at)) continue;
         const int x = int(at) % view.k.width, y = int(at) / view.k.width;
         Blend blend;
-        for (const CoarseView* o : others) {
-            const auto i = std::size_t(x * o->k.width / view.k.width),
-                       j = std::size_t(y * o->k.height / view.k.height);
-            const std::size_t there = j * std::size_t(o->k.width) + i;
-            if (!o->is_open(there)) continue;
-            const double distance = (o->pose.center() - eye).norm() / std::max(nearest, 1e-30);
-            blend.add(o->color[there], float(std::exp(-2 * distance)) + 1e-12f);
+        for (const CoarseView& o : others) {
+            const auto i = std::size_t(x * o.k.width / view.k.width),
+                       j = std::size_t(y * o.k.height / view.k.height);
+            const std::size_t there = j * std::size_t(o.k.width) + i;
+            if (!o.is_open(there)) continue;
+            const double distance = (o.pose.center() - eye).norm() / std::max(nearest, 1e-30);
+            blend.add(o.color[there], float(std::exp(-2 * distance)) + 1e-12f);
         }
         if (!blend.empty()) set(out[0], at, blend.color());
         set(out[1], at, Eigen::Array3f::Constant(0.2f));
@@ -131,7 +129,7 @@ std::vector<CoarseView> exposed_without(std::span<const CoarseView> views, std::
                 std::exp(fitted.ln_gain[v.photo][std::size_t(c)] - used.ln_gain[v.photo][std::size_t(c)]));
         for (std::size_t at = 0; at < v.color.size(); ++at) {
             changed.color[at] *= factor;
-            changed.ln[at] = (changed.color[at] + 0.02f).log();
+            changed.ln[at] = ln_of(changed.color[at]);
         }
     }
     return out;
@@ -146,10 +144,8 @@ struct Predicted {
 Predicted predicted(const CoarseView& view, std::span<const CoarseView> others,
                     std::span<const Plane> mesh_planes, const std::string& name) {
     const Backdrop backdrop = estimate_backdrop(others, mesh_planes, judged_detail, 1);
-    std::vector<const CoarseView*> by;
-    for (const CoarseView& v : others) by.push_back(&v);
-    const auto [same, plain] = without_geometry(view, by);
-    const std::array predictions{Prediction{from_backdrop(view, backdrop, by)}, Prediction{same},
+    const auto [same, plain] = without_geometry(view, others);
+    const std::array predictions{Prediction{from_backdrop(view, backdrop, others)}, Prediction{same},
                                  Prediction{plain}};
     const std::vector<JudgeScore> scores = score(own_surroundings(view), predictions);
     return {name, scores[0], scores[1], scores[2]};
@@ -162,9 +158,7 @@ SurroundingsJudgment judge_surroundings(const CoarseViews& all, Samples samples,
                                         std::span<const std::uint32_t> lens,
                                         std::span<const Plane> mesh_planes, std::size_t most,
                                         unsigned threads) {
-    std::size_t shown_discs = 0;
-    for (const auto& s : samples) shown_discs += std::size_t(std::ranges::count_if(s, shown));
-    const PhotoSamples some = thinned(samples, 1 + shown_discs / max_fitted);
+    const PhotoSamples some = samples_to_fit(samples);
     std::vector<std::size_t> candidates;
     for (std::size_t i = 0; i < all.views.size(); ++i)
         if (double(all.views[i].open) > worth_having * double(all.views[i].pixels)) candidates.push_back(i);

@@ -11,7 +11,7 @@ namespace vantage {
 
 /// Points p with normal . p = height, relative to the origin.
 struct Plane {
-    Eigen::Vector3d normal;  ///< unit length; downward
+    Eigen::Vector3d normal;  ///< unit length; downward for a ground
     double height;
 };
 

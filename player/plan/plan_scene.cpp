@@ -98,8 +98,7 @@ PlanScene make_plan_scene(const PackageReader& package) {
         s.visible.back() = package.records<std::uint64_t>(Type::visible, i);
     }
     s.spread = spread_of(s.poses);
-    if (effect_on(record, Effect::surroundings))
-        if (const auto surroundings = read_surroundings(package)) join(s, *surroundings);
+    if (const auto surroundings = read_surroundings(package)) join(s, *surroundings);
     s.tree = make_cluster_tree(s.clusters);
     return s;
 }
