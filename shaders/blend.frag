@@ -105,14 +105,6 @@ float beyond_mesh(uint photo, vec2 pixel, float lod, MaskPlace at) {
     float area = mix(mix(clear.w, clear.z, share.x), mix(clear.x, clear.y, share.x), share.y);
     return max(surroundings_least, smoothstep(0.5, 1.0, area));
 }
-
-// How surely a photo shows what is there: not at its frame, where others may go on, and not from another side.
-float assurance(uint photo, vec2 pixel, float theta) {
-    vec2 size = photos[photo].size_weight.xy, inside = min(pixel, size - pixel);
-    float frame = min(inside.x, inside.y) * reference_width / size.x;
-    float sure = smoothstep(0.0, surroundings_ramp, frame) * (1.0 - smoothstep(surroundings_near, surroundings_far, theta));
-    return max(sure, own_share(theta));
-}
 #endif
 
 // The area of a photo that a sample covers.
@@ -200,25 +192,20 @@ vec3 refined(uint photo, vec2 pixel, vec3 c) {
 }
 
 #ifdef SURROUNDINGS
-// Weight of a photo's color of the surroundings: a sky too bright for it says little, and what is far from the color in
-// which all photos agree stands before them, such as leaves beside the camera.
-float credible(uint photo, vec2 pixel, vec3 shown, float theta) {
-    vec3 full = refined(photo, pixel, vec3(0.96)), off = (sqrt(shown) - quiet_color) / surroundings_spread;
-    float far = dot(off, off);
-    float w = (any(greaterThan(shown, full)) ? surroundings_clipped : 1.0) / (1.0 + far * far);
-    return mix(w, 1.0, own_share(theta));
+// Weight of a photo's color of the surroundings: what is far from the color in which all photos agree stands before
+// them, such as leaves beside the camera.
+float credible(vec3 color, float theta) {
+    vec3 off = (sqrt(color) - quiet_color) / surroundings_spread;
+    return mix(1.0 / (1.0 + dot(off, off)), 1.0, own_share(theta));
 }
 #endif
 
-vec4 shown_color(uint photo, vec2 pixel, Footprint footprint) {
+vec4 photo_color(uint photo, vec2 pixel, Footprint footprint) {
     vec4 c = filtered(photo, pixel, footprint);
-    c.rgb = refined(photo, pixel, c.rgb);
-#ifdef SURROUNDINGS
-    if (surrounds()) {
-        vec3 root = mix(quiet_color, sqrt(c.rgb), assurance(photo, pixel, ray_angle(photo)));
-        c.rgb = root * root;
-    }
-#endif
+    return vec4(refined(photo, pixel, c.rgb), c.a);
+}
+
+vec4 as_shown(uint photo, vec4 c) {
     return show == show_colors ? c : vec4(show == show_sources ? photos[photo].false_color.rgb : vec3(1.0), c.a);
 }
 
@@ -263,7 +250,7 @@ void main() {
         float theta = ray_angle(photo);
 #ifdef SURROUNDINGS
         if (surrounds()) {
-            w *= max(beyond_mesh(photo, pixel, footprint.lod, at), own_share(theta) - 0.5) * max(assurance(photo, pixel, theta), 0.0001);
+            w *= max(beyond_mesh(photo, pixel, footprint.lod, at), own_share(theta) - 0.5);
             masks = vec4(1.0);  // those of the photo are the mesh's
             if (!(w > 0.0)) continue;
         }
@@ -283,10 +270,11 @@ void main() {
             chosen_footprint = footprint;
         }
 #else
-        vec4 c = shown_color(photo, pixel, footprint);
+        vec4 c = photo_color(photo, pixel, footprint);
 #ifdef SURROUNDINGS
-        w *= surrounds() ? credible(photo, pixel, c.rgb, theta) : 1.0;
+        w *= surrounds() ? credible(c.rgb, theta) : 1.0;
 #endif
+        c = as_shown(photo, c);
 #ifdef CONSENSUS
         vec3 off = (sqrt(c.rgb) - mean) / consensus_scale;
         w /= 1.0 + dot(off, off);
@@ -297,7 +285,7 @@ void main() {
     }
 #ifdef TAKES_ONE
     if (chosen >= 0) {
-        vec4 c = shown_color(uint(chosen), chosen_pixel, chosen_footprint);
+        vec4 c = as_shown(uint(chosen), photo_color(uint(chosen), chosen_pixel, chosen_footprint));
         accumulated = c.a > 0.5 ? vec4(c.rgb, accumulated.a) : before;
     }
 #else

@@ -25,6 +25,9 @@ const int sums_unit = 4;  // resolve
 const int surface_unit = 5;
 const int before_unit = 6;
 const int accumulated_unit = 4;  // show
+const int filled_unit = 5;
+const int finer_unit = 4;    // average_holes
+const int coarser_unit = 4;  // fill_holes
 
 // Uniforms of surface and blend.
 const int clip_from_origin_uniform = 0;
@@ -54,6 +57,8 @@ const int falloff_uniform = 5;
 const int lens_uniform = 6;
 const int progress_uniform = 7;
 const int surroundings_light_uniform = 8;
+const int hole_weight_uniform = 9;
+const int background_weight_uniform = 10;
 
 // Uniforms of show.
 const int samples_uniform = 0;
@@ -62,6 +67,10 @@ const int compare_uniform = 2;
 const int wiper_uniform = 3;
 const int photo_from_frame_uniform = 4;
 const int lod_uniform = 5;
+const int fills_uniform = 6;
+
+// Uniforms of average_holes.
+const int average_samples_uniform = 0;
 
 // Uniforms and outputs of photo_geometry.
 const int clip_from_model_uniform = 0;
@@ -121,13 +130,9 @@ const float least_cosine = 0.1f;
 const float beside = 0.03f;  // the weight in that case
 
 // Surroundings are painted from where a photo shows them for sure.
-const float surroundings_ramp = 128.0f;    // reference pixels from the photo's frame inward, to the quiet color
 const float surroundings_margin = 8.0f;    // reference pixels per texel of the depth that must not show the mesh
 const float surroundings_least = 0.001f;   // the weight next to the mesh: its silhouette is not exact
-const float surroundings_clipped = 0.1f;   // the weight of a photo's brightest pixels
 const float surroundings_spread = 0.25f;   // square root of light: half the weight at this distance from the quiet color
-const float surroundings_near = 0.5f;      // radians between rays up to which a photo tells what is there,
-const float surroundings_far = 1.0f;       // and from which it does not
 
 const uint not_resident = 0xffffffffu;  // in place of a page's entry
 const int level_count = 12;             // of a photo's pyramid, at most

@@ -1,5 +1,5 @@
 // Turns the sums of one sample of each pixel into a color and adds it to the pixel's samples with weight 1. A sample
-// without weight is a hole, whatever its color.
+// without weight is a hole, whatever its color; with surroundings, holes that are to be filled have a small weight.
 #include "contract.glsl"
 
 layout(location = 0) out vec4 accumulated;
@@ -26,6 +26,8 @@ vec3 count_color(float share) {
 
 #ifdef SURROUNDINGS
 layout(location = surroundings_light_uniform) uniform float surroundings_light;  // factor of their light
+layout(location = hole_weight_uniform) uniform float hole_weight;
+layout(location = background_weight_uniform) uniform float background_weight;
 #endif
 
 // The mean of square roots of light.
@@ -55,15 +57,17 @@ void main() {
     if (s.a > 0.0)
         accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : mean_light(s)), 1.0);
     if (progress < 1.0) accumulated = mixed(texelFetch(before, at, 0), accumulated);
+    bool hole = accumulated.a == 0.0;
+    if (hole && fill) {
+        vec4 bare = texelFetch(surface, at, 0);
+        accumulated = vec4(bare.a > 0.0 ? bare.rgb : background, 1.0);
+    }
 #ifdef SURROUNDINGS
-    vec4 behind = texelFetch(surface, at, 0);
-    if (behind.a > 1.5) {
-        if (accumulated.a == 0.0) accumulated = vec4(exposed(behind.rgb), 1.0);
+    float kind = texelFetch(surface, at, 0).a;  // 2: surroundings
+    if (kind > 1.5) {
+        if (hole) accumulated = vec4(exposed(texelFetch(surface, at, 0).rgb), 1.0);
         accumulated.rgb *= surroundings_light;
     }
+    if (hole) accumulated *= kind > 0.0 ? hole_weight : background_weight;
 #endif
-    if (accumulated.a == 0.0 && fill) {
-        vec4 f = texelFetch(surface, at, 0);
-        accumulated = vec4(f.a > 0.0 ? f.rgb : background, 1.0);
-    }
 }

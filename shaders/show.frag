@@ -10,6 +10,10 @@ layout(location = compare_uniform) uniform uint compare;
 layout(location = wiper_uniform) uniform float wiper;     // share of the width
 layout(location = photo_from_frame_uniform) uniform mat3 photo_from_frame;  // pixels, homogeneous
 layout(location = lod_uniform) uniform float lod;         // of the photo
+#ifdef SURROUNDINGS
+layout(binding = filled_unit) uniform sampler2D filled;   // square roots of light at half the size
+layout(location = fills_uniform) uniform bool fills;      // show `filled` in place of holes
+#endif
 
 float encode(float l) { return l <= 0.0031308 ? 12.92 * l : 1.055 * pow(l, 1.0 / 2.4) - 0.055; }
 vec3 encode(vec3 l) { return vec3(encode(l.r), encode(l.g), encode(l.b)); }
@@ -23,6 +27,20 @@ vec4 photo_at(vec2 frame_pixel) {
     return inside ? color_at(0u, pixel, lod) : vec4(0.0);
 }
 
+// Mean of a pixel's samples; alpha: the share of them that is no hole.
+vec4 shown_color(ivec2 at) {
+    vec4 a = texelFetch(accumulated, at, 0);
+#ifdef SURROUNDINGS
+    float share = a.a / samples;
+    if (fills && a.a > 0.0 && share < 0.999) {
+        vec3 around = texture(filled, (vec2(at) + 0.5) / (2.0 * vec2(textureSize(filled, 0)))).rgb;
+        vec3 root = mix(around, sqrt(max(a.rgb / a.a, 0.0)), share);
+        return vec4(root * root, 1.0);
+    }
+#endif
+    return vec4(a.rgb / max(a.a, 1.0), a.a / samples);
+}
+
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     ivec2 size = textureSize(accumulated, 0);
@@ -32,9 +50,9 @@ void main() {
         photo_side = at.x >= size.x / 2;
         at.x = at.x % (size.x / 2) + size.x / 4;
     }
-    vec4 a = texelFetch(accumulated, at, 0);
-    vec3 color = clamp(encode(clamp(a.rgb / max(a.a, 1.0), 0.0, 1.0)), 0.0, 1.0);
-    float seen = a.a / samples;
+    vec4 light = shown_color(at);
+    vec3 color = clamp(encode(clamp(light.rgb, 0.0, 1.0)), 0.0, 1.0);
+    float seen = light.a;
     if (compare != compare_nothing) {
         vec4 photo = photo_at(vec2(at) + 0.5);
         vec3 taken = photo.a > 0.0 ? encode(photo.rgb / photo.a) : vec3(0.0);

@@ -116,7 +116,7 @@ void add_blending_options(CLI::App& app, BlendingOptions& o) {
                    "window, all for pictures)")
         ->check(CLI::Range(0, 1 << 20));
     app.add_option("--holes", o.holes,
-                   "what no photo shows: transparent (default for pictures) or shade (default in the window)")
+                   "what no photo shows: transparent (default for pictures without surroundings) or shade")
         ->check(CLI::IsMember({"transparent", "shade"}));
     app.add_option("--exposure", o.exposure,
                    "show colors with this photo's exposure (default: the mean photo's, or from a photo's own "
@@ -143,7 +143,10 @@ RenderSettings render_settings(const PackageReader& package, const BlendingOptio
                                       : o.fov_normalization == "on";
     r.photos = o.photos >= 0 ? o.photos : (purpose == Purpose::pictures ? 0 : window_photos);
     if (!o.exposure.empty()) r.exposure = named_photos(package, {o.exposure}).front();
-    r.fill_holes = o.holes == "shade" || (o.holes.empty() && purpose == Purpose::window);
+    const bool fills_frame =
+        purpose == Purpose::window ||
+        (effect_on(package.scene(), Effect::surroundings) && r.surroundings != ShowSurroundings::off);
+    r.fill_holes = o.holes == "shade" || (o.holes.empty() && fills_frame);
     return r;
 }
 

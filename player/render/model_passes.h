@@ -41,7 +41,8 @@ class ModelPasses {
     /// Replaces the cameras and colors with which photos are drawn, for measurements. The plan keeps the
     /// package's.
     void use_records(std::span<const package::PhotoRecord> photos);
-
+    /// Whether the scene has surroundings and the settings show them.
+    bool shows_surroundings(const RenderSettings& settings) const;
     bool per_fragment(const RenderSettings& settings) const;
     /// Depth, plain shading and the triangles' numbers.
     void draw_surface(const DrawnView& drawn, const FrameTargets& targets);
@@ -59,7 +60,6 @@ class ModelPasses {
   private:
     /// Draws the given clusters that have bits in cluster_photos_, in one call. Returns the number of draws.
     std::size_t draw_clusters(std::span<const std::uint32_t> clusters);
-    bool shows_surroundings(const RenderSettings& settings) const;
     std::size_t draw_run(std::span<const std::uint32_t> clusters, std::uint32_t bits);
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn);
     /// Writes the photos and their pages into the ring, and binds them.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "gl/context.h"
 #include "player/render/blend_table.h"
@@ -30,6 +31,14 @@ Eigen::Matrix4f clip_matrix(const View& view, Eigen::Vector2d range) {
 void bind_target(const gl::Framebuffer& framebuffer, int width, int height) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     glViewport(0, 0, width, height);
+}
+
+/// 1 where photos were taken, 0 farther from all of them than they are spread: in between, one may have left
+/// the surroundings in one direction while still inside in others.
+double nearness_to_photos(const PlanScene& scene, const Eigen::Vector3d& eye) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Pose& pose : scene.poses) nearest = std::min(nearest, (pose.center() - eye).norm());
+    return scene.spread > 0 ? std::clamp(2 - nearest / scene.spread, 0.0, 1.0) : 0;
 }
 
 /// Bytes for the tiles that a frame of this size shows, plus some shown earlier.
@@ -73,9 +82,11 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
       resolve_program_(gl::make_program(
           "resolve", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "resolve.frag"}},
           surroundings_defines(scene_))),
-      show_program_(
-          gl::make_program("show", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "show.frag"}})),
+      show_program_(gl::make_program("show",
+                                     {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "show.frag"}},
+                                     surroundings_defines(scene_))),
       no_vertices_(gl::make_vertex_array("no vertices")) {
+    if (scene_.has_surroundings()) filling_.emplace();
     gl::check("opening the package");
 }
 
@@ -87,12 +98,13 @@ void Renderer::fit(int width, int height, const RenderSettings& settings) {
         return;
     targets_ = {};
     readback_.release();
-    const std::uint64_t others = gl::memory_held() - store_.bytes() +
-                                 FrameTargets::bytes(width, height, settings.half_sums) +
-                                 TriangleReadback::bytes(width, height);
+    const std::uint64_t others =
+        gl::memory_held() - store_.bytes() + FrameTargets::bytes(width, height, settings.half_sums) +
+        (filling_ ? HoleFilling::bytes(width, height) : 0) + TriangleReadback::bytes(width, height);
     graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
     store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
     targets_ = make_frame_targets(width, height, settings.half_sums);
+    if (filling_) filling_->fit(width, height);
 }
 
 FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
@@ -304,9 +316,16 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool fill, double pro
     glUniform1i(shader::takes_one_uniform, takes_one(frame.drawn.settings.blend) && !counts);
     glUniform1i(shader::fill_uniform, fill);
     glUniform1f(shader::progress_uniform, float(progress));
-    if (scene_.has_surroundings())
+    if (scene_.has_surroundings()) {
         glUniform1f(shader::surroundings_light_uniform,
                     frame.drawn.settings.surroundings == ShowSurroundings::dimmed ? dimmed_light : 1.0f);
+        const float hole = fills_holes(frame.drawn.settings)
+                               ? HoleFilling::hole_weight(targets_.width, targets_.height)
+                               : 1.0f;
+        const auto among = float(nearness_to_photos(scene_, frame.drawn.view.cam_from_origin.center()));
+        glUniform1f(shader::hole_weight_uniform, hole);
+        glUniform1f(shader::background_weight_uniform, among * hole + (1 - among));
+    }
     glUniform3fv(shader::background_uniform, 1, frame.drawn.settings.background);
     glUniform1f(shader::most_uniform, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
     expose(frame.drawn);
@@ -315,6 +334,11 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool fill, double pro
     glBindTextureUnit(shader::before_unit, progress < 1 ? targets_.before.id() : 0);
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/// Only colors: between counts or false colors, others would say what is not so.
+bool Renderer::fills_holes(const RenderSettings& settings) const {
+    return passes_.shows_surroundings(settings) && settings.show == Show::colors;
 }
 
 /// Colors are summed in the mean photo's exposure and shown in the view's.
@@ -340,6 +364,8 @@ std::vector<std::uint32_t> Renderer::triangles() const {
 }
 
 void Renderer::show(const View& view, const RenderSettings& settings, GLuint target, bool flip) {
+    const bool fills = fills_holes(settings);
+    if (fills) filling_->fill(targets_, std::max(samples_, 1.0));
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, view.intrinsics.width, view.intrinsics.height);
     glDisable(GL_BLEND);
@@ -347,6 +373,10 @@ void Renderer::show(const View& view, const RenderSettings& settings, GLuint tar
     glUseProgram(show_program_.id());
     glUniform1f(shader::samples_uniform, float(std::max(samples_, 1.0)));
     glUniform1i(shader::flip_uniform, flip);
+    if (scene_.has_surroundings()) {
+        glUniform1i(shader::fills_uniform, fills);
+        glBindTextureUnit(shader::filled_unit, filling_->filled().id());
+    }
     glUniform1ui(shader::compare_uniform, GLuint(settings.compare));
     const std::uint32_t photo = settings.compare_photo;
     if (settings.compare != Compare::nothing) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "player/plan/plan.h"
 #include "player/plan/view_plan.h"
 #include "player/render/frame_targets.h"
+#include "player/render/hole_filling.h"
 #include "player/render/model_passes.h"
 #include "player/render/render_settings.h"
 #include "player/render/triangle_readback.h"
@@ -91,6 +93,7 @@ class Renderer {
     void resolve_before(int sums, const Frame& frame);
     void draw_resolved(int sums, const Frame& frame, bool fill, double progress);
     void expose(const DrawnView& drawn) const;
+    bool fills_holes(const RenderSettings& settings) const;
 
     const PackageReader* package_;
     MemoryBudget budget_;
@@ -100,6 +103,7 @@ class Renderer {
     ModelPasses passes_;
     ViewPlan plan_;
     FrameTargets targets_;
+    std::optional<HoleFilling> filling_;  ///< if there are surroundings
     TriangleReadback readback_;
     gl::Program resolve_program_, show_program_;
     gl::VertexArray no_vertices_;

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "gl/object.h"
+#include "gl/program.h"
+#include "player/render/frame_targets.h"
+
+namespace vantage {
+
+/// Gives pixels that no photo shows the colors around them, by a pyramid of means that is averaged downward
+/// and filled in upward (after the pull-push of Gortler et al. 1996). Holes count with their own color, too,
+/// but so little that it shows only far from all others.
+class HoleFilling {
+  public:
+    HoleFilling();
+
+    /// For frames of this size.
+    void fit(int width, int height);
+    static std::uint64_t bytes(int width, int height);
+    /// The weight of a hole's own color: it counts as much as what surrounds it at an eighth of the frame.
+    static float hole_weight(int width, int height);
+
+    /// Fills the pyramid from the samples accumulated, `samples` per pixel.
+    void fill(const FrameTargets& frame, double samples);
+    /// Square roots of light at half the frame's size, without holes.
+    const gl::Texture& filled() const { return levels_.front().texture; }
+
+  private:
+    struct Level {
+        int width, height;
+        gl::Texture texture;
+        gl::Framebuffer target;
+    };
+    std::vector<Level> levels_;
+    gl::Program average_program_, fill_program_;
+    gl::VertexArray no_vertices_;
+};
+
+}  // namespace vantage
