@@ -4,48 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/synth/model_builder.h"
+
 namespace vantage {
 namespace {
 
 using Eigen::Vector3d;
 
-struct Builder {
-    SynthModel model;
-    double max_edge;
-
-    std::uint32_t vertex(const Vector3d& p, const Vector3d& n) {
-        model.mesh.positions.push_back(p);
-        model.mesh.normals.push_back(n.cast<float>());
-        return std::uint32_t(model.mesh.positions.size() - 1);
-    }
-    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, Material material) {
-        model.mesh.triangles.push_back({a, b, c});
-        model.materials.push_back(material);
-    }
-
-    /// A parallelogram with edges u and v at `corner`; its normal is along u x v. Divided into
-    /// quads with sides of at most `max_edge`, unless that is 0.
-    void quad(const Vector3d& corner, const Vector3d& u, const Vector3d& v, Material material) {
-        const auto pieces = [&](double length) {
-            return max_edge > 0 ? std::max(1, int(std::ceil(length / max_edge))) : 1;
-        };
-        const int nu = pieces(u.norm()), nv = pieces(v.norm());
-        const Vector3d n = u.cross(v).normalized();
-        const auto first = std::uint32_t(model.mesh.positions.size());
-        for (int j = 0; j <= nv; ++j)
-            for (int i = 0; i <= nu; ++i) vertex(corner + u * (double(i) / nu) + v * (double(j) / nv), n);
-        for (int j = 0; j < nv; ++j)
-            for (int i = 0; i < nu; ++i) {
-                const std::uint32_t row = std::uint32_t(nu) + 1;
-                const std::uint32_t a = first + std::uint32_t(j) * row + std::uint32_t(i);
-                triangle(a, a + 1, a + row + 1, material);
-                triangle(a, a + row + 1, a + row, material);
-            }
-    }
-};
-
 /// One bay of the facade: the wall around an opening, the recess, and the panel at its back.
-void bay(Builder& b, const Vector3d& corner, double w, double h, double recess, Material panel) {
+void bay(ModelBuilder& b, const Vector3d& corner, double w, double h, double recess, Material panel) {
     const double l = 0.22 * w, r = w - l, low = 0.18 * h, top = 0.85 * h;
     const auto wall = [&](double x0, double z0, double x1, double z1) {
         b.quad(corner + Vector3d(x0, 0, z0), Vector3d(x1 - x0, 0, 0), Vector3d(0, 0, z1 - z0),
@@ -64,7 +31,7 @@ void bay(Builder& b, const Vector3d& corner, double w, double h, double recess, 
     b.quad(at + up + in, across, -in, Material::plaster);  // lintel
 }
 
-void facade(Builder& b, const SynthSpec::Building& s) {
+void facade(ModelBuilder& b, const SynthSpec::Building& s) {
     const Material panels[] = {Material::window, Material::grating, Material::window, Material::text};
     const double w = s.width / s.bays, h = s.height / s.floors;
     for (int floor = 0; floor < s.floors; ++floor)
@@ -73,7 +40,7 @@ void facade(Builder& b, const SynthSpec::Building& s) {
 }
 
 /// The other three walls, the ceiling, the two slopes of the roof, and the gables.
-void shell(Builder& b, const SynthSpec::Building& s) {
+void shell(ModelBuilder& b, const SynthSpec::Building& s) {
     const double x = s.width / 2;
     const Vector3d up(0, 0, s.height), back(0, s.depth, 0), across(s.width, 0, 0);
     b.quad({x, 0, 0}, back, up, Material::brick);
@@ -95,17 +62,6 @@ void shell(Builder& b, const SynthSpec::Building& s) {
     }
 }
 
-/// A box without its bottom.
-void box(Builder& b, const Vector3d& center, const Vector3d& half, Material material) {
-    const Vector3d x(2 * half.x(), 0, 0), y(0, 2 * half.y(), 0), z(0, 0, 2 * half.z());
-    const Vector3d low = center - half, high = center + half;
-    b.quad(low, x, z, material);
-    b.quad(high - z, -x, z, material);
-    b.quad(low + x, y, z, material);
-    b.quad(low + y, -y, z, material);
-    b.quad(low + z, x, y, material);
-}
-
 /// A point of the (2,3) torus knot, lying in the xz plane, t in [0, 2 pi).
 Vector3d knot_at(double t) {
     const double r = 2 + std::cos(3 * t);
@@ -113,7 +69,7 @@ Vector3d knot_at(double t) {
 }
 
 /// A tube along the (2,3) torus knot of radius `size` about `center`.
-void knot(Builder& b, const Vector3d& center, double size, int triangles) {
+void knot(ModelBuilder& b, const Vector3d& center, double size, int triangles) {
     const double pi = std::numbers::pi;
     const int around = std::max(5, int(std::sqrt(triangles / 2.0 / 10))), along = triangles / 2 / around;
     const auto first = std::uint32_t(b.model.mesh.positions.size());
@@ -138,14 +94,14 @@ void knot(Builder& b, const Vector3d& center, double size, int triangles) {
 }  // namespace
 
 SynthModel build_model(const SynthSpec& spec) {
-    Builder b{{}, spec.building.max_edge};
+    ModelBuilder b{{}, spec.building.max_edge};
     facade(b, spec.building);
     shell(b, spec.building);
     const double ground = spec.building.width;
     b.quad({-ground, -ground, 0}, {2 * ground, 0, 0}, {0, ground, 0}, Material::paving);
     const double plinth = 0.9, size = spec.object.size;
     const Vector3d foot(0, -spec.object.distance, 0);
-    box(b, foot + Vector3d(0, 0, plinth / 2), {0.45 * size, 0.35 * size, plinth / 2}, Material::plaster);
+    b.box(foot + Vector3d(0, 0, plinth / 2), {0.45 * size, 0.35 * size, plinth / 2}, Material::plaster);
     knot(b, foot + Vector3d(0, 0, plinth + 0.9 * size), size, spec.object.triangles);
     return std::move(b.model);
 }

@@ -12,6 +12,7 @@ namespace vantage {
 struct SynthModel {
     Mesh mesh;
     std::vector<Material> materials;
+    bool clouds = false;  ///< in the sky behind it
 };
 
 /// A building with its facade along x at y = 0, facing -y, with z up: coarse walls, windows in deep recesses,

@@ -43,8 +43,11 @@ struct LitScene {
     Vector3f color(const Vector3d& eye, const Vector3d& direction) const {
         const auto hit = rays.first_hit(eye, direction);
         if (!hit) {
-            const double up = std::clamp(direction.normalized().z() * 2, 0.0, 1.0);
-            return Vector3f(0.60f, 0.72f, 0.86f) * float(1 - up) + Vector3f(0.16f, 0.34f, 0.70f) * float(up);
+            const Vector3d d = direction.normalized();
+            const double up = std::clamp(d.z() * 2, 0.0, 1.0);
+            const Vector3f sky =
+                Vector3f(0.60f, 0.72f, 0.86f) * float(1 - up) + Vector3f(0.16f, 0.34f, 0.70f) * float(up);
+            return model.clouds ? clouded(sky, d) : sky;
         }
         const Vector3d p = eye + hit->distance * direction, n = normal(*hit);
         const Vector3d sun = Vector3d(-0.55, -0.75, 0.62).normalized();

@@ -164,10 +164,24 @@ Vector3f albedo(Material material, const Vector3d& p, const Vector3d& n) {
             return paving(p, uv);
         case Material::marble:
             return marble(p);
+        case Material::grass:
+            return mix({0.07f, 0.15f, 0.03f}, {0.25f, 0.36f, 0.10f},
+                       0.6 * turbulence(p, 0.5, 3) + 0.4 * turbulence(p, 9, 4));
+        case Material::trees:
+            return mix({0.02f, 0.06f, 0.02f}, {0.16f, 0.24f, 0.07f}, std::pow(turbulence(p, 0.45, 5), 1.5));
+        case Material::iron:
+            return {0.03f, 0.03f, 0.035f};
         case Material::plaster:
             break;
     }
     return mix({0.48f, 0.44f, 0.36f}, {0.78f, 0.74f, 0.64f}, turbulence(p, 10, 6));
+}
+
+Vector3f clouded(const Vector3f& sky, const Vector3d& d) {
+    if (!(d.z() > 0)) return sky;
+    const Vector3d above = d / (d.z() + 0.12);  // on a layer of clouds
+    const double share = std::clamp(2.6 * turbulence(above, 1.1, 5) - 1.15, 0.0, 1.0);
+    return mix(sky, {0.93f, 0.93f, 0.94f}, share * std::min(1.0, 6 * d.z()));
 }
 
 }  // namespace vantage

@@ -4,10 +4,25 @@
 
 namespace vantage {
 
-enum class Material : std::uint8_t { brick, plaster, window, grating, text, roof, paving, marble };
+enum class Material : std::uint8_t {
+    brick,
+    plaster,
+    window,
+    grating,
+    text,
+    roof,
+    paving,
+    marble,
+    grass,
+    trees,
+    iron
+};
 
 /// Diffuse reflectance (linear RGB, [0, 1]) of a material at a point, in meters, on a surface with this unit
 /// normal. Detail goes down to millimeters, which a baked texture would lose.
 Eigen::Vector3f albedo(Material material, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
+
+/// Light of a sky with clouds, infinitely far, in a direction of length 1.
+Eigen::Vector3f clouded(const Eigen::Vector3f& sky, const Eigen::Vector3d& direction);
 
 }  // namespace vantage

@@ -56,8 +56,8 @@ toml::table parse(const std::filesystem::path& file) {
 }
 
 void check_tables(const std::filesystem::path& file, const toml::table& root) {
-    const std::set<std::string_view> known{"scene", "building", "object", "photos",
-                                           "lens",  "exposure", "error"};
+    const std::set<std::string_view> known{"scene",  "building", "object",   "garden",
+                                           "photos", "lens",     "exposure", "error"};
     for (const auto& [key, node] : root)
         if (!known.contains(key.str()))
             throw Error(Exit::input, file.string() + ": " + std::string(key.str()) + ": unknown table");
@@ -85,6 +85,12 @@ SynthSpec read_spec(const std::filesystem::path& file) {
         t.read("size", s.object.size, 0.01, 100);
         t.read("triangles", s.object.triangles, 200, 1e7);
         t.read("distance", s.object.distance, 0, 1000);
+    }
+    {
+        Table t(file, root, "garden");
+        t.read("radius", s.garden.radius, 0, 1e5);
+        t.read("hill", s.garden.hill, 0, 1e4);
+        t.read("railing", s.garden.railing, 0, 1);
     }
     {
         Table t(file, root, "photos");

@@ -16,6 +16,11 @@ struct SynthSpec {
         int triangles = 40000;
         double distance = 3;  ///< from the facade
     } object;
+    struct Garden {
+        double radius = 0;   ///< of the lawn; 0: no garden, and a sky without clouds
+        double hill = 8;     ///< height of the hill around the lawn, as far away again as the lawn's edge
+        double railing = 0;  ///< thickness of the bars in front of the upper windows; 0: none
+    } garden;                ///< shown by the photos, and not in the mesh
     struct Photos {
         int count = 12, width = 1200, height = 900;
         double fov = 55;             ///< horizontal field of view

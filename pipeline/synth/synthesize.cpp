@@ -14,6 +14,7 @@
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/synth/cast_photo.h"
+#include "pipeline/synth/garden.h"
 #include "scene/error.h"
 #include "values/photo_names.h"
 
@@ -122,8 +123,8 @@ std::vector<std::filesystem::path> synthesized_files(const SynthSpec& spec) {
 
 void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
                 const std::function<void(std::size_t, std::size_t)>& progress) {
-    const SynthModel model = build_model(spec);
-    const RayScene rays(model.mesh);
+    const SynthModel model = build_model(spec), world = build_world(spec);
+    const RayScene rays(model.mesh), world_rays(world.mesh);
     const std::vector<NamedCamera> photos = place_cameras(spec);
     const std::vector<PhotoExposure> exposed = exposures(spec);
     std::vector<NamedCamera> written = photos;
@@ -141,7 +142,7 @@ void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
     for_each_photo(photos.size(), 0, [&](std::size_t i) {
         const Camera& camera = photos[i].camera;
         const Intrinsics& k = camera.intrinsics;
-        const auto rgb = cast_photo(model, rays, camera, spec.photos.samples, exposed[i]);
+        const auto rgb = cast_photo(world, world_rays, camera, spec.photos.samples, exposed[i]);
         image_files().write(folder / "images" / photos[i].photo, k.width, k.height, 3, Sample::u8,
                             std::as_bytes(std::span(rgb)));
         const auto z = cast_depth(rays, camera);

@@ -15,6 +15,7 @@
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/synth/cast_photo.h"
+#include "pipeline/synth/garden.h"
 #include "pipeline/synth/synthesize.h"
 #include "player/evaluate/photo_pixels.h"
 #include "scene/error.h"
@@ -161,7 +162,7 @@ std::vector<TrueView> cast_views(const PackageReader& package, const SynthSpec& 
     between.photos.radius *= 0.85;
     between.seed += 17;
     const std::vector<NamedCamera> cameras = place_cameras(between);
-    const SynthModel model = build_model(spec);
+    const SynthModel model = build_world(spec);
     const RayScene rays(model.mesh);
     const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
     std::vector<TrueView> views;
