@@ -44,8 +44,8 @@ constexpr double seconds_per_written_byte = 2e-9;
 /// Of comparing photos; more for each of the first, because few are left out to judge effects.
 constexpr double seconds_per_photo = 0.012, seconds_per_judged = 0.07;
 constexpr std::size_t most_judged = 12;
-/// Depths by direction, their costs and what they say to each other, at most.
-constexpr std::uint64_t surroundings_memory = 48'000'000;
+/// Views of the surroundings, depths by direction, their costs and what they say to each other, at most.
+constexpr std::uint64_t surroundings_memory = 120'000'000;
 /// Shorter runs tell too little about the speed.
 constexpr double shortest_run = 0.5;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/surroundings/depth_smoothing.h"
+#include "pipeline/surroundings/refine_depths.h"
 #include "pipeline/surroundings/view_sample.h"
 
 namespace vantage {
@@ -44,7 +45,13 @@ Backdrop estimate_backdrop(std::span<const CoarseView> views, std::span<const Pl
     const ScenePlanes planes{find_ground(views), {mesh_planes.begin(), mesh_planes.end()}};
     const SweptDepths depths = sweep_depths(views, out.sphere, planes, detail.labels, threads);
     out.center = depths.center;
-    const std::vector<float> inverse = inverse_distances(depths, out.sphere);
+    std::vector<float> inverse = inverse_distances(depths, out.sphere);
+    for (int l = 0; l < detail.refinements; ++l) {
+        DirectionSphere fine = direction_sphere(detail.sphere + l + 1);
+        for (Eigen::Vector3f& d : fine.directions) d = (frame * d).normalized();
+        inverse = refine_depths(views, planes, depths, inverse, fine, threads);
+        out.sphere = std::move(fine);
+    }
     for (std::size_t v = 0; v < inverse.size(); ++v)
         out.positions.push_back(
             (out.center + out.sphere.directions[v].cast<double>() / double(inverse[v])).cast<float>());

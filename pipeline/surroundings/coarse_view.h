@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -21,15 +22,14 @@ struct CoarseView {
     std::uint32_t photo = 0;
     Intrinsics k;  ///< of the level
     Pose pose;     ///< relative to the origin
-    /// Linear light in the exposure of the mean photo; NaN where the photo has no pixel.
-    std::vector<Eigen::Array3f> color;
-    std::vector<Eigen::Array3f> ln;    ///< ln_of(color)
+    /// ln_of linear light in the exposure of the mean photo; NaN where the photo has no pixel.
+    std::vector<Eigen::Array3f> ln;
     std::vector<float> z;              ///< of the mesh, +inf where it is open
     std::vector<std::uint8_t> gaps;    ///< 1: some of the texel is open at `mask_level`; see find_gaps
     std::size_t pixels = 0, open = 0;  ///< texels with a pixel, and those of them without mesh
 
     bool is_open(std::size_t texel) const {
-        return z[texel] == std::numeric_limits<float>::infinity() && color[texel][0] >= 0;
+        return z[texel] == std::numeric_limits<float>::infinity() && !std::isnan(ln[texel][0]);
     }
 };
 
@@ -38,14 +38,18 @@ inline Eigen::Vector3f in_camera(const CoarseView& view, const Eigen::Vector3f& 
     return (view.pose.R * position.cast<double>() + view.pose.t).cast<float>();
 }
 
-/// Reads the photos `of` at the finest level with at most 192 texels on the longer side. `colors`: gains and
-/// falloff per photo of the scene. Throws Error(damaged).
+/// Texels on the longer side of a view.
+inline constexpr int judged_side = 192;     ///< to decide, and for what photos see of a backdrop
+inline constexpr int estimated_side = 384;  ///< to estimate depths
+
+/// Reads the photos `of` at the finest level with at most `side` texels on the longer side. `colors`: gains
+/// and falloff per photo of the scene. Throws Error(damaged).
 std::vector<CoarseView> read_coarse_views(const PackageReader& package,
                                           std::span<const package::PhotoRecord> photos,
                                           std::span<const std::uint32_t> of, const PhotoColors& colors,
-                                          unsigned threads);
+                                          int side, unsigned threads);
 
-/// Fills in `gaps`. Throws Error(damaged).
+/// Fills in `gaps` of a view with `judged_side`. Throws Error(damaged).
 void find_gaps(const PackageReader& package, const package::PhotoRecord& record, CoarseView& view);
 
 /// Views, and the colors in which they are.

@@ -108,6 +108,10 @@ class Beliefs {
 
 }  // namespace
 
+float step_cost(float difference, double reach) {
+    return std::min(slope * float(reach) * std::abs(difference), jump);
+}
+
 std::vector<float> inverse_distances(const SweptDepths& d, const DirectionSphere& sphere) {
     Beliefs beliefs(d, sphere);
     for (int s = 0; s < sweeps; ++s) beliefs.sweep(s % 2 == 0);

@@ -4,22 +4,14 @@
 #include <cmath>
 
 #include "pipeline/run/for_each_photo.h"
-#include "pipeline/surroundings/view_sample.h"
+#include "pipeline/surroundings/place_cost.h"
 
 namespace vantage {
 namespace {
 
 constexpr float nearest = 1.0f;          ///< the largest inverse distance over the base, times the reach
 constexpr float infinite = 1.0f / 4096;  ///< an inverse distance, times the reach, that counts as infinity
-// Costs, in the unit of ln(color).
-constexpr float largest = 0.5f;  ///< of one photo's difference from the others
-constexpr float shown_once = 0.35f, shown_never = 0.4f;
-constexpr float hides = 1.0f;   ///< the place would hide the mesh
-constexpr float inside = 2.0f;  ///< a camera would be behind it
-constexpr float nearer = 0.2f;  ///< added toward the nearest label: without evidence, the base
-constexpr float not_base = 0.02f;
-constexpr float on_a_plane = 0.04f;  ///< subtracted on planes of the mesh
-constexpr std::size_t run = 256;     ///< directions per task
+constexpr std::size_t run = 256;         ///< directions per task
 
 struct Cameras {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
@@ -34,99 +26,9 @@ Cameras cameras_of(std::span<const CoarseView> views) {
     return c;
 }
 
-/// A photo, and how places on a direction get into its camera space.
-struct SweptView {
-    const CoarseView& view;
-    Eigen::Matrix3f R;
-    Eigen::Vector3f center;  ///< the sweep's, in camera space
-};
-
-/// The cost of a place from its colors: mean difference from the median.
-float disagreement(const std::vector<Eigen::Array3f>& colors) {
-    if (colors.empty()) return shown_never;
-    if (colors.size() == 1) return shown_once;
-    const Eigen::Array3f middle = median(colors);
-    float sum = 0;
-    for (const auto& color : colors) sum += std::min(largest, (color - middle).abs().mean());
-    return sum / float(colors.size() - 1);
-}
-
-class Sweep {
-  public:
-    Sweep(std::span<const CoarseView> views, SweptDepths& depths, const DirectionSphere& sphere)
-        : depths_(depths), sphere_(sphere) {
-        for (const CoarseView& v : views)
-            views_.push_back(
-                {v, v.pose.R.cast<float>(), (v.pose.R * depths.center + v.pose.t).cast<float>()});
-        for (const CoarseView& v : views) eyes_.push_back((v.pose.center() - depths.center).cast<float>());
-    }
-
-    /// Cameras must stay inside.
-    float innermost(std::uint32_t direction) const {
-        float most = std::numeric_limits<float>::infinity();
-        for (const Eigen::Vector3f& eye : eyes_) {
-            const float distance = eye.norm();
-            if (sphere_.directions[direction].dot(eye) > 0.98f * distance)
-                most = std::min(most, 1 / (1.05f * std::max(distance, 1e-30f)));
-        }
-        return most;
-    }
-
-    /// Whether a photo may show this direction at some depth.
-    bool is_shown(std::uint32_t direction) const {
-        for (int label = 0; label < depths_.labels; label += 8) {
-            const float inverse = inverse_of(direction, label);
-            for (const SweptView& v : views_) {
-                const Eigen::Vector3f p = v.center * inverse + v.R * sphere_.directions[direction];
-                if (sample(v.view, p, inverse).kind != ViewSample::nothing) return true;
-            }
-        }
-        return false;
-    }
-
-    /// The cost of each label.
-    void costs(std::uint32_t direction, float* cost) const {
-        std::vector<Eigen::Array3f> colors;
-        const float most = depths_.most[direction];
-        for (int label = 0; label < depths_.labels; ++label)
-            cost[label] = this->cost(direction, inverse_of(direction, label), most, colors);
-    }
-    /// That of one place.
-    float cost(std::uint32_t direction, float inverse) const {
-        std::vector<Eigen::Array3f> colors;
-        return cost(direction, inverse, depths_.most[direction], colors);
-    }
-
-  private:
-    float cost(std::uint32_t direction, float inverse, float most,
-               std::vector<Eigen::Array3f>& colors) const {
-        colors.clear();
-        bool hiding = false;
-        for (const SweptView& v : views_) {
-            const ViewSample s =
-                sample(v.view, v.center * inverse + v.R * sphere_.directions[direction], inverse);
-            hiding |= s.kind == ViewSample::in_front;
-            if (s.kind == ViewSample::open) colors.push_back(s.ln);
-        }
-        return disagreement(colors) + (hiding ? hides : 0) + (inverse > most ? inside : 0);
-    }
-    float inverse_of(std::uint32_t direction, int label) const {
-        return depths_.base[direction] + float(label) * depths_.step;
-    }
-    const SweptDepths& depths_;
-    const DirectionSphere& sphere_;
-    std::vector<SweptView> views_;
-    std::vector<Eigen::Vector3f> eyes_;  ///< relative to the center
-};
-
-std::vector<float> base_depths(const DirectionSphere& sphere, const SweptDepths& d,
-                               const std::optional<Plane>& ground) {
-    std::vector<float> base(sphere.directions.size(), infinite / float(d.reach));
-    if (!ground) return base;
-    const double above = ground->height - ground->normal.dot(d.center);
-    for (std::size_t v = 0; v < base.size() && above > 0; ++v)
-        base[v] = std::max(base[v], float(ground->normal.dot(sphere.directions[v].cast<double>()) / above));
-    return base;
+float cost_at(const SweptDepths& d, const PlaceCost& cost, const PlaceCost::Sights& sights,
+              std::uint32_t direction, float inverse) {
+    return cost(sights, inverse) + (inverse > d.most[direction] ? DepthPriors::inside : 0);
 }
 
 /// The mean over each direction and its neighbors, which share a photo's noise less than its content.
@@ -150,40 +52,52 @@ void average(SweptDepths& d, const DirectionSphere& sphere) {
 
 /// The inverse distance of a plane in each shown direction; 0 where it is not among the labels.
 std::vector<float> plane_depths(const SweptDepths& d, const DirectionSphere& sphere, const Plane& plane) {
-    const double above = plane.height - plane.normal.dot(d.center);
     std::vector<float> out;
     for (const std::uint32_t v : d.shown) {
-        const double w = plane.normal.dot(sphere.directions[v].cast<double>()) / above;
-        const bool labelled = w > d.base[v] && w < double(d.base[v] + d.step * float(d.labels - 1));
-        out.push_back(std::isfinite(w) && labelled ? float(w) : 0);
+        const float w = inverse_distance(plane, d.center, sphere.directions[v]);
+        const bool labelled = w > d.base[v] && w < d.base[v] + d.step * float(d.labels - 1);
+        out.push_back(labelled ? w : 0);
     }
     return out;
 }
 
 /// Lowers the cost of the labels next to a plane to that of the plane itself, and a little further, because
 /// walls and floors go on beyond the mesh.
-void prefer_plane(SweptDepths& d, const DirectionSphere& sphere, const Sweep& sweep,
+void prefer_plane(SweptDepths& d, const DirectionSphere& sphere, const PlaceCost& cost,
                   const std::vector<float>& plane, unsigned threads) {
     SweptDepths on_plane;
     on_plane.labels = 1;
     on_plane.base = d.base;
     on_plane.shown = d.shown;
-    on_plane.cost.assign(d.shown.size(), largest);
+    on_plane.cost.assign(d.shown.size(), PlaceCost::largest);
     for_each_photo((d.shown.size() + run - 1) / run, threads, [&](std::size_t r) {
-        for (std::size_t i = r * run; i < std::min(d.shown.size(), (r + 1) * run); ++i)
-            if (plane[i] > 0) on_plane.cost[i] = sweep.cost(d.shown[i], plane[i]);
+        PlaceCost::Sights sights;
+        for (std::size_t i = r * run; i < std::min(d.shown.size(), (r + 1) * run); ++i) {
+            if (!(plane[i] > 0)) continue;
+            cost.aim(sphere.directions[d.shown[i]], plane[i], plane[i], sights);
+            on_plane.cost[i] = cost_at(d, cost, sights, d.shown[i], plane[i]);
+        }
     });
     average(on_plane, sphere);
     average(on_plane, sphere);
     for (std::size_t i = 0; i < d.shown.size(); ++i) {
         if (!(plane[i] > 0)) continue;
         const auto label = std::size_t(std::lround((plane[i] - d.base[d.shown[i]]) / d.step));
-        float& cost = d.cost[i * std::size_t(d.labels) + label];
-        cost = std::min(cost, on_plane.cost[i]) - on_a_plane;
+        float& least = d.cost[i * std::size_t(d.labels) + label];
+        least = std::min(least, on_plane.cost[i]) - DepthPriors::on_a_plane;
     }
 }
 
 }  // namespace
+
+std::vector<float> base_depths(const DirectionSphere& sphere, const Eigen::Vector3d& center, double reach,
+                               const std::optional<Plane>& ground) {
+    std::vector<float> base(sphere.directions.size(), infinite / float(reach));
+    if (!ground || !(ground->height - ground->normal.dot(center) > 0)) return base;
+    for (std::size_t v = 0; v < base.size(); ++v)
+        base[v] = std::max(base[v], inverse_distance(*ground, center, sphere.directions[v]));
+    return base;
+}
 
 std::vector<std::uint32_t> positions_of(const SweptDepths& d) {
     std::vector<std::uint32_t> out(d.base.size(), DirectionSphere::none);
@@ -199,31 +113,44 @@ SweptDepths sweep_depths(std::span<const CoarseView> views, const DirectionSpher
     d.reach = cameras.reach;
     d.labels = labels;
     d.step = nearest / float(d.reach) / float(labels - 1);
-    d.base = base_depths(sphere, d, planes.ground);
-    const Sweep sweep(views, d, sphere);
-    for (std::uint32_t v = 0; v < sphere.directions.size(); ++v) d.most.push_back(sweep.innermost(v));
+    d.base = base_depths(sphere, d.center, d.reach, planes.ground);
+    const PlaceCost cost(views, d.center);
     const std::size_t n = sphere.directions.size();
+    for (const Eigen::Vector3f& direction : sphere.directions) d.most.push_back(cost.innermost(direction));
+    const auto inverse_of = [&](std::size_t v, int label) { return d.base[v] + float(label) * d.step; };
+    const auto aim = [&](std::size_t v, PlaceCost::Sights& sights) {
+        cost.aim(sphere.directions[v], inverse_of(v, 0), inverse_of(v, labels - 1), sights);
+    };
     std::vector<std::uint8_t> shown(n, 0);
     for_each_photo((n + run - 1) / run, threads, [&](std::size_t r) {
-        for (std::size_t v = r * run; v < std::min(n, (r + 1) * run); ++v)
-            shown[v] = sweep.is_shown(std::uint32_t(v));
+        PlaceCost::Sights sights;
+        for (std::size_t v = r * run; v < std::min(n, (r + 1) * run); ++v) {
+            aim(v, sights);
+            for (int label = 0; label < labels && !shown[v]; label += 8)
+                shown[v] = cost.is_shown(sights, inverse_of(v, label));
+        }
     });
     for (std::uint32_t v = 0; v < n; ++v)
         if (shown[v]) d.shown.push_back(v);
     d.cost.resize(d.shown.size() * std::size_t(labels));
     for_each_photo((d.shown.size() + run - 1) / run, threads, [&](std::size_t r) {
-        for (std::size_t i = r * run; i < std::min(d.shown.size(), (r + 1) * run); ++i)
-            sweep.costs(d.shown[i], &d.cost[i * std::size_t(labels)]);
+        PlaceCost::Sights sights;
+        for (std::size_t i = r * run; i < std::min(d.shown.size(), (r + 1) * run); ++i) {
+            aim(d.shown[i], sights);
+            for (int label = 0; label < labels; ++label)
+                d.cost[i * std::size_t(labels) + std::size_t(label)] =
+                    cost_at(d, cost, sights, d.shown[i], inverse_of(d.shown[i], label));
+        }
     });
-    average(d, sphere);
     average(d, sphere);
     for (const Plane& plane : planes.of_mesh) {
         d.planes.push_back(plane_depths(d, sphere, plane));
-        prefer_plane(d, sphere, sweep, d.planes.back(), threads);
+        prefer_plane(d, sphere, cost, d.planes.back(), threads);
     }
     for (std::size_t i = 0; i < d.shown.size(); ++i)
         for (int l = 1; l < labels; ++l)
-            d.cost[i * std::size_t(labels) + std::size_t(l)] += not_base + nearer * float(l) / float(labels);
+            d.cost[i * std::size_t(labels) + std::size_t(l)] +=
+                DepthPriors::not_base + DepthPriors::nearer * float(l) / float(labels);
     return d;
 }
 

@@ -25,10 +25,22 @@ struct SweptDepths {
     std::vector<std::vector<float>> planes;  ///< per plane and shown direction: inverse distance, or 0
 };
 
+/// Costs that do not come from photos, in the unit of ln(color).
+struct DepthPriors {
+    static constexpr float nearer = 0.2f;  ///< added toward the nearest label: without evidence, the base
+    static constexpr float not_base = 0.02f;
+    static constexpr float inside = 2.0f;       ///< where a camera would be behind the backdrop
+    static constexpr float on_a_plane = 0.04f;  ///< subtracted on planes of the mesh
+};
+
 /// Sweeps a place along each direction from infinity inward, as plane sweeping does (Collins 1996), and
 /// compares the photos that show it.
 SweptDepths sweep_depths(std::span<const CoarseView> views, const DirectionSphere& sphere,
                          const ScenePlanes& planes, int labels, unsigned threads);
+
+/// The ground below the horizon, else infinity: an inverse distance per direction.
+std::vector<float> base_depths(const DirectionSphere& sphere, const Eigen::Vector3d& center, double reach,
+                               const std::optional<Plane>& ground);
 
 /// Position of each direction in `shown`; none for others.
 std::vector<std::uint32_t> positions_of(const SweptDepths& depths);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr float largest = 0.5f;  ///< difference of ln(color), mean of the channels, that counts
 constexpr int step = 4;          ///< of the texels compared, along both sides
+constexpr std::size_t most_comparisons = 300'000;
 constexpr int heights = 24;
 constexpr int most_rounds = 24;
 
@@ -32,6 +33,7 @@ class PlaneAgreement {
                     rays.push_back({(world * ray).normalized(), v.ln[at]});
                 }
         }
+        thin();
     }
 
     double operator()(const Plane& plane) const {
@@ -54,6 +56,16 @@ class PlaneAgreement {
         Eigen::Vector3d direction;
         Eigen::Array3f ln;
     };
+    /// Bounds the number of comparisons: for a plane, some rays of each view are enough.
+    void thin() {
+        std::size_t count = 0;
+        for (const auto& rays : rays_) count += rays.size();
+        const std::size_t every = 1 + count * views_.size() / most_comparisons;
+        for (auto& rays : rays_) {
+            for (std::size_t i = 0; i * every < rays.size(); ++i) rays[i] = rays[i * every];
+            rays.resize((rays.size() + every - 1) / every);
+        }
+    }
     double agreement(std::size_t from, const Eigen::Vector3d& point, const Eigen::Array3f& ln) const {
         double sum = 0;
         for (std::size_t j = 0; j < views_.size(); ++j) {

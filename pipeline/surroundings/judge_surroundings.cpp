@@ -39,8 +39,8 @@ void set(cv::Mat& picture, std::size_t at, const Eigen::Array3f& linear) {
 /// What the view shows where it is open.
 cv::Mat own_surroundings(const CoarseView& view) {
     cv::Mat out = blank(view);
-    for (std::size_t at = 0; at < view.color.size(); ++at)
-        if (view.is_open(at)) set(out, at, view.color[at]);
+    for (std::size_t at = 0; at < view.ln.size(); ++at)
+        if (view.is_open(at)) set(out, at, linear_of(view.ln[at]));
     return out;
 }
 
@@ -73,7 +73,7 @@ cv::Mat from_backdrop(const CoarseView& view, const Backdrop& backdrop, std::spa
     const TriangleMap map = rasterize(projection, indices, values);
     const Eigen::Vector3f eye = view.pose.center().cast<float>();
     const Eigen::Matrix3f world = view.pose.R.transpose().cast<float>();
-    for (std::size_t at = 0; at < view.color.size(); ++at) {
+    for (std::size_t at = 0; at < view.ln.size(); ++at) {
         if (!view.is_open(at) || !(map.inverse_depth[at] > 0)) continue;
         const float x = float(int(at) % view.k.width) + 0.5f, y = float(int(at) / view.k.width) + 0.5f;
         const Eigen::Vector3f ray((x - float(view.k.cx)) / float(view.k.fx),
@@ -98,7 +98,7 @@ std::array<cv::Mat, 2> without_geometry(const CoarseView& view, std::span<const 
     const Eigen::Vector3d eye = view.pose.center();
     double nearest = std::numeric_limits<double>::infinity();
     for (const CoarseView& o : others) nearest = std::min(nearest, (o.pose.center() - eye).norm());
-    for (std::size_t at = 0; at < view.color.size(); ++at) {
+    for (std::size_t at = 0; at < view.ln.size(); ++at) {
         if (!view.is_open(at)) continue;
         const int x = int(at) % view.k.width, y = int(at) / view.k.width;
         Blend blend;
@@ -108,7 +108,7 @@ std::array<cv::Mat, 2> without_geometry(const CoarseView& view, std::span<const 
             const std::size_t there = j * std::size_t(o.k.width) + i;
             if (!o.is_open(there)) continue;
             const double distance = (o.pose.center() - eye).norm() / std::max(nearest, 1e-30);
-            blend.add(o.color[there], float(std::exp(-2 * distance)) + 1e-12f);
+            blend.add(linear_of(o.ln[there]), float(std::exp(-2 * distance)) + 1e-12f);
         }
         if (!blend.empty()) set(out[0], at, blend.color());
         set(out[1], at, Eigen::Array3f::Constant(0.2f));
@@ -127,10 +127,7 @@ std::vector<CoarseView> exposed_without(std::span<const CoarseView> views, std::
         for (int c = 0; c < 3; ++c)
             factor[c] = float(
                 std::exp(fitted.ln_gain[v.photo][std::size_t(c)] - used.ln_gain[v.photo][std::size_t(c)]));
-        for (std::size_t at = 0; at < v.color.size(); ++at) {
-            changed.color[at] *= factor;
-            changed.ln[at] = ln_of(changed.color[at]);
-        }
+        for (Eigen::Array3f& ln : changed.ln) ln = ln_of(linear_of(ln) * factor);
     }
     return out;
 }

@@ -16,7 +16,7 @@ struct SurroundingsJudgment {
     Judgment gain;        ///< over one plain color
     int with_camera = 0;  ///< photos that the same pixels of others predict to 25 dB, better than the
                           ///< backdrop: the background moves with the camera, as behind a turntable
-    int plain = 0;  ///< photos that one color predicts to 30 dB
+    int plain = 0;        ///< photos that one color predicts to 30 dB
     /// Why there is nothing to show; empty if there is.
     std::string objection() const;
 };

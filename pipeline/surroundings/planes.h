@@ -1,5 +1,7 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,6 +16,13 @@ struct Plane {
     Eigen::Vector3d normal;  ///< unit length; downward for a ground
     double height;
 };
+
+/// The inverse distance from a center at which a direction meets the plane; 0 if it does not.
+inline float inverse_distance(const Plane& plane, const Eigen::Vector3d& center,
+                              const Eigen::Vector3f& direction) {
+    const double w = plane.normal.dot(direction.cast<double>()) / (plane.height - plane.normal.dot(center));
+    return std::isfinite(w) ? float(std::max(w, 0.0)) : 0;
+}
 
 /// The direction that the photos' rows agree to call down: perpendicular to all of them, as nobody holds a
 /// camera askew on purpose. If all rows are parallel, the mean of the columns.

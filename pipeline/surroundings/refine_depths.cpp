@@ -1,0 +1,142 @@
+#include "pipeline/surroundings/refine_depths.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pipeline/run/for_each_photo.h"
+#include "pipeline/surroundings/depth_smoothing.h"
+#include "pipeline/surroundings/place_cost.h"
+
+namespace vantage {
+namespace {
+
+constexpr int rounds = 3;
+constexpr float edge = 2;         ///< steps between neighbors
+constexpr std::size_t run = 256;  ///< directions per task
+
+struct Candidate {
+    float over;  ///< inverse distance over the base
+    float cost;
+};
+
+class Refinement {
+  public:
+    Refinement(std::span<const CoarseView> views, const ScenePlanes& planes, const SweptDepths& coarse,
+               const DirectionSphere& fine)
+        : coarse_(coarse),
+          planes_(planes),
+          fine_(fine),
+          cost_(views, coarse.center),
+          base_(base_depths(fine, coarse.center, coarse.reach, planes.ground)) {
+        for (const Eigen::Vector3f& direction : fine.directions) most_.push_back(cost_.innermost(direction));
+    }
+
+    /// The directions of the coarse sphere come first; each other one divides an edge between two of them.
+    void interpolate(const std::vector<float>& inverse) {
+        over_.resize(base_.size());
+        for (std::size_t v = 0; v < inverse.size(); ++v) over_[v] = std::max(0.0f, inverse[v] - base_[v]);
+        for (std::size_t v = inverse.size(); v < base_.size(); ++v) {
+            std::array<float, 2> ends{};
+            std::size_t count = 0;
+            for (const std::uint32_t u : fine_.neighbors[v])
+                if (u < inverse.size()) ends[count++] = over_[u];
+            const bool smooth = std::abs(ends[0] - ends[1]) <= edge * coarse_.step;
+            over_[v] = smooth ? (ends[0] + ends[1]) / 2 : ends[1];
+        }
+    }
+
+    void improve(unsigned threads) {
+        std::vector<std::uint32_t> open;
+        for (std::uint32_t v = 0; v < over_.size(); ++v)
+            if (at_edge(v)) open.push_back(v);
+        std::vector<std::vector<Candidate>> candidates(open.size());
+        for_each_photo((open.size() + run - 1) / run, threads, [&](std::size_t r) {
+            for (std::size_t i = r * run; i < std::min(open.size(), (r + 1) * run); ++i)
+                candidates[i] = candidates_of(open[i]);
+        });
+        for (std::size_t i = 0; i < open.size(); ++i)
+            over_[open[i]] = std::ranges::min(candidates[i], {}, [&](const Candidate& c) {
+                                 return c.cost + steps(open[i], c.over);
+                             }).over;
+    }
+
+    std::vector<float> result() const {
+        std::vector<float> out;
+        for (std::size_t v = 0; v < base_.size(); ++v) {
+            float w = base_[v] + over_[v];
+            for (const Plane& plane : planes_.of_mesh) {
+                const float on = inverse_distance(plane, coarse_.center, fine_.directions[v]);
+                if (on > base_[v] && std::abs(on - w) < 2 * coarse_.step) w = on;
+            }
+            out.push_back(std::min(w, most_[v]));
+        }
+        return out;
+    }
+
+  private:
+    template <class Visit>
+    void each_neighbor(std::uint32_t v, const Visit& visit) const {
+        for (const std::uint32_t u : fine_.neighbors[v])
+            if (u != DirectionSphere::none) visit(u);
+    }
+    bool at_edge(std::uint32_t v) const {
+        float low = over_[v], high = over_[v];
+        each_neighbor(
+            v, [&](std::uint32_t u) { low = std::min(low, over_[u]), high = std::max(high, over_[u]); });
+        return high - low > edge * coarse_.step;
+    }
+    std::vector<Candidate> candidates_of(std::uint32_t v) const {
+        std::vector<Candidate> out{{over_[v], 0}};
+        each_neighbor(v, [&](std::uint32_t u) {
+            const bool known = std::ranges::any_of(
+                out, [&](const Candidate& c) { return std::abs(c.over - over_[u]) < coarse_.step / 2; });
+            if (!known) out.push_back({over_[u], 0});
+        });
+        for (Candidate& c : out) c.cost = data(v, c.over);
+        return out;
+    }
+    float alone(std::uint32_t v, float over) const {
+        thread_local PlaceCost::Sights sights;
+        const float w = base_[v] + over;
+        cost_.aim(fine_.directions[v], w, w, sights);
+        return cost_(sights, w) + (w > most_[v] ? DepthPriors::inside : 0);
+    }
+    float data(std::uint32_t v, float over) const {
+        float sum = 2 * alone(v, over), weights = 2;
+        each_neighbor(v, [&](std::uint32_t u) { sum += alone(u, over), ++weights; });
+        float prior = 0;
+        const float label = over / coarse_.step;
+        if (label > 0.5f) prior = DepthPriors::not_base + DepthPriors::nearer * label / float(coarse_.labels);
+        for (const Plane& plane : planes_.of_mesh) {
+            const float on = inverse_distance(plane, coarse_.center, fine_.directions[v]);
+            if (on > base_[v] && std::abs(on - base_[v] - over) < coarse_.step)
+                prior -= DepthPriors::on_a_plane;
+        }
+        return sum / weights + prior;
+    }
+    float steps(std::uint32_t v, float over) const {
+        float sum = 0;
+        each_neighbor(v, [&](std::uint32_t u) { sum += step_cost(over - over_[u], coarse_.reach); });
+        return sum;
+    }
+
+    const SweptDepths& coarse_;
+    const ScenePlanes& planes_;
+    const DirectionSphere& fine_;
+    PlaceCost cost_;
+    std::vector<float> base_, most_, over_;
+};
+
+}  // namespace
+
+std::vector<float> refine_depths(std::span<const CoarseView> views, const ScenePlanes& planes,
+                                 const SweptDepths& coarse, const std::vector<float>& inverse,
+                                 const DirectionSphere& fine, unsigned threads) {
+    Refinement refinement(views, planes, coarse, fine);
+    refinement.interpolate(inverse);
+    for (int round = 0; round < rounds; ++round) refinement.improve(threads);
+    return refinement.result();
+}
+
+}  // namespace vantage
