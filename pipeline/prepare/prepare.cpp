@@ -89,7 +89,7 @@ ResourceEstimate reserve(const PreparePlan& plan, const SceneInput& scene, const
     };
     const unsigned in_flight = photos_in_flight(settings, needed);
     const ExpectedSeconds expected =
-        expected_seconds(scene, plan.scene, in_flight, is_in_memory(out) ? 0 : layout.bytes);
+        expected_seconds(scene, settings, plan.scene, in_flight, is_in_memory(out) ? 0 : layout.bytes);
     const double photos = expected.photos / (shared ? run.share.shares : 1);
     const std::chrono::duration<double> before = std::chrono::steady_clock::now() - run.start;
     const ResourceEstimate estimate{.disk = layout.bytes,

@@ -44,6 +44,9 @@ constexpr double seconds_per_written_byte = 2e-9;
 /// Of comparing photos; more for each of the first, because few are left out to judge effects.
 constexpr double seconds_per_photo = 0.012, seconds_per_judged = 0.07;
 constexpr std::size_t most_judged = 12;
+/// Of surroundings.
+constexpr double seconds_per_swept = 0.08;
+constexpr std::size_t most_swept = 32;
 /// Views of the surroundings, depths by direction, their costs and what they say to each other, at most.
 constexpr std::uint64_t surroundings_memory = 120'000'000;
 /// Shorter runs tell too little about the speed.
@@ -130,15 +133,18 @@ unsigned photos_in_flight(const PrepareSettings& settings,
     return in_flight;
 }
 
-ExpectedSeconds expected_seconds(const SceneInput& scene, const package::SceneRecord& model,
-                                 unsigned in_flight, std::uint64_t to_disk) {
+ExpectedSeconds expected_seconds(const SceneInput& scene, const PrepareSettings& settings,
+                                 const package::SceneRecord& model, unsigned in_flight,
+                                 std::uint64_t to_disk) {
     double work = 0;
     for (const PhotoInput& photo : scene.photos) work += photo_seconds(photo, model);
     const auto at_once = double(std::min({in_flight, std::max(1u, std::thread::hardware_concurrency()),
                                           unsigned(std::max<std::size_t>(1, scene.photos.size()))}));
     const std::size_t photos = scene.photos.size();
-    const double finish =
-        double(photos) * seconds_per_photo + double(std::min(photos, most_judged)) * seconds_per_judged;
+    const bool surroundings = choice_of(settings.effects, Effect::surroundings) != EffectChoice::off;
+    const double finish = double(photos) * seconds_per_photo +
+                          double(std::min(photos, most_judged)) * seconds_per_judged +
+                          (surroundings ? double(std::min(photos, most_swept)) * seconds_per_swept : 0);
     const double writing = double(to_disk) * seconds_per_written_byte;
     return {std::max(work / at_once, writing) * machine_speed(), finish * machine_speed()};
 }

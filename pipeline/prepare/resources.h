@@ -48,10 +48,12 @@ unsigned photos_in_flight(const PrepareSettings& settings,
 /// or in the bytes that go to a disk if these take longer.
 struct ExpectedSeconds {
     double photos;
-    double finish;  ///< results of all photos; longer if they show that cameras have to be registered
+    double finish;  ///< results of all photos, with surroundings unless they are off; longer if the photos
+                    ///< show that cameras have to be registered
 };
-ExpectedSeconds expected_seconds(const SceneInput& scene, const package::SceneRecord& model,
-                                 unsigned in_flight, std::uint64_t to_disk);
+ExpectedSeconds expected_seconds(const SceneInput& scene, const PrepareSettings& settings,
+                                 const package::SceneRecord& model, unsigned in_flight,
+                                 std::uint64_t to_disk);
 /// Corrects the speed by the ratio of actual to expected time, for the next estimate. Runs too short to tell
 /// are ignored, as are errors. A single run moves it by the root of its ratio, as the machine may have been
 /// busy.

@@ -46,7 +46,7 @@ SceneInput reduced(std::size_t photos, const char* file) {
 double seconds(const SceneInput& scene, std::uint32_t triangles) {
     package::SceneRecord model{};
     model.triangles = triangles;
-    return expected_seconds(scene, model, 1, 0).photos;
+    return expected_seconds(scene, {}, model, 1, 0).photos;
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ TEST_F(Estimate, GrowsWithPhotosTrianglesAndPixels) {
 
 TEST_F(Estimate, CountsTheBytesThatGoToADisk) {
     const SceneInput scene = reduced(4, "a.jpg");
-    const auto with = [&](std::uint64_t bytes) { return expected_seconds(scene, {}, 1, bytes).photos; };
+    const auto with = [&](std::uint64_t bytes) { return expected_seconds(scene, {}, {}, 1, bytes).photos; };
     EXPECT_EQ(with(1000000), with(0)) << "written while photos are decoded";
     EXPECT_GT(with(10000000000), 10) << "10 GB at 1 GB/s";
     EXPECT_LT(with(10000000000), 100) << "at 0.1 GB/s";
