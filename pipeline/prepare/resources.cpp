@@ -45,10 +45,10 @@ constexpr double seconds_per_written_byte = 2e-9;
 constexpr double seconds_per_photo = 0.012, seconds_per_judged = 0.07;
 constexpr std::size_t most_judged = 12;
 /// Of surroundings.
-constexpr double seconds_per_swept = 0.08;
+constexpr double seconds_per_swept = 0.07;
 constexpr std::size_t most_swept = 32;
 /// Views of the surroundings, depths by direction, their costs and what they say to each other, at most.
-constexpr std::uint64_t surroundings_memory = 120'000'000;
+constexpr std::uint64_t surroundings_memory = 60'000'000;
 /// Shorter runs tell too little about the speed.
 constexpr double shortest_run = 0.5;
 

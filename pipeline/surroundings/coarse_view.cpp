@@ -11,9 +11,11 @@
 namespace vantage {
 namespace {
 
+constexpr int long_side = 192;
+
 CoarseView read_view(const PackageReader& package, const package::PhotoRecord& r, std::uint32_t photo,
-                     const PhotoColors& colors, int side) {
-    const int level = coarse_level(r, side);
+                     const PhotoColors& colors) {
+    const int level = coarse_level(r, long_side);
     CoarseView v;
     v.photo = photo;
     v.k = intrinsics(r).at_level(level);
@@ -41,7 +43,7 @@ CoarseView read_view(const PackageReader& package, const package::PhotoRecord& r
 void find_gaps(const PackageReader& package, const package::PhotoRecord& r, CoarseView& v) {
     const Level size = level_size(int(r.width), int(r.height), mask_level);
     const auto depth = read_level(package, r, v.photo, package::Type::depth, mask_level);
-    const int shift = coarse_level(r, judged_side) - mask_level;
+    const int shift = coarse_level(r, long_side) - mask_level;
     v.gaps.assign(v.z.size(), 0);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
@@ -55,10 +57,10 @@ void find_gaps(const PackageReader& package, const package::PhotoRecord& r, Coar
 std::vector<CoarseView> read_coarse_views(const PackageReader& package,
                                           std::span<const package::PhotoRecord> photos,
                                           std::span<const std::uint32_t> of, const PhotoColors& colors,
-                                          int side, unsigned threads) {
+                                          unsigned threads) {
     std::vector<CoarseView> views(of.size());
     for_each_photo(of.size(), threads,
-                   [&](std::size_t i) { views[i] = read_view(package, photos[of[i]], of[i], colors, side); });
+                   [&](std::size_t i) { views[i] = read_view(package, photos[of[i]], of[i], colors); });
     return views;
 }
 

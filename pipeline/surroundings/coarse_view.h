@@ -38,18 +38,14 @@ inline Eigen::Vector3f in_camera(const CoarseView& view, const Eigen::Vector3f& 
     return (view.pose.R * position.cast<double>() + view.pose.t).cast<float>();
 }
 
-/// Texels on the longer side of a view.
-inline constexpr int judged_side = 192;     ///< to decide, and for what photos see of a backdrop
-inline constexpr int estimated_side = 384;  ///< to estimate depths
-
-/// Reads the photos `of` at the finest level with at most `side` texels on the longer side. `colors`: gains
-/// and falloff per photo of the scene. Throws Error(damaged).
+/// Reads the photos `of` at the finest level with at most 192 texels on the longer side. `colors`: gains and
+/// falloff per photo of the scene. Throws Error(damaged).
 std::vector<CoarseView> read_coarse_views(const PackageReader& package,
                                           std::span<const package::PhotoRecord> photos,
                                           std::span<const std::uint32_t> of, const PhotoColors& colors,
-                                          int side, unsigned threads);
+                                          unsigned threads);
 
-/// Fills in `gaps` of a view with `judged_side`. Throws Error(damaged).
+/// Fills in `gaps`. Throws Error(damaged).
 void find_gaps(const PackageReader& package, const package::PhotoRecord& record, CoarseView& view);
 
 /// Views, and the colors in which they are.

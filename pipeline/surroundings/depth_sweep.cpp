@@ -143,6 +143,7 @@ SweptDepths sweep_depths(std::span<const CoarseView> views, const DirectionSpher
         }
     });
     average(d, sphere);
+    average(d, sphere);
     for (const Plane& plane : planes.of_mesh) {
         d.planes.push_back(plane_depths(d, sphere, plane));
         prefer_plane(d, sphere, cost, d.planes.back(), threads);

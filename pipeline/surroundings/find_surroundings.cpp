@@ -77,7 +77,7 @@ std::vector<std::byte> chunk_of(const SurroundingsInput& in, const Backdrop& bac
     for (std::span<const std::uint32_t> rest = with_pixels; !rest.empty();) {
         const auto now = rest.first(std::min(rest.size(), most_views));
         rest = rest.subspan(now.size());
-        auto views = read_coarse_views(in.package, in.photos, now, some.colors, judged_side, in.threads);
+        auto views = read_coarse_views(in.package, in.photos, now, some.colors, in.threads);
         for_each_photo(views.size(), in.threads, [&](std::size_t i) {
             find_gaps(in.package, in.photos[now[i]], views[i]);
             BackdropCoverage c = backdrop_coverage(backdrop, content.clusters, views[i]);
@@ -95,18 +95,15 @@ Surroundings find_surroundings(const SurroundingsInput& in) {
     if (in.choice == EffectChoice::off)
         return {decide(Effect::surroundings, in.choice, 0, "not measured"), {}};
     const PhotoColors colors = colors_of(in.colors, in.lens);
-    const CoarseViews some{read_coarse_views(in.package, in.photos, spread_photos(in.photos, most_views),
-                                             colors, judged_side, in.threads),
-                           colors};
+    const CoarseViews some{
+        read_coarse_views(in.package, in.photos, spread_photos(in.photos, most_views), colors, in.threads),
+        colors};
     const std::vector<Plane> planes = mesh_planes(in.discs);
     Surroundings out{first_decision(in, some.views), {}};
     if (!out.decision.on) return out;
     // In the meantime, because most scenes with something to show keep it.
-    std::future<Backdrop> estimate = std::async(std::launch::async, [&] {
-        const std::vector<CoarseView> views = read_coarse_views(
-            in.package, in.photos, spread_photos(in.photos, most_views), colors, estimated_side, 1);
-        return estimate_backdrop(views, planes, {}, 1);
-    });
+    std::future<Backdrop> estimate =
+        std::async(std::launch::async, [&] { return estimate_backdrop(some.views, planes, {}, 1); });
     if (in.judge) out.decision = judged(in, some, planes, std::move(out.decision));
     if (!out.decision.on) return out;
     const Backdrop backdrop = estimate.get();
