@@ -48,7 +48,7 @@ constexpr std::size_t most_judged = 12;
 constexpr double seconds_per_swept = 0.07;
 constexpr std::size_t most_swept = 32;
 /// Views of the surroundings, depths by direction, their costs and what they say to each other, at most.
-constexpr std::uint64_t surroundings_memory = 60'000'000;
+constexpr std::uint64_t surroundings_memory = 50'000'000;
 /// Shorter runs tell too little about the speed.
 constexpr double shortest_run = 0.5;
 
