@@ -58,16 +58,18 @@ void main() {
         accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : mean_light(s)), 1.0);
     if (progress < 1.0) accumulated = mixed(texelFetch(before, at, 0), accumulated);
     bool hole = accumulated.a == 0.0;
-    if (hole && fill) {
-        vec4 bare = texelFetch(surface, at, 0);
-        accumulated = vec4(bare.a > 0.0 ? bare.rgb : background, 1.0);
-    }
 #ifdef SURROUNDINGS
-    float kind = texelFetch(surface, at, 0).a;  // 2: surroundings
-    if (kind > 1.5) {
-        if (hole) accumulated = vec4(exposed(texelFetch(surface, at, 0).rgb), 1.0);
+    const bool looks = true;
+#else
+    bool looks = hole && fill;
+#endif
+    vec4 bare = looks ? texelFetch(surface, at, 0) : vec4(0.0);  // alpha 2: surroundings
+    if (hole && fill) accumulated = vec4(bare.a > 0.0 ? bare.rgb : background, 1.0);
+#ifdef SURROUNDINGS
+    if (bare.a > 1.5) {
+        if (hole) accumulated = vec4(exposed(bare.rgb), 1.0);
         accumulated.rgb *= surroundings_light;
     }
-    if (hole) accumulated *= kind > 0.0 ? hole_weight : background_weight;
+    if (hole) accumulated *= bare.a > 0.0 ? hole_weight : background_weight;
 #endif
 }

@@ -299,7 +299,7 @@ void Renderer::resolve(int sums, const Frame& frame) {
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    draw_resolved(sums, frame, frame.drawn.settings.fill_holes, plan_.progress());
+    draw_resolved(sums, frame, false);
 }
 
 /// The picture of the photos that are being replaced, with transparent holes.
@@ -307,26 +307,29 @@ void Renderer::resolve_before(int sums, const Frame& frame) {
     bind_target(targets_.before_target, targets_.width, targets_.height);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
-    draw_resolved(sums, frame, false, 1);
+    draw_resolved(sums, frame, true);
 }
 
-void Renderer::draw_resolved(int sums, const Frame& frame, bool fill, double progress) {
+/// `before`: the picture that is being replaced, which the other one then mixes in and finishes.
+void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
+    const RenderSettings& settings = frame.drawn.settings;
+    const double progress = before ? 1 : plan_.progress();
     glUseProgram(resolve_program_.id());
-    const bool counts = frame.drawn.settings.show == Show::coverage;
-    glUniform1i(shader::takes_one_uniform, takes_one(frame.drawn.settings.blend) && !counts);
-    glUniform1i(shader::fill_uniform, fill);
+    const bool counts = settings.show == Show::coverage;
+    glUniform1i(shader::takes_one_uniform, takes_one(settings.blend) && !counts);
+    glUniform1i(shader::fill_uniform, !before && settings.fill_holes);
     glUniform1f(shader::progress_uniform, float(progress));
     if (scene_.has_surroundings()) {
-        glUniform1f(shader::surroundings_light_uniform,
-                    frame.drawn.settings.surroundings == ShowSurroundings::dimmed ? dimmed_light : 1.0f);
-        const float hole = fills_holes(frame.drawn.settings)
-                               ? HoleFilling::hole_weight(targets_.width, targets_.height)
-                               : 1.0f;
+        const bool dims = !before && settings.surroundings == ShowSurroundings::dimmed;
+        glUniform1f(shader::surroundings_light_uniform, dims ? dimmed_light : 1.0f);
+        const float hole = before                  ? 0.0f
+                           : fills_holes(settings) ? HoleFilling::hole_weight(targets_.width, targets_.height)
+                                                   : 1.0f;
         const auto among = float(nearness_to_photos(scene_, frame.drawn.view.cam_from_origin.center()));
         glUniform1f(shader::hole_weight_uniform, hole);
         glUniform1f(shader::background_weight_uniform, among * hole + (1 - among));
     }
-    glUniform3fv(shader::background_uniform, 1, frame.drawn.settings.background);
+    glUniform3fv(shader::background_uniform, 1, settings.background);
     glUniform1f(shader::most_uniform, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
     expose(frame.drawn);
     glBindTextureUnit(shader::sums_unit, targets_.sums[sums].id());

@@ -91,7 +91,7 @@ class Renderer {
     void draw_passes(Pass photos, Frame& frame, bool consensus, int& into);
     void resolve(int sums, const Frame& frame);
     void resolve_before(int sums, const Frame& frame);
-    void draw_resolved(int sums, const Frame& frame, bool fill, double progress);
+    void draw_resolved(int sums, const Frame& frame, bool before);
     void expose(const DrawnView& drawn) const;
     bool fills_holes(const RenderSettings& settings) const;
 
