@@ -13,6 +13,7 @@
 #include "pipeline/agree/folds.h"
 #include "pipeline/input/identity_cache.h"
 #include "pipeline/settings/settings.h"
+#include "pipeline/surroundings/find_surroundings.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "values/lower_extension.h"
@@ -46,7 +47,6 @@ constexpr double seconds_per_photo = 0.012, seconds_per_judged = 0.07;
 constexpr std::size_t most_judged = 12;
 /// Of surroundings.
 constexpr double seconds_per_swept = 0.07;
-constexpr std::size_t most_swept = 32;
 /// Views of the surroundings, depths by direction, their costs and what they say to each other, at most.
 constexpr std::uint64_t surroundings_memory = 50'000'000;
 /// Shorter runs tell too little about the speed.
@@ -142,9 +142,9 @@ ExpectedSeconds expected_seconds(const SceneInput& scene, const PrepareSettings&
                                           unsigned(std::max<std::size_t>(1, scene.photos.size()))}));
     const std::size_t photos = scene.photos.size();
     const bool surroundings = choice_of(settings.effects, Effect::surroundings) != EffectChoice::off;
-    const double finish = double(photos) * seconds_per_photo +
-                          double(std::min(photos, most_judged)) * seconds_per_judged +
-                          (surroundings ? double(std::min(photos, most_swept)) * seconds_per_swept : 0);
+    const double finish =
+        double(photos) * seconds_per_photo + double(std::min(photos, most_judged)) * seconds_per_judged +
+        (surroundings ? double(std::min(photos, most_surrounding_views)) * seconds_per_swept : 0);
     const double writing = double(to_disk) * seconds_per_written_byte;
     return {std::max(work / at_once, writing) * machine_speed(), finish * machine_speed()};
 }

@@ -150,8 +150,7 @@ SweptDepths sweep_depths(std::span<const CoarseView> views, const DirectionSpher
     }
     for (std::size_t i = 0; i < d.shown.size(); ++i)
         for (int l = 1; l < labels; ++l)
-            d.cost[i * std::size_t(labels) + std::size_t(l)] +=
-                DepthPriors::not_base + DepthPriors::nearer * float(l) / float(labels);
+            d.cost[i * std::size_t(labels) + std::size_t(l)] += DepthPriors::of_label(float(l), labels);
     return d;
 }
 

@@ -31,6 +31,10 @@ struct DepthPriors {
     static constexpr float not_base = 0.02f;
     static constexpr float inside = 2.0f;       ///< where a camera would be behind the backdrop
     static constexpr float on_a_plane = 0.04f;  ///< subtracted on planes of the mesh
+
+    static float of_label(float label, int labels) {
+        return label > 0.5f ? not_base + nearer * label / float(labels) : 0;
+    }
 };
 
 /// Sweeps a place along each direction from infinity inward, as plane sweeping does (Collins 1996), and

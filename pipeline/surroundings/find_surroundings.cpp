@@ -17,7 +17,6 @@
 namespace vantage {
 namespace {
 
-constexpr std::size_t most_views = 32;  ///< from which the shape is estimated
 constexpr std::size_t most_folds = 6;
 
 std::array<std::uint8_t, 4> srgb(const Eigen::Array3f& linear) {
@@ -75,7 +74,7 @@ std::vector<std::byte> chunk_of(const SurroundingsInput& in, const Backdrop& bac
     for (std::uint32_t i = 0; i < in.photos.size(); ++i)
         if (in.photos[i].levels) with_pixels.push_back(i);
     for (std::span<const std::uint32_t> rest = with_pixels; !rest.empty();) {
-        const auto now = rest.first(std::min(rest.size(), most_views));
+        const auto now = rest.first(std::min(rest.size(), most_surrounding_views));
         rest = rest.subspan(now.size());
         auto views = read_coarse_views(in.package, in.photos, now, some.colors, in.threads);
         for_each_photo(views.size(), in.threads, [&](std::size_t i) {
@@ -96,7 +95,8 @@ Surroundings find_surroundings(const SurroundingsInput& in) {
         return {decide(Effect::surroundings, in.choice, 0, "not measured"), {}};
     const PhotoColors colors = colors_of(in.colors, in.lens);
     const CoarseViews some{
-        read_coarse_views(in.package, in.photos, spread_photos(in.photos, most_views), colors, in.threads),
+        read_coarse_views(in.package, in.photos, spread_photos(in.photos, most_surrounding_views), colors,
+                          in.threads),
         colors};
     const std::vector<Plane> planes = mesh_planes(in.discs);
     Surroundings out{first_decision(in, some.views), {}};

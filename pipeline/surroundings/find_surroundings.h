@@ -10,6 +10,9 @@
 
 namespace vantage {
 
+/// Photos from which surroundings are estimated, at most.
+inline constexpr std::size_t most_surrounding_views = 32;
+
 /// What surroundings are estimated from. The spans must outlive the call.
 struct SurroundingsInput {
     const PackageReader& package;  ///< with tiles and depth

@@ -105,9 +105,7 @@ class Refinement {
     float data(std::uint32_t v, float over) const {
         float sum = 2 * alone(v, over), weights = 2;
         each_neighbor(v, [&](std::uint32_t u) { sum += alone(u, over), ++weights; });
-        float prior = 0;
-        const float label = over / coarse_.step;
-        if (label > 0.5f) prior = DepthPriors::not_base + DepthPriors::nearer * label / float(coarse_.labels);
+        float prior = DepthPriors::of_label(over / coarse_.step, coarse_.labels);
         for (const Plane& plane : planes_.of_mesh) {
             const float on = inverse_distance(plane, coarse_.center, fine_.directions[v]);
             if (on > base_[v] && std::abs(on - base_[v] - over) < coarse_.step)

@@ -26,6 +26,12 @@ void lawn(ModelBuilder& b, double radius) {
         b.triangle(middle, middle + 1 + i, middle + 1 + (i + 1) % around, Material::grass);
 }
 
+/// At a distance from the vertical through the origin, in the direction of an angle.
+double hill_height(const SynthSpec::Garden& g, double distance, double angle) {
+    const double up = std::sin(pi / 2 * std::clamp(distance / g.radius - 1, 0.0, 1.0));
+    return g.hill * up * up * (0.7 + 0.2 * std::sin(3 * angle + 1) + 0.1 * std::sin(7 * angle));
+}
+
 void hill(ModelBuilder& b, const SynthSpec::Garden& g) {
     constexpr int rings = 12;
     const auto at = [&](double ring, int piece) {
@@ -65,11 +71,6 @@ void railings(ModelBuilder& b, const SynthSpec& spec) {
 }
 
 }  // namespace
-
-double hill_height(const SynthSpec::Garden& g, double distance, double angle) {
-    const double up = std::sin(pi / 2 * std::clamp(distance / g.radius - 1, 0.0, 1.0));
-    return g.hill * up * up * (0.7 + 0.2 * std::sin(3 * angle + 1) + 0.1 * std::sin(7 * angle));
-}
 
 SynthModel build_world(const SynthSpec& spec) {
     ModelBuilder b{build_model(spec), 0};

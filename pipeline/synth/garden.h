@@ -8,7 +8,4 @@ namespace vantage {
 /// clouds.
 SynthModel build_world(const SynthSpec& spec);
 
-/// Height of the hill at a distance from the vertical through the origin, in the direction of an angle.
-double hill_height(const SynthSpec::Garden& garden, double distance, double angle);
-
 }  // namespace vantage

@@ -29,14 +29,6 @@ constexpr double radians = std::numbers::pi / 180;
 /// Uniform in [-1, 1), with the same results on every platform.
 double signed_unit(std::mt19937& engine) { return double(engine()) * 0x1p-31 - 1; }
 
-Pose look_at(const Vector3d& eye, const Vector3d& target) {
-    Pose pose;
-    const Vector3d z = (target - eye).normalized(), x = z.cross(Vector3d::UnitZ()).normalized();
-    pose.R << x.transpose(), z.cross(x).transpose(), z.transpose();
-    pose.t = -pose.R * eye;
-    return pose;
-}
-
 /// The camera rotated and shifted in random directions, by about `pixels` in all at `distance`.
 Camera perturbed(Camera camera, double pixels, double distance, std::mt19937& engine) {
     const auto direction = [&] {
@@ -87,6 +79,14 @@ void write_model(const SynthModel& model, const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+Pose look_at(const Vector3d& eye, const Vector3d& target) {
+    Pose pose;
+    const Vector3d z = (target - eye).normalized(), x = z.cross(Vector3d::UnitZ()).normalized();
+    pose.R << x.transpose(), z.cross(x).transpose(), z.transpose();
+    pose.t = -pose.R * eye;
+    return pose;
+}
 
 std::vector<NamedCamera> place_cameras(const SynthSpec& spec) {
     const SynthSpec::Photos& s = spec.photos;

@@ -11,6 +11,9 @@
 
 namespace vantage {
 
+/// A camera held level; not for views straight up or down.
+Pose look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target);
+
 /// The specified cameras without error: on an arc in front of the facade, alternating between two heights.
 std::vector<NamedCamera> place_cameras(const SynthSpec& spec);
 

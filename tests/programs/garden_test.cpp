@@ -99,9 +99,10 @@ TEST_F(Garden, FillsTheFrameOfALeftOutPhoto) {
     std::vector<std::uint32_t> photos(cameras.size());
     std::iota(photos.begin(), photos.end(), 0u);
     std::erase(photos, photo);
-    const RayScene world(build_world(spec).mesh), model(build_model(spec).mesh);
+    const SynthModel garden = build_world(spec);
+    const RayScene world(garden.mesh), model(build_model(spec).mesh);
     const Camera& camera = cameras[photo].camera;
-    const std::vector<std::uint8_t> truth = cast_photo(build_world(spec), world, camera, 1);
+    const std::vector<std::uint8_t> truth = cast_photo(garden, world, camera, 1);
     const View view = view_of_photo(package.photos()[photo], 1);
     RenderSettings settings;
     settings.fill_holes = true;

@@ -32,9 +32,7 @@ using Background = std::function<std::array<std::uint8_t, 3>(int x, int y)>;
 Camera camera_at(const Vector3d& eye, const Vector3d& target) {
     Camera c;
     c.intrinsics = {480, 360, 380, 380, 240, 180};
-    const Vector3d z = (target - eye).normalized(), x = z.cross(Vector3d::UnitZ()).normalized();
-    c.cam_from_world.R << x.transpose(), z.cross(x).transpose(), z.transpose();
-    c.cam_from_world.t = -c.cam_from_world.R * eye;
+    c.cam_from_world = look_at(eye, target);
     return c;
 }
 
@@ -81,6 +79,14 @@ SynthModel object() {
     return std::move(b.model);
 }
 
+/// Half around it.
+std::vector<Camera> around_object() {
+    std::vector<Camera> cameras;
+    for (int i = 0; i < 9; ++i)
+        cameras.push_back(camera_at({3 * std::sin(i * pi / 8), -3 * std::cos(i * pi / 8), 1.5}, {0, 0, 0.7}));
+    return cameras;
+}
+
 }  // namespace
 
 TEST_F(SurroundingsDecision, AFacadeInAGardenHasThem) {
@@ -124,27 +130,21 @@ TEST_F(SurroundingsDecision, ARoomAroundTheCamerasHasNone) {
 }
 
 TEST_F(SurroundingsDecision, AnObjectOnATurntableHasNone) {
-    std::vector<Camera> cameras;
-    for (int i = 0; i < 9; ++i)
-        cameras.push_back(camera_at({3 * std::sin(i * pi / 8), -3 * std::cos(i * pi / 8), 1.5}, {0, 0, 0.7}));
     const auto studio = [](int x, int y) {
         const auto wave = [](double v) { return std::uint8_t(128 + 60 * std::sin(v)); };
         return std::array{wave(x * 0.05), wave(y * 0.07), wave(0.04 * (x + y))};
     };
-    const EffectDecision turntable = decided(scan_of(object(), cameras, studio));
+    const EffectDecision turntable = decided(scan_of(object(), around_object(), studio));
     EXPECT_FALSE(turntable.on);
     EXPECT_NE(turntable.evidence.find("moves with the camera"), std::string::npos) << turntable.evidence;
 }
 
 TEST_F(SurroundingsDecision, AnObjectBeforePlainPaperHasNone) {
-    std::vector<Camera> cameras;
-    for (int i = 0; i < 9; ++i)
-        cameras.push_back(camera_at({3 * std::sin(i * pi / 8), -3 * std::cos(i * pi / 8), 1.5}, {0, 0, 0.7}));
     const auto paper = [](int x, int y) {
         const auto gray = std::uint8_t(205 + (x * 7 + y * 13) % 3);
         return std::array{gray, gray, gray};
     };
-    const EffectDecision d = decided(scan_of(object(), cameras, paper));
+    const EffectDecision d = decided(scan_of(object(), around_object(), paper));
     EXPECT_FALSE(d.on);
     EXPECT_NE(d.evidence.find("the background is plain"), std::string::npos) << d.evidence;
 }

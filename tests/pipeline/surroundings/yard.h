@@ -69,8 +69,7 @@ inline std::vector<CoarseView> photos(const Background& background) {
                 const bool mesh = miss < 1.5;
                 v.z.push_back(mesh ? float(along * ray.dot(forward))
                                    : std::numeric_limits<float>::infinity());
-                v.ln.push_back(
-                    ((mesh ? Eigen::Array3f::Constant(0.5f) : background(eye, ray, pixel)) + 0.02f).log());
+                v.ln.push_back(ln_of(mesh ? Eigen::Array3f::Constant(0.5f) : background(eye, ray, pixel)));
                 ++v.pixels;
                 v.open += !mesh;
             }
