@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/surroundings/depth_smoothing.h"
+#include "pipeline/surroundings/down_direction.h"
 #include "pipeline/surroundings/refine_depths.h"
 #include "pipeline/surroundings/view_sample.h"
 
@@ -37,12 +38,12 @@ bool have_parallax(std::span<const CoarseView> views) {
     return views.size() > 1 && farthest > 1e-6 * size;
 }
 
-Backdrop estimate_backdrop(std::span<const CoarseView> views, std::span<const Plane> mesh_planes,
+Backdrop estimate_backdrop(std::span<const CoarseView> views, const MeshPlanes& mesh,
                            const BackdropDetail& detail, unsigned threads) {
     Backdrop out{.sphere = direction_sphere(detail.sphere), .center = {}, .positions = {}};
     const Eigen::Matrix3f frame = frame_of(views);
     for (Eigen::Vector3f& d : out.sphere.directions) d = (frame * d).normalized();
-    const ScenePlanes planes{find_ground(views), {mesh_planes.begin(), mesh_planes.end()}};
+    const ScenePlanes planes{find_ground(views, mesh), mesh.largest};
     const SweptDepths depths = sweep_depths(views, out.sphere, planes, detail.labels, threads);
     out.center = depths.center;
     std::vector<float> inverse = inverse_distances(depths, out.sphere);

@@ -28,7 +28,7 @@ struct Backdrop {
 
 /// Finds the surroundings' depth by direction from what the photos show beside the mesh, see docs/method.md.
 /// Needs at least two views, not all from one place.
-Backdrop estimate_backdrop(std::span<const CoarseView> views, std::span<const Plane> mesh_planes,
+Backdrop estimate_backdrop(std::span<const CoarseView> views, const MeshPlanes& mesh,
                            const BackdropDetail& detail, unsigned threads);
 
 /// Whether the views allow estimate_backdrop.

@@ -46,11 +46,11 @@ EffectDecision first_decision(const SurroundingsInput& in, std::span<const Coars
 }
 
 /// Lets left-out photos confirm it.
-EffectDecision judged(const SurroundingsInput& in, const CoarseViews& some, std::span<const Plane> planes,
+EffectDecision judged(const SurroundingsInput& in, const CoarseViews& some, const MeshPlanes& mesh,
                       EffectDecision d) {
     const unsigned threads = std::max(1u, in.threads > 1 ? in.threads - 1 : 1);
     const SurroundingsJudgment j =
-        judge_surroundings(some, in.samples, in.photos, in.lens, planes, most_folds, threads);
+        judge_surroundings(some, in.samples, in.photos, in.lens, mesh, most_folds, threads);
     d.judgment = j.gain;
     d.evidence += "; " + sentence(j.gain);
     if (j.gain.photos >= min_judged_photos) d.evidence += " over a plain color";
@@ -98,13 +98,13 @@ Surroundings find_surroundings(const SurroundingsInput& in) {
         read_coarse_views(in.package, in.photos, spread_photos(in.photos, most_surrounding_views), colors,
                           in.threads),
         colors};
-    const std::vector<Plane> planes = mesh_planes(in.discs);
+    const MeshPlanes mesh = mesh_planes(in.discs, some.views);
     Surroundings out{first_decision(in, some.views), {}};
     if (!out.decision.on) return out;
     // In the meantime, because most scenes with something to show keep it.
     std::future<Backdrop> estimate =
-        std::async(std::launch::async, [&] { return estimate_backdrop(some.views, planes, {}, 1); });
-    if (in.judge) out.decision = judged(in, some, planes, std::move(out.decision));
+        std::async(std::launch::async, [&] { return estimate_backdrop(some.views, mesh, {}, 1); });
+    if (in.judge) out.decision = judged(in, some, mesh, std::move(out.decision));
     if (!out.decision.on) return out;
     const Backdrop backdrop = estimate.get();
     out.chunk = chunk_of(in, backdrop, some);

@@ -1,10 +1,11 @@
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
+#include "pipeline/surroundings/down_direction.h"
 #include "pipeline/surroundings/planes.h"
 #include "pipeline/surroundings/view_sample.h"
 
@@ -81,10 +82,12 @@ class PlaneAgreement {
     std::vector<std::vector<Ray>> rays_;
 };
 
-/// Compass search over tilt and height.
+/// Compass search over height, and over tilt unless it is known.
 Plane refined(const PlaneAgreement& agreement, Plane plane, double value, double lowest,
-              const Eigen::Vector3d& pivot) {
+              const Eigen::Vector3d& pivot, bool tilt_known) {
     const Eigen::Vector3d a = plane.normal.unitOrthogonal(), b = plane.normal.cross(a);
+    const std::array<Eigen::Vector3d, 2> axes{a, b};
+    const auto tilted = std::span(axes).first(tilt_known ? 0 : 2);
     double tilt = 0.02, height = 0.1 * (plane.height - lowest);
     for (int round = 0; round < most_rounds && tilt > 1e-3; ++round) {
         bool better = false;
@@ -94,7 +97,7 @@ Plane refined(const PlaneAgreement& agreement, Plane plane, double value, double
         };
         for (const double sign : {-1.0, 1.0}) {
             consider({plane.normal, plane.height + sign * height});
-            for (const Eigen::Vector3d& axis : {a, b}) {
+            for (const Eigen::Vector3d& axis : tilted) {
                 const Eigen::Vector3d normal = (plane.normal + sign * tilt * axis).normalized();
                 const Eigen::Vector3d below = pivot + (plane.height - plane.normal.dot(pivot)) * plane.normal;
                 consider({normal, normal.dot(below)});
@@ -107,25 +110,9 @@ Plane refined(const PlaneAgreement& agreement, Plane plane, double value, double
 
 }  // namespace
 
-Eigen::Vector3d down_direction(std::span<const CoarseView> views) {
-    Eigen::Matrix3d rows = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d columns = Eigen::Vector3d::Zero();
-    for (const CoarseView& v : views) {
-        const Eigen::Vector3d x = v.pose.R.row(0).transpose();
-        rows += x * x.transpose();
-        columns += v.pose.R.row(1).transpose();
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(rows);
-    const Eigen::Vector3d mean =
-        columns.norm() > 1e-9 ? Eigen::Vector3d(columns.normalized()) : Eigen::Vector3d::UnitY();
-    Eigen::Vector3d down = solver.eigenvectors().col(0);
-    if (solver.eigenvalues()[0] > 0.2 * solver.eigenvalues()[1]) down = mean;
-    return down.dot(mean) < 0 ? Eigen::Vector3d(-down) : down;
-}
-
-std::optional<Plane> find_ground(std::span<const CoarseView> views) {
+std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPlanes& mesh) {
     if (views.size() < 2) return std::nullopt;
-    const Eigen::Vector3d down = down_direction(views);
+    const Eigen::Vector3d down = mesh.down ? *mesh.down : down_direction(views);
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const CoarseView& v : views) mean += v.pose.center() / double(views.size());
     double lowest = -std::numeric_limits<double>::infinity(), spread = 0;
@@ -133,7 +120,7 @@ std::optional<Plane> find_ground(std::span<const CoarseView> views) {
         lowest = std::max(lowest, down.dot(v.pose.center()));
         spread = std::max(spread, 2 * (v.pose.center() - mean).norm());
     }
-    if (!(spread > 0)) return std::nullopt;
+    if (!(spread > 0)) return mesh.floor;
     const PlaneAgreement agreement(views);
     std::array<double, heights> values{};
     const auto plane = [&](std::size_t i) {
@@ -141,10 +128,12 @@ std::optional<Plane> find_ground(std::span<const CoarseView> views) {
     };
     for (std::size_t i = 0; i < heights; ++i) values[i] = agreement(plane(i));
     const auto best = std::size_t(std::ranges::max_element(values) - values.begin());
+    // What stands on a table has a floor that ends nearby: photos then agree far better elsewhere.
+    if (mesh.floor && agreement(*mesh.floor) >= 0.5 * values[best]) return mesh.floor;
     // A peak inside the range: the ends are heights at which a ground would hardly be seen, or seen by all.
     if (best == 0 || best + 1 == heights || values[best] < 1.2 * std::max(values.front(), values.back()))
         return std::nullopt;
-    return refined(agreement, plane(best), values[best], lowest, mean);
+    return refined(agreement, plane(best), values[best], lowest, mean, mesh.down.has_value());
 }
 
 }  // namespace vantage

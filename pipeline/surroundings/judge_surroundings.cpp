@@ -21,9 +21,10 @@
 namespace vantage {
 namespace {
 
-constexpr double worth_having = 0.01;  ///< share of a photo that is open
-constexpr double same_enough = 25;     ///< dB, of a background that moves with the camera
-constexpr double plain_enough = 30;    ///< dB
+constexpr double worth_having = 0.01;     ///< share of a photo that is open
+constexpr double least_compared = 0.005;  ///< share of a photo that the others must show
+constexpr double same_enough = 25;        ///< dB, of a background that moves with the camera
+constexpr double plain_enough = 30;       ///< dB
 
 /// A picture of NaN, the size of the view.
 cv::Mat blank(const CoarseView& view) {
@@ -138,13 +139,15 @@ struct Predicted {
     JudgeScore backdrop, same, plain;
 };
 
-Predicted predicted(const CoarseView& view, std::span<const CoarseView> others,
-                    std::span<const Plane> mesh_planes, const std::string& name) {
-    const Backdrop backdrop = estimate_backdrop(others, mesh_planes, judged_detail, 1);
+Predicted predicted(const CoarseView& view, std::span<const CoarseView> others, const MeshPlanes& mesh,
+                    const std::string& name) {
+    const Backdrop backdrop = estimate_backdrop(others, mesh, judged_detail, 1);
     const auto [same, plain] = without_geometry(view, others);
     const std::array predictions{Prediction{from_backdrop(view, backdrop, others)}, Prediction{same},
                                  Prediction{plain}};
     const std::vector<JudgeScore> scores = score(own_surroundings(view), predictions);
+    if (double(scores[0].pixels) < least_compared * double(view.pixels))
+        return {};  // a few pixels prove nothing
     return {name, scores[0], scores[1], scores[2]};
 }
 
@@ -152,9 +155,8 @@ Predicted predicted(const CoarseView& view, std::span<const CoarseView> others,
 
 SurroundingsJudgment judge_surroundings(const CoarseViews& all, Samples samples,
                                         std::span<const package::PhotoRecord> photos,
-                                        std::span<const std::uint32_t> lens,
-                                        std::span<const Plane> mesh_planes, std::size_t most,
-                                        unsigned threads) {
+                                        std::span<const std::uint32_t> lens, const MeshPlanes& mesh,
+                                        std::size_t most, unsigned threads) {
     const PhotoSamples some = samples_to_fit(samples);
     std::vector<std::size_t> candidates;
     for (std::size_t i = 0; i < all.views.size(); ++i)
@@ -165,7 +167,7 @@ SurroundingsJudgment judge_surroundings(const CoarseViews& all, Samples samples,
         const CoarseView& view = all.views[candidates[f * candidates.size() / count]];
         const std::vector<CoarseView> others = exposed_without(
             all.views, view.photo, all.colors, fit_without(some.spans(), lens, view.photo, false));
-        if (have_parallax(others)) folds[f] = predicted(view, others, mesh_planes, photos[view.photo].name);
+        if (have_parallax(others)) folds[f] = predicted(view, others, mesh, photos[view.photo].name);
     });
     std::vector<JudgedPhoto> gain;
     SurroundingsJudgment out;

@@ -24,8 +24,7 @@ struct SurroundingsJudgment {
 /// Leaves out at most `most` of the views in turn; backdrop and gains are found without them.
 SurroundingsJudgment judge_surroundings(const CoarseViews& all, Samples samples,
                                         std::span<const package::PhotoRecord> photos,
-                                        std::span<const std::uint32_t> lens,
-                                        std::span<const Plane> mesh_planes, std::size_t most,
-                                        unsigned threads);
+                                        std::span<const std::uint32_t> lens, const MeshPlanes& mesh,
+                                        std::size_t most, unsigned threads);
 
 }  // namespace vantage

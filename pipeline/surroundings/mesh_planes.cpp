@@ -1,8 +1,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
+#include "pipeline/surroundings/down_direction.h"
 #include "pipeline/surroundings/planes.h"
 
 namespace vantage {
@@ -12,6 +14,8 @@ constexpr std::size_t most_planes = 3;
 constexpr int tries = 300;
 constexpr double least_share = 0.04, thickness = 0.01;  ///< of the mesh's extent
 constexpr float same_way = 0.9f;                        ///< cosine between normals
+constexpr double level = 0.966;                         ///< cosine between a floor's normal and down
+constexpr double least_floor = 0.004;                   ///< share of the discs
 
 using Disc = SurfaceDisc;
 
@@ -40,15 +44,8 @@ Plane fitted(const std::vector<const Disc*>& discs) {
     return {normal, normal.dot(mean)};
 }
 
-}  // namespace
-
-std::vector<Plane> mesh_planes(std::span<const Disc> discs) {
+std::vector<Plane> largest_planes(std::vector<const Disc*> left, double thick) {
     std::vector<Plane> planes;
-    std::vector<const Disc*> left;
-    for (const Disc& d : discs)
-        if (d.normal.squaredNorm() > 0) left.push_back(&d);
-    if (left.size() < 100) return planes;
-    const double thick = thickness * extent_of(discs);
     std::mt19937_64 random(1);
     const double least = least_share * double(left.size());
     while (planes.size() < most_planes && double(left.size()) > least) {
@@ -69,6 +66,59 @@ std::vector<Plane> mesh_planes(std::span<const Disc> discs) {
         });
     }
     return planes;
+}
+
+double lowest_camera(std::span<const CoarseView> views, const Eigen::Vector3d& down) {
+    double lowest = -std::numeric_limits<double>::infinity();
+    for (const CoarseView& v : views) lowest = std::max(lowest, down.dot(v.pose.center()));
+    return lowest;
+}
+
+/// The level plane below `top` next to which most discs lie. Its tilt is not fitted: a strip of floor before
+/// a wall says little about it, and surroundings are far away.
+std::optional<Plane> level_floor(const std::vector<const Disc*>& discs, const Eigen::Vector3d& down,
+                                 double top, double thick) {
+    std::vector<double> heights;
+    for (const Disc* d : discs)
+        if (const double h = down.dot(d->center.cast<double>());
+            h > top && std::abs(down.dot(d->normal.cast<double>())) > level)
+            heights.push_back(h);
+    std::ranges::sort(heights);
+    std::size_t most = 0, first = 0;
+    for (std::size_t i = 0, end = 0; i < heights.size(); ++i) {
+        while (end < heights.size() && heights[end] - heights[i] <= thick) ++end;
+        if (end - i > most) most = end - i, first = i;
+    }
+    if (most < 3 || double(most) < least_floor * double(discs.size())) return std::nullopt;
+    return Plane{down, heights[first + most / 2]};
+}
+
+/// The largest plane that is nearly level and below all cameras.
+std::optional<Plane> floor_among(const std::vector<Plane>& planes, std::span<const CoarseView> views,
+                                 const Eigen::Vector3d& held) {
+    for (const Plane& p : planes) {
+        const double sign = p.normal.dot(held) < 0 ? -1 : 1;
+        const Plane floor{sign * p.normal, sign * p.height};
+        if (floor.normal.dot(held) > level && floor.height > lowest_camera(views, floor.normal)) return floor;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+MeshPlanes mesh_planes(std::span<const Disc> discs, std::span<const CoarseView> views) {
+    std::vector<const Disc*> usable;
+    for (const Disc& d : discs)
+        if (d.normal.squaredNorm() > 0) usable.push_back(&d);
+    if (usable.size() < 100 || views.empty()) return {};
+    const double thick = thickness * extent_of(discs);
+    MeshPlanes out;
+    out.largest = largest_planes(usable, thick);
+    const Eigen::Vector3d held = down_direction(views);
+    out.down = down_direction(discs, held);
+    out.floor = out.down ? level_floor(usable, *out.down, lowest_camera(views, *out.down), thick)
+                         : floor_among(out.largest, views, held);
+    return out;
 }
 
 }  // namespace vantage

@@ -24,21 +24,23 @@ inline float inverse_distance(const Plane& plane, const Eigen::Vector3d& center,
     return std::isfinite(w) ? float(std::max(w, 0.0)) : 0;
 }
 
-/// The direction that the photos' rows agree to call down: perpendicular to all of them, as nobody holds a
-/// camera askew on purpose. If all rows are parallel, the mean of the columns.
-Eigen::Vector3d down_direction(std::span<const CoarseView> views);
+/// What a mesh tells about the planes on which its surroundings lie.
+struct MeshPlanes {
+    std::vector<Plane> largest;           ///< at most three, each with a twenty-fifth of the surface
+    std::optional<Eigen::Vector3d> down;  ///< unit length; nothing if the mesh has too few walls and floors
+    std::optional<Plane> floor;           ///< the largest below all cameras
+};
+/// By RANSAC (Fischler and Bolles 1981); with `down`, the floor is level. Deterministic.
+MeshPlanes mesh_planes(std::span<const SurfaceDisc> discs, std::span<const CoarseView> views);
 
-/// The plane below the cameras on which what the mesh leaves open agrees best between photos; nothing if no
-/// plane stands out.
-std::optional<Plane> find_ground(std::span<const CoarseView> views);
+/// The mesh's floor continued, or else the plane below the cameras on which what the mesh leaves open agrees
+/// best between photos; nothing if no plane stands out.
+std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPlanes& mesh);
 
 /// The planes that surroundings may lie on.
 struct ScenePlanes {
     std::optional<Plane> ground;
-    std::vector<Plane> of_mesh;  ///< the largest, at most three
+    std::vector<Plane> of_mesh;
 };
-/// The planes on which at least a twenty-fifth of the mesh's surface lies, the largest first (RANSAC,
-/// Fischler and Bolles 1981). Deterministic.
-std::vector<Plane> mesh_planes(std::span<const SurfaceDisc> discs);
 
 }  // namespace vantage

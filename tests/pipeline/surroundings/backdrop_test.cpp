@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <numbers>
+#include <random>
 #include <set>
 
+#include "pipeline/surroundings/down_direction.h"
 #include "tests/pipeline/surroundings/yard.h"
 
 using namespace vantage;
@@ -44,6 +46,44 @@ ByContent compare(const Backdrop& b, const std::vector<CoarseView>& views) {
     return out;
 }
 
+double degrees_from_down(const Eigen::Vector3d& direction) {
+    return std::acos(std::clamp(-direction.z(), -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
+/// Turns the camera about its own axis, given in camera space.
+void turn(CoarseView& v, const Eigen::Vector3d& axis, double degrees) {
+    const Eigen::Matrix3d by(Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis));
+    v.pose.R = by * v.pose.R;
+    v.pose.t = by * v.pose.t;
+}
+
+/// Discs of a wall through the origin, 4 by 4.
+std::vector<SurfaceDisc> wall(const Eigen::Vector3f& normal, int count) {
+    const Eigen::Vector3f across = normal.cross(Eigen::Vector3f::UnitZ());
+    std::vector<SurfaceDisc> out;
+    for (int i = 0; i < count; ++i)
+        out.push_back({across * (float(i % 20) / 5 - 2) + Eigen::Vector3f(0, 0, float(i) / float(count) * 4),
+                       normal, 0.1f});
+    return out;
+}
+
+/// Two walls that stand on a narrow floor of a twentieth of all discs, all rough.
+std::vector<SurfaceDisc> house(double floor, double roughness) {
+    std::vector<SurfaceDisc> out = wall(Eigen::Vector3f::UnitY(), 300);
+    const std::vector<SurfaceDisc> other = wall(Eigen::Vector3f::UnitX(), 270);
+    out.insert(out.end(), other.begin(), other.end());
+    for (int i = 0; i < 30; ++i)
+        out.push_back(
+            {{float(i) / 7.5f - 2, -0.1f * float(i % 3), float(floor)}, Eigen::Vector3f::UnitZ(), 0.1f});
+    std::mt19937 random(1);
+    std::normal_distribution<float> rough(0, float(roughness));
+    for (SurfaceDisc& d : out) {
+        d.normal = (d.normal + Eigen::Vector3f(rough(random), rough(random), rough(random))).normalized();
+        d.center += 0.3f * Eigen::Vector3f(rough(random), rough(random), rough(random));
+    }
+    return out;
+}
+
 }  // namespace
 
 TEST(DirectionSphere, IsClosedAndRegular) {
@@ -63,11 +103,53 @@ TEST(DirectionSphere, IsClosedAndRegular) {
 
 TEST(GroundPlane, IsFoundFromWhatPhotosShowOfIt) {
     const std::vector<CoarseView> views = yard::photos();
-    const auto ground = find_ground(views);
+    const auto ground = find_ground(views, {});
     ASSERT_TRUE(ground);
     EXPECT_LT(std::acos(std::clamp(-ground->normal.z(), -1.0, 1.0)), 1.0 * std::numbers::pi / 180);
     const double above = ground->height - ground->normal.dot(Eigen::Vector3d(0, -6, 1.6));
     EXPECT_NEAR(above, 1.6, 0.05);
+}
+
+TEST(DownDirection, IsThatOfWallsWhereCamerasWereNotHeldLevel) {
+    std::vector<CoarseView> views = yard::photos();
+    views.resize(3);  // which look much the same way
+    double roll = 3;
+    for (CoarseView& v : views) turn(v, Eigen::Vector3d::UnitZ(), roll += 1);
+    const Eigen::Vector3d held = down_direction(views);
+    ASSERT_GT(degrees_from_down(held), 3) << "rows alone mislead";
+    const auto down = down_direction(house(0, 0.02), held);
+    ASSERT_TRUE(down);
+    EXPECT_LT(degrees_from_down(*down), 0.3);
+}
+
+TEST(DownDirection, IsHeldAlongTheOnlyWallAndUnknownWithoutWalls) {
+    const Eigen::Vector3d held = Eigen::Vector3d(0.02, 0.1, -1).normalized();
+    const auto down = down_direction(wall(Eigen::Vector3f::UnitY(), 400), held);
+    ASSERT_TRUE(down);
+    EXPECT_NEAR(down->y(), 0, 1e-3) << "parallel to the wall";
+    EXPECT_NEAR(down->x(), held.x(), 2e-3) << "as held";
+    std::vector<SurfaceDisc> ball;
+    for (const Eigen::Vector3f& n : direction_sphere(3).directions) ball.push_back({n, n, 0.1f});
+    EXPECT_FALSE(down_direction(ball, held));
+}
+
+TEST(GroundPlane, ContinuesTheFloorOfAMeshWithWalls) {
+    const std::vector<CoarseView> views = yard::photos();
+    const MeshPlanes mesh = mesh_planes(house(0, 0.02), views);
+    const auto ground = find_ground(views, mesh);
+    ASSERT_TRUE(ground);
+    EXPECT_LT(degrees_from_down(ground->normal), 0.3);
+    EXPECT_NEAR(ground->height, 0, 0.02);
+}
+
+TEST(GroundPlane, IsNotTheTableOnWhichTheMeshStands) {
+    const std::vector<CoarseView> views = yard::photos();
+    const MeshPlanes mesh = mesh_planes(house(0.8, 0.02), views);
+    ASSERT_TRUE(mesh.floor);
+    EXPECT_NEAR(mesh.floor->height, -0.8, 0.02);
+    const auto ground = find_ground(views, mesh);
+    ASSERT_TRUE(ground);
+    EXPECT_NEAR(ground->height, 0, 0.05);
 }
 
 TEST(Backdrop, DepthByDirectionIsThatOfTheYard) {
