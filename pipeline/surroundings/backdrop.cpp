@@ -7,6 +7,7 @@
 #include "pipeline/surroundings/down_direction.h"
 #include "pipeline/surroundings/refine_depths.h"
 #include "pipeline/surroundings/view_sample.h"
+#include "pipeline/surroundings/walls_beyond.h"
 
 namespace vantage {
 namespace {
@@ -43,10 +44,16 @@ Backdrop estimate_backdrop(std::span<const CoarseView> views, const MeshPlanes& 
     Backdrop out{.sphere = direction_sphere(detail.sphere), .center = {}, .positions = {}};
     const Eigen::Matrix3f frame = frame_of(views);
     for (Eigen::Vector3f& d : out.sphere.directions) d = (frame * d).normalized();
-    const ScenePlanes planes{find_ground(views, mesh), mesh.largest};
-    const SweptDepths depths = sweep_depths(views, out.sphere, planes, detail.labels, threads);
+    ScenePlanes planes{find_ground(views, mesh), mesh.largest};
+    SweptDepths depths = sweep_depths(views, out.sphere, planes, detail.labels, threads);
     out.center = depths.center;
     std::vector<float> inverse = inverse_distances(depths, out.sphere);
+    const std::vector<Plane> beyond = walls_beyond(depths, out.sphere, inverse, down_direction(views, mesh));
+    if (!beyond.empty()) {
+        prefer_planes(depths, views, out.sphere, beyond, threads);
+        planes.walls.insert(planes.walls.end(), beyond.begin(), beyond.end());
+        inverse = inverse_distances(depths, out.sphere);
+    }
     for (int l = 0; l < detail.refinements; ++l) {
         DirectionSphere fine = direction_sphere(detail.sphere + l + 1);
         for (Eigen::Vector3f& d : fine.directions) d = (frame * d).normalized();

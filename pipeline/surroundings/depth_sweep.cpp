@@ -84,7 +84,8 @@ void prefer_plane(SweptDepths& d, const DirectionSphere& sphere, const PlaceCost
         if (!(plane[i] > 0)) continue;
         const auto label = std::size_t(std::lround((plane[i] - d.base[d.shown[i]]) / d.step));
         float& least = d.cost[i * std::size_t(d.labels) + label];
-        least = std::min(least, on_plane.cost[i]) - DepthPriors::on_a_plane;
+        least = std::min(least, on_plane.cost[i] + DepthPriors::of_label(float(label), d.labels)) -
+                DepthPriors::on_a_plane;
     }
 }
 
@@ -144,14 +145,20 @@ SweptDepths sweep_depths(std::span<const CoarseView> views, const DirectionSpher
     });
     average(d, sphere);
     average(d, sphere);
-    for (const Plane& plane : planes.of_mesh) {
-        d.planes.push_back(plane_depths(d, sphere, plane));
-        prefer_plane(d, sphere, cost, d.planes.back(), threads);
-    }
     for (std::size_t i = 0; i < d.shown.size(); ++i)
         for (int l = 1; l < labels; ++l)
             d.cost[i * std::size_t(labels) + std::size_t(l)] += DepthPriors::of_label(float(l), labels);
+    prefer_planes(d, views, sphere, planes.walls, threads);
     return d;
+}
+
+void prefer_planes(SweptDepths& d, std::span<const CoarseView> views, const DirectionSphere& sphere,
+                   std::span<const Plane> planes, unsigned threads) {
+    const PlaceCost cost(views, d.center);
+    for (const Plane& plane : planes) {
+        d.planes.push_back(plane_depths(d, sphere, plane));
+        prefer_plane(d, sphere, cost, d.planes.back(), threads);
+    }
 }
 
 }  // namespace vantage

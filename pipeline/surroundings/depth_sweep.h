@@ -30,7 +30,7 @@ struct DepthPriors {
     static constexpr float nearer = 0.2f;  ///< added toward the nearest label: without evidence, the base
     static constexpr float not_base = 0.02f;
     static constexpr float inside = 2.0f;       ///< where a camera would be behind the backdrop
-    static constexpr float on_a_plane = 0.04f;  ///< subtracted on planes of the mesh
+    static constexpr float on_a_plane = 0.04f;  ///< subtracted on walls
 
     static float of_label(float label, int labels) {
         return label > 0.5f ? not_base + nearer * label / float(labels) : 0;
@@ -41,6 +41,10 @@ struct DepthPriors {
 /// compares the photos that show it.
 SweptDepths sweep_depths(std::span<const CoarseView> views, const DirectionSphere& sphere,
                          const ScenePlanes& planes, int labels, unsigned threads);
+
+/// Makes depths on these planes cheaper.
+void prefer_planes(SweptDepths& depths, std::span<const CoarseView> views, const DirectionSphere& sphere,
+                   std::span<const Plane> planes, unsigned threads);
 
 /// The ground below the horizon, else infinity: an inverse distance per direction.
 std::vector<float> base_depths(const DirectionSphere& sphere, const Eigen::Vector3d& center, double reach,

@@ -110,9 +110,13 @@ Plane refined(const PlaneAgreement& agreement, Plane plane, double value, double
 
 }  // namespace
 
+Eigen::Vector3d down_direction(std::span<const CoarseView> views, const MeshPlanes& mesh) {
+    return mesh.down ? *mesh.down : down_direction(views);
+}
+
 std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPlanes& mesh) {
     if (views.size() < 2) return std::nullopt;
-    const Eigen::Vector3d down = mesh.down ? *mesh.down : down_direction(views);
+    const Eigen::Vector3d down = down_direction(views, mesh);
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const CoarseView& v : views) mean += v.pose.center() / double(views.size());
     double lowest = -std::numeric_limits<double>::infinity(), spread = 0;

@@ -33,6 +33,9 @@ struct MeshPlanes {
 /// By RANSAC (Fischler and Bolles 1981); with `down`, the floor is level. Deterministic.
 MeshPlanes mesh_planes(std::span<const SurfaceDisc> discs, std::span<const CoarseView> views);
 
+/// What is down according to the mesh, or else to the photos.
+Eigen::Vector3d down_direction(std::span<const CoarseView> views, const MeshPlanes& mesh);
+
 /// The mesh's floor continued, or else the plane below the cameras on which what the mesh leaves open agrees
 /// best between photos; nothing if no plane stands out.
 std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPlanes& mesh);
@@ -40,7 +43,7 @@ std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPl
 /// The planes that surroundings may lie on.
 struct ScenePlanes {
     std::optional<Plane> ground;
-    std::vector<Plane> of_mesh;
+    std::vector<Plane> walls;  ///< of the mesh, or found beyond it
 };
 
 }  // namespace vantage

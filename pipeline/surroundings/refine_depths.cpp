@@ -65,7 +65,7 @@ class Refinement {
         std::vector<float> out;
         for (std::size_t v = 0; v < base_.size(); ++v) {
             float w = base_[v] + over_[v];
-            for (const Plane& plane : planes_.of_mesh) {
+            for (const Plane& plane : planes_.walls) {
                 const float on = inverse_distance(plane, coarse_.center, fine_.directions[v]);
                 if (on > base_[v] && std::abs(on - w) < 2 * coarse_.step) w = on;
             }
@@ -106,7 +106,7 @@ class Refinement {
         float sum = 2 * alone(v, over), weights = 2;
         each_neighbor(v, [&](std::uint32_t u) { sum += alone(u, over), ++weights; });
         float prior = DepthPriors::of_label(over / coarse_.step, coarse_.labels);
-        for (const Plane& plane : planes_.of_mesh) {
+        for (const Plane& plane : planes_.walls) {
             const float on = inverse_distance(plane, coarse_.center, fine_.directions[v]);
             if (on > base_[v] && std::abs(on - base_[v] - over) < coarse_.step)
                 prior -= DepthPriors::on_a_plane;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "pipeline/surroundings/down_direction.h"
+#include "pipeline/surroundings/walls_beyond.h"
 #include "tests/pipeline/surroundings/yard.h"
 
 using namespace vantage;
@@ -84,6 +85,30 @@ std::vector<SurfaceDisc> house(double floor, double roughness) {
     return out;
 }
 
+struct Depths {
+    DirectionSphere sphere = direction_sphere(5);
+    SweptDepths swept;
+    std::vector<float> inverse;
+};
+
+/// Directions within 45 degrees of the x axis, with these inverse distances but for noise.
+Depths depths_of(const Eigen::Vector3d& center,
+                 const std::function<double(const Eigen::Vector3d& ray)>& inverse) {
+    Depths out;
+    out.swept.center = center;
+    out.swept.step = 0.002f;
+    std::mt19937 random(2);
+    std::normal_distribution<float> noise(0, 0.0005f);
+    for (std::uint32_t v = 0; v < out.sphere.directions.size(); ++v) {
+        const Eigen::Vector3f& ray = out.sphere.directions[v];
+        const bool shown = ray.x() > 0.7f;
+        if (shown) out.swept.shown.push_back(v);
+        out.swept.base.push_back(1e-4f);
+        out.inverse.push_back(shown ? float(inverse(ray.cast<double>())) + noise(random) : 1e-4f);
+    }
+    return out;
+}
+
 }  // namespace
 
 TEST(DirectionSphere, IsClosedAndRegular) {
@@ -150,6 +175,30 @@ TEST(GroundPlane, IsNotTheTableOnWhichTheMeshStands) {
     const auto ground = find_ground(views, mesh);
     ASSERT_TRUE(ground);
     EXPECT_NEAR(ground->height, 0, 0.05);
+}
+
+TEST(WallsBeyond, AreFoundInTheDepths) {
+    const Eigen::Vector3d center(3, -2, 1), facade = Eigen::Vector3d(1, 0.2, 0).normalized();
+    const double facade_away = 12, gable_away = 7;
+    // The corner of a street, seen from the center with a little noise.
+    const Depths d = depths_of(center, [&](const Eigen::Vector3d& ray) {
+        return std::max(facade.dot(ray) / facade_away, ray.y() / gable_away);
+    });
+    const std::vector<Plane> walls = walls_beyond(d.swept, d.sphere, d.inverse, -Eigen::Vector3d::UnitZ());
+    ASSERT_EQ(walls.size(), 2u);
+    for (const Plane& w : walls) {
+        const bool of_facade = w.normal.dot(facade) > 0.9;
+        const Eigen::Vector3d truth = of_facade ? facade : Eigen::Vector3d(Eigen::Vector3d::UnitY());
+        EXPECT_GT(w.normal.dot(truth), std::cos(1.0 * std::numbers::pi / 180));
+        EXPECT_NEAR(w.height - w.normal.dot(center), of_facade ? facade_away : gable_away, 0.2);
+    }
+}
+
+TEST(WallsBeyond, AreUpright) {
+    const Depths slope = depths_of({0, 0, 0}, [](const Eigen::Vector3d& ray) {
+        return ray.dot(Eigen::Vector3d(1, 0, 1).normalized()) / 12;
+    });
+    EXPECT_TRUE(walls_beyond(slope.swept, slope.sphere, slope.inverse, -Eigen::Vector3d::UnitZ()).empty());
 }
 
 TEST(Backdrop, DepthByDirectionIsThatOfTheYard) {
