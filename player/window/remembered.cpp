@@ -72,6 +72,7 @@ Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
     for_fields(r, [&](const char* name, auto& value) { read(j, name, value); });
     read_enum(j, "blend", r.settings.blend);
     read_enum(j, "choice", r.settings.choice);
+    read_enum(j, "surroundings", r.settings.surroundings);
     // The file may have been edited: clamps to valid ranges.
     r.window.width = std::clamp(r.window.width, 320, 16384);
     r.window.height = std::clamp(r.window.height, 240, 16384);
@@ -91,6 +92,7 @@ void write_settings(const std::filesystem::path& folder, const Remembered& r) {
     for_fields(r, [&](const char* name, const auto& value) { j[name] = value; });
     j["blend"] = int(r.settings.blend);
     j["choice"] = int(r.settings.choice);
+    j["surroundings"] = int(r.settings.surroundings);
     const auto part = folder / "player.json.part";
     if (std::ofstream out(part); !(out << j.dump(1) << '\n').flush()) return;
     std::filesystem::rename(part, folder / "player.json", error);

@@ -17,7 +17,9 @@ vantage=$1 player=$2 source=$3 dir=$VANTAGE_WINDOW_TEST
 cd "$dir" || exit 1
 export XDG_CONFIG_HOME=$dir/config
 "$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage >/dev/null 2>&1 || exit 1
-cp one.vantage two.vantage
+{ cat "$source/data/tiny.toml"; printf '\n[garden]\nradius = 30.0\nhill = 8.0\n'; } >garden.toml
+"$vantage" synth garden.toml -o garden >/dev/null &&
+  "$vantage" prepare garden -o two.vantage --effect surroundings=on >/dev/null 2>&1 || exit 1
 head -c 100000 one.vantage >cut.vantage
 "$player" one.vantage --size 900x700 --blended 1 --controls places >says 2>&1 &
 pid=$!
@@ -118,6 +120,7 @@ sleep 1
 key o; press "two.vantage"; press "Open"
 sleep 1
 [ "$(xdotool getwindowname "$window")" = "two.vantage - Vantage" ] || fail "the other package was not opened"
+press "Surroundings"; press "dimmed"
 kill -0 $pid 2>/dev/null || { cat says; fail "the player has exited early"; }
 press "File"
 xdotool mousemove $(place "Quit")
@@ -133,6 +136,7 @@ wait $pid
 remembers() { grep -q "\"$1\": $2" config/vantage/player.json || fail "$1 is not remembered as $2"; }
 remembers blend 1
 remembers choice 1
+remembers surroundings 1
 remembers consensus true
 remembers fill_holes false
 for weight in distance angle angle_mask depth_mask border_mask; do remembers $weight false; done
