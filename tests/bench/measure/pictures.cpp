@@ -127,6 +127,13 @@ PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Pi
     return out;
 }
 
+double frame_psnr(std::span<const TrueView> views, std::span<const Picture> pictures) {
+    double sum = 0;
+    for (std::size_t v = 0; v < views.size(); ++v)
+        sum += score(views[v].truth, pictures[v], std::vector<bool>(views[v].seeable.size(), true)).psnr_gain;
+    return sum / double(std::max<std::size_t>(1, views.size()));
+}
+
 std::vector<Picture> render_views(Renderer& renderer, const BenchScene& scene, const PictureSetting& s) {
     RenderSettings settings = s.settings;
     settings.complete = true;
@@ -166,6 +173,7 @@ std::vector<Measurement> measure_pictures(const std::filesystem::path& file, con
         for (const Picture& p : pictures.back())
             photos += double(p.report.photos) / double(scene.views.size());
         out.push_back({"", "", s.curve, s.setting, s.exact, s.chosen, s.known, {}});
+        if (s.whole_frame) out.back().values["psnr_frame"] = frame_psnr(scene.views, pictures.back());
         out.back().values.merge(std::map<std::string, double>{{"psnr", e.psnr},
                                                               {"ssim", e.ssim},
                                                               {"worst", e.worst},

@@ -19,6 +19,7 @@ struct PictureSetting {
     int side = 2;  ///< samples along the side of a pixel, in pictures that are compared with the truth
     bool timed_whole = false;               ///< time a frame with all samples instead of one
     bool timed = true;                      ///< measure frame times; false if they are known not to differ
+    bool whole_frame = false;               ///< measure psnr_frame, too
     double photos = 1;                      ///< fraction of the allowed photos to use, evenly spread
     std::map<std::string, double> known{};  ///< metrics given by the setting itself
 };
@@ -30,6 +31,9 @@ struct PictureErrors {
 };
 PictureErrors picture_errors(std::span<const TrueView> views, std::span<const Picture> pictures);
 
+/// Mean PSNR over the whole frame after gains; holes are as shown.
+double frame_psnr(std::span<const TrueView> views, std::span<const Picture> pictures);
+
 /// Renders all views of a scene with these settings.
 std::vector<Picture> render_views(Renderer& renderer, const BenchScene& scene, const PictureSetting& setting);
 
@@ -39,9 +43,9 @@ void settle(Renderer& renderer, const TrueView& view, const PictureSetting& sett
 /// Milliseconds per frame of a still view with everything resident; includes all samples if `timed_whole`.
 double time_frame(Renderer& renderer, const TrueView& view, const PictureSetting& setting);
 
-/// Measures each setting on a package of the scene: psnr, ssim, worst, uncoloured, photos, frame_ms, and
-/// psnr_exact against the exact setting of the same curve, or of another curve if that has none. Exhibits
-/// show the window in which the worst setting differs most from the exact one.
+/// Measures each setting on a package of the scene: psnr, ssim, worst, uncoloured, photos, frame_ms,
+/// psnr_frame and psnr_exact against the exact setting of the same curve, or of another curve if that has
+/// none. Exhibits show the window in which the worst setting differs most from the exact one.
 std::vector<Measurement> measure_pictures(const std::filesystem::path& package, const BenchScene& scene,
                                           const Effort& effort, std::span<const PictureSetting> settings,
                                           const std::filesystem::path& folder, const std::string& tag);

@@ -15,6 +15,7 @@ constexpr double same = 0.002, timed = 0.25;
 constexpr Metric table[] = {
     {"psnr", "PSNR", "dB", Kind::error, false, same},
     {"ssim", "SSIM", "", Kind::error, false, same},
+    {"psnr_frame", "PSNR of the whole frame", "dB", Kind::error, false, same},
     {"worst", "worst 0.1 % of the pixels", "of 255", Kind::error, true, 0.01},
     {"uncoloured", "left uncolored", "%", Kind::error, true, 0.01},
     {"psnr_exact", "PSNR against the exact setting", "dB", Kind::error, false, same},

@@ -139,6 +139,7 @@ std::vector<TrueView> held_out_views(const PackageReader& package, const Effort&
                       view_of_level(record, level),
                       level_of_photo(package, package::Type::tiles, held_out, level),
                       {},
+                      {},
                       {}};
         if (close_up(v)) {
             const Intrinsics whole = view.view.intrinsics, k = middle_of(whole, effort);
@@ -150,6 +151,7 @@ std::vector<TrueView> held_out_views(const PackageReader& package, const Effort&
         view.photos.resize(photos);
         std::iota(view.photos.begin(), view.photos.end(), 0u);
         std::erase(view.photos, held_out);
+        view.held_out = record.name;
         views.push_back(std::move(view));
     }
     return views;
@@ -176,6 +178,7 @@ std::vector<TrueView> cast_views(const PackageReader& package, const SynthSpec& 
         TrueView view{fmt::format("between {} and {}", gap, gap + 1),
                       {camera.intrinsics, camera.cam_from_world.relative_to(origin)},
                       {camera.intrinsics.width, camera.intrinsics.height, {}, {}},
+                      {},
                       {},
                       {}};
         const auto rgb = cast_photo(model, rays, camera, 4);

@@ -29,6 +29,7 @@ struct TrueView {
     Picture truth;                      ///< the photo itself, or the ray-cast picture
     std::vector<std::uint32_t> photos;  ///< that may be blended: all but the one held out
     std::vector<bool> seeable;  ///< per pixel: shows surface that one of `photos` sees, by ray casting
+    std::string held_out;       ///< the photo that `truth` is; empty if none
 };
 
 /// A scene to measure on: its input files, and its package as `vantage prepare` writes it by default.
