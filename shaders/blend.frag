@@ -177,8 +177,10 @@ vec4 filtered(uint photo, vec2 pixel, Footprint f) {
 #endif
 }
 
-// Color in the mean photo's exposure, without the lens's falloff.
-vec3 refined(uint photo, vec2 pixel, vec3 c) {
+// Color in the mean photo's exposure, without the lens's falloff. What is overexposed does not become darker, except near the
+// photo's own camera, whose exposure the picture has.
+vec3 refined(uint photo, vec2 pixel, vec3 taken, float theta) {
+    vec3 c = taken;
 #ifdef PHOTO_GAIN
     c *= photos[photo].gain.rgb;
 #endif
@@ -188,7 +190,8 @@ vec3 refined(uint photo, vec2 pixel, vec3 c) {
     float r2 = dot(off, off);
     c *= exp(r2 * (f.x + r2 * (f.y + r2 * f.z)));
 #endif
-    return c;
+    float white = smoothstep(overexposed, 1.0, min(min(taken.r, taken.g), taken.b)) * (1.0 - own_share(theta));
+    return mix(c, max(c, taken), white);
 }
 
 #ifdef SURROUNDINGS
@@ -200,9 +203,9 @@ float credible(vec3 color, float theta) {
 }
 #endif
 
-vec4 photo_color(uint photo, vec2 pixel, Footprint footprint) {
+vec4 photo_color(uint photo, vec2 pixel, Footprint footprint, float theta) {
     vec4 c = filtered(photo, pixel, footprint);
-    return vec4(refined(photo, pixel, c.rgb), c.a);
+    return vec4(refined(photo, pixel, c.rgb, theta), c.a);
 }
 
 vec4 as_shown(uint photo, vec4 c) {
@@ -224,6 +227,7 @@ void main() {
     int chosen = -1;
     vec2 chosen_pixel = vec2(0.0);
     Footprint chosen_footprint;
+    float chosen_theta = 0.0;
 #endif
     for (uint photo = 0u; photo < pass_count; ++photo) {
         if ((draw_photos >> photo & 1u) == 0u) continue;
@@ -268,9 +272,10 @@ void main() {
             chosen = int(photo);
             chosen_pixel = pixel;
             chosen_footprint = footprint;
+            chosen_theta = theta;
         }
 #else
-        vec4 c = photo_color(photo, pixel, footprint);
+        vec4 c = photo_color(photo, pixel, footprint, theta);
 #ifdef SURROUNDINGS
         w *= surrounds() ? credible(c.rgb, theta) : 1.0;
 #endif
@@ -285,7 +290,7 @@ void main() {
     }
 #ifdef TAKES_ONE
     if (chosen >= 0) {
-        vec4 c = as_shown(uint(chosen), photo_color(uint(chosen), chosen_pixel, chosen_footprint));
+        vec4 c = as_shown(uint(chosen), photo_color(uint(chosen), chosen_pixel, chosen_footprint, chosen_theta));
         accumulated = c.a > 0.5 ? vec4(c.rgb, accumulated.a) : before;
     }
 #else

@@ -122,6 +122,9 @@ const float edge_least = 0.2f;  // at a discontinuity itself: other photos may n
 // Buehler et al. 2001): ramps and masks that prefer other photos must not apply there.
 const float own_angle = 0.01f;
 const float own_least = 0.00001f;  // smaller angles count as this one; bounds the factor at 10^6
+// Where all channels of a photo are at least this, in linear light, it is taken for overexposed, gradually: adjusting its
+// exposure must not turn white into gray.
+const float overexposed = 0.9f;
 // A photo sees what is behind its depth map by less than this share of the depth, or by one texel of the map along a
 // surface slanted by at most 84 degrees. Where only some of the four depths around the pixel allow it, the photo's pixel may
 // show something nearer instead.

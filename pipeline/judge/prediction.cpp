@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "colors/color_fit.h"
-#include "colors/color_fit.h"
 #include "shaders/contract.h"
 #include "values/srgb.h"
 
@@ -39,18 +38,36 @@ struct Blended {
 
 using Colors = Color Blended::*;
 
+/// own_share() in blend.frag.
+float own_share(float theta) {
+    const float near = shader::own_angle * shader::own_angle;
+    return near / (near + theta * theta);
+}
+
 float consensus_weight(const Alternative& a, const Sighting& s) {
     if (a.consensus.empty() || !a.consensus[s.photo].data) return 1;
     const auto& grid = a.consensus[s.photo];
     const int x = std::min(int(s.x), grid.width - 1), y = std::min(int(s.y), grid.height - 1);
-    const float mask = (std::max(float(grid(x, y)), 1.0f) - 1) / 254,
-                near = shader::own_angle * shader::own_angle;
-    return mask + (1 - mask) * near / (near + s.theta * s.theta);
+    const float mask = (std::max(float(grid(x, y)), 1.0f) - 1) / 254;
+    return mask + (1 - mask) * own_share(s.theta);
+}
+
+/// Share of a color that keeps its exposure because it is overexposed, as in refined() of blend.frag.
+float white_share(const float (&root)[3], float theta) {
+    const float least = std::min({root[0], root[1], root[2]}), light = least * least,
+                t = std::clamp((light - shader::overexposed) / (1 - shader::overexposed), 0.0f, 1.0f);
+    return t * t * (3 - 2 * t) * (1 - own_share(theta));
 }
 
 /// Factor on light that takes out a lens's falloff, see ColorFit.
 float without_falloff(const Falloff& f, double radius2) {
     return float(std::exp(log_falloff_at_square(f, radius2)));
+}
+
+/// Square root of light times a factor, as refined() mixes light.
+float exposed(float root, float factor, float white) {
+    if (!(white > 0) || factor >= 1) return factor * root;
+    return root * std::sqrt(factor * factor * (1 - white) + white);
 }
 
 std::vector<Blended> blended(const Sightings& sightings, const Alternative& a) {
@@ -63,10 +80,11 @@ std::vector<Blended> blended(const Sightings& sightings, const Alternative& a) {
         Blended& b = out.emplace_back(Blended{s.weight * consensus_weight(a, s), {}, {}});
         const float factor =
             a.falloff.empty() ? 1 : std::sqrt(without_falloff(a.falloff[s.photo], double(s.radius2)));
+        const float white = white_share(s.root, s.theta), smooth_white = white_share(s.smooth, s.theta);
         for (std::size_t c = 0; c < 3; ++c) {
             const float all = factor * (gain.empty() ? 1 : gain[s.photo][c]);
-            b.root[c] = all * s.root[c];
-            b.smooth[c] = all * s.smooth[c];
+            b.root[c] = exposed(s.root[c], all, white);
+            b.smooth[c] = exposed(s.smooth[c], all, smooth_white);
         }
     }
     return out;

@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <opencv2/core.hpp>
+
+#include "values/srgb.h"
 
 using namespace vantage;
 
@@ -143,4 +146,21 @@ TEST(Prediction, EverySecondTexelIsPredictedAsAllAre) {
             else
                 EXPECT_FALSE(std::isfinite(found)) << x << ' ' << y;
         }
+}
+
+TEST(Prediction, WhatIsOverexposedStaysWhiteInADarkerExposure) {
+    const CoarsePhoto target = photo_of_plane(0, 1), other = photo_of_plane(-0.5, 1);
+    Sightings seen = sightings(target, std::array{OtherPhoto{0, &other, other.pose}});
+    const std::vector<std::array<double, 3>> half{{std::log(0.5), std::log(0.5), std::log(0.5)}};
+    const Alternative darker{.ln_gain = half};
+    const auto code_of_all = [&](float root) {
+        for (Sighting& s : seen.all)
+            for (float& channel : s.root) channel = root;
+        return predict(target, seen, darker).color.at<cv::Vec3f>(32, 48)[0];
+    };
+    for (Sighting& s : seen.all) s.theta = 1;
+    EXPECT_NEAR(code_of_all(1), 255, 0.1);
+    EXPECT_NEAR(code_of_all(std::sqrt(0.8f)), 255 * srgb_from_linear(0.4), 0.2) << "not overexposed";
+    for (Sighting& s : seen.all) s.theta = 0;
+    EXPECT_NEAR(code_of_all(1), 255 * srgb_from_linear(0.5), 0.2) << "its own camera's picture is as exposed";
 }
