@@ -18,6 +18,7 @@
 #include "pipeline/synth/model_builder.h"
 #include "pipeline/synth/synthesize.h"
 #include "scene/package_reader.h"
+#include "tests/datasets.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -62,14 +63,20 @@ class SurroundingsDecision : public TemporaryFolder {
         write_ply(folder / "mesh.ply", Vector3d::Zero(), positions, model.mesh.normals, model.mesh.triangles);
         return folder;
     }
-    EffectDecision decided(const std::filesystem::path& folder) const {
+    EffectDecision decided(const std::filesystem::path& folder, const PrepareSettings& settings = {}) const {
         const PrepareResult result =
-            prepare(read_scene(discover(folder)), {}, dir / "scene.vantage", [](const Progress&) {});
+            prepare(read_scene(discover(folder)), settings, dir / "scene.vantage", [](const Progress&) {});
         const EffectDecision decision = result.agreement->surroundings;
         EXPECT_EQ(effect_on(PackageReader(dir / "scene.vantage").scene(), Effect::surroundings), decision.on);
         return decision;
     }
 };
+
+PrepareSettings small_photos() {
+    PrepareSettings s;
+    s.photo_size = 768;
+    return s;
+}
 
 /// A plinth, on a table as large as it.
 SynthModel object() {
@@ -98,6 +105,20 @@ TEST_F(SurroundingsDecision, AFacadeInAGardenHasThem) {
     const EffectDecision d = decided(dir / "scene");
     EXPECT_TRUE(d.on);
     EXPECT_NE(d.evidence.find("over a plain color"), std::string::npos) << d.evidence;
+}
+
+TEST_F(SurroundingsDecision, ACastleUnderItsSkyHasThem) {
+    VANTAGE_DATASET(sceaux, "sceaux");
+    const EffectDecision d = decided(sceaux, small_photos());
+    EXPECT_TRUE(d.on) << d.evidence;
+    ASSERT_TRUE(d.judgment);
+    EXPECT_GT(d.judgment->gain, 3) << d.evidence;
+}
+
+TEST_F(SurroundingsDecision, AWallBesideAYardHasThemThoughMostPhotosShowLittleOfIt) {
+    VANTAGE_DATASET(fountain, "fountain-P11");
+    const EffectDecision d = decided(fountain, small_photos());
+    EXPECT_TRUE(d.on) << d.evidence;
 }
 
 TEST_F(SurroundingsDecision, AFacadeThatFillsThePhotosHasNone) {
