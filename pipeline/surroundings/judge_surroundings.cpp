@@ -21,10 +21,10 @@
 namespace vantage {
 namespace {
 
-constexpr double worth_having = 0.01;     ///< share of a photo that is open
-constexpr double least_compared = 0.005;  ///< share of a photo that the others must show
-constexpr double same_enough = 25;        ///< dB, of a background that moves with the camera
-constexpr double plain_enough = 30;       ///< dB
+constexpr double worth_having = 0.01;   ///< share of a photo that is open
+constexpr double least_compared = 400;  ///< texels of all photos: fewer prove nothing
+constexpr double same_enough = 25;      ///< dB, of a background that moves with the camera
+constexpr double plain_enough = 30;     ///< dB
 
 /// A picture of NaN, the size of the view.
 cv::Mat blank(const CoarseView& view) {
@@ -146,8 +146,6 @@ Predicted predicted(const CoarseView& view, std::span<const CoarseView> others, 
     const std::array predictions{Prediction{from_backdrop(view, backdrop, others)}, Prediction{same},
                                  Prediction{plain}};
     const std::vector<JudgeScore> scores = score(own_surroundings(view), predictions);
-    if (double(scores[0].pixels) < least_compared * double(view.pixels))
-        return {};  // a few pixels prove nothing
     return {name, scores[0], scores[1], scores[2]};
 }
 
@@ -171,21 +169,25 @@ SurroundingsJudgment judge_surroundings(const CoarseViews& all, Samples samples,
     });
     std::vector<JudgedPhoto> gain;
     SurroundingsJudgment out;
+    double pixels = 0;
     for (const Predicted& p : folds) {
         gain.push_back({p.name, p.plain, p.backdrop});
-        out.with_camera += p.same.psnr > std::max(same_enough, p.backdrop.psnr);
-        out.plain += p.plain.pixels > 0 && p.plain.psnr > plain_enough;
+        const auto compared = double(p.plain.pixels);
+        pixels += compared;
+        out.with_camera += p.same.psnr > std::max(same_enough, p.backdrop.psnr) ? compared : 0;
+        out.plain += p.plain.psnr > plain_enough ? compared : 0;
     }
+    for (double* share : {&out.with_camera, &out.plain}) *share /= std::max(pixels, least_compared);
     out.gain = summarize(gain);
     return out;
 }
 
 std::string SurroundingsJudgment::objection() const {
-    if (gain.photos < min_judged_photos) return "";
-    if (2 * plain > gain.photos) return "the background is plain";
-    if (2 * with_camera > gain.photos)
+    if (plain > 0.5) return "the background is plain";
+    if (with_camera > 0.5)
         return "the background moves with the camera, as it does when the object is turned";
-    return gain.gain < -2 * gain.error ? "other photos do not tell what is there" : "";
+    const bool loses = gain.photos >= min_judged_photos && gain.gain < -2 * gain.error;
+    return loses ? "other photos do not tell what is there" : "";
 }
 
 }  // namespace vantage

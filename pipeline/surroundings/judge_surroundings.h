@@ -13,10 +13,11 @@ namespace vantage {
 
 /// What surroundings are worth, from photos that are left out and predicted where the mesh leaves them open.
 struct SurroundingsJudgment {
-    Judgment gain;        ///< over one plain color
-    int with_camera = 0;  ///< photos that the same pixels of others predict to 25 dB, better than the
-                          ///< backdrop: the background moves with the camera, as behind a turntable
-    int plain = 0;        ///< photos that one color predicts to 30 dB
+    Judgment gain;  ///< over one plain color
+    /// Share of the compared pixels in photos that the same pixels of others predict to 25 dB, better than
+    /// the backdrop: the background moves with the camera, as behind a turntable.
+    double with_camera = 0;
+    double plain = 0;  ///< share of the compared pixels in photos that one color predicts to 30 dB
     /// Why there is nothing to show; empty if there is.
     std::string objection() const;
 };
