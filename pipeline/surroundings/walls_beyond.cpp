@@ -1,6 +1,7 @@
 #include "pipeline/surroundings/walls_beyond.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
