@@ -190,8 +190,11 @@ vec3 refined(uint photo, vec2 pixel, vec3 taken, float theta) {
     float r2 = dot(off, off);
     c *= exp(r2 * (f.x + r2 * (f.y + r2 * f.z)));
 #endif
+#if defined(PHOTO_GAIN) || defined(PHOTO_FALLOFF)
     float white = smoothstep(overexposed, 1.0, min(min(taken.r, taken.g), taken.b)) * (1.0 - own_share(theta));
-    return mix(c, max(c, taken), white);
+    c = mix(c, max(c, taken), white);
+#endif
+    return c;
 }
 
 #ifdef SURROUNDINGS

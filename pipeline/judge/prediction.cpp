@@ -54,8 +54,9 @@ float consensus_weight(const Alternative& a, const Sighting& s) {
 
 /// Share of a color that keeps its exposure because it is overexposed, as in refined() of blend.frag.
 float white_share(const float (&root)[3], float theta) {
-    const float least = std::min({root[0], root[1], root[2]}), light = least * least,
-                t = std::clamp((light - shader::overexposed) / (1 - shader::overexposed), 0.0f, 1.0f);
+    const float least = std::min({root[0], root[1], root[2]}), light = least * least;
+    if (!(light > shader::overexposed)) return 0;
+    const float t = std::min((light - shader::overexposed) / (1 - shader::overexposed), 1.0f);
     return t * t * (3 - 2 * t) * (1 - own_share(theta));
 }
 

@@ -1,6 +1,7 @@
 #include "pipeline/surroundings/down_direction.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 namespace vantage {
@@ -36,16 +37,16 @@ Eigen::Vector3d down_direction(std::span<const CoarseView> views) {
 
 std::optional<Eigen::Vector3d> down_direction(std::span<const SurfaceDisc> discs,
                                               const Eigen::Vector3d& held) {
+    const auto usable = [](const SurfaceDisc& d) { return d.normal.squaredNorm() > 0; };
     Eigen::Vector3d down = held;
-    std::size_t usable = 0, upright = 0;
+    std::size_t upright = 0;
     // Ever closer to a wall or a floor, in sines of the angle.
     for (const double near : {0.3, 0.2, 0.15, 0.1, 0.1, 0.07, 0.07, 0.07}) {
         Eigen::Matrix3d scatter = -held_weight * double(discs.size()) * held * held.transpose();
-        usable = upright = 0;
+        upright = 0;
         for (const SurfaceDisc& d : discs) {
+            if (!usable(d)) continue;
             const Eigen::Vector3d n = d.normal.cast<double>();
-            if (!(n.squaredNorm() > 0)) continue;
-            ++usable;
             const double along = std::abs(n.dot(down));
             const bool wall = along<near, floor = along> std::sqrt(1 - near * near);
             if (!wall && !floor) continue;
@@ -54,7 +55,8 @@ std::optional<Eigen::Vector3d> down_direction(std::span<const SurfaceDisc> discs
         }
         down = turned_toward(SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0), down);
     }
-    if (double(upright) < least_upright * double(usable) || down.dot(held) < farthest) return std::nullopt;
+    const double least = least_upright * double(std::ranges::count_if(discs, usable));
+    if (double(upright) < least || down.dot(held) < farthest) return std::nullopt;
     return down;
 }
 

@@ -110,6 +110,12 @@ Plane refined(const PlaneAgreement& agreement, Plane plane, double value, double
 
 }  // namespace
 
+double lowest_camera(std::span<const CoarseView> views, const Eigen::Vector3d& down) {
+    double lowest = -std::numeric_limits<double>::infinity();
+    for (const CoarseView& v : views) lowest = std::max(lowest, down.dot(v.pose.center()));
+    return lowest;
+}
+
 Eigen::Vector3d down_direction(std::span<const CoarseView> views, const MeshPlanes& mesh) {
     return mesh.down ? *mesh.down : down_direction(views);
 }
@@ -119,11 +125,9 @@ std::optional<Plane> find_ground(std::span<const CoarseView> views, const MeshPl
     const Eigen::Vector3d down = down_direction(views, mesh);
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const CoarseView& v : views) mean += v.pose.center() / double(views.size());
-    double lowest = -std::numeric_limits<double>::infinity(), spread = 0;
-    for (const CoarseView& v : views) {
-        lowest = std::max(lowest, down.dot(v.pose.center()));
-        spread = std::max(spread, 2 * (v.pose.center() - mean).norm());
-    }
+    const double lowest = lowest_camera(views, down);
+    double spread = 0;
+    for (const CoarseView& v : views) spread = std::max(spread, 2 * (v.pose.center() - mean).norm());
     if (!(spread > 0)) return mesh.floor;
     const PlaneAgreement agreement(views);
     std::array<double, heights> values{};

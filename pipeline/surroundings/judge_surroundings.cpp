@@ -22,7 +22,7 @@ namespace vantage {
 namespace {
 
 constexpr double worth_having = 0.01;   ///< share of a photo that is open
-constexpr double least_compared = 400;  ///< texels of all photos: fewer prove nothing
+constexpr double least_compared = 400;  ///< texels of all photos; fewer count as a part of these
 constexpr double same_enough = 25;      ///< dB, of a background that moves with the camera
 constexpr double plain_enough = 30;     ///< dB
 

@@ -1,7 +1,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "pipeline/surroundings/down_direction.h"
@@ -66,12 +65,6 @@ std::vector<Plane> largest_planes(std::vector<const Disc*> left, double thick) {
         });
     }
     return planes;
-}
-
-double lowest_camera(std::span<const CoarseView> views, const Eigen::Vector3d& down) {
-    double lowest = -std::numeric_limits<double>::infinity();
-    for (const CoarseView& v : views) lowest = std::max(lowest, down.dot(v.pose.center()));
-    return lowest;
 }
 
 /// The level plane below `top` next to which most discs lie. Its tilt is not fitted: a strip of floor before

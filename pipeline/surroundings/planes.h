@@ -33,6 +33,9 @@ struct MeshPlanes {
 /// By RANSAC (Fischler and Bolles 1981); with `down`, the floor is level. Deterministic.
 MeshPlanes mesh_planes(std::span<const SurfaceDisc> discs, std::span<const CoarseView> views);
 
+/// How far down the lowest camera is; -inf without views.
+double lowest_camera(std::span<const CoarseView> views, const Eigen::Vector3d& down);
+
 /// What is down according to the mesh, or else to the photos.
 Eigen::Vector3d down_direction(std::span<const CoarseView> views, const MeshPlanes& mesh);
 

@@ -38,6 +38,14 @@ void for_fields(R& r, const Field& field) {
     field("panel_radar", r.panels.radar);
 }
 
+/// The same for each remembered choice.
+template <class R, class Choice>
+void for_choices(R& r, const Choice& choice) {
+    choice("blend", r.settings.blend);
+    choice("choice", r.settings.choice);
+    choice("surroundings", r.settings.surroundings);
+}
+
 /// Reads a field if the file has it with the right type.
 template <class T>
 void read(const nlohmann::json& j, const char* name, T& value) {
@@ -70,9 +78,7 @@ Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
     const nlohmann::json j = nlohmann::json::parse(in, nullptr, false);
     if (!j.is_object()) return r;
     for_fields(r, [&](const char* name, auto& value) { read(j, name, value); });
-    read_enum(j, "blend", r.settings.blend);
-    read_enum(j, "choice", r.settings.choice);
-    read_enum(j, "surroundings", r.settings.surroundings);
+    for_choices(r, [&](const char* name, auto& value) { read_enum(j, name, value); });
     // The file may have been edited: clamps to valid ranges.
     r.window.width = std::clamp(r.window.width, 320, 16384);
     r.window.height = std::clamp(r.window.height, 240, 16384);
@@ -90,9 +96,7 @@ void write_settings(const std::filesystem::path& folder, const Remembered& r) {
     std::filesystem::create_directories(folder, error);
     nlohmann::json j;
     for_fields(r, [&](const char* name, const auto& value) { j[name] = value; });
-    j["blend"] = int(r.settings.blend);
-    j["choice"] = int(r.settings.choice);
-    j["surroundings"] = int(r.settings.surroundings);
+    for_choices(r, [&](const char* name, const auto& value) { j[name] = int(value); });
     const auto part = folder / "player.json.part";
     if (std::ofstream out(part); !(out << j.dump(1) << '\n').flush()) return;
     std::filesystem::rename(part, folder / "player.json", error);

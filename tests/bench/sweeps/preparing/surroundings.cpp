@@ -41,9 +41,8 @@ extern const Sweep surroundings_sweep;
 const Sweep surroundings_sweep{
     "surroundings",
     "Surroundings",
-    "How much closer is the whole frame to the photo with what photos show beside the mesh, and what does "
-    "that "
-    "cost in preparation, bytes and frame time?",
+    "How much closer to the photo is the whole frame with what photos show beside the mesh, and what does "
+    "that cost in preparation, bytes and frame time?",
     "the held-out photo, prepared without it, or the ray-cast picture",
     "not applicable; surroundings are an estimate",
     {{"prepare_s", "psnr_frame"}, {"package_bytes", "psnr_frame"}, {"frame_ms", "psnr_frame"}},
