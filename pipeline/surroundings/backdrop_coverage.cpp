@@ -25,14 +25,12 @@ Seen seen_by(const CoarseView& v, const Eigen::Vector3f& position) {
            .place = {x / float(v.k.width), y / float(v.k.height)},
            .density = float(v.k.fx) / p.z()};
     if (!(std::abs(x) < 1e6f && std::abs(y) < 1e6f)) return s;
-    const int i = int(std::floor(x)), j = int(std::floor(y));
-    for (int dy = -2; dy <= 2; ++dy)
-        for (int dx = -2; dx <= 2; ++dx) {
-            if (i + dx < 0 || j + dy < 0 || i + dx >= v.k.width || j + dy >= v.k.height) continue;
-            const std::size_t at = std::size_t(j + dy) * std::size_t(v.k.width) + std::size_t(i + dx);
-            s.near |= v.gaps[at] == 1;
-            s.open |= dx == 0 && dy == 0 && v.is_open(at);
-        }
+    const int i = int(std::floor(x)), j = int(std::floor(y)), inside_i = std::clamp(i, 0, v.k.width - 1),
+              inside_j = std::clamp(j, 0, v.k.height - 1),
+              outside = std::max(std::abs(i - inside_i), std::abs(j - inside_j));
+    const std::size_t at = std::size_t(inside_j) * std::size_t(v.k.width) + std::size_t(inside_i);
+    s.near = outside <= gap_reach && v.gaps[at] == 1;
+    s.open = outside == 0 && v.is_open(at);
     return s;
 }
 

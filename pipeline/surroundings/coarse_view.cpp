@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <opencv2/imgproc.hpp>
 
 #include "agreement/read_level.h"
 #include "pipeline/run/for_each_photo.h"
@@ -52,6 +53,8 @@ void find_gaps(const PackageReader& package, const package::PhotoRecord& r, Coar
             if (z == std::numeric_limits<float>::infinity())
                 v.gaps[std::size_t(y >> shift) * std::size_t(v.k.width) + std::size_t(x >> shift)] = 1;
         }
+    cv::Mat gaps(v.k.height, v.k.width, CV_8U, v.gaps.data());
+    cv::dilate(gaps, gaps, cv::Mat::ones(2 * gap_reach + 1, 2 * gap_reach + 1, CV_8U));
 }
 
 std::vector<CoarseView> read_coarse_views(const PackageReader& package,

@@ -17,6 +17,8 @@ inline constexpr float ln_offset = 0.02f;
 inline Eigen::Array3f ln_of(const Eigen::Array3f& linear) { return (linear + ln_offset).log(); }
 inline Eigen::Array3f linear_of(const Eigen::Array3f& ln) { return ln.exp() - ln_offset; }
 
+inline constexpr int gap_reach = 2;  ///< texels
+
 /// A photo at a coarse level, and where the mesh leaves it open: where it shows something else.
 struct CoarseView {
     std::uint32_t photo = 0;
@@ -25,7 +27,8 @@ struct CoarseView {
     /// ln_of linear light in the exposure of the mean photo; NaN where the photo has no pixel.
     std::vector<Eigen::Array3f> ln;
     std::vector<float> z;              ///< of the mesh, +inf where it is open
-    std::vector<std::uint8_t> gaps;    ///< 1: some of the texel is open at `mask_level`; see find_gaps
+    /// 1: something within `gap_reach` texels is open at `mask_level`; see find_gaps.
+    std::vector<std::uint8_t> gaps;
     std::size_t pixels = 0, open = 0;  ///< texels with a pixel, and those of them without mesh
 
     bool is_open(std::size_t texel) const {

@@ -69,6 +69,8 @@ std::vector<std::byte> chunk_of(const SurroundingsInput& in, const Backdrop& bac
     content.clusters = backdrop_clusters(backdrop);
     content.coverage.resize(in.photos.size());
     content.visible.resize(in.photos.size());
+    std::future<std::vector<Eigen::Array3f>> quiet =
+        std::async(std::launch::async, [&] { return quiet_colors(backdrop, some.views); });
     // Some at a time: there may be many photos.
     std::vector<std::uint32_t> with_pixels;
     for (std::uint32_t i = 0; i < in.photos.size(); ++i)
@@ -84,7 +86,7 @@ std::vector<std::byte> chunk_of(const SurroundingsInput& in, const Backdrop& bac
             content.visible[now[i]] = std::move(c.visible);
         });
     }
-    for (const Eigen::Array3f& c : quiet_colors(backdrop, some.views)) content.colors.push_back(srgb(c));
+    for (const Eigen::Array3f& c : quiet.get()) content.colors.push_back(srgb(c));
     return surroundings_chunk(content);
 }
 
