@@ -8,14 +8,30 @@
 #include <vector>
 
 #include "scene/checksum.h"
+#include "scene/effects.h"
 #include "scene/package_writer.h"
+#include "scene/surroundings.h"
 #include "scene/tiling.h"
 #include "values/bytes_of.h"
 
 namespace vantage::fuzz {
 
-/// Two triangles, one cluster and one photo of 40 x 30 pixels that sees them. Contains only the
-/// data that a player reads; fix_checksums() computes the checksums of heads, directory and header.
+/// A tetrahedron around the scene, of which the photo sees a part.
+inline SurroundingsContent sound_surroundings() {
+    SurroundingsContent s;
+    s.positions = {{0, 0, 9}, {9, 0, -9}, {-9, 9, -9}, {-9, -9, -9}};
+    s.triangles = {{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+    package::ClusterRecord c{};
+    c.radius = 18, c.triangles = 4, c.cone_cutoff = 1;
+    s.clusters = {c};
+    s.colors.assign(4, {90, 120, 150, 255});
+    s.coverage = {{package::CoverageRecord{.seen = 65535, .u1 = 65535, .v1 = 65535}}};
+    s.visible = {{0, 15}};
+    return s;
+}
+
+/// Two triangles, one cluster, surroundings, and one photo of 40 x 30 pixels that sees them. Contains only
+/// the data that a player reads; fix_checksums() computes the checksums of heads, directory and header.
 class SoundPackage {
   public:
     SoundPackage() {
@@ -23,7 +39,7 @@ class SoundPackage {
         package::SceneRecord s{};
         for (int i = 0; i < 3; ++i) s.bounds_min[i] = -1, s.bounds_max[i] = 1;
         s.vertices = 4, s.triangles = 2, s.clusters = 1, s.photos = 1, s.reference_density = 20;
-        s.border_width = 8;
+        s.border_width = 8, s.effects = effect_bit(Effect::surroundings);
         package::PhotoRecord p{};
         std::strcpy(p.name, "a.jpg");
         p.width = 40, p.height = 30, p.levels = 1, p.thumbnail_width = 4, p.thumbnail_height = 3;
@@ -51,6 +67,7 @@ class SoundPackage {
         add(Type::coverage, 0, 0, bytes_of_one(seen));
         add(Type::visible, 0, 0, std::as_bytes(std::span(bits)));
         add(Type::thumbnail, 0, 0, thumbnail);
+        add(Type::surroundings, package::scene_wide, 0, surroundings_chunk(sound_surroundings()));
         add_tile(Type::tiles, 0);
         add_tile(Type::masks, 1);
         add_tile(Type::depth, 1);
