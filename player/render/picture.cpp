@@ -14,8 +14,15 @@ namespace vantage {
 
 Picture take_picture(Renderer& renderer, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side) {
+    FrameReport report;
+    for (int i = 0; i < side * side; ++i) report = renderer.draw(view, settings, photos, {i, side}, 0);
+    Picture p = shown_picture(renderer, view, settings);
+    p.report = report;
+    return p;
+}
+
+Picture shown_picture(Renderer& renderer, const View& view, const RenderSettings& settings) {
     Picture p{view.intrinsics.width, view.intrinsics.height, {}, {}};
-    for (int i = 0; i < side * side; ++i) p.report = renderer.draw(view, settings, photos, {i, side}, 0);
     const gl::Texture color = gl::make_texture_2d("picture", GL_RGBA8, p.width, p.height);
     const gl::Framebuffer target = gl::make_framebuffer("picture", std::array{color.id()}, 0);
     renderer.show(view, settings, target.id(), false);

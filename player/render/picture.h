@@ -18,6 +18,9 @@ struct Picture {
 Picture take_picture(Renderer& renderer, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side);
 
+/// What the renderer last drew, of the same view; without a report.
+Picture shown_picture(Renderer& renderer, const View& view, const RenderSettings& settings);
+
 /// Writes a PNG to FILE.part and renames it. Throws Error(storage).
 void write_png(const std::filesystem::path& file, const Picture& picture);
 /// Throws Error(input).

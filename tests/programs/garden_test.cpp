@@ -143,3 +143,34 @@ TEST_F(Garden, FillsTheFrameOfALeftOutPhoto) {
     EXPECT_LT(median(with.beside), 20);
     EXPECT_GT(median(without.beside), 60);
 }
+
+TEST_F(Garden, NothingIsDarkWhileOnePhotoReplacesAnother) {
+    const PackageReader package = prepared({});
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    const std::vector<std::uint32_t> photos{1, 7};
+    RenderSettings settings;
+    settings.fill_holes = true;
+    settings.complete = false, settings.wait_for_tiles = true;
+    settings.choice = Choice::nearest, settings.photos = 1;
+    const View from = view_of_photo(package.photos()[1], 0.5), to = view_of_photo(package.photos()[7], 0.5);
+    const auto drawn = [&](const View& view, double start, int frames) {
+        for (int i = 0; i < frames; ++i) renderer.draw(view, settings, photos, {}, start + 0.1 * i);
+        return shown_picture(renderer, view, settings);
+    };
+    drawn(from, 0, 10);
+    const Picture between = drawn(to, 1, 1), after = drawn(to, 2, 10);
+    settings.complete = true;
+    const std::vector<std::uint32_t> replaced{photos[0]};
+    const Picture before = take_picture(renderer, to, settings, replaced, 1);
+    EXPECT_NE(between.rgba, before.rgba);
+    EXPECT_NE(between.rgba, after.rgba);
+    const auto light = [](const Picture& p, std::size_t pixel) {
+        return int(p.rgba[4 * pixel]) + p.rgba[4 * pixel + 1] + p.rgba[4 * pixel + 2];
+    };
+    const std::size_t pixels = after.rgba.size() / 4;
+    std::size_t darker = 0;
+    for (std::size_t i = 0; i < pixels; ++i)
+        darker += light(between, i) < std::min(light(before, i), light(after, i)) - 30;
+    EXPECT_LT(double(darker), 0.005 * double(pixels));
+}

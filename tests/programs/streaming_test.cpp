@@ -51,16 +51,6 @@ class Streaming : public TemporaryFolder {
     }
 };
 
-std::vector<std::uint8_t> shown(Renderer& renderer, const View& view, const RenderSettings& settings) {
-    const int w = view.intrinsics.width, h = view.intrinsics.height;
-    const gl::Texture color = gl::make_texture_2d("picture", GL_RGBA8, w, h);
-    const gl::Framebuffer target = gl::make_framebuffer("picture", std::array{color.id()}, 0);
-    renderer.show(view, settings, target.id(), false);
-    std::vector<std::uint8_t> rgba(std::size_t(w) * std::size_t(h) * 4);
-    glGetTextureImage(color.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(rgba.size()), rgba.data());
-    return rgba;
-}
-
 double mean_difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(int(a[i]) - int(b[i]));
@@ -115,13 +105,13 @@ TEST_F(Streaming, UploadBudgetIsKeptAndThePictureConverges) {
     for (int frame = 0; frame < 400 && !report.settled; ++frame) {
         report = renderer.draw(view, settings, all(package), {}, frame / 30.0);
         ASSERT_LE(report.uploaded, settings.upload_bytes);
-        if (first.empty() && report.photos > 0) first = shown(renderer, view, settings);
+        if (first.empty() && report.photos > 0) first = shown_picture(renderer, view, settings).rgba;
     }
     ASSERT_TRUE(report.settled);
-    const auto last = shown(renderer, view, settings);
+    const auto last = shown_picture(renderer, view, settings).rgba;
     settings.complete = true;
     renderer.draw(view, settings, all(package), {}, 100);
-    const auto exact = shown(renderer, view, settings);
+    const auto exact = shown_picture(renderer, view, settings).rgba;
     EXPECT_LT(mean_difference(first, exact), 12) << "thumbnails show the scene, though blurred";
     EXPECT_GT(mean_difference(first, exact), 0.2);
     EXPECT_LT(mean_difference(last, exact), 0.1);
@@ -175,13 +165,13 @@ TEST_F(Streaming, DamagedTilesFallBackToCoarserOnesUntilRestored) {
         return report;
     };
     EXPECT_GT(settle().tiles_damaged, 0u);
-    const auto coarse = shown(renderer, view, settings);
+    const auto coarse = shown_picture(renderer, view, settings).rgba;
     std::size_t colored = 0;
     for (std::size_t i = 3; i < coarse.size(); i += 4) colored += coarse[i] == 255;
     EXPECT_GT(colored, coarse.size() / 4 / 3) << "coarser levels are shown instead";
     now += 6;
     EXPECT_GT(settle().tiles_damaged, 0u) << "still damaged on the second attempt";
-    EXPECT_EQ(shown(renderer, view, settings), coarse);
+    EXPECT_EQ(shown_picture(renderer, view, settings).rgba, coarse);
     invert_tiles();
     now += 6;
     settle();
@@ -192,7 +182,9 @@ TEST_F(Streaming, DamagedTilesFallBackToCoarserOnesUntilRestored) {
     RenderSettings complete = settings;
     complete.complete = true;
     fresh.draw(view, complete, only, {}, 1);
-    EXPECT_LT(mean_difference(shown(renderer, view, settings), shown(fresh, view, complete)), 0.1);
+    EXPECT_LT(mean_difference(shown_picture(renderer, view, settings).rgba,
+                              shown_picture(fresh, view, complete).rgba),
+              0.1);
 }
 
 TEST_F(Streaming, PlansCoverTheViewAndKeepTheirPhotos) {
