@@ -35,6 +35,8 @@ constexpr std::array table{
     EffectRow{Effect::surroundings, "surroundings", "surroundings",
               "share of the photos that the mesh does not cover", "", 0.005, Basis::beside, "blend",
               "SURROUNDINGS"},
+    EffectRow{Effect::scalar_layers, "scalar-layers", "scalar-layers",
+              "layers of the mesh with more than one value", "", 0, Basis::scene, "surface", "SCALAR_LAYER"},
 };
 static_assert(table.size() == std::size_t(Effect::count));
 static_assert(std::ranges::is_sorted(table, {}, &EffectRow::effect), "rows are in the order of Effect");

@@ -22,6 +22,7 @@ enum class Effect : int {
     registration,
     consensus,
     surroundings,
+    scalar_layers,
     count
 };
 

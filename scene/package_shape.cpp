@@ -46,6 +46,14 @@ void surroundings_shape(const PackageReader& reader, Lines& out) {
     }
 }
 
+void layers_shape(const PackageReader& reader, const package::SceneRecord& scene, Lines& out) {
+    if (!effect_on(scene, Effect::scalar_layers)) return;
+    const DirectoryEntry* e = reader.find(Type::scalars, package::scene_wide);
+    const std::uint64_t layer = scene.vertices * sizeof(float);
+    if (!e || layer == 0 || e->head_length % layer != 0 || e->head_length / layer != scene.scalar_layers)
+        out.emplace_back("VSCL does not have one value per vertex and layer");
+}
+
 void blocks_shape(const PackageReader& reader, Type type, std::uint32_t i, std::uint32_t level,
                   const Level& size, Lines& out) {
     const DirectoryEntry* e = reader.find(type, i, level);
@@ -84,6 +92,7 @@ std::vector<std::string> misshapen(const PackageReader& reader) {
     const package::SceneRecord& scene = reader.scene();
     model_shape(reader, scene, out);
     surroundings_shape(reader, out);
+    layers_shape(reader, scene, out);
     const auto photos = reader.photos();
     for (std::uint32_t i = 0; i < photos.size(); ++i)
         if (photos[i].levels > 0) photo_shape(reader, scene, photos[i], i, out);

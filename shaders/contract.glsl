@@ -6,6 +6,7 @@ const int position_attribute = 0;
 const int normal_attribute = 1;
 const int color_attribute = 2;
 const int draw_attribute = 3;  // per draw: its first triangle; one bit per photo of the pass that is drawn
+const int value_attribute = 4;  // of the scalar layer that is shown; 1, or 0 for a vertex without value
 const uint surroundings_bit = 0x80000000u;  // beside the photos' bits: the draw is of the surroundings
 
 // Shader storage buffers.
@@ -21,6 +22,7 @@ const int depth_tiles_unit = 2;
 const int thumbnails_unit = 3;
 const int best_so_far_unit = 4;  // blend
 const int first_sums_unit = 5;
+const int color_map_unit = 4;  // surface
 const int sums_unit = 4;  // resolve
 const int surface_unit = 5;
 const int before_unit = 6;
@@ -45,6 +47,8 @@ const int first_layers_uniform = 10;
 const int weight_eye_uniform = 11;
 const int half_scale_uniform = 12;
 const int surroundings_distance_uniform = 13;
+const int layer_scale_uniform = 14;
+const int isolines_uniform = 15;
 const int pass_slots_uniform = 16;  // an array, PASS_PHOTOS long
 
 // Uniforms of resolve.
@@ -59,6 +63,7 @@ const int progress_uniform = 7;
 const int surroundings_light_uniform = 8;
 const int hole_weight_uniform = 9;
 const int background_weight_uniform = 10;
+const int layer_share_uniform = 11;
 
 // Uniforms of show.
 const int samples_uniform = 0;
@@ -92,6 +97,10 @@ const uint depth_mask_switch = 2u;
 const uint border_mask_switch = 4u;
 const uint angle_switch = 8u;
 const uint consensus_mask_switch = 16u;
+
+// What the bare surface shows at a pixel, in alpha; 1: the mesh.
+const float shows_surroundings = 2.0f;
+const float shows_value = 3.0f;
 
 // What is shown: the photos' colors, one false color per photo, or how many photos see each point.
 const uint show_colors = 0u;

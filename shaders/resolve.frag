@@ -30,6 +30,10 @@ layout(location = hole_weight_uniform) uniform float hole_weight;
 layout(location = background_weight_uniform) uniform float background_weight;
 #endif
 
+#ifdef SCALAR_LAYER
+layout(location = layer_share_uniform) uniform float layer_share;  // of the layer's color, beside the photos'
+#endif
+
 // The mean of square roots of light.
 vec3 mean_light(vec4 sums) {
     vec3 root = sums.rgb / sums.a;
@@ -58,15 +62,22 @@ void main() {
         accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : mean_light(s)), 1.0);
     if (progress < 1.0) accumulated = mixed(texelFetch(before, at, 0), accumulated);
     bool hole = accumulated.a == 0.0;
-#ifdef SURROUNDINGS
+#if defined(SURROUNDINGS) || defined(SCALAR_LAYER)
     const bool looks = true;
 #else
     bool looks = hole && fill;
 #endif
-    vec4 bare = looks ? texelFetch(surface, at, 0) : vec4(0.0);  // alpha 2: surroundings
+    vec4 bare = looks ? texelFetch(surface, at, 0) : vec4(0.0);
     if (hole && fill) accumulated = vec4(bare.a > 0.0 ? bare.rgb : background, 1.0);
+#ifdef SCALAR_LAYER
+    if (bare.a == shows_value && layer_share > 0.0) {
+        vec3 root = mix(sqrt(max(accumulated.rgb, 0.0)), sqrt(bare.rgb), hole ? 1.0 : layer_share);
+        accumulated = vec4(root * root, 1.0);
+        hole = false;
+    }
+#endif
 #ifdef SURROUNDINGS
-    if (bare.a > 1.5) {
+    if (bare.a == shows_surroundings) {
         if (hole) accumulated = vec4(exposed(bare.rgb), 1.0);
         accumulated.rgb *= surroundings_light;
     }

@@ -1,5 +1,5 @@
 // Lambertian shading with a lamp at the viewer, in linear light; with the mesh's own colors if the scene has the effect.
-// Surroundings have their quiet color, and 2 in alpha.
+// Surroundings have their quiet color, what has a value in the scalar layer that is shown its color in the color map.
 #include "contract.glsl"
 
 in vec3 surface_position;
@@ -11,9 +11,30 @@ flat in uint draw_first;
 #ifdef SURROUNDINGS
 flat in uint draw_bits;
 #endif
-layout(location = 0) out vec4 shaded;
+layout(location = 0) out vec4 shaded;  // alpha: 1, shows_surroundings or shows_value
 layout(location = 1) out uint triangle;  // its number plus 1; 0: none
 layout(location = surface_eye_uniform) uniform vec3 eye;
+
+#ifdef SCALAR_LAYER
+in vec2 surface_value;
+layout(binding = color_map_unit) uniform sampler2D color_map;
+layout(location = layer_scale_uniform) uniform vec3 layer_scale;  // value at the map's begin; 1 / (end - begin), 0: no layer;
+                                                                  // not 0: of logarithms
+layout(location = isolines_uniform) uniform float isolines;       // intervals between lines; 0: no lines
+
+// Alpha 0: no value.
+vec4 layer_color() {
+    bool logarithmic = layer_scale.z != 0.0;
+    float v = logarithmic ? log(max(surface_value.x, 1e-38)) : surface_value.x;
+    float t = (v - layer_scale.x) * layer_scale.y, lines = t * isolines;
+    float pixels = abs(fract(lines - 0.5) - 0.5) / max(fwidth(lines), 1e-6);  // to the nearest line
+    bool known = surface_value.y > 0.9999 && (surface_value.x > 0.0 || !logarithmic);  // of all corners
+    if (layer_scale.y == 0.0 || !known) return vec4(0.0);
+    vec3 color = texture(color_map, vec2((clamp(t, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+    bool inside = t > -1e-4 && t < 1.0001;
+    return vec4(isolines > 0.0 && inside ? color * smoothstep(0.3, 1.0, pixels) : color, 1.0);
+}
+#endif
 
 void main() {
     vec3 n = normalize(surface_normal), v = normalize(eye - surface_position);
@@ -23,8 +44,13 @@ void main() {
     base = pow(max(surface_color.rgb, vec3(0.0)), vec3(2.2));  // interpolated black may be slightly negative
 #endif
     shaded = vec4(base * light, 1.0);
+#ifdef SCALAR_LAYER
+    vec4 layer = layer_color();
+    if (layer.a > 0.0) shaded = vec4(layer.rgb, shows_value);
+#endif
 #ifdef SURROUNDINGS
-    if ((draw_bits & surroundings_bit) != 0u) shaded = vec4(pow(max(surface_color.rgb, vec3(0.0)), vec3(2.2)), 2.0);
+    if ((draw_bits & surroundings_bit) != 0u)
+        shaded = vec4(pow(max(surface_color.rgb, vec3(0.0)), vec3(2.2)), shows_surroundings);
 #endif
     triangle = draw_first + uint(gl_PrimitiveID) + 1u;
 }

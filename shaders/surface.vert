@@ -9,6 +9,10 @@ layout(location = clip_from_origin_uniform) uniform mat4 clip_from_origin;
 layout(location = color_attribute) in vec4 color;
 out vec4 surface_color;
 #endif
+#ifdef SCALAR_LAYER
+layout(location = value_attribute) in vec2 value;
+out vec2 surface_value;
+#endif
 out vec3 surface_position;
 out vec3 surface_normal;
 flat out uint draw_first;
@@ -26,6 +30,9 @@ void main() {
 #endif
 #if defined(VERTEX_COLORS) || defined(SURROUNDINGS)
     surface_color = color;
+#endif
+#ifdef SCALAR_LAYER
+    surface_value = value;
 #endif
     gl_Position = clip_from_origin * vec4(position, 1.0);
 }

@@ -37,6 +37,8 @@ Parts parts_of(const std::string& name) {
             return {{"consensus"}, {}};
         case Effect::surroundings:
             return {{"surroundings"}, {Type::surroundings}};
+        case Effect::scalar_layers:
+            return {{}, {Type::scalars}};
         default:
             return {};
     }

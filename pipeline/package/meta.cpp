@@ -114,7 +114,9 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
     meta["inputs"] = inputs_json(scene, identities);
     for (const EffectDecision& d : effects) meta["effects"].push_back(effect_json(d));
     meta["scalars"] = json::array();
-    for (const ScalarLayer& layer : scene.mesh.scalars) meta["scalars"].push_back(utf8_name(layer.name));
+    if (std::ranges::any_of(
+            effects, [](const EffectDecision& d) { return d.effect == Effect::scalar_layers && d.on; }))
+        for (const ScalarLayer& layer : scene.mesh.scalars) meta["scalars"].push_back(utf8_name(layer.name));
     meta["left_out"] = json::array();
     for (const UnusablePhoto& l : scene.left_out)
         meta["left_out"].push_back(left_out_json(l, scene.files.photos, identities));

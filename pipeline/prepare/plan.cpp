@@ -44,8 +44,8 @@ package::SceneRecord scene_record(const PackedModel& model, const SceneInput& sc
     record.photos = scene.photos.size();
     record.reference_density = reference_density(scene, model.record);
     record.border_width = settings.border_width;
-    record.scalar_layers = scene.mesh.scalars.size();
     for (const EffectDecision& d : effects) record.effects |= std::uint64_t(d.on) << int(d.effect);
+    if (effect_on(record, Effect::scalar_layers)) record.scalar_layers = scene.mesh.scalars.size();
     return record;
 }
 

@@ -218,6 +218,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     if (run.expect_view) expect_mesh_in_view(scene);
     GeometryRenderer renderer(model, scene.mesh.normals, settings);
     PreparePlan plan = make_plan(model, scene, settings, run.share, identities, run.trace);
+    if (!effect_on(plan.scene, Effect::scalar_layers)) scene.mesh.scalars.clear();
     const ResourceEstimate estimate = reserve(plan, scene, settings, run, renderer.by_opengl(), out);
 
     PackageWriter writer(out, plan.chunks, plan.names, run.share);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "layers/value_layer.h"
 #include "output/make_folder.h"
 #include "output/output_file.h"
 #include "output/package_inputs.h"
@@ -32,10 +33,12 @@ PhotoFiles files_of(const fs::path& folder, const std::string& stem) {
 
 void write_mesh(const PackageReader& reader, const fs::path& file) {
     const package::SceneRecord& s = reader.scene();
+    std::vector<PlyLayer> layers;
+    for (const ValueLayer& layer : read_layers(reader)) layers.push_back({layer.name, layer.values});
     write_ply(file, Eigen::Map<const Eigen::Vector3d>(s.origin),
               reader.records<Eigen::Vector3f>(Type::positions),
               reader.records<Eigen::Vector3f>(Type::normals),
-              reader.records<std::array<std::uint32_t, 3>>(Type::indices));
+              reader.records<std::array<std::uint32_t, 3>>(Type::indices), layers);
 }
 
 void write_photo(const PackageReader& reader, std::uint32_t i, const package::PhotoRecord& p,

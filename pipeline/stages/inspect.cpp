@@ -129,6 +129,36 @@ Measured unseen_colors(const SceneInput& scene) {
                                100 * share)};
 }
 
+/// One layer: its range and the share of vertices without value. Sets `varies`.
+std::string describe(const ScalarLayer& layer, bool& varies) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    std::size_t without = 0;
+    for (const float v : layer.values)
+        if (std::isfinite(v))
+            low = std::min(low, double(v)), high = std::max(high, double(v));
+        else
+            ++without;
+    varies = low < high;
+    std::string out = without == layer.values.size()
+                          ? layer.name + " has no values"
+                          : fmt::format("{} from {:.4g} to {:.4g}", layer.name, low, high);
+    if (without > 0 && low <= high)
+        out += fmt::format(", {:.1f} % without value", 100 * double(without) / double(layer.values.size()));
+    return out;
+}
+
+Measured varying_layers(std::span<const ScalarLayer> layers) {
+    if (layers.empty()) return {0, "the mesh has no scalar layers"};
+    double varying = 0;
+    std::string evidence;
+    for (const ScalarLayer& layer : layers) {
+        bool varies = false;
+        evidence += (evidence.empty() ? "" : "; ") + describe(layer, varies);
+        varying += varies;
+    }
+    return {varying, evidence};
+}
+
 Measured measure(const EffectRow& row, const SceneInput& scene) {
     if (from_all_photos(row)) return {0, "measured after all photos are processed"};
     switch (row.effect) {
@@ -140,6 +170,8 @@ Measured measure(const EffectRow& row, const SceneInput& scene) {
             return focal_spread(scene);
         case Effect::vertex_colors:
             return unseen_colors(scene);
+        case Effect::scalar_layers:
+            return varying_layers(scene.mesh.scalars);
         default:
             return {0, "not measured"};
     }
@@ -153,6 +185,7 @@ std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effe
         const Measured m = measure(row, scene);
         decisions.push_back(decide(row.effect, choice_of(choices, row.effect),
                                    std::isfinite(m.value) ? m.value : 1e9, m.evidence));
+        if (row.effect == Effect::scalar_layers && scene.mesh.scalars.empty()) decisions.back().on = false;
     }
     return decisions;
 }

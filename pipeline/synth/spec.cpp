@@ -69,7 +69,11 @@ SynthSpec read_spec(const std::filesystem::path& file) {
     const toml::table root = parse(file);
     check_tables(file, root);
     SynthSpec s;
-    Table(file, root, "scene").read("seed", s.seed, 0, 4e9);
+    {
+        Table t(file, root, "scene");
+        t.read("seed", s.seed, 0, 4e9);
+        t.read("height_layer", s.height_layer, 0, 1);
+    }
     {
         Table t(file, root, "building");
         t.read("width", s.building.width, 1, 1000);

@@ -72,10 +72,15 @@ std::filesystem::path depth_of(const NamedCamera& photo) {
     return std::filesystem::path("truth") / "depth" / (std::string(stem_of(photo.photo)) + ".exr");
 }
 
-void write_model(const SynthModel& model, const std::filesystem::path& file) {
+/// With `height`, the mesh has a scalar layer: the height above the ground.
+void write_model(const SynthModel& model, bool height, const std::filesystem::path& file) {
     std::vector<Vector3f> positions;
     for (const Vector3d& p : model.mesh.positions) positions.push_back(p.cast<float>());
-    write_ply(file, Vector3d::Zero(), positions, model.mesh.normals, model.mesh.triangles);
+    std::vector<float> heights;
+    for (const Vector3f& p : positions) heights.push_back(p.z());
+    std::vector<PlyLayer> layers;
+    if (height) layers.push_back({"height", heights});
+    write_ply(file, Vector3d::Zero(), positions, model.mesh.normals, model.mesh.triangles, layers);
 }
 
 }  // namespace
@@ -137,7 +142,7 @@ void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
     write_colmap_text(folder / "sparse", written);
     write_colmap_text(folder / "truth" / "sparse", photos);
     write_gains(folder / synth_mark, photos, exposed);
-    write_model(model, folder / "mesh.ply");
+    write_model(model, spec.height_layer, folder / "mesh.ply");
     std::atomic<std::size_t> done{0};
     for_each_photo(photos.size(), 0, [&](std::size_t i) {
         const Camera& camera = photos[i].camera;

@@ -68,6 +68,15 @@ double colored_share(const Picture& p) {
     return p.rgba.empty() ? 0 : 4.0 * double(colored) / double(p.rgba.size());
 }
 
+/// What the ends of the color map stand for, if a layer is shown.
+void print_legend(const Renderer& renderer, const RenderSettings& settings) {
+    if (settings.layer.layer < 0) return;
+    const ValueLayer& layer = renderer.layers()[std::size_t(settings.layer.layer)];
+    const auto [map, range] = layer_legend(layer, settings.layer);
+    std::printf("layer %s  %g to %g, %s%s\n", layer.name.c_str(), range.low, range.high, name_of(map),
+                settings.layer.logarithmic ? ", logarithmic" : "");
+}
+
 }  // namespace
 
 int run_offscreen(const PackageReader& package, const ShowOptions& options) {
@@ -75,11 +84,13 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options) {
     const std::vector<Shot> wanted = shots(package, options);
     const std::vector<std::filesystem::path> files = picture_files(package, options, wanted);
     const std::vector<std::uint32_t> photos = photos_in_use(package, options.package);
-    const RenderSettings settings = render_settings(package, options.blending, Purpose::pictures);
+    RenderSettings settings = render_settings(package, options.blending, Purpose::pictures);
+    settings.layer = layer_settings(package, options.layer);
     const gl::HeadlessContext context(options.window.debug_gl);
     Renderer renderer(package, memory_budget(options.memory));
     const bool own_pixels = o.scale == 1 && options.output.size.empty() && o.view.empty() && o.path.empty();
     const int side = o.samples ? o.samples : own_pixels ? 1 : 2;
+    if (!options.output.quiet) print_legend(renderer, settings);
     std::size_t damaged = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const Shot& shot = wanted[i];

@@ -36,6 +36,7 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
     add_output_options(app, o.output);
     add_memory_options(app, o.memory);
     add_blending_options(app, o.blending);
+    add_layer_options(app, o.layer);
     add_picture_options(app, o.pictures);
     add_window_options(app, o.window);
     app.footer(
@@ -44,6 +45,7 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
         "  vantage-player chapel.vantage --offscreen --photo 0003 -o 0003.png\n"
         "  vantage-player chapel.vantage --offscreen --photo all --scale 0.5 --blend best -o pictures\n"
         "  vantage-player chapel.vantage --offscreen --view 4,-9,2,0,0,1,40 --size 1920x1080 -o view.png\n"
+        "  vantage-player chapel.vantage --offscreen --photo 0003 --layer deviation --isolines 10 -o map.png\n"
         "Verbs (vantage-player VERB --help):\n" +
         verbs_text() + exit_codes_text());
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "player/options/blending_options.h"
+#include "player/options/layer_options.h"
 #include "player/options/memory_options.h"
 #include "player/options/output_options.h"
 #include "player/options/package_options.h"
@@ -12,6 +13,7 @@ namespace vantage {
 struct ShowOptions {
     PackageOptions package;
     BlendingOptions blending;
+    LayerOptions layer;
     MemoryOptions memory;
     OutputOptions output;
     PictureOptions pictures;

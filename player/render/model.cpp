@@ -1,6 +1,8 @@
 #include "player/render/model.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -46,6 +48,19 @@ std::vector<std::array<std::uint8_t, 4>> colors_of(const PackageReader& package,
     return out;
 }
 
+/// A value and whether there is one.
+using Value = std::array<float, 2>;
+
+/// Layer by layer, for each vertex of the mesh and of the surroundings, which have none.
+std::vector<Value> values_of(std::span<const ValueLayer> layers, std::size_t vertices) {
+    std::vector<Value> out(layers.size() * vertices, Value{0, 0});
+    for (std::size_t l = 0; l < layers.size(); ++l)
+        std::ranges::transform(layers[l].values, out.begin() + std::ptrdiff_t(l * vertices), [](float v) {
+            return std::isfinite(v) ? Value{v, 1} : Value{0, 0};
+        });
+    return out;
+}
+
 template <class T>
 gl::Buffer buffer_of(const char* name, std::span<const T> values) {
     return gl::make_buffer(name, values.size_bytes(), values.data());
@@ -53,7 +68,7 @@ gl::Buffer buffer_of(const char* name, std::span<const T> values) {
 
 }  // namespace
 
-Model load_model(const PackageReader& package, const PlanScene& scene) {
+Model load_model(const PackageReader& package, const PlanScene& scene, std::span<const ValueLayer> layers) {
     using shader::color_attribute, shader::draw_attribute;
     if (scene.indices.size() > std::size_t(std::numeric_limits<GLsizei>::max()))
         throw Error(Exit::damaged, package.path().string() + ": INDX has more triangles than can be drawn");
@@ -77,6 +92,12 @@ Model load_model(const PackageReader& package, const PlanScene& scene) {
     glVertexArrayAttribBinding(m.vertices.id(), draw_attribute, draw_attribute);
     glVertexArrayBindingDivisor(m.vertices.id(), draw_attribute, 1);
     glEnableVertexArrayAttrib(m.vertices.id(), draw_attribute);
+    if (!layers.empty()) {
+        const std::vector<Value> values = values_of(layers, scene.positions.size());
+        m.values = buffer_of("values", std::span<const Value>(values));
+        gl::attach_floats(m.vertices, shader::value_attribute, m.values, 2, sizeof(Value));
+        package.forget(package.records<std::byte>(Type::scalars));
+    }
     if (!effect_on(package.scene(), Effect::vertex_colors) && !scene.has_surroundings()) return m;
     m.colors = buffer_of("colors", std::span<const std::array<std::uint8_t, 4>>(colors_of(package, scene)));
     glVertexArrayVertexBuffer(m.vertices.id(), color_attribute, m.colors.id(), 0, 4);
@@ -84,6 +105,11 @@ Model load_model(const PackageReader& package, const PlanScene& scene) {
     glVertexArrayAttribBinding(m.vertices.id(), color_attribute, color_attribute);
     glEnableVertexArrayAttrib(m.vertices.id(), color_attribute);
     return m;
+}
+
+void show_layer(const Model& model, const PlanScene& scene, std::size_t layer) {
+    glVertexArrayVertexBuffer(model.vertices.id(), shader::value_attribute, model.values.id(),
+                              GLintptr(layer * scene.positions.size() * sizeof(Value)), sizeof(Value));
 }
 
 }  // namespace vantage

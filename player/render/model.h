@@ -1,7 +1,9 @@
 #pragma once
 #include <Eigen/Core>
+#include <span>
 
 #include "gl/object.h"
+#include "layers/value_layer.h"
 #include "player/plan/plan_scene.h"
 #include "scene/package_reader.h"
 
@@ -12,12 +14,16 @@ namespace vantage {
 /// DrawRecord per draw, selected by base instance from a buffer that each pass binds.
 struct Model {
     gl::Buffer positions, normals, colors, indices;
+    gl::Buffer values;  ///< of one scalar layer after the other
     gl::VertexArray vertices;
     std::uint32_t vertex_count = 0;  ///< of the mesh
 };
 
+/// One scalar layer's values feed the attribute `value`.
+void show_layer(const Model& model, const PlanScene& scene, std::size_t layer);
+
 /// Throws Error(damaged) for a checksum mismatch or a triangle with a vertex out of range.
-Model load_model(const PackageReader& package, const PlanScene& scene);
+Model load_model(const PackageReader& package, const PlanScene& scene, std::span<const ValueLayer> layers);
 
 /// One draw of glMultiDrawElementsIndirect.
 struct DrawCommand {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <tuple>
 
 #include "player/render/blend_table.h"
 
@@ -74,14 +75,24 @@ ModelPasses::ModelPasses(const PackageReader& package, const PlanScene& scene, c
     : package_(&package),
       scene_(&scene),
       store_(&store),
-      model_(load_model(package, scene)),
+      layers_(read_layers(package)),
+      model_(load_model(package, scene, layers_)),
       blocks_(make_blocks(scene.photos)),
       ring_(pass_bytes(store.pages(), scene.clusters.size())),
       surface_program_(gl::make_program(
           "surface", {{GL_VERTEX_SHADER, "surface.vert"}, {GL_FRAGMENT_SHADER, "surface.frag"}},
-          surface_defines(package, scene))) {}
+          surface_defines(package, scene))) {
+    if (!layers_.empty())
+        color_map_ =
+            gl::make_texture_2d("color map", GL_SRGB8_ALPHA8, std::tuple_size_v<ColorTable>, 1, GL_LINEAR);
+}
 
 void ModelPasses::use_records(std::span<const package::PhotoRecord> photos) { blocks_ = make_blocks(photos); }
+
+bool ModelPasses::shows_layer(const RenderSettings& settings) const {
+    const LayerSettings& l = settings.layer;
+    return l.layer >= 0 && std::size_t(l.layer) < layers_.size() && l.share > 0;
+}
 
 bool ModelPasses::shows_surroundings(const RenderSettings& settings) const {
     return scene_->has_surroundings() && settings.surroundings != ShowSurroundings::off;
@@ -111,10 +122,32 @@ void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targe
     glUseProgram(surface_program_.id());
     glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
     uniform(shader::surface_eye_uniform, drawn.view.cam_from_origin.center());
+    if (shows_layer(drawn.settings))
+        set_layer(drawn.settings.layer);
+    else if (!layers_.empty())
+        glUniform3f(shader::layer_scale_uniform, 0, 0, 0);
     ring_.begin();
     cluster_photos_.assign(scene_->clusters.size(), 1);
     draw_clusters(drawn.plan.plan().clusters);
     ring_.end();
+}
+
+void ModelPasses::set_layer(const LayerSettings& settings) {
+    const ValueLayer& layer = layers_[std::size_t(settings.layer)];
+    const LayerLegend legend = layer_legend(layer, settings);
+    if (mapped_ != legend.map) {
+        const ColorTable table = color_table(legend.map);
+        glTextureSubImage2D(color_map_.id(), 0, 0, 0, GLsizei(table.size()), 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                            table.data());
+        mapped_ = legend.map;
+    }
+    show_layer(model_, *scene_, std::size_t(settings.layer));
+    const auto [low, high] = legend.range;
+    const double begin = settings.logarithmic ? std::log(low) : low,
+                 end = settings.logarithmic ? std::log(high) : high;
+    glUniform3f(shader::layer_scale_uniform, float(begin), float(1 / (end - begin)), settings.logarithmic);
+    glUniform1f(shader::isolines_uniform, float(settings.isolines));
+    glBindTextureUnit(shader::color_map_unit, color_map_.id());
 }
 
 std::size_t ModelPasses::draw_clusters(std::span<const std::uint32_t> clusters) {

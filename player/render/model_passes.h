@@ -41,6 +41,9 @@ class ModelPasses {
     /// Replaces the cameras and colors with which photos are drawn, for measurements. The plan keeps the
     /// package's.
     void use_records(std::span<const package::PhotoRecord> photos);
+    std::span<const ValueLayer> layers() const { return layers_; }
+    /// Whether the settings show a layer that the package has.
+    bool shows_layer(const RenderSettings& settings) const;
     /// Whether the scene has surroundings and the settings show them.
     bool shows_surroundings(const RenderSettings& settings) const;
     bool per_fragment(const RenderSettings& settings) const;
@@ -61,6 +64,7 @@ class ModelPasses {
     /// Draws the given clusters that have bits in cluster_photos_, in one call. Returns the number of draws.
     std::size_t draw_clusters(std::span<const std::uint32_t> clusters);
     std::size_t draw_run(std::span<const std::uint32_t> clusters, std::uint32_t bits);
+    void set_layer(const LayerSettings& settings);
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn);
     /// Writes the photos and their pages into the ring, and binds them.
     void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights);
@@ -69,10 +73,13 @@ class ModelPasses {
     const PackageReader* package_;
     const PlanScene* scene_;
     const PhotoStore* store_;
+    std::vector<ValueLayer> layers_;
     Model model_;
     std::vector<PhotoBlock> blocks_;
     FrameRing ring_;
     gl::Program surface_program_;
+    gl::Texture color_map_;  ///< if there are layers
+    ColorMap mapped_ = ColorMap::automatic;
     std::map<BlendVariant, gl::Program> blend_programs_;
     std::vector<std::uint32_t> cluster_photos_;  ///< per cluster: one bit per photo of the pass
     GLuint trace_ = 0;

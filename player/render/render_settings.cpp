@@ -24,4 +24,11 @@ PlanSettings plan_settings(const RenderSettings& s) {
     return p;
 }
 
+LayerLegend layer_legend(const ValueLayer& layer, const LayerSettings& s) {
+    const ValueRange whole = s.range.value_or(whole_range(layer, false, s.logarithmic));
+    const ColorMap map = chosen_map(s.map, whole.low, whole.high);
+    if (s.range) return {map, *s.range};
+    return {map, whole_range(layer, map == ColorMap::coolwarm && !s.logarithmic, s.logarithmic)};
+}
+
 }  // namespace vantage

@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "player/camera/view.h"
+#include "layers/color_map.h"
+#include "layers/value_layer.h"
 #include "player/plan/plan_settings.h"
 #include "player/plan/weights.h"
 
@@ -27,6 +29,24 @@ inline constexpr int most_photos_per_pass = 16;
 /// (vantage-bench, "blending").
 inline constexpr int window_photos = 4;
 
+/// A scalar layer in place of the photos, or mixed with them. Its colors are not shaded: they are those of
+/// the legend.
+struct LayerSettings {
+    int layer = -1;  ///< -1: none
+    ColorMap map = ColorMap::automatic;
+    std::optional<ValueRange> range;  ///< whole_range() if not given; values beyond have the end's color
+    bool logarithmic = false;         ///< values that are not positive count as no value
+    int isolines = 0;                 ///< intervals between lines; 0: no lines
+    double share = 1;                 ///< of the layer's color, beside the photos'
+};
+
+/// The map and the range that the settings stand for, for one layer.
+struct LayerLegend {
+    ColorMap map;
+    ValueRange range;
+};
+LayerLegend layer_legend(const ValueLayer& layer, const LayerSettings& settings);
+
 /// How a view is rendered.
 struct RenderSettings {
     Blend blend = Blend::lumigraph;
@@ -45,6 +65,7 @@ struct RenderSettings {
     bool thumbnails = false;   ///< nothing finer than thumbnails
     Show show = Show::colors;
     ShowSurroundings surroundings = ShowSurroundings::on;
+    LayerSettings layer;
     Compare compare = Compare::nothing;
     std::uint32_t compare_photo = 0;
     std::optional<View> weights_from;       ///< weights frozen as seen from there [M]

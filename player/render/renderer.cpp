@@ -81,13 +81,19 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
       plan_(scene_),
       resolve_program_(gl::make_program(
           "resolve", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "resolve.frag"}},
-          surroundings_defines(scene_))),
+          resolve_defines())),
       show_program_(gl::make_program("show",
                                      {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "show.frag"}},
                                      surroundings_defines(scene_))),
       no_vertices_(gl::make_vertex_array("no vertices")) {
     if (scene_.has_surroundings()) filling_.emplace();
     gl::check("opening the package");
+}
+
+std::vector<std::string> Renderer::resolve_defines() const {
+    std::vector<std::string> defines = surroundings_defines(scene_);
+    if (!passes_.layers().empty()) defines.emplace_back("SCALAR_LAYER");
+    return defines;
 }
 
 /// Creates the frame's targets, and fits the tiles into the rest of the budget.
@@ -329,6 +335,9 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
         glUniform1f(shader::hole_weight_uniform, hole);
         glUniform1f(shader::background_weight_uniform, among * hole + (1 - among));
     }
+    if (!passes_.layers().empty())
+        glUniform1f(shader::layer_share_uniform,
+                    !before && passes_.shows_layer(settings) ? float(settings.layer.share) : 0.0f);
     glUniform3fv(shader::background_uniform, 1, settings.background);
     glUniform1f(shader::most_uniform, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
     expose(frame.drawn);

@@ -60,6 +60,9 @@ class Renderer {
 
     const PackageReader& package() const { return *package_; }
     const PlanScene& scene() const { return scene_; }
+    std::span<const ValueLayer> layers() const { return passes_.layers(); }
+    /// The triangles seen last, as far as they have been read back.
+    SeenTriangles seen() const { return readback_.seen(); }
     const Plan& plan() const { return plan_.plan(); }
     bool per_fragment(const RenderSettings& settings) const { return passes_.per_fragment(settings); }
     const PhotoStore& store() const { return store_; }
@@ -92,6 +95,7 @@ class Renderer {
     void resolve(int sums, const Frame& frame);
     void resolve_before(int sums, const Frame& frame);
     void draw_resolved(int sums, const Frame& frame, bool before);
+    std::vector<std::string> resolve_defines() const;
     void expose(const DrawnView& drawn) const;
     bool fills_holes(const RenderSettings& settings) const;
 

@@ -36,6 +36,7 @@ void for_fields(R& r, const Field& field) {
     field("panel_photos", r.panels.photos);
     field("panel_frusta", r.panels.frusta);
     field("panel_radar", r.panels.radar);
+    field("panel_layers", r.panels.layers);
 }
 
 /// The same for each remembered choice.

@@ -47,6 +47,7 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     s.panels = remembered.panels;
     s.settings.upload_bytes = o.memory.upload_bytes();
     s.settings.complete = false;
+    s.settings.layer = layer_settings(package, o.layer);
     const auto named = o.package.photos.empty()
                            ? std::vector<std::uint32_t>{std::uint32_t(package.photos().size() / 2)}
                            : named_photos(package, o.package.photos);
@@ -157,6 +158,7 @@ int run_window(const PackageReader& first, const ShowOptions& o) {
         remembered.settings.exposure.reset();  // refers to a photo of the previous package
         ShowOptions any_photo = o;
         any_photo.package.photos.clear();
+        any_photo.layer.name.clear();
         session = start_session(*package, any_photo, remembered);
     }
     glfwGetWindowSize(window.get(), &remembered.window.width, &remembered.window.height);

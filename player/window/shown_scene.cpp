@@ -8,6 +8,7 @@
 
 #include "gl/context.h"
 #include "player/camera/camera_path.h"
+#include "player/interface/layer_panel.h"
 #include "player/interface/overlays.h"
 #include "player/interface/panels.h"
 #include "player/window/screenshot.h"
@@ -42,6 +43,7 @@ void ShownScene::interface(const View& view, double now) {
     if (!drawn_) return;  // panels would delay the first picture
     if (s.panels.blending) blending_panel(controls_, s, renderer_);
     if (s.panels.status) status_panel(s, renderer_);
+    if (s.panels.layers) layer_panel(controls_, s, renderer_, view);
     if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
     if (s.panels.photos) strip_.show(controls_, s, renderer_, view, now);
     if (s.panels.help) help_panel(s);

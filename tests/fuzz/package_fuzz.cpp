@@ -9,6 +9,7 @@
 #include <numeric>
 #include <vector>
 
+#include "layers/value_layer.h"
 #include "player/plan/plan.h"
 #include "player/plan/plan_scene.h"
 #include "player/stream/photo_pages.h"
@@ -75,6 +76,11 @@ void play(const PackageReader& package) {
                     touch(package.block(*r.second, r.block));
                 }
             }
+    for (const ValueLayer& layer : read_layers(package))
+        for (const bool logarithmic : {false, true}) {
+            const ValueRange range = whole_range(layer, true, logarithmic);
+            if (!(range.low < range.high)) std::abort();
+        }
     for (std::uint32_t i = 0; i < scene.photos.size(); ++i)
         if (scene.photos[i].levels) touch(package.bytes(thumbnail_request(package, i).chunk));
 }

@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -25,7 +27,9 @@ inline SurroundingsContent sound_surroundings() {
     c.radius = 18, c.triangles = 4, c.cone_cutoff = 1;
     s.clusters = {c};
     s.colors.assign(4, {90, 120, 150, 255});
-    s.coverage = {{package::CoverageRecord{.seen = 65535, .u1 = 65535, .v1 = 65535}}};
+    package::CoverageRecord seen{};
+    seen.seen = seen.u1 = seen.v1 = 65535;
+    s.coverage = {{seen}};
     s.visible = {{0, 15}};
     return s;
 }
@@ -39,7 +43,8 @@ class SoundPackage {
         package::SceneRecord s{};
         for (int i = 0; i < 3; ++i) s.bounds_min[i] = -1, s.bounds_max[i] = 1;
         s.vertices = 4, s.triangles = 2, s.clusters = 1, s.photos = 1, s.reference_density = 20;
-        s.border_width = 8, s.effects = effect_bit(Effect::surroundings);
+        s.border_width = 8, s.scalar_layers = 2;
+        s.effects = effect_bit(Effect::surroundings) | effect_bit(Effect::scalar_layers);
         package::PhotoRecord p{};
         std::strcpy(p.name, "a.jpg");
         p.width = 40, p.height = 30, p.levels = 1, p.thumbnail_width = 4, p.thumbnail_height = 3;
@@ -67,6 +72,10 @@ class SoundPackage {
         add(Type::coverage, 0, 0, bytes_of_one(seen));
         add(Type::visible, 0, 0, std::as_bytes(std::span(bits)));
         add(Type::thumbnail, 0, 0, thumbnail);
+        const std::string meta = R"({"scalars":["height","?"]})";
+        const float values[2][4] = {{0, 0, 1, 1}, {-1, 2, std::numeric_limits<float>::quiet_NaN(), 3}};
+        add(Type::meta, package::scene_wide, 0, std::as_bytes(std::span(meta)));
+        add(Type::scalars, package::scene_wide, 0, std::as_bytes(std::span(values)));
         add(Type::surroundings, package::scene_wide, 0, surroundings_chunk(sound_surroundings()));
         add_tile(Type::tiles, 0);
         add_tile(Type::masks, 1);

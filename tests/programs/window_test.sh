@@ -17,7 +17,7 @@ vantage=$1 player=$2 source=$3 dir=$VANTAGE_WINDOW_TEST
 cd "$dir" || exit 1
 export XDG_CONFIG_HOME=$dir/config
 "$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage >/dev/null 2>&1 || exit 1
-{ cat "$source/data/tiny.toml"; printf '\n[garden]\nradius = 30.0\nhill = 8.0\n'; } >garden.toml
+{ sed 's/^seed.*/&\nheight_layer = 1/' "$source/data/tiny.toml"; printf '\n[garden]\nradius = 30.0\nhill = 8.0\n'; } >garden.toml
 "$vantage" synth garden.toml -o garden >/dev/null &&
   "$vantage" prepare garden -o two.vantage --effect surroundings=on >/dev/null 2>&1 || exit 1
 head -c 100000 one.vantage >cut.vantage
@@ -121,6 +121,14 @@ key o; press "two.vantage"; press "Open"
 sleep 1
 [ "$(xdotool getwindowname "$window")" = "two.vantage - Vantage" ] || fail "the other package was not opened"
 press "Surroundings"; press "dimmed"
+press "Layer"; press "height"
+press "Colors"; press "magma"
+press "Over photos" 0.5
+press "Isolines" 0.3
+press "Logarithmic"
+press "Lowest" 0.2
+press "Whole range"
+key F7
 kill -0 $pid 2>/dev/null || { cat says; fail "the player has exited early"; }
 press "File"
 xdotool mousemove $(place "Quit")
@@ -137,6 +145,7 @@ remembers() { grep -q "\"$1\": $2" config/vantage/player.json || fail "$1 is not
 remembers blend 1
 remembers choice 1
 remembers surroundings 1
+remembers panel_layers false
 remembers consensus true
 remembers fill_holes false
 for weight in distance angle angle_mask depth_mask border_mask; do remembers $weight false; done

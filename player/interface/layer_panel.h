@@ -1,0 +1,12 @@
+#pragma once
+#include "player/interface/controls.h"
+#include "player/interface/session.h"
+#include "player/render/renderer.h"
+
+namespace vantage {
+
+/// Which scalar layer is shown and how, with its legend and the value under the pointer. Nothing for a
+/// package without layers.
+void layer_panel(Controls& controls, Session& session, const Renderer& renderer, const View& view);
+
+}  // namespace vantage
