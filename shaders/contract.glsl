@@ -49,6 +49,9 @@ const int half_scale_uniform = 12;
 const int surroundings_distance_uniform = 13;
 const int layer_scale_uniform = 14;
 const int isolines_uniform = 15;
+const int lamp_uniform = 2;  // surface
+const int light_uniform = 3;
+const int camera_rows_uniform = 4;
 const int pass_slots_uniform = 16;  // an array, PASS_PHOTOS long
 
 // Uniforms of resolve.
@@ -64,6 +67,8 @@ const int surroundings_light_uniform = 8;
 const int hole_weight_uniform = 9;
 const int background_weight_uniform = 10;
 const int layer_share_uniform = 11;
+const int light_on_photos_uniform = 12;
+const int light_scale_uniform = 13;
 
 // Uniforms of show.
 const int samples_uniform = 0;
@@ -101,6 +106,16 @@ const uint consensus_mask_switch = 16u;
 // What the bare surface shows at a pixel, in alpha; 1: the mesh.
 const float shows_surroundings = 2.0f;
 const float shows_value = 3.0f;
+const float shows_light = 4.0f;
+
+// Light on the geometry.
+const uint light_lamp = 1u;    // at the viewer
+const uint light_raking = 2u;  // from a direction
+const uint light_normals = 3u;
+const float light_ambient = 0.08f;
+const float light_diffuse = 0.8f;
+const float light_specular = 0.12f;
+const float light_gray = 0.3f;  // of a surface that faces the viewer, in linear light
 
 // What is shown: the photos' colors, one false color per photo, or how many photos see each point.
 const uint show_colors = 0u;

@@ -34,6 +34,11 @@ layout(location = background_weight_uniform) uniform float background_weight;
 layout(location = layer_share_uniform) uniform float layer_share;  // of the layer's color, beside the photos'
 #endif
 
+#ifdef LIGHT
+layout(location = light_on_photos_uniform) uniform bool light_on_photos;  // times the photos; else alone
+layout(location = light_scale_uniform) uniform float light_scale;
+#endif
+
 // The mean of square roots of light.
 vec3 mean_light(vec4 sums) {
     vec3 root = sums.rgb / sums.a;
@@ -62,13 +67,20 @@ void main() {
         accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : mean_light(s)), 1.0);
     if (progress < 1.0) accumulated = mixed(texelFetch(before, at, 0), accumulated);
     bool hole = accumulated.a == 0.0;
-#if defined(SURROUNDINGS) || defined(SCALAR_LAYER)
+#if defined(SURROUNDINGS) || defined(SCALAR_LAYER) || defined(LIGHT)
     const bool looks = true;
 #else
     bool looks = hole && fill;
 #endif
     vec4 bare = looks ? texelFetch(surface, at, 0) : vec4(0.0);
     if (hole && fill) accumulated = vec4(bare.a > 0.0 ? bare.rgb : background, 1.0);
+#ifdef LIGHT
+    if (bare.a == shows_light) {
+        if (!light_on_photos || (hole && fill)) accumulated = vec4(bare.rgb * light_scale, 1.0);
+        else accumulated.rgb *= bare.rgb;
+        hole = hole && light_on_photos && !fill;
+    }
+#endif
 #ifdef SCALAR_LAYER
     if (bare.a == shows_value && layer_share > 0.0) {
         vec3 root = mix(sqrt(max(accumulated.rgb, 0.0)), sqrt(bare.rgb), hole ? 1.0 : layer_share);

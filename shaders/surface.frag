@@ -36,6 +36,28 @@ vec4 layer_color() {
 }
 #endif
 
+#ifdef LIGHT
+layout(location = lamp_uniform) uniform vec4 lamp;            // direction to the raking light; 1 / the brightness of a surface that
+                                                              // faces the viewer
+layout(location = light_uniform) uniform uint light_kind;     // light_lamp, light_raking or light_normals
+layout(location = camera_rows_uniform) uniform mat3 camera;   // from the scene's axes: right, down, forward
+
+// The brightness that Phong's model (1975) gives a matt surface, relative to one that faces the viewer; or the normal in the
+// viewer's axes (right, up, toward the viewer), as a color.
+vec3 lit(vec3 n, vec3 v) {
+    if (dot(n, v) < 0.0) n = -n;
+    if (light_kind == light_normals) {
+        vec3 c = camera * n;
+        vec3 code = vec3(c.x, -c.y, -c.z) * 0.5 + 0.5;  // sRGB, as normal maps are stored
+        return mix(code / 12.92, pow((code + 0.055) / 1.055, vec3(2.4)), greaterThan(code, vec3(0.04045)));
+    }
+    vec3 l = light_kind == light_lamp ? v : lamp.xyz;
+    float facing = max(dot(n, l), 0.0);
+    float glint = facing > 0.0 ? pow(max(dot(reflect(-l, n), v), 0.0), 24.0) : 0.0;
+    return vec3(min((light_ambient + light_diffuse * facing + light_specular * glint) * lamp.w, 3.0));  // white on gray
+}
+#endif
+
 void main() {
     vec3 n = normalize(surface_normal), v = normalize(eye - surface_position);
     float light = 0.12 + 0.35 * abs(dot(n, v));
@@ -44,6 +66,9 @@ void main() {
     base = pow(max(surface_color.rgb, vec3(0.0)), vec3(2.2));  // interpolated black may be slightly negative
 #endif
     shaded = vec4(base * light, 1.0);
+#ifdef LIGHT
+    shaded = vec4(lit(n, v), shows_light);
+#endif
 #ifdef SCALAR_LAYER
     vec4 layer = layer_color();
     if (layer.a > 0.0) shaded = vec4(layer.rgb, shows_value);

@@ -86,6 +86,7 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options) {
     const std::vector<std::uint32_t> photos = photos_in_use(package, options.package);
     RenderSettings settings = render_settings(package, options.blending, Purpose::pictures);
     settings.layer = layer_settings(package, options.layer);
+    settings.light = light_settings(options.light);
     const gl::HeadlessContext context(options.window.debug_gl);
     Renderer renderer(package, memory_budget(options.memory));
     const bool own_pixels = o.scale == 1 && options.output.size.empty() && o.view.empty() && o.path.empty();

@@ -37,6 +37,7 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
     add_memory_options(app, o.memory);
     add_blending_options(app, o.blending);
     add_layer_options(app, o.layer);
+    add_light_options(app, o.light);
     add_picture_options(app, o.pictures);
     add_window_options(app, o.window);
     app.footer(
@@ -45,7 +46,10 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
         "  vantage-player chapel.vantage --offscreen --photo 0003 -o 0003.png\n"
         "  vantage-player chapel.vantage --offscreen --photo all --scale 0.5 --blend best -o pictures\n"
         "  vantage-player chapel.vantage --offscreen --view 4,-9,2,0,0,1,40 --size 1920x1080 -o view.png\n"
-        "  vantage-player chapel.vantage --offscreen --photo 0003 --layer deviation --isolines 10 -o map.png\n"
+        "  vantage-player chapel.vantage --offscreen --photo 0003 --layer deviation --isolines 10 -o "
+        "map.png\n"
+        "  vantage-player chapel.vantage --offscreen --photo 0003 --light raking --lamp 200,10 -o "
+        "relief.png\n"
         "Verbs (vantage-player VERB --help):\n" +
         verbs_text() + exit_codes_text());
 }

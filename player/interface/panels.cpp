@@ -92,6 +92,18 @@ void exposure_section(Controls& c, Session& s, const Renderer& renderer) {
     if (own) r.exposure = s.standing_at;
 }
 
+void light_section(Controls& c, Session& s) {
+    LightSettings& l = s.settings.light;
+    static const char* const lights[] = {"the photos' own", "lamp at the viewer", "raking light", "normals"};
+    choice(c, "Light", l.light, lights);
+    if (l.light == Light::lamp || l.light == Light::raking) c.checkbox("On the photos", &l.on_photos);
+    if (l.light != Light::raking) return;
+    ImGui::SameLine(150);
+    c.checkbox("Follows pointer", &s.lamp_follows);
+    if (c.slider("Lamp azimuth", &l.azimuth, 0.0, 360.0, "%.0f deg")) s.lamp_follows = false;
+    if (c.slider("Lamp elevation", &l.elevation, 1.0, 90.0, "%.0f deg")) s.lamp_follows = false;
+}
+
 void show_section(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
     exposure_section(c, s, renderer);
@@ -101,6 +113,7 @@ void show_section(Controls& c, Session& s, const Renderer& renderer) {
         static const char* const surroundings[] = {"shown", "dimmed", "hidden"};
         choice(c, "Surroundings", r.surroundings, surroundings);
     }
+    light_section(c, s);
     static const char* const compares[] = {"nothing", "side by side", "wiper", "difference"};
     choice(c, "Compare", r.compare, compares);
     if (r.compare == Compare::wiper) c.slider("Wiper", &r.wiper, 0.0, 1.0);

@@ -24,6 +24,7 @@ struct Session {
 
     std::uint32_t standing_at = 0;  ///< the photo last flown to
     bool freeze = false;            ///< weights are frozen
+    bool lamp_follows = true;       ///< the raking light follows the pointer
 
     /// A flight in progress: to a photo, or along a recorded path.
     struct Flight {

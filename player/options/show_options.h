@@ -1,6 +1,7 @@
 #pragma once
 #include "player/options/blending_options.h"
 #include "player/options/layer_options.h"
+#include "player/options/light_options.h"
 #include "player/options/memory_options.h"
 #include "player/options/output_options.h"
 #include "player/options/package_options.h"
@@ -14,6 +15,7 @@ struct ShowOptions {
     PackageOptions package;
     BlendingOptions blending;
     LayerOptions layer;
+    LightOptions light;
     MemoryOptions memory;
     OutputOptions output;
     PictureOptions pictures;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <string>
 #include <tuple>
 
@@ -29,6 +30,8 @@ GLuint switches(const WeightSettings& w) {
            w.consensus_mask * shader::consensus_mask_switch;
 }
 
+static_assert(GLuint(Light::lamp) == shader::light_lamp && GLuint(Light::raking) == shader::light_raking &&
+              GLuint(Light::normals) == shader::light_normals);
 static_assert(GLuint(Show::colors) == shader::show_colors && GLuint(Show::sources) == shader::show_sources &&
               GLuint(Show::coverage) == shader::show_coverage);
 
@@ -62,6 +65,11 @@ std::vector<std::string> surface_defines(const PackageReader& package, const Pla
     return defines;
 }
 
+gl::Program make_surface_program(const std::vector<std::string>& defines) {
+    return gl::make_program(
+        "surface", {{GL_VERTEX_SHADER, "surface.vert"}, {GL_FRAGMENT_SHADER, "surface.frag"}}, defines);
+}
+
 /// Depth of the surroundings, behind everything of the mesh: a power of two keeps the precision of floats.
 constexpr float surroundings_depth = 0x1p-60f;
 
@@ -79,9 +87,7 @@ ModelPasses::ModelPasses(const PackageReader& package, const PlanScene& scene, c
       model_(load_model(package, scene, layers_)),
       blocks_(make_blocks(scene.photos)),
       ring_(pass_bytes(store.pages(), scene.clusters.size())),
-      surface_program_(gl::make_program(
-          "surface", {{GL_VERTEX_SHADER, "surface.vert"}, {GL_FRAGMENT_SHADER, "surface.frag"}},
-          surface_defines(package, scene))) {
+      surface_program_(make_surface_program(surface_defines(package, scene))) {
     if (!layers_.empty())
         color_map_ =
             gl::make_texture_2d("color map", GL_SRGB8_ALPHA8, std::tuple_size_v<ColorTable>, 1, GL_LINEAR);
@@ -119,9 +125,10 @@ void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targe
     glEnable(GL_DEPTH_TEST);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDepthFunc(GL_GREATER);
-    glUseProgram(surface_program_.id());
+    glUseProgram(surface_program(drawn.settings).id());
     glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
     uniform(shader::surface_eye_uniform, drawn.view.cam_from_origin.center());
+    if (drawn.settings.light.light != Light::photos) set_light(drawn);
     if (shows_layer(drawn.settings))
         set_layer(drawn.settings.layer);
     else if (!layers_.empty())
@@ -130,6 +137,35 @@ void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targe
     cluster_photos_.assign(scene_->clusters.size(), 1);
     draw_clusters(drawn.plan.plan().clusters);
     ring_.end();
+}
+
+const gl::Program& ModelPasses::surface_program(const RenderSettings& settings) {
+    if (settings.light.light == Light::photos) return surface_program_;
+    if (!lit_surface_program_) {
+        std::vector<std::string> defines = surface_defines(*package_, *scene_);
+        defines.emplace_back("LIGHT");
+        lit_surface_program_ = make_surface_program(defines);
+    }
+    return lit_surface_program_;
+}
+
+void ModelPasses::set_light(const DrawnView& drawn) {
+    const LightSettings& s = drawn.settings.light;
+    const double a = s.azimuth * std::numbers::pi / 180, e = s.elevation * std::numbers::pi / 180;
+    const Eigen::Matrix3d& R = drawn.view.cam_from_origin.R;
+    const Eigen::Vector3f to =
+        (R.transpose() * Eigen::Vector3d(std::cos(e) * std::cos(a), -std::cos(e) * std::sin(a), -std::sin(e)))
+            .cast<float>();
+    const bool raking = s.light == Light::raking;
+    const auto facing = raking ? float(std::sin(e)) : 1.0f;
+    // What faces the viewer reflects a light at this angle to its normal away from the viewer by as much.
+    const float glint = std::pow(std::max(raking ? facing : 1.0f, 0.0f), 24.0f);
+    glUniform4f(
+        shader::lamp_uniform, to.x(), to.y(), to.z(),
+        1 / (shader::light_ambient + shader::light_diffuse * facing + shader::light_specular * glint));
+    glUniform1ui(shader::light_uniform, GLuint(s.light));
+    const Eigen::Matrix3f camera = R.cast<float>();
+    glUniformMatrix3fv(shader::camera_rows_uniform, 1, GL_FALSE, camera.data());
 }
 
 void ModelPasses::set_layer(const LayerSettings& settings) {

@@ -64,6 +64,8 @@ class ModelPasses {
     /// Draws the given clusters that have bits in cluster_photos_, in one call. Returns the number of draws.
     std::size_t draw_clusters(std::span<const std::uint32_t> clusters);
     std::size_t draw_run(std::span<const std::uint32_t> clusters, std::uint32_t bits);
+    const gl::Program& surface_program(const RenderSettings& settings);
+    void set_light(const DrawnView& drawn);
     void set_layer(const LayerSettings& settings);
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn);
     /// Writes the photos and their pages into the ring, and binds them.
@@ -77,8 +79,8 @@ class ModelPasses {
     Model model_;
     std::vector<PhotoBlock> blocks_;
     FrameRing ring_;
-    gl::Program surface_program_;
-    gl::Texture color_map_;  ///< if there are layers
+    gl::Program surface_program_, lit_surface_program_;  ///< the second once light is asked for
+    gl::Texture color_map_;                              ///< if there are layers
     ColorMap mapped_ = ColorMap::automatic;
     std::map<BlendVariant, gl::Program> blend_programs_;
     std::vector<std::uint32_t> cluster_photos_;  ///< per cluster: one bit per photo of the pass

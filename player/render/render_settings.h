@@ -4,9 +4,9 @@
 #include <limits>
 #include <optional>
 
-#include "player/camera/view.h"
 #include "layers/color_map.h"
 #include "layers/value_layer.h"
+#include "player/camera/view.h"
 #include "player/plan/plan_settings.h"
 #include "player/plan/weights.h"
 
@@ -40,6 +40,16 @@ struct LayerSettings {
     double share = 1;                 ///< of the layer's color, beside the photos'
 };
 
+/// Light on the bare geometry, in place of the photos or times them. Values as in shaders/contract.glsl.
+enum class Light { photos, lamp, raking, normals, count };
+struct LightSettings {
+    Light light = Light::photos;
+    double azimuth = 135;    ///< degrees, of the raking light: 0 from the right of the frame, 90 from above
+    double elevation = 15;   ///< degrees over the picture's plane, 1 to 90
+    bool on_photos = false;  ///< times the photos; does not apply to normals
+    bool operator==(const LightSettings&) const = default;
+};
+
 /// The map and the range that the settings stand for, for one layer.
 struct LayerLegend {
     ColorMap map;
@@ -66,6 +76,7 @@ struct RenderSettings {
     Show show = Show::colors;
     ShowSurroundings surroundings = ShowSurroundings::on;
     LayerSettings layer;
+    LightSettings light;
     Compare compare = Compare::nothing;
     std::uint32_t compare_photo = 0;
     std::optional<View> weights_from;       ///< weights frozen as seen from there [M]

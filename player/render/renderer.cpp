@@ -79,9 +79,7 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
       store_(package, budget.ring),
       passes_(package, scene_, store_),
       plan_(scene_),
-      resolve_program_(gl::make_program(
-          "resolve", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "resolve.frag"}},
-          resolve_defines())),
+      resolve_program_(make_resolve_program(false)),
       show_program_(gl::make_program("show",
                                      {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "show.frag"}},
                                      surroundings_defines(scene_))),
@@ -90,10 +88,18 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
     gl::check("opening the package");
 }
 
-std::vector<std::string> Renderer::resolve_defines() const {
+gl::Program Renderer::make_resolve_program(bool lit) const {
     std::vector<std::string> defines = surroundings_defines(scene_);
     if (!passes_.layers().empty()) defines.emplace_back("SCALAR_LAYER");
-    return defines;
+    if (lit) defines.emplace_back("LIGHT");
+    return gl::make_program(
+        "resolve", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "resolve.frag"}}, defines);
+}
+
+const gl::Program& Renderer::resolve_program(const RenderSettings& settings) {
+    if (settings.light.light == Light::photos) return resolve_program_;
+    if (!lit_resolve_program_) lit_resolve_program_ = make_resolve_program(true);
+    return lit_resolve_program_;
 }
 
 /// Creates the frame's targets, and fits the tiles into the rest of the budget.
@@ -320,7 +326,14 @@ void Renderer::resolve_before(int sums, const Frame& frame) {
 void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     const RenderSettings& settings = frame.drawn.settings;
     const double progress = before ? 1 : plan_.progress();
-    glUseProgram(resolve_program_.id());
+    // The picture that is being replaced is lit with the one that replaces it.
+    const bool lit = !before && settings.light.light != Light::photos;
+    glUseProgram((lit ? resolve_program(settings) : resolve_program_).id());
+    if (lit) {
+        const bool normals = settings.light.light == Light::normals;
+        glUniform1i(shader::light_on_photos_uniform, settings.light.on_photos && !normals);
+        glUniform1f(shader::light_scale_uniform, normals ? 1.0f : shader::light_gray);
+    }
     const bool counts = settings.show == Show::coverage;
     glUniform1i(shader::takes_one_uniform, takes_one(settings.blend) && !counts);
     glUniform1i(shader::fill_uniform, !before && settings.fill_holes);

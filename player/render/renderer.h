@@ -95,7 +95,8 @@ class Renderer {
     void resolve(int sums, const Frame& frame);
     void resolve_before(int sums, const Frame& frame);
     void draw_resolved(int sums, const Frame& frame, bool before);
-    std::vector<std::string> resolve_defines() const;
+    gl::Program make_resolve_program(bool lit) const;
+    const gl::Program& resolve_program(const RenderSettings& settings);
     void expose(const DrawnView& drawn) const;
     bool fills_holes(const RenderSettings& settings) const;
 
@@ -109,7 +110,7 @@ class Renderer {
     FrameTargets targets_;
     std::optional<HoleFilling> filling_;  ///< if there are surroundings
     TriangleReadback readback_;
-    gl::Program resolve_program_, show_program_;
+    gl::Program resolve_program_, lit_resolve_program_, show_program_;  ///< lit: once light is asked for
     gl::VertexArray no_vertices_;
     double samples_ = 0;  ///< accumulated in targets_.accumulated
     std::vector<std::uint32_t> wanted_thumbnails_;

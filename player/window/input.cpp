@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "player/render/blend_table.h"
 
@@ -26,6 +27,21 @@ void move_by_mouse(Session& s) {
     if (io.MouseDown[2]) fly(s.camera, Eigen::Vector3d(-io.MouseDelta.x, -io.MouseDelta.y, 0) * pixel);
     if (io.MouseWheel != 0) approach(s.camera, std::pow(0.9, double(io.MouseWheel)));
     if (s.camera.eye != before.eye || s.camera.R != before.R) s.flight.reset();  // input interrupts a flight
+}
+
+/// The pointer as the top of a hemisphere over the frame: low at its edge, at the viewer in its middle.
+void move_lamp(Session& s) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool still = io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
+    if (s.settings.light.light != Light::raking || !s.lamp_follows || still || io.WantCaptureMouse ||
+        io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2])
+        return;
+    const double radius = 0.5 * double(std::min(io.DisplaySize.x, io.DisplaySize.y)),
+                 x = double(io.MousePos.x - io.DisplaySize.x / 2) / radius,
+                 y = double(io.DisplaySize.y / 2 - io.MousePos.y) / radius;
+    const double degrees = 180 / std::numbers::pi;
+    s.settings.light.azimuth = std::fmod(degrees * std::atan2(y, x) + 360, 360);
+    s.settings.light.elevation = std::max(5.0, degrees * std::acos(std::min(std::hypot(x, y), 1.0)));
 }
 
 void move_by_keys(Session& s) {
@@ -81,6 +97,7 @@ void run_shortcuts(Session& s, const PlanScene& scene, double now) {
 
 void apply_input(Session& session, const PlanScene& scene, double now) {
     move_by_mouse(session);
+    move_lamp(session);
     move_by_keys(session);
     run_shortcuts(session, scene, now);
 }

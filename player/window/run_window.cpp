@@ -37,7 +37,8 @@ double process_seconds() {
 }
 
 void expect_photo(const PackageReader& package) {
-    if (package.photos().empty()) throw Error(Exit::damaged, package.path().string() + ": contains no photos");
+    if (package.photos().empty())
+        throw Error(Exit::damaged, package.path().string() + ": contains no photos");
 }
 
 /// A session at the first photo of --photo, or the middle one.
@@ -48,6 +49,8 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     s.settings.upload_bytes = o.memory.upload_bytes();
     s.settings.complete = false;
     s.settings.layer = layer_settings(package, o.layer);
+    if (o.light.shown.light != Light::photos) s.settings.light = light_settings(o.light);
+    s.lamp_follows = o.light.lamp.empty();
     const auto named = o.package.photos.empty()
                            ? std::vector<std::uint32_t>{std::uint32_t(package.photos().size() / 2)}
                            : named_photos(package, o.package.photos);

@@ -28,12 +28,13 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     interface(view, now);
     record(now);
     ImGui::Render();
-    const bool still = !keys && unchanged(view);
+    const bool still = !keys && unchanged(view) && lit_ == s.settings.light;
     if (!still) samples_ = 0;
     draw(view, still, now);
     renderer_.show(view, s.settings, 0, true);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     last_ = view;
+    lit_ = s.settings.light;
 }
 
 void ShownScene::interface(const View& view, double now) {

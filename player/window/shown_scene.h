@@ -38,6 +38,7 @@ class ShownScene {
     Controls& controls_;
     PhotoStrip strip_;
     std::optional<View> last_;
+    LightSettings lit_;
     std::optional<Navigation> before_;
     int samples_ = 0;
     bool drawn_ = false, was_recording_ = false;

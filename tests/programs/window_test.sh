@@ -121,6 +121,15 @@ key o; press "two.vantage"; press "Open"
 sleep 1
 [ "$(xdotool getwindowname "$window")" = "two.vantage - Vantage" ] || fail "the other package was not opened"
 press "Surroundings"; press "dimmed"
+press "Light"; press "normals"
+press "Light"; press "lamp at the viewer"
+press "On the photos"
+press "Light"; press "raking light"
+xdotool mousemove 450 200; frames 3; xdotool mousemove 500 300; frames 3
+press "Follows pointer"
+press "Lamp azimuth" 0.2
+press "Lamp elevation" 0.1
+press "Light"; press "the photos' own"
 press "Layer"; press "height"
 press "Colors"; press "magma"
 press "Over photos" 0.5
