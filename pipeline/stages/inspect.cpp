@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/input/file_name.h"
 #include "pipeline/pixels/undistort.h"
 
 namespace vantage {
@@ -140,8 +141,8 @@ std::string describe(const ScalarLayer& layer, bool& varies) {
             ++without;
     varies = low < high;
     std::string out = without == layer.values.size()
-                          ? layer.name + " has no values"
-                          : fmt::format("{} from {:.4g} to {:.4g}", layer.name, low, high);
+                          ? utf8_name(layer.name) + " has no values"
+                          : fmt::format("{} from {:.4g} to {:.4g}", utf8_name(layer.name), low, high);
     if (without > 0 && low <= high)
         out += fmt::format(", {:.1f} % without value", 100 * double(without) / double(layer.values.size()));
     return out;
