@@ -123,6 +123,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
                            std::span<const std::uint32_t> photos, PixelSample sample, double now,
                            const View* next) {
     check_view(view);
+    if (!shows_photos(settings)) photos = {};
     if (settings.weights_from) check_view(*settings.weights_from);
     fit(view.intrinsics.width, view.intrinsics.height, settings);
     store_.begin_frame(now, !settings.complete && !settings.wait_for_tiles);
@@ -364,6 +365,13 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
 /// Only colors: between counts or false colors, others would say what is not so.
 bool Renderer::fills_holes(const RenderSettings& settings) const {
     return passes_.shows_surroundings(settings) && settings.show == Show::colors;
+}
+
+/// Light alone needs no photos, unless there are surroundings to show.
+bool Renderer::shows_photos(const RenderSettings& settings) const {
+    const LightSettings& l = settings.light;
+    return l.light == Light::photos || (l.on_photos && l.light != Light::normals) ||
+           passes_.shows_surroundings(settings);
 }
 
 /// Colors are summed in the mean photo's exposure and shown in the view's.

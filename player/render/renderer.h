@@ -99,6 +99,7 @@ class Renderer {
     const gl::Program& resolve_program(const RenderSettings& settings);
     void expose(const DrawnView& drawn) const;
     bool fills_holes(const RenderSettings& settings) const;
+    bool shows_photos(const RenderSettings& settings) const;
 
     const PackageReader* package_;
     MemoryBudget budget_;
