@@ -16,7 +16,7 @@ struct ScalarLayer {
 /// An indexed triangle mesh, or a point cloud if it has no triangles, in input units.
 struct Mesh {
     std::vector<Eigen::Vector3d> positions;
-    std::vector<Eigen::Vector3f> normals;             ///< unit length, one per vertex
+    std::vector<Eigen::Vector3f> normals;  ///< unit length, one per vertex; empty for points without
     std::vector<std::array<std::uint8_t, 4>> colors;  ///< sRGB and alpha, one per vertex, or empty
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<ScalarLayer> scalars;

@@ -68,6 +68,7 @@ void force_effect(const std::string& text, std::map<Effect, EffectChoice>& choic
 
 InputFiles input_files(const PrepareOptions& o) {
     InputFiles files{.mesh = o.mesh, .cameras = o.cameras, .photos = o.photos};
+    files.compared.assign(o.settings.deviation_from.begin(), o.settings.deviation_from.end());
     if (!o.input.empty()) files = discover(o.input, files);
     if (files.mesh.empty() || files.cameras.empty() || files.photos.empty())
         throw Error(Exit::usage, "expected an INPUT folder, or --mesh, --cameras and --photos together");
@@ -232,12 +233,17 @@ void add_prepare(CLI::App& app, Run& run) {
         "  vantage prepare --mesh m.ply --cameras bundle.out --photos images -o m.vantage\n"
         "  vantage prepare chapel -o look.vantage --config preview\n"
         "  vantage prepare chapel -o c.vantage --effect per-fragment=on --hold-out 0003,0007\n"
+        "  vantage prepare chapel -o c.vantage --deviation-from chapel-2019.ply\n"
         "  vantage prepare chapel -o chapel-3.share --shard 3/8\n"
         "Run again, it continues where it was interrupted and repeats only what a change affects.");
     c->add_option("INPUT", o->input, "folder with mesh, cameras and photos");
     c->add_option("--mesh", o->mesh, "mesh file: PLY, OBJ, STL, OFF");
     c->add_option("--cameras", o->cameras, camera_format_names());
     c->add_option("--photos", o->photos, "folder of photos");
+    c->add_option(
+        "--deviation-from", o->settings.deviation_from,
+        "measure the mesh's signed distance from this mesh or point cloud, as a scalar layer; may be "
+        "repeated");
     c->add_option("-o,--output", o->out, "the package to write")->required();
     c->add_option(
         "--config", o->config,

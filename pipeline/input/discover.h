@@ -10,14 +10,14 @@ namespace vantage {
 /// else the largest file), cameras (in the order of camera_formats(), of several the file with the most) and
 /// the photos' folder: the one where most cameras find their photo, preferably one named images or photos.
 /// Follows symbolic links, ignores hidden files. What else could have been taken is listed in `notes`. What
-/// `given` has is not searched for. Throws Error(input) stating what is missing, or if there are several
-/// camera files and one cannot be read: it might have been the one.
+/// `given` has is not searched for, and none of `given.compared` is taken for the mesh. Throws Error(input)
+/// stating what is missing, or if there are several camera files and one cannot be read: it might have been
+/// the one.
 InputFiles discover(const std::filesystem::path& folder, const InputFiles& given = {});
 
 /// The stencil of a photo: NAME.mask.png in the photo's folder, or in a folder `masks` next to that folder
 /// NAME.png or, for a photo in a subfolder, SUBFOLDER/NAME.png one level up. NAME is the photo's file name
 /// with or without its extension. Empty if there is no such file.
 std::filesystem::path find_stencil(const std::filesystem::path& photo);
-
 
 }  // namespace vantage

@@ -138,6 +138,17 @@ void add_photos(SceneInput& scene, const CameraSet& set) {
     std::ranges::sort(scene.warnings);
 }
 
+/// The meshes to compare with. Throws Error(usage) if two have the same name.
+void read_compared(SceneInput& scene) {
+    std::set<fs::path> names;
+    for (const fs::path& file : scene.files.compared) {
+        if (!names.insert(file.filename()).second)
+            throw Error(Exit::usage, file.string() + ": another mesh to compare with has the same file name");
+        scene.read.push_back(stamped(file));
+        scene.compared.push_back(read_mesh(file, scene.warnings));
+    }
+}
+
 /// No photo is left: says why, if they are there but cannot be used.
 [[noreturn]] void fail_without_photos(const SceneInput& scene) {
     const std::string folder = scene.files.photos.string(), cameras = scene.files.cameras.string();
@@ -167,6 +178,7 @@ SceneInput read_scene(const InputFiles& files) {
     scene.camera_format = set.format;
     scene.warnings = set.warnings;
     scene.mesh = read_mesh(files.mesh, scene.warnings);
+    read_compared(scene);
     if (!fs::exists(files.photos)) throw Error(Exit::input, files.photos.string() + ": does not exist");
     if (!fs::is_directory(files.photos)) throw Error(Exit::input, files.photos.string() + ": not a folder");
     add_photos(scene, set);

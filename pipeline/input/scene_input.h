@@ -24,8 +24,10 @@ struct PhotoInput {
 /// Where the parts of an input are.
 struct InputFiles {
     std::filesystem::path mesh;
-    std::filesystem::path cameras;     ///< a file, or a COLMAP folder
-    std::filesystem::path photos;      ///< a folder
+    std::filesystem::path cameras;  ///< a file, or a COLMAP folder
+    std::filesystem::path photos;   ///< a folder
+    std::vector<std::filesystem::path>
+        compared{};                    ///< meshes or clouds from which the mesh's deviation is measured
     std::vector<std::string> notes{};  ///< what else was found and not taken
 };
 
@@ -43,10 +45,11 @@ struct SceneInput {
     InputFiles files;
     std::string camera_format;  ///< display name: "COLMAP text", "Bundler", ...
     Mesh mesh;
+    std::vector<Mesh> compared;           ///< of files.compared
     std::vector<PhotoInput> photos;       ///< sorted by name
     std::vector<UnusablePhoto> left_out;  ///< sorted by name; found unusable before decoding
     std::vector<std::string> warnings;
-    std::vector<StampedFile> read{};  ///< mesh, cameras and photos left out, stamped before they were read
+    std::vector<StampedFile> read{};  ///< meshes, cameras and photos left out, stamped before they were read
 };
 
 }  // namespace vantage

@@ -60,6 +60,9 @@ json choices_json(const std::map<Effect, EffectChoice>& choices) {
 json inputs_json(const SceneInput& scene, IdentityCache& identities) {
     json inputs;
     inputs["mesh"] = input_json(scene.files.mesh, identities);
+    inputs["compared"] = json::array();
+    for (const fs::path& file : scene.files.compared)
+        inputs["compared"].push_back(input_json(file, identities));
     inputs["camera_format"] = scene.camera_format;
     for (const fs::path& file : camera_files(scene.files.cameras))
         inputs["cameras"].push_back(input_json(file, identities));
@@ -92,6 +95,12 @@ std::string fitted(json meta, std::size_t bytes) {
     return out;
 }
 
+json names_of(const std::vector<std::string>& files) {
+    json out = json::array();
+    for (const fs::path file : files) out.push_back(utf8_name(file.filename().string()));
+    return out;
+}
+
 }  // namespace
 
 json settings_json(const PrepareSettings& s) {
@@ -105,6 +114,7 @@ json settings_json(const PrepareSettings& s) {
             {"photo_size", s.photo_size},
             {"hold_out", s.hold_out},
             {"judge", s.judge},
+            {"deviation_from", names_of(s.deviation_from)},
             {"effects", choices_json(s.effects)}};
 }
 

@@ -57,6 +57,13 @@ void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& i
         if (!known.contains(utf8_name(file.filename().string()))) add_new(file, out);
 }
 
+void compare_compared(const json& meta, const std::vector<fs::path>& files, IdentityCache& identities,
+                      Changes& out) {
+    for (const json& was : meta.at("inputs").value("compared", json::array()))
+        for (const fs::path& file : files)
+            if (utf8_name(file.filename().string()) == was.at("name")) compare(file, was, identities, out);
+}
+
 /// Photos that the package neither has nor left out.
 void add_new_photos(const json& meta, const fs::path& folder, Changes& out) {
     std::set<fs::path> left_out;
@@ -124,6 +131,7 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
     try {
         Changes out;
         compare(files.mesh, meta.at("inputs").at("mesh"), identities, out);
+        compare_compared(meta, files.compared, identities, out);
         compare_cameras(meta, files.cameras, identities, out);
         compare_photos(package, meta, files.photos, identities, out);
         compare_stencils(package, meta, files.photos, identities, out);
@@ -133,6 +141,19 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
     } catch (const json::exception& e) {
         throw Error(Exit::damaged, package.path().string() + ": META: " + e.what());
     }
+}
+
+std::vector<std::string> compared_names(const PackageReader& package) {
+    std::vector<std::string> out;
+    const json meta = parse_meta(package);
+    try {
+        for (const json& was : meta.at("inputs").value("compared", json::array()))
+            if (was.at("name") != meta.at("inputs").at("mesh").at("name"))
+                out.push_back(was.at("name").get<std::string>());
+    } catch (const json::exception& e) {
+        throw Error(Exit::damaged, package.path().string() + ": META: " + e.what());
+    }
+    return out;
 }
 
 std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings) {

@@ -15,10 +15,14 @@ struct InputChange {
     Kind kind;
     std::string text;  ///< "mesh.ply: has changed since the package was prepared"
 };
-/// The inputs that have changed since the package was prepared; empty if it is current. Throws Error(damaged)
-/// if META cannot be read.
+/// The inputs that have changed since the package was prepared; empty if it is current. Of the meshes from
+/// which deviation was measured, those in `files`. Throws Error(damaged) if META cannot be read.
 std::vector<InputChange> changed_inputs(const PackageReader& package, const InputFiles& files,
                                         IdentityCache& identities);
+/// The names of the meshes from which deviation was measured, but for one that is that of the mesh. Throws
+/// Error(damaged) if META cannot be read.
+std::vector<std::string> compared_names(const PackageReader& package);
+
 /// The settings that differ from those of the package, and the program's version if it does, one line each.
 std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/model/deviation.h"
 #include "pipeline/model/subdivide.h"
 #include "pipeline/package/chunk_plan.h"
 #include "pipeline/package/meta.h"
@@ -49,6 +50,23 @@ package::SceneRecord scene_record(const PackedModel& model, const SceneInput& sc
     return record;
 }
 
+/// After the file, or after its folder if the file has the mesh's own name.
+std::string name_of_deviation(const std::filesystem::path& from, const std::filesystem::path& mesh) {
+    const bool same = from.filename() == mesh.filename() && from.has_parent_path();
+    const std::filesystem::path folder = std::filesystem::absolute(from).parent_path();
+    return "deviation-from-" + (same ? folder.filename() : from.stem()).string();
+}
+
+/// One layer per mesh to compare with; their memory is released.
+void add_deviations(SceneInput& scene, Trace* trace) {
+    for (std::size_t i = 0; i < scene.compared.size(); ++i) {
+        const Traced traced(trace, "deviation");
+        scene.mesh.scalars.push_back({name_of_deviation(scene.files.compared[i], scene.files.mesh),
+                                      deviation(scene.mesh, scene.compared[i])});
+    }
+    scene.compared.clear();
+}
+
 }  // namespace
 
 void reduce_photos(SceneInput& scene, int longest) {
@@ -62,6 +80,7 @@ void reduce_photos(SceneInput& scene, int longest) {
 PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace* trace) {
     const Traced traced(trace, "model");
     subdivide_large_triangles(scene.mesh);
+    add_deviations(scene, trace);
     return pack_model(scene.mesh, settings.cluster_triangles);
 }
 

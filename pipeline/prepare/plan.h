@@ -24,7 +24,8 @@ struct PreparePlan {
 /// Scales the cameras to photos reduced to at most `longest` pixels on the long side.
 void reduce_photos(SceneInput& scene, int longest);
 
-/// Subdivides, clusters and packs the model; the scene's mesh is subdivided and reordered in the same way.
+/// Subdivides, compares, clusters and packs the model; the scene's mesh is subdivided and reordered in the
+/// same way.
 PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace* trace);
 
 /// Inspects the scene and plans the chunks of the package or share. Throws Error(input), and Error(usage) if

@@ -9,6 +9,8 @@
 #include <optional>
 
 #include "pipeline/input/discover.h"
+#include "pipeline/input/file_name.h"
+#include "pipeline/input/photo_matches.h"
 #include "pipeline/package/stage_keys.h"
 #include "pipeline/package/staleness.h"
 #include "pipeline/stages/surface_samples.h"
@@ -109,7 +111,12 @@ Finding finding_of(InputChange::Kind kind) {
 void check_against(const PackageReader& reader, const CheckDepth& depth, Issues& out) {
     std::optional<IdentityCache> default_cache;
     IdentityCache& identities = depth.identities ? *depth.identities : default_cache.emplace();
-    for (const InputChange& change : changed_inputs(reader, discover(depth.against), identities))
+    InputFiles compared;
+    const std::vector<std::string> names = compared_names(reader);
+    for (const std::filesystem::path& file : files_below(depth.against, 2))
+        if (std::ranges::count(names, utf8_name(file.filename().string())) > 0)
+            compared.compared.push_back(file);
+    for (const InputChange& change : changed_inputs(reader, discover(depth.against, compared), identities))
         add(out, finding_of(change.kind), change.text);
 }
 

@@ -40,6 +40,7 @@ struct PrepareSettings {
     unsigned threads = 0;               ///< also the number of photos in flight; 0: one per core
     std::uint64_t memory = 0;           ///< bytes; limits the number of photos in flight; 0: no limit
     std::vector<std::string> hold_out;  ///< photos whose pixels stay out of the package
+    std::vector<std::string> deviation_from;  ///< files of meshes or clouds to compare the mesh with
     std::map<Effect, EffectChoice> effects;
     bool judge = true;  ///< whether left-out photos must confirm the effects that all photos decide
 };

@@ -94,6 +94,11 @@ std::string changed(std::string text, const std::string& from, const std::string
 
 /// The usual command with more options.
 std::string with(const std::string& more) { return std::string(prepare_command) + " " + more; }
+/// Compares the mesh with another one, which has to give a layer even if the distance is the same everywhere.
+std::string deviation(const std::string& from, const std::string& then) {
+    return "vantage prepare {scan} -o {out}.vantage --no-report --effect scalar-layers=on --deviation-from " +
+           from + " " + then;
+}
 constexpr const char* check_against =
     "vantage prepare {scan} -o {out}.vantage --no-report ; vantage check --against {scan} {out}.vantage";
 constexpr const char* again =
@@ -458,6 +463,25 @@ std::vector<Row> rows() {
         {"options", "no -o", nothing(), Exit::usage, Says{"--output"}, no_package, Command{"vantage prepare {scan}"}},
         {"options", "--mesh, --cameras and --photos without INPUT", nothing(), Command{"vantage prepare --mesh {scan}/mesh.ply --cameras {scan}/sparse --photos {scan}/images -o {out}.vantage --no-report"}},
         {"options", "synth of a missing file", nothing(), Exit::input, Says{"none.toml"}, no_package, Command{"vantage synth {scan}/none.toml -o {out}"}},
+
+        // --------------------------------------------------------------------------------------- comparisons
+        {"comparisons", "a larger mesh", with_file("old.ply", box_ply({.scale = 1.5})), Says{"deviation-from-old from -0.5 to -0.5"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
+        {"comparisons", "the mesh moved", with_file("old.ply", box_ply({.x = 0.25})), Says{"deviation-from-old from -0.25 to 0.25"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
+        {"comparisons", "the only mesh of the folder", nothing(), Exit::input, Says{"no mesh found (PLY, OBJ, STL, OFF) besides those to compare it with"}, no_package, Command{deviation("{scan}/mesh.ply", "")}},
+        {"comparisons", "a point cloud without normals", with_file("old.ply", points_ply()), Says{"deviation-from-old from 0 to 1"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
+        {"comparisons", "two meshes", [](Scan& s) { s["a.ply"] = box_ply({.scale = 1.5}); s["b.obj"] = box_obj(); }, Says{"deviation-from-a from -0.5 to -0.5; deviation-from-b from 0 to 0"}, Command{deviation("{scan}/a.ply", "--deviation-from {scan}/b.obj ; vantage info {out}.vantage")}},
+        {"comparisons", "two meshes of the same name", [](Scan& s) { s["a/m.ply"] = box_ply(); s["b/m.ply"] = box_ply(); }, Exit::usage, Says{"b/m.ply: another mesh to compare with has the same file name"}, no_package, Command{deviation("{scan}/a/m.ply", "--deviation-from {scan}/b/m.ply")}},
+        {"comparisons", "a missing mesh", nothing(), Exit::input, Says{"old.ply: does not exist"}, no_package, Command{deviation("{scan}/old.ply", "")}},
+        {"comparisons", "a photo in its place", nothing(), Exit::input, Says{"A.jpg"}, no_package, Command{deviation("{scan}/images/A.jpg", "")}},
+        {"comparisons", "a larger file in the folder is not taken for the mesh", [](Scan& s) { s.move("mesh.ply", "new.ply"); s["old.ply"] = box_ply({.scale = 1.5}) + std::string(100, '\n'); }, Says{"new.ply"}, Command{deviation("{scan}/old.ply", "")}},
+        {"comparisons", "again, nothing to do", with_file("old.ply", box_ply({.scale = 1.5})), Says{"is current, nothing to do"}, Command{deviation("{scan}/old.ply", "; " + deviation("{scan}/old.ply", ""))}},
+        {"comparisons", "again, without it", with_file("old.ply", box_ply({.scale = 1.5})), Says{"the mesh has no scalar layers"}, Command{deviation("{scan}/old.ply", "; vantage prepare {scan} -o {out}.vantage --no-report ; vantage info {out}.vantage")}},
+        {"comparisons", "again, from a mesh that has changed", [](Scan& s) { s["old.ply"] = box_ply({.scale = 1.5}); s["older.ply"] = box_ply({.scale = 2}); }, Says{"deviation-from-old from -1 to -1"}, Command{deviation("{scan}/old.ply", "; cp {scan}/older.ply {scan}/old.ply ; " + deviation("{scan}/old.ply", "; vantage info {out}.vantage"))}},
+        {"comparisons", "checked", with_file("old.ply", box_ply({.scale = 1.5})), Says{"sound"}, Command{deviation("{scan}/old.ply", "; vantage check --against {scan} {out}.vantage")}},
+        {"comparisons", "checked, from a mesh that has changed", [](Scan& s) { s["old.ply"] = box_ply({.scale = 1.5}); s["older.ply"] = box_ply({.scale = 2}); }, Exit::stale, Says{"old.ply: has changed"}, no_package, Command{deviation("{scan}/old.ply", "; cp {scan}/older.ply {scan}/old.ply ; vantage check --against {scan} {out}.vantage")}},
+        {"comparisons", "checked, without the mesh in the folder", with_file("old.ply", box_ply({.scale = 1.5})), Says{"sound"}, Command{deviation("{scan}/old.ply", "; rm {scan}/old.ply ; vantage check --against {scan} {out}.vantage")}},
+        {"comparisons", "shown", with_file("old.ply", box_ply({.scale = 1.5})), Says{"out.png"}, Command{deviation("{scan}/old.ply", "; vantage-player {out}.vantage --offscreen --photo A --layer deviation-from-old -o {out}.png")}},
+        {"comparisons", "-o is the mesh to compare with", with_file("old.ply", box_ply()), Exit::usage, Says{"old.ply"}, no_package, Command{"vantage prepare {scan} -o {scan}/old.ply --deviation-from {scan}/old.ply --force"}},
 
         // ------------------------------------------------------------------------------------------ packages
         {"packages", "show a missing package", nothing(), Exit::input, Says{"none.vantage: cannot open"}, no_package, Command{"vantage-player {out}/none.vantage --offscreen --photo A -o {out}.png"}},

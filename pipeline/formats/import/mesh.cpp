@@ -103,7 +103,7 @@ Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warn
         warnings.push_back(file.filename().string() + ": " + std::to_string(n) +
                            " invalid triangles dropped");
     if (extension == ".stl") weld(mesh);
-    complete_normals(mesh);
+    if (!mesh.points_only() || !mesh.normals.empty()) complete_normals(mesh);
     for (const std::string& w : coordinate_warnings(mesh))
         warnings.push_back(file.filename().string() + ": " + w);
     return mesh;

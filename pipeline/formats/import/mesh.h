@@ -12,7 +12,8 @@ namespace vantage {
 /// fans. Triangles with repeated, missing or non-finite vertices, or coordinates of 1e18 or more, are dropped
 /// and counted in `warnings`; vertices of no triangle are kept, but moved onto another vertex. Also
 /// adds the coordinate_warnings. Normals have
-/// unit length; missing ones are area-weighted means of the face normals. Throws Error(input).
+/// unit length; missing ones are area-weighted means of the face normals; clouds without any have none.
+/// Throws Error(input).
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
 }  // namespace vantage
