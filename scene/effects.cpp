@@ -37,6 +37,8 @@ constexpr std::array table{
               "SURROUNDINGS"},
     EffectRow{Effect::scalar_layers, "scalar-layers", "scalar-layers",
               "layers of the mesh with more than one value", "", 0, Basis::scene, "surface", "SCALAR_LAYER"},
+    EffectRow{Effect::points, "points", "points", "points of the clouds", "", 0, Basis::scene, "resolve",
+              "POINTS"},
 };
 static_assert(table.size() == std::size_t(Effect::count));
 static_assert(std::ranges::is_sorted(table, {}, &EffectRow::effect), "rows are in the order of Effect");

@@ -23,6 +23,7 @@ enum class Effect : int {
     consensus,
     surroundings,
     scalar_layers,
+    points,
     count
 };
 

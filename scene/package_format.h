@@ -34,6 +34,8 @@ enum class Type : std::uint32_t {
     indices = fourcc("INDX"),               ///< u32[3][triangles], ordered by cluster
     clusters = fourcc("CLUS"),              ///< ClusterRecord[clusters]
     surroundings = fourcc("SURR"),          ///< SurroundingsRecord and a backdrop; optional
+    point_nodes = fourcc("PNOD"),           ///< PointNode[]: an octree over a point cloud; optional
+    points = fourcc("PNTS"),                ///< blocks of PackedPoint[point_block]; optional
     thumbnail = fourcc("THMB"),             ///< per photo: RGBA8
     coverage = fourcc("COVR"),              ///< per photo: CoverageRecord[clusters]
     visible = fourcc("VISB"),      ///< per photo: u64[], a bit per triangle seen in full, then in part
@@ -139,6 +141,27 @@ struct SurroundingsRecord {
     std::uint64_t vertices, triangles, clusters, photos;
 };
 
+/// A point of a cloud: x, y and z in 1/2^21 of its node's cube, from the lowest bit, rounded down to a cell
+/// of which the point is the middle; sRGB and 255.
+struct PackedPoint {
+    std::uint32_t low, high;
+    std::uint8_t color[4];
+};
+inline constexpr std::uint32_t point_block = 32768;  ///< points per block of PNTS
+inline constexpr std::uint32_t point_node = 16384;   ///< points per node, at most
+
+/// A cube of the octree over a point cloud, and the points that it adds to those of its ancestors. Together
+/// they are about `spacing` apart; below are the points between them. Parents come before their children, in
+/// the order of their parents.
+struct PointNode {
+    float low[3], size;                 ///< of the cube, relative to the origin
+    float spacing;                      ///< in input units
+    std::uint32_t block, first, count;  ///< its points: block, place in it, number
+    std::uint32_t children;             ///< number of its first child; the others follow
+    std::uint8_t child_octants;         ///< bit i: a child is the eighth i: x + 2 y + 4 z
+    std::uint8_t reserved[3];
+};
+
 /// What one photo sees of one cluster.
 struct CoverageRecord {
     std::uint16_t seen;            ///< fraction of its triangles that are at least partly seen, unorm16
@@ -200,6 +223,8 @@ struct PairRecord {
 inline constexpr std::uint64_t visible_words(std::uint64_t triangles) { return (triangles + 63) / 64; }
 
 static_assert(sizeof(Header) == 64 && sizeof(DirectoryEntry) == 64 && sizeof(ClusterRecord) == 40);
+static_assert(sizeof(PointNode) == 40 && sizeof(PackedPoint) == 12 &&
+              point_block * sizeof(PackedPoint) % alignment == 0);
 static_assert(sizeof(PhotoState) == 344 && std::is_trivially_copyable_v<PhotoState>);
 static_assert(sizeof(CoverageRecord) == 12 && sizeof(SampleRecord) == 8 && sizeof(SceneRecord) == 136 &&
               sizeof(PhotoRecord) % 8 == 0);

@@ -7,6 +7,9 @@ const int normal_attribute = 1;
 const int color_attribute = 2;
 const int draw_attribute = 3;  // per draw: its first triangle; one bit per photo of the pass that is drawn
 const int value_attribute = 4;  // of the scalar layer that is shown; 1, or 0 for a vertex without value
+const int cell_attribute = 0;  // of a point: its cell in the node's cube, 21 bits per axis
+const int cube_attribute = 5;  // per draw: low corner and size of the node's cube
+const int node_attribute = 6;  // per draw: its number among the drawn nodes
 const uint surroundings_bit = 0x80000000u;  // beside the photos' bits: the draw is of the surroundings
 
 // Shader storage buffers.
@@ -14,6 +17,7 @@ const int photos_buffer = 0;
 const int pages_buffer = 1;
 const int coordinates_buffer = 4;
 const int touched_buffer = 5;
+const int point_sizes_buffer = 6;
 
 // Texture units. Units 0 to 3 hold the photos; 4 and 5 hold the other inputs of a program.
 const int color_tiles_unit = 0;
@@ -26,6 +30,8 @@ const int color_map_unit = 4;  // surface
 const int sums_unit = 4;  // resolve
 const int surface_unit = 5;
 const int before_unit = 6;
+const int points_unit = 7;
+const int depth_unit = 8;
 const int accumulated_unit = 4;  // show
 const int filled_unit = 5;
 const int finer_unit = 4;    // average_holes
@@ -69,6 +75,13 @@ const int background_weight_uniform = 10;
 const int layer_share_uniform = 11;
 const int light_on_photos_uniform = 12;
 const int light_scale_uniform = 13;
+const int shows_points_uniform = 14;
+const int eye_dome_uniform = 15;
+const int points_alone_uniform = 16;
+
+// Uniforms of point; clip_from_origin_uniform is as above.
+const int point_size_uniform = 1;
+const int depth_per_w_uniform = 2;
 
 // Uniforms of show.
 const int samples_uniform = 0;
@@ -177,4 +190,13 @@ struct Photo {
     vec4 falloff;             // of the lens: ln of its loss, times r^2, r^4, r^6
     uint color_base[level_count];  // index in `pages` of each level's first tile
     uint mask_base[level_count];
+};
+
+// A node of a point cloud that is drawn: which of its children are (bit i: the eighth i), the number of the first of these
+// among the drawn nodes, and how far its points are apart.
+struct PointSizes {
+    uint children;
+    uint first;
+    float spacing;
+    uint padding;
 };

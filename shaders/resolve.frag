@@ -39,6 +39,31 @@ layout(location = light_on_photos_uniform) uniform bool light_on_photos;  // tim
 layout(location = light_scale_uniform) uniform float light_scale;
 #endif
 
+#ifdef POINTS
+layout(binding = points_unit) uniform sampler2D points;
+layout(binding = depth_unit) uniform sampler2D depth;
+layout(location = shows_points_uniform) uniform bool shows_points;
+layout(location = points_alone_uniform) uniform bool points_alone;  // without the model
+layout(location = eye_dome_uniform) uniform vec4 eye_dome;  // depth is x + y / z; its z: strength; w: distance of neighbors, px
+
+// Where depth tells nothing, or a background as far as surroundings are, far beyond everything.
+float log_depth(ivec2 at) {
+    ivec2 inside = clamp(at, ivec2(0), textureSize(depth, 0) - 1);
+    float d = texelFetch(depth, inside, 0).r;
+    return d < 1e-12 ? 100.0 : log2(max(eye_dome.y / max(d - eye_dome.x, 1e-30), 1e-30));
+}
+
+// Eye-dome lighting (Boucheny 2009): what lies behind its neighbors is darker.
+float shade(ivec2 at) {
+    const vec2 around[8] = vec2[](vec2(1.0, 0.0), vec2(-1.0, 0.0), vec2(0.0, 1.0), vec2(0.0, -1.0), vec2(0.7, 0.7),
+                                  vec2(-0.7, 0.7), vec2(0.7, -0.7), vec2(-0.7, -0.7));
+    if (eye_dome.z == 0.0) return 1.0;
+    float own = log_depth(at), behind = 0.0;
+    for (int i = 0; i < 8; ++i) behind += max(0.0, own - log_depth(at + ivec2(round(around[i] * eye_dome.w))));
+    return exp(-min(behind, 8.0) * eye_dome.z * 5.0);
+}
+#endif
+
 // The mean of square roots of light.
 vec3 mean_light(vec4 sums) {
     vec3 root = sums.rgb / sums.a;
@@ -86,6 +111,18 @@ void main() {
         vec3 root = mix(sqrt(max(accumulated.rgb, 0.0)), sqrt(bare.rgb), hole ? 1.0 : layer_share);
         accumulated = vec4(root * root, 1.0);
         hole = false;
+    }
+#endif
+#ifdef POINTS
+    vec4 point = shows_points ? texelFetch(points, at, 0) : vec4(0.0);
+    if (point.a > 0.0) {
+        accumulated = vec4(point.rgb * shade(at), 1.0);
+        hole = false;
+        bare = vec4(0.0);
+    } else if (shows_points && points_alone) {
+        accumulated = vec4(background, fill ? 1.0 : 0.0);
+        hole = !fill;
+        bare = vec4(0.0);
     }
 #endif
 #ifdef SURROUNDINGS

@@ -68,6 +68,7 @@ void force_effect(const std::string& text, std::map<Effect, EffectChoice>& choic
 
 InputFiles input_files(const PrepareOptions& o) {
     InputFiles files{.mesh = o.mesh, .cameras = o.cameras, .photos = o.photos};
+    files.points.assign(o.settings.points.begin(), o.settings.points.end());
     files.compared.assign(o.settings.deviation_from.begin(), o.settings.deviation_from.end());
     if (!o.input.empty()) files = discover(o.input, files);
     if (files.mesh.empty() || files.cameras.empty() || files.photos.empty())
@@ -134,6 +135,9 @@ void print_scene(const SceneInput& scene) {
                scene.files.mesh.string(), scene.mesh.positions.size(), scene.mesh.triangles.size(),
                scene.files.cameras.string(), scene.camera_format, scene.files.photos.string(),
                scene.photos.size());
+    if (!scene.points.positions.empty())
+        fmt::print("points   {}{} ({})\n", scene.files.points.front().string(),
+                   scene.files.points.size() > 1 ? " and others" : "", scene.points.positions.size());
     for (const std::string& n : scene.files.notes) fmt::print("note     {}\n", n);
     for (const std::string& w : scene.warnings) fmt::print("warning  {}\n", w);
     std::fflush(stdout);
@@ -234,6 +238,7 @@ void add_prepare(CLI::App& app, Run& run) {
         "  vantage prepare chapel -o look.vantage --config preview\n"
         "  vantage prepare chapel -o c.vantage --effect per-fragment=on --hold-out 0003,0007\n"
         "  vantage prepare chapel -o c.vantage --deviation-from chapel-2019.ply\n"
+        "  vantage prepare chapel -o c.vantage --points scanner.ply\n"
         "  vantage prepare chapel -o chapel-3.share --shard 3/8\n"
         "Run again, it continues where it was interrupted and repeats only what a change affects.");
     c->add_option("INPUT", o->input, "folder with mesh, cameras and photos");
@@ -244,6 +249,9 @@ void add_prepare(CLI::App& app, Run& run) {
         "--deviation-from", o->settings.deviation_from,
         "measure the mesh's signed distance from this mesh or point cloud, as a scalar layer; may be "
         "repeated");
+    c->add_option("--points", o->settings.points,
+                  "point cloud to show with the mesh, in the same coordinates: PLY, OBJ, STL, OFF; may be "
+                  "repeated");
     c->add_option("-o,--output", o->out, "the package to write")->required();
     c->add_option(
         "--config", o->config,

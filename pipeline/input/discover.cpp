@@ -30,14 +30,16 @@ bool is_same(const fs::path& a, const fs::path& b) {
 }
 
 /// A mesh before points, mesh.* before other names, then the larger file; none of those that it is compared
-/// with.
-fs::path find_mesh(const Files& files, const Files& compared) {
+/// with, and no cloud that is shown with it.
+fs::path find_mesh(const Files& files, const InputFiles& given) {
     using Rank = std::tuple<bool, bool, std::uintmax_t>;
     fs::path best;
     Rank best_rank;
     for (const fs::path& f : files) {
         if (!is_one_of(lower_extension(f), {".ply", ".obj", ".stl", ".off"})) continue;
-        if (std::ranges::any_of(compared, [&](const fs::path& c) { return is_same(c, f); })) continue;
+        const auto is_file = [&](const fs::path& other) { return is_same(other, f); };
+        if (std::ranges::any_of(given.compared, is_file) || std::ranges::any_of(given.points, is_file))
+            continue;
         const Rank rank{has_faces(f), f.stem() == "mesh", fs::file_size(f)};
         if (best.empty() || rank > best_rank) best = f, best_rank = rank;
     }
@@ -162,11 +164,13 @@ InputFiles discover(const fs::path& folder, const InputFiles& given) {
     if (!fs::is_directory(folder)) throw Error(Exit::input, folder.string() + ": not a folder");
     const Files files = files_below(folder, 2);
     InputFiles found = given;
-    if (found.mesh.empty()) found.mesh = find_mesh(files, found.compared);
+    if (found.mesh.empty()) found.mesh = find_mesh(files, found);
     if (found.cameras.empty()) found.cameras = find_cameras(folder, files, found.notes);
     if (found.mesh.empty())
         throw Error(Exit::input, folder.string() + ": no mesh found (PLY, OBJ, STL, OFF)" +
-                                     (found.compared.empty() ? "" : " besides those to compare it with"));
+                                     (found.compared.empty() && found.points.empty()
+                                          ? ""
+                                          : " besides those to compare or show it with"));
     if (found.cameras.empty())
         throw Error(Exit::input, folder.string() + ": no cameras found; expected " + camera_format_names());
     if (found.photos.empty()) found.photos = find_photos(folder, files, found.cameras);

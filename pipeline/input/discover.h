@@ -10,9 +10,9 @@ namespace vantage {
 /// else the largest file), cameras (in the order of camera_formats(), of several the file with the most) and
 /// the photos' folder: the one where most cameras find their photo, preferably one named images or photos.
 /// Follows symbolic links, ignores hidden files. What else could have been taken is listed in `notes`. What
-/// `given` has is not searched for, and none of `given.compared` is taken for the mesh. Throws Error(input)
-/// stating what is missing, or if there are several camera files and one cannot be read: it might have been
-/// the one.
+/// `given` has is not searched for, and none of `given.compared` and `given.points` is taken for the mesh.
+/// Throws Error(input) stating what is missing, or if there are several camera files and one cannot be read:
+/// it might have been the one.
 InputFiles discover(const std::filesystem::path& folder, const InputFiles& given = {});
 
 /// The stencil of a photo: NAME.mask.png in the photo's folder, or in a folder `masks` next to that folder

@@ -12,6 +12,7 @@ std::vector<fs::path> input_paths(const InputFiles& files) {
     std::vector<fs::path> out = camera_files(files.cameras);
     out.push_back(files.mesh);
     out.insert(out.end(), files.compared.begin(), files.compared.end());
+    out.insert(out.end(), files.points.begin(), files.points.end());
     if (!fs::is_directory(files.photos)) return out;  // read_scene will say so
     // Cameras may name photos in subfolders.
     for (const fs::path& file : files_below(files.photos, 2)) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -149,6 +151,24 @@ void read_compared(SceneInput& scene) {
     }
 }
 
+/// All points in one cloud. If one file has colors, points of the others are light gray.
+void read_clouds(SceneInput& scene) {
+    Mesh& all = scene.points;
+    for (const fs::path& file : scene.files.points) {
+        scene.read.push_back(stamped(file));
+        Mesh cloud = read_cloud(file, scene.warnings);
+        if (!cloud.colors.empty()) all.colors.resize(all.positions.size(), {200, 200, 200, 255});
+        all.positions.insert(all.positions.end(), cloud.positions.begin(), cloud.positions.end());
+        if (!cloud.colors.empty())
+            all.colors.insert(all.colors.end(), cloud.colors.begin(), cloud.colors.end());
+        if (!all.colors.empty()) all.colors.resize(all.positions.size(), {200, 200, 200, 255});
+    }
+    if (all.positions.size() > std::numeric_limits<std::uint32_t>::max() / 2)
+        throw Error(Exit::input, scene.files.points.front().string() + ": " +
+                                     std::to_string(all.positions.size()) +
+                                     " points, expected at most 2147483647");
+}
+
 /// No photo is left: says why, if they are there but cannot be used.
 [[noreturn]] void fail_without_photos(const SceneInput& scene) {
     const std::string folder = scene.files.photos.string(), cameras = scene.files.cameras.string();
@@ -179,6 +199,7 @@ SceneInput read_scene(const InputFiles& files) {
     scene.warnings = set.warnings;
     scene.mesh = read_mesh(files.mesh, scene.warnings);
     read_compared(scene);
+    read_clouds(scene);
     if (!fs::exists(files.photos)) throw Error(Exit::input, files.photos.string() + ": does not exist");
     if (!fs::is_directory(files.photos)) throw Error(Exit::input, files.photos.string() + ": not a folder");
     add_photos(scene, set);

@@ -27,8 +27,9 @@ struct InputFiles {
     std::filesystem::path cameras;  ///< a file, or a COLMAP folder
     std::filesystem::path photos;   ///< a folder
     std::vector<std::filesystem::path>
-        compared{};                    ///< meshes or clouds from which the mesh's deviation is measured
-    std::vector<std::string> notes{};  ///< what else was found and not taken
+        compared{};  ///< meshes or clouds from which the mesh's deviation is measured
+    std::vector<std::filesystem::path> points{};  ///< point clouds to show with the mesh
+    std::vector<std::string> notes{};             ///< what else was found and not taken
 };
 
 /// The reason to leave out a photo that no camera belongs to.
@@ -46,6 +47,7 @@ struct SceneInput {
     std::string camera_format;  ///< display name: "COLMAP text", "Bundler", ...
     Mesh mesh;
     std::vector<Mesh> compared;           ///< of files.compared
+    Mesh points;                          ///< of all files.points; without triangles
     std::vector<PhotoInput> photos;       ///< sorted by name
     std::vector<UnusablePhoto> left_out;  ///< sorted by name; found unusable before decoding
     std::vector<std::string> warnings;

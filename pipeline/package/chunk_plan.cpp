@@ -36,6 +36,8 @@ std::vector<ChunkPlan> plan_scene(const package::SceneRecord& s, const LayoutSiz
     }
     if (sizes.colors) plan.push_back(whole(Type::colors, s.vertices * 4));
     if (s.scalar_layers) plan.push_back(whole(Type::scalars, s.vertices * 4 * s.scalar_layers));
+    if (sizes.point_nodes)
+        plan.push_back(whole(Type::point_nodes, sizes.point_nodes * sizeof(package::PointNode)));
     return plan;
 }
 
@@ -75,6 +77,9 @@ std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const Layo
                 if (has) plan.push_back({type, i, std::uint32_t(level), 0, n, tile_bytes});
             });
     }
+    if (sizes.point_blocks)
+        plan.push_back({Type::points, package::scene_wide, 0, 0, sizes.point_blocks,
+                        package::point_block * sizeof(package::PackedPoint)});
     return plan;
 }
 

@@ -12,6 +12,7 @@ namespace vantage {
 struct LayoutSizes {
     std::uint64_t meta_bytes;
     bool colors;  ///< the mesh has vertex colors
+    std::uint64_t point_nodes = 0, point_blocks = 0;
 };
 /// Every chunk in file order, coarse before fine; for a share, the per-photo chunks of its photos only. Space
 /// is also reserved for photos that were left out.

@@ -38,7 +38,9 @@ Parts parts_of(const std::string& name) {
         case Effect::surroundings:
             return {{"surroundings"}, {Type::surroundings}};
         case Effect::scalar_layers:
-            return {{}, {Type::scalars}};
+            return {{"deviation"}, {Type::scalars}};
+        case Effect::points:
+            return {{"points"}, {Type::point_nodes, Type::points}};
         default:
             return {};
     }

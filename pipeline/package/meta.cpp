@@ -63,6 +63,8 @@ json inputs_json(const SceneInput& scene, IdentityCache& identities) {
     inputs["compared"] = json::array();
     for (const fs::path& file : scene.files.compared)
         inputs["compared"].push_back(input_json(file, identities));
+    inputs["points"] = json::array();
+    for (const fs::path& file : scene.files.points) inputs["points"].push_back(input_json(file, identities));
     inputs["camera_format"] = scene.camera_format;
     for (const fs::path& file : camera_files(scene.files.cameras))
         inputs["cameras"].push_back(input_json(file, identities));
@@ -115,6 +117,7 @@ json settings_json(const PrepareSettings& s) {
             {"hold_out", s.hold_out},
             {"judge", s.judge},
             {"deviation_from", names_of(s.deviation_from)},
+            {"points", names_of(s.points)},
             {"effects", choices_json(s.effects)}};
 }
 

@@ -57,9 +57,10 @@ void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& i
         if (!known.contains(utf8_name(file.filename().string()))) add_new(file, out);
 }
 
-void compare_compared(const json& meta, const std::vector<fs::path>& files, IdentityCache& identities,
-                      Changes& out) {
-    for (const json& was : meta.at("inputs").value("compared", json::array()))
+/// The files of a list of META's inputs.
+void compare_listed(const json& meta, const char* list, const std::vector<fs::path>& files,
+                    IdentityCache& identities, Changes& out) {
+    for (const json& was : meta.at("inputs").value(list, json::array()))
         for (const fs::path& file : files)
             if (utf8_name(file.filename().string()) == was.at("name")) compare(file, was, identities, out);
 }
@@ -131,7 +132,8 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
     try {
         Changes out;
         compare(files.mesh, meta.at("inputs").at("mesh"), identities, out);
-        compare_compared(meta, files.compared, identities, out);
+        compare_listed(meta, "compared", files.compared, identities, out);
+        compare_listed(meta, "points", files.points, identities, out);
         compare_cameras(meta, files.cameras, identities, out);
         compare_photos(package, meta, files.photos, identities, out);
         compare_stencils(package, meta, files.photos, identities, out);
@@ -143,11 +145,11 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
     }
 }
 
-std::vector<std::string> compared_names(const PackageReader& package) {
+std::vector<std::string> names_listed(const PackageReader& package, const char* list) {
     std::vector<std::string> out;
     const json meta = parse_meta(package);
     try {
-        for (const json& was : meta.at("inputs").value("compared", json::array()))
+        for (const json& was : meta.at("inputs").value(list, json::array()))
             if (was.at("name") != meta.at("inputs").at("mesh").at("name"))
                 out.push_back(was.at("name").get<std::string>());
     } catch (const json::exception& e) {

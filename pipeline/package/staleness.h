@@ -16,12 +16,13 @@ struct InputChange {
     std::string text;  ///< "mesh.ply: has changed since the package was prepared"
 };
 /// The inputs that have changed since the package was prepared; empty if it is current. Of the meshes from
-/// which deviation was measured, those in `files`. Throws Error(damaged) if META cannot be read.
+/// which deviation was measured and of point clouds, those in `files`. Throws Error(damaged) if META cannot
+/// be read.
 std::vector<InputChange> changed_inputs(const PackageReader& package, const InputFiles& files,
                                         IdentityCache& identities);
-/// The names of the meshes from which deviation was measured, but for one that is that of the mesh. Throws
-/// Error(damaged) if META cannot be read.
-std::vector<std::string> compared_names(const PackageReader& package);
+/// The names of the files in a list of META's inputs ("compared", "points"), but for one that is that of the
+/// mesh. Throws Error(damaged) if META cannot be read.
+std::vector<std::string> names_listed(const PackageReader& package, const char* list);
 
 /// The settings that differ from those of the package, and the program's version if it does, one line each.
 std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings);

@@ -168,7 +168,10 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
           const fs::path& out, const OnProgress& progress) {
     const PackageReader& first = parts.front();
     const auto records = first.records<PhotoRecord>(Type::photos);
-    const LayoutSizes sizes{meta.size(), first.find(Type::colors) != nullptr};
+    const DirectoryEntry *nodes = first.find(Type::point_nodes), *points = first.find(Type::points);
+    const LayoutSizes sizes{meta.size(), first.find(Type::colors) != nullptr,
+                            nodes ? nodes->head_length / sizeof(package::PointNode) : 0,
+                            points ? first.blocks(*points) : 0};
     PackageWriter writer(out, plan_chunks(scene, sizes, records), names_checksum(records));
     PhotoTables photos = copy_parts(parts, out, writer, progress);
 

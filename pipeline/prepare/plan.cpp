@@ -93,8 +93,14 @@ PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const P
     plan.photos.records = photo_records(scene, settings, model.origin);
     plan.photos.states.resize(plan.photos.records.size());
     plan.meta = make_meta(scene, settings, effects, identities);
-    plan.chunks =
-        plan_chunks(plan.scene, {plan.meta.size(), !scene.mesh.colors.empty()}, plan.photos.records, share);
+    if (effect_on(plan.scene, Effect::points)) {
+        const Traced points(trace, "points");
+        plan.points = make_point_tree(scene.points, model.origin);
+    }
+    plan.chunks = plan_chunks(
+        plan.scene,
+        {plan.meta.size(), !scene.mesh.colors.empty(), plan.points.nodes.size(), plan.points.blocks},
+        plan.photos.records, share);
     plan.names = names_checksum(plan.photos.records);
     return plan;
 }

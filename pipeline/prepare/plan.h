@@ -5,6 +5,7 @@
 
 #include "pipeline/input/identity_cache.h"
 #include "pipeline/model/packed_model.h"
+#include "pipeline/model/point_tree.h"
 #include "pipeline/prepare/photo_tables.h"
 #include "pipeline/run/trace.h"
 #include "pipeline/settings/settings.h"
@@ -15,6 +16,7 @@ namespace vantage {
 /// Everything that is decided before the first photo is processed.
 struct PreparePlan {
     package::SceneRecord scene{};
+    PointTree points;  ///< empty if the effect is off
     PhotoTables photos;
     std::string meta;
     std::vector<ChunkPlan> chunks;

@@ -109,6 +109,10 @@ void write_scene(PackageWriter& writer, const PreparePlan& plan, const PackedMod
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(plan.meta)));
     writer.write(Type::scene, package::scene_wide, bytes_of_one(plan.scene));
     write_model(writer, model, scene.mesh);
+    if (!plan.points.empty()) {
+        const Traced points(trace, "points");
+        write_points(writer, plan.points, scene.points, model.origin);
+    }
 }
 
 SceneKey scene_key(const PreparePlan& plan, const SceneInput& scene, const PrepareSettings& settings,
@@ -224,6 +228,8 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     PackageWriter writer(out, plan.chunks, plan.names, run.share);
     const EarlierPackages earlier = earlier_packages(out, writer.resumed());
     write_scene(writer, plan, model, scene, run.trace);
+    plan.points = {};
+    scene.points = {};
     const bool share = run.share.shares > 0;
     const SceneKey key = scene_key(plan, scene, settings, model, renderer);
     const Cameras cameras =

@@ -14,6 +14,7 @@
 #include "pipeline/package/stage_keys.h"
 #include "pipeline/package/staleness.h"
 #include "pipeline/stages/surface_samples.h"
+#include "points/point_cloud.h"
 #include "scene/package_reader.h"
 #include "scene/package_shape.h"
 #include "scene/tiling.h"
@@ -88,12 +89,28 @@ void check_states(const PackageReader& reader, Issues& out) {
                 fmt::format("STAT: the entry of {} does not match its record", photos[i].name));
 }
 
+/// The error's message without the package's path.
+std::string text_of(const Error& e, const std::filesystem::path& file) {
+    std::string text = e.what();
+    if (text.starts_with(file.string() + ": ")) text.erase(0, file.string().size() + 2);
+    return text;
+}
+
+void check_points(const PackageReader& reader, Issues& out) {
+    try {
+        read_point_cloud(reader);
+    } catch (const Error& e) {
+        add(out, Finding::misshapen, text_of(e, reader.path()));
+    }
+}
+
 void check_structure(const PackageReader& reader, bool deep, Issues& out) {
     for (Mismatch& m : mismatches(reader, deep)) add(out, finding_of(m.defect), std::move(m.text));
     if (!out.empty()) return;
     for (std::string& line : misshapen(reader)) add(out, Finding::misshapen, std::move(line));
     if (!out.empty()) return;
     check_model(reader, out);
+    check_points(reader, out);
     check_states(reader, out);
     const auto photos = reader.photos();
     for (std::uint32_t i = 0; i < photos.size(); ++i) {
@@ -111,20 +128,16 @@ Finding finding_of(InputChange::Kind kind) {
 void check_against(const PackageReader& reader, const CheckDepth& depth, Issues& out) {
     std::optional<IdentityCache> default_cache;
     IdentityCache& identities = depth.identities ? *depth.identities : default_cache.emplace();
-    InputFiles compared;
-    const std::vector<std::string> names = compared_names(reader);
-    for (const std::filesystem::path& file : files_below(depth.against, 2))
-        if (std::ranges::count(names, utf8_name(file.filename().string())) > 0)
-            compared.compared.push_back(file);
-    for (const InputChange& change : changed_inputs(reader, discover(depth.against, compared), identities))
+    // What the mesh is compared with or shown with may lie elsewhere.
+    InputFiles others;
+    for (const auto& [list, files] :
+         {std::pair("compared", &others.compared), std::pair("points", &others.points)}) {
+        const std::vector<std::string> names = names_listed(reader, list);
+        for (const std::filesystem::path& file : files_below(depth.against, 2))
+            if (std::ranges::count(names, utf8_name(file.filename().string())) > 0) files->push_back(file);
+    }
+    for (const InputChange& change : changed_inputs(reader, discover(depth.against, others), identities))
         add(out, finding_of(change.kind), change.text);
-}
-
-/// The error's message without the package's path.
-std::string text_of(const Error& e, const std::filesystem::path& file) {
-    std::string text = e.what();
-    if (text.starts_with(file.string() + ": ")) text.erase(0, file.string().size() + 2);
-    return text;
 }
 
 }  // namespace

@@ -100,10 +100,15 @@ void diff_model(const PackageReader& a, const PackageReader& b, Differences& out
         out.push_back({"model", "size",
                        fmt::format("{} vertices, {} triangles vs. {}, {}", of_a.vertices, of_a.triangles,
                                    of_b.vertices, of_b.triangles)});
-    const std::pair<Type, const char*> parts[] = {
-        {Type::positions, "positions"},      {Type::normals, "normals"}, {Type::indices, "triangles"},
-        {Type::clusters, "clusters"},        {Type::colors, "colors"},   {Type::scalars, "scalars"},
-        {Type::surroundings, "surroundings"}};
+    const std::pair<Type, const char*> parts[] = {{Type::positions, "positions"},
+                                                  {Type::normals, "normals"},
+                                                  {Type::indices, "triangles"},
+                                                  {Type::clusters, "clusters"},
+                                                  {Type::colors, "colors"},
+                                                  {Type::scalars, "scalars"},
+                                                  {Type::surroundings, "surroundings"},
+                                                  {Type::point_nodes, "octree of points"},
+                                                  {Type::points, "points"}};
     for (const auto& [type, what] : parts)
         if (!same_chunk(a.find(type), b.find(type))) out.push_back({"model", what, "different"});
 }

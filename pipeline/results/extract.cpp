@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "layers/value_layer.h"
 #include "output/make_folder.h"
@@ -10,6 +11,7 @@
 #include "pipeline/formats/export/ply.h"
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/package/tile_levels.h"
+#include "points/point_cloud.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
@@ -20,7 +22,7 @@ namespace {
 using package::Type;
 namespace fs = std::filesystem;
 
-constexpr const char* mesh_name = "mesh.ply";
+constexpr const char *mesh_name = "mesh.ply", *points_name = "points.ply";
 
 /// The files made from a photo.
 struct PhotoFiles {
@@ -41,6 +43,22 @@ void write_mesh(const PackageReader& reader, const fs::path& file) {
               reader.records<std::array<std::uint32_t, 3>>(Type::indices), layers);
 }
 
+/// Node by node, coarse before fine.
+void write_points(const PackageReader& reader, const PointCloud& cloud, const fs::path& file) {
+    const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(reader.scene().origin);
+    const package::DirectoryEntry& chunk = *reader.find(Type::points);
+    write_points_ply(file, cloud.points, [&](const std::function<void(const PlyPoint&)>& put) {
+        for (const package::PointNode& node : cloud.nodes) {
+            const auto block = reader.sound_block(chunk, node.block);
+            for (std::uint32_t i = 0; i < node.count; ++i) {
+                package::PackedPoint p;
+                std::memcpy(&p, block.data() + (node.first + i) * sizeof p, sizeof p);
+                put({origin + unpacked(p, node), {p.color[0], p.color[1], p.color[2]}});
+            }
+        }
+    });
+}
+
 void write_photo(const PackageReader& reader, std::uint32_t i, const package::PhotoRecord& p,
                  const std::string& stem, const fs::path& folder) {
     const auto image = [&](Type type, std::uint32_t l, const fs::path& file, int channels, Sample format) {
@@ -59,6 +77,7 @@ void expect_replaceable(const PackageReader& reader, const std::vector<std::uint
                         const std::vector<std::string>& stems, const fs::path& folder, bool force) {
     const Inputs inputs = inputs_of(reader);
     output_file(folder / mesh_name, Product::ply, inputs, force);
+    output_file(folder / points_name, Product::ply, inputs, force);
     for (const std::uint32_t i : wanted) {
         const PhotoFiles files = files_of(folder, stems[i]);
         output_file(files.photo, Product::png, inputs, force);
@@ -87,6 +106,7 @@ void extract(const fs::path& package, const fs::path& folder, const std::vector<
     for (const std::uint32_t i : wanted)
         if (photos[i].levels) write_photo(reader, i, photos[i], stems[i], folder);
     write_mesh(reader, folder / mesh_name);
+    if (const auto cloud = read_point_cloud(reader)) write_points(reader, *cloud, folder / points_name);
 }
 
 }  // namespace vantage

@@ -37,10 +37,11 @@ struct PrepareSettings {
     int photo_size = 0;              ///< longer side to which photos are reduced, in px; 0: full size
     Resampling resampling = Resampling::cubic;  ///< for undistortion
     unsigned cluster_triangles = 256;
-    unsigned threads = 0;               ///< also the number of photos in flight; 0: one per core
-    std::uint64_t memory = 0;           ///< bytes; limits the number of photos in flight; 0: no limit
-    std::vector<std::string> hold_out;  ///< photos whose pixels stay out of the package
+    unsigned threads = 0;                     ///< also the number of photos in flight; 0: one per core
+    std::uint64_t memory = 0;                 ///< bytes; limits the number of photos in flight; 0: no limit
+    std::vector<std::string> hold_out;        ///< photos whose pixels stay out of the package
     std::vector<std::string> deviation_from;  ///< files of meshes or clouds to compare the mesh with
+    std::vector<std::string> points;          ///< files of point clouds to show with the mesh
     std::map<Effect, EffectChoice> effects;
     bool judge = true;  ///< whether left-out photos must confirm the effects that all photos decide
 };

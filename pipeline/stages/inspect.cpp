@@ -160,6 +160,15 @@ Measured varying_layers(std::span<const ScalarLayer> layers) {
     return {varying, evidence};
 }
 
+Measured clouds(const SceneInput& scene) {
+    const std::size_t n = scene.points.positions.size();
+    if (n == 0) return {0, "no point cloud is given"};
+    return {double(n), fmt::format("{} points in {}", n,
+                                   scene.files.points.size() == 1
+                                       ? utf8_name(scene.files.points.front().filename().string())
+                                       : fmt::format("{} files", scene.files.points.size()))};
+}
+
 Measured measure(const EffectRow& row, const SceneInput& scene) {
     if (from_all_photos(row)) return {0, "measured after all photos are processed"};
     switch (row.effect) {
@@ -173,6 +182,8 @@ Measured measure(const EffectRow& row, const SceneInput& scene) {
             return unseen_colors(scene);
         case Effect::scalar_layers:
             return varying_layers(scene.mesh.scalars);
+        case Effect::points:
+            return clouds(scene);
         default:
             return {0, "not measured"};
     }
@@ -186,7 +197,10 @@ std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effe
         const Measured m = measure(row, scene);
         decisions.push_back(decide(row.effect, choice_of(choices, row.effect),
                                    std::isfinite(m.value) ? m.value : 1e9, m.evidence));
-        if (row.effect == Effect::scalar_layers && scene.mesh.scalars.empty()) decisions.back().on = false;
+        // Even if forced on, there may be nothing to show.
+        const bool nothing = (row.effect == Effect::scalar_layers && scene.mesh.scalars.empty()) ||
+                             (row.effect == Effect::points && scene.points.positions.empty());
+        if (nothing) decisions.back().on = false;
     }
     return decisions;
 }

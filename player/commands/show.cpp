@@ -38,6 +38,7 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
     add_blending_options(app, o.blending);
     add_layer_options(app, o.layer);
     add_light_options(app, o.light);
+    add_point_options(app, o.points);
     add_picture_options(app, o.pictures);
     add_window_options(app, o.window);
     app.footer(

@@ -38,6 +38,7 @@ void write_picture(const std::filesystem::path& file, const FlightTarget& target
 RenderSettings flight_settings(const PackageReader& package, const FlightOptions& o,
                                const std::string& mode) {
     RenderSettings settings = render_settings(package, o.blending, o.purpose);
+    settings.points = o.points;
     settings.fill_holes = true;
     settings.complete = false;
     settings.upload_bytes = o.memory.upload_bytes();

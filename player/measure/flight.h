@@ -11,6 +11,7 @@
 #include "player/options/memory_options.h"
 #include "player/options/output_options.h"
 #include "player/options/package_options.h"
+#include "player/options/point_options.h"
 
 namespace vantage {
 
@@ -22,6 +23,7 @@ struct FlightOptions {
     PackageOptions package;
     BlendingOptions blending;
     MemoryOptions memory;
+    PointSettings points;
     Purpose purpose = Purpose::window;
     int frames = 120;
     double minutes = 0;  ///< instead of `frames`

@@ -6,6 +6,7 @@
 #include "player/options/output_options.h"
 #include "player/options/package_options.h"
 #include "player/options/picture_options.h"
+#include "player/options/point_options.h"
 #include "player/options/window_options.h"
 
 namespace vantage {
@@ -16,6 +17,7 @@ struct ShowOptions {
     BlendingOptions blending;
     LayerOptions layer;
     LightOptions light;
+    PointSettings points;
     MemoryOptions memory;
     OutputOptions output;
     PictureOptions pictures;

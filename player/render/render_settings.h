@@ -57,6 +57,24 @@ struct LayerLegend {
 };
 LayerLegend layer_legend(const ValueLayer& layer, const LayerSettings& settings);
 
+/// How large points of a cloud are drawn.
+enum class PointSize {
+    gaps,    ///< as far apart as neighboring points: gaps are filled
+    pixels,  ///< in the picture
+    world    ///< in input units
+};
+
+/// How a package's point cloud is shown.
+struct PointSettings {
+    bool show = true;
+    bool alone = false;  ///< without the model
+    PointSize by = PointSize::gaps;
+    double size = 1;                   ///< diameter, in the unit of `by`
+    double eye_dome = 1;               ///< strength of the shading by depth; 0: none
+    std::uint64_t budget = 2'000'000;  ///< points per frame, at most
+    bool operator==(const PointSettings&) const = default;
+};
+
 /// How a view is rendered.
 struct RenderSettings {
     Blend blend = Blend::lumigraph;
@@ -77,6 +95,7 @@ struct RenderSettings {
     ShowSurroundings surroundings = ShowSurroundings::on;
     LayerSettings layer;
     LightSettings light;
+    PointSettings points;
     Compare compare = Compare::nothing;
     std::uint32_t compare_photo = 0;
     std::optional<View> weights_from;       ///< weights frozen as seen from there [M]
@@ -102,6 +121,8 @@ struct FrameReport {
     std::size_t tiles = 0;          ///< needed
     std::size_t tiles_missing = 0;  ///< needed and not resident: coarser ones were shown
     std::size_t tiles_damaged = 0;  ///< found since opening
+    std::size_t points = 0;         ///< of the cloud, drawn
+    std::size_t nodes_missing = 0;  ///< of the cloud, needed and not resident
     std::size_t uploaded = 0;       ///< bytes
     double uncovered = 0;           ///< share of the surface visible in photos that no chosen photo sees
     bool settled = false;           ///< everything needed is resident and has faded in

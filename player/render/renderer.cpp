@@ -20,8 +20,7 @@ static_assert(GLuint(Compare::nothing) == shader::compare_nothing &&
 
 constexpr float dimmed_light = 0.2f;  ///< of surroundings that are dimmed
 
-Eigen::Matrix4f clip_matrix(const View& view, Eigen::Vector2d range) {
-    if (!(range.y() > 0)) range = {1, 2};
+Eigen::Matrix4f clip_matrix(const View& view, const Eigen::Vector2d& range) {
     Eigen::Matrix4d cam = Eigen::Matrix4d::Identity();
     cam.topLeftCorner<3, 3>() = view.cam_from_origin.R;
     cam.topRightCorner<3, 1>() = view.cam_from_origin.t;
@@ -85,11 +84,14 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
                                      surroundings_defines(scene_))),
       no_vertices_(gl::make_vertex_array("no vertices")) {
     if (scene_.has_surroundings()) filling_.emplace();
+    if (auto cloud = read_point_cloud(package)) points_.emplace(package, std::move(*cloud));
     gl::check("opening the package");
 }
 
 gl::Program Renderer::make_resolve_program(bool lit) const {
     std::vector<std::string> defines = surroundings_defines(scene_);
+    for (std::string& d : shader_defines("resolve", package_->scene().effects))
+        defines.push_back(std::move(d));
     if (!passes_.layers().empty()) defines.emplace_back("SCALAR_LAYER");
     if (lit) defines.emplace_back("LIGHT");
     return gl::make_program(
@@ -112,11 +114,13 @@ void Renderer::fit(int width, int height, const RenderSettings& settings) {
     readback_.release();
     const std::uint64_t others =
         gl::memory_held() - store_.bytes() + FrameTargets::bytes(width, height, settings.half_sums) +
-        (filling_ ? HoleFilling::bytes(width, height) : 0) + TriangleReadback::bytes(width, height);
+        (filling_ ? HoleFilling::bytes(width, height) : 0) + (points_ ? PointPass::bytes(width, height) : 0) +
+        TriangleReadback::bytes(width, height);
     graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
     store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
     targets_ = make_frame_targets(width, height, settings.half_sums);
     if (filling_) filling_->fit(width, height);
+    if (points_) points_->fit(targets_);
 }
 
 FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
@@ -131,8 +135,13 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
         find_seen(view, settings, photos, sample);
     if (!settings.complete) readback_.update(settings.wait_for_tiles);
     plan_.update(view, plan_settings(settings), photos, sample.side, readback_.seen());
+    FrameReport report;
+    if (shows_points(settings)) {
+        report.uploaded = points_->stream(view, settings, sample.side);
+        report.nodes_missing = points_->missing();
+    }
     const View point = sampled(view, sample);
-    Frame frame{drawn_view(point, settings, sample.side), sample, now, {}};
+    Frame frame{drawn_view(point, settings, sample.side), sample, now, report};
     frame.report.clusters = plan_.plan().clusters.size();
     frame.report.uncovered = plan_.plan().uncovered;
     if (!settings.complete) stream(frame, next);
@@ -141,8 +150,9 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
     if (!settings.complete) readback_.capture(targets_, view);
     draw_present(frame);
     FrameReport& r = frame.report;
-    r.tiles_damaged = store_.residency().damaged_count();
-    r.settled = r.tiles_missing == 0 && plan_.settled() && store_.residency().settled();
+    r.tiles_damaged = store_.residency().damaged_count() + (points_ ? points_->damaged() : 0);
+    r.settled =
+        r.tiles_missing == 0 && r.nodes_missing == 0 && plan_.settled() && store_.residency().settled();
     gl::check("rendering a view");
     return r;
 }
@@ -167,7 +177,11 @@ void Renderer::draw_present(Frame& frame) {
         }));
         resolve_before(draw_set(before, frame), frame);
     }
-    resolve(draw_set(drawn, frame), frame);
+    const int sums = draw_set(drawn, frame);
+    if (shows_points(frame.drawn.settings))
+        frame.report.points =
+            points_->draw(frame.drawn.view, frame.drawn.clip_from_origin, frame.drawn.settings.points);
+    resolve(sums, frame);
 }
 
 /// Blends photos into empty sums. Returns the number of the sums.
@@ -190,9 +204,20 @@ DrawnView Renderer::drawn_view(const View& view, const RenderSettings& settings,
             settings,
             plan_,
             side,
-            clip_matrix(view, depth_range(scene_.clusters, plan_.plan().clusters, view,
-                                          model_reach(package_->scene(), view.cam_from_origin))),
+            clip_matrix(view, depth_range_of(view, settings)),
             dynamic_weights(settings.weights_from.value_or(view), scene_.photos, settings.weights)};
+}
+
+/// Of the model, and of points if they are shown.
+Eigen::Vector2d Renderer::depth_range_of(const View& view, const RenderSettings& settings) const {
+    const double reach = model_reach(package_->scene(), view.cam_from_origin);
+    const Eigen::Vector2d model = depth_range(scene_.clusters, plan_.plan().clusters, view, reach);
+    const Eigen::Vector2d anything(1, 2);
+    if (!shows_points(settings)) return model.y() > 0 ? model : anything;
+    const Eigen::Vector2d cloud = points_->range(view, reach);
+    if (!(model.y() > 0)) return cloud.y() > 0 ? cloud : anything;
+    if (!(cloud.y() > 0)) return model;
+    return {std::min(model.x(), cloud.x()), std::max(model.y(), cloud.y())};
 }
 
 std::vector<bool> Renderer::ready_photos(const RenderSettings& settings) const {
@@ -349,6 +374,7 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
         glUniform1f(shader::hole_weight_uniform, hole);
         glUniform1f(shader::background_weight_uniform, among * hole + (1 - among));
     }
+    if (points_) set_points(frame.drawn, before);
     if (!passes_.layers().empty())
         glUniform1f(shader::layer_share_uniform,
                     !before && passes_.shows_layer(settings) ? float(settings.layer.share) : 0.0f);
@@ -362,13 +388,32 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+bool Renderer::shows_points(const RenderSettings& settings) const {
+    return points_ && settings.points.show && settings.show == Show::colors;
+}
+
+void Renderer::set_points(const DrawnView& drawn, bool before) const {
+    const bool shows = shows_points(drawn.settings) && !before;
+    glUniform1i(shader::shows_points_uniform, shows);
+    glUniform1i(shader::points_alone_uniform, drawn.settings.points.alone);
+    if (!shows) return;
+    const Eigen::Vector2d range = depth_range_of(drawn.view, drawn.settings);
+    const Eigen::Matrix4d clip = clip_from_cam(drawn.view.intrinsics, range.x(), range.y());
+    const double apart = std::max(1.0, drawn.view.intrinsics.height / 720.0);
+    glUniform4f(shader::eye_dome_uniform, float(clip(2, 2)), float(clip(2, 3)),
+                float(drawn.settings.points.eye_dome), float(apart));
+    glBindTextureUnit(shader::points_unit, points_->picture());
+    glBindTextureUnit(shader::depth_unit, targets_.depth.id());
+}
+
 /// Only colors: between counts or false colors, others would say what is not so.
 bool Renderer::fills_holes(const RenderSettings& settings) const {
     return passes_.shows_surroundings(settings) && settings.show == Show::colors;
 }
 
-/// Light alone needs no photos, unless there are surroundings to show.
+/// Points alone need no photos, and neither does light, unless there are surroundings to show.
 bool Renderer::shows_photos(const RenderSettings& settings) const {
+    if (shows_points(settings) && settings.points.alone) return false;
     const LightSettings& l = settings.light;
     return l.light == Light::photos || (l.on_photos && l.light != Light::normals) ||
            passes_.shows_surroundings(settings);

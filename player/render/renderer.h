@@ -12,6 +12,7 @@
 #include "player/render/frame_targets.h"
 #include "player/render/hole_filling.h"
 #include "player/render/model_passes.h"
+#include "player/render/point_pass.h"
 #include "player/render/render_settings.h"
 #include "player/render/triangle_readback.h"
 #include "player/stream/photo_store.h"
@@ -61,6 +62,8 @@ class Renderer {
     const PackageReader& package() const { return *package_; }
     const PlanScene& scene() const { return scene_; }
     std::span<const ValueLayer> layers() const { return passes_.layers(); }
+    /// Null if the package has no point cloud.
+    const PointPass* points() const { return points_ ? &*points_ : nullptr; }
     /// The triangles seen last, as far as they have been read back.
     SeenTriangles seen() const { return readback_.seen(); }
     const Plan& plan() const { return plan_.plan(); }
@@ -100,6 +103,9 @@ class Renderer {
     void expose(const DrawnView& drawn) const;
     bool fills_holes(const RenderSettings& settings) const;
     bool shows_photos(const RenderSettings& settings) const;
+    bool shows_points(const RenderSettings& settings) const;
+    Eigen::Vector2d depth_range_of(const View& view, const RenderSettings& settings) const;
+    void set_points(const DrawnView& drawn, bool before) const;
 
     const PackageReader* package_;
     MemoryBudget budget_;
@@ -110,6 +116,7 @@ class Renderer {
     ViewPlan plan_;
     FrameTargets targets_;
     std::optional<HoleFilling> filling_;  ///< if there are surroundings
+    std::optional<PointPass> points_;     ///< if there is a cloud
     TriangleReadback readback_;
     gl::Program resolve_program_, lit_resolve_program_, show_program_;  ///< lit: once light is asked for
     gl::VertexArray no_vertices_;

@@ -117,8 +117,8 @@ std::size_t PhotoStore::stream(std::size_t budget) {
     const std::size_t uploaded = residency_->upload(stream_, budget);
     sort_wanted();
     // Fetches no more than there is space for, so that nothing is read and then discarded.
-    std::array<std::uint32_t, resources> available;
-    for (std::size_t i = 0; i < resources; ++i) available[i] = residency_->available(Resource(i));
+    std::array<std::uint32_t, photo_resources> available;
+    for (std::size_t i = 0; i < photo_resources; ++i) available[i] = residency_->available(Resource(i));
     ordered_.clear();
     for (const Wanted& w : wanted_) {
         if (residency_->holds(w.request)) continue;

@@ -112,6 +112,8 @@ const LayerPool& Residency::pool_of(Resource resource) const {
             return thumbnail_pool_;
         case Resource::coordinates:
             return slot_pool_;
+        case Resource::points:  // in PointStore
+            break;
     }
     return color_pool_;
 }

@@ -21,8 +21,9 @@ enum class Resource : std::uint32_t {
     masks,        ///< a tile of masks, followed by that of depth
     thumbnail,    ///< a photo's thumbnail
     coordinates,  ///< a piece of a photo's texture coordinates
+    points,       ///< a block of points
 };
-inline constexpr std::size_t resources = 4;
+inline constexpr std::size_t photo_resources = 4;  ///< all but points
 
 /// A piece of the package to fetch; `key` is unique among those of its resource.
 struct StreamRequest {

@@ -88,7 +88,7 @@ void run_shortcuts(Session& s, const PlanScene& scene, double now) {
     if (pressed(GLFW_KEY_P)) s.screenshot = true;
     if (pressed(GLFW_KEY_ESCAPE)) s.quit = true;
     bool* const panels[] = {&s.panels.help,   &s.panels.blending, &s.panels.status, &s.panels.photos,
-                            &s.panels.frusta, &s.panels.radar,    &s.panels.layers};
+                            &s.panels.frusta, &s.panels.radar,    &s.panels.layers, &s.panels.points};
     for (int i = 0; i < int(std::size(panels)); ++i)
         if (pressed(GLFW_KEY_F1 + i)) *panels[i] = !*panels[i];
 }

@@ -37,6 +37,7 @@ void for_fields(R& r, const Field& field) {
     field("panel_frusta", r.panels.frusta);
     field("panel_radar", r.panels.radar);
     field("panel_layers", r.panels.layers);
+    field("panel_points", r.panels.points);
 }
 
 /// The same for each remembered choice.

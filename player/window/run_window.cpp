@@ -50,6 +50,7 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     s.settings.complete = false;
     s.settings.layer = layer_settings(package, o.layer);
     if (o.light.shown.light != Light::photos) s.settings.light = light_settings(o.light);
+    s.settings.points = o.points;
     s.lamp_follows = o.light.lamp.empty();
     const auto named = o.package.photos.empty()
                            ? std::vector<std::uint32_t>{std::uint32_t(package.photos().size() / 2)}

@@ -11,6 +11,7 @@
 #include "player/interface/layer_panel.h"
 #include "player/interface/overlays.h"
 #include "player/interface/panels.h"
+#include "player/interface/point_panel.h"
 #include "player/window/screenshot.h"
 
 namespace vantage {
@@ -45,6 +46,7 @@ void ShownScene::interface(const View& view, double now) {
     if (s.panels.blending) blending_panel(controls_, s, renderer_);
     if (s.panels.status) status_panel(s, renderer_);
     if (s.panels.layers) layer_panel(controls_, s, renderer_, view);
+    if (s.panels.points) point_panel(controls_, s, renderer_);
     if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
     if (s.panels.photos) strip_.show(controls_, s, renderer_, view, now);
     if (s.panels.help) help_panel(s);

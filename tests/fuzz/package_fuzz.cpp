@@ -12,6 +12,7 @@
 #include "layers/value_layer.h"
 #include "player/plan/plan.h"
 #include "player/plan/plan_scene.h"
+#include "player/plan/point_plan.h"
 #include "player/stream/photo_pages.h"
 #include "scene/checksum.h"
 #include "scene/error.h"
@@ -81,6 +82,16 @@ void play(const PackageReader& package) {
             const ValueRange range = whole_range(layer, true, logarithmic);
             if (!(range.low < range.high)) std::abort();
         }
+    if (const auto cloud = read_point_cloud(package)) {
+        const PointPlan plan = plan_points(*cloud, view, 1000, 1);
+        depth_range(*cloud, plan, view, 10);
+        for (const DrawnNode& n : drawn_nodes(*cloud, plan, [](std::uint32_t node) { return node != 2; })) {
+            const package::PointNode& node = cloud->nodes.at(n.node);
+            touch(package.block(*package.find(Type::points), node.block)
+                      .subspan(node.first * sizeof(package::PackedPoint),
+                               node.count * sizeof(package::PackedPoint)));
+        }
+    }
     for (std::uint32_t i = 0; i < scene.photos.size(); ++i)
         if (scene.photos[i].levels) touch(package.bytes(thumbnail_request(package, i).chunk));
 }

@@ -34,8 +34,21 @@ inline SurroundingsContent sound_surroundings() {
     return s;
 }
 
-/// Two triangles, one cluster, surroundings, and one photo of 40 x 30 pixels that sees them. Contains only
-/// the data that a player reads; fix_checksums() computes the checksums of heads, directory and header.
+/// A root with two children in one block.
+inline std::vector<package::PointNode> sound_nodes() {
+    package::PointNode root{};
+    root.low[0] = root.low[1] = root.low[2] = -1, root.size = 2, root.spacing = 0.1f;
+    root.count = 5, root.children = 1, root.child_octants = 0x81;
+    package::PointNode low = root, high = root;
+    low.size = high.size = 1, low.spacing = high.spacing = 0.05f;
+    low.first = 5, high.first = 10, low.child_octants = high.child_octants = 0;
+    high.low[0] = high.low[1] = high.low[2] = 0;
+    return {root, low, high};
+}
+
+/// Two triangles, one cluster, surroundings, a cloud, and one photo of 40 x 30 pixels that sees them.
+/// Contains only the data that a player reads; fix_checksums() computes the checksums of heads, directory and
+/// header.
 class SoundPackage {
   public:
     SoundPackage() {
@@ -44,7 +57,8 @@ class SoundPackage {
         for (int i = 0; i < 3; ++i) s.bounds_min[i] = -1, s.bounds_max[i] = 1;
         s.vertices = 4, s.triangles = 2, s.clusters = 1, s.photos = 1, s.reference_density = 20;
         s.border_width = 8, s.scalar_layers = 2;
-        s.effects = effect_bit(Effect::surroundings) | effect_bit(Effect::scalar_layers);
+        s.effects =
+            effect_bit(Effect::surroundings) | effect_bit(Effect::scalar_layers) | effect_bit(Effect::points);
         package::PhotoRecord p{};
         std::strcpy(p.name, "a.jpg");
         p.width = 40, p.height = 30, p.levels = 1, p.thumbnail_width = 4, p.thumbnail_height = 3;
@@ -77,6 +91,8 @@ class SoundPackage {
         add(Type::meta, package::scene_wide, 0, std::as_bytes(std::span(meta)));
         add(Type::scalars, package::scene_wide, 0, std::as_bytes(std::span(values)));
         add(Type::surroundings, package::scene_wide, 0, surroundings_chunk(sound_surroundings()));
+        add(Type::point_nodes, package::scene_wide, 0, std::as_bytes(std::span(sound_nodes())));
+        add_points();
         add_tile(Type::tiles, 0);
         add_tile(Type::masks, 1);
         add_tile(Type::depth, 1);
@@ -109,6 +125,15 @@ class SoundPackage {
                      package::alignment);
         std::memcpy(bytes.data() + e.offset, head.data(), head.size());
         return entries.emplace_back(e);
+    }
+    void add_points() {
+        constexpr std::size_t block = package::point_block * sizeof(package::PackedPoint);
+        const std::vector<std::byte> head(package::alignment), points(block);
+        package::DirectoryEntry& e = add(package::Type::points, package::scene_wide, 0, head);
+        const std::uint64_t sum = checksum(points);
+        std::memcpy(bytes.data() + e.offset, &sum, sizeof sum);
+        bytes.insert(bytes.end(), block, 0);
+        e.length += block, e.block_length = block;
     }
     void add_tile(package::Type type, std::uint32_t level) {
         const std::vector<std::byte> head(package::alignment), tile(tile_bytes);

@@ -18,8 +18,8 @@ cd "$dir" || exit 1
 export XDG_CONFIG_HOME=$dir/config
 "$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage >/dev/null 2>&1 || exit 1
 { sed 's/^seed.*/&\nheight_layer = 1/' "$source/data/tiny.toml"; printf '\n[garden]\nradius = 30.0\nhill = 8.0\n'; } >garden.toml
-"$vantage" synth garden.toml -o garden >/dev/null &&
-  "$vantage" prepare garden -o two.vantage --effect surroundings=on >/dev/null 2>&1 || exit 1
+"$vantage" synth garden.toml -o garden >/dev/null && cp garden/mesh.ply cloud.ply &&
+  "$vantage" prepare garden -o two.vantage --effect surroundings=on --points cloud.ply >/dev/null 2>&1 || exit 1
 head -c 100000 one.vantage >cut.vantage
 "$player" one.vantage --size 900x700 --blended 1 --controls places >says 2>&1 &
 pid=$!
@@ -138,6 +138,13 @@ press "Logarithmic"
 press "Lowest" 0.2
 press "Whole range"
 key F7
+press "Points"; press "alone"
+press "Point size by"; press "pixels"
+press "Point size" 0.4
+press "Eye-dome shading" 0.2
+press "Million points" 0.1
+press "Points"; press "with the model"
+key F8
 kill -0 $pid 2>/dev/null || { cat says; fail "the player has exited early"; }
 press "File"
 xdotool mousemove $(place "Quit")
@@ -155,6 +162,7 @@ remembers blend 1
 remembers choice 1
 remembers surroundings 1
 remembers panel_layers false
+remembers panel_points false
 remembers consensus true
 remembers fill_holes false
 for weight in distance angle angle_mask depth_mask border_mask; do remembers $weight false; done

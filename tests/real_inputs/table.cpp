@@ -99,6 +99,9 @@ std::string deviation(const std::string& from, const std::string& then) {
     return "vantage prepare {scan} -o {out}.vantage --no-report --effect scalar-layers=on --deviation-from " +
            from + " " + then;
 }
+std::string cloud(const std::string& file, const std::string& then) {
+    return "vantage prepare {scan} -o {out}.vantage --no-report --points " + file + " " + then;
+}
 constexpr const char* check_against =
     "vantage prepare {scan} -o {out}.vantage --no-report ; vantage check --against {scan} {out}.vantage";
 constexpr const char* again =
@@ -467,7 +470,7 @@ std::vector<Row> rows() {
         // --------------------------------------------------------------------------------------- comparisons
         {"comparisons", "a larger mesh", with_file("old.ply", box_ply({.scale = 1.5})), Says{"deviation-from-old from -0.5 to -0.5"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
         {"comparisons", "the mesh moved", with_file("old.ply", box_ply({.x = 0.25})), Says{"deviation-from-old from -0.25 to 0.25"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
-        {"comparisons", "the only mesh of the folder", nothing(), Exit::input, Says{"no mesh found (PLY, OBJ, STL, OFF) besides those to compare it with"}, no_package, Command{deviation("{scan}/mesh.ply", "")}},
+        {"comparisons", "the only mesh of the folder", nothing(), Exit::input, Says{"no mesh found (PLY, OBJ, STL, OFF) besides those to compare or show it with"}, no_package, Command{deviation("{scan}/mesh.ply", "")}},
         {"comparisons", "a point cloud without normals", with_file("old.ply", points_ply()), Says{"deviation-from-old from 0 to 1"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
         {"comparisons", "two meshes", [](Scan& s) { s["a.ply"] = box_ply({.scale = 1.5}); s["b.obj"] = box_obj(); }, Says{"deviation-from-a from -0.5 to -0.5; deviation-from-b from 0 to 0"}, Command{deviation("{scan}/a.ply", "--deviation-from {scan}/b.obj ; vantage info {out}.vantage")}},
         {"comparisons", "two meshes of the same name", [](Scan& s) { s["a/m.ply"] = box_ply(); s["b/m.ply"] = box_ply(); }, Exit::usage, Says{"b/m.ply: another mesh to compare with has the same file name"}, no_package, Command{deviation("{scan}/a/m.ply", "--deviation-from {scan}/b/m.ply")}},
@@ -482,6 +485,20 @@ std::vector<Row> rows() {
         {"comparisons", "checked, without the mesh in the folder", with_file("old.ply", box_ply({.scale = 1.5})), Says{"sound"}, Command{deviation("{scan}/old.ply", "; rm {scan}/old.ply ; vantage check --against {scan} {out}.vantage")}},
         {"comparisons", "shown", with_file("old.ply", box_ply({.scale = 1.5})), Says{"out.png"}, Command{deviation("{scan}/old.ply", "; vantage-player {out}.vantage --offscreen --photo A --layer deviation-from-old -o {out}.png")}},
         {"comparisons", "-o is the mesh to compare with", with_file("old.ply", box_ply()), Exit::usage, Says{"old.ply"}, no_package, Command{"vantage prepare {scan} -o {scan}/old.ply --deviation-from {scan}/old.ply --force"}},
+
+        // -------------------------------------------------------------------------------------- point clouds
+        {"point clouds", "beside the mesh", with_file("cloud.ply", points_ply()), Says{"1000 points in cloud.ply"}, Command{cloud("{scan}/cloud.ply", "; vantage info {out}.vantage")}},
+        {"point clouds", "two of them", [](Scan& s) { s["a.ply"] = points_ply(); s["b.ply"] = points_ply(10); }, Says{"1010 points in 2 files"}, Command{cloud("{scan}/a.ply", "--points {scan}/b.ply ; vantage info {out}.vantage")}},
+        {"point clouds", "one point", with_file("cloud.ply", points_ply(1)), Says{"1 points"}, Command{cloud("{scan}/cloud.ply", "; vantage check --deep {out}.vantage ; vantage info {out}.vantage")}},
+        {"point clouds", "a mesh, of which the vertices are taken", with_file("box.obj", box_obj()), Says{"8 points in box.obj"}, Command{cloud("{scan}/box.obj", "; vantage info {out}.vantage")}},
+        {"point clouds", "without points", with_file("cloud.ply", points_ply(0)), Exit::input, Says{"cloud.ply: has no vertices"}, no_package, Command{cloud("{scan}/cloud.ply", "")}},
+        {"point clouds", "cut off", with_file("cloud.ply", points_ply().substr(0, points_ply().size() / 2)), Exit::input, Says{"cloud.ply"}, no_package, Command{cloud("{scan}/cloud.ply", "")}},
+        {"point clouds", "missing", nothing(), Exit::input, Says{"cloud.ply: does not exist"}, no_package, Command{cloud("{scan}/cloud.ply", "")}},
+        {"point clouds", "switched off", with_file("cloud.ply", points_ply()), Says{"points", "off, forced"}, Command{cloud("{scan}/cloud.ply", "--effect points=off ; vantage info {out}.vantage")}},
+        {"point clouds", "again, nothing to do", with_file("cloud.ply", points_ply()), Says{"is current, nothing to do"}, Command{cloud("{scan}/cloud.ply", "; " + cloud("{scan}/cloud.ply", ""))}},
+        {"point clouds", "checked, from a cloud that has changed", [](Scan& s) { s["cloud.ply"] = points_ply(); s["other.ply"] = points_ply(7); }, Exit::stale, Says{"cloud.ply: has changed"}, no_package, Command{cloud("{scan}/cloud.ply", "; cp {scan}/other.ply {scan}/cloud.ply ; vantage check --against {scan} {out}.vantage")}},
+        {"point clouds", "shown alone", with_file("cloud.ply", points_ply()), Says{"out.png"}, Command{cloud("{scan}/cloud.ply", "; vantage-player {out}.vantage --offscreen --photo A --points alone -o {out}.png")}},
+        {"point clouds", "shown, a wrong size", with_file("cloud.ply", points_ply()), Exit::usage, Says{"--point-size"}, no_package, Command{cloud("{scan}/cloud.ply", "; vantage-player {out}.vantage --offscreen --photo A --point-size 0 -o {out}.png")}},
 
         // ------------------------------------------------------------------------------------------ packages
         {"packages", "show a missing package", nothing(), Exit::input, Says{"none.vantage: cannot open"}, no_package, Command{"vantage-player {out}/none.vantage --offscreen --photo A -o {out}.png"}},

@@ -45,4 +45,18 @@ void write_ply(const std::filesystem::path& file, const Eigen::Vector3d& origin,
     if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot write");
 }
 
+void write_points_ply(const std::filesystem::path& file, std::uint64_t count,
+                      const std::function<void(const std::function<void(const PlyPoint&)>&)>& each) {
+    std::ofstream out(file, std::ios::binary);
+    out << fmt::format(
+        "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty double x\nproperty double y\n"
+        "property double z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
+        ply_mark, count);
+    each([&](const PlyPoint& p) {
+        out.write(reinterpret_cast<const char*>(p.position.data()), 24);
+        out.write(reinterpret_cast<const char*>(p.color.data()), 3);
+    });
+    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot write");
+}
+
 }  // namespace vantage

@@ -1,7 +1,9 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -20,5 +22,16 @@ void write_ply(const std::filesystem::path& file, const Eigen::Vector3d& origin,
                std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
                std::span<const std::array<std::uint32_t, 3>> triangles,
                std::span<const PlyLayer> layers = {});
+
+/// A colored point, in the coordinates of the input.
+struct PlyPoint {
+    Eigen::Vector3d position;
+    std::array<std::uint8_t, 3> color;
+};
+
+/// Writes a cloud of `count` points as binary little-endian PLY; `each` hands them on, one by one, to the
+/// function it is given. Throws Error(storage).
+void write_points_ply(const std::filesystem::path& file, std::uint64_t count,
+                      const std::function<void(const std::function<void(const PlyPoint&)>&)>& each);
 
 }  // namespace vantage

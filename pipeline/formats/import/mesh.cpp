@@ -83,22 +83,28 @@ void complete_normals(Mesh& mesh) {
     for (Eigen::Vector3f& n : mesh.normals) n.stableNormalize();
 }
 
-Mesh read_any(const std::filesystem::path& file, const std::string& extension) {
+Mesh parse(const std::filesystem::path& file, const std::string& extension) {
     if (extension == ".ply") return read_ply(file);
     if (extension == ".obj") return read_obj(file);
     if (extension == ".off" && !is_binary_off(file)) return read_off(file);
     return read_with_openmesh(file);
 }
 
-}  // namespace
-
-Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+/// Throws Error(input), also if the file has no vertices.
+Mesh read_any(const std::filesystem::path& file, const std::string& extension) {
     if (!std::filesystem::exists(file)) throw Error(Exit::input, file.string() + ": does not exist");
     if (std::filesystem::is_directory(file))
         throw Error(Exit::input, file.string() + ": expected a file, found a folder");
+    Mesh mesh = parse(file, extension);
+    if (mesh.positions.empty()) throw Error(Exit::input, file.string() + ": has no vertices");
+    return mesh;
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings) {
     const std::string extension = lower_extension(file);
     Mesh mesh = read_any(file, extension);
-    if (mesh.positions.empty()) throw Error(Exit::input, file.string() + ": has no vertices");
     if (const std::size_t n = drop_invalid_triangles(mesh))
         warnings.push_back(file.filename().string() + ": " + std::to_string(n) +
                            " invalid triangles dropped");
@@ -107,6 +113,21 @@ Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warn
     for (const std::string& w : coordinate_warnings(mesh))
         warnings.push_back(file.filename().string() + ": " + w);
     return mesh;
+}
+
+Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+    const Mesh all = read_any(file, lower_extension(file));
+    Mesh cloud;
+    for (std::size_t i = 0; i < all.positions.size(); ++i) {
+        if (!usable(all.positions[i])) continue;
+        cloud.positions.push_back(all.positions[i]);
+        if (!all.colors.empty()) cloud.colors.push_back(all.colors[i]);
+    }
+    if (cloud.positions.empty())
+        throw Error(Exit::input, file.string() + ": has no point with finite coordinates");
+    if (const std::size_t n = all.positions.size() - cloud.positions.size())
+        warnings.push_back(file.filename().string() + ": " + std::to_string(n) + " invalid points dropped");
+    return cloud;
 }
 
 }  // namespace vantage

@@ -16,4 +16,9 @@ namespace vantage {
 /// Throws Error(input).
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
+/// Reads the points of a cloud, or the vertices of a mesh, with their colors and nothing else. Points with
+/// coordinates that are not finite, or 1e18 or more, are dropped and counted in `warnings`. Throws
+/// Error(input), also if no point is left.
+Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& warnings);
+
 }  // namespace vantage

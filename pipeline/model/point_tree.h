@@ -1,0 +1,34 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "scene/mesh.h"
+#include "scene/package_writer.h"
+
+namespace vantage {
+
+/// An octree over a cloud with nested levels of detail, and where each point is in it. Each inner node takes,
+/// of each cell of a grid over its cube, the point nearest to the cell's middle; the others are left to its
+/// children.
+struct PointTree {
+    std::vector<package::PointNode> nodes;  ///< level by level, the root first
+    std::vector<std::uint32_t> order;       ///< points of the cloud, those of a node together
+    std::vector<std::uint64_t> starts;      ///< per node: its first point in `order`
+    std::uint32_t blocks = 0;
+
+    bool empty() const { return nodes.empty(); }
+};
+
+/// `origin` is subtracted from the positions, which must be finite. Deterministic. An empty cloud has an
+/// empty tree.
+PointTree make_point_tree(const Mesh& cloud, const Eigen::Vector3d& origin);
+
+/// Writes PNOD and PNTS. Points without color are light gray. Throws Error(storage).
+void write_points(PackageWriter& writer, const PointTree& tree, const Mesh& cloud,
+                  const Eigen::Vector3d& origin);
+
+}  // namespace vantage

@@ -1,0 +1,51 @@
+#include "player/interface/point_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace vantage {
+
+namespace {
+
+void controls(Controls& c, Session& session, const Renderer& renderer) {
+    PointSettings& p = session.settings.points;
+    static const char* const shown[] = {"with the model", "alone", "hidden"};
+    int choice = !p.show ? 2 : p.alone ? 1 : 0;
+    if (c.combo("Points", &choice, shown, int(std::size(shown)))) p.show = choice < 2, p.alone = choice == 1;
+    if (!p.show) return;
+    static const char* const sizes[] = {"fill gaps", "pixels", "input units"};
+    int by = int(p.by);
+    if (c.combo("Point size by", &by, sizes, int(std::size(sizes)))) {
+        p.by = PointSize(by);
+        p.size = p.by == PointSize::world ? renderer.scene().size / 1000 : p.by == PointSize::pixels ? 2 : 1;
+    }
+    const double most = p.by == PointSize::world    ? renderer.scene().size / 50
+                        : p.by == PointSize::pixels ? 16
+                                                    : 4;
+    c.slider("Point size", &p.size, most / 100, most, "%.3g");
+    c.slider("Eye-dome shading", &p.eye_dome, 0.0, 3.0);
+    double millions = double(p.budget) / 1e6;
+    if (c.slider("Million points", &millions, 0.05, 20.0, "%.2f", ImGuiSliderFlags_Logarithmic))
+        p.budget = std::uint64_t(millions * 1e6);
+    ImGui::TextDisabled("%zu of %llu points drawn%s", session.report.points,
+                        static_cast<unsigned long long>(renderer.points()->cloud().points),
+                        renderer.points()->plan().whole ? "" : ", all that the limit allows");
+}
+
+}  // namespace
+
+void point_panel(Controls& c, Session& session, const Renderer& renderer) {
+    if (!renderer.points()) return;
+    ImGui::SetNextWindowPos(ImVec2(ImGui::GetIO().DisplaySize.x - 352, renderer.layers().empty() ? 256 : 480),
+                            ImGuiCond_FirstUseEver);
+    if (ImGui::Begin("Point cloud", &session.panels.points, ImGuiWindowFlags_AlwaysAutoResize)) {
+        ImGui::PushItemWidth(190);
+        controls(c, session, renderer);
+        ImGui::PopItemWidth();
+    }
+    ImGui::End();
+}
+
+}  // namespace vantage

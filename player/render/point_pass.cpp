@@ -1,0 +1,135 @@
+#include "player/render/point_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "shaders/contract.h"
+
+namespace vantage {
+namespace {
+
+constexpr float largest = 64;    ///< diameter of a point, px
+constexpr float filling = 1.7f;  ///< diameter in spacings at which randomly placed points leave few gaps
+
+struct Command {  ///< of glMultiDrawArraysIndirect
+    std::uint32_t count, instances, first, base_instance;
+};
+struct Record {
+    float cube[4];
+    std::uint32_t node;  ///< among the drawn ones
+};
+
+enum Binding : GLuint { points_binding, records_binding };
+
+gl::VertexArray make_vertices(GLuint points) {
+    gl::VertexArray out = gl::make_vertex_array("points");
+    const GLuint id = out.id();
+    glVertexArrayVertexBuffer(id, points_binding, points, 0, sizeof(package::PackedPoint));
+    glVertexArrayAttribIFormat(id, shader::cell_attribute, 2, GL_UNSIGNED_INT, 0);
+    glVertexArrayAttribFormat(id, shader::color_attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE,
+                              offsetof(package::PackedPoint, color));
+    glVertexArrayAttribFormat(id, shader::cube_attribute, 4, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribIFormat(id, shader::node_attribute, 1, GL_UNSIGNED_INT, offsetof(Record, node));
+    for (const auto& [attribute, binding] : {std::pair(shader::cell_attribute, points_binding),
+                                             std::pair(shader::color_attribute, points_binding),
+                                             std::pair(shader::cube_attribute, records_binding),
+                                             std::pair(shader::node_attribute, records_binding)}) {
+        glVertexArrayAttribBinding(id, GLuint(attribute), binding);
+        glEnableVertexArrayAttrib(id, GLuint(attribute));
+    }
+    glVertexArrayBindingDivisor(id, records_binding, 1);
+    return out;
+}
+
+void set_size(const View& view, const PointSettings& s) {
+    const auto focal = float(std::sqrt(view.intrinsics.fx * view.intrinsics.fy)), size = float(s.size);
+    glUniform4f(shader::point_size_uniform, s.by == PointSize::pixels ? size : 0,
+                s.by == PointSize::world ? size * focal : 0,
+                s.by == PointSize::gaps ? filling * size * focal : 0, largest);
+}
+
+}  // namespace
+
+PointPass::PointPass(const PackageReader& package, PointCloud cloud)
+    : cloud_(std::move(cloud)),
+      store_(package, cloud_),
+      ring_(std::min(most_point_nodes, cloud_.nodes.size()) *
+                (sizeof(Command) + sizeof(Record) + sizeof(shader::PointSizes)) +
+            1024),
+      program_(gl::make_program("point",
+                                {{GL_VERTEX_SHADER, "point.vert"}, {GL_FRAGMENT_SHADER, "point.frag"}}, {})),
+      vertices_(make_vertices(store_.buffer())) {}
+
+void PointPass::fit(const FrameTargets& targets) {
+    width_ = targets.width, height_ = targets.height;
+    target_ = {};
+    picture_ = gl::make_texture_2d("frame points", GL_RGBA16F, width_, height_);
+    target_ = gl::make_framebuffer("frame points", std::array{picture_.id()}, targets.depth.id());
+}
+
+std::size_t PointPass::stream(const View& view, const RenderSettings& settings, int side) {
+    plan_ = plan_points(cloud_, view, settings.points.budget, side);
+    store_.begin_frame();
+    missing_ = 0;
+    for (const std::uint32_t node : plan_.nodes) missing_ += !store_.need(cloud_.nodes[node]);
+    std::size_t uploaded = 0;
+    if (settings.complete || settings.wait_for_tiles)
+        store_.load();
+    else
+        uploaded = store_.stream(settings.upload_bytes);
+    missing_ = std::size_t(std::ranges::count_if(
+        plan_.nodes, [&](std::uint32_t node) { return !store_.resident(cloud_.nodes[node]); }));
+    return uploaded;
+}
+
+std::size_t PointPass::draw(const View& view, const Eigen::Matrix4f& clip_from_origin,
+                            const PointSettings& settings) {
+    const std::vector<DrawnNode> nodes =
+        drawn_nodes(cloud_, plan_, [&](std::uint32_t node) { return store_.resident(cloud_.nodes[node]); });
+    ring_.begin();
+    const FrameRing::Space commands = ring_.take(nodes.size() * sizeof(Command)),
+                           records = ring_.take(nodes.size() * sizeof(Record)),
+                           sizes = ring_.take(nodes.size() * sizeof(shader::PointSizes));
+    std::size_t points = 0;
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        const package::PointNode& n = cloud_.nodes[nodes[i].node];
+        const Command command{n.count, 1, store_.first_point(n), i};
+        const Record record{{n.low[0], n.low[1], n.low[2], n.size}, i};
+        const shader::PointSizes size{nodes[i].children, nodes[i].first, n.spacing, 0};
+        std::memcpy(commands.memory + i * sizeof command, &command, sizeof command);
+        std::memcpy(records.memory + i * sizeof record, &record, sizeof record);
+        std::memcpy(sizes.memory + i * sizeof size, &size, sizeof size);
+        points += n.count;
+    }
+    const std::array<float, 4> zero{};
+    glClearNamedFramebufferfv(target_.id(), GL_COLOR, 0, zero.data());
+    glDepthMask(GL_TRUE);
+    const float farthest = 0;
+    if (settings.alone) glClearNamedFramebufferfv(target_.id(), GL_DEPTH, 0, &farthest);
+    glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
+    glViewport(0, 0, width_, height_);
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glUseProgram(program_.id());
+    glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, clip_from_origin.data());
+    set_size(view, settings);
+    const Eigen::RowVector3f axis = view.cam_from_origin.R.row(2).cast<float>();
+    glUniform1f(shader::depth_per_w_uniform, clip_from_origin.row(2).head<3>().dot(axis));
+    glVertexArrayVertexBuffer(vertices_.id(), records_binding, ring_.buffer(), records.offset,
+                              sizeof(Record));
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::point_sizes_buffer, ring_.buffer(), sizes.offset,
+                      sizes.bytes);
+    glBindVertexArray(vertices_.id());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, ring_.buffer());
+    glMultiDrawArraysIndirect(GL_POINTS, reinterpret_cast<const void*>(commands.offset),
+                              GLsizei(nodes.size()), 0);
+    ring_.end();
+    return points;
+}
+
+}  // namespace vantage

@@ -1,0 +1,59 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+
+#include "gl/object.h"
+#include "gl/program.h"
+#include "player/plan/point_plan.h"
+#include "player/render/frame_ring.h"
+#include "player/render/frame_targets.h"
+#include "player/render/render_settings.h"
+#include "player/stream/point_store.h"
+#include "points/point_cloud.h"
+
+namespace vantage {
+
+/// Draws a package's point cloud in front of and behind the model: plans, streams, draws. Belongs to the
+/// OpenGL thread; the package must outlive it.
+class PointPass {
+  public:
+    PointPass(const PackageReader& package, PointCloud cloud);
+
+    /// Creates the target for a frame, with the depth of the model's.
+    void fit(const FrameTargets& targets);
+    static std::uint64_t bytes(int width, int height) {
+        return std::uint64_t(width) * std::uint64_t(height) * 8;
+    }
+
+    /// Chooses nodes for the view, requests them and uploads what has arrived; with settings.complete or
+    /// wait_for_tiles, waits for all of them. Returns the bytes uploaded.
+    std::size_t stream(const View& view, const RenderSettings& settings, int side);
+    /// The planned nodes that are not resident.
+    std::size_t missing() const { return missing_; }
+    std::size_t damaged() const { return store_.damaged(); }
+    const PointPlan& plan() const { return plan_; }
+    const PointCloud& cloud() const { return cloud_; }
+    /// See depth_range() in point_plan.h.
+    Eigen::Vector2d range(const View& view, double reach) const {
+        return depth_range(cloud_, plan_, view, reach);
+    }
+    /// Draws into picture(), over the depth of the model. Returns the number of points.
+    std::size_t draw(const View& view, const Eigen::Matrix4f& clip_from_origin,
+                     const PointSettings& settings);
+    /// Linear light, and 1 in alpha where points are.
+    GLuint picture() const { return picture_.id(); }
+
+  private:
+    PointCloud cloud_;
+    PointStore store_;
+    PointPlan plan_;
+    std::size_t missing_ = 0;
+    FrameRing ring_;
+    gl::Program program_;
+    gl::VertexArray vertices_;
+    gl::Texture picture_;
+    gl::Framebuffer target_;
+    int width_ = 0, height_ = 0;
+};
+
+}  // namespace vantage

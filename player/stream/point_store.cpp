@@ -1,0 +1,74 @@
+#include "player/stream/point_store.h"
+
+#include <algorithm>
+
+namespace vantage {
+namespace {
+
+constexpr std::uint64_t block_bytes = package::point_block * sizeof(package::PackedPoint);
+constexpr std::uint64_t retry_frames = 300;  ///< damaged blocks are not fetched again for this long
+
+}  // namespace
+
+PointStore::PointStore(const PackageReader& package, const PointCloud& cloud)
+    : chunk_(package.find(package::Type::points)),
+      pool_(std::uint32_t(std::min<std::uint64_t>(cloud.blocks, most_bytes / block_bytes)), cloud.blocks),
+      points_(gl::make_buffer("points", pool_.layers() * block_bytes, nullptr, GL_DYNAMIC_STORAGE_BIT)),
+      requested_(cloud.blocks),
+      stream_(package, ring_bytes, 1) {}
+
+void PointStore::begin_frame() {
+    ++frame_;
+    missing_.clear();
+    requested_.assign(requested_.size(), false);
+}
+
+bool PointStore::need(const package::PointNode& node) {
+    if (pool_.use(node.block, frame_)) return true;
+    if (const auto found = damaged_.find(node.block);
+        found != damaged_.end() && frame_ >= found->second + retry_frames)
+        damaged_.erase(found);
+    if (!requested_[node.block] && !damaged_.contains(node.block))
+        missing_.push_back(
+            {.resource = Resource::points, .key = node.block, .chunk = chunk_, .block = node.block});
+    requested_[node.block] = true;
+    return false;
+}
+
+bool PointStore::place(const Fetched& fetched) {
+    if (!fetched.sound) {
+        damaged_[fetched.request.key] = frame_;
+        return false;
+    }
+    damaged_.erase(fetched.request.key);
+    const auto slot = pool_.place(fetched.request.key, frame_);
+    if (slot)
+        glCopyNamedBufferSubData(stream_.buffer(), points_.id(), GLintptr(fetched.piece.offset),
+                                 GLintptr(*slot * block_bytes), GLsizeiptr(block_bytes));
+    return slot.has_value();
+}
+
+std::size_t PointStore::stream(std::size_t budget) {
+    std::erase_if(missing_, [&](const StreamRequest& r) {
+        return pool_.layer_of(r.key).has_value() || damaged_.contains(r.key);
+    });
+    missing_.resize(std::min<std::size_t>(missing_.size(), pool_.available(frame_)));
+    stream_.want(missing_);
+    std::size_t uploaded = 0;
+    while (uploaded == 0 || uploaded + block_bytes <= budget) {
+        const auto fetched = stream_.take(block_bytes);
+        if (!fetched) break;
+        if (place(*fetched)) uploaded += block_bytes;
+        stream_.release(*fetched);
+    }
+    stream_.fence();
+    return uploaded;
+}
+
+void PointStore::load() {
+    do stream(most_bytes);
+    while (stream_.wait());
+    stream(most_bytes);
+}
+
+}  // namespace vantage

@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "gl/object.h"
+#include "player/stream/layer_pool.h"
+#include "player/stream/tile_stream.h"
+#include "points/point_cloud.h"
+
+namespace vantage {
+
+/// Blocks of a cloud's points in graphics memory; the least recently used are evicted, but never those that
+/// the current frame uses. Belongs to the OpenGL thread.
+class PointStore {
+  public:
+    /// Graphics memory for points, and for the buffer that uploads pass through.
+    static constexpr std::uint64_t most_bytes = std::uint64_t(256) << 20, ring_bytes = std::uint64_t(4) << 20;
+
+    PointStore(const PackageReader& package, const PointCloud& cloud);
+
+    void begin_frame();
+    /// Marks the node's block as used in this frame, and requests it if it is not resident; false then.
+    bool need(const package::PointNode& node);
+    bool resident(const package::PointNode& node) const { return pool_.layer_of(node.block).has_value(); }
+    /// Uploads what has arrived, at most `budget` bytes or one block. Returns the bytes uploaded.
+    std::size_t stream(std::size_t budget);
+    /// Waits for all requested blocks that fit.
+    void load();
+
+    /// Where the node's first point is in buffer().
+    std::uint32_t first_point(const package::PointNode& node) const {
+        return *pool_.layer_of(node.block) * package::point_block + node.first;
+    }
+    GLuint buffer() const { return points_.id(); }
+    std::size_t damaged() const { return damaged_.size(); }
+
+  private:
+    bool place(const Fetched& fetched);
+
+    const package::DirectoryEntry* chunk_;
+    LayerPool pool_;
+    gl::Buffer points_;
+    std::vector<StreamRequest> missing_;
+    std::vector<bool> requested_;                               ///< per block, in this frame
+    std::unordered_map<std::uint32_t, std::uint64_t> damaged_;  ///< block: the frame in which it was found
+    std::uint64_t frame_ = 0;
+    TileStream stream_;  ///< last: its threads use the package
+};
+
+}  // namespace vantage
