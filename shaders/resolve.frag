@@ -46,7 +46,7 @@ layout(location = shows_points_uniform) uniform bool shows_points;
 layout(location = points_alone_uniform) uniform bool points_alone;  // without the model
 layout(location = eye_dome_uniform) uniform vec4 eye_dome;  // depth is x + y / z; its z: strength; w: distance of neighbors, px
 
-// Where depth tells nothing, or a background as far as surroundings are, far beyond everything.
+// log2 of the depth; background and surroundings count as infinitely far.
 float log_depth(ivec2 at) {
     ivec2 inside = clamp(at, ivec2(0), textureSize(depth, 0) - 1);
     float d = texelFetch(depth, inside, 0).r;
@@ -120,7 +120,7 @@ void main() {
         hole = false;
         bare = vec4(0.0);
     } else if (shows_points && points_alone) {
-        accumulated = vec4(background, fill ? 1.0 : 0.0);
+        accumulated = fill ? vec4(background, 1.0) : vec4(0.0);
         hole = !fill;
         bare = vec4(0.0);
     }

@@ -29,8 +29,8 @@ bool is_same(const fs::path& a, const fs::path& b) {
     return fs::equivalent(a, b, error);
 }
 
-/// A mesh before points, mesh.* before other names, then the larger file; none of those that it is compared
-/// with, and no cloud that is shown with it.
+/// A mesh before points, mesh.* before other names, then the larger file; never a file of --deviation-from or
+/// --points.
 fs::path find_mesh(const Files& files, const InputFiles& given) {
     using Rank = std::tuple<bool, bool, std::uintmax_t>;
     fs::path best;
@@ -170,7 +170,7 @@ InputFiles discover(const fs::path& folder, const InputFiles& given) {
         throw Error(Exit::input, folder.string() + ": no mesh found (PLY, OBJ, STL, OFF)" +
                                      (found.compared.empty() && found.points.empty()
                                           ? ""
-                                          : " besides those to compare or show it with"));
+                                          : " other than the files of --deviation-from and --points"));
     if (found.cameras.empty())
         throw Error(Exit::input, folder.string() + ": no cameras found; expected " + camera_format_names());
     if (found.photos.empty()) found.photos = find_photos(folder, files, found.cameras);

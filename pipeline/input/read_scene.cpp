@@ -1,6 +1,7 @@
 #include "pipeline/input/read_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -145,7 +146,7 @@ void read_compared(SceneInput& scene) {
     std::set<fs::path> names;
     for (const fs::path& file : scene.files.compared) {
         if (!names.insert(file.filename()).second)
-            throw Error(Exit::usage, file.string() + ": another mesh to compare with has the same file name");
+            throw Error(Exit::usage, file.string() + ": another --deviation-from file has the same name");
         scene.read.push_back(stamped(file));
         scene.compared.push_back(read_mesh(file, scene.warnings));
     }
@@ -153,20 +154,25 @@ void read_compared(SceneInput& scene) {
 
 /// All points in one cloud. If one file has colors, points of the others are light gray.
 void read_clouds(SceneInput& scene) {
+    constexpr std::array<std::uint8_t, 4> gray{200, 200, 200, 255};
     Mesh& all = scene.points;
     for (const fs::path& file : scene.files.points) {
         scene.read.push_back(stamped(file));
         Mesh cloud = read_cloud(file, scene.warnings);
-        if (!cloud.colors.empty()) all.colors.resize(all.positions.size(), {200, 200, 200, 255});
+        if (all.positions.empty()) {
+            all = std::move(cloud);
+            continue;
+        }
+        if (!cloud.colors.empty()) all.colors.resize(all.positions.size(), gray);
         all.positions.insert(all.positions.end(), cloud.positions.begin(), cloud.positions.end());
-        if (!cloud.colors.empty())
-            all.colors.insert(all.colors.end(), cloud.colors.begin(), cloud.colors.end());
-        if (!all.colors.empty()) all.colors.resize(all.positions.size(), {200, 200, 200, 255});
+        all.colors.insert(all.colors.end(), cloud.colors.begin(), cloud.colors.end());
+        if (!all.colors.empty()) all.colors.resize(all.positions.size(), gray);
     }
-    if (all.positions.size() > std::numeric_limits<std::uint32_t>::max() / 2)
+    constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
+    if (all.positions.size() > most)
         throw Error(Exit::input, scene.files.points.front().string() + ": " +
-                                     std::to_string(all.positions.size()) +
-                                     " points, expected at most 2147483647");
+                                     std::to_string(all.positions.size()) + " points, expected at most " +
+                                     std::to_string(most));
 }
 
 /// No photo is left: says why, if they are there but cannot be used.

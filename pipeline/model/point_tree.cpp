@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -153,8 +154,7 @@ class Builder {
     /// The finest grid on which a leaf's points share cells.
     static float spacing_of(const Todo& todo, float size) {
         int grid = std::min(finest_leaf, levels - todo.level);
-        while (grid > 0 &&
-               double(todo.points.size()) < 2 * double(cells_in(todo.points, todo.level + grid)))
+        while (grid > 0 && double(todo.points.size()) < 2 * double(cells_in(todo.points, todo.level + grid)))
             --grid;
         return std::ldexp(size, -grid);
     }

@@ -1,9 +1,6 @@
 #pragma once
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
-#include <functional>
-#include <span>
 #include <vector>
 
 #include "scene/mesh.h"

@@ -57,12 +57,20 @@ void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& i
         if (!known.contains(utf8_name(file.filename().string()))) add_new(file, out);
 }
 
-/// The files of a list of META's inputs.
+/// The files of a list of META's inputs. Of several files of the same name, one has to be as it was.
 void compare_listed(const json& meta, const char* list, const std::vector<fs::path>& files,
                     IdentityCache& identities, Changes& out) {
-    for (const json& was : meta.at("inputs").value(list, json::array()))
-        for (const fs::path& file : files)
-            if (utf8_name(file.filename().string()) == was.at("name")) compare(file, was, identities, out);
+    for (const json& was : meta.at("inputs").value(list, json::array())) {
+        Changes changes;
+        std::size_t named = 0, changed = 0;
+        for (const fs::path& file : files) {
+            if (utf8_name(file.filename().string()) != was.at("name")) continue;
+            const std::size_t before = changes.size();
+            compare(file, was, identities, changes);
+            ++named, changed += changes.size() > before;
+        }
+        if (named > 0 && changed == named) out.push_back(changes.front());
+    }
 }
 
 /// Photos that the package neither has nor left out.

@@ -20,8 +20,8 @@ struct InputChange {
 /// be read.
 std::vector<InputChange> changed_inputs(const PackageReader& package, const InputFiles& files,
                                         IdentityCache& identities);
-/// The names of the files in a list of META's inputs ("compared", "points"), but for one that is that of the
-/// mesh. Throws Error(damaged) if META cannot be read.
+/// The names of the files in a list of META's inputs ("compared", "points"), except
+/// one with the mesh's name. Throws Error(damaged) if META cannot be read.
 std::vector<std::string> names_listed(const PackageReader& package, const char* list);
 
 /// The settings that differ from those of the package, and the program's version if it does, one line each.

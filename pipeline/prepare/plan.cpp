@@ -61,8 +61,9 @@ std::string name_of_deviation(const std::filesystem::path& from, const std::file
 void add_deviations(SceneInput& scene, Trace* trace) {
     for (std::size_t i = 0; i < scene.compared.size(); ++i) {
         const Traced traced(trace, "deviation");
-        scene.mesh.scalars.push_back({name_of_deviation(scene.files.compared[i], scene.files.mesh),
-                                      deviation(scene.mesh, scene.compared[i])});
+        std::string name = name_of_deviation(scene.files.compared[i], scene.files.mesh);
+        while (std::ranges::count(scene.mesh.scalars, name, &ScalarLayer::name) > 0) name += "-2";
+        scene.mesh.scalars.push_back({name, deviation(scene.mesh, scene.compared[i])});
     }
     scene.compared.clear();
 }

@@ -132,6 +132,7 @@ void check_against(const PackageReader& reader, const CheckDepth& depth, Issues&
     InputFiles others;
     for (const auto& [list, files] :
          {std::pair("compared", &others.compared), std::pair("points", &others.points)}) {
+        if (!std::filesystem::is_directory(depth.against)) break;  // discover() will say so
         const std::vector<std::string> names = names_listed(reader, list);
         for (const std::filesystem::path& file : files_below(depth.against, 2))
             if (std::ranges::count(names, utf8_name(file.filename().string())) > 0) files->push_back(file);

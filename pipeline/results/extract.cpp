@@ -77,7 +77,8 @@ void expect_replaceable(const PackageReader& reader, const std::vector<std::uint
                         const std::vector<std::string>& stems, const fs::path& folder, bool force) {
     const Inputs inputs = inputs_of(reader);
     output_file(folder / mesh_name, Product::ply, inputs, force);
-    output_file(folder / points_name, Product::ply, inputs, force);
+    if (effect_on(reader.scene(), Effect::points))
+        output_file(folder / points_name, Product::ply, inputs, force);
     for (const std::uint32_t i : wanted) {
         const PhotoFiles files = files_of(folder, stems[i]);
         output_file(files.photo, Product::png, inputs, force);

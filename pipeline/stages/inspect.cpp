@@ -163,7 +163,7 @@ Measured varying_layers(std::span<const ScalarLayer> layers) {
 Measured clouds(const SceneInput& scene) {
     const std::size_t n = scene.points.positions.size();
     if (n == 0) return {0, "no point cloud is given"};
-    return {double(n), fmt::format("{} points in {}", n,
+    return {double(n), fmt::format("{} point{} in {}", n, n == 1 ? "" : "s",
                                    scene.files.points.size() == 1
                                        ? utf8_name(scene.files.points.front().filename().string())
                                        : fmt::format("{} files", scene.files.points.size()))};

@@ -204,7 +204,8 @@ int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     expect_earlier(o);
     make_folder(o.folder);
     RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);
-    settings.fill_holes = false;  // the whole frame is scored besides
+    settings.fill_holes = false;   // the whole frame is scored besides
+    settings.points.show = false;  // photos are scored
     report_registration(package);
     const gl::HeadlessContext context;
     Renderer renderer(package, memory_budget(o.memory));

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include <algorithm>
+#include <cstdint>
 #include <iterator>
 
 namespace vantage {
@@ -31,7 +31,7 @@ void controls(Controls& c, Session& session, const Renderer& renderer) {
         p.budget = std::uint64_t(millions * 1e6);
     ImGui::TextDisabled("%zu of %llu points drawn%s", session.report.points,
                         static_cast<unsigned long long>(renderer.points()->cloud().points),
-                        renderer.points()->plan().whole ? "" : ", all that the limit allows");
+                        renderer.points()->plan().whole ? "" : " (limit reached)");
 }
 
 }  // namespace

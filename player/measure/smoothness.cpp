@@ -20,6 +20,7 @@ RenderSettings shown_settings(const PackageReader& package, const SmoothnessOpti
     RenderSettings settings = render_settings(package, o.blending, Purpose::window);
     settings.complete = !o.fades;
     settings.wait_for_tiles = o.fades;
+    settings.points.show = false;  // colors are followed on the mesh
     return settings;
 }
 

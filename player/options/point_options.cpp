@@ -1,5 +1,8 @@
 #include "player/options/point_options.h"
 
+#include <map>
+#include <string>
+
 #include "cli/real_range.h"
 
 namespace vantage {
@@ -25,8 +28,10 @@ void add_point_options(CLI::App& app, PointSettings& o) {
         ->check(real_range(1e-6, 1e6))
         ->capture_default_str()
         ->group(group);
-    app.add_option("--point-budget", o.budget, "points per frame, at most: the nearest and coarsest first")
-        ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 32))
+    app.add_option("--point-budget", o.budget,
+                   "points per frame, at most (but the coarsest level is always drawn): the nearest and "
+                   "coarsest first")
+        ->check(CLI::Range(std::uint64_t(1), std::uint64_t(20'000'000)))
         ->capture_default_str()
         ->group(group);
     app.add_option("--eye-dome", o.eye_dome, "strength of the shading of points by depth, 0 for none")

@@ -89,7 +89,9 @@ Eigen::Vector2d depth_range(const PointCloud& cloud, const PointPlan& plan, cons
             axis.dot(low_of(n) + Eigen::Vector3d::Constant(half)) + view.cam_from_origin.t.z();
         const double extent = axis.cwiseAbs().sum() * half * (1 + 1e-5);
         if (middle + extent <= 0) continue;
-        nearest = std::min(nearest, middle - extent);
+        // Points that fill gaps are drawn up to half a spacing nearer (shaders/point.vert).
+        const double lowest = middle - extent;
+        nearest = std::min(nearest, std::max(lowest - 0.5 * double(n.spacing), 0.5 * lowest));
         farthest = std::max(farthest, middle + extent);
     }
     return clip_range(nearest, farthest, reach);

@@ -1,6 +1,7 @@
 #include "player/render/point_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -53,9 +54,9 @@ void set_size(const View& view, const PointSettings& s) {
 
 }  // namespace
 
-PointPass::PointPass(const PackageReader& package, PointCloud cloud)
+PointPass::PointPass(const PackageReader& package, PointCloud cloud, std::uint64_t bytes)
     : cloud_(std::move(cloud)),
-      store_(package, cloud_),
+      store_(package, cloud_, bytes),
       ring_(std::min(most_point_nodes, cloud_.nodes.size()) *
                 (sizeof(Command) + sizeof(Record) + sizeof(shader::PointSizes)) +
             1024),
@@ -70,18 +71,17 @@ void PointPass::fit(const FrameTargets& targets) {
     target_ = gl::make_framebuffer("frame points", std::array{picture_.id()}, targets.depth.id());
 }
 
-std::size_t PointPass::stream(const View& view, const RenderSettings& settings, int side) {
+std::size_t PointPass::stream(const View& view, const RenderSettings& settings, int side, double now) {
     plan_ = plan_points(cloud_, view, settings.points.budget, side);
-    store_.begin_frame();
-    missing_ = 0;
-    for (const std::uint32_t node : plan_.nodes) missing_ += !store_.need(cloud_.nodes[node]);
+    store_.begin_frame(now);
+    for (const std::uint32_t node : plan_.nodes) store_.need(cloud_.nodes[node]);
     std::size_t uploaded = 0;
     if (settings.complete || settings.wait_for_tiles)
         store_.load();
     else
         uploaded = store_.stream(settings.upload_bytes);
     missing_ = std::size_t(std::ranges::count_if(
-        plan_.nodes, [&](std::uint32_t node) { return !store_.resident(cloud_.nodes[node]); }));
+        plan_.nodes, [&](std::uint32_t node) { return store_.awaits(cloud_.nodes[node]); }));
     return uploaded;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Core>
-#include <array>
 
 #include "gl/object.h"
 #include "gl/program.h"
@@ -17,8 +16,10 @@ namespace vantage {
 /// OpenGL thread; the package must outlive it.
 class PointPass {
   public:
-    PointPass(const PackageReader& package, PointCloud cloud);
+    /// `bytes` of graphics memory for points.
+    PointPass(const PackageReader& package, PointCloud cloud, std::uint64_t bytes);
 
+    void release() { target_ = {}, picture_ = {}; }
     /// Creates the target for a frame, with the depth of the model's.
     void fit(const FrameTargets& targets);
     static std::uint64_t bytes(int width, int height) {
@@ -27,8 +28,8 @@ class PointPass {
 
     /// Chooses nodes for the view, requests them and uploads what has arrived; with settings.complete or
     /// wait_for_tiles, waits for all of them. Returns the bytes uploaded.
-    std::size_t stream(const View& view, const RenderSettings& settings, int side);
-    /// The planned nodes that are not resident.
+    std::size_t stream(const View& view, const RenderSettings& settings, int side, double now);
+    /// The planned nodes that are still to come.
     std::size_t missing() const { return missing_; }
     std::size_t damaged() const { return store_.damaged(); }
     const PointPlan& plan() const { return plan_; }

@@ -46,6 +46,11 @@ std::uint64_t tiles_for(int width, int height) {
     return std::uint64_t(std::clamp(256 * MiB * width * height / (1280.0 * 720), 256 * MiB, 1024 * MiB));
 }
 
+/// Bytes for points: a quarter of a limit that was given.
+std::uint64_t points_memory(const MemoryBudget& budget) {
+    return budget.graphics ? std::min(PointStore::most_bytes, budget.graphics / 4) : PointStore::most_bytes;
+}
+
 /// The view shifted so that its pixel centers are the positions of one sample.
 View sampled(View view, PixelSample s) {
     view.intrinsics.cx -= (s.index % s.side + 0.5) / s.side - 0.5;
@@ -84,7 +89,8 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
                                      surroundings_defines(scene_))),
       no_vertices_(gl::make_vertex_array("no vertices")) {
     if (scene_.has_surroundings()) filling_.emplace();
-    if (auto cloud = read_point_cloud(package)) points_.emplace(package, std::move(*cloud));
+    if (auto cloud = read_point_cloud(package))
+        points_.emplace(package, std::move(*cloud), points_memory(budget));
     gl::check("opening the package");
 }
 
@@ -112,6 +118,7 @@ void Renderer::fit(int width, int height, const RenderSettings& settings) {
         return;
     targets_ = {};
     readback_.release();
+    if (points_) points_->release();
     const std::uint64_t others =
         gl::memory_held() - store_.bytes() + FrameTargets::bytes(width, height, settings.half_sums) +
         (filling_ ? HoleFilling::bytes(width, height) : 0) + (points_ ? PointPass::bytes(width, height) : 0) +
@@ -137,7 +144,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
     plan_.update(view, plan_settings(settings), photos, sample.side, readback_.seen());
     FrameReport report;
     if (shows_points(settings)) {
-        report.uploaded = points_->stream(view, settings, sample.side);
+        report.uploaded = points_->stream(view, settings, sample.side, now);
         report.nodes_missing = points_->missing();
     }
     const View point = sampled(view, sample);
@@ -274,7 +281,9 @@ void Renderer::stream(Frame& frame, const View* next) {
         for (const PlannedPhoto& p : plan_.ahead(*next, plan_settings(settings), frame.sample.side).photos)
             store_.prefetch(p.photo, p.needs);
     }
-    frame.report.uploaded += store_.stream(settings.upload_bytes);
+    // Points have taken their part of the frame's budget.
+    frame.report.uploaded +=
+        store_.stream(settings.upload_bytes - std::min(settings.upload_bytes, frame.report.uploaded));
 }
 
 /// Loads everything that a pass needs, however long it takes.
@@ -408,7 +417,8 @@ void Renderer::set_points(const DrawnView& drawn, bool before) const {
 
 /// Only colors: between counts or false colors, others would say what is not so.
 bool Renderer::fills_holes(const RenderSettings& settings) const {
-    return passes_.shows_surroundings(settings) && settings.show == Show::colors;
+    const bool hides_them = shows_points(settings) && settings.points.alone;
+    return passes_.shows_surroundings(settings) && settings.show == Show::colors && !hides_them;
 }
 
 /// Points alone need no photos, and neither does light, unless there are surroundings to show.

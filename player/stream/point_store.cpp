@@ -1,24 +1,29 @@
 #include "player/stream/point_store.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "player/stream/residency.h"
 
 namespace vantage {
 namespace {
 
 constexpr std::uint64_t block_bytes = package::point_block * sizeof(package::PackedPoint);
-constexpr std::uint64_t retry_frames = 300;  ///< damaged blocks are not fetched again for this long
 
 }  // namespace
 
-PointStore::PointStore(const PackageReader& package, const PointCloud& cloud)
+PointStore::PointStore(const PackageReader& package, const PointCloud& cloud, std::uint64_t bytes)
     : chunk_(package.find(package::Type::points)),
-      pool_(std::uint32_t(std::min<std::uint64_t>(cloud.blocks, most_bytes / block_bytes)), cloud.blocks),
+      pool_(std::uint32_t(
+                std::min<std::uint64_t>(cloud.blocks, std::max<std::uint64_t>(2, bytes / block_bytes))),
+            cloud.blocks),
       points_(gl::make_buffer("points", pool_.layers() * block_bytes, nullptr, GL_DYNAMIC_STORAGE_BIT)),
       requested_(cloud.blocks),
       stream_(package, ring_bytes, 1) {}
 
-void PointStore::begin_frame() {
+void PointStore::begin_frame(double now) {
     ++frame_;
+    now_ = now;
     missing_.clear();
     requested_.assign(requested_.size(), false);
 }
@@ -26,7 +31,7 @@ void PointStore::begin_frame() {
 bool PointStore::need(const package::PointNode& node) {
     if (pool_.use(node.block, frame_)) return true;
     if (const auto found = damaged_.find(node.block);
-        found != damaged_.end() && frame_ >= found->second + retry_frames)
+        found != damaged_.end() && std::abs(now_ - found->second) > Residency::retry_seconds)
         damaged_.erase(found);
     if (!requested_[node.block] && !damaged_.contains(node.block))
         missing_.push_back(
@@ -37,7 +42,7 @@ bool PointStore::need(const package::PointNode& node) {
 
 bool PointStore::place(const Fetched& fetched) {
     if (!fetched.sound) {
-        damaged_[fetched.request.key] = frame_;
+        damaged_[fetched.request.key] = now_;
         return false;
     }
     damaged_.erase(fetched.request.key);

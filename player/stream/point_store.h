@@ -14,15 +14,21 @@ namespace vantage {
 /// the current frame uses. Belongs to the OpenGL thread.
 class PointStore {
   public:
-    /// Graphics memory for points, and for the buffer that uploads pass through.
+    /// Graphics memory for points at most, and for the buffer that uploads pass through.
     static constexpr std::uint64_t most_bytes = std::uint64_t(256) << 20, ring_bytes = std::uint64_t(4) << 20;
 
-    PointStore(const PackageReader& package, const PointCloud& cloud);
+    /// `bytes` of graphics memory for points, but at least two blocks.
+    PointStore(const PackageReader& package, const PointCloud& cloud, std::uint64_t bytes = most_bytes);
 
-    void begin_frame();
+    /// Begins a frame at `now` seconds.
+    void begin_frame(double now);
     /// Marks the node's block as used in this frame, and requests it if it is not resident; false then.
     bool need(const package::PointNode& node);
     bool resident(const package::PointNode& node) const { return pool_.layer_of(node.block).has_value(); }
+    /// Whether the node's block is still to come: neither resident nor damaged, and there is space for it.
+    bool awaits(const package::PointNode& node) const {
+        return !resident(node) && !damaged_.contains(node.block) && pool_.available(frame_) > 0;
+    }
     /// Uploads what has arrived, at most `budget` bytes or one block. Returns the bytes uploaded.
     std::size_t stream(std::size_t budget);
     /// Waits for all requested blocks that fit.
@@ -42,9 +48,10 @@ class PointStore {
     LayerPool pool_;
     gl::Buffer points_;
     std::vector<StreamRequest> missing_;
-    std::vector<bool> requested_;                               ///< per block, in this frame
-    std::unordered_map<std::uint32_t, std::uint64_t> damaged_;  ///< block: the frame in which it was found
+    std::vector<bool> requested_;                        ///< per block, in this frame
+    std::unordered_map<std::uint32_t, double> damaged_;  ///< by block: when it was found, seconds
     std::uint64_t frame_ = 0;
+    double now_ = 0;
     TileStream stream_;  ///< last: its threads use the package
 };
 

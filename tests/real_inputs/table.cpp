@@ -99,6 +99,12 @@ std::string deviation(const std::string& from, const std::string& then) {
     return "vantage prepare {scan} -o {out}.vantage --no-report --effect scalar-layers=on --deviation-from " +
            from + " " + then;
 }
+std::string text_cloud(std::vector<std::string> points) {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(points.size()) +
+                       "\nproperty double x\nproperty double y\nproperty double z\nend_header\n";
+    for (const std::string& p : points) text += p + "\n";
+    return text;
+}
 std::string cloud(const std::string& file, const std::string& then) {
     return "vantage prepare {scan} -o {out}.vantage --no-report --points " + file + " " + then;
 }
@@ -470,10 +476,10 @@ std::vector<Row> rows() {
         // --------------------------------------------------------------------------------------- comparisons
         {"comparisons", "a larger mesh", with_file("old.ply", box_ply({.scale = 1.5})), Says{"deviation-from-old from -0.5 to -0.5"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
         {"comparisons", "the mesh moved", with_file("old.ply", box_ply({.x = 0.25})), Says{"deviation-from-old from -0.25 to 0.25"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
-        {"comparisons", "the only mesh of the folder", nothing(), Exit::input, Says{"no mesh found (PLY, OBJ, STL, OFF) besides those to compare or show it with"}, no_package, Command{deviation("{scan}/mesh.ply", "")}},
+        {"comparisons", "the only mesh of the folder", nothing(), Exit::input, Says{"no mesh found (PLY, OBJ, STL, OFF) other than the files of --deviation-from and --points"}, no_package, Command{deviation("{scan}/mesh.ply", "")}},
         {"comparisons", "a point cloud without normals", with_file("old.ply", points_ply()), Says{"deviation-from-old from 0 to 1"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
         {"comparisons", "two meshes", [](Scan& s) { s["a.ply"] = box_ply({.scale = 1.5}); s["b.obj"] = box_obj(); }, Says{"deviation-from-a from -0.5 to -0.5; deviation-from-b from 0 to 0"}, Command{deviation("{scan}/a.ply", "--deviation-from {scan}/b.obj ; vantage info {out}.vantage")}},
-        {"comparisons", "two meshes of the same name", [](Scan& s) { s["a/m.ply"] = box_ply(); s["b/m.ply"] = box_ply(); }, Exit::usage, Says{"b/m.ply: another mesh to compare with has the same file name"}, no_package, Command{deviation("{scan}/a/m.ply", "--deviation-from {scan}/b/m.ply")}},
+        {"comparisons", "two meshes of the same name", [](Scan& s) { s["a/m.ply"] = box_ply(); s["b/m.ply"] = box_ply(); }, Exit::usage, Says{"b/m.ply: another --deviation-from file has the same name"}, no_package, Command{deviation("{scan}/a/m.ply", "--deviation-from {scan}/b/m.ply")}},
         {"comparisons", "a missing mesh", nothing(), Exit::input, Says{"old.ply: does not exist"}, no_package, Command{deviation("{scan}/old.ply", "")}},
         {"comparisons", "a photo in its place", nothing(), Exit::input, Says{"A.jpg"}, no_package, Command{deviation("{scan}/images/A.jpg", "")}},
         {"comparisons", "a larger file in the folder is not taken for the mesh", [](Scan& s) { s.move("mesh.ply", "new.ply"); s["old.ply"] = box_ply({.scale = 1.5}) + std::string(100, '\n'); }, Says{"new.ply"}, Command{deviation("{scan}/old.ply", "")}},
@@ -489,8 +495,11 @@ std::vector<Row> rows() {
         // -------------------------------------------------------------------------------------- point clouds
         {"point clouds", "beside the mesh", with_file("cloud.ply", points_ply()), Says{"1000 points in cloud.ply"}, Command{cloud("{scan}/cloud.ply", "; vantage info {out}.vantage")}},
         {"point clouds", "two of them", [](Scan& s) { s["a.ply"] = points_ply(); s["b.ply"] = points_ply(10); }, Says{"1010 points in 2 files"}, Command{cloud("{scan}/a.ply", "--points {scan}/b.ply ; vantage info {out}.vantage")}},
-        {"point clouds", "one point", with_file("cloud.ply", points_ply(1)), Says{"1 points"}, Command{cloud("{scan}/cloud.ply", "; vantage check --deep {out}.vantage ; vantage info {out}.vantage")}},
+        {"point clouds", "one point", with_file("cloud.ply", points_ply(1)), Says{"1 point in cloud.ply"}, Command{cloud("{scan}/cloud.ply", "; vantage check --deep {out}.vantage ; vantage info {out}.vantage")}},
         {"point clouds", "a mesh, of which the vertices are taken", with_file("box.obj", box_obj()), Says{"8 points in box.obj"}, Command{cloud("{scan}/box.obj", "; vantage info {out}.vantage")}},
+        {"point clouds", "a stray point", with_file("cloud.ply", text_cloud({"0 0 0", "0 1 0", "1 0 0", "1 1 0", "0 0 1", "1e7 5e6 0"})), Says{"1 points far from all others dropped", "5 points"}, Command{cloud("{scan}/cloud.ply", "; vantage info {out}.vantage")}},
+        {"point clouds", "NaN", with_file("cloud.ply", text_cloud({"0 0 0", "nan 1 0", "1 0 0"})), Says{"1 invalid points dropped", "2 points"}, Command{cloud("{scan}/cloud.ply", "; vantage info {out}.vantage")}},
+        {"point clouds", "two of the same name", [](Scan& s) { s["a/c.ply"] = points_ply(); s["b/c.ply"] = points_ply(7); }, Says{"is current, nothing to do"}, Command{cloud("{scan}/a/c.ply", "--points {scan}/b/c.ply ; " + cloud("{scan}/a/c.ply", "--points {scan}/b/c.ply"))}},
         {"point clouds", "without points", with_file("cloud.ply", points_ply(0)), Exit::input, Says{"cloud.ply: has no vertices"}, no_package, Command{cloud("{scan}/cloud.ply", "")}},
         {"point clouds", "cut off", with_file("cloud.ply", points_ply().substr(0, points_ply().size() / 2)), Exit::input, Says{"cloud.ply"}, no_package, Command{cloud("{scan}/cloud.ply", "")}},
         {"point clouds", "missing", nothing(), Exit::input, Says{"cloud.ply: does not exist"}, no_package, Command{cloud("{scan}/cloud.ply", "")}},

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <map>
 
 #include "pipeline/formats/import/coordinate_warnings.h"
@@ -12,6 +14,7 @@
 #include "pipeline/formats/import/ply.h"
 #include "scene/error.h"
 #include "values/lower_extension.h"
+#include "values/main_box.h"
 
 namespace vantage {
 namespace {
@@ -38,6 +41,23 @@ void weld(Mesh& mesh) {
 
 /// Whether the coordinates and their squares are finite in single precision.
 bool usable(const Eigen::Vector3d& p) { return p.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < 1e18; }
+
+/// Removes points for which `bad(index)` is true, with their attributes, and returns their number.
+std::size_t drop_points(Mesh& cloud, const std::function<bool(std::size_t)>& bad) {
+    std::size_t kept = 0;
+    const std::size_t all = cloud.positions.size();
+    for (std::size_t i = 0; i < all; ++i) {
+        if (bad(i)) continue;
+        cloud.positions[kept] = cloud.positions[i];
+        if (!cloud.colors.empty()) cloud.colors[kept] = cloud.colors[i];
+        if (!cloud.normals.empty()) cloud.normals[kept] = cloud.normals[i];
+        ++kept;
+    }
+    cloud.positions.resize(kept);
+    if (!cloud.colors.empty()) cloud.colors.resize(kept);
+    if (!cloud.normals.empty()) cloud.normals.resize(kept);
+    return all - kept;
+}
 
 /// Drops triangles with a missing, repeated or unusable vertex and returns their number. Vertices that belong
 /// to no triangle are moved onto one that does, so that they do not enlarge the model's extent. In a mesh
@@ -105,7 +125,15 @@ Mesh read_any(const std::filesystem::path& file, const std::string& extension) {
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings) {
     const std::string extension = lower_extension(file);
     Mesh mesh = read_any(file, extension);
-    if (const std::size_t n = drop_invalid_triangles(mesh))
+    if (mesh.points_only()) {
+        mesh.scalars = {};
+        if (const std::size_t n =
+                drop_points(mesh, [&](std::size_t i) { return !usable(mesh.positions[i]); }))
+            warnings.push_back(file.filename().string() + ": " + std::to_string(n) +
+                               " invalid points dropped");
+        if (mesh.positions.empty())
+            throw Error(Exit::input, file.string() + ": has no point with finite coordinates");
+    } else if (const std::size_t n = drop_invalid_triangles(mesh))
         warnings.push_back(file.filename().string() + ": " + std::to_string(n) +
                            " invalid triangles dropped");
     if (extension == ".stl") weld(mesh);
@@ -116,17 +144,19 @@ Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warn
 }
 
 Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& warnings) {
-    const Mesh all = read_any(file, lower_extension(file));
-    Mesh cloud;
-    for (std::size_t i = 0; i < all.positions.size(); ++i) {
-        if (!usable(all.positions[i])) continue;
-        cloud.positions.push_back(all.positions[i]);
-        if (!all.colors.empty()) cloud.colors.push_back(all.colors[i]);
-    }
+    Mesh cloud = read_any(file, lower_extension(file));
+    cloud.triangles = {}, cloud.normals = {}, cloud.scalars = {};
+    const std::string name = file.filename().string();
+    if (const std::size_t n = drop_points(cloud, [&](std::size_t i) { return !usable(cloud.positions[i]); }))
+        warnings.push_back(name + ": " + std::to_string(n) + " invalid points dropped");
     if (cloud.positions.empty())
         throw Error(Exit::input, file.string() + ": has no point with finite coordinates");
-    if (const std::size_t n = all.positions.size() - cloud.positions.size())
-        warnings.push_back(file.filename().string() + ": " + std::to_string(n) + " invalid points dropped");
+    const MainBox box = main_box(cloud.positions, {});
+    const auto stray = [&](std::size_t i) {
+        return std::ranges::binary_search(box.strays, std::uint32_t(i));
+    };
+    if (const std::size_t n = drop_points(cloud, stray))
+        warnings.push_back(name + ": " + std::to_string(n) + " points far from all others dropped");
     return cloud;
 }
 

@@ -17,8 +17,8 @@ namespace vantage {
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
 /// Reads the points of a cloud, or the vertices of a mesh, with their colors and nothing else. Points with
-/// coordinates that are not finite, or 1e18 or more, are dropped and counted in `warnings`. Throws
-/// Error(input), also if no point is left.
+/// coordinates that are not finite, or 1e18 or more, and those far from all others (values/main_box.h) are
+/// dropped and counted in `warnings`. Throws Error(input), also if no point is left.
 Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
 }  // namespace vantage
