@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <numeric>
 #include <random>
@@ -260,4 +261,20 @@ TEST_F(Points, DamagedOnesAreReportedAndTheOthersShown) {
     EXPECT_EQ(picture.report.tiles_damaged, 1u);
     EXPECT_EQ(picture.report.nodes_missing, 0u) << "a damaged block is not waited for";
     EXPECT_GT(picture.report.points, 30'000u);
+}
+
+TEST_F(Points, HaveNoPartInScores) {
+    const auto scores = [&](const std::string& name) {
+        prepared(name);
+        const std::string file = (dir / name).string();
+        const std::string command = std::string(VANTAGE_PLAYER) + " evaluate " + file +
+                                    ".vantage --level 2 --photo 0001 -o " + file + "-scores >" + file +
+                                    ".txt 2>&1";
+        EXPECT_EQ(std::system(command.c_str()), 0) << slurp(file + ".txt");
+        return slurp(file + "-scores/photos.csv");
+    };
+    const std::string without = scores("without");
+    EXPECT_FALSE(without.empty());
+    scatter(20'000);
+    EXPECT_EQ(scores("with"), without);
 }
