@@ -91,7 +91,8 @@ class SoundPackage {
         add(Type::meta, package::scene_wide, 0, std::as_bytes(std::span(meta)));
         add(Type::scalars, package::scene_wide, 0, std::as_bytes(std::span(values)));
         add(Type::surroundings, package::scene_wide, 0, surroundings_chunk(sound_surroundings()));
-        add(Type::point_nodes, package::scene_wide, 0, std::as_bytes(std::span(sound_nodes())));
+        const std::vector<package::PointNode> nodes = sound_nodes();
+        add(Type::point_nodes, package::scene_wide, 0, bytes_of(nodes));
         add_points();
         add_tile(Type::tiles, 0);
         add_tile(Type::masks, 1);
