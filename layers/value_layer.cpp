@@ -21,7 +21,12 @@ std::vector<std::string> layer_names(const PackageReader& package, std::size_t c
     return out;
 }
 
-void measure(ValueLayer& layer) {
+}  // namespace
+
+void summarize_values(ValueLayer& layer) {
+    layer.low = layer.high = layer.least_positive = 0;
+    layer.without = 0;
+    layer.counts = {};
     double low = std::numeric_limits<double>::infinity(), high = -low, positive = low;
     for (const float value : layer.values) {
         if (!std::isfinite(value)) {
@@ -41,8 +46,6 @@ void measure(ValueLayer& layer) {
             ++layer.counts[std::min(layer.counts.size() - 1, std::size_t((double(v) - low) * scale))];
 }
 
-}  // namespace
-
 std::vector<ValueLayer> read_layers(const PackageReader& package) {
     std::vector<ValueLayer> out;
     const package::SceneRecord& scene = package.scene();
@@ -55,7 +58,7 @@ std::vector<ValueLayer> read_layers(const PackageReader& package) {
     const std::vector<std::string> names = layer_names(package, scene.scalar_layers);
     for (std::size_t i = 0; i < names.size(); ++i) {
         out.push_back({.name = names[i], .values = all.subspan(i * scene.vertices, scene.vertices)});
-        measure(out.back());
+        summarize_values(out.back());
     }
     return out;
 }

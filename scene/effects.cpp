@@ -36,7 +36,7 @@ constexpr std::array table{
               "share of the photos that the mesh does not cover", "", 0.005, Basis::beside, "blend",
               "SURROUNDINGS"},
     EffectRow{Effect::scalar_layers, "scalar-layers", "scalar-layers",
-              "layers of the mesh with more than one value", "", 0, Basis::scene, "surface", "SCALAR_LAYER"},
+              "layers of the mesh with more than one value", "", 0, Basis::scene, "", ""},
     EffectRow{Effect::points, "points", "points", "points of the clouds", "", 0, Basis::scene, "resolve",
               "POINTS"},
 };

@@ -68,7 +68,7 @@ double colored_share(const Picture& p) {
     return p.rgba.empty() ? 0 : 4.0 * double(colored) / double(p.rgba.size());
 }
 
-/// What the ends of the color map stand for, if a layer is shown.
+/// What the ends of the color map stand for, if a layer was shown.
 void print_legend(const Renderer& renderer, const RenderSettings& settings) {
     if (settings.layer.layer < 0) return;
     const ValueLayer& layer = renderer.layers()[std::size_t(settings.layer.layer)];
@@ -92,13 +92,13 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options) {
     Renderer renderer(package, memory_budget(options.memory));
     const bool own_pixels = o.scale == 1 && options.output.size.empty() && o.view.empty() && o.path.empty();
     const int side = o.samples ? o.samples : own_pixels ? 1 : 2;
-    if (!options.output.quiet) print_legend(renderer, settings);
     std::size_t damaged = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const Shot& shot = wanted[i];
         const std::filesystem::path& file = files[i];
         const auto start = std::chrono::steady_clock::now();
         const Picture picture = take_picture(renderer, shot.view, settings, photos, side);
+        if (i == 0 && !options.output.quiet) print_legend(renderer, settings);
         if (file.has_parent_path()) make_folder(file.parent_path());
         write_png(file, picture);
         const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

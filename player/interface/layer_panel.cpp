@@ -34,6 +34,13 @@ std::optional<double> value_under_pointer(const Renderer& renderer, const ValueL
     return value_at_pixel(renderer.scene(), layer.values, triangle - 1, seen.view, at);
 }
 
+/// Null for a stored layer, whose unit is that of its file.
+const char* unit_of(const ValueLayer& layer) {
+    if (!layer.measure) return nullptr;
+    return *layer.measure == PhotoMeasure::count ? "photos that see the surface"
+                                                 : "pixels per input unit, of the finest photo";
+}
+
 double place(double value, const LayerSettings& s, const ValueRange& range) {
     const auto scaled = [&](double v) { return s.logarithmic ? std::log(std::max(v, 1e-300)) : v; };
     return (scaled(value) - scaled(range.low)) / (scaled(range.high) - scaled(range.low));
@@ -118,6 +125,7 @@ void layer_panel(Controls& c, Session& session, const Renderer& renderer, const 
             const ValueLayer& layer = layers[std::size_t(s.layer)];
             const std::optional<double> value = value_under_pointer(renderer, layer, view);
             legend(layer, s, value);
+            if (const char* unit = unit_of(layer)) ImGui::TextDisabled("%s", unit);
             if (value)
                 ImGui::Text("under the pointer: %.5g", *value);
             else

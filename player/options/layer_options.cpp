@@ -3,16 +3,20 @@
 #include <cmath>
 
 #include "cli/real_range.h"
+#include "layers/photo_layers.h"
 #include "scene/error.h"
 
 namespace vantage {
 
 void add_layer_options(CLI::App& app, LayerOptions& o) {
     const std::string group = "Scalar layers";
-    CLI::Option* name = app.add_option("--layer", o.name,
-                                       "show this layer of values instead of the photos ('vantage info' "
-                                       "lists a package's layers under scalar-layers)")
-                            ->group(group);
+    CLI::Option* name =
+        app.add_option("--layer", o.name,
+                       "show this layer of values instead of the photos: one of the package "
+                       "('vantage info' lists them under scalar-layers), photo-count (how many "
+                       "photos see the surface) or photo-density (pixels per input unit of the "
+                       "finest of them)")
+            ->group(group);
     const auto add = [&](CLI::Option* option) { return option->group(group)->needs(name); };
     add(app.add_option("--color-map", o.shown.map,
                        "colors from the lowest to the highest value: viridis, magma, cividis (also for the "
@@ -43,7 +47,7 @@ void add_layer_options(CLI::App& app, LayerOptions& o) {
 LayerSettings layer_settings(const PackageReader& package, const LayerOptions& o) {
     LayerSettings out = o.shown;
     if (o.name.empty()) return out;
-    const std::vector<ValueLayer> layers = read_layers(package);
+    const std::vector<ValueLayer> layers = all_layers(package);
     out.layer = layer_named(layers, o.name);
     if (o.range.empty()) return out;
     const double low = o.range[0], high = o.range[1];

@@ -51,16 +51,6 @@ std::vector<std::array<std::uint8_t, 4>> colors_of(const PackageReader& package,
 /// A value and whether there is one.
 using Value = std::array<float, 2>;
 
-/// Layer by layer, for each vertex of the mesh and of the surroundings, which have none.
-std::vector<Value> values_of(std::span<const ValueLayer> layers, std::size_t vertices) {
-    std::vector<Value> out(layers.size() * vertices, Value{0, 0});
-    for (std::size_t l = 0; l < layers.size(); ++l)
-        std::ranges::transform(layers[l].values, out.begin() + std::ptrdiff_t(l * vertices), [](float v) {
-            return std::isfinite(v) ? Value{v, 1} : Value{0, 0};
-        });
-    return out;
-}
-
 template <class T>
 gl::Buffer buffer_of(const char* name, std::span<const T> values) {
     return gl::make_buffer(name, values.size_bytes(), values.data());
@@ -68,7 +58,7 @@ gl::Buffer buffer_of(const char* name, std::span<const T> values) {
 
 }  // namespace
 
-Model load_model(const PackageReader& package, const PlanScene& scene, std::span<const ValueLayer> layers) {
+Model load_model(const PackageReader& package, const PlanScene& scene) {
     using shader::color_attribute, shader::draw_attribute;
     if (scene.indices.size() > std::size_t(std::numeric_limits<GLsizei>::max()))
         throw Error(Exit::damaged, package.path().string() + ": INDX has more triangles than can be drawn");
@@ -92,12 +82,6 @@ Model load_model(const PackageReader& package, const PlanScene& scene, std::span
     glVertexArrayAttribBinding(m.vertices.id(), draw_attribute, draw_attribute);
     glVertexArrayBindingDivisor(m.vertices.id(), draw_attribute, 1);
     glEnableVertexArrayAttrib(m.vertices.id(), draw_attribute);
-    if (!layers.empty()) {
-        const std::vector<Value> values = values_of(layers, scene.positions.size());
-        m.values = buffer_of("values", std::span<const Value>(values));
-        gl::attach_floats(m.vertices, shader::value_attribute, m.values, 2, sizeof(Value));
-        package.forget(package.records<std::byte>(Type::scalars));
-    }
     if (!effect_on(package.scene(), Effect::vertex_colors) && !scene.has_surroundings()) return m;
     m.colors = buffer_of("colors", std::span<const std::array<std::uint8_t, 4>>(colors_of(package, scene)));
     glVertexArrayVertexBuffer(m.vertices.id(), color_attribute, m.colors.id(), 0, 4);
@@ -107,9 +91,17 @@ Model load_model(const PackageReader& package, const PlanScene& scene, std::span
     return m;
 }
 
-void show_layer(const Model& model, const PlanScene& scene, std::size_t layer) {
-    glVertexArrayVertexBuffer(model.vertices.id(), shader::value_attribute, model.values.id(),
-                              GLintptr(layer * scene.positions.size() * sizeof(Value)), sizeof(Value));
+void show_values(Model& model, const PlanScene& scene, std::span<const float> values) {
+    std::vector<Value> all(scene.positions.size(), Value{0, 0});
+    for (std::size_t v = 0; v < std::min(values.size(), all.size()); ++v)
+        if (std::isfinite(values[v])) all[v] = {values[v], 1};
+    const std::size_t bytes = all.size() * sizeof(Value);
+    if (model.values) {
+        glNamedBufferSubData(model.values.id(), 0, GLsizeiptr(bytes), all.data());
+        return;
+    }
+    model.values = gl::make_buffer("values", bytes, all.data(), GL_DYNAMIC_STORAGE_BIT);
+    gl::attach_floats(model.vertices, shader::value_attribute, model.values, 2, sizeof(Value));
 }
 
 }  // namespace vantage

@@ -3,7 +3,6 @@
 #include <span>
 
 #include "gl/object.h"
-#include "layers/value_layer.h"
 #include "player/plan/plan_scene.h"
 #include "scene/package_reader.h"
 
@@ -14,16 +13,16 @@ namespace vantage {
 /// DrawRecord per draw, selected by base instance from a buffer that each pass binds.
 struct Model {
     gl::Buffer positions, normals, colors, indices;
-    gl::Buffer values;  ///< of one scalar layer after the other
+    gl::Buffer values;  ///< of the scalar layer shown last, once one was
     gl::VertexArray vertices;
     std::uint32_t vertex_count = 0;  ///< of the mesh
 };
 
-/// One scalar layer's values feed the attribute `value`.
-void show_layer(const Model& model, const PlanScene& scene, std::size_t layer);
+/// Makes a layer's values, one per vertex of the mesh, the attribute `value`.
+void show_values(Model& model, const PlanScene& scene, std::span<const float> values);
 
 /// Throws Error(damaged) for a checksum mismatch or a triangle with a vertex out of range.
-Model load_model(const PackageReader& package, const PlanScene& scene, std::span<const ValueLayer> layers);
+Model load_model(const PackageReader& package, const PlanScene& scene);
 
 /// One draw of glMultiDrawElementsIndirect.
 struct DrawCommand {

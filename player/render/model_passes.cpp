@@ -83,21 +83,25 @@ ModelPasses::ModelPasses(const PackageReader& package, const PlanScene& scene, c
     : package_(&package),
       scene_(&scene),
       store_(&store),
-      layers_(read_layers(package)),
-      model_(load_model(package, scene, layers_)),
+      layers_(all_layers(package)),
+      measured_(layers_.size()),
+      model_(load_model(package, scene)),
       blocks_(make_blocks(scene.photos)),
       ring_(pass_bytes(store.pages(), scene.clusters.size())),
-      surface_program_(make_surface_program(surface_defines(package, scene))) {
-    if (!layers_.empty())
-        color_map_ =
-            gl::make_texture_2d("color map", GL_SRGB8_ALPHA8, std::tuple_size_v<ColorTable>, 1, GL_LINEAR);
-}
+      surface_program_(make_surface_program(surface_defines(package, scene))) {}
 
 void ModelPasses::use_records(std::span<const package::PhotoRecord> photos) { blocks_ = make_blocks(photos); }
 
 bool ModelPasses::shows_layer(const RenderSettings& settings) const {
     const LayerSettings& l = settings.layer;
     return l.layer >= 0 && std::size_t(l.layer) < layers_.size() && l.share > 0;
+}
+
+std::vector<std::string> ModelPasses::asked_defines(const RenderSettings& settings) const {
+    std::vector<std::string> out;
+    if (settings.light.light != Light::photos) out.emplace_back("LIGHT");
+    if (shows_layer(settings)) out.emplace_back("SCALAR_LAYER");
+    return out;
 }
 
 bool ModelPasses::shows_surroundings(const RenderSettings& settings) const {
@@ -129,10 +133,7 @@ void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targe
     glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
     uniform(shader::surface_eye_uniform, drawn.view.cam_from_origin.center());
     if (drawn.settings.light.light != Light::photos) set_light(drawn);
-    if (shows_layer(drawn.settings))
-        set_layer(drawn.settings.layer);
-    else if (!layers_.empty())
-        glUniform3f(shader::layer_scale_uniform, 0, 0, 0);
+    if (shows_layer(drawn.settings)) set_layer(drawn.settings.layer);
     ring_.begin();
     cluster_photos_.assign(scene_->clusters.size(), 1);
     draw_clusters(drawn.plan.plan().clusters);
@@ -140,13 +141,15 @@ void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targe
 }
 
 const gl::Program& ModelPasses::surface_program(const RenderSettings& settings) {
-    if (settings.light.light == Light::photos) return surface_program_;
-    if (!lit_surface_program_) {
+    const std::vector<std::string> asked = asked_defines(settings);
+    if (asked.empty()) return surface_program_;
+    gl::Program& program = other_surface_programs_[asked];
+    if (!program) {
         std::vector<std::string> defines = surface_defines(*package_, *scene_);
-        defines.emplace_back("LIGHT");
-        lit_surface_program_ = make_surface_program(defines);
+        defines.insert(defines.end(), asked.begin(), asked.end());
+        program = make_surface_program(defines);
     }
-    return lit_surface_program_;
+    return program;
 }
 
 void ModelPasses::set_light(const DrawnView& drawn) {
@@ -168,16 +171,34 @@ void ModelPasses::set_light(const DrawnView& drawn) {
     glUniformMatrix3fv(shader::camera_rows_uniform, 1, GL_FALSE, camera.data());
 }
 
+bool ModelPasses::load_layer(const RenderSettings& settings) {
+    if (!shows_layer(settings) || loaded_layer_ == settings.layer.layer) return false;
+    loaded_layer_ = settings.layer.layer;
+    const auto i = std::size_t(loaded_layer_);
+    ValueLayer& layer = layers_[i];
+    if (layer.measure && layer.values.empty()) {
+        measured_[i] = measure_photos(*package_, *layer.measure);
+        layer.values = measured_[i];
+        summarize_values(layer);
+    }
+    const bool first = !model_.values;
+    show_values(model_, *scene_, layer.values);
+    if (!layer.measure) package_->forget(std::as_bytes(layer.values));
+    return first;
+}
+
 void ModelPasses::set_layer(const LayerSettings& settings) {
     const ValueLayer& layer = layers_[std::size_t(settings.layer)];
     const LayerLegend legend = layer_legend(layer, settings);
+    if (!color_map_)
+        color_map_ =
+            gl::make_texture_2d("color map", GL_SRGB8_ALPHA8, std::tuple_size_v<ColorTable>, 1, GL_LINEAR);
     if (mapped_ != legend.map) {
         const ColorTable table = color_table(legend.map);
         glTextureSubImage2D(color_map_.id(), 0, 0, 0, GLsizei(table.size()), 1, GL_RGBA, GL_UNSIGNED_BYTE,
                             table.data());
         mapped_ = legend.map;
     }
-    show_layer(model_, *scene_, std::size_t(settings.layer));
     const auto [low, high] = legend.range;
     const double begin = settings.logarithmic ? std::log(low) : low,
                  end = settings.logarithmic ? std::log(high) : high;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gl/program.h"
+#include "layers/photo_layers.h"
 #include "player/camera/view.h"
 #include "player/plan/plan.h"
 #include "player/plan/view_plan.h"
@@ -41,9 +42,15 @@ class ModelPasses {
     /// Replaces the cameras and colors with which photos are drawn, for measurements. The plan keeps the
     /// package's.
     void use_records(std::span<const package::PhotoRecord> photos);
+    /// Those that are not stored have no values until they were shown.
     std::span<const ValueLayer> layers() const { return layers_; }
-    /// Whether the settings show a layer that the package has.
+    /// Measures the layer that the settings show and loads its values, unless that was done last. Returns
+    /// whether it has taken graphics memory.
+    bool load_layer(const RenderSettings& settings);
+    /// Whether the settings show a layer that there is.
     bool shows_layer(const RenderSettings& settings) const;
+    /// The preprocessor symbols of what is compiled only once it is shown: light, a layer.
+    std::vector<std::string> asked_defines(const RenderSettings& settings) const;
     /// Whether the scene has surroundings and the settings show them.
     bool shows_surroundings(const RenderSettings& settings) const;
     bool per_fragment(const RenderSettings& settings) const;
@@ -76,11 +83,14 @@ class ModelPasses {
     const PlanScene* scene_;
     const PhotoStore* store_;
     std::vector<ValueLayer> layers_;
+    std::vector<std::vector<float>> measured_;  ///< per layer; empty if it is stored or was not shown
     Model model_;
+    int loaded_layer_ = -1;  ///< whose values the model has
     std::vector<PhotoBlock> blocks_;
     FrameRing ring_;
-    gl::Program surface_program_, lit_surface_program_;  ///< the second once light is asked for
-    gl::Texture color_map_;                              ///< if there are layers
+    gl::Program surface_program_;
+    std::map<std::vector<std::string>, gl::Program> other_surface_programs_;  ///< by what was asked for
+    gl::Texture color_map_;                                                   ///< once a layer was shown
     ColorMap mapped_ = ColorMap::automatic;
     std::map<BlendVariant, gl::Program> blend_programs_;
     std::vector<std::uint32_t> cluster_photos_;  ///< per cluster: one bit per photo of the pass

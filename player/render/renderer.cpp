@@ -83,7 +83,7 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
       store_(package, budget.ring),
       passes_(package, scene_, store_),
       plan_(scene_),
-      resolve_program_(make_resolve_program(false)),
+      resolve_program_(make_resolve_program({})),
       show_program_(gl::make_program("show",
                                      {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "show.frag"}},
                                      surroundings_defines(scene_))),
@@ -94,20 +94,21 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
     gl::check("opening the package");
 }
 
-gl::Program Renderer::make_resolve_program(bool lit) const {
+gl::Program Renderer::make_resolve_program(const std::vector<std::string>& asked) const {
     std::vector<std::string> defines = surroundings_defines(scene_);
     for (std::string& d : shader_defines("resolve", package_->scene().effects))
         defines.push_back(std::move(d));
-    if (!passes_.layers().empty()) defines.emplace_back("SCALAR_LAYER");
-    if (lit) defines.emplace_back("LIGHT");
+    defines.insert(defines.end(), asked.begin(), asked.end());
     return gl::make_program(
         "resolve", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "resolve.frag"}}, defines);
 }
 
 const gl::Program& Renderer::resolve_program(const RenderSettings& settings) {
-    if (settings.light.light == Light::photos) return resolve_program_;
-    if (!lit_resolve_program_) lit_resolve_program_ = make_resolve_program(true);
-    return lit_resolve_program_;
+    const std::vector<std::string> asked = passes_.asked_defines(settings);
+    if (asked.empty()) return resolve_program_;
+    gl::Program& program = other_resolve_programs_[asked];
+    if (!program) program = make_resolve_program(asked);
+    return program;
 }
 
 /// Creates the frame's targets, and fits the tiles into the rest of the budget.
@@ -136,6 +137,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
     check_view(view);
     if (!shows_photos(settings)) photos = {};
     if (settings.weights_from) check_view(*settings.weights_from);
+    if (passes_.load_layer(settings)) targets_ = {};  // the budget has to be divided again
     fit(view.intrinsics.width, view.intrinsics.height, settings);
     store_.begin_frame(now, !settings.complete && !settings.wait_for_tiles);
     if (settings.complete && settings.photos > 0 && sample.index == 0)
@@ -361,9 +363,9 @@ void Renderer::resolve_before(int sums, const Frame& frame) {
 void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     const RenderSettings& settings = frame.drawn.settings;
     const double progress = before ? 1 : plan_.progress();
-    // The picture that is being replaced is lit with the one that replaces it.
+    // The picture that is being replaced is lit, and gets its layer, with the one that replaces it.
+    glUseProgram((before ? resolve_program_ : resolve_program(settings)).id());
     const bool lit = !before && settings.light.light != Light::photos;
-    glUseProgram((lit ? resolve_program(settings) : resolve_program_).id());
     if (lit) {
         const bool normals = settings.light.light == Light::normals;
         glUniform1i(shader::light_on_photos_uniform, settings.light.on_photos && !normals);
@@ -384,9 +386,8 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
         glUniform1f(shader::background_weight_uniform, among * hole + (1 - among));
     }
     if (points_) set_points(frame.drawn, before);
-    if (!passes_.layers().empty())
-        glUniform1f(shader::layer_share_uniform,
-                    !before && passes_.shows_layer(settings) ? float(settings.layer.share) : 0.0f);
+    if (!before && passes_.shows_layer(settings))
+        glUniform1f(shader::layer_share_uniform, float(settings.layer.share));
     glUniform3fv(shader::background_uniform, 1, settings.background);
     glUniform1f(shader::most_uniform, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
     expose(frame.drawn);

@@ -1,7 +1,9 @@
 #pragma once
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -98,7 +100,7 @@ class Renderer {
     void resolve(int sums, const Frame& frame);
     void resolve_before(int sums, const Frame& frame);
     void draw_resolved(int sums, const Frame& frame, bool before);
-    gl::Program make_resolve_program(bool lit) const;
+    gl::Program make_resolve_program(const std::vector<std::string>& asked) const;
     const gl::Program& resolve_program(const RenderSettings& settings);
     void expose(const DrawnView& drawn) const;
     bool fills_holes(const RenderSettings& settings) const;
@@ -118,7 +120,8 @@ class Renderer {
     std::optional<HoleFilling> filling_;  ///< if there are surroundings
     std::optional<PointPass> points_;     ///< if there is a cloud
     TriangleReadback readback_;
-    gl::Program resolve_program_, lit_resolve_program_, show_program_;  ///< lit: once light is asked for
+    gl::Program resolve_program_, show_program_;
+    std::map<std::vector<std::string>, gl::Program> other_resolve_programs_;  ///< by what was asked for
     gl::VertexArray no_vertices_;
     double samples_ = 0;  ///< accumulated in targets_.accumulated
     std::vector<std::uint32_t> wanted_thumbnails_;

@@ -41,6 +41,14 @@ void expect_photo(const PackageReader& package) {
         throw Error(Exit::damaged, package.path().string() + ": contains no photos");
 }
 
+/// Keeps what a session leaves to the next one.
+void remember(const Session& session, const PackageReader& package, Remembered& r) {
+    const bool layers = r.panels.layers;
+    r.settings = session.settings;
+    r.panels = session.panels;
+    if (read_layers(package).empty()) r.panels.layers = layers;  // nobody opened or closed it for these
+}
+
 /// A session at the first photo of --photo, or the middle one.
 Session start_session(const PackageReader& package, const ShowOptions& o, const Remembered& remembered) {
     Session s;
@@ -49,6 +57,7 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     s.settings.upload_bytes = o.memory.upload_bytes();
     s.settings.complete = false;
     s.settings.layer = layer_settings(package, o.layer);
+    if (read_layers(package).empty()) s.panels.layers = s.settings.layer.layer >= 0;
     if (o.light.shown.light != Light::photos) s.settings.light = light_settings(o.light);
     s.settings.points = o.points;
     s.lamp_follows = o.light.lamp.empty();
@@ -153,12 +162,11 @@ int run_window(const PackageReader& first, const ShowOptions& o) {
             next = show_package(window.get(), session, scene, controls, o, requested_at);
         }
         damaged |= session.report.tiles_damaged > 0;
+        remember(session, *package, remembered);
         if (!next) break;
         other = std::move(next);
         package = &other->package;
         requested_at = other->at;
-        remembered.settings = session.settings;
-        remembered.panels = session.panels;
         remembered.settings.exposure.reset();  // refers to a photo of the previous package
         ShowOptions any_photo = o;
         any_photo.package.photos.clear();
@@ -166,8 +174,6 @@ int run_window(const PackageReader& first, const ShowOptions& o) {
         session = start_session(*package, any_photo, remembered);
     }
     glfwGetWindowSize(window.get(), &remembered.window.width, &remembered.window.height);
-    remembered.settings = session.settings;
-    remembered.panels = session.panels;
     write_settings(folder, remembered);
     return damaged ? int(Exit::damaged) : int(Exit::ok);
 }

@@ -7,6 +7,7 @@
 
 #include "gl/context.h"
 #include "layers/color_map.h"
+#include "layers/photo_layers.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/model/subdivide.h"
@@ -243,10 +244,10 @@ TEST_F(Layers, NothingOfThemIsThereWhenTheyAreOff) {
     const PackageReader without = prepared();
     EXPECT_FALSE(effect_on(without.scene(), Effect::scalar_layers));
     const gl::HeadlessContext context;
-    const auto shown = [&](const PackageReader& package) {
+    const auto shown = [&](const PackageReader& package, int layer = -1) {
         Renderer renderer(package, MemoryBudget{.graphics = std::uint64_t(200) << 20});
         RenderSettings settings;
-        settings.layer.layer = 0;
+        settings.layer.layer = layer;
         const View view = view_of_photo(package.photos()[0], 0.5);
         const Picture picture = take_picture(renderer, view, settings, all(package), 1);
         return std::pair(picture.rgba, gl::memory_held());
@@ -270,5 +271,76 @@ TEST_F(Layers, NothingOfThemIsThereWhenTheyAreOff) {
     EXPECT_TRUE(effect_on(on.scene(), Effect::scalar_layers));
     EXPECT_TRUE(misshapen(on).empty());
     ASSERT_EQ(read_layers(on).size(), 3u);
-    EXPECT_GT(shown(on).second, bare.second);
+    EXPECT_EQ(shown(on), bare) << "before it is shown";
+    EXPECT_GT(shown(on, 0).second, bare.second);
+}
+
+TEST_F(Layers, PhotosAreCountedAndTheirDensityMeasuredAsByRays) {
+    const PackageReader package = prepared();
+    const std::vector<float> count = measure_photos(package, PhotoMeasure::count),
+                             density = measure_photos(package, PhotoMeasure::density);
+    const auto positions = package.records<Eigen::Vector3f>(package::Type::positions);
+    ASSERT_EQ(count.size(), positions.size());
+    ASSERT_EQ(density.size(), positions.size());
+    const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
+    const RayScene rays(scene.mesh);
+    std::size_t seen = 0, same = 0, dense = 0;
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        const Eigen::Vector3d at = positions[v].cast<double>();
+        int photos = 0;
+        double most = 0;
+        for (const package::PhotoRecord& photo : package.photos()) {
+            const Pose pose = cam_from_origin(photo);
+            const auto p = project(intrinsics(photo), pose, at);
+            if (!p || p->pixel.x() < 0 || p->pixel.y() < 0 || p->pixel.x() > photo.width ||
+                p->pixel.y() > photo.height)
+                continue;
+            const Eigen::Vector3d ray = at - pose.center();
+            const auto hit = rays.first_hit(origin + pose.center(), ray);
+            if (hit && hit->distance < 0.999) continue;
+            ++photos;
+            most = std::max(most, photo.fx / (pose.R * at + pose.t).z());
+        }
+        EXPECT_EQ(count[v] > 0, density[v] > 0) << "NaN where no photo sees it";
+        EXPECT_LE(count[v], photos + 1) << "by rays; one more at an edge";
+        seen += photos > 0;
+        same += photos > 0 && count[v] == float(photos);
+        dense += photos > 0 && std::abs(density[v] - most) < 1e-3 * most;
+    }
+    // Next to an edge of the photo or of what hides the surface, no triangle is seen whole.
+    EXPECT_GT(seen, positions.size() / 2);
+    EXPECT_GT(double(same), 0.9 * double(seen));
+    EXPECT_GT(double(dense), 0.9 * double(seen));
+}
+
+TEST_F(Layers, WhatPhotosSeeIsALayerOfEveryPackageAndCostsNothingUntilShown) {
+    const PackageReader package = prepared();
+    ASSERT_TRUE(read_layers(package).empty());
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{.graphics = std::uint64_t(200) << 20});
+    ASSERT_EQ(renderer.layers().size(), 2u);
+    EXPECT_EQ(renderer.layers()[0].name, "photo-count");
+    EXPECT_TRUE(renderer.layers()[0].values.empty());
+    const View view = view_of_photo(package.photos()[0], 0.5);
+    RenderSettings settings;
+    const Picture photos = take_picture(renderer, view, settings, all(package), 1);
+    settings.layer.layer = layer_named(renderer.layers(), "photo-count");
+    const Picture counted = take_picture(renderer, view, settings, all(package), 1);
+    const ValueLayer& layer = renderer.layers()[0];
+    EXPECT_GE(layer.low, 0);
+    EXPECT_LE(layer.high, double(package.photos().size()));
+    EXPECT_EQ(layer.high, *std::ranges::max_element(layer.values));
+    EXPECT_NE(counted.rgba, photos.rgba);
+    settings.layer.layer = 1;
+    EXPECT_NE(take_picture(renderer, view, settings, all(package), 1).rgba, counted.rgba);
+    settings.layer.layer = 0;
+    EXPECT_EQ(take_picture(renderer, view, settings, all(package), 1).rgba, counted.rgba);
+    settings.layer.layer = -1;
+    EXPECT_EQ(take_picture(renderer, view, settings, all(package), 1).rgba, photos.rgba);
+    add("photo-count", height);
+    const PackageReader own = prepared();
+    const std::vector<ValueLayer> layers = all_layers(own);
+    ASSERT_EQ(layers.size(), 2u);
+    EXPECT_EQ(layers[0].name, "photo-count");
+    EXPECT_FALSE(layers[0].measure) << "the file's own layer comes first";
 }
