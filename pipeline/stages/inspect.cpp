@@ -198,7 +198,8 @@ std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effe
         decisions.push_back(decide(row.effect, choice_of(choices, row.effect),
                                    std::isfinite(m.value) ? m.value : 1e9, m.evidence));
         // Even if forced on, there may be nothing to show.
-        const bool nothing = (row.effect == Effect::scalar_layers && scene.mesh.scalars.empty()) ||
+        const bool nothing = (row.effect == Effect::vertex_colors && scene.mesh.colors.empty()) ||
+                             (row.effect == Effect::scalar_layers && scene.mesh.scalars.empty()) ||
                              (row.effect == Effect::points && scene.points.positions.empty());
         if (nothing) decisions.back().on = false;
     }

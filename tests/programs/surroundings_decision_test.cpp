@@ -5,20 +5,17 @@
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/formats/export/colmap.h"
-#include "pipeline/formats/export/ply.h"
-#include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/finish.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
-#include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/garden.h"
 #include "pipeline/synth/model_builder.h"
 #include "pipeline/synth/synthesize.h"
 #include "scene/package_reader.h"
 #include "tests/datasets.h"
+#include "tests/programs/scan_of_model.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -27,8 +24,6 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// What a photo shows at a pixel beside the model.
-using Background = std::function<std::array<std::uint8_t, 3>(int x, int y)>;
 
 Camera camera_at(const Vector3d& eye, const Vector3d& target) {
     Camera c;
@@ -41,27 +36,9 @@ class SurroundingsDecision : public TemporaryFolder {
   protected:
     /// The folder of a scan of this model.
     std::filesystem::path scan_of(const SynthModel& model, const std::vector<Camera>& cameras,
-                                  const Background& background = {}) const {
-        const std::filesystem::path folder = dir / "scene";
-        std::filesystem::create_directories(folder / "images");
-        const RayScene rays(model.mesh);
-        std::vector<NamedCamera> photos;
-        for (const Camera& camera : cameras) {
-            photos.push_back({"photo" + std::to_string(photos.size()) + ".png", camera});
-            std::vector<std::uint8_t> rgb = cast_photo(model, rays, camera, 1);
-            const std::vector<float> z = cast_depth(rays, camera);
-            const int width = camera.intrinsics.width;
-            for (std::size_t i = 0; i < z.size() && background; ++i)
-                if (!std::isfinite(z[i]))
-                    std::ranges::copy(background(int(i) % width, int(i) / width), &rgb[3 * i]);
-            image_files().write(folder / "images" / photos.back().photo, width, camera.intrinsics.height, 3,
-                                Sample::u8, std::as_bytes(std::span(rgb)));
-        }
-        write_colmap_text(folder / "sparse", photos);
-        std::vector<Eigen::Vector3f> positions;
-        for (const Vector3d& p : model.mesh.positions) positions.push_back(p.cast<float>());
-        write_ply(folder / "mesh.ply", Vector3d::Zero(), positions, model.mesh.normals, model.mesh.triangles);
-        return folder;
+                                  const BesideModel& beside = {}) const {
+        write_scan(dir / "scene", model, cameras, beside);
+        return dir / "scene";
     }
     EffectDecision decided(const std::filesystem::path& folder, const PrepareSettings& settings = {}) const {
         const PrepareResult result =

@@ -1,0 +1,44 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pipeline/formats/export/colmap.h"
+#include "pipeline/formats/export/ply.h"
+#include "pipeline/formats/images/image_files.h"
+#include "pipeline/synth/cast_photo.h"
+#include "pipeline/synth/synthesize.h"
+
+namespace vantage {
+
+/// What a photo shows at a pixel beside the model.
+using BesideModel = std::function<std::array<std::uint8_t, 3>(int x, int y)>;
+
+/// Writes a scan of this model, with one ray per pixel of its photos, into a folder.
+inline void write_scan(const std::filesystem::path& folder, const SynthModel& model,
+                       const std::vector<Camera>& cameras, const BesideModel& beside = {}) {
+    std::filesystem::create_directories(folder / "images");
+    const RayScene rays(model.mesh);
+    std::vector<NamedCamera> photos;
+    for (const Camera& camera : cameras) {
+        photos.push_back({"photo" + std::to_string(photos.size()) + ".png", camera});
+        std::vector<std::uint8_t> rgb = cast_photo(model, rays, camera, 1);
+        const std::vector<float> z = cast_depth(rays, camera);
+        const int width = camera.intrinsics.width;
+        for (std::size_t i = 0; i < z.size() && beside; ++i)
+            if (!std::isfinite(z[i])) std::ranges::copy(beside(int(i) % width, int(i) / width), &rgb[3 * i]);
+        image_files().write(folder / "images" / photos.back().photo, width, camera.intrinsics.height, 3,
+                            Sample::u8, std::as_bytes(std::span(rgb)));
+    }
+    write_colmap_text(folder / "sparse", photos);
+    std::vector<Eigen::Vector3f> positions;
+    for (const Eigen::Vector3d& p : model.mesh.positions) positions.push_back(p.cast<float>());
+    write_ply(folder / "mesh.ply", Eigen::Vector3d::Zero(), positions, model.mesh.normals,
+              model.mesh.triangles);
+}
+
+}  // namespace vantage
