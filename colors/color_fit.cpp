@@ -307,7 +307,7 @@ std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photo
     for (const package::PhotoRecord& p : photos) {
         const auto same = [&](const package::PhotoRecord* l) {
             const bool turned = l->width == p.height && l->height == p.width;
-            return ((l->width == p.width && l->height == p.height) || turned) &&
+            return l->band == p.band && ((l->width == p.width && l->height == p.height) || turned) &&
                    std::abs(l->fx / p.fx - 1) < 0.005;
         };
         const auto it = std::ranges::find_if(lenses, same);

@@ -43,7 +43,7 @@ struct ColorFit {
 };
 
 /// The lens of each photo, numbered from 0. Photos of the same size, in either orientation, and the same
-/// focal length to within 0.5 % share a lens.
+/// focal length to within 0.5 % share a lens, unless they are of different bands.
 std::vector<std::uint32_t> lenses_of(std::span<const package::PhotoRecord> photos);
 
 /// Least squares over all discs that several photos show, with the discs' colors eliminated. Iteratively

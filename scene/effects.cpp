@@ -39,6 +39,8 @@ constexpr std::array table{
               "layers of the mesh with more than one value", "", 0, Basis::scene, "", ""},
     EffectRow{Effect::points, "points", "points", "points of the clouds", "", 0, Basis::scene, "resolve",
               "POINTS"},
+    EffectRow{Effect::bands, "bands", "bands", "photo sets that are shown one at a time", "", 1, Basis::scene,
+              "show", "BANDS"},
 };
 static_assert(table.size() == std::size_t(Effect::count));
 static_assert(std::ranges::is_sorted(table, {}, &EffectRow::effect), "rows are in the order of Effect");

@@ -24,6 +24,7 @@ enum class Effect : int {
     surroundings,
     scalar_layers,
     points,
+    bands,
     count
 };
 
@@ -68,6 +69,15 @@ struct Judgment {
     std::string worst_photo;
 };
 
+/// What one band of photos decided about an effect, see EffectDecision.
+struct BandDecision {
+    std::string band;
+    bool on = false;
+    double measured = 0;
+    std::string evidence;
+    std::optional<Judgment> judgment{};
+};
+
 /// A decision with its evidence, as recorded in the package.
 struct EffectDecision {
     Effect effect;
@@ -76,6 +86,7 @@ struct EffectDecision {
     double measured = 0;                 ///< in the row's unit
     std::string evidence;                ///< one human-readable sentence
     std::optional<Judgment> judgment{};  ///< if photos were left out to decide
+    std::vector<BandDecision> bands{};   ///< if each band decided for itself; on if it is on for any
 };
 
 enum class EffectChoice { automatic, on, off };

@@ -36,6 +36,7 @@ enum class Type : std::uint32_t {
     surroundings = fourcc("SURR"),          ///< SurroundingsRecord and a backdrop; optional
     point_nodes = fourcc("PNOD"),           ///< PointNode[]: an octree over a point cloud; optional
     points = fourcc("PNTS"),                ///< blocks of PackedPoint[point_block]; optional
+    bands = fourcc("BAND"),                 ///< BandRecord[]: sets of photos; optional
     thumbnail = fourcc("THMB"),             ///< per photo: RGBA8
     coverage = fourcc("COVR"),              ///< per photo: CoverageRecord[clusters]
     visible = fourcc("VISB"),      ///< per photo: u64[], a bit per triangle seen in full, then in part
@@ -108,8 +109,8 @@ struct PhotoRecord {
     double visible_vertices;        ///< fraction of the vertices that this photo sees, [0,1]
     double gain[3];                 ///< factors on linear light that match the mean photo
     std::uint64_t source_bytes, source_checksum;  ///< length and XXH3-64 of the photo's file
-    float falloff[3];  ///< light lost at radius r, as -ln: f0 r^2 + f1 r^4 + f2 r^6; r: SampleRecord
-    std::uint32_t reserved;
+    float falloff[3];    ///< light lost at radius r, as -ln: f0 r^2 + f1 r^4 + f2 r^6; r: SampleRecord
+    std::uint32_t band;  ///< its number in BAND; 0 if there is none
 };
 
 /// The stages that produce a photo's artifacts.
@@ -161,6 +162,13 @@ struct PointNode {
     std::uint8_t child_octants;         ///< bit i: a child is the eighth i: x + 2 y + 4 z
     std::uint8_t reserved[3];
 };
+
+/// A set of photos that is shown by itself: visible light, infrared, before a restoration.
+struct BandRecord {
+    char name[56];          ///< UTF-8, zero-terminated
+    std::uint64_t effects;  ///< bit i: Effect i is on for these photos
+};
+inline constexpr std::size_t most_bands = 64;
 
 /// What one photo sees of one cluster.
 struct CoverageRecord {
@@ -226,6 +234,7 @@ static_assert(sizeof(Header) == 64 && sizeof(DirectoryEntry) == 64 && sizeof(Clu
 static_assert(sizeof(PointNode) == 40 && sizeof(PackedPoint) == 12 &&
               point_block * sizeof(PackedPoint) % alignment == 0);
 static_assert(sizeof(PhotoState) == 344 && std::is_trivially_copyable_v<PhotoState>);
+static_assert(sizeof(BandRecord) == 64);
 static_assert(sizeof(CoverageRecord) == 12 && sizeof(SampleRecord) == 8 && sizeof(SceneRecord) == 136 &&
               sizeof(PhotoRecord) % 8 == 0);
 static_assert(sizeof(RegistrationRecord) == 128 && sizeof(PoseWithoutRecord) == 104 &&

@@ -54,6 +54,11 @@ const char* flaw_of(const package::PhotoRecord& p) {
     return nullptr;
 }
 
+/// That a photo may belong to: 1 without BAND.
+std::uint64_t number_of_bands(const DirectoryEntry* chunk) {
+    return chunk ? chunk->head_length / sizeof(package::BandRecord) : 1;
+}
+
 std::vector<std::string_view> names_of(std::span<const package::PhotoRecord> photos) {
     std::vector<std::string_view> names;
     for (const package::PhotoRecord& p : photos) names.emplace_back(p.name);
@@ -294,9 +299,15 @@ std::span<const package::PhotoRecord> PackageReader::photos() const& {
     std::call_once(map_->photos_read, [this] {
         const auto given = records<package::PhotoRecord>(Type::photos);
         std::vector<package::PhotoRecord> photos(given.begin(), given.end());
-        for (std::size_t i = 0; i < photos.size(); ++i)
+        const std::uint64_t bands = number_of_bands(find(Type::bands));
+        for (std::size_t i = 0; i < photos.size(); ++i) {
             if (const char* flaw = flaw_of(photos[i]))
                 map_->damaged(Defect::invalid_record, "PHOT " + std::to_string(i) + ": " + flaw);
+            if (photos[i].band >= bands)
+                map_->damaged(Defect::invalid_record, "PHOT " + std::to_string(i) + ": band " +
+                                                          std::to_string(photos[i].band) +
+                                                          ", expected one below " + std::to_string(bands));
+        }
         map_->photos = std::move(photos);
     });
     return map_->photos;

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <set>
 
 #include "scene/error.h"
 #include "scene/surroundings.h"
 #include "scene/tiling.h"
+#include "values/photo_names.h"
 
 namespace vantage {
 namespace {
@@ -54,6 +57,25 @@ void layers_shape(const PackageReader& reader, const package::SceneRecord& scene
         out.emplace_back("VSCL does not have one value per vertex and layer");
 }
 
+void bands_shape(const PackageReader& reader, const package::SceneRecord& scene, Lines& out) {
+    const DirectoryEntry* e = reader.find(Type::bands);
+    if ((e != nullptr) != effect_on(scene, Effect::bands)) {
+        out.emplace_back(e ? "BAND: the effect is off" : "BAND is missing");
+        return;
+    }
+    const auto bands = reader.records<package::BandRecord>(Type::bands, package::scene_wide, false);
+    if (e && (bands.size() < 2 || bands.size() > package::most_bands))
+        out.push_back("BAND: has " + std::to_string(bands.size()) + " bands, expected 2 to " +
+                      std::to_string(package::most_bands));
+    std::set<std::string> names;
+    for (const package::BandRecord& b : bands) {
+        const std::string name(b.name, ::strnlen(b.name, sizeof b.name));
+        if (name.size() == sizeof b.name || !is_band_name(name) || !names.insert(name).second)
+            out.push_back("BAND: band " + std::to_string(&b - bands.data()) +
+                          " has no name of its own that a folder may have");
+    }
+}
+
 void blocks_shape(const PackageReader& reader, Type type, std::uint32_t i, std::uint32_t level,
                   const Level& size, Lines& out) {
     const DirectoryEntry* e = reader.find(type, i, level);
@@ -93,6 +115,7 @@ std::vector<std::string> misshapen(const PackageReader& reader) {
     model_shape(reader, scene, out);
     surroundings_shape(reader, out);
     layers_shape(reader, scene, out);
+    bands_shape(reader, scene, out);
     const auto photos = reader.photos();
     for (std::uint32_t i = 0; i < photos.size(); ++i)
         if (photos[i].levels > 0) photo_shape(reader, scene, photos[i], i, out);

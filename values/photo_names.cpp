@@ -1,5 +1,7 @@
 #include "values/photo_names.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <map>
 #include <set>
 
@@ -34,6 +36,11 @@ std::vector<std::string> file_stems(std::span<const std::string_view> names) {
         out.emplace_back(taken ? name : stem);
     }
     return out;
+}
+
+bool is_band_name(std::string_view name) {
+    if (name.empty() || name.size() > 55 || name == "." || name == "..") return false;
+    return std::ranges::none_of(name, [](char c) { return c == '/' || c == '=' || std::uint8_t(c) < 32; });
 }
 
 }  // namespace vantage

@@ -36,7 +36,9 @@ std::vector<PairRecord> pairs_without(std::span<const PairRecord> pairs,
 std::vector<std::uint32_t> odd_photos(const RegistrationInput& in, std::span<const PairRecord> pairs,
                                       std::span<const std::uint32_t> stay) {
     std::vector<std::uint32_t> odd;
-    while (odd.size() < in.photos.size() / 3) {
+    const std::uint32_t band = pairs.empty() ? 0 : in.photos[pairs.front().a].band;
+    const auto count = std::size_t(std::ranges::count(in.photos, band, &package::PhotoRecord::band));
+    while (odd.size() < count / 3) {
         std::vector<PairRecord> rest = pairs_without(pairs_without(pairs, odd), stay);
         double worst = 0;
         std::uint32_t photo = 0;

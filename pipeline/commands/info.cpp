@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bands/bands.h"
 #include "output/json_text.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/package/effect_costs.h"
@@ -24,6 +25,9 @@ nlohmann::json describe_package(const PackageReader& reader) {
     out["triangles"] = s.triangles;
     out["clusters"] = s.clusters;
     out["origin"] = s.origin;
+    const std::vector<Band> bands = read_bands(reader);
+    for (const Band& band : bands)
+        if (bands.size() > 1) out["bands"].push_back(band.name);
     for (const package::PhotoRecord& p : reader.photos())
         out["photos"].push_back({{"name", p.name},
                                  {"width", p.width},
@@ -37,6 +41,8 @@ nlohmann::json describe_package(const PackageReader& reader) {
                                  {"falloff", p.falloff},
                                  {"hull_area", p.hull_area},
                                  {"depth", {p.z_min, p.z_max}}});
+    for (std::size_t i = 0; bands.size() > 1 && i < reader.photos().size(); ++i)
+        out["photos"][i]["band"] = bands[reader.photos()[i].band].name;
     for (const package::PairRecord& p : pairs_of(reader))
         out["pairs"].push_back({{"photos", {reader.photos()[p.a].name, reader.photos()[p.b].name}},
                                 {"corners", p.corners},
@@ -61,8 +67,9 @@ void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
     for (const std::string& line : table_of(costs)) fmt::print("  {}\n", line);
     fmt::print("\nphotos\n");
     for (const auto& p : j["photos"])
-        fmt::print("  {:<24} {}x{}  sees {:.1f} % of the vertices{}\n", p["name"].get<std::string>(),
-                   p["width"].get<int>(), p["height"].get<int>(), 100 * p["visible_vertices"].get<double>(),
+        fmt::print("  {:<24} {}{}x{}  sees {:.1f} % of the vertices{}\n", p["name"].get<std::string>(),
+                   p.contains("band") ? p["band"].get<std::string>() + ", " : "", p["width"].get<int>(),
+                   p["height"].get<int>(), 100 * p["visible_vertices"].get<double>(),
                    p["held_out"].get<bool>()     ? ", held out"
                    : p["registered"].get<bool>() ? ", camera registered"
                                                  : "");

@@ -68,6 +68,7 @@ void force_effect(const std::string& text, std::map<Effect, EffectChoice>& choic
 
 InputFiles input_files(const PrepareOptions& o) {
     InputFiles files{.mesh = o.mesh, .cameras = o.cameras, .photos = o.photos};
+    files.bands = o.settings.bands;
     files.points.assign(o.settings.points.begin(), o.settings.points.end());
     files.compared.assign(o.settings.deviation_from.begin(), o.settings.deviation_from.end());
     if (!o.input.empty()) files = discover(o.input, files);
@@ -131,10 +132,15 @@ std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const
 }
 
 void print_scene(const SceneInput& scene) {
-    fmt::print("mesh     {} ({} vertices, {} triangles)\ncameras  {} ({})\nphotos   {} ({})\n",
-               scene.files.mesh.string(), scene.mesh.positions.size(), scene.mesh.triangles.size(),
-               scene.files.cameras.string(), scene.camera_format, scene.files.photos.string(),
-               scene.photos.size());
+    fmt::print(
+        "mesh     {} ({} vertices, {} triangles)\ncameras  {}{} ({})\nphotos   {} ({})\n",
+        scene.files.mesh.string(), scene.mesh.positions.size(), scene.mesh.triangles.size(),
+        scene.files.cameras.string(),
+        scene.files.more_cameras.empty() ? "" : fmt::format(" and {} more", scene.files.more_cameras.size()),
+        scene.camera_format, scene.files.photos.string(), scene.photos.size());
+    for (std::uint32_t b = 0; scene.bands.size() > 1 && b < scene.bands.size(); ++b)
+        fmt::print("band     {} ({})\n", scene.bands[b],
+                   std::ranges::count(scene.photos, b, &PhotoInput::band));
     if (!scene.points.positions.empty())
         fmt::print("points   {}{} ({})\n", scene.files.points.front().string(),
                    scene.files.points.size() > 1 ? " and others" : "", scene.points.positions.size());
@@ -239,6 +245,7 @@ void add_prepare(CLI::App& app, Run& run) {
         "  vantage prepare chapel -o c.vantage --effect per-fragment=on --hold-out 0003,0007\n"
         "  vantage prepare chapel -o c.vantage --deviation-from chapel-2019.ply\n"
         "  vantage prepare chapel -o c.vantage --points scanner.ply\n"
+        "  vantage prepare panel -o panel.vantage --bands folders\n"
         "  vantage prepare chapel -o chapel-3.share --shard 3/8\n"
         "Run again, it continues where it was interrupted and repeats only what a change affects.");
     c->add_option("INPUT", o->input, "folder with mesh, cameras and photos");
@@ -252,6 +259,11 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--points", o->settings.points,
                   "point cloud to show with the mesh, in the same coordinates: PLY, OBJ, STL, OFF; may be "
                   "repeated");
+    c->add_option("--bands", o->settings.bands,
+                  "photo sets that are shown one at a time: auto (by folders named visible, infrared, uvf, "
+                  "raking, before, ...), folders (each is a band), off, or a TOML file with the patterns of "
+                  "each band, such as infrared = [\"ir/*\", \"*_nir.tif\"]")
+        ->capture_default_str();
     c->add_option("-o,--output", o->out, "the package to write")->required();
     c->add_option(
         "--config", o->config,

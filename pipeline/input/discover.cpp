@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 
 #include "pipeline/formats/import/cameras.h"
 #include "pipeline/formats/import/ply.h"
+#include "pipeline/input/band_groups.h"
 #include "pipeline/input/photo_matches.h"
 #include "scene/error.h"
 #include "values/lower_extension.h"
@@ -88,6 +90,44 @@ fs::path find_cameras(const fs::path& folder, const Files& files, std::vector<st
     return found[most];
 }
 
+/// One camera file per band, each in the folder of its band, and the folder that holds them all; nothing if
+/// the files are others.
+struct CamerasOfBands {
+    Files cameras;
+    fs::path photos;
+};
+std::optional<CamerasOfBands> cameras_of_bands(const fs::path& root, const Files& files,
+                                               const std::string& how) {
+    CamerasOfBands out{camera_candidates(files), {}};
+    std::set<fs::path> folders;
+    for (const fs::path& cameras : out.cameras) {
+        const fs::path folder = band_folder(root, cameras, how);
+        const bool file_itself = folder == cameras && !fs::is_directory(cameras);
+        if (folder.empty() || file_itself || !folders.insert(folder).second || photos_below(folder).empty())
+            return {};
+        out.photos = folder.parent_path();
+    }
+    const bool together = std::ranges::all_of(
+        folders, [&](const fs::path& folder) { return folder.parent_path() == out.photos; });
+    if (folders.size() < 2 || !together) return {};
+    return out;
+}
+
+/// Cameras, and with one file of cameras per band the photos' folder, unless they are given.
+void find_all_cameras(const fs::path& folder, const Files& files, InputFiles& found) {
+    if (!found.cameras.empty()) return;
+    const auto of_bands = found.photos.empty() && found.bands != bands_off
+                              ? cameras_of_bands(folder, files, found.bands)
+                              : std::nullopt;
+    if (!of_bands) {
+        found.cameras = find_cameras(folder, files, found.notes);
+        return;
+    }
+    found.cameras = of_bands->cameras.front();
+    found.more_cameras.assign(of_bands->cameras.begin() + 1, of_bands->cameras.end());
+    found.photos = of_bands->photos;
+}
+
 /// Steps from one folder to another.
 std::ptrdiff_t distance(const fs::path& from, const fs::path& to) {
     const fs::path steps = to.lexically_relative(from);
@@ -165,7 +205,7 @@ InputFiles discover(const fs::path& folder, const InputFiles& given) {
     const Files files = files_below(folder, 2);
     InputFiles found = given;
     if (found.mesh.empty()) found.mesh = find_mesh(files, found);
-    if (found.cameras.empty()) found.cameras = find_cameras(folder, files, found.notes);
+    find_all_cameras(folder, files, found);
     if (found.mesh.empty())
         throw Error(Exit::input, folder.string() + ": no mesh found (PLY, OBJ, STL, OFF)" +
                                      (found.compared.empty() && found.points.empty()

@@ -1,6 +1,7 @@
 #include "pipeline/input/input_paths.h"
 
 #include "pipeline/formats/import/cameras.h"
+#include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/photo_matches.h"
 
@@ -10,6 +11,9 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> input_paths(const InputFiles& files) {
     std::vector<fs::path> out = camera_files(files.cameras);
+    for (const fs::path& more : files.more_cameras)
+        for (fs::path& file : camera_files(more)) out.push_back(std::move(file));
+    if (is_bands_file(files.bands)) out.emplace_back(files.bands);
     out.push_back(files.mesh);
     out.insert(out.end(), files.compared.begin(), files.compared.end());
     out.insert(out.end(), files.points.begin(), files.points.end());

@@ -12,6 +12,7 @@
 #include "pipeline/formats/images/photos.h"
 #include "pipeline/formats/import/cameras.h"
 #include "pipeline/formats/import/mesh.h"
+#include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"
@@ -82,19 +83,68 @@ PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file,
     return photo;
 }
 
-/// The photo of each camera; empty for cameras without one. Throws Error(input) if a photo has two.
-std::vector<fs::path> photo_files(const CameraSet& set, const fs::path& folder,
-                                  const std::vector<fs::path>& photos) {
+/// All cameras, and the photo of each; empty for cameras without one.
+struct FoundPhotos {
+    CameraSet set;
+    std::vector<fs::path> files;
+};
+
+/// Throws Error(input) if a photo has two cameras.
+void add_found(CameraSet&& set, const fs::path& folder, const std::vector<fs::path>& photos,
+               FoundPhotos& found) {
     std::vector<std::string> names;
     for (const CameraSet::Entry& entry : set.entries) names.push_back(entry.photo);
-    std::vector<fs::path> files;
-    std::set<fs::path> used;
+    std::set<fs::path> used(found.files.begin(), found.files.end());
     for (const PhotoMatch& match : match_photos(folder, photos, names)) {
-        files.push_back(match.file);
+        found.files.push_back(match.file);
         if (!match.file.empty() && !used.insert(match.file).second)
             throw Error(Exit::input, match.file.string() + ": has more than one camera");
     }
-    return files;
+    found.set.entries.insert(found.set.entries.end(), std::make_move_iterator(set.entries.begin()),
+                             std::make_move_iterator(set.entries.end()));
+}
+
+/// The folder below the photos' own whose photos a camera file describes, if there is one file per folder.
+fs::path folder_of(const fs::path& cameras, const fs::path& photos) {
+    return photos / *cameras.lexically_relative(photos).begin();
+}
+
+/// A camera file and what it holds.
+struct CameraFile {
+    fs::path file;
+    CameraSet set;
+};
+std::vector<CameraFile> read_camera_files(const InputFiles& files) {
+    std::vector<CameraFile> out{{files.cameras, read_cameras(files.cameras)}};
+    for (const fs::path& more : files.more_cameras) out.push_back({more, read_cameras(more)});
+    return out;
+}
+
+FoundPhotos find_photos(std::vector<CameraFile> cameras, const fs::path& photos,
+                        const std::vector<fs::path>& all) {
+    FoundPhotos found;
+    found.set.format = cameras.front().set.format;
+    if (cameras.size() == 1) {
+        add_found(std::move(cameras.front().set), photos, all, found);
+        return found;
+    }
+    for (CameraFile& c : cameras) {
+        const fs::path folder = folder_of(c.file, photos);
+        const std::size_t before = found.set.entries.size();
+        add_found(std::move(c.set), folder, photos_below(folder), found);
+        for (std::size_t i = before; i < found.set.entries.size(); ++i)
+            found.set.entries[i].photo = (folder.filename() / found.set.entries[i].photo).generic_string();
+    }
+    return found;
+}
+
+void set_bands(SceneInput& scene) {
+    std::vector<fs::path> paths;
+    for (const PhotoInput& p : scene.photos) paths.push_back(p.file.lexically_relative(scene.files.photos));
+    BandGroups groups = group_bands(paths, scene.files.bands);
+    if (!groups.note.empty()) scene.files.notes.push_back(groups.note);
+    for (std::size_t i = 0; i < scene.photos.size(); ++i) scene.photos[i].band = groups.of_photo[i];
+    if (!groups.names.empty()) scene.bands = std::move(groups.names);
 }
 
 void warn_of_linear_light(SceneInput& scene) {
@@ -107,9 +157,10 @@ void warn_of_linear_light(SceneInput& scene) {
     scene.warnings.push_back(which + " linear light: converted to sRGB, what is brighter than 1 is clipped");
 }
 
-void add_photos(SceneInput& scene, const CameraSet& set) {
+void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
     const fs::path& folder = scene.files.photos;
-    const std::vector<fs::path> photos = photos_below(folder), files = photo_files(set, folder, photos);
+    const std::vector<fs::path> photos = photos_below(folder);
+    const auto [set, files] = find_photos(std::move(cameras), folder, photos);
     std::set<fs::path> used(files.begin(), files.end());
     used.erase(fs::path());
     const std::map<fs::path, std::string> names = package_names(folder, used);
@@ -200,16 +251,21 @@ SceneInput read_scene(const InputFiles& files) {
     scene.files = files;
     scene.read.push_back(stamped(files.mesh));
     for (const fs::path& file : camera_files(files.cameras)) scene.read.push_back(stamped(file));
-    const CameraSet set = read_cameras(files.cameras);
-    scene.camera_format = set.format;
-    scene.warnings = set.warnings;
+    for (const fs::path& more : files.more_cameras)
+        for (const fs::path& file : camera_files(more)) scene.read.push_back(stamped(file));
+    if (is_bands_file(files.bands)) scene.read.push_back(stamped(files.bands));
+    std::vector<CameraFile> cameras = read_camera_files(files);
+    scene.camera_format = cameras.front().set.format;
+    for (const CameraFile& c : cameras)
+        scene.warnings.insert(scene.warnings.end(), c.set.warnings.begin(), c.set.warnings.end());
     scene.mesh = read_mesh(files.mesh, scene.warnings);
     read_compared(scene);
     read_clouds(scene);
     if (!fs::exists(files.photos)) throw Error(Exit::input, files.photos.string() + ": does not exist");
     if (!fs::is_directory(files.photos)) throw Error(Exit::input, files.photos.string() + ": not a folder");
-    add_photos(scene, set);
+    add_photos(scene, std::move(cameras));
     if (scene.photos.empty()) fail_without_photos(scene);
+    set_bands(scene);
     return scene;
 }
 

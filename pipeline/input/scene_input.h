@@ -19,6 +19,7 @@ struct PhotoInput {
     std::filesystem::path stencil{};  ///< image, black where the photo must not be shown; empty: none
     bool linear = false;              ///< its file holds linear light
     std::vector<StampedFile> read{};  ///< photo and stencil, stamped before the photo's header was read
+    std::uint32_t band = 0;           ///< index in SceneInput::bands
 };
 
 /// Where the parts of an input are.
@@ -30,6 +31,9 @@ struct InputFiles {
         compared{};  ///< meshes or clouds from which the mesh's deviation is measured
     std::vector<std::filesystem::path> points{};  ///< point clouds to show with the mesh
     std::vector<std::string> notes{};             ///< what else was found and not taken
+    std::vector<std::filesystem::path>
+        more_cameras{};          ///< as `cameras`, each of the photos in its own folder below `photos`
+    std::string bands = "auto";  ///< see group_bands
 };
 
 /// The reason to leave out a photo that no camera belongs to.
@@ -52,6 +56,7 @@ struct SceneInput {
     std::vector<UnusablePhoto> left_out;  ///< sorted by name; found unusable before decoding
     std::vector<std::string> warnings;
     std::vector<StampedFile> read{};  ///< meshes, cameras and photos left out, stamped before they were read
+    std::vector<std::string> bands{""};  ///< names, the default band first; a single one may have none
 };
 
 }  // namespace vantage

@@ -36,6 +36,7 @@ std::vector<ChunkPlan> plan_scene(const package::SceneRecord& s, const LayoutSiz
     }
     if (sizes.colors) plan.push_back(whole(Type::colors, s.vertices * 4));
     if (s.scalar_layers) plan.push_back(whole(Type::scalars, s.vertices * 4 * s.scalar_layers));
+    if (sizes.bands) plan.push_back(whole(Type::bands, sizes.bands * sizeof(package::BandRecord)));
     if (sizes.point_nodes)
         plan.push_back(whole(Type::point_nodes, sizes.point_nodes * sizeof(package::PointNode)));
     return plan;

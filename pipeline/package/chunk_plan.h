@@ -13,6 +13,7 @@ struct LayoutSizes {
     std::uint64_t meta_bytes;
     bool colors;  ///< the mesh has vertex colors
     std::uint64_t point_nodes = 0, point_blocks = 0;
+    std::uint64_t bands = 0;  ///< 0 if the effect is off
 };
 /// Every chunk in file order, coarse before fine; for a share, the per-photo chunks of its photos only. Space
 /// is also reserved for photos that were left out.

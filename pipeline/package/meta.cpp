@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "pipeline/formats/import/cameras.h"
+#include "pipeline/input/band_groups.h"
 #include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"
 #include "scene/error.h"
@@ -46,6 +47,11 @@ json effect_json(const EffectDecision& d) {
              {"measured", d.measured}, {"threshold", row.threshold},
              {"unit", row.unit},       {"evidence", d.evidence}};
     if (d.judgment) out["judged"] = *d.judgment;
+    for (const BandDecision& b : d.bands) {
+        json band{{"name", b.band}, {"on", b.on}, {"measured", b.measured}, {"evidence", b.evidence}};
+        if (b.judgment) band["judged"] = *b.judgment;
+        out["bands"].push_back(std::move(band));
+    }
     return out;
 }
 
@@ -68,6 +74,14 @@ json inputs_json(const SceneInput& scene, IdentityCache& identities) {
     inputs["camera_format"] = scene.camera_format;
     for (const fs::path& file : camera_files(scene.files.cameras))
         inputs["cameras"].push_back(input_json(file, identities));
+    // By their paths: their names may be the same.
+    for (const fs::path& more : scene.files.more_cameras)
+        for (const fs::path& file : camera_files(more)) {
+            json entry = input_json(file, identities);
+            entry["name"] = utf8_name(file.lexically_relative(scene.files.photos).generic_string());
+            inputs["more_cameras"].push_back(std::move(entry));
+        }
+    if (is_bands_file(scene.files.bands)) inputs["bands"] = input_json(scene.files.bands, identities);
     for (const PhotoInput& photo : scene.photos)
         inputs["photos"].push_back(
             utf8_name(photo.file.lexically_relative(scene.files.photos).generic_string()));
@@ -90,35 +104,42 @@ std::string fitted(json meta, std::size_t bytes) {
     std::string out = meta.dump(1);
     if (out.size() > bytes) {
         meta.erase("findings");
-        for (json& row : meta.at("effects")) row["evidence"] = "too long to be recorded";
+        for (json& row : meta.at("effects")) {
+            row["evidence"] = "too long to be recorded";
+            row.erase("bands");
+        }
         out = meta.dump(1);
     }
     out.resize(bytes, ' ');
     return out;
 }
 
+std::string file_name(const fs::path& file) { return utf8_name(file.filename().string()); }
+
 json names_of(const std::vector<std::string>& files) {
     json out = json::array();
-    for (const fs::path file : files) out.push_back(utf8_name(file.filename().string()));
+    for (const std::string& file : files) out.push_back(file_name(file));
     return out;
 }
 
 }  // namespace
 
 json settings_json(const PrepareSettings& s) {
-    return {{"distance", name(s.distance)},
-            {"render_by", name(s.render_by)},
-            {"border_width", s.border_width},
-            {"border_threshold", s.border_threshold},
-            {"thumbnail", s.thumbnail},
-            {"resampling", name(s.resampling)},
-            {"cluster_triangles", s.cluster_triangles},
-            {"photo_size", s.photo_size},
-            {"hold_out", s.hold_out},
-            {"judge", s.judge},
-            {"deviation_from", names_of(s.deviation_from)},
-            {"points", names_of(s.points)},
-            {"effects", choices_json(s.effects)}};
+    json out{{"distance", name(s.distance)},
+             {"render_by", name(s.render_by)},
+             {"border_width", s.border_width},
+             {"border_threshold", s.border_threshold},
+             {"thumbnail", s.thumbnail},
+             {"resampling", name(s.resampling)},
+             {"cluster_triangles", s.cluster_triangles},
+             {"photo_size", s.photo_size},
+             {"hold_out", s.hold_out},
+             {"judge", s.judge},
+             {"deviation_from", names_of(s.deviation_from)},
+             {"points", names_of(s.points)},
+             {"effects", choices_json(s.effects)}};
+    if (s.bands != bands_auto) out["bands"] = is_bands_file(s.bands) ? file_name(s.bands) : s.bands;
+    return out;
 }
 
 std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
@@ -137,7 +158,7 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
     for (const StampedFile& file : scene.read) expect_unchanged(file);
     meta["warnings"] = json::array();
     for (const std::string& w : scene.warnings) meta["warnings"].push_back(utf8_name(w));
-    return meta.dump(1) + std::string(padding, ' ');
+    return meta.dump(1) + std::string(padding * scene.bands.size(), ' ');
 }
 
 std::string with_results(const std::string& meta, std::span<const EffectDecision> decisions,
@@ -178,6 +199,10 @@ EffectDecision decision_in(const std::string& meta, Effect effect) {
             d.measured = row.at("measured");
             d.evidence = row.at("evidence");
             if (row.contains("judged")) d.judgment = row.at("judged").get<Judgment>();
+            for (const json& b : row.value("bands", json::array())) {
+                d.bands.push_back({b.at("name"), b.at("on"), b.at("measured"), b.at("evidence")});
+                if (b.contains("judged")) d.bands.back().judgment = b.at("judged").get<Judgment>();
+            }
         }
     return d;
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "pipeline/formats/import/cameras.h"
+#include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"
@@ -55,6 +56,25 @@ void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& i
     // Files of a format that is preferred, or that the format reads if they are there.
     for (const fs::path& file : now)
         if (!known.contains(utf8_name(file.filename().string()))) add_new(file, out);
+}
+
+/// Camera files of bands, by their paths in the photos' folder, and the file that names the bands.
+void compare_bands(const json& meta, const InputFiles& files, IdentityCache& identities, Changes& out) {
+    const json& inputs = meta.at("inputs");
+    std::set<fs::path> known;
+    for (const json& was : inputs.value("more_cameras", json::array())) {
+        const fs::path file = file_named(files.photos, was.at("name").get<std::string>());
+        compare(file, was, identities, out);
+        known.insert(file);
+    }
+    for (const fs::path& more : files.more_cameras)
+        for (const fs::path& file : camera_files(more))
+            if (!known.contains(file)) add_new(file, out);
+    if (!is_bands_file(files.bands)) return;
+    if (inputs.contains("bands"))
+        compare(files.bands, inputs.at("bands"), identities, out);
+    else
+        add_new(files.bands, out);
 }
 
 /// The files of a list of META's inputs. Of several files of the same name, one has to be as it was.
@@ -143,6 +163,7 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
         compare_listed(meta, "compared", files.compared, identities, out);
         compare_listed(meta, "points", files.points, identities, out);
         compare_cameras(meta, files.cameras, identities, out);
+        compare_bands(meta, files, identities, out);
         compare_photos(package, meta, files.photos, identities, out);
         compare_stencils(package, meta, files.photos, identities, out);
         compare_left_out(meta, files.photos, identities, out);
@@ -166,6 +187,13 @@ std::vector<std::string> names_listed(const PackageReader& package, const char* 
     return out;
 }
 
+std::string bands_wanted(const PackageReader& package) {
+    const json meta = parse_meta(package);
+    const json config = meta.value("config", json::object());
+    const json wanted = config.value("bands", json(bands_auto));
+    return wanted.is_string() ? wanted.get<std::string>() : bands_auto;
+}
+
 std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings) {
     const json meta = parse_meta(package), now = settings_json(settings);
     std::vector<std::string> out;
@@ -175,6 +203,9 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
     for (const auto& [key, value] : now.items())
         if (const json before = was.value(key, json{}); before != value)
             out.push_back("setting " + key + ": was " + before.dump() + ", is now " + value.dump());
+    // Stored only if it is not the default.
+    if (was.contains("bands") && !now.contains("bands"))
+        out.push_back("setting bands: was " + was.at("bands").dump() + ", is now \"auto\"");
     return out;
 }
 

@@ -24,6 +24,10 @@ std::vector<InputChange> changed_inputs(const PackageReader& package, const Inpu
 /// one with the mesh's name. Throws Error(damaged) if META cannot be read.
 std::vector<std::string> names_listed(const PackageReader& package, const char* list);
 
+/// How the package's photos were to be grouped into bands: auto, folders, off, or the name of a file. Throws
+/// Error(damaged) if META cannot be read.
+std::string bands_wanted(const PackageReader& package);
+
 /// The settings that differ from those of the package, and the program's version if it does, one line each.
 std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings);
 

@@ -4,9 +4,11 @@
 #include <future>
 #include <utility>
 
+#include "agreement/band_photos.h"
 #include "pipeline/agree/folds.h"
 #include "pipeline/package/meta.h"
 #include "pipeline/prepare/consensus_masks.h"
+#include "pipeline/prepare/joined_bands.h"
 #include "pipeline/prepare/moved_photo.h"
 #include "pipeline/prepare/registration_reuse.h"
 #include "pipeline/run/for_each_photo.h"
@@ -25,24 +27,30 @@ Registration find_registration(const FinishInput& in, const PackageReader& part,
     const Traced traced(in.geometry.trace, "register");
     const auto spans = samples.spans();
     const std::vector<SurfaceDisc> discs = thinned(in.geometry.discs, samples.step);
-    const RegistrationInput input{.package = part,
-                                  .photos = photos.records,
-                                  .samples = spans,
-                                  .discs = discs,
-                                  .fingerprints = fingerprints,
-                                  .known = in.known_pairs,
-                                  .border_width = in.geometry.border_width,
-                                  .threads = in.threads,
-                                  .judge = in.judge,
-                                  .progress = in.progress};
-    return register_photos(input, choice);
+    std::vector<Registration> bands;
+    for (std::uint32_t b = 0; b < in.bands.size(); ++b) {
+        const auto records = records_of_band(photos.records, b);
+        const auto shown = samples_of_band(spans, photos.records, b);
+        const RegistrationInput input{.package = part,
+                                      .photos = records,
+                                      .samples = shown,
+                                      .discs = discs,
+                                      .fingerprints = fingerprints,
+                                      .known = in.known_pairs,
+                                      .border_width = in.geometry.border_width,
+                                      .threads = in.threads,
+                                      .judge = in.judge,
+                                      .progress = in.progress};
+        bands.push_back(register_photos(input, choice));
+    }
+    return joined(std::move(bands), photos.records, in.bands);
 }
 
 /// Determines the photos' cameras and rewrites the chunks that depend on those that move.
 Registration register_cameras(const FinishInput& in, const PackageReader& part, const PhotoSamples& samples,
                               PhotoTables& photos) {
     const auto fingerprints =
-        registration_fingerprints(photos.states, in.given, in.geometry.renderer.by_opengl());
+        registration_fingerprints(photos.states, photos.records, in.given, in.geometry.renderer.by_opengl());
     const EffectChoice choice = choice_of(in.choices, Effect::registration);
     const Registration found =
         in.known ? *in.known : find_registration(in, part, photos, samples, fingerprints, choice);
@@ -68,18 +76,25 @@ void write_results(const FinishInput& in, const Agreement& agreement, PhotoTable
     for (std::size_t i = 0; i < photos.records.size(); ++i) seal(photos.states[i], photos.records[i]);
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(meta)));
     writer.write(Type::scene, package::scene_wide, bytes_of_one(scene));
+    write_bands(writer, in.bands, effects_of_bands(agreement, in.bands.size()));
     writer.write(Type::photos, package::scene_wide, bytes_of(photos.records));
     writer.write(Type::states, package::scene_wide, bytes_of(photos.states));
     writer.finish();
 }
 
-EffectDecision add_surroundings(const FinishInput& in, const PackageReader& part, const PhotoSamples& samples,
-                                const ColorRefinement& colors, const PhotoTables& photos) {
+/// Of one band.
+struct BandColors {
+    std::uint32_t band;
+    std::vector<std::span<const package::SampleRecord>> samples;
+    ColorFit fit;
+};
+
+EffectDecision add_surroundings(const FinishInput& in, const PackageReader& part, Samples samples,
+                                const ColorRefinement& colors, std::span<const package::PhotoRecord> photos) {
     const Traced traced(in.geometry.trace, "surroundings");
-    const auto spans = samples.spans();
     const Surroundings found = find_surroundings({.package = part,
-                                                  .photos = photos.records,
-                                                  .samples = spans,
+                                                  .photos = photos,
+                                                  .samples = samples,
                                                   .discs = in.geometry.discs,
                                                   .lens = colors.lens,
                                                   .colors = colors.fit,
@@ -90,6 +105,67 @@ EffectDecision add_surroundings(const FinishInput& in, const PackageReader& part
     return found.decision;
 }
 
+/// The colors of each band's photos.
+std::vector<BandColors> fit_bands(const FinishInput& in, const PhotoSamples& samples,
+                                  std::span<const package::PhotoRecord> photos,
+                                  std::span<const std::uint32_t> lens) {
+    const Traced traced(in.geometry.trace, "colors");
+    const bool falloff = choice_of(in.choices, Effect::falloff) != EffectChoice::off;
+    const auto spans = samples.spans();
+    std::vector<BandColors> out;
+    for (std::uint32_t b = 0; b < in.bands.size(); ++b) {
+        out.push_back({b, samples_of_band(spans, photos, b), {}});
+        out.back().fit = fit_colors(out.back().samples, lens, falloff);
+    }
+    return out;
+}
+
+/// What the photos of one band decide once their cameras are known. Photos of other bands have no pixels in
+/// `photos`.
+struct BandAgreement {
+    ColorRefinement colors;
+    Consensus consensus;
+    EffectDecision surroundings;  ///< of the first band
+};
+BandAgreement agree(const FinishInput& in, const PackageReader& part, BandColors of,
+                    std::span<const SurfaceDisc> discs, std::vector<std::uint32_t> lens,
+                    PhotoTables& photos) {
+    BandAgreement out;
+    const Folds folds({part, photos.records, of.samples, discs, in.geometry.border_width, in.threads});
+    {
+        const Traced traced(in.geometry.trace, "colors");
+        out.colors = refine_colors(std::move(of.fit), std::move(lens), of.samples, in.choices,
+                                   in.judge ? &folds : nullptr);
+        apply_colors(out.colors, photos.records);
+    }
+    out.consensus = find_consensus(in, part, folds, out.colors, photos);
+    if (of.band == 0) out.surroundings = add_surroundings(in, part, of.samples, out.colors, photos.records);
+    return out;
+}
+
+/// What each band's photos decide, one band after the other.
+void agree_by_band(const FinishInput& in, const PackageReader& part, std::vector<BandColors> colors,
+                   std::span<const SurfaceDisc> discs, std::span<const std::uint32_t> lens,
+                   PhotoTables& photos, Agreement& out) {
+    std::vector<ColorRefinement> refined;
+    std::vector<Consensus> consensus;
+    for (BandColors& of : colors) {
+        const std::uint32_t band = of.band;
+        PhotoTables own{records_of_band(photos.records, band), photos.states};
+        BandAgreement found = agree(in, part, std::move(of), discs, {lens.begin(), lens.end()}, own);
+        for (std::size_t i = 0; i < photos.records.size(); ++i)
+            if (photos.records[i].band == band) {
+                photos.records[i] = own.records[i];
+                photos.states[i] = own.states[i];
+            }
+        if (band == 0) out.surroundings = std::move(found.surroundings);
+        refined.push_back(std::move(found.colors));
+        consensus.push_back(std::move(found.consensus));
+    }
+    out.colors = joined(std::move(refined), photos.records, in.bands);
+    out.consensus = joined(std::move(consensus), photos.records, in.bands);
+}
+
 }  // namespace
 
 Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
@@ -97,29 +173,20 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     const PackageReader part(part_of(in.out), PackageReader::Expect::part);
     PhotoSamples samples = read_samples(photos.records, read);
     const std::vector<std::uint32_t> lens = lenses_of(photos.records);
-    const auto fit = [&] {
-        const Traced traced(in.geometry.trace, "colors");
-        return fit_colors(samples.spans(), lens, choice_of(in.choices, Effect::falloff) != EffectChoice::off);
-    };
+    // Not the records themselves, whose poses change in the meantime.
+    const std::vector<package::PhotoRecord> given = photos.records;
     Agreement out;
     // In the meantime, because cameras seldom move.
-    std::future<ColorFit> fitting = std::async(std::launch::async, fit);
+    std::future<std::vector<BandColors>> fitting =
+        std::async(std::launch::async, [&] { return fit_bands(in, samples, given, lens); });
     out.registration = register_cameras(in, part, samples, photos);
-    ColorFit colors = fitting.get();
+    std::vector<BandColors> colors = fitting.get();
     if (out.registration.decision.on && !in.known) {
         samples = read_samples(photos.records, read);
-        colors = fit();
+        colors = fit_bands(in, samples, given, lens);
     }
-    const auto spans = samples.spans();
     const std::vector<SurfaceDisc> discs = thinned(in.geometry.discs, samples.step);
-    const Folds folds({part, photos.records, spans, discs, in.geometry.border_width, in.threads});
-    {
-        const Traced traced(in.geometry.trace, "colors");
-        out.colors = refine_colors(std::move(colors), lens, spans, in.choices, in.judge ? &folds : nullptr);
-        apply_colors(out.colors, photos.records);
-    }
-    out.consensus = find_consensus(in, part, folds, out.colors, photos);
-    out.surroundings = add_surroundings(in, part, samples, out.colors, photos);
+    agree_by_band(in, part, std::move(colors), discs, lens, photos, out);
     write_results(in, out, photos);
     return out;
 }

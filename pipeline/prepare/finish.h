@@ -21,8 +21,9 @@ struct FinishInput {
     std::map<Effect, EffectChoice> choices;
     bool judge = true;  ///< see PrepareSettings
     package::SceneRecord scene;
-    std::vector<Pose> given;            ///< relative to the origin; moved photos' records differ if `known`
-    std::optional<Registration> known;  ///< found by an earlier package from the same inputs
+    std::vector<std::string> bands{""};  ///< names, see Band
+    std::vector<Pose> given;             ///< relative to the origin; moved photos' records differ if `known`
+    std::optional<Registration> known;   ///< found by an earlier package from the same inputs
     std::vector<package::PairRecord> known_pairs;  ///< measured by earlier packages
     unsigned threads = 0;                          ///< 0: all cores
     OnProgress progress;                           ///< may be empty

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "bands/bands.h"
 #include "pipeline/package/chunk_plan.h"
 #include "pipeline/package/earlier_package.h"
 #include "pipeline/package/meta.h"
@@ -169,9 +170,13 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
     const PackageReader& first = parts.front();
     const auto records = first.records<PhotoRecord>(Type::photos);
     const DirectoryEntry *nodes = first.find(Type::point_nodes), *points = first.find(Type::points);
-    const LayoutSizes sizes{meta.size(), first.find(Type::colors) != nullptr,
-                            nodes ? nodes->head_length / sizeof(package::PointNode) : 0,
-                            points ? first.blocks(*points) : 0};
+    std::vector<std::string> bands;
+    for (Band& band : read_bands(first)) bands.push_back(std::move(band.name));
+    const LayoutSizes sizes{.meta_bytes = meta.size(),
+                            .colors = first.find(Type::colors) != nullptr,
+                            .point_nodes = nodes ? nodes->head_length / sizeof(package::PointNode) : 0,
+                            .point_blocks = points ? first.blocks(*points) : 0,
+                            .bands = bands.size() > 1 ? bands.size() : 0};
     PackageWriter writer(out, plan_chunks(scene, sizes, records), names_checksum(records));
     PhotoTables photos = copy_parts(parts, out, writer, progress);
 
@@ -195,11 +200,13 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
                    .choices = choices_in(meta),
                    .judge = settings.judge,
                    .scene = scene,
+                   .bands = std::move(bands),
                    .given = given_poses(first),
                    .known = {},
                    .known_pairs = pairs_of(first),
                    .progress = progress};
-    const auto fingerprints = registration_fingerprints(photos.states, in.given, renderer.by_opengl());
+    const auto fingerprints =
+        registration_fingerprints(photos.states, photos.records, in.given, renderer.by_opengl());
     const EffectChoice choice = choice_of(in.choices, Effect::registration);
     in.known = registration_of(first, registration_key(fingerprints, choice, in.judge));
     if (!in.known) move_back(in, photos);

@@ -98,10 +98,18 @@ PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const P
         const Traced points(trace, "points");
         plan.points = make_point_tree(scene.points, model.origin);
     }
-    plan.chunks = plan_chunks(
-        plan.scene,
-        {plan.meta.size(), !scene.mesh.colors.empty(), plan.points.nodes.size(), plan.points.blocks},
-        plan.photos.records, share);
+    if (effect_on(plan.scene, Effect::bands)) {
+        plan.bands = scene.bands;
+        for (std::size_t i = 0; i < scene.photos.size(); ++i)
+            plan.photos.records[i].band = scene.photos[i].band;
+    }
+    plan.chunks = plan_chunks(plan.scene,
+                              {.meta_bytes = plan.meta.size(),
+                               .colors = !scene.mesh.colors.empty(),
+                               .point_nodes = plan.points.nodes.size(),
+                               .point_blocks = plan.points.blocks,
+                               .bands = plan.bands.size() > 1 ? plan.bands.size() : 0},
+                              plan.photos.records, share);
     plan.names = names_checksum(plan.photos.records);
     return plan;
 }

@@ -18,6 +18,7 @@ struct PreparePlan {
     package::SceneRecord scene{};
     PointTree points;  ///< empty if the effect is off
     PhotoTables photos;
+    std::vector<std::string> bands{""};  ///< names, see Band
     std::string meta;
     std::vector<ChunkPlan> chunks;
     std::uint64_t names = 0;  ///< checksum of the photos' names, in order

@@ -11,6 +11,7 @@
 #include "pipeline/package/meta.h"
 #include "pipeline/package/photo_records.h"
 #include "pipeline/prepare/finish.h"
+#include "pipeline/prepare/joined_bands.h"
 #include "pipeline/prepare/photo_stages.h"
 #include "pipeline/prepare/plan.h"
 #include "pipeline/prepare/registration_reuse.h"
@@ -109,6 +110,7 @@ void write_scene(PackageWriter& writer, const PreparePlan& plan, const PackedMod
     writer.write(Type::meta, package::scene_wide, std::as_bytes(std::span(plan.meta)));
     writer.write(Type::scene, package::scene_wide, bytes_of_one(plan.scene));
     write_model(writer, model, scene.mesh);
+    write_bands(writer, plan.bands, {});
     if (!plan.points.empty()) {
         const Traced points(trace, "points");
         write_points(writer, plan.points, scene.points, model.origin);
@@ -269,6 +271,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
         .choices = settings.effects,
         .judge = settings.judge,
         .scene = plan.scene,
+        .bands = plan.bands,
         .given = cameras.given,
         .known = cameras.registration,
         .known_pairs = pairs_of(earlier),

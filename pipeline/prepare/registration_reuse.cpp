@@ -54,12 +54,15 @@ std::vector<Pose> given_poses(const PackageReader& package) {
 }
 
 std::vector<std::uint64_t> registration_fingerprints(std::span<const PhotoState> states,
+                                                     std::span<const PhotoRecord> photos,
                                                      std::span<const Pose> given, bool opengl) {
     std::vector<std::uint64_t> out;
-    for (std::size_t i = 0; i < states.size(); ++i)
+    for (std::size_t i = 0; i < states.size(); ++i) {
         out.push_back(
             hash(std::array{states[i].stages[std::size_t(Stage::tiles)].key, states[i].camera,
                             states[i].model, pose_checksum(given[i]), std::uint64_t(opengl), version}));
+        if (photos[i].band) out.back() = hash(std::array{out.back(), std::uint64_t(photos[i].band)});
+    }
     return out;
 }
 
@@ -121,8 +124,8 @@ std::optional<Registration> earlier_registration(const SceneKey& key, const Scen
         if (records[i].flags & package::photo_held_out) states.back().stages[std::size_t(Stage::tiles)] = {};
     }
     const EffectChoice choice = choice_of(key.settings.effects, Effect::registration);
-    const std::uint64_t wanted =
-        registration_key(registration_fingerprints(states, given, key.opengl), choice, key.settings.judge);
+    const std::uint64_t wanted = registration_key(
+        registration_fingerprints(states, records, given, key.opengl), choice, key.settings.judge);
     for (const auto& package : earlier)
         if (package->finished())
             if (auto found = registration_of(package->reader(), wanted)) return found;

@@ -18,8 +18,10 @@ std::vector<Pose> given_poses(const SceneInput& scene, const Eigen::Vector3d& or
 /// The poses given to `prepare`, as stored in a package.
 std::vector<Pose> given_poses(const PackageReader& package);
 
-/// XXH3-64, per photo, of the inputs of its registration: its tiles, camera, model, given pose and renderer.
+/// XXH3-64, per photo, of the inputs of its registration: its tiles, camera, model, given pose, renderer and
+/// band.
 std::vector<std::uint64_t> registration_fingerprints(std::span<const package::PhotoState> states,
+                                                     std::span<const package::PhotoRecord> photos,
                                                      std::span<const Pose> given, bool opengl);
 /// XXH3-64 of all fingerprints and of the choice.
 std::uint64_t registration_key(std::span<const std::uint64_t> fingerprints, EffectChoice choice, bool judge);

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <utility>
 
+#include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"
@@ -136,6 +138,12 @@ void check_against(const PackageReader& reader, const CheckDepth& depth, Issues&
         const std::vector<std::string> names = names_listed(reader, list);
         for (const std::filesystem::path& file : files_below(depth.against, 2))
             if (std::ranges::count(names, utf8_name(file.filename().string())) > 0) files->push_back(file);
+    }
+    others.bands = bands_wanted(reader);
+    if (is_bands_file(others.bands)) {
+        const std::string name = std::exchange(others.bands, bands_off);
+        for (const std::filesystem::path& file : files_below(depth.against, 2))
+            if (utf8_name(file.filename().string()) == name) others.bands = file.string();
     }
     for (const InputChange& change : changed_inputs(reader, discover(depth.against, others), identities))
         add(out, finding_of(change.kind), change.text);

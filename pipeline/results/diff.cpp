@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "bands/bands.h"
 #include "pipeline/package/stage_table.h"
 #include "scene/tiling.h"
 
@@ -108,7 +109,8 @@ void diff_model(const PackageReader& a, const PackageReader& b, Differences& out
                                                   {Type::scalars, "scalars"},
                                                   {Type::surroundings, "surroundings"},
                                                   {Type::point_nodes, "octree of points"},
-                                                  {Type::points, "points"}};
+                                                  {Type::points, "points"},
+                                                  {Type::bands, "bands"}};
     for (const auto& [type, what] : parts)
         if (!same_chunk(a.find(type), b.find(type))) out.push_back({"model", what, "different"});
 }
@@ -237,10 +239,15 @@ Differences diff(const PackageReader& a, const PackageReader& b) {
     diff_meta(a, b, out);
     diff_model(a, b, out);
     const auto of_a = a.photos(), of_b = b.photos();
+    const std::vector<Band> bands_a = read_bands(a), bands_b = read_bands(b);
     for (std::uint32_t i = 0; i < of_a.size(); ++i)
-        if (const auto j = b.photo_index(of_a[i].name))
+        if (const auto j = b.photo_index(of_a[i].name)) {
+            const std::string &in_a = bands_a[of_a[i].band].name, &in_b = bands_b[of_b[*j].band].name;
+            if (in_a != in_b)
+                out.push_back({of_a[i].name, "band",
+                               (in_a.empty() ? "none" : in_a) + " vs. " + (in_b.empty() ? "none" : in_b)});
             diff_photo(a, b, i, *j, out);
-        else
+        } else
             out.push_back({of_a[i].name, "", "only in " + a.path().string()});
     for (const PhotoRecord& p : of_b)
         if (!a.photo_index(p.name)) out.push_back({p.name, "", "only in " + b.path().string()});

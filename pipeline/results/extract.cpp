@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "bands/bands.h"
 #include "layers/value_layer.h"
 #include "output/make_folder.h"
 #include "output/output_file.h"
@@ -28,9 +29,19 @@ constexpr const char *mesh_name = "mesh.ply", *points_name = "points.ply";
 struct PhotoFiles {
     fs::path photo, masks, depth;
 };
+/// `stem`: with the folder of its band, if there are several.
 PhotoFiles files_of(const fs::path& folder, const std::string& stem) {
     return {folder / "photos" / (stem + ".png"), folder / "masks" / (stem + ".png"),
             folder / "depth" / (stem + ".exr")};
+}
+
+/// Per photo, the name of its files, in a folder of its band if there are several.
+std::vector<std::string> stems_of(const PackageReader& reader, const std::vector<Band>& bands) {
+    std::vector<std::string> stems = reader.photo_stems();
+    if (bands.size() > 1)
+        for (std::size_t i = 0; i < stems.size(); ++i)
+            stems[i] = bands[reader.photos()[i].band].name + "/" + stems[i];
+    return stems;
 }
 
 void write_mesh(const PackageReader& reader, const fs::path& file) {
@@ -101,9 +112,14 @@ void extract(const fs::path& package, const fs::path& folder, const std::vector<
     }
     if (names.empty())
         for (std::uint32_t i = 0; i < photos.size(); ++i) wanted.push_back(i);
-    const std::vector<std::string> stems = reader.photo_stems();
+    const std::vector<Band> bands = read_bands(reader);
+    const std::vector<std::string> stems = stems_of(reader, bands);
     expect_replaceable(reader, wanted, stems, folder, force);
-    for (const char* sub : {"photos", "masks", "depth"}) make_folder(folder / sub);
+    for (const char* sub : {"photos", "masks", "depth"}) {
+        make_folder(folder / sub);
+        for (const Band& band : bands)
+            if (!band.name.empty()) make_folder(folder / sub / band.name);
+    }
     for (const std::uint32_t i : wanted)
         if (photos[i].levels) write_photo(reader, i, photos[i], stems[i], folder);
     write_mesh(reader, folder / mesh_name);

@@ -169,6 +169,16 @@ Measured clouds(const SceneInput& scene) {
                                        : fmt::format("{} files", scene.files.points.size()))};
 }
 
+Measured bands(const SceneInput& scene) {
+    if (scene.bands.size() < 2) return {1, "all photos are of one set"};
+    std::string evidence;
+    for (std::uint32_t b = 0; b < scene.bands.size(); ++b) {
+        const auto n = std::ranges::count(scene.photos, b, &PhotoInput::band);
+        evidence += fmt::format("{}{}: {} photo{}", b ? "; " : "", scene.bands[b], n, n == 1 ? "" : "s");
+    }
+    return {double(scene.bands.size()), evidence};
+}
+
 Measured measure(const EffectRow& row, const SceneInput& scene) {
     if (from_all_photos(row)) return {0, "measured after all photos are processed"};
     switch (row.effect) {
@@ -184,6 +194,8 @@ Measured measure(const EffectRow& row, const SceneInput& scene) {
             return varying_layers(scene.mesh.scalars);
         case Effect::points:
             return clouds(scene);
+        case Effect::bands:
+            return bands(scene);
         default:
             return {0, "not measured"};
     }
@@ -200,7 +212,8 @@ std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effe
         // Even if forced on, there may be nothing to show.
         const bool nothing = (row.effect == Effect::vertex_colors && scene.mesh.colors.empty()) ||
                              (row.effect == Effect::scalar_layers && scene.mesh.scalars.empty()) ||
-                             (row.effect == Effect::points && scene.points.positions.empty());
+                             (row.effect == Effect::points && scene.points.positions.empty()) ||
+                             (row.effect == Effect::bands && scene.bands.size() < 2);
         if (nothing) decisions.back().on = false;
     }
     return decisions;

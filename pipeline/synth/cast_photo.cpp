@@ -33,6 +33,7 @@ std::optional<Vector2d> undistort_point(const Lens& lens, const Vector2d& distor
 struct LitScene {
     const SynthModel& model;
     const RayScene& rays;
+    SynthBand band;
 
     Vector3d normal(const RayHit& hit) const {
         const auto& t = model.mesh.triangles[hit.triangle];
@@ -47,14 +48,18 @@ struct LitScene {
             const double up = std::clamp(d.z() * 2, 0.0, 1.0);
             const Vector3f sky =
                 Vector3f(0.60f, 0.72f, 0.86f) * float(1 - up) + Vector3f(0.16f, 0.34f, 0.70f) * float(up);
-            return model.clouds ? clouded(sky, d) : sky;
+            const Vector3f shown = model.clouds ? clouded(sky, d) : sky;
+            return band == SynthBand::visible ? shown : Vector3f(Vector3f::Constant(0.15f * shown.x()));
         }
         const Vector3d p = eye + hit->distance * direction, n = normal(*hit);
         const Vector3d sun = Vector3d(-0.55, -0.75, 0.62).normalized();
         const double facing = n.dot(sun);
         const bool lit = facing > 0 && !rays.occluded(p + n * 2e-3, sun, 0, 1e6);
         const double sky = 0.34 * (0.65 + 0.35 * n.z());
-        return albedo(model.materials[hit->triangle], p, n) * float(sky + (lit ? 0.85 * facing : 0.0));
+        const Material material = model.materials[hit->triangle];
+        const Vector3f reflected =
+            band == SynthBand::visible ? albedo(material, p, n) : infrared_albedo(material, p, n);
+        return reflected * float(sky + (lit ? 0.85 * facing : 0.0));
     }
 };
 
@@ -68,8 +73,8 @@ std::uint8_t encode(float linear) {
 }  // namespace
 
 std::vector<std::uint8_t> cast_photo(const SynthModel& model, const RayScene& rays, const Camera& camera,
-                                     int samples, const PhotoExposure& exposure) {
-    const LitScene scene{model, rays};
+                                     int samples, const PhotoExposure& exposure, SynthBand band) {
+    const LitScene scene{model, rays, band};
     const Intrinsics& k = camera.intrinsics;
     const Vector3d eye = camera.cam_from_world.center();
     const Eigen::Matrix3d world_from_cam = camera.cam_from_world.R.transpose();

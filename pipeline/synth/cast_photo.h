@@ -17,10 +17,14 @@ struct PhotoExposure {
     double falloff = 0;
 };
 
+/// In which light a photo is taken.
+enum class SynthBand { visible, infrared };
+
 /// Renders the photo that the camera takes, including lens distortion: sRGB, 3 bytes per pixel, top row
 /// first, `samples` x `samples` rays per pixel. `rays` is made from the model's mesh.
 std::vector<std::uint8_t> cast_photo(const SynthModel& model, const RayScene& rays, const Camera& camera,
-                                     int samples, const PhotoExposure& exposure = {});
+                                     int samples, const PhotoExposure& exposure = {},
+                                     SynthBand band = SynthBand::visible);
 
 /// Linear z at the pixel centers of the camera without its lens distortion, row by row from the top; +inf if
 /// the ray misses the model.

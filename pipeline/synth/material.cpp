@@ -177,6 +177,39 @@ Vector3f albedo(Material material, const Vector3d& p, const Vector3d& n) {
     return mix({0.48f, 0.44f, 0.36f}, {0.78f, 0.74f, 0.64f}, turbulence(p, 10, 6));
 }
 
+namespace {
+
+/// Strokes 4 cm wide: squares 0.8 m apart, and an arch in every second one.
+double charcoal(const Vector2d& uv) {
+    constexpr double square = 0.8, half = 0.02;
+    const double column = std::floor(uv.x() / square), row = std::floor(uv.y() / square);
+    const double x = uv.x() - (column + 0.5) * square, y = uv.y() - (row + 0.5) * square;
+    const double edge = square / 2 - std::max(std::abs(x), std::abs(y));
+    const bool arched = std::int64_t(column + row) & 1;
+    const double arch = arched ? std::abs(std::hypot(x, y + 0.2) - 0.35) : square;
+    return std::min(edge, arch) < half ? 1.0 : 0.0;
+}
+
+}  // namespace
+
+Vector3f infrared_albedo(Material material, const Vector3d& p, const Vector3d& n) {
+    const Vector3f visible = albedo(material, p, n);
+    const double mean = double(visible.sum()) / 3;
+    const auto gray = [](double light) { return Vector3f::Constant(float(std::clamp(light, 0.0, 1.0))); };
+    switch (material) {
+        case Material::plaster:
+        case Material::brick:
+            return gray((0.55 + 0.3 * mean) * (1 - 0.8 * charcoal(across_and_up(p, n))));
+        case Material::grass:
+        case Material::trees:
+            return gray(0.5 + mean);  // leaves are bright
+        case Material::text:
+            return gray(0.6 + 0.1 * mean);
+        default:
+            return gray(0.15 + 0.8 * double(visible.x()));
+    }
+}
+
 Vector3f clouded(const Vector3f& sky, const Vector3d& d) {
     if (!(d.z() > 0)) return sky;
     const Vector3d above = d / (d.z() + 0.12);  // on a layer of clouds

@@ -56,8 +56,8 @@ toml::table parse(const std::filesystem::path& file) {
 }
 
 void check_tables(const std::filesystem::path& file, const toml::table& root) {
-    const std::set<std::string_view> known{"scene",  "building", "object",   "garden",
-                                           "photos", "lens",     "exposure", "error"};
+    const std::set<std::string_view> known{"scene",    "building", "object",   "garden", "photos",
+                                           "infrared", "lens",     "exposure", "error"};
     for (const auto& [key, node] : root)
         if (!known.contains(key.str()))
             throw Error(Exit::input, file.string() + ": " + std::string(key.str()) + ": unknown table");
@@ -107,6 +107,14 @@ SynthSpec read_spec(const std::filesystem::path& file) {
         t.read("low", s.photos.low, 0, 1e4);
         t.read("high", s.photos.high, 0, 1e4);
         t.read("samples", s.photos.samples, 1, 16);
+    }
+    {
+        Table t(file, root, "infrared");
+        t.read("count", s.infrared.count, 0, 2000);
+        t.read("width", s.infrared.width, 8, 20000);
+        t.read("height", s.infrared.height, 8, 20000);
+        t.read("fov", s.infrared.fov, 1, 150);
+        t.read("stops", s.infrared.stops, -4, 4);
     }
     {
         Table t(file, root, "lens");

@@ -30,6 +30,12 @@ struct SynthSpec {
         double low = 1.7, high = 5;  ///< camera heights, alternating
         int samples = 3;             ///< per pixel, in x and in y
     } photos;
+    struct Infrared {
+        int count = 0;  ///< of photos in infrared, in a band of their own; 0: none
+        int width = 800, height = 600;
+        double fov = 50;   ///< horizontal field of view
+        double stops = 0;  ///< exposure of all of them
+    } infrared;            ///< shows an underdrawing on plaster that visible light does not
     struct Lens {
         double k1 = 0, k2 = 0;  ///< radial, OpenCV
     } lens;

@@ -54,7 +54,17 @@ std::vector<PhotoExposure> exposures(const SynthSpec& spec) {
         for (double& g : e.gain) g = std::exp2(stops + spec.exposure.white_balance * signed_unit(balance));
         e.falloff = spec.exposure.falloff;
     }
+    for (int i = 0; i < spec.infrared.count; ++i) {
+        PhotoExposure& e = out.emplace_back();
+        e.gain.fill(std::exp2(spec.infrared.stops));
+        e.falloff = spec.exposure.falloff;
+    }
     return out;
+}
+
+/// Whether a photo, by its number, is one of the infrared band, which come last.
+SynthBand band_of(const SynthSpec& spec, std::size_t photo) {
+    return photo < std::size_t(spec.photos.count) ? SynthBand::visible : SynthBand::infrared;
 }
 
 void write_gains(const std::filesystem::path& file, std::span<const NamedCamera> photos,
@@ -93,7 +103,10 @@ Pose look_at(const Vector3d& eye, const Vector3d& target) {
     return pose;
 }
 
-std::vector<NamedCamera> place_cameras(const SynthSpec& spec) {
+namespace {
+
+/// Without the folders of bands.
+std::vector<NamedCamera> place_band(const SynthSpec& spec) {
     const SynthSpec::Photos& s = spec.photos;
     std::mt19937 engine(spec.seed);
     std::vector<NamedCamera> photos;
@@ -113,6 +126,22 @@ std::vector<NamedCamera> place_cameras(const SynthSpec& spec) {
         camera.cam_from_world = look_at(eye, target);
         photos.push_back({fmt::format("{:04}.jpg", i), camera});
     }
+    return photos;
+}
+
+}  // namespace
+
+std::vector<NamedCamera> place_cameras(const SynthSpec& spec) {
+    std::vector<NamedCamera> photos = place_band(spec);
+    if (spec.infrared.count == 0) return photos;
+    for (NamedCamera& p : photos) p.photo = "visible/" + p.photo;
+    SynthSpec infrared = spec;
+    infrared.seed += 5;
+    infrared.photos.count = spec.infrared.count;
+    infrared.photos.width = spec.infrared.width;
+    infrared.photos.height = spec.infrared.height;
+    infrared.photos.fov = spec.infrared.fov;
+    for (NamedCamera& p : place_band(infrared)) photos.push_back({"infrared/" + p.photo, p.camera});
     return photos;
 }
 
@@ -137,8 +166,10 @@ void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
     for (NamedCamera& photo : written)
         if (spec.error.pixels > 0)
             photo.camera = perturbed(photo.camera, spec.error.pixels, spec.photos.radius, engine);
-    std::filesystem::create_directories(folder / "images");
-    std::filesystem::create_directories(folder / "truth" / "depth");
+    for (const NamedCamera& photo : photos) {
+        std::filesystem::create_directories((folder / "images" / photo.photo).parent_path());
+        std::filesystem::create_directories((folder / depth_of(photo)).parent_path());
+    }
     write_colmap_text(folder / "sparse", written);
     write_colmap_text(folder / "truth" / "sparse", photos);
     write_gains(folder / synth_mark, photos, exposed);
@@ -147,7 +178,8 @@ void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
     for_each_photo(photos.size(), 0, [&](std::size_t i) {
         const Camera& camera = photos[i].camera;
         const Intrinsics& k = camera.intrinsics;
-        const auto rgb = cast_photo(world, world_rays, camera, spec.photos.samples, exposed[i]);
+        const auto rgb =
+            cast_photo(world, world_rays, camera, spec.photos.samples, exposed[i], band_of(spec, i));
         image_files().write(folder / "images" / photos[i].photo, k.width, k.height, 3, Sample::u8,
                             std::as_bytes(std::span(rgb)));
         const auto z = cast_depth(rays, camera);
