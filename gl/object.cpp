@@ -111,6 +111,18 @@ Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, 
     return framebuffer;
 }
 
+Framebuffer make_layer_framebuffer(const char* label, const Texture& array, int layer) {
+    GLuint id = 0;
+    glCreateFramebuffers(1, &id);
+    Framebuffer framebuffer(id);
+    glNamedFramebufferTextureLayer(id, GL_COLOR_ATTACHMENT0, array.id(), 0, layer);
+    glNamedFramebufferDrawBuffer(id, GL_COLOR_ATTACHMENT0);
+    glObjectLabel(GL_FRAMEBUFFER, id, -1, label);
+    if (glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Failure(std::string("framebuffer '") + label + "' is incomplete");
+    return framebuffer;
+}
+
 VertexArray make_vertex_array(const char* label) {
     GLuint id = 0;
     glCreateVertexArrays(1, &id);

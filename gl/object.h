@@ -65,6 +65,8 @@ Texture make_texture_array(const char* label, GLenum format, int width, int heig
 /// Framebuffer of the given color textures (in order of attachment, 8 at most) and depth texture (0 for
 /// none). Throws Failure if it is incomplete.
 Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, GLuint depth);
+/// Framebuffer of one layer of an array texture. Throws Failure if it is incomplete.
+Framebuffer make_layer_framebuffer(const char* label, const Texture& array, int layer);
 VertexArray make_vertex_array(const char* label);
 
 /// Feeds `attribute` with `components` floats per vertex from `buffer`, one vertex every `stride` bytes.

@@ -11,10 +11,13 @@ namespace vantage {
 
 /// What the programs write: each kind replaces only files of the same kind that they have written, pictures
 /// any file of their format.
-enum class Product { package, page, trace, junit, ply, csv, plot, png, exr };
+enum class Product { package, page, trace, junit, ply, csv, plot, png, exr, scene };
 
 /// A line of the header of a mesh written by these programs.
 inline constexpr const char* ply_mark = "comment written by Vantage\n";
+
+/// The first line of a scene file written by these programs.
+inline constexpr const char* scene_mark = "# scene written by Vantage\n";
 
 /// What a command reads and must not overwrite.
 struct Inputs {

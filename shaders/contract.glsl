@@ -34,6 +34,8 @@ const int points_unit = 7;
 const int depth_unit = 8;
 const int accumulated_unit = 4;  // show
 const int filled_unit = 5;
+const int object_colors_unit = 4;  // compose
+const int object_depths_unit = 5;
 const int finer_unit = 4;    // average_holes
 const int coarser_unit = 4;  // fill_holes
 
@@ -78,6 +80,18 @@ const int light_scale_uniform = 13;
 const int shows_points_uniform = 14;
 const int eye_dome_uniform = 15;
 const int points_alone_uniform = 16;
+
+const int fill_background_uniform = 24;
+
+// Several objects in one picture: uniforms of object_depth and of compose; how far away surroundings and what has no
+// surface count, farther than anything.
+const int depth_terms_uniform = 0;
+const int objects_uniform = 0;
+const int compose_flip_uniform = 1;
+const int compose_fill_uniform = 2;
+const int compose_background_uniform = 3;
+const float surroundings_away = 1e30f;
+const float nothing_away = 2e30f;
 
 // Uniforms of point; clip_from_origin_uniform is as above.
 const int point_size_uniform = 1;

@@ -10,6 +10,7 @@ layout(location = progress_uniform) uniform float progress;     // share of thes
 layout(location = takes_one_uniform) uniform bool takes_one;    // the sums already hold a color
 layout(location = fill_uniform) uniform bool fill;              // shade holes, and fill the background
 layout(location = background_uniform) uniform vec3 background;  // linear
+layout(location = fill_background_uniform) uniform bool fill_background;  // if `fill`; else the background stays transparent
 layout(location = most_uniform) uniform float most;             // coverage: number of photos with the brightest color; else 0
 layout(location = exposure_uniform) uniform vec3 exposure;      // exposure of the view, relative to the mean photo's
 layout(location = falloff_uniform) uniform vec3 falloff;        // of the view's lens: ln, times r^2, r^4, r^6
@@ -98,7 +99,7 @@ void main() {
     bool looks = hole && fill;
 #endif
     vec4 bare = looks ? texelFetch(surface, at, 0) : vec4(0.0);
-    if (hole && fill) accumulated = vec4(bare.a > 0.0 ? bare.rgb : background, 1.0);
+    if (hole && fill) accumulated = bare.a > 0.0 ? vec4(bare.rgb, 1.0) : fill_background ? vec4(background, 1.0) : vec4(0.0);
 #ifdef LIGHT
     if (bare.a == shows_light) {
         if (!light_on_photos || (hole && fill)) accumulated = vec4(bare.rgb * light_scale, 1.0);
@@ -120,7 +121,7 @@ void main() {
         hole = false;
         bare = vec4(0.0);
     } else if (shows_points && points_alone) {
-        accumulated = fill ? vec4(background, 1.0) : vec4(0.0);
+        accumulated = fill && fill_background ? vec4(background, 1.0) : vec4(0.0);
         hole = !fill;
         bare = vec4(0.0);
     }

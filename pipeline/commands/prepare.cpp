@@ -14,6 +14,7 @@
 #include "pipeline/commands/apply_config.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
+#include "pipeline/commands/prepare_scene.h"
 #include "pipeline/commands/progress_line.h"
 #include "pipeline/commands/stop_signals.h"
 #include "pipeline/formats/import/cameras.h"
@@ -233,6 +234,25 @@ int run_prepare(PrepareOptions o) {
     return int(report_left_out(done.left_out));
 }
 
+/// The scene file's objects, with the same settings, into packages in the output folder.
+int run_prepare_scene(const PrepareOptions& o) {
+    if (!o.mesh.empty() || !o.cameras.empty() || !o.photos.empty() || !o.settings.points.empty() ||
+        !o.settings.deviation_from.empty())
+        throw Error(Exit::usage, o.input + ": a scene file names the inputs of its objects itself");
+    if (!o.share.empty() || !o.report.empty() || !o.trace.empty())
+        throw Error(Exit::usage,
+                    o.input + ": --shard, --report and --trace are for one package, not for a scene file");
+    return prepare_scene(o.input, o.out, o.force, [&](const SceneObject& object) {
+        PrepareOptions one = o;
+        const SceneObject::Input& in = object.input;
+        one.input = in.folder.string(), one.mesh = in.mesh.string();
+        one.cameras = in.cameras.string(), one.photos = in.photos.string();
+        for (const std::filesystem::path& cloud : in.points) one.settings.points.push_back(cloud.string());
+        one.out = object.package.string();
+        return run_prepare(one);
+    });
+}
+
 }  // namespace
 
 void add_prepare(CLI::App& app, Run& run) {
@@ -247,8 +267,10 @@ void add_prepare(CLI::App& app, Run& run) {
         "  vantage prepare chapel -o c.vantage --points scanner.ply\n"
         "  vantage prepare panel -o panel.vantage --bands folders\n"
         "  vantage prepare chapel -o chapel-3.share --shard 3/8\n"
+        "  vantage prepare church.toml -o church    # several objects, see the README\n"
         "Run again, it continues where it was interrupted and repeats only what a change affects.");
-    c->add_option("INPUT", o->input, "folder with mesh, cameras and photos");
+    c->add_option("INPUT", o->input,
+                  "folder with mesh, cameras and photos; or a scene file, NAME.toml, that lists several");
     c->add_option("--mesh", o->mesh, "mesh file: PLY, OBJ, STL, OFF");
     c->add_option("--cameras", o->cameras, camera_format_names());
     c->add_option("--photos", o->photos, "folder of photos");
@@ -264,7 +286,8 @@ void add_prepare(CLI::App& app, Run& run) {
                   "raking, before, ...), folders (each is a band), off, or a TOML file with the patterns of "
                   "each band, such as infrared = [\"ir/*\", \"*_nir.tif\"]")
         ->capture_default_str();
-    c->add_option("-o,--output", o->out, "the package to write")->required();
+    c->add_option("-o,--output", o->out, "the package to write; of a scene file: the folder for packages")
+        ->required();
     c->add_option(
         "--config", o->config,
         "settings: a TOML file, or the name of a preset in configs/; the command line overrides them");
@@ -334,7 +357,10 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--effect", o->effects, "NAME=on|off|auto, see 'vantage info'");
     c->callback([o, c, &run] {
         if (!o->config.empty()) apply_config(*c, o->config);
-        run = [o] { return run_prepare(*o); };
+        run = [o] {
+            const bool scene = is_scene_file(o->input) && !std::filesystem::is_directory(o->input);
+            return scene ? run_prepare_scene(*o) : run_prepare(*o);
+        };
     });
 }
 

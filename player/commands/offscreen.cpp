@@ -13,6 +13,7 @@
 #include "output/output_file.h"
 #include "output/package_inputs.h"
 #include "player/camera/shots.h"
+#include "player/objects/object_set.h"
 #include "player/render/picture.h"
 #include "scene/error.h"
 
@@ -79,7 +80,8 @@ void print_legend(const Renderer& renderer, const RenderSettings& settings) {
 
 }  // namespace
 
-int run_offscreen(const PackageReader& package, const ShowOptions& options) {
+int run_offscreen(const PackageReader& package, const ShowOptions& options,
+                  const std::vector<SceneObject>& objects) {
     const PictureOptions& o = options.pictures;
     const std::vector<Shot> wanted = shots(package, options);
     const std::vector<std::filesystem::path> files = picture_files(package, options, wanted);
@@ -90,6 +92,7 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options) {
     settings.points = options.points;
     const gl::HeadlessContext context(options.window.debug_gl);
     Renderer renderer(package, memory_budget(options.memory));
+    ObjectSet scene(renderer, objects, memory_budget(options.memory));
     const bool own_pixels = o.scale == 1 && options.output.size.empty() && o.view.empty() && o.path.empty();
     const int side = o.samples ? o.samples : own_pixels ? 1 : 2;
     std::size_t damaged = 0;
@@ -97,7 +100,7 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options) {
         const Shot& shot = wanted[i];
         const std::filesystem::path& file = files[i];
         const auto start = std::chrono::steady_clock::now();
-        const Picture picture = take_picture(renderer, shot.view, settings, photos, side);
+        const Picture picture = take_picture(scene, shot.view, settings, photos, side);
         if (i == 0 && !options.output.quiet) print_legend(renderer, settings);
         if (file.has_parent_path()) make_folder(file.parent_path());
         write_png(file, picture);

@@ -1,5 +1,7 @@
 #include <cstdio>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "cli/exit_codes.h"
 #include "player/commands/commands.h"
@@ -17,6 +19,18 @@ void list_photos(const PackageReader& package) {
                     100 * p.visible_vertices, p.flags & package::photo_held_out ? "  held out" : "");
 }
 
+/// The objects of the scene that the command line names, the first one that of the package to open.
+std::vector<SceneObject> named_objects(const ShowOptions& o) {
+    const auto object = [](const std::filesystem::path& package) {
+        return SceneObject{package.stem().string(), package, {}, true};
+    };
+    std::vector<SceneObject> out = is_scene_file(o.package.file)
+                                       ? read_scene_file(o.package.file, SceneUse::show)
+                                       : std::vector{object(o.package.file)};
+    for (const std::string& package : o.added) out.push_back(object(package));
+    return out;
+}
+
 /// One line per verb.
 std::string verbs_text() {
     std::string out;
@@ -32,6 +46,11 @@ std::string verbs_text() {
 
 void add_show_options(CLI::App& app, ShowOptions& o) {
     add_package_options(app, o.package);
+    app.add_option(
+           "--add", o.added,
+           "show this package, too, in the same coordinates; a scene file (NAME.toml, in place of the "
+           "package) also moves, turns and scales objects")
+        ->delimiter(',');
     app.add_flag("--list", o.list, "list the photos and exit");
     add_output_options(app, o.output);
     add_memory_options(app, o.memory);
@@ -51,6 +70,8 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
         "map.png\n"
         "  vantage-player chapel.vantage --offscreen --photo 0003 --light raking --lamp 200,10 -o "
         "relief.png\n"
+        "  vantage-player chapel.vantage --add altar.vantage --add scanner.vantage\n"
+        "  vantage-player church.toml\n"
         "Verbs (vantage-player VERB --help):\n" +
         verbs_text() + exit_codes_text());
 }
@@ -61,10 +82,12 @@ int show_command(int argc, char** argv) {
     ShowOptions options;
     add_show_options(app, options);
     if (const auto code = parse(app, argc, argv)) return *code;
-    const PackageReader package(options.package.file);
+    const std::vector<SceneObject> objects = named_objects(options);
+    const PackageReader package(objects.front().package);
     package.meta();  // not needed for showing, but reports damage
     if (options.list) return list_photos(package), 0;
-    return options.pictures.offscreen ? run_offscreen(package, options) : run_window(package, options);
+    return options.pictures.offscreen ? run_offscreen(package, options, objects)
+                                      : run_window(package, options, objects);
 }
 
 }  // namespace vantage

@@ -191,6 +191,7 @@ void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
         toggle("Radar", "F6", s.panels.radar);
         if (!renderer.layers().empty()) toggle("Layers", "F7", s.panels.layers);
         if (renderer.points()) toggle("Point cloud", "F8", s.panels.points);
+        toggle("Objects", "F9", s.panels.objects);
         ImGui::EndMenu();
     }
     if (c.menu("Path")) {
@@ -272,7 +273,7 @@ void help_panel(Session& s) {
                                         {"R, T", "record a path, replay it"},
                                         {"O", "open another package (or drop it here)"},
                                         {"P", "screenshot"},
-                                        {"F1 to F8", "help and panels"},
+                                        {"F1 to F9", "help and panels"},
                                         {"Esc", "quit"}};
         for (const auto& line : lines) {
             ImGui::TextColored(ImVec4(0.55f, 0.75f, 1, 1), "%s", line[0]);

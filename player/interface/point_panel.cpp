@@ -38,7 +38,7 @@ void controls(Controls& c, Session& session, const Renderer& renderer) {
 
 void point_panel(Controls& c, Session& session, const Renderer& renderer) {
     if (!renderer.points()) return;
-    ImGui::SetNextWindowPos(ImVec2(ImGui::GetIO().DisplaySize.x - 352, renderer.layers().empty() ? 256 : 480),
+    ImGui::SetNextWindowPos(ImVec2(ImGui::GetIO().DisplaySize.x - 352, session.panels.layers ? 480 : 256),
                             ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Point cloud", &session.panels.points, ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::PushItemWidth(190);

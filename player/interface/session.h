@@ -14,6 +14,7 @@ struct Panels {
     bool blending = true, status = true, photos = true, frusta = false, radar = false, help = false;
     bool layers = true;  ///< if the package has layers of its own; otherwise closed until asked for
     bool points = true;  ///< only if the package has any
+    bool objects = false;
 };
 
 /// The state that the user of the window sees and changes.
@@ -37,7 +38,10 @@ struct Session {
     std::vector<Navigation> recorded;
 
     bool open_asked = false;  ///< show the dialog to open another package
-    std::string open;         ///< another package to show, or empty
+    std::string open;         ///< another package or scene file to show, or empty
+    std::string dropped;      ///< on the window: a package to open or to add
+    std::string add;          ///< a package to show with the others, or empty
+    bool save_scene = false;  ///< write a scene file
     bool screenshot = false, quit = false;
     std::string message;  ///< one line
     double message_until = 0;

@@ -1,4 +1,7 @@
 #pragma once
+#include <string>
+#include <vector>
+
 #include "player/options/blending_options.h"
 #include "player/options/layer_options.h"
 #include "player/options/light_options.h"
@@ -22,6 +25,7 @@ struct ShowOptions {
     OutputOptions output;
     PictureOptions pictures;
     WindowOptions window;
+    std::vector<std::string> added;  ///< packages to show with it
     bool list = false;
 };
 

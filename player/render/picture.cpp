@@ -22,10 +22,14 @@ Picture take_picture(Renderer& renderer, const View& view, const RenderSettings&
 }
 
 Picture shown_picture(Renderer& renderer, const View& view, const RenderSettings& settings) {
+    return picture_of(view, [&](GLuint target) { renderer.show(view, settings, target, false); });
+}
+
+Picture picture_of(const View& view, const std::function<void(GLuint target)>& show) {
     Picture p{view.intrinsics.width, view.intrinsics.height, {}, {}};
     const gl::Texture color = gl::make_texture_2d("picture", GL_RGBA8, p.width, p.height);
     const gl::Framebuffer target = gl::make_framebuffer("picture", std::array{color.id()}, 0);
-    renderer.show(view, settings, target.id(), false);
+    show(target.id());
     p.rgba.resize(std::size_t(p.width) * std::size_t(p.height) * 4);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(color.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(p.rgba.size()), p.rgba.data());

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "player/render/renderer.h"
@@ -17,6 +18,9 @@ struct Picture {
 /// Renders with `side` * `side` samples per pixel.
 Picture take_picture(Renderer& renderer, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side);
+
+/// The picture, of the view's size, that `show` shows in the framebuffer that it is given; without a report.
+Picture picture_of(const View& view, const std::function<void(GLuint target)>& show);
 
 /// What the renderer last drew, of the same view; without a report.
 Picture shown_picture(Renderer& renderer, const View& view, const RenderSettings& settings);

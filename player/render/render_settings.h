@@ -82,15 +82,16 @@ struct RenderSettings {
     Coordinates coordinates = Coordinates::automatic;
     WeightSettings weights;
     Choice choice = Choice::cover;
-    int photos = 0;            ///< minimum number of photos; 0: all
-    double angle_limit = 150;  ///< degrees between viewing directions [M]
-    bool fill_holes = false;   ///< plain shading where no photo contributes, and a background
-    int photos_per_pass = 8;   ///< 1 to 16
-    double lod_bias = 0;       ///< levels; below 0 is sharper
-    bool trilinear = true;     ///< between two levels; otherwise the nearest level
-    int anisotropy = 1;        ///< taps along the longer side of a sample's footprint, 1 to 16
-    bool half_sums = false;    ///< sums of a pass in half floats: half the bandwidth
-    bool thumbnails = false;   ///< nothing finer than thumbnails
+    int photos = 0;               ///< minimum number of photos; 0: all
+    double angle_limit = 150;     ///< degrees between viewing directions [M]
+    bool fill_holes = false;      ///< plain shading where no photo contributes, and a background
+    bool fill_background = true;  ///< if holes are filled; otherwise the background stays transparent
+    int photos_per_pass = 8;      ///< 1 to 16
+    double lod_bias = 0;          ///< levels; below 0 is sharper
+    bool trilinear = true;        ///< between two levels; otherwise the nearest level
+    int anisotropy = 1;           ///< taps along the longer side of a sample's footprint, 1 to 16
+    bool half_sums = false;       ///< sums of a pass in half floats: half the bandwidth
+    bool thumbnails = false;      ///< nothing finer than thumbnails
     Show show = Show::colors;
     ShowSurroundings surroundings = ShowSurroundings::on;
     LayerSettings layer;
@@ -132,6 +133,7 @@ struct FrameReport {
 struct MemoryBudget {
     std::uint64_t graphics = 0;                    ///< 0: by the size of the frame
     std::uint64_t ring = std::uint64_t(32) << 20;  ///< of the buffer that uploads pass through
+    std::uint64_t elsewhere = 0;                   ///< graphics memory that other renderers hold
 };
 
 }  // namespace vantage

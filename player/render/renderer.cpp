@@ -27,6 +27,12 @@ Eigen::Matrix4f clip_matrix(const View& view, const Eigen::Vector2d& range) {
     return (clip_from_cam(view.intrinsics, range.x(), range.y()) * cam).cast<float>();
 }
 
+/// a and b, where depth is a + b / z.
+Eigen::Vector2d terms_of(const View& view, const Eigen::Vector2d& range) {
+    const Eigen::Matrix4d clip = clip_from_cam(view.intrinsics, range.x(), range.y());
+    return {clip(2, 2), clip(2, 3)};
+}
+
 void bind_target(const gl::Framebuffer& framebuffer, int width, int height) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     glViewport(0, 0, width, height);
@@ -91,7 +97,13 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
     if (scene_.has_surroundings()) filling_.emplace();
     if (auto cloud = read_point_cloud(package))
         points_.emplace(package, std::move(*cloud), points_memory(budget));
+    held_ = gl::memory_held() - held_;
     gl::check("opening the package");
+}
+
+void Renderer::set_budget(const MemoryBudget& budget) {
+    if (budget.graphics != budget_.graphics) targets_ = {};  // it has to be divided again
+    budget_ = budget;
 }
 
 gl::Program Renderer::make_resolve_program(const std::vector<std::string>& asked) const {
@@ -120,10 +132,11 @@ void Renderer::fit(int width, int height, const RenderSettings& settings) {
     targets_ = {};
     readback_.release();
     if (points_) points_->release();
-    const std::uint64_t others =
-        gl::memory_held() - store_.bytes() + FrameTargets::bytes(width, height, settings.half_sums) +
-        (filling_ ? HoleFilling::bytes(width, height) : 0) + (points_ ? PointPass::bytes(width, height) : 0) +
-        TriangleReadback::bytes(width, height);
+    const std::uint64_t others = gl::memory_held() - budget_.elsewhere - store_.bytes() +
+                                 FrameTargets::bytes(width, height, settings.half_sums) +
+                                 (filling_ ? HoleFilling::bytes(width, height) : 0) +
+                                 (points_ ? PointPass::bytes(width, height) : 0) +
+                                 TriangleReadback::bytes(width, height);
     graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
     store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
     targets_ = make_frame_targets(width, height, settings.half_sums);
@@ -135,6 +148,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
                            std::span<const std::uint32_t> photos, PixelSample sample, double now,
                            const View* next) {
     check_view(view);
+    const std::uint64_t held_before = gl::memory_held();
     if (!shows_photos(settings)) photos = {};
     if (settings.weights_from) check_view(*settings.weights_from);
     if (passes_.load_layer(settings)) targets_ = {};  // the budget has to be divided again
@@ -155,6 +169,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
     frame.report.uncovered = plan_.plan().uncovered;
     if (!settings.complete) stream(frame, next);
     plan_.fade(plan_settings(settings), now, ready_photos(settings));
+    depth_terms_ = terms_of(point, depth_range_of(point, settings));
     passes_.draw_surface(frame.drawn, targets_);
     if (!settings.complete) readback_.capture(targets_, view);
     draw_present(frame);
@@ -162,6 +177,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
     r.tiles_damaged = store_.residency().damaged_count() + (points_ ? points_->damaged() : 0);
     r.settled =
         r.tiles_missing == 0 && r.nodes_missing == 0 && plan_.settled() && store_.residency().settled();
+    held_ += gl::memory_held() - held_before;
     gl::check("rendering a view");
     return r;
 }
@@ -389,6 +405,7 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     if (!before && passes_.shows_layer(settings))
         glUniform1f(shader::layer_share_uniform, float(settings.layer.share));
     glUniform3fv(shader::background_uniform, 1, settings.background);
+    glUniform1i(shader::fill_background_uniform, settings.fill_background);
     glUniform1f(shader::most_uniform, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
     expose(frame.drawn);
     glBindTextureUnit(shader::sums_unit, targets_.sums[sums].id());
@@ -407,10 +424,9 @@ void Renderer::set_points(const DrawnView& drawn, bool before) const {
     glUniform1i(shader::shows_points_uniform, shows);
     glUniform1i(shader::points_alone_uniform, drawn.settings.points.alone);
     if (!shows) return;
-    const Eigen::Vector2d range = depth_range_of(drawn.view, drawn.settings);
-    const Eigen::Matrix4d clip = clip_from_cam(drawn.view.intrinsics, range.x(), range.y());
+    const Eigen::Vector2d terms = terms_of(drawn.view, depth_range_of(drawn.view, drawn.settings));
     const double apart = std::max(1.0, drawn.view.intrinsics.height / 720.0);
-    glUniform4f(shader::eye_dome_uniform, float(clip(2, 2)), float(clip(2, 3)),
+    glUniform4f(shader::eye_dome_uniform, float(terms.x()), float(terms.y()),
                 float(drawn.settings.points.eye_dome), float(apart));
     glBindTextureUnit(shader::points_unit, points_->picture());
     glBindTextureUnit(shader::depth_unit, targets_.depth.id());

@@ -60,6 +60,8 @@ class Renderer {
 
     /// The targets of the last draw().
     const FrameTargets& targets() const { return targets_; }
+    /// Of the last draw(), the terms a and b of its depth, a + b / z.
+    Eigen::Vector2d depth_terms() const { return depth_terms_; }
 
     const PackageReader& package() const { return *package_; }
     const PlanScene& scene() const { return scene_; }
@@ -73,6 +75,10 @@ class Renderer {
     const PhotoStore& store() const { return store_; }
     /// Current limit of graphics memory, bytes.
     std::uint64_t graphics_budget() const { return graphics_budget_; }
+    /// Applies from the next draw().
+    void set_budget(const MemoryBudget& budget);
+    /// Graphics memory that this renderer holds, bytes.
+    std::uint64_t held() const { return held_; }
     /// Requests this photo's thumbnail with the next frame, for panels.
     void want_thumbnail(std::uint32_t photo) { wanted_thumbnails_.push_back(photo); }
 
@@ -109,6 +115,7 @@ class Renderer {
     Eigen::Vector2d depth_range_of(const View& view, const RenderSettings& settings) const;
     void set_points(const DrawnView& drawn, bool before) const;
 
+    std::uint64_t held_ = gl::memory_held();  ///< until the constructor ends: what others hold
     const PackageReader* package_;
     MemoryBudget budget_;
     std::uint64_t graphics_budget_ = 0;
@@ -120,6 +127,7 @@ class Renderer {
     std::optional<HoleFilling> filling_;  ///< if there are surroundings
     std::optional<PointPass> points_;     ///< if there is a cloud
     TriangleReadback readback_;
+    Eigen::Vector2d depth_terms_ = Eigen::Vector2d::Zero();
     gl::Program resolve_program_, show_program_;
     std::map<std::vector<std::string>, gl::Program> other_resolve_programs_;  ///< by what was asked for
     gl::VertexArray no_vertices_;

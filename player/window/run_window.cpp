@@ -71,8 +71,9 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
 
 /// A package to show, and when it was requested.
 struct Requested {
-    PackageReader package;
-    double at;  ///< seconds
+    std::vector<SceneObject> objects;
+    PackageReader package;  ///< of the first one
+    double at;              ///< seconds
 };
 
 /// Opens the package that the session asks for; empty, with a message, if it cannot be shown.
@@ -80,10 +81,14 @@ std::optional<Requested> take_request(Session& session, double now) {
     const std::string file = std::exchange(session.open, "");
     if (file.empty()) return {};
     try {
-        PackageReader package(file);
+        std::vector<SceneObject> objects =
+            is_scene_file(file)
+                ? read_scene_file(file, SceneUse::show)
+                : std::vector{SceneObject{std::filesystem::path(file).stem().string(), file, {}, true}};
+        PackageReader package(objects.front().package);
         expect_shape(package);
         expect_photo(package);
-        return Requested{std::move(package), now};
+        return Requested{std::move(objects), std::move(package), now};
     } catch (const Error& e) {
         say(session, e.what(), now);
         return {};
@@ -133,7 +138,7 @@ std::optional<Requested> show_package(GLFWwindow* window, Session& session, Show
 
 }  // namespace
 
-int run_window(const PackageReader& first, const ShowOptions& o) {
+int run_window(const PackageReader& first, const ShowOptions& o, const std::vector<SceneObject>& objects) {
     expect_photo(first);
     Remembered remembered;
     remembered.settings = render_settings(first, o.blending, Purpose::window);
@@ -149,7 +154,9 @@ int run_window(const PackageReader& first, const ShowOptions& o) {
     Session session = start_session(first, o, remembered);
     glfwSetWindowUserPointer(window.get(), &session);
     glfwSetDropCallback(window.get(), [](GLFWwindow* w, int count, const char** files) {
-        if (count > 0) static_cast<Session*>(glfwGetWindowUserPointer(w))->open = files[0];
+        if (count == 0) return;
+        Session& to = *static_cast<Session*>(glfwGetWindowUserPointer(w));
+        (is_scene_file(files[0]) ? to.open : to.dropped) = files[0];
     });
     std::optional<Requested> other, next;
     const PackageReader* package = &first;
@@ -158,7 +165,7 @@ int run_window(const PackageReader& first, const ShowOptions& o) {
     for (;;) {
         glfwSetWindowTitle(window.get(), (package->path().filename().string() + " - Vantage").c_str());
         {
-            ShownScene scene(*package, o, session, controls);
+            ShownScene scene(*package, other ? other->objects : objects, o, session, controls);
             next = show_package(window.get(), session, scene, controls, o, requested_at);
         }
         damaged |= session.report.tiles_damaged > 0;

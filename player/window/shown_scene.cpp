@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <utility>
 
 #include "gl/context.h"
 #include "player/camera/camera_path.h"
@@ -12,13 +14,18 @@
 #include "player/interface/overlays.h"
 #include "player/interface/panels.h"
 #include "player/interface/point_panel.h"
+#include "player/window/object_panel.h"
 #include "player/window/screenshot.h"
+#include "scene/error.h"
 
 namespace vantage {
 
-ShownScene::ShownScene(const PackageReader& package, const ShowOptions& o, Session& session,
-                       Controls& controls)
-    : renderer_(package, memory_budget(o.memory)), session_(session), controls_(controls) {
+ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObject>& objects,
+                       const ShowOptions& o, Session& session, Controls& controls)
+    : renderer_(package, memory_budget(o.memory)),
+      objects_(renderer_, objects, memory_budget(o.memory)),
+      session_(session),
+      controls_(controls) {
     session_.photos = photos_in_use(package, o.package);
 }
 
@@ -28,11 +35,12 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     const View view = view_of(s.camera, width, height);
     interface(view, now);
     record(now);
+    change_objects(now);
     ImGui::Render();
     const bool still = !keys && unchanged(view) && lit_ == s.settings.light;
     if (!still) samples_ = 0;
     draw(view, still, now);
-    renderer_.show(view, s.settings, 0, true);
+    objects_.show(view, s.settings, 0, true);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     last_ = view;
     lit_ = s.settings.light;
@@ -47,10 +55,12 @@ void ShownScene::interface(const View& view, double now) {
     if (s.panels.status) status_panel(s, renderer_);
     if (s.panels.layers) layer_panel(controls_, s, renderer_, view);
     if (s.panels.points) point_panel(controls_, s, renderer_);
+    if (s.panels.objects && object_panel(controls_, s, objects_, renderer_.scene().size)) samples_ = 0;
     if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
     if (s.panels.photos) strip_.show(controls_, s, renderer_, view, now);
     if (s.panels.help) help_panel(s);
     open_dialog(controls_, s, renderer_);
+    drop_dialog(controls_, s);
     message_line(s, now);
 }
 
@@ -66,6 +76,25 @@ void ShownScene::record(double now) {
         say(s, std::to_string(s.recorded.size()) + " positions written to " + file, now);
     }
     was_recording_ = s.recording;
+}
+
+/// Adds the package that the session asks for, and writes a scene file if it asks for one.
+void ShownScene::change_objects(double now) {
+    Session& s = session_;
+    try {
+        if (const std::string file = std::exchange(s.add, ""); !file.empty()) {
+            objects_.add({std::filesystem::path(file).stem().string(), file, {}, true});
+            s.panels.objects = true;
+            samples_ = 0;
+        }
+        if (std::exchange(s.save_scene, false)) {
+            const std::string file = free_name("scene", ".toml");
+            write_scene_file(file, objects_.objects());
+            say(s, "scene written to " + file, now);
+        }
+    } catch (const Error& e) {
+        say(s, e.what(), now);
+    }
 }
 
 bool ShownScene::unchanged(const View& view) const {
@@ -94,7 +123,7 @@ void ShownScene::draw(const View& view, bool still, double now) {
     const View next = view_of(ahead, view.intrinsics.width, view.intrinsics.height);
     const PixelSample sample = rests ? PixelSample{samples_, rest_side} : PixelSample{};
     const auto start = std::chrono::steady_clock::now();
-    s.report = renderer_.draw(view, settings, s.photos, sample, now, &next);
+    s.report = objects_.draw(view, settings, s.photos, sample, now, &next);
     if (rests && s.report.settled)
         ++samples_;
     else

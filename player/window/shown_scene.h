@@ -4,17 +4,18 @@
 #include "player/interface/controls.h"
 #include "player/interface/photo_strip.h"
 #include "player/interface/session.h"
+#include "player/objects/object_set.h"
 #include "player/options/show_options.h"
 #include "player/render/renderer.h"
 
 namespace vantage {
 
-/// Shows one package in the window, frame by frame. The package, the session and the controls must outlive
-/// it.
+/// Shows a scene in the window, frame by frame: a package, and others that were added to it. The package, the
+/// session and the controls must outlive it.
 class ShownScene {
   public:
-    ShownScene(const PackageReader& package, const ShowOptions& options, Session& session,
-               Controls& controls);
+    ShownScene(const PackageReader& package, const std::vector<SceneObject>& objects,
+               const ShowOptions& options, Session& session, Controls& controls);
 
     /// Draws the view if it has changed or can still improve, and the interface over it. `keys`: a key is
     /// down.
@@ -29,11 +30,13 @@ class ShownScene {
 
     void interface(const View& view, double now);
     void record(double now);
+    void change_objects(double now);
     bool unchanged(const View& view) const;
     void draw(const View& view, bool still, double now);
     void remember_time(float ms);
 
     Renderer renderer_;
+    ObjectSet objects_;
     Session& session_;
     Controls& controls_;
     PhotoStrip strip_;

@@ -1,0 +1,18 @@
+#pragma once
+#include <Eigen/Core>
+
+namespace vantage {
+
+/// Where an object stands in a scene of several, whose coordinates are those of its first object: turned
+/// about the middle of its bounds, scaled, then moved.
+struct Placement {
+    Eigen::Vector3d move = Eigen::Vector3d::Zero();  ///< input units of the first object
+    Eigen::Vector3d turn = Eigen::Vector3d::Zero();  ///< degrees about x, then y, then z
+    double scale = 1;                                ///< above 0
+    bool operator==(const Placement&) const = default;
+};
+
+/// The rotation of `turn`.
+Eigen::Matrix3d rotation_of(const Placement& placement);
+
+}  // namespace vantage

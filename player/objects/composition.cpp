@@ -1,0 +1,70 @@
+#include "player/objects/composition.h"
+
+#include <algorithm>
+#include <string>
+
+#include "gl/context.h"
+#include "shaders/contract.h"
+
+namespace vantage {
+namespace {
+
+gl::Program full_frame(const char* label, const char* fragment_shader,
+                       const std::vector<std::string>& defines) {
+    return gl::make_program(
+        label, {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, fragment_shader}}, defines);
+}
+
+}  // namespace
+
+void Composition::fit(int width, int height, std::size_t objects) {
+    if (width == width_ && height == height_ && objects == layers_.size()) return;
+    width_ = width, height_ = height;
+    layers_.clear();
+    colors_ = {}, depths_ = {};
+    colors_ = gl::make_texture_array("objects", GL_RGBA8, width, height, int(objects), GL_NEAREST);
+    depths_ = gl::make_texture_array("objects' depth", GL_R32F, width, height, int(objects), GL_NEAREST);
+    for (int i = 0; i < int(objects); ++i)
+        layers_.push_back({gl::make_layer_framebuffer("color of an object", colors_, i),
+                           gl::make_layer_framebuffer("depth of an object", depths_, i)});
+    depth_program_ = full_frame("object depth", "object_depth.frag", {});
+    compose_program_ = full_frame("compose", "compose.frag", {"MOST_OBJECTS " + std::to_string(objects)});
+    if (!no_vertices_) no_vertices_ = gl::make_vertex_array("no vertices");
+}
+
+void Composition::copy_depth(const ObjectFrame& frame, const Layer& layer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, layer.depth.id());
+    glViewport(0, 0, width_, height_);
+    glUseProgram(depth_program_.id());
+    const Eigen::Vector2d terms = frame.renderer->depth_terms();
+    glUniform3f(shader::depth_terms_uniform, float(terms.x()), float(terms.y()), float(frame.scale));
+    glBindTextureUnit(shader::depth_unit, frame.renderer->targets().depth.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Composition::show(std::span<const ObjectFrame> frames, const View& view, const RenderSettings& settings,
+                       GLuint target, bool flip) {
+    fit(view.intrinsics.width, view.intrinsics.height, std::max<std::size_t>(1, frames.size()));
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const ObjectFrame& f = frames[i];
+        f.renderer->show(f.view, f.settings, layers_[i].color.id(), false);
+        glBindVertexArray(no_vertices_.id());
+        copy_depth(f, layers_[i]);
+    }
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glBindVertexArray(no_vertices_.id());
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glViewport(0, 0, width_, height_);
+    glUseProgram(compose_program_.id());
+    glUniform1i(shader::objects_uniform, GLint(frames.size()));
+    glUniform1i(shader::compose_flip_uniform, flip);
+    glUniform1i(shader::compose_fill_uniform, settings.fill_holes);
+    glUniform3fv(shader::compose_background_uniform, 1, settings.background);
+    glBindTextureUnit(shader::object_colors_unit, colors_.id());
+    glBindTextureUnit(shader::object_depths_unit, depths_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    gl::check("composing objects");
+}
+
+}  // namespace vantage

@@ -1,0 +1,169 @@
+#include "player/objects/object_set.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "player/objects/object_view.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+Eigen::Vector3d origin_of(const PackageReader& package) {
+    return Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
+}
+
+}  // namespace
+
+FrameReport joined(const FrameReport& a, const FrameReport& b) {
+    FrameReport out = a;
+    out.clusters += b.clusters, out.photos += b.photos, out.passes += b.passes, out.draws += b.draws;
+    out.tiles += b.tiles, out.tiles_missing += b.tiles_missing, out.tiles_damaged += b.tiles_damaged;
+    out.points += b.points, out.nodes_missing += b.nodes_missing, out.uploaded += b.uploaded;
+    out.uncovered = std::max(a.uncovered, b.uncovered);
+    out.settled = a.settled && b.settled;
+    return out;
+}
+
+ObjectSet::ObjectSet(Renderer& first, const std::vector<SceneObject>& objects, const MemoryBudget& budget)
+    : first_(first), first_object_(objects.front()), budget_(budget) {
+    for (std::size_t i = 1; i < objects.size(); ++i) add(objects[i]);
+}
+
+std::string ObjectSet::free_name(const std::string& wanted) const {
+    const auto taken = [&](const std::string& name) {
+        return first_object_.name == name ||
+               std::ranges::any_of(others_, [&](const auto& o) { return o->object.name == name; });
+    };
+    std::string name = wanted;
+    for (int n = 2; taken(name); ++n) name = wanted + " " + std::to_string(n);
+    return name;
+}
+
+void ObjectSet::add(const SceneObject& object) {
+    if (size() == most)
+        throw Error(Exit::usage,
+                    object.package.string() + ": a scene has at most " + std::to_string(most) + " objects");
+    auto other = std::make_unique<Other>(Other{object, PackageReader(object.package), {}, {}});
+    other->object.name = free_name(object.name);
+    other->photos.resize(other->package.photos().size());
+    std::iota(other->photos.begin(), other->photos.end(), 0u);
+    other->renderer = std::make_unique<Renderer>(other->package, budget_);
+    others_.push_back(std::move(other));
+    divide_budget();
+}
+
+void ObjectSet::remove(std::size_t object) {
+    if (object == 0 || object >= size()) return;
+    others_.erase(others_.begin() + std::ptrdiff_t(object - 1));
+    composition_ = {};
+    divide_budget();
+}
+
+/// A limit that was given is divided evenly; otherwise each object has what a frame of it needs.
+void ObjectSet::divide_budget() {
+    std::uint64_t held = first_.held();
+    for (const auto& o : others_) held += o->renderer->held();
+    MemoryBudget share = budget_;
+    share.graphics = budget_.graphics / size();
+    const auto set = [&](Renderer& renderer) {
+        share.elsewhere = held - renderer.held();
+        renderer.set_budget(share);
+    };
+    set(first_);
+    for (const auto& o : others_) set(*o->renderer);
+}
+
+const SceneObject& ObjectSet::at(std::size_t object) const {
+    return object == 0 ? first_object_ : others_.at(object - 1)->object;
+}
+
+void ObjectSet::place(std::size_t object, const Placement& placement) {
+    if (object > 0) others_.at(object - 1)->object.placement = placement;
+}
+
+void ObjectSet::show_object(std::size_t object, bool shown) {
+    (object == 0 ? first_object_ : others_.at(object - 1)->object).shown = shown;
+}
+
+void ObjectSet::show_only(std::size_t object) {
+    for (std::size_t i = 0; i < size(); ++i) show_object(i, i == object);
+}
+
+std::vector<SceneObject> ObjectSet::objects() const {
+    std::vector<SceneObject> out;
+    for (std::size_t i = 0; i < size(); ++i) out.push_back(at(i));
+    return out;
+}
+
+const FrameReport& ObjectSet::report(std::size_t object) const {
+    return object == 0 ? first_report_ : others_.at(object - 1)->report;
+}
+
+bool ObjectSet::alone() const { return others_.empty() && first_object_.shown; }
+
+RenderSettings ObjectSet::settings_of_others(const RenderSettings& settings) const {
+    RenderSettings out = settings;
+    out.fill_background = false;
+    out.surroundings = ShowSurroundings::off;  // those of one object would hide the others
+    out.layer.layer = -1;
+    out.compare = Compare::nothing;
+    out.compare_photo = 0;
+    out.exposure.reset();
+    return out;
+}
+
+FrameReport ObjectSet::draw(const View& view, const RenderSettings& settings,
+                            std::span<const std::uint32_t> photos, PixelSample sample, double now,
+                            const View* next) {
+    if (alone()) return first_report_ = first_.draw(view, settings, photos, sample, now, next);
+    divide_budget();
+    RenderSettings of_first = settings;
+    of_first.fill_background = false;
+    FrameReport all;
+    all.settled = true;
+    if (first_object_.shown || settings.compare != Compare::nothing) {
+        first_report_ = first_.draw(view, of_first, photos, sample, now, next);
+        all = first_report_;
+    }
+    RenderSettings of_others = settings_of_others(settings);
+    const Eigen::Vector3d origin = origin_of(first_.package());
+    for (const auto& o : others_) {
+        if (!o->object.shown) continue;
+        const auto seen_by = [&](const View& v) {
+            return view_of_object(v, origin, origin_of(o->package), o->object.placement);
+        };
+        o->view = seen_by(view);
+        of_others.weights_from.reset();
+        if (settings.weights_from) of_others.weights_from = seen_by(*settings.weights_from);
+        std::optional<View> ahead;
+        if (next) ahead = seen_by(*next);
+        o->report = o->renderer->draw(o->view, of_others, o->photos, sample, now, ahead ? &*ahead : nullptr);
+        all = joined(all, o->report);
+    }
+    return all;
+}
+
+void ObjectSet::show(const View& view, const RenderSettings& settings, GLuint target, bool flip) {
+    if (alone() || settings.compare != Compare::nothing) return first_.show(view, settings, target, flip);
+    RenderSettings of_first = settings;
+    of_first.fill_background = false;
+    const RenderSettings of_others = settings_of_others(settings);
+    std::vector<ObjectFrame> frames;
+    if (first_object_.shown) frames.push_back({&first_, view, of_first, 1});
+    for (const auto& o : others_)
+        if (o->object.shown)
+            frames.push_back({o->renderer.get(), o->view, of_others, o->object.placement.scale});
+    composition_.show(frames, view, settings, target, flip);
+}
+
+Picture take_picture(ObjectSet& objects, const View& view, const RenderSettings& settings,
+                     std::span<const std::uint32_t> photos, int side) {
+    FrameReport report;
+    for (int i = 0; i < side * side; ++i) report = objects.draw(view, settings, photos, {i, side}, 0);
+    Picture p = picture_of(view, [&](GLuint target) { objects.show(view, settings, target, false); });
+    p.report = report;
+    return p;
+}
+
+}  // namespace vantage

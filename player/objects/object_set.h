@@ -1,0 +1,77 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "objects/scene_file.h"
+#include "player/objects/composition.h"
+#include "player/render/picture.h"
+
+namespace vantage {
+
+/// The objects of a scene: the first one, which the caller's renderer draws and whose coordinates are the
+/// scene's, and others with renderers of their own. Each blends its own photos; at each pixel the nearest
+/// object is shown. Belongs to the OpenGL thread.
+class ObjectSet {
+  public:
+    static constexpr std::size_t most = 16;  ///< objects
+
+    /// `first` and its package must outlive the set; `objects.front()` says what it is. `budget` is that of
+    /// all objects together. Throws Error, see add().
+    ObjectSet(Renderer& first, const std::vector<SceneObject>& objects, const MemoryBudget& budget);
+
+    /// Adds an object. A name that is taken gets a number. Throws Error for a package that cannot be shown,
+    /// Error(usage) for one too many.
+    void add(const SceneObject& object);
+    /// Removes an object other than the first one and returns its memory.
+    void remove(std::size_t object);
+
+    std::size_t size() const { return 1 + others_.size(); }
+    /// The first one cannot be placed.
+    const SceneObject& at(std::size_t object) const;
+    void place(std::size_t object, const Placement& placement);
+    void show_object(std::size_t object, bool shown);
+    /// Shows this object alone.
+    void show_only(std::size_t object);
+    /// As a scene file lists them.
+    std::vector<SceneObject> objects() const;
+    const FrameReport& report(std::size_t object) const;
+
+    /// Draws all objects that are shown, as Renderer::draw does. `photos`: of the first object; others blend
+    /// all of theirs. Layers, surroundings and comparisons are those of the first object.
+    FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
+                     PixelSample sample, double now, const View* next = nullptr);
+    /// Shows what was drawn last, as Renderer::show does. A comparison shows the first object alone.
+    void show(const View& view, const RenderSettings& settings, GLuint target, bool flip);
+
+  private:
+    struct Other {
+        SceneObject object;
+        PackageReader package;
+        std::unique_ptr<Renderer> renderer;
+        std::vector<std::uint32_t> photos;
+        View view{};
+        FrameReport report{};
+    };
+    bool alone() const;
+    RenderSettings settings_of_others(const RenderSettings& settings) const;
+    void divide_budget();
+    std::string free_name(const std::string& wanted) const;
+
+    Renderer& first_;
+    SceneObject first_object_;
+    MemoryBudget budget_;
+    FrameReport first_report_;
+    std::vector<std::unique_ptr<Other>> others_;
+    Composition composition_;
+};
+
+/// Renders all objects with `side` * `side` samples per pixel, as take_picture() does one.
+Picture take_picture(ObjectSet& objects, const View& view, const RenderSettings& settings,
+                     std::span<const std::uint32_t> photos, int side);
+
+/// The sum of what frames consisted of; settled if all are.
+FrameReport joined(const FrameReport& a, const FrameReport& b);
+
+}  // namespace vantage

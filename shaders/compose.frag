@@ -1,0 +1,59 @@
+// Several objects in one picture: at each pixel, nearer ones over those behind them, in linear light.
+#include "contract.glsl"
+
+layout(location = 0) out vec4 shown;
+layout(binding = object_colors_unit) uniform sampler2DArray colors;  // sRGB and coverage
+layout(binding = object_depths_unit) uniform sampler2DArray depths;
+layout(location = objects_uniform) uniform int objects;
+layout(location = compose_flip_uniform) uniform bool flip;
+layout(location = compose_fill_uniform) uniform bool fill;
+layout(location = compose_background_uniform) uniform vec3 background;  // linear
+
+vec3 decode(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045))); }
+vec3 encode(vec3 l) { return mix(12.92 * l, 1.055 * pow(max(l, 0.0), vec3(1.0 / 2.4)) - 0.055, greaterThan(l, vec3(0.0031308))); }
+
+// At an outline the samples of the color may be of the object while that of its depth is not: the nearest around it counts.
+float distance_of(ivec2 at, int object) {
+    float own = texelFetch(depths, ivec3(at, object), 0).r;
+    if (own > 0.0) return own;
+    float nearest = nothing_away;
+    ivec2 last = textureSize(depths, 0).xy - 1;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            float z = texelFetch(depths, ivec3(clamp(at + ivec2(x, y), ivec2(0), last), object), 0).r;
+            if (z > 0.0) nearest = min(nearest, z);
+        }
+    return nearest;
+}
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    if (flip) at.y = textureSize(colors, 0).y - 1 - at.y;
+    float away[MOST_OBJECTS];
+    int order[MOST_OBJECTS];
+    int count = 0;
+    for (int i = 0; i < objects; ++i) {
+        if (texelFetch(colors, ivec3(at, i), 0).a == 0.0) continue;
+        float z = distance_of(at, i);
+        int place = count++;
+        for (; place > 0 && away[place - 1] > z; --place) {
+            away[place] = away[place - 1];
+            order[place] = order[place - 1];
+        }
+        away[place] = z;
+        order[place] = i;
+    }
+    vec3 light = vec3(0.0);
+    float through = 1.0;
+    for (int k = 0; k < count; ++k) {
+        vec4 c = texelFetch(colors, ivec3(at, order[k]), 0);
+        light += through * c.a * decode(c.rgb);
+        through *= 1.0 - c.a;
+    }
+    if (fill) {
+        light += through * background;
+        through = 0.0;
+    }
+    float covered = 1.0 - through;
+    shown = vec4(clamp(encode(light / max(covered, 1e-6)), 0.0, 1.0), covered);
+}

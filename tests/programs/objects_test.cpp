@@ -1,0 +1,205 @@
+// Several objects in one picture, compared with each alone and with what rays meet first.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <optional>
+
+#include "gl/context.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/run/progress.h"
+#include "pipeline/synth/ray_scene.h"
+#include "pipeline/synth/synthesize.h"
+#include "player/objects/object_set.h"
+#include "player/objects/object_view.h"
+#include "scene/error.h"
+#include "tests/temporary_folder.h"
+
+using namespace vantage;
+using Eigen::Vector3d;
+
+namespace {
+
+/// Three small buildings, each with photos of its own.
+class Objects : public TemporaryFolder {
+  protected:
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        for (unsigned i = 0; i < 3; ++i) {
+            const std::string name = "object" + std::to_string(i);
+            SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+            spec.seed = 3 + i;
+            spec.building.width = 5 + 1.5 * i;
+            spec.object.triangles = 2000;
+            spec.photos.count = 4, spec.photos.samples = 1;
+            synthesize(spec, dir / name, {});
+            SceneInput input = read_scene(discover(dir / name));
+            meshes.push_back(input.mesh);
+            prepare(std::move(input), {}, file(i), [](const Progress&) {});
+            scene.push_back({name, file(i), {}, true});
+        }
+        scene[1].placement = {{3, -2, 0}, {0, 0, 40}, 0.7};
+        scene[2].placement = {{-4, 1.5, 0.5}, {0, 0, -30}, 1.2};
+        first = std::make_unique<PackageReader>(file(0));
+        photos.resize(first->photos().size());
+        std::iota(photos.begin(), photos.end(), 0u);
+    }
+    std::filesystem::path file(unsigned i) const { return dir / ("object" + std::to_string(i) + ".vantage"); }
+
+    View view() const {
+        View v = view_of_photo(first->photos()[1], 1);
+        v.cam_from_origin.t += Vector3d(0, 0, 3);  // farther away
+        return v;
+    }
+    /// The rays of the view's pixels against one placed object.
+    struct PlacedRays {
+        RayScene rays;
+        View view;
+        Vector3d origin;
+        double scale;
+        /// Along the view's axis; infinite if the ray misses.
+        double distance(double x, double y) const {
+            const Intrinsics& k = view.intrinsics;
+            const Vector3d ray =
+                view.cam_from_origin.R.transpose() * Vector3d((x - k.cx) / k.fx, (y - k.cy) / k.fy, 1);
+            const auto hit = rays.first_hit(view.cam_from_origin.center() + origin, ray);
+            return hit ? hit->distance * scale : std::numeric_limits<double>::infinity();
+        }
+    };
+    PlacedRays placed(unsigned i) const {
+        const auto origin_of = [](const PackageReader& package) {
+            return Vector3d(Eigen::Map<const Vector3d>(package.scene().origin));
+        };
+        const Vector3d origin = origin_of(PackageReader(file(i)));
+        const Placement& p = scene[i].placement;
+        return {RayScene(meshes[i]), view_of_object(view(), origin_of(*first), origin, p), origin, p.scale};
+    }
+    std::vector<Mesh> meshes;
+    std::vector<SceneObject> scene;
+    std::unique_ptr<PackageReader> first;
+    std::vector<std::uint32_t> photos;
+};
+
+}  // namespace
+
+TEST_F(Objects, EachPixelShowsTheObjectThatItsRayMeetsFirst) {
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(*first, MemoryBudget{});
+    ObjectSet set(renderer, scene, MemoryBudget{});
+    const Picture together = take_picture(set, view(), {}, photos, 1);
+    std::vector<Picture> alone;
+    for (std::size_t i = 0; i < 3; ++i) {
+        set.show_only(i);
+        alone.push_back(take_picture(set, view(), {}, photos, 1));
+    }
+    std::vector<PlacedRays> rays;
+    for (unsigned i = 0; i < 3; ++i) rays.push_back(placed(i));
+    std::array<std::size_t, 3> compared{};
+    std::size_t wrong = 0;
+    for (int y = 2; y < together.height - 2; y += 2)
+        for (int x = 2; x < together.width - 2; x += 2) {
+            // The nearest in the middle and around it: outlines may be of either.
+            std::optional<unsigned> nearest;
+            bool inside = true;
+            for (const auto& [dx, dy] : {std::pair(0, 0), {-2, 0}, {2, 0}, {0, -2}, {0, 2}}) {
+                unsigned at = 0;
+                double least = std::numeric_limits<double>::infinity();
+                for (unsigned i = 0; i < 3; ++i) {
+                    const double z = rays[i].distance(x + dx + 0.5, y + dy + 0.5);
+                    if (z < least) least = z, at = i;
+                }
+                inside &= std::isfinite(least) && at == nearest.value_or(at);
+                nearest = at;
+            }
+            if (!inside) continue;
+            const std::size_t p = 4 * (std::size_t(y) * std::size_t(together.width) + std::size_t(x));
+            ++compared[*nearest];
+            const std::vector<std::uint8_t>& own = alone[*nearest].rgba;
+            if (own[p + 3] < 255) continue;  // no photo of its own shows it: others may shine through
+            for (std::size_t c = 0; c < 4; ++c)
+                wrong += std::abs(int(together.rgba[p + c]) - int(own[p + c])) > 1;
+        }
+    for (const std::size_t n : compared) EXPECT_GT(n, 300u);
+    EXPECT_EQ(wrong, 0u);
+}
+
+TEST_F(Objects, OneObjectIsDrawnAsWithoutASet) {
+    const gl::HeadlessContext context(gl::Debug::on);
+    RenderSettings settings;
+    settings.fill_holes = true;
+    Renderer bare(*first, MemoryBudget{});
+    const Picture expected = take_picture(bare, view(), settings, photos, 2);
+    Renderer renderer(*first, MemoryBudget{});
+    ObjectSet set(renderer, {scene[0]}, MemoryBudget{});
+    EXPECT_EQ(take_picture(set, view(), settings, photos, 2).rgba, expected.rgba);
+    set.add(scene[1]);
+    EXPECT_NE(take_picture(set, view(), settings, photos, 2).rgba, expected.rgba);
+    set.show_object(1, false);
+    const Picture hidden = take_picture(set, view(), settings, photos, 2);
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < expected.rgba.size(); ++i)
+        off += std::abs(int(hidden.rgba[i]) - int(expected.rgba[i])) > 1;
+    EXPECT_EQ(off, 0u);
+    set.remove(1);
+    EXPECT_EQ(take_picture(set, view(), settings, photos, 2).rgba, expected.rgba);
+}
+
+TEST_F(Objects, RemovingAnObjectReturnsItsMemory) {
+    const gl::HeadlessContext context(gl::Debug::on);
+    const MemoryBudget budget{.graphics = std::uint64_t(300) << 20};
+    Renderer renderer(*first, budget);
+    ObjectSet set(renderer, {scene[0]}, budget);
+    take_picture(set, view(), {}, photos, 1);
+    const std::uint64_t before = gl::memory_held();
+    for (int round = 0; round < 3; ++round) {
+        set.add(scene[1]);
+        set.add(scene[2]);
+        take_picture(set, view(), {}, photos, 1);
+        EXPECT_LE(gl::memory_held(), (std::uint64_t(300) << 20) * 11 / 10);
+        set.remove(1);
+        set.remove(1);
+        ASSERT_EQ(set.size(), 1u);
+        take_picture(set, view(), {}, photos, 1);
+        EXPECT_EQ(gl::memory_held(), before) << round;
+    }
+}
+
+TEST_F(Objects, MovedApartTheyAreBesideEachOtherAndBackTogetherAsBefore) {
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(*first, MemoryBudget{});
+    ObjectSet set(renderer, scene, MemoryBudget{});
+    const auto colored = [](const Picture& p) {
+        std::size_t n = 0;
+        for (std::size_t i = 3; i < p.rgba.size(); i += 4) n += p.rgba[i] == 255;
+        return n;
+    };
+    const Picture together = take_picture(set, view(), {}, photos, 1);
+    Placement apart = scene[1].placement;
+    apart.move = {500, 0, 0};  // out of the picture
+    set.place(1, apart);
+    set.place(2, apart);
+    const Picture moved = take_picture(set, view(), {}, photos, 1);
+    set.show_only(0);
+    const Picture alone = take_picture(set, view(), {}, photos, 1);
+    EXPECT_EQ(colored(moved), colored(alone));
+    EXPECT_GT(colored(together), colored(alone));
+    for (std::size_t i = 0; i < 3; ++i) set.show_object(i, true);
+    set.place(1, scene[1].placement);
+    set.place(2, scene[2].placement);
+    EXPECT_EQ(take_picture(set, view(), {}, photos, 1).rgba, together.rgba);
+}
+
+TEST_F(Objects, NamesAreUniqueAndNumbersLimited) {
+    const gl::HeadlessContext context;
+    Renderer renderer(*first, MemoryBudget{});
+    ObjectSet set(renderer, {scene[0]}, MemoryBudget{});
+    set.add(scene[0]);
+    EXPECT_EQ(set.at(1).name, "object0 2");
+    SceneObject missing = scene[1];
+    missing.package = dir / "none.vantage";
+    EXPECT_THROW(set.add(missing), Error);
+    EXPECT_EQ(set.size(), 2u);
+}
