@@ -36,9 +36,11 @@ bool object_row(Controls& c, ObjectSet& objects, std::size_t object, double size
     if (object == 0) return changed;
     ImGui::SameLine();
     removed = c.button(("Remove " + name).c_str());
-    if (!ImGui::TreeNode(("Position##" + name).c_str())) return changed;
-    changed |= placement_sliders(c, objects, object, size);
-    ImGui::TreePop();
+    ImGui::SameLine();
+    const std::string position = "Position of " + name;
+    bool* open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID((position + " open").c_str()));
+    if (c.button(position.c_str())) *open = !*open;
+    if (*open) changed |= placement_sliders(c, objects, object, size);
     return changed;
 }
 

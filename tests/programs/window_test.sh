@@ -59,6 +59,18 @@ press() {  # press NAME [share of its width]: clicks a control
   xdotool mouseup 1
   frames 3
 }
+quit() {  # quits by the menu and expects exit code 0
+  kill -0 $pid 2>/dev/null || { cat says; fail "the player has exited early"; }
+  press "File"
+  xdotool mousemove $(place "Quit")
+  frames 2
+  xdotool click 1
+  for _ in $(seq 100); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
+  kill -9 $pid 2>/dev/null && fail "the player did not quit"
+  wait $pid
+  [ $? = 0 ] || { cat says; fail "the player failed"; }
+}
+
 key() { xdotool keydown "$1"; frames 2; xdotool keyup "$1"; frames 2; }
 
 place "Photo 1" >/dev/null || { cat says; fail "no window"; exit 1; }
@@ -145,15 +157,7 @@ press "Eye-dome shading" 0.2
 press "Million points" 0.1
 press "Points"; press "with the model"
 key F8
-kill -0 $pid 2>/dev/null || { cat says; fail "the player has exited early"; }
-press "File"
-xdotool mousemove $(place "Quit")
-frames 2
-xdotool click 1
-for _ in $(seq 100); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
-kill -9 $pid 2>/dev/null && fail "the player did not quit"
-wait $pid
-[ $? = 0 ] || { cat says; fail "the player failed"; }
+quit
 
 [ "$(ls one-*.png 2>/dev/null | wc -l)" = 2 ] || fail "expected two screenshots: $(ls)"
 [ "$(ls one-*.path 2>/dev/null | wc -l)" -ge 1 ] || fail "no path was recorded: $(ls)"
@@ -172,5 +176,30 @@ remembers photos_per_pass [2-7]
 remembers panel_blending true
 remembers panel_radar false
 remembers width 900
+# A scene of two objects.
+rm -f places
+printf '[[object]]\nname = "left"\npackage = "one.vantage"\n[[object]]\nname = "right"\npackage = "one.vantage"\nmove = [9, 0, 0]\n' >church.toml
+"$player" church.toml --fresh --size 900x700 --blended 1 --controls places >says 2>&1 &
+pid=$!
+place "Photo 1" >/dev/null || { cat says; fail "no window for a scene"; exit 1; }
+window=$(xdotool search --name Vantage | tail -1)
+xdotool windowfocus "$window"
+xdotool mousemove 500 400
+for _ in $(seq 40); do xdotool click 5; done
+frames 5
+press "View"; press "Objects"
+press "Only right"
+press "left"
+press "Position of right"
+press "Move x of right" 0.7
+press "Turn z of right" 0.7
+press "Scale of right" 0.6
+press "Save scene"
+press "Remove right"
+key F9
+[ "$(xdotool getwindowname "$window")" = "one.vantage - Vantage" ] || fail "the first object's package is not named"
+quit
+grep -q "name = 'right'" scene-0001.toml && grep -q "turn = " scene-0001.toml && grep -q "package = 'one.vantage'" scene-0001.toml ||
+  fail "the scene was not saved as it was: $(cat scene-0001.toml)"
 [ $failed = 0 ] && echo "every control works"
 exit $failed
