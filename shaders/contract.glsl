@@ -34,6 +34,7 @@ const int points_unit = 7;
 const int depth_unit = 8;
 const int accumulated_unit = 4;  // show
 const int filled_unit = 5;
+const int other_unit = 6;
 const int object_colors_unit = 4;  // compose
 const int object_depths_unit = 5;
 const int finer_unit = 4;    // average_holes
@@ -105,6 +106,9 @@ const int wiper_uniform = 3;
 const int photo_from_frame_uniform = 4;
 const int lod_uniform = 5;
 const int fills_uniform = 6;
+const int bands_uniform = 7;
+const int band_share_uniform = 8;
+const int other_fills_uniform = 9;
 
 // Uniforms of average_holes.
 const int average_samples_uniform = 0;
@@ -154,6 +158,12 @@ const uint compare_nothing = 0u;
 const uint compare_side_by_side = 1u;
 const uint compare_wiper = 2u;
 const uint compare_difference = 3u;
+
+// How two bands are shown.
+const uint bands_one = 0u;
+const uint bands_mixed = 1u;
+const uint bands_side_by_side = 2u;
+const uint bands_wiper = 3u;
 
 // Tiles: texels per side, of which a border on each side repeats the neighbors.
 const int tile_texels = 256;

@@ -28,8 +28,7 @@ vec4 photo_at(vec2 frame_pixel) {
 }
 
 // Mean of a pixel's samples; alpha: the share of them that is no hole.
-vec4 shown_color(ivec2 at) {
-    vec4 a = texelFetch(accumulated, at, 0);
+vec4 shown_color(vec4 a, ivec2 at, bool fills) {
 #ifdef SURROUNDINGS
     float share = a.a / samples;
     if (fills && a.a > 0.0 && share < 0.999) {
@@ -41,6 +40,42 @@ vec4 shown_color(ivec2 at) {
     return vec4(a.rgb / max(a.a, 1.0), a.a / samples);
 }
 
+#ifdef BANDS
+layout(binding = other_unit) uniform sampler2D other;          // samples of the other band
+layout(location = bands_uniform) uniform uint bands;
+layout(location = band_share_uniform) uniform float band_share;  // of the other band; of the width: where it begins
+layout(location = other_fills_uniform) uniform bool other_fills;
+
+// Both, in square roots of light as everywhere; what is a hole in one fades.
+vec4 mixed(vec4 a, vec4 b, float share) {
+    float alpha = mix(a.a, b.a, share);
+    if (!(alpha > 0.0)) return vec4(0.0);
+    vec3 root = mix(a.a * sqrt(max(a.rgb, 0.0)), b.a * sqrt(max(b.rgb, 0.0)), share) / alpha;
+    return vec4(root * root, alpha);
+}
+
+// Whether a pixel of the picture shows the other band.
+bool on_other_side(int x, int width) {
+    return bands == bands_side_by_side ? x >= width / 2
+                                       : bands == bands_wiper && float(x) >= band_share * float(width);
+}
+
+bool on_divider(int x, int width) {
+    return bands == bands_side_by_side ? abs(x - width / 2) < 2
+                                       : bands == bands_wiper && abs(float(x) - band_share * float(width)) < 1.5;
+}
+
+vec4 band_color(ivec2 at, bool fills) {
+    ivec2 size = textureSize(accumulated, 0);
+    bool second = on_other_side(at.x, size.x);
+    if (bands == bands_side_by_side) at.x = at.x % max(size.x / 2, 1) + size.x / 4;  // the middle half of each
+    if (bands != bands_mixed && second) return shown_color(texelFetch(other, at, 0), at, other_fills);
+    vec4 first = shown_color(texelFetch(accumulated, at, 0), at, fills);
+    if (bands != bands_mixed || band_share <= 0.0) return first;
+    return mixed(first, shown_color(texelFetch(other, at, 0), at, other_fills), band_share);
+}
+#endif
+
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     ivec2 size = textureSize(accumulated, 0);
@@ -50,7 +85,14 @@ void main() {
         photo_side = at.x >= size.x / 2;
         at.x = at.x % (size.x / 2) + size.x / 4;
     }
-    vec4 light = shown_color(at);
+#ifndef SURROUNDINGS
+    const bool fills = false;
+#endif
+#ifdef BANDS
+    vec4 light = band_color(at, fills);
+#else
+    vec4 light = shown_color(texelFetch(accumulated, at, 0), at, fills);
+#endif
     vec3 color = clamp(encode(clamp(light.rgb, 0.0, 1.0)), 0.0, 1.0);
     float seen = light.a;
     if (compare != compare_nothing) {
@@ -63,5 +105,11 @@ void main() {
                                      : compare == compare_wiper && abs(float(at.x) - wiper * float(size.x)) < 1.5;
         if (divider) color = vec3(1.0);
     }
+#ifdef BANDS
+    if (on_divider(at.x, size.x)) {
+        color = vec3(1.0);
+        seen = 1.0;
+    }
+#endif
     shown = vec4(clamp(color, 0.0, 1.0), seen);
 }

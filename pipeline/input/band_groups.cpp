@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Folders of bands, the first group in visible light.
-constexpr const char* visible_bands[] = {"visible", "vis",          "rgb",   "color",
-                                         "colour",  "normal light", "photos"};
+constexpr const char* visible_bands[] = {"visible", "vis",    "rgb",         "color",
+                                         "colour",  "normal", "normal light"};
 constexpr const char* other_bands[] = {
     "infrared", "ir",      "nir", "irr",    "swir",   "irfc",         "ultraviolet", "uv",
     "uvf",      "uvl",     "uvr", "uvirfc", "raking", "raking light", "xray",        "x-ray",
@@ -69,7 +69,8 @@ BandGroups grouped(std::span<const std::string> of_photos, const std::string& wh
     std::vector<std::uint32_t> order(out.names.size());
     std::iota(order.begin(), order.end(), 0u);
     std::ranges::sort(order, {}, [&](std::uint32_t b) {
-        return std::tuple(!is_one_of(visible_bands, out.names[b]), -std::int64_t(count[b]), out.names[b]);
+        const bool first = is_one_of(visible_bands, out.names[b]) || out.names[b] == without_folder;
+        return std::tuple(!first, -std::int64_t(count[b]), out.names[b]);
     });
     std::vector<std::string> names;
     std::vector<std::uint32_t> place(order.size());

@@ -134,16 +134,17 @@ std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double st
 }
 
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,
-                const PackageReader& package) {
+                const PackageReader& package, std::span<const std::string> bands) {
     std::ofstream out(file);
     out << "# EX EY EZ TX TY TZ, vertical field of view in degrees\n";
     const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
-    for (const Navigation& n : positions) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const Navigation& n = positions[i];
         const Eigen::Vector3d e = n.eye + origin, t = n.target + origin;
         char line[256];
-        std::snprintf(line, sizeof line, "%.9g %.9g %.9g  %.9g %.9g %.9g  %.4g\n", e.x(), e.y(), e.z(), t.x(),
+        std::snprintf(line, sizeof line, "%.9g %.9g %.9g  %.9g %.9g %.9g  %.4g", e.x(), e.y(), e.z(), t.x(),
                       t.y(), t.z(), n.fov);
-        out << line;
+        out << line << (i < bands.size() ? "  band=" + bands[i] : "") << '\n';
     }
     if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
 }

@@ -36,9 +36,10 @@ std::vector<Navigation> photo_stops(const PackageReader& package, std::span<cons
 /// than a million frames.
 std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double step);
 
-/// Writes positions in the format of read_path. Throws Error(storage).
+/// Writes positions in the format of read_path, with a band for each unless `bands` is empty. Throws
+/// Error(storage).
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,
-                const PackageReader& package);
+                const PackageReader& package, std::span<const std::string> bands = {});
 
 /// Interpolates from `a` (share 0) to `b` (share 1); extrapolates beyond.
 Navigation between(const Navigation& a, const Navigation& b, double share);

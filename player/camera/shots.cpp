@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "bands/bands.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -37,9 +38,16 @@ std::vector<std::uint32_t> named_photos(const PackageReader& package, const std:
     return out;
 }
 
+std::uint32_t middle_photo(std::span<const package::PhotoRecord> photos, std::uint32_t band) {
+    std::vector<std::uint32_t> own;
+    for (std::uint32_t p = 0; p < photos.size(); ++p)
+        if (photos[p].band == band) own.push_back(p);
+    return own.empty() ? std::uint32_t(photos.size() / 2) : own[own.size() / 2];
+}
+
 Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std::optional<FrameSize> size,
                 double scale) {
-    Shot shot{name, view_of_photo(photo, scale)};
+    Shot shot{name, view_of_photo(photo, scale), photo.band};
     if (!size) return shot;
     Intrinsics k = intrinsics(photo);
     const double s = std::min(double(size->width) / k.width, double(size->height) / k.height);
@@ -67,6 +75,20 @@ View parse_view(const std::string& text, const PackageReader& package, FrameSize
                         size.width, size.height);
 }
 
+namespace {
+
+/// Takes "band=NAME" from the end of a line.
+std::optional<std::uint32_t> take_band(std::string& line, const PackageReader& package) {
+    const std::size_t at = line.find("band=");
+    if (at == std::string::npos) return {};
+    std::string name = line.substr(at + 5);
+    name.erase(name.find_last_not_of(" \t\r") + 1);
+    line.erase(at);
+    return band_named(package, name);
+}
+
+}  // namespace
+
 std::vector<Shot> read_path(const std::string& file, const PackageReader& package, FrameSize size) {
     std::ifstream in(file);
     if (!in) throw Error(Exit::input, file + ": cannot be read");
@@ -78,7 +100,8 @@ std::vector<Shot> read_path(const std::string& file, const PackageReader& packag
         char name[16];
         std::snprintf(name, sizeof name, "%04zu", shots.size());
         try {
-            shots.push_back({name, parse_view(line, package, size)});
+            const std::optional<std::uint32_t> band = take_band(line, package);
+            shots.push_back({name, parse_view(line, package, size), band});
         } catch (const Error& e) {
             throw Error(Exit::input, file + ":" + std::to_string(number) + ": " + e.what());
         }

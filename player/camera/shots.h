@@ -12,6 +12,7 @@ namespace vantage {
 struct Shot {
     std::string name;
     View view;
+    std::optional<std::uint32_t> band{};  ///< to show; nothing: not said
 };
 
 struct FrameSize {
@@ -24,6 +25,9 @@ FrameSize parse_size(const std::string& text);
 /// Error(usage) for an unknown or ambiguous name.
 std::vector<std::uint32_t> named_photos(const PackageReader& package, const std::vector<std::string>& names);
 
+/// The photo in the middle of those of a band; of all if it has none.
+std::uint32_t middle_photo(std::span<const package::PhotoRecord> photos, std::uint32_t band);
+
 /// From the photo's own camera, with its intrinsics at `scale`, or with the whole photo fitted into `size`.
 /// `name`: of the picture.
 Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std::optional<FrameSize> size,
@@ -33,7 +37,8 @@ Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std:
 /// as an optional seventh number (default 45); separated by commas or spaces. Throws Error(usage).
 View parse_view(const std::string& text, const PackageReader& package, FrameSize size);
 
-/// One view per line, as in parse_view; skips empty lines and lines that start with #. Named 0000, 0001, ...
+/// One view per line, as in parse_view, followed by band=NAME if it is to show a band; skips empty lines and
+/// lines that start with #. Named 0000, 0001, ...
 /// Throws Error(input).
 std::vector<Shot> read_path(const std::string& file, const PackageReader& package, FrameSize size);
 

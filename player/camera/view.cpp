@@ -15,6 +15,7 @@ Exposure exposure_of(const package::PhotoRecord& photo) {
         e.gain[c] = float(1 / photo.gain[c]);
         e.falloff[c] = photo.falloff[c];
     }
+    e.band = photo.band;
     return e;
 }
 

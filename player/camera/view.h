@@ -12,6 +12,7 @@ namespace vantage {
 /// toward the corners, as in PhotoRecord.
 struct Exposure {
     std::array<float, 3> gain{1, 1, 1}, falloff{0, 0, 0};
+    std::uint32_t band = 0;  ///< whose photos it is relative to
 };
 /// The photo's exposure and lens.
 Exposure exposure_of(const package::PhotoRecord& photo);

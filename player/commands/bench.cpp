@@ -13,6 +13,7 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
     add_output_options(app, o.output);
     add_memory_options(app, o.memory);
     add_blending_options(app, o.blending);
+    add_second_band_options(app, o.blending.bands);
     add_point_options(app, o.points);
     add_unused_options(app, unused);
     hide(app, {"--quiet"});

@@ -100,6 +100,7 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
         const Shot& shot = wanted[i];
         const std::filesystem::path& file = files[i];
         const auto start = std::chrono::steady_clock::now();
+        if (shot.band && !options.blending.bands.given()) settings.bands.shown = *shot.band;
         const Picture picture = take_picture(scene, shot.view, settings, photos, side);
         if (i == 0 && !options.output.quiet) print_legend(renderer, settings);
         if (file.has_parent_path()) make_folder(file.parent_path());

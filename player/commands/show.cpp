@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "bands/bands.h"
 #include "cli/exit_codes.h"
 #include "player/commands/commands.h"
 #include "player/commands/offscreen.h"
@@ -14,9 +15,11 @@ namespace vantage {
 namespace {
 
 void list_photos(const PackageReader& package) {
+    const std::vector<Band> bands = read_bands(package);
     for (const package::PhotoRecord& p : package.photos())
-        std::printf("%s  %ux%u  sees %.1f %% of the vertices%s\n", p.name, p.width, p.height,
-                    100 * p.visible_vertices, p.flags & package::photo_held_out ? "  held out" : "");
+        std::printf("%s  %s%s%ux%u  sees %.1f %% of the vertices%s\n", p.name, bands[p.band].name.c_str(),
+                    bands.size() > 1 ? "  " : "", p.width, p.height, 100 * p.visible_vertices,
+                    p.flags & package::photo_held_out ? "  held out" : "");
 }
 
 /// The objects of the scene that the command line names, the first one that of the package to open.
@@ -55,6 +58,7 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
     add_output_options(app, o.output);
     add_memory_options(app, o.memory);
     add_blending_options(app, o.blending);
+    add_second_band_options(app, o.blending.bands);
     add_layer_options(app, o.layer);
     add_light_options(app, o.light);
     add_point_options(app, o.points);
@@ -72,6 +76,8 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
         "relief.png\n"
         "  vantage-player chapel.vantage --add altar.vantage --add scanner.vantage\n"
         "  vantage-player church.toml\n"
+        "  vantage-player panel.vantage --offscreen --photo 0003 --band visible --band-mix infrared=0.5 -o "
+        "mixed.png\n"
         "Verbs (vantage-player VERB --help):\n" +
         verbs_text() + exit_codes_text());
 }

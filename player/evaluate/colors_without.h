@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "bands/bands.h"
 #include "colors/color_fit.h"
 #include "scene/package_reader.h"
 
@@ -13,11 +14,13 @@ class ColorsWithout {
     /// Reads the photos' samples of the surface. Throws Error(damaged).
     explicit ColorsWithout(const PackageReader& package);
 
-    /// Gains, and falloff if that is on, fitted without `photo`.
+    /// Gains, and falloff if that is on, fitted without `photo` to the others of its band.
     PhotoColors colors(std::uint32_t photo) const;
-    /// The package's records with these colors, as far as the effects are on.
-    std::vector<package::PhotoRecord> records(const PhotoColors& colors) const;
-    std::vector<package::PhotoRecord> records(std::uint32_t photo) const { return records(colors(photo)); }
+    /// The package's records with these colors, as far as the effects are on for the photo's band.
+    std::vector<package::PhotoRecord> records(const PhotoColors& colors, std::uint32_t photo) const;
+    std::vector<package::PhotoRecord> records(std::uint32_t photo) const {
+        return records(colors(photo), photo);
+    }
 
     const PhotoSamples& samples() const { return samples_; }
 
@@ -25,6 +28,7 @@ class ColorsWithout {
     const PackageReader& package_;
     PhotoSamples samples_;
     std::vector<std::uint32_t> lens_;  ///< per photo
+    std::vector<Band> bands_;
 };
 
 }  // namespace vantage

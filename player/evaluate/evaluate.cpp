@@ -174,7 +174,7 @@ class SceneWithout {
     /// Shows the others' masks as they are without the photo. Returns the records.
     std::vector<package::PhotoRecord> leave_out(std::uint32_t photo, Renderer& renderer) {
         const PhotoColors colors = fits_colors_ ? colors_.colors(photo) : PhotoColors{};
-        std::vector<package::PhotoRecord> out = colors_.records(colors);
+        std::vector<package::PhotoRecord> out = colors_.records(colors, photo);
         if (effect_on(renderer.package().scene(), Effect::registration))
             use_poses_without(renderer.package(), photo, out);
         if (consensus_) {
@@ -199,7 +199,11 @@ class SceneWithout {
 
 int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
-    const std::vector<std::uint32_t> left_out = photos_to_leave_out(package, o, photos);
+    const std::vector<std::uint32_t> left_out = photos_to_leave_out(
+        package, o,
+        o.blending.bands.band.empty()
+            ? photos
+            : photos_in_use(package, o.package, band_settings(package, o.blending.bands).shown));
     if (left_out.empty()) throw Error(Exit::input, package.path().string() + ": no photos to leave out");
     expect_earlier(o);
     make_folder(o.folder);
@@ -216,6 +220,7 @@ int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     print_heading(names);
     for (const std::uint32_t p : left_out) {
         LeftOutPictures pictures;
+        settings.bands = {.shown = package.photos()[p].band};  // the others of its band predict it
         const int level = std::min(o.level, int(package.photos()[p].levels) - 1);
         const auto records = without.leave_out(p, renderer);
         results.push_back(leave_out(renderer, settings, photos, records, p, level, regions, pictures));

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "player/interface/band_panel.h"
+
 namespace vantage {
 namespace {
 
@@ -45,6 +47,7 @@ void draw_frusta(const Session& s, const Renderer& renderer, const View& view) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const double length = 0.06 * scene.size;
     for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
+        if (!is_shown(s.settings.bands, scene.photos[i])) continue;
         const Intrinsics& k = scene.intrinsics[i];
         const Pose& pose = scene.poses[i];
         const Eigen::Vector3d center = pose.center();
@@ -107,6 +110,7 @@ void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const
     std::uint32_t nearest = 0;
     double best = 1e30;
     for (std::uint32_t i = 0; i < scene.poses.size(); ++i) {
+        if (!is_shown(s.settings.bands, scene.photos[i])) continue;
         arrow(scene.poses[i],
               weight_color(weights.distance[i], weights.angle[i], in_use(renderer, i) ? 1.0f : 0.5f), 14);
         const ImVec2 at = place(scene.poses[i].center());

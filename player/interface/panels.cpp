@@ -116,6 +116,7 @@ void show_section(Controls& c, Session& s, const Renderer& renderer) {
     light_section(c, s);
     static const char* const compares[] = {"nothing", "side by side", "wiper", "difference"};
     choice(c, "Compare", r.compare, compares);
+    if (r.compare != Compare::nothing) r.bands.how = BandView::mix;  // one comparison at a time
     if (r.compare == Compare::wiper) c.slider("Wiper", &r.wiper, 0.0, 1.0);
 }
 
@@ -191,7 +192,8 @@ void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
         toggle("Radar", "F6", s.panels.radar);
         if (!renderer.layers().empty()) toggle("Layers", "F7", s.panels.layers);
         if (renderer.points()) toggle("Point cloud", "F8", s.panels.points);
-        toggle("Objects", "F9", s.panels.objects);
+        if (renderer.scene().bands.size() > 1) toggle("Bands", "F9", s.panels.bands);
+        toggle("Objects", "F10", s.panels.objects);
         ImGui::EndMenu();
     }
     if (c.menu("Path")) {
@@ -269,11 +271,12 @@ void help_panel(Session& s) {
                                         {"N, B", "fly to the next or previous photo"},
                                         {"C", "compare: side by side, wiper, difference"},
                                         {"V", "show photos, which photo, how many photos"},
+                                        {"X", "show the next band of photos"},
                                         {blends.keys.c_str(), blends.labels.c_str()},
                                         {"R, T", "record a path, replay it"},
                                         {"O", "open another package (or drop it here)"},
                                         {"P", "screenshot"},
-                                        {"F1 to F9", "help and panels"},
+                                        {"F1 to F10", "help and panels"},
                                         {"Esc", "quit"}};
         for (const auto& line : lines) {
             ImGui::TextColored(ImVec4(0.55f, 0.75f, 1, 1), "%s", line[0]);

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <string>
 
+#include "player/interface/band_panel.h"
+
 namespace vantage {
 
 PhotoStrip::~PhotoStrip() { forget(); }
@@ -49,7 +51,7 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
     }
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < scene.photos.size(); ++i)
-        if (scene.photos[i].levels) order.push_back(i);
+        if (scene.photos[i].levels && is_shown(s.settings.bands, scene.photos[i])) order.push_back(i);
     std::ranges::stable_sort(order, std::ranges::greater(), [&](auto i) { return agreements_[i]; });
     const auto shown = std::min<std::size_t>(order.size(), 48);
     for (std::size_t n = 0; n < shown; ++n) {
@@ -81,7 +83,8 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
             list.AddRect(at, end, ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, 1)), 0, 0,
                          hovered ? 4.0f : 2.5f);
         if (hovered)
-            ImGui::SetTooltip("%s, %ux%u, agreement %.0f %%", p.name, p.width, p.height,
+            ImGui::SetTooltip("%s, %s%s%ux%u, agreement %.0f %%", p.name, scene.bands[p.band].name.c_str(),
+                              scene.bands.size() > 1 ? ", " : "", p.width, p.height,
                               100 * agreements_[order[n]]);
         if (clicked) fly_to(s, order[n], p, now);
     }

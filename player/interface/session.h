@@ -12,8 +12,8 @@ namespace vantage {
 /// The panels and overlays that are shown.
 struct Panels {
     bool blending = true, status = true, photos = true, frusta = false, radar = false, help = false;
-    bool layers = true;  ///< if the package has layers of its own; otherwise closed until asked for
-    bool points = true;  ///< only if the package has any
+    bool layers = true;                ///< if the package has layers of its own; else closed until asked for
+    bool points = true, bands = true;  ///< only if the package has any
     bool objects = false;
 };
 

@@ -18,7 +18,8 @@ namespace {
 /// 2017, 5.1 and 5.2).
 void run_sweep(const PackageReader& package, const BenchOptions& o, const FlightTarget& target) {
     const bool passes = o.sweep == "passes";
-    const int all = int(photos_in_use(package, o.package).size());
+    const int all =
+        int(photos_in_use(package, o.package, band_settings(package, o.blending.bands).shown).size());
     std::vector<int> values;
     for (int v = 1; v <= (passes ? most_photos_per_pass : all); v *= 2) values.push_back(v);
     if (!passes && values.back() != all) values.push_back(all);

@@ -80,7 +80,8 @@ CameraPath path_named(const std::string& name, const PackageReader& package, con
     const int frames = o.minutes > 0 ? 1 << 20 : o.frames;
     if (std::filesystem::is_regular_file(name)) return recorded_path(name, package, frames);
     const auto photos = package.photos();
-    const std::uint32_t first = o.package.photos.empty() ? std::uint32_t(photos.size() / 2)
+    const std::uint32_t band = band_settings(package, o.blending.bands).shown,
+                        first = o.package.photos.empty() ? middle_photo(photos, band)
                                                          : named_photos(package, o.package.photos).front();
     return scripted_path(name, stand_at(photos[first], mean_up(photos)), frames, unsigned(repeat) + 1);
 }

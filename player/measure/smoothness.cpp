@@ -33,8 +33,9 @@ double usual_distance(const PackageReader& package) {
 }
 
 std::vector<Navigation> path_of(const PackageReader& package, const SmoothnessOptions& o) {
+    const std::uint32_t band = band_settings(package, o.blending.bands).shown;
     const std::vector<std::uint32_t> photos = o.package.photos.empty()
-                                                  ? photos_in_use(package, o.package)
+                                                  ? photos_in_use(package, o.package, band)
                                                   : named_photos(package, o.package.photos);
     std::vector<Navigation> path =
         in_steps(o.path.empty() ? photo_stops(package, photos)

@@ -107,6 +107,7 @@ RenderSettings ObjectSet::settings_of_others(const RenderSettings& settings) con
     out.fill_background = false;
     out.surroundings = ShowSurroundings::off;  // those of one object would hide the others
     out.layer.layer = -1;
+    out.bands = {};
     out.compare = Compare::nothing;
     out.compare_photo = 0;
     out.exposure.reset();

@@ -39,7 +39,7 @@ class ObjectSet {
     const FrameReport& report(std::size_t object) const;
 
     /// Draws all objects that are shown, as Renderer::draw does. `photos`: of the first object; others blend
-    /// all of theirs. Layers, surroundings and comparisons are those of the first object.
+    /// all of theirs. Layers, bands, surroundings and comparisons are those of the first object.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
     /// Shows what was drawn last, as Renderer::show does. A comparison shows the first object alone.

@@ -127,6 +127,7 @@ void add_blending_options(CLI::App& app, BlendingOptions& o) {
         ->check(switch_values)
         ->capture_default_str();
     app.add_option("--fov-normalisation", o.fov_normalization)->check(switch_values)->group("");
+    add_band_option(app, o.bands);
     add_choices(app, o.render);
     add_sampling(app, o.render);
     add_weights(app, o.render);
@@ -141,6 +142,7 @@ RenderSettings render_settings(const PackageReader& package, const BlendingOptio
     r.weights.fov_normalization = o.fov_normalization == "auto"
                                       ? effect_on(package.scene(), Effect::fov_normalization)
                                       : o.fov_normalization == "on";
+    r.bands = band_settings(package, o.bands);
     r.photos = o.photos >= 0 ? o.photos : (purpose == Purpose::pictures ? 0 : window_photos);
     if (!o.exposure.empty()) r.exposure = named_photos(package, {o.exposure}).front();
     const bool fills_frame =

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "player/options/band_options.h"
 #include "player/render/render_settings.h"
 #include "scene/package_reader.h"
 
@@ -12,6 +13,7 @@ struct BlendingOptions {
     RenderSettings render;
     int photos = -1;  ///< to blend; -1: default, 0: all
     std::string holes, fov_normalization = "auto", exposure;
+    BandOptions bands;
     bool given = false;  ///< an option of the group Blending was on the command line
 };
 void add_blending_options(CLI::App& app, BlendingOptions& options);

@@ -20,4 +20,11 @@ std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const Pac
     return photos;
 }
 
+std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& o,
+                                         std::uint32_t band) {
+    std::vector<std::uint32_t> photos = photos_in_use(package, o);
+    std::erase_if(photos, [&](std::uint32_t p) { return package.photos()[p].band != band; });
+    return photos;
+}
+
 }  // namespace vantage

@@ -18,4 +18,8 @@ void add_package_options(CLI::App& app, PackageOptions& options);
 /// All photos but the excluded ones. Throws Error(usage) for an unknown name.
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& options);
 
+/// Those of them that are of one band.
+std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& options,
+                                         std::uint32_t band);
+
 }  // namespace vantage

@@ -50,7 +50,11 @@ void join_geometry(PlanScene& s, const SurroundingsContent& content) {
     s.surrounding_colors = content.colors;
 }
 
-double spread_of(const std::vector<Pose>& poses) {
+/// Of the first band, whose photos show the surroundings.
+double spread_of(const PlanScene& s) {
+    std::vector<Pose> poses;
+    for (std::size_t i = 0; i < s.poses.size(); ++i)
+        if (s.photos[i].band == 0) poses.push_back(s.poses[i]);
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const Pose& p : poses) mean += p.center() / double(poses.size());
     double squares = 0;
@@ -82,6 +86,7 @@ PlanScene make_plan_scene(const PackageReader& package) {
     expect_shape(package);
     PlanScene s;
     s.photos = package.photos();
+    s.bands = read_bands(package);
     const auto clusters = package.records<package::ClusterRecord>(Type::clusters);
     s.clusters.assign(clusters.begin(), clusters.end());
     s.size = bounds_from_origin(record).diagonal().norm();
@@ -97,7 +102,7 @@ PlanScene make_plan_scene(const PackageReader& package) {
         s.coverage.back() = package.records<package::CoverageRecord>(Type::coverage, i);
         s.visible.back() = package.records<std::uint64_t>(Type::visible, i);
     }
-    s.spread = spread_of(s.poses);
+    s.spread = spread_of(s);
     if (const auto surroundings = read_surroundings(package)) join(s, *surroundings);
     s.tree = make_cluster_tree(s.clusters);
     return s;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "bands/bands.h"
 #include "player/plan/cluster_tree.h"
 #include "scene/package_reader.h"
 
@@ -17,13 +18,14 @@ struct PlanScene {
     PlanScene& operator=(PlanScene&&) = default;
 
     std::span<const package::PhotoRecord> photos;
+    std::vector<Band> bands;  ///< at least one
     std::vector<package::ClusterRecord> clusters;
     ClusterTree tree;
     std::vector<Intrinsics> intrinsics;                              ///< per photo
     std::vector<Pose> poses;                                         ///< per photo, cam_from_origin
     std::vector<std::span<const package::CoverageRecord>> coverage;  ///< per photo; empty if held out
     std::vector<std::span<const std::uint64_t>> visible;             ///< per photo, as VISB
-    double spread = 0;  ///< root mean square distance of the cameras from their mean
+    double spread = 0;  ///< root mean square distance of the first band's cameras from their mean
     double size = 0;    ///< diagonal of the model's bounds
     std::size_t triangles = 0;
     std::span<const Eigen::Vector3f> positions;

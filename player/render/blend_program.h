@@ -17,7 +17,8 @@ struct BlendVariant {
     bool trilinear;
     int anisotropy;
     bool refined_colors;
-    bool surroundings;  ///< shown; implies per_fragment
+    bool surroundings;      ///< shown; implies per_fragment
+    EffectSet effects = 0;  ///< of the photos' band, if the scene has several
 
     auto operator<=>(const BlendVariant&) const = default;
 };

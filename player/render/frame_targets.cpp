@@ -33,6 +33,14 @@ FrameTargets make_frame_targets(int width, int height, bool half_sums) {
     return t;
 }
 
+void FrameTargets::add_other() {
+    if (other) return;
+    other = gl::make_texture_2d("frame samples of another band", GL_RGBA32F, width, height);
+    other_target = gl::make_framebuffer("frame samples of another band", std::array{other.id()}, 0);
+    const std::array<float, 4> zero{};
+    glClearNamedFramebufferfv(other_target.id(), GL_COLOR, 0, zero.data());
+}
+
 std::uint64_t FrameTargets::bytes(int width, int height, bool half_sums) {
     return std::uint64_t(width) * std::uint64_t(height) * (4 + 8 + 4 + 8 + 16 + (half_sums ? 16 : 32));
 }

@@ -13,7 +13,11 @@ struct FrameTargets {
     bool half_sums = false;
     gl::Texture depth, surface, triangles, sums[2], before, accumulated;
     gl::Framebuffer surface_target, sums_target[2], before_target, accumulated_target;
+    gl::Texture other;  ///< samples of a second band; see add_other
+    gl::Framebuffer other_target;
 
+    /// Makes `other` if it is not there; all 0.
+    void add_other();
     static std::uint64_t bytes(int width, int height, bool half_sums);
 };
 

@@ -52,7 +52,7 @@ float HoleFilling::hole_weight(int width, int height) {
     return 1 / std::max(side * side, 1.0f);
 }
 
-void HoleFilling::fill(const FrameTargets& frame, double samples) {
+void HoleFilling::fill(const gl::Texture& accumulated, double samples) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glBindVertexArray(no_vertices_.id());
@@ -64,7 +64,7 @@ void HoleFilling::fill(const FrameTargets& frame, double samples) {
     glUseProgram(average_program_.id());
     for (std::size_t i = 0; i < levels_.size(); ++i) {
         glUniform1f(shader::average_samples_uniform, i == 0 ? float(samples) : 0.0f);
-        glBindTextureUnit(shader::finer_unit, i == 0 ? frame.accumulated.id() : levels_[i - 1].texture.id());
+        glBindTextureUnit(shader::finer_unit, i == 0 ? accumulated.id() : levels_[i - 1].texture.id());
         draw_to(levels_[i]);
     }
     glUseProgram(fill_program_.id());

@@ -21,8 +21,9 @@ class HoleFilling {
     /// The weight of a hole's own color: it counts as much as what surrounds it at an eighth of the frame.
     static float hole_weight(int width, int height);
 
-    /// Fills the pyramid from the samples accumulated, `samples` per pixel.
-    void fill(const FrameTargets& frame, double samples);
+    /// Fills the pyramid from accumulated samples, `samples` per pixel.
+    void fill(const gl::Texture& accumulated, double samples);
+    void fill(const FrameTargets& frame, double samples) { fill(frame.accumulated, samples); }
     /// Square roots of light at half the frame's size, without holes.
     const gl::Texture& filled() const { return levels_.front().texture; }
 

@@ -265,9 +265,13 @@ const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bo
                                .trilinear = settings.trilinear,
                                .anisotropy = settings.anisotropy,
                                .refined_colors = settings.refined_colors,
-                               .surroundings = shows_surroundings(settings)};
+                               .surroundings = shows_surroundings(settings),
+                               .effects = scene_->bands.at(settings.bands.shown).effects};
     gl::Program& program = blend_programs_[variant];
-    if (!program) program = make_blend_program(variant, package_->scene());
+    if (program) return program;
+    package::SceneRecord scene = package_->scene();
+    scene.effects = variant.effects;
+    program = make_blend_program(variant, scene);
     return program;
 }
 

@@ -75,6 +75,20 @@ struct PointSettings {
     bool operator==(const PointSettings&) const = default;
 };
 
+/// How two bands are shown together.
+enum class BandView { mix, side_by_side, wiper, count };
+
+/// The bands of photos that are shown, by their numbers. Photos of one are never blended with those of
+/// another: each makes a picture of its own.
+struct BandSettings {
+    std::uint32_t shown = 0;
+    std::optional<std::uint32_t> other{};  ///< a second band
+    BandView how = BandView::mix;
+    double share = 0;    ///< of the other band in a mix, 0 to 1
+    double wiper = 0.5;  ///< share of the width at which the other band begins
+    bool operator==(const BandSettings&) const = default;
+};
+
 /// How a view is rendered.
 struct RenderSettings {
     Blend blend = Blend::lumigraph;
@@ -97,6 +111,7 @@ struct RenderSettings {
     LayerSettings layer;
     LightSettings light;
     PointSettings points;
+    BandSettings bands;
     Compare compare = Compare::nothing;
     std::uint32_t compare_photo = 0;
     std::optional<View> weights_from;       ///< weights frozen as seen from there [M]

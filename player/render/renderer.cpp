@@ -42,7 +42,8 @@ void bind_target(const gl::Framebuffer& framebuffer, int width, int height) {
 /// the surroundings in one direction while still inside in others.
 double nearness_to_photos(const PlanScene& scene, const Eigen::Vector3d& eye) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Pose& pose : scene.poses) nearest = std::min(nearest, (pose.center() - eye).norm());
+    for (std::size_t i = 0; i < scene.poses.size(); ++i)
+        if (scene.photos[i].band == 0) nearest = std::min(nearest, (scene.poses[i].center() - eye).norm());
     return scene.spread > 0 ? std::clamp(2 - nearest / scene.spread, 0.0, 1.0) : 0;
 }
 
@@ -80,6 +81,22 @@ void check_view(const View& view) {
         throw Error(Exit::usage, "a view's position, direction or field of view is not finite");
 }
 
+/// Adds what a second band took.
+void add_work(const FrameReport& more, FrameReport& report) {
+    report.photos += more.photos;
+    report.passes += more.passes;
+    report.draws += more.draws;
+    report.tiles += more.tiles;
+    report.tiles_missing += more.tiles_missing;
+}
+
+gl::Program make_show_program(const PackageReader& package, const PlanScene& scene) {
+    std::vector<std::string> defines = surroundings_defines(scene);
+    for (std::string& d : shader_defines("show", package.scene().effects)) defines.push_back(std::move(d));
+    return gl::make_program("show", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "show.frag"}},
+                            defines);
+}
+
 }  // namespace
 
 Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
@@ -90,9 +107,7 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
       passes_(package, scene_, store_),
       plan_(scene_),
       resolve_program_(make_resolve_program({})),
-      show_program_(gl::make_program("show",
-                                     {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "show.frag"}},
-                                     surroundings_defines(scene_))),
+      show_program_(make_show_program(package, scene_)),
       no_vertices_(gl::make_vertex_array("no vertices")) {
     if (scene_.has_surroundings()) filling_.emplace();
     if (auto cloud = read_point_cloud(package))
@@ -124,24 +139,75 @@ const gl::Program& Renderer::resolve_program(const RenderSettings& settings) {
 }
 
 /// Creates the frame's targets, and fits the tiles into the rest of the budget.
-void Renderer::fit(int width, int height, const RenderSettings& settings) {
-    const bool coordinates = !per_fragment(settings);
-    if (targets_.width == width && targets_.height == height && targets_.half_sums == settings.half_sums &&
-        (store_.has_coordinates() || !coordinates))
-        return;
-    targets_ = {};
-    readback_.release();
-    if (points_) points_->release();
-    const std::uint64_t others = gl::memory_held() - budget_.elsewhere - store_.bytes() +
-                                 FrameTargets::bytes(width, height, settings.half_sums) +
-                                 (filling_ ? HoleFilling::bytes(width, height) : 0) +
-                                 (points_ ? PointPass::bytes(width, height) : 0) +
-                                 TriangleReadback::bytes(width, height);
-    graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
-    store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
-    targets_ = make_frame_targets(width, height, settings.half_sums);
-    if (filling_) filling_->fit(width, height);
-    if (points_) points_->fit(targets_);
+void Renderer::fit(int width, int height, std::span<const BandFrame> bands) {
+    const RenderSettings& settings = bands.front().settings;
+    const bool coordinates =
+        std::ranges::any_of(bands, [&](const BandFrame& b) { return !per_fragment(b.settings); });
+    const bool fits = targets_.width == width && targets_.height == height &&
+                      targets_.half_sums == settings.half_sums && (store_.has_coordinates() || !coordinates);
+    if (!fits) {
+        targets_ = {};
+        readback_.release();
+        if (points_) points_->release();
+        const std::uint64_t others =
+            gl::memory_held() - budget_.elsewhere - store_.bytes() + FrameTargets::bytes(width, height, settings.half_sums) +
+            (scene_.bands.size() > 1 ? 16 * std::uint64_t(width) * std::uint64_t(height) : 0) +
+            (filling_ ? HoleFilling::bytes(width, height) : 0) +
+            (points_ ? PointPass::bytes(width, height) : 0) + TriangleReadback::bytes(width, height);
+        graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
+        store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
+        targets_ = make_frame_targets(width, height, settings.half_sums);
+        if (filling_) filling_->fit(width, height);
+        if (points_) points_->fit(targets_);
+    }
+    if (bands.size() > 1) targets_.add_other();
+}
+
+/// The bands of this frame; each keeps its plan as long as it is shown.
+void Renderer::choose_bands(const RenderSettings& settings, double now) {
+    ShownBands wanted = shown_bands(settings.bands, scene_.bands.size());
+    if (scene_.bands.size() > 1 && !settings.complete) {
+        const bool ready = !plan_.drawn().empty() || plan_.plan().photos.empty();
+        wanted = band_change_.update(wanted, now, ready);
+    }
+    if (wanted.first != shown_.first) {
+        std::optional<ViewPlan> former(std::move(plan_));
+        plan_ = other_plan_ && shown_.second == wanted.first ? std::move(*other_plan_) : ViewPlan(scene_);
+        other_plan_ = wanted.second == shown_.first ? std::move(former) : std::nullopt;
+    } else if (wanted.second != shown_.second) {
+        other_plan_.reset();
+    }
+    if (wanted.second && !other_plan_) other_plan_.emplace(scene_);
+    if (!wanted.second) other_plan_.reset();
+    shown_ = wanted;
+}
+
+std::vector<Renderer::BandFrame> Renderer::band_frames(const RenderSettings& settings,
+                                                       std::span<const std::uint32_t> photos) {
+    const auto frame = [&](std::uint32_t band, ViewPlan& plan, bool second) {
+        return BandFrame{settings_of_band(settings, band, scene_), photos_of_band(photos, band, scene_),
+                         &plan, second};
+    };
+    std::vector<BandFrame> out{frame(shown_.first, plan_, false)};
+    if (shown_.second) out.push_back(frame(*shown_.second, *other_plan_, true));
+    return out;
+}
+
+std::vector<const ViewPlan*> Renderer::plans() const {
+    std::vector<const ViewPlan*> out{&plan_};
+    if (other_plan_) out.push_back(&*other_plan_);
+    return out;
+}
+
+bool Renderer::settled() const {
+    return band_change_.settled() &&
+           std::ranges::all_of(plans(), [](const ViewPlan* p) { return p->settled(); });
+}
+
+void Renderer::plan_band(const View& view, const BandFrame& band, PixelSample sample) {
+    const RenderSettings& settings = band.settings;
+    if (settings.complete && settings.photos > 0 && sample.index == 0) find_seen(view, band, sample);
+    band.plan->update(view, plan_settings(settings), band.photos, sample.side, readback_.seen());
 }
 
 FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
@@ -151,52 +217,65 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
     const std::uint64_t held_before = gl::memory_held();
     if (!shows_photos(settings)) photos = {};
     if (settings.weights_from) check_view(*settings.weights_from);
+    choose_bands(settings, now);
+    const std::vector<BandFrame> bands = band_frames(settings, photos);
     if (passes_.load_layer(settings)) targets_ = {};  // the budget has to be divided again
-    fit(view.intrinsics.width, view.intrinsics.height, settings);
+    fit(view.intrinsics.width, view.intrinsics.height, bands);
     store_.begin_frame(now, !settings.complete && !settings.wait_for_tiles);
-    if (settings.complete && settings.photos > 0 && sample.index == 0)
-        find_seen(view, settings, photos, sample);
     if (!settings.complete) readback_.update(settings.wait_for_tiles);
-    plan_.update(view, plan_settings(settings), photos, sample.side, readback_.seen());
+    for (const BandFrame& band : bands) plan_band(view, band, sample);
     FrameReport report;
     if (shows_points(settings)) {
         report.uploaded = points_->stream(view, settings, sample.side, now);
         report.nodes_missing = points_->missing();
     }
     const View point = sampled(view, sample);
-    Frame frame{drawn_view(point, settings, sample.side), sample, now, report};
+    Frame frame{drawn_view(point, bands.front(), sample.side), sample, now, report};
     frame.report.clusters = plan_.plan().clusters.size();
     frame.report.uncovered = plan_.plan().uncovered;
-    if (!settings.complete) stream(frame, next);
-    plan_.fade(plan_settings(settings), now, ready_photos(settings));
-    depth_terms_ = terms_of(point, depth_range_of(point, settings));
+    if (!settings.complete) stream(frame, bands, next);
+    for (const BandFrame& band : bands)
+        band.plan->fade(plan_settings(band.settings), now, ready_photos(band));
+    depth_terms_ = terms_of(point, depth_range_of(point, settings, frame.drawn.plan));
     passes_.draw_surface(frame.drawn, targets_);
     if (!settings.complete) readback_.capture(targets_, view);
     draw_present(frame);
+    for (const BandFrame& band : std::span(bands).subspan(1)) {
+        Frame second{drawn_view(point, band, sample.side), sample, now, {}, true};
+        draw_band(second);
+        add_work(second.report, frame.report);
+    }
     FrameReport& r = frame.report;
     r.tiles_damaged = store_.residency().damaged_count() + (points_ ? points_->damaged() : 0);
-    r.settled =
-        r.tiles_missing == 0 && r.nodes_missing == 0 && plan_.settled() && store_.residency().settled();
+    r.settled = r.tiles_missing == 0 && r.nodes_missing == 0 && settled() && store_.residency().settled();
     held_ += gl::memory_held() - held_before;
     gl::check("rendering a view");
     return r;
 }
 
+/// A second band, or one again: with its own surface, because it may lack surroundings.
+void Renderer::draw_band(Frame& frame) {
+    passes_.draw_surface(frame.drawn, targets_);
+    draw_present(frame);
+}
+
 void Renderer::redraw(const View& view, const RenderSettings& settings) {
     check_view(view);
     if (settings.weights_from) check_view(*settings.weights_from);
-    Frame frame{drawn_view(view, settings, 1), {}, 0, {}};
-    passes_.draw_surface(frame.drawn, targets_);
-    draw_present(frame);
+    for (const BandFrame& band : band_frames(settings, {})) {
+        Frame frame{drawn_view(view, band, 1), {}, 0, {}, band.second};
+        draw_band(frame);
+    }
     gl::check("rendering a view again");
 }
 
 /// Draws the photos on the surface drawn; during a transition also those that they replace.
 void Renderer::draw_present(Frame& frame) {
-    const std::vector<const PlannedPhoto*> drawn = plan_.drawn();
+    const ViewPlan& plan = frame.drawn.plan;
+    const std::vector<const PlannedPhoto*> drawn = plan.drawn();
     frame.report.photos = drawn.size();
-    if (!plan_.settled()) {
-        const std::vector<const PlannedPhoto*> before = plan_.before();
+    if (!plan.settled()) {
+        const std::vector<const PlannedPhoto*> before = plan.before();
         frame.report.photos += std::size_t(std::ranges::count_if(before, [&](const PlannedPhoto* p) {
             return std::ranges::count(drawn, p->photo, &PlannedPhoto::photo) == 0;
         }));
@@ -224,19 +303,22 @@ int Renderer::draw_set(Pass photos, Frame& frame) {
     return into;
 }
 
-DrawnView Renderer::drawn_view(const View& view, const RenderSettings& settings, int side) const {
+DrawnView Renderer::drawn_view(const View& view, const BandFrame& band, int side) const {
+    const RenderSettings& settings = band.settings;
     return {view,
             settings,
-            plan_,
+            *band.plan,
             side,
-            clip_matrix(view, depth_range_of(view, settings)),
-            dynamic_weights(settings.weights_from.value_or(view), scene_.photos, settings.weights)};
+            clip_matrix(view, depth_range_of(view, settings, *band.plan)),
+            weights_in_band(settings.weights_from.value_or(view), settings.weights, settings.bands.shown,
+                            scene_)};
 }
 
 /// Of the model, and of points if they are shown.
-Eigen::Vector2d Renderer::depth_range_of(const View& view, const RenderSettings& settings) const {
+Eigen::Vector2d Renderer::depth_range_of(const View& view, const RenderSettings& settings,
+                                         const ViewPlan& plan) const {
     const double reach = model_reach(package_->scene(), view.cam_from_origin);
-    const Eigen::Vector2d model = depth_range(scene_.clusters, plan_.plan().clusters, view, reach);
+    const Eigen::Vector2d model = depth_range(scene_.clusters, plan.plan().clusters, view, reach);
     const Eigen::Vector2d anything(1, 2);
     if (!shows_points(settings)) return model.y() > 0 ? model : anything;
     const Eigen::Vector2d cloud = points_->range(view, reach);
@@ -245,18 +327,17 @@ Eigen::Vector2d Renderer::depth_range_of(const View& view, const RenderSettings&
     return {std::min(model.x(), cloud.x()), std::max(model.y(), cloud.y())};
 }
 
-std::vector<bool> Renderer::ready_photos(const RenderSettings& settings) const {
+std::vector<bool> Renderer::ready_photos(const BandFrame& band) const {
     std::vector<bool> ready(scene_.photos.size(), false);
-    for (const PlannedPhoto& p : plan_.plan().photos)
-        ready[p.photo] = store_.base_resident(p.photo, !per_fragment(settings));
+    for (const PlannedPhoto& p : band.plan->plan().photos)
+        ready[p.photo] = store_.base_resident(p.photo, !per_fragment(band.settings));
     return ready;
 }
 
 /// Finds out which triangles the view shows before photos are chosen for it. Waits for the graphics card.
-void Renderer::find_seen(const View& view, const RenderSettings& settings,
-                         std::span<const std::uint32_t> photos, PixelSample sample) {
-    plan_.update(view, plan_settings(settings), photos, sample.side, readback_.seen());
-    passes_.draw_surface(drawn_view(view, settings, sample.side), targets_);
+void Renderer::find_seen(const View& view, const BandFrame& band, PixelSample sample) {
+    band.plan->update(view, plan_settings(band.settings), band.photos, sample.side, readback_.seen());
+    passes_.draw_surface(drawn_view(view, band, sample.side), targets_);
     readback_.update(true);
     readback_.capture(targets_, view);
     readback_.update(true);
@@ -269,18 +350,21 @@ TileNeeds Renderer::comparison_needs(const View& view, const RenderSettings& set
 }
 
 /// Requests what the frame needs and prefetches what frames to come will need; uploads what has arrived.
-void Renderer::stream(Frame& frame, const View* next) {
+void Renderer::stream(Frame& frame, std::span<const BandFrame> bands, const View* next) {
     const RenderSettings& settings = frame.drawn.settings;
-    for (const PlannedPhoto& p : plan_.plan().photos) store_.need_base(p.photo, !per_fragment(settings));
-    for (const PlannedPhoto& p : plan_.kept()) store_.need_base(p.photo, !per_fragment(settings));
-    if (settings.whole_photos)
-        for (const PlannedPhoto& p : plan_.plan().photos) frame.report.uploaded += store_.load_whole(p.photo);
-    for (const PlannedPhoto& p : plan_.plan().photos) {
-        frame.report.tiles += p.needs.tiles();
-        // Until the visible triangles are known, many tiles would be read unnecessarily.
-        const bool known = plan_.uses_seen() || settings.wait_for_tiles;
-        frame.report.tiles_missing += known ? store_.need(p.photo, p.needs) : p.needs.tiles();
+    for (const BandFrame& band : bands) {
+        const bool coordinates = !per_fragment(band.settings);
+        for (const PlannedPhoto& p : band.plan->plan().photos) store_.need_base(p.photo, coordinates);
+        for (const PlannedPhoto& p : band.plan->kept()) store_.need_base(p.photo, coordinates);
     }
+    for (const BandFrame& band : bands)
+        for (const PlannedPhoto& p : band.plan->plan().photos) {
+            if (settings.whole_photos) frame.report.uploaded += store_.load_whole(p.photo);
+            frame.report.tiles += p.needs.tiles();
+            // Until the visible triangles are known, many tiles would be read unnecessarily.
+            const bool known = band.plan->uses_seen() || settings.wait_for_tiles;
+            frame.report.tiles_missing += known ? store_.need(p.photo, p.needs) : p.needs.tiles();
+        }
     const TileNeeds comparison = comparison_needs(frame.drawn.view, settings);
     frame.report.tiles_missing += store_.need(settings.compare_photo, comparison);
     for (const std::uint32_t p : wanted_thumbnails_)
@@ -289,19 +373,26 @@ void Renderer::stream(Frame& frame, const View* next) {
     if (settings.wait_for_tiles) {
         store_.load();
         frame.report.tiles_missing = store_.missing(settings.compare_photo, comparison);
-        for (const PlannedPhoto& p : plan_.plan().photos)
-            frame.report.tiles_missing += store_.missing(p.photo, p.needs);
+        for (const BandFrame& band : bands)
+            for (const PlannedPhoto& p : band.plan->plan().photos)
+                frame.report.tiles_missing += store_.missing(p.photo, p.needs);
         return;
     }
-    if (frame.report.tiles_missing == 0)
-        for (const PlannedPhoto& p : plan_.plan().photos) store_.prefetch(p.photo, p.later);
-    if (next && frame.report.tiles_missing == 0) {
-        for (const PlannedPhoto& p : plan_.ahead(*next, plan_settings(settings), frame.sample.side).photos)
-            store_.prefetch(p.photo, p.needs);
-    }
+    if (frame.report.tiles_missing == 0) prefetch(bands, frame.sample.side, next);
     // Points have taken their part of the frame's budget.
     frame.report.uploaded +=
         store_.stream(settings.upload_bytes - std::min(settings.upload_bytes, frame.report.uploaded));
+}
+
+/// What the view may show next, and what the view expected soon will need.
+void Renderer::prefetch(std::span<const BandFrame> bands, int side, const View* next) {
+    for (const BandFrame& band : bands)
+        for (const PlannedPhoto& p : band.plan->plan().photos) store_.prefetch(p.photo, p.later);
+    for (const BandFrame& band : bands) {
+        if (!next) continue;
+        for (const PlannedPhoto& p : band.plan->ahead(*next, plan_settings(band.settings), side).photos)
+            store_.prefetch(p.photo, p.needs);
+    }
 }
 
 /// Loads everything that a pass needs, however long it takes.
@@ -354,13 +445,14 @@ void Renderer::draw_passes(Pass photos, Frame& frame, bool consensus, int& into)
 }
 
 void Renderer::resolve(int sums, const Frame& frame) {
+    const gl::Framebuffer& target = frame.second ? targets_.other_target : targets_.accumulated_target;
     if (frame.sample.index == 0) {
         const std::array<float, 4> zero{};
-        glClearNamedFramebufferfv(targets_.accumulated_target.id(), GL_COLOR, 0, zero.data());
-        samples_ = 0;
+        glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, zero.data());
+        if (!frame.second) samples_ = 0;
     }
-    ++samples_;
-    bind_target(targets_.accumulated_target, targets_.width, targets_.height);
+    if (!frame.second) ++samples_;
+    bind_target(target, targets_.width, targets_.height);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -378,7 +470,7 @@ void Renderer::resolve_before(int sums, const Frame& frame) {
 /// `before`: the picture that is being replaced, which the other one then mixes in and finishes.
 void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     const RenderSettings& settings = frame.drawn.settings;
-    const double progress = before ? 1 : plan_.progress();
+    const double progress = before ? 1 : frame.drawn.plan.progress();
     // The picture that is being replaced is lit, and gets its layer, with the one that replaces it.
     glUseProgram((before ? resolve_program_ : resolve_program(settings)).id());
     const bool lit = !before && settings.light.light != Light::photos;
@@ -424,7 +516,8 @@ void Renderer::set_points(const DrawnView& drawn, bool before) const {
     glUniform1i(shader::shows_points_uniform, shows);
     glUniform1i(shader::points_alone_uniform, drawn.settings.points.alone);
     if (!shows) return;
-    const Eigen::Vector2d terms = terms_of(drawn.view, depth_range_of(drawn.view, drawn.settings));
+    const Eigen::Vector2d terms =
+        terms_of(drawn.view, depth_range_of(drawn.view, drawn.settings, drawn.plan));
     const double apart = std::max(1.0, drawn.view.intrinsics.height / 720.0);
     glUniform4f(shader::eye_dome_uniform, float(terms.x()), float(terms.y()),
                 float(drawn.settings.points.eye_dome), float(apart));
@@ -452,7 +545,13 @@ void Renderer::expose(const DrawnView& drawn) const {
     Exposure e;
     if (settings.refined_colors && settings.show == Show::colors) {
         e = drawn.view.exposure;
-        if (settings.exposure) e.gain = exposure_of(scene_.photos[*settings.exposure]).gain;
+        if (settings.exposure) {
+            const Exposure chosen = exposure_of(scene_.photos[*settings.exposure]);
+            e.gain = chosen.gain;
+            e.band = chosen.band;
+        }
+        // Gains are relative to photos of the same band.
+        if (e.band != settings.bands.shown) e = {};
     }
     const Intrinsics& k = drawn.view.intrinsics;
     glUniform3fv(shader::exposure_uniform, 1, e.gain.data());
@@ -469,8 +568,10 @@ std::vector<std::uint32_t> Renderer::triangles() const {
 }
 
 void Renderer::show(const View& view, const RenderSettings& settings, GLuint target, bool flip) {
-    const bool fills = fills_holes(settings);
-    if (fills) filling_->fill(targets_, std::max(samples_, 1.0));
+    const bool fills = fills_holes(settings_of_band(settings, shown_.first, scene_));
+    const bool other_fills = shown_.second && fills_holes(settings_of_band(settings, *shown_.second, scene_));
+    if (fills || other_fills)
+        filling_->fill(fills ? targets_.accumulated : targets_.other, std::max(samples_, 1.0));
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, view.intrinsics.width, view.intrinsics.height);
     glDisable(GL_BLEND);
@@ -482,6 +583,7 @@ void Renderer::show(const View& view, const RenderSettings& settings, GLuint tar
         glUniform1i(shader::fills_uniform, fills);
         glBindTextureUnit(shader::filled_unit, filling_->filled().id());
     }
+    if (scene_.bands.size() > 1) show_bands(other_fills);
     glUniform1ui(shader::compare_uniform, GLuint(settings.compare));
     const std::uint32_t photo = settings.compare_photo;
     if (settings.compare != Compare::nothing) {
@@ -495,6 +597,17 @@ void Renderer::show(const View& view, const RenderSettings& settings, GLuint tar
     glBindVertexArray(no_vertices_.id());
     passes_.with_photo(photo, [] { glDrawArrays(GL_TRIANGLES, 0, 3); });
     gl::check("showing a view");
+}
+
+void Renderer::show_bands(bool other_fills) const {
+    const GLuint how = !shown_.second                         ? shader::bands_one
+                       : shown_.how == BandView::side_by_side ? shader::bands_side_by_side
+                       : shown_.how == BandView::wiper        ? shader::bands_wiper
+                                                              : shader::bands_mixed;
+    glUniform1ui(shader::bands_uniform, how);
+    glUniform1f(shader::band_share_uniform, float(shown_.share));
+    if (scene_.has_surroundings()) glUniform1i(shader::other_fills_uniform, other_fills);
+    glBindTextureUnit(shader::other_unit, shown_.second ? targets_.other.id() : 0);
 }
 
 }  // namespace vantage

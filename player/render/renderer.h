@@ -16,6 +16,7 @@
 #include "player/render/model_passes.h"
 #include "player/render/point_pass.h"
 #include "player/render/render_settings.h"
+#include "player/render/shown_bands.h"
 #include "player/render/triangle_readback.h"
 #include "player/stream/photo_store.h"
 
@@ -32,9 +33,10 @@ class Renderer {
   public:
     Renderer(const PackageReader& package, const MemoryBudget& budget);
 
-    /// Draws one sample of each pixel of `view` from `photos` (indices; held-out photos are skipped), and
-    /// adds it to the samples drawn since sample 0. `now` in seconds, for fading; `next` is the view expected
-    /// soon, to prefetch for. Throws Error(usage) for a view that cannot be drawn.
+    /// Draws one sample of each pixel of `view` from `photos` (indices; held-out photos are skipped, and
+    /// those of bands that are not shown), and adds it to the samples drawn since sample 0. `now` in seconds,
+    /// for fading; `next` is the view expected soon, to prefetch for. Throws Error(usage) for a view that
+    /// cannot be drawn.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
     /// Replaces what the last draw() drew by its photos, as far as they had faded in, seen from another view
@@ -84,19 +86,33 @@ class Renderer {
 
   private:
     using Pass = std::span<const PlannedPhoto* const>;
+    /// A band and what it is drawn from.
+    struct BandFrame {
+        RenderSettings settings;
+        std::vector<std::uint32_t> photos;
+        ViewPlan* plan;
+        bool second;  ///< of two bands
+    };
     struct Frame {
         DrawnView drawn;
         PixelSample sample;
         double now;
         FrameReport report;
+        bool second = false;  ///< of two bands: its samples are accumulated by themselves
     };
 
-    void fit(int width, int height, const RenderSettings& settings);
-    void find_seen(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
-                   PixelSample sample);
-    DrawnView drawn_view(const View& view, const RenderSettings& settings, int side) const;
-    std::vector<bool> ready_photos(const RenderSettings& settings) const;
-    void stream(Frame& frame, const View* next);
+    void choose_bands(const RenderSettings& settings, double now);
+    std::vector<BandFrame> band_frames(const RenderSettings& settings, std::span<const std::uint32_t> photos);
+    void fit(int width, int height, std::span<const BandFrame> bands);
+    void find_seen(const View& view, const BandFrame& band, PixelSample sample);
+    void plan_band(const View& view, const BandFrame& band, PixelSample sample);
+    void draw_band(Frame& frame);
+    bool settled() const;
+    DrawnView drawn_view(const View& view, const BandFrame& band, int side) const;
+    std::vector<bool> ready_photos(const BandFrame& band) const;
+    std::vector<const ViewPlan*> plans() const;
+    void stream(Frame& frame, std::span<const BandFrame> bands, const View* next);
+    void prefetch(std::span<const BandFrame> bands, int side, const View* next);
     TileNeeds comparison_needs(const View& view, const RenderSettings& settings) const;
     void load(Pass pass, Frame& frame);
     std::size_t pass_length(Pass rest, const RenderSettings& settings) const;
@@ -112,7 +128,9 @@ class Renderer {
     bool fills_holes(const RenderSettings& settings) const;
     bool shows_photos(const RenderSettings& settings) const;
     bool shows_points(const RenderSettings& settings) const;
-    Eigen::Vector2d depth_range_of(const View& view, const RenderSettings& settings) const;
+    Eigen::Vector2d depth_range_of(const View& view, const RenderSettings& settings,
+                                   const ViewPlan& plan) const;
+    void show_bands(bool other_fills) const;
     void set_points(const DrawnView& drawn, bool before) const;
 
     std::uint64_t held_ = gl::memory_held();  ///< until the constructor ends: what others hold
@@ -123,6 +141,9 @@ class Renderer {
     PhotoStore store_;
     ModelPasses passes_;
     ViewPlan plan_;
+    std::optional<ViewPlan> other_plan_;  ///< of a second band
+    BandChange band_change_;
+    ShownBands shown_;
     FrameTargets targets_;
     std::optional<HoleFilling> filling_;  ///< if there are surroundings
     std::optional<PointPass> points_;     ///< if there is a cloud

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "bands/bands.h"
 #include "output/side_by_side.h"
 #include "player/camera/camera_path.h"
 #include "player/camera/navigation.h"
@@ -13,19 +14,25 @@ namespace vantage {
 void write_default_views(const std::filesystem::path& file, const PackageReader& package) {
     const auto photos = package.photos();
     const Eigen::Vector3d up = mean_up(photos);
-    std::vector<Navigation> stands, views;
-    for (const package::PhotoRecord& p : photos)
-        if (p.levels > 0) stands.push_back(stand_at(p, up));
-    if (stands.empty())
-        throw Error(Exit::input, package.path().string() + ": has no photo to take views from");
-    const std::size_t count = std::min<std::size_t>(4, stands.size());
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t at = i * stands.size() / count;
-        Navigation n = between(stands[at], stands[(at + 1) % stands.size()], 0.4);
-        approach(n, i % 2 ? 0.7 : 1.2);
-        views.push_back(n);
+    const std::vector<Band> bands = read_bands(package);
+    std::vector<Navigation> views;
+    std::vector<std::string> names;
+    for (std::uint32_t b = 0; b < bands.size(); ++b) {
+        std::vector<Navigation> stands;
+        for (const package::PhotoRecord& p : photos)
+            if (p.levels > 0 && p.band == b) stands.push_back(stand_at(p, up));
+        const std::size_t count = std::min<std::size_t>(4, stands.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t at = i * stands.size() / count;
+            Navigation n = between(stands[at], stands[(at + 1) % stands.size()], 0.4);
+            approach(n, i % 2 ? 0.7 : 1.2);
+            views.push_back(n);
+            if (bands.size() > 1) names.push_back(bands[b].name);
+        }
     }
-    write_path(file, views, package);
+    if (views.empty())
+        throw Error(Exit::input, package.path().string() + ": has no photo to take views from");
+    write_path(file, views, package, names);
 }
 
 GoldenDifference compare_pictures(const Picture& stored, const Picture& now, int tolerance) {

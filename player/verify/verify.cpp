@@ -91,10 +91,11 @@ void verify_package(const VerifyOptions& o, Verified& out) {
     if (!fs::exists(views))
         return out.add(Exit::input, views.string() + ": does not exist; --update stores views and pictures");
     const Inputs inputs = inputs_of(package);
-    const RenderSettings settings = render_settings(package, {}, Purpose::pictures);
+    RenderSettings settings = render_settings(package, {}, Purpose::pictures);
     const std::vector<std::uint32_t> photos = photos_in_use(package, {});
     Renderer renderer(package, memory_budget({}));
     for (const Shot& shot : read_path(views.string(), package, parse_size(o.size))) {
+        settings.bands.shown = shot.band.value_or(0);
         const Picture now = take_picture(renderer, shot.view, settings, photos, 2);
         if (now.report.tiles_damaged)
             return out.add(Exit::damaged,

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "player/interface/band_panel.h"
 #include "player/render/blend_table.h"
 
 namespace vantage {
@@ -68,14 +69,19 @@ void fly_on(Session& s, const PlanScene& scene, int by, double now) {
     const int count = int(scene.photos.size());
     for (int i = 1; i <= count; ++i) {
         const auto photo = std::uint32_t((int(s.standing_at) + by * i % count + count) % count);
-        if (scene.photos[photo].levels) return fly_to(s, photo, scene.photos[photo], now);
+        if (scene.photos[photo].levels && is_shown(s.settings.bands, scene.photos[photo]))
+            return fly_to(s, photo, scene.photos[photo], now);
     }
 }
 
 void run_shortcuts(Session& s, const PlanScene& scene, double now) {
     if (pressed(GLFW_KEY_N)) fly_on(s, scene, 1, now);
     if (pressed(GLFW_KEY_B)) fly_on(s, scene, -1, now);
-    if (pressed(GLFW_KEY_C)) next(s.settings.compare);
+    if (pressed(GLFW_KEY_C)) {
+        next(s.settings.compare);
+        s.settings.bands.how = BandView::mix;
+    }
+    if (pressed(GLFW_KEY_X)) show_next_band(s, scene.bands.size());
     if (pressed(GLFW_KEY_V)) next(s.settings.show);
     for (int key = GLFW_KEY_1; const BlendRow& row : blend_table())
         if (pressed(key++)) s.settings.blend = row.blend;
@@ -89,7 +95,8 @@ void run_shortcuts(Session& s, const PlanScene& scene, double now) {
     if (pressed(GLFW_KEY_ESCAPE)) s.quit = true;
     bool* const panels[] = {&s.panels.help,   &s.panels.blending, &s.panels.status,
                             &s.panels.photos, &s.panels.frusta,   &s.panels.radar,
-                            &s.panels.layers, &s.panels.points,   &s.panels.objects};
+                            &s.panels.layers, &s.panels.points,   &s.panels.bands,
+                            &s.panels.objects};
     for (int i = 0; i < int(std::size(panels)); ++i)
         if (pressed(GLFW_KEY_F1 + i)) *panels[i] = !*panels[i];
 }

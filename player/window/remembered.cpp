@@ -38,6 +38,11 @@ void for_fields(R& r, const Field& field) {
     field("panel_radar", r.panels.radar);
     field("panel_layers", r.panels.layers);
     field("panel_points", r.panels.points);
+    field("panel_bands", r.panels.bands);
+    field("band", r.band);
+    field("other_band", r.other_band);
+    field("band_share", s.bands.share);
+    field("band_wiper", s.bands.wiper);
 }
 
 /// The same for each remembered choice.
@@ -46,6 +51,7 @@ void for_choices(R& r, const Choice& choice) {
     choice("blend", r.settings.blend);
     choice("choice", r.settings.choice);
     choice("surroundings", r.settings.surroundings);
+    choice("band_how", r.settings.bands.how);
 }
 
 /// Reads a field if the file has it with the right type.
@@ -53,9 +59,10 @@ template <class T>
 void read(const nlohmann::json& j, const char* name, T& value) {
     const auto it = j.find(name);
     if (it == j.end()) return;
-    if (std::is_same_v<T, bool> ? it->is_boolean()
-        : std::is_integral_v<T> ? it->is_number_integer()
-                                : it->is_number())
+    if (std::is_same_v<T, std::string> ? it->is_string()
+        : std::is_same_v<T, bool>      ? it->is_boolean()
+        : std::is_integral_v<T>        ? it->is_number_integer()
+                                       : it->is_number())
         value = it->get<T>();
 }
 
@@ -86,6 +93,8 @@ Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
     r.window.height = std::clamp(r.window.height, 240, 16384);
     r.settings.photos = std::clamp(r.settings.photos, 0, 1 << 20);
     r.settings.photos_per_pass = std::clamp(r.settings.photos_per_pass, 1, most_photos_per_pass);
+    r.settings.bands.share = std::clamp(r.settings.bands.share, 0.0, 1.0);
+    r.settings.bands.wiper = std::clamp(r.settings.bands.wiper, 0.0, 1.0);
     r.settings.angle_limit = std::clamp(r.settings.angle_limit, 10.0, 180.0);
     r.settings.weights.sharpness = std::clamp(r.settings.weights.sharpness, 0.005, 3.0);
     r.settings.weights.exponent = std::clamp(r.settings.weights.exponent, 0.0, 64.0);

@@ -15,6 +15,7 @@ struct Remembered {
     FrameSize window{1280, 720};
     RenderSettings settings;
     Panels panels;
+    std::string band, other_band;  ///< names: numbers differ between packages
 };
 /// The settings in the folder's player.json; missing or invalid ones are taken from `otherwise`.
 Remembered read_settings(const std::filesystem::path& folder, Remembered otherwise);

@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "bands/bands.h"
 #include "player/camera/shots.h"
 #include "player/window/glfw_window.h"
 #include "player/window/input.h"
@@ -41,12 +42,34 @@ void expect_photo(const PackageReader& package) {
         throw Error(Exit::damaged, package.path().string() + ": contains no photos");
 }
 
-/// Keeps what a session leaves to the next one.
+/// The bands of the command line; without any, those remembered, as far as the package has them.
+BandSettings chosen_bands(const PackageReader& package, const ShowOptions& o, const Remembered& remembered) {
+    if (o.blending.bands.given()) return band_settings(package, o.blending.bands);
+    BandSettings out = remembered.settings.bands;
+    out.shown = 0;
+    out.other.reset();
+    const std::vector<Band> bands = read_bands(package);
+    for (std::uint32_t b = 0; bands.size() > 1 && b < bands.size(); ++b) {
+        if (bands[b].name == remembered.band) out.shown = b;
+        if (bands[b].name == remembered.other_band) out.other = b;
+    }
+    if (!o.package.photos.empty())
+        out.shown = package.photos()[named_photos(package, o.package.photos).front()].band;
+    if (out.other == out.shown) out.other.reset();
+    return out;
+}
+
+/// Keeps what a session leaves to the next one. A package without bands leaves those of another.
 void remember(const Session& session, const PackageReader& package, Remembered& r) {
     const bool layers = r.panels.layers;
     r.settings = session.settings;
     r.panels = session.panels;
     if (read_layers(package).empty()) r.panels.layers = layers;  // nobody opened or closed it for these
+    const std::vector<Band> bands = read_bands(package);
+    if (bands.size() < 2) return;
+    const BandSettings& shown = session.settings.bands;
+    r.band = bands[shown.shown].name;
+    r.other_band = shown.other ? bands[*shown.other].name : "";
 }
 
 /// A session at the first photo of --photo, or the middle one.
@@ -61,9 +84,11 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     if (o.light.shown.light != Light::photos) s.settings.light = light_settings(o.light);
     s.settings.points = o.points;
     s.lamp_follows = o.light.lamp.empty();
-    const auto named = o.package.photos.empty()
-                           ? std::vector<std::uint32_t>{std::uint32_t(package.photos().size() / 2)}
-                           : named_photos(package, o.package.photos);
+    s.settings.bands = chosen_bands(package, o, remembered);
+    const auto named =
+        o.package.photos.empty()
+            ? std::vector<std::uint32_t>{middle_photo(package.photos(), s.settings.bands.shown)}
+            : named_photos(package, o.package.photos);
     s.standing_at = s.settings.compare_photo = named.front();
     s.camera = stand_at(package.photos()[s.standing_at], mean_up(package.photos()));
     return s;
@@ -171,13 +196,14 @@ int run_window(const PackageReader& first, const ShowOptions& o, const std::vect
         damaged |= session.report.tiles_damaged > 0;
         remember(session, *package, remembered);
         if (!next) break;
-        other = std::move(next);
-        package = &other->package;
-        requested_at = other->at;
+        const Requested& opened = other.emplace(std::move(*next));
+        package = &opened.package;
+        requested_at = opened.at;
         remembered.settings.exposure.reset();  // refers to a photo of the previous package
         ShowOptions any_photo = o;
         any_photo.package.photos.clear();
         any_photo.layer.name.clear();
+        any_photo.blending.bands = {};
         session = start_session(*package, any_photo, remembered);
     }
     glfwGetWindowSize(window.get(), &remembered.window.width, &remembered.window.height);

@@ -10,6 +10,7 @@
 
 #include "gl/context.h"
 #include "player/camera/camera_path.h"
+#include "player/interface/band_panel.h"
 #include "player/interface/layer_panel.h"
 #include "player/interface/overlays.h"
 #include "player/interface/panels.h"
@@ -55,6 +56,7 @@ void ShownScene::interface(const View& view, double now) {
     if (s.panels.status) status_panel(s, renderer_);
     if (s.panels.layers) layer_panel(controls_, s, renderer_, view);
     if (s.panels.points) point_panel(controls_, s, renderer_);
+    if (s.panels.bands) band_panel(controls_, s, renderer_);
     if (s.panels.objects && object_panel(controls_, s, objects_, renderer_.scene().size)) samples_ = 0;
     if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
     if (s.panels.photos) strip_.show(controls_, s, renderer_, view, now);

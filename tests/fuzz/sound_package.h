@@ -46,9 +46,9 @@ inline std::vector<package::PointNode> sound_nodes() {
     return {root, low, high};
 }
 
-/// Two triangles, one cluster, surroundings, a cloud, and one photo of 40 x 30 pixels that sees them.
-/// Contains only the data that a player reads; fix_checksums() computes the checksums of heads, directory and
-/// header.
+/// Two triangles, one cluster, surroundings, a cloud, two bands, and one photo of 40 x 30 pixels that sees
+/// them. Contains only the data that a player reads; fix_checksums() computes the checksums of heads,
+/// directory and header.
 class SoundPackage {
   public:
     SoundPackage() {
@@ -57,8 +57,8 @@ class SoundPackage {
         for (int i = 0; i < 3; ++i) s.bounds_min[i] = -1, s.bounds_max[i] = 1;
         s.vertices = 4, s.triangles = 2, s.clusters = 1, s.photos = 1, s.reference_density = 20;
         s.border_width = 8, s.scalar_layers = 2;
-        s.effects =
-            effect_bit(Effect::surroundings) | effect_bit(Effect::scalar_layers) | effect_bit(Effect::points);
+        s.effects = effect_bit(Effect::surroundings) | effect_bit(Effect::scalar_layers) |
+                    effect_bit(Effect::points) | effect_bit(Effect::bands);
         package::PhotoRecord p{};
         std::strcpy(p.name, "a.jpg");
         p.width = 40, p.height = 30, p.levels = 1, p.thumbnail_width = 4, p.thumbnail_height = 3;
@@ -97,6 +97,8 @@ class SoundPackage {
         add_tile(Type::tiles, 0);
         add_tile(Type::masks, 1);
         add_tile(Type::depth, 1);
+        package::BandRecord bands[2]{{"visible", s.effects}, {"infrared", 0}};
+        add(Type::bands, package::scene_wide, 0, std::as_bytes(std::span(bands)));
         const std::size_t directory = bytes.size();
         bytes.resize(directory + entries.size() * sizeof(package::DirectoryEntry));
         std::memcpy(header.magic, package::magic, sizeof header.magic);

@@ -196,7 +196,7 @@ press "Turn z of right" 0.7
 press "Scale of right" 0.6
 press "Save scene"
 press "Remove right"
-key F9
+key F10
 [ "$(xdotool getwindowname "$window")" = "one.vantage - Vantage" ] || fail "the first object's package is not named"
 quit
 grep -q "name = 'right'" scene-0001.toml && grep -q "turn = " scene-0001.toml && grep -q "package = 'one.vantage'" scene-0001.toml ||

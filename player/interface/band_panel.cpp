@@ -1,0 +1,80 @@
+#include "player/interface/band_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace vantage {
+namespace {
+
+/// Shows another band; if it is the second one, they change places.
+void show_band(BandSettings& b, std::uint32_t band) {
+    if (b.other == band) b.other = b.shown;
+    b.shown = band;
+}
+
+/// The second band, and how it is shown.
+void second_band(Controls& c, Session& session, const PlanScene& scene) {
+    BandSettings& b = session.settings.bands;
+    std::vector<const char*> names{"none"};
+    std::vector<std::uint32_t> bands;
+    int chosen = 0;
+    for (std::uint32_t i = 0; i < scene.bands.size(); ++i) {
+        if (i == b.shown) continue;
+        bands.push_back(i);
+        names.push_back(scene.bands[i].name.c_str());
+        if (b.other == i) chosen = int(bands.size());
+    }
+    if (c.combo("Second band", &chosen, names.data(), int(names.size())))
+        b.other = chosen > 0 ? std::optional(bands[std::size_t(chosen) - 1]) : std::nullopt;
+    if (!b.other) return;
+    static const char* const hows[] = {"cross-fade", "beside each other", "divided"};
+    static_assert(std::size(hows) == std::size_t(BandView::count));
+    int how = int(b.how);
+    if (c.combo("Together", &how, hows, int(std::size(hows)))) {
+        b.how = BandView(how);
+        if (b.how != BandView::mix) session.settings.compare = Compare::nothing;
+    }
+    if (b.how == BandView::mix) c.slider("Share of the second", &b.share, 0.0, 1.0);
+    if (b.how == BandView::wiper) c.slider("Divided at", &b.wiper, 0.0, 1.0);
+}
+
+}  // namespace
+
+void band_panel(Controls& c, Session& session, const Renderer& renderer) {
+    const PlanScene& scene = renderer.scene();
+    if (scene.bands.size() < 2) return;
+    const float below = (renderer.layers().empty() ? 256.0f : 480.0f) + (renderer.points() ? 200.0f : 0.0f);
+    ImGui::SetNextWindowPos(ImVec2(ImGui::GetIO().DisplaySize.x - 352, below), ImGuiCond_FirstUseEver);
+    if (ImGui::Begin("Bands", &session.panels.bands, ImGuiWindowFlags_AlwaysAutoResize)) {
+        BandSettings& b = session.settings.bands;
+        ImGui::PushItemWidth(170);
+        std::vector<std::string> names;
+        for (std::uint32_t i = 0; i < scene.bands.size(); ++i) {
+            const auto photos = std::ranges::count(scene.photos, i, &package::PhotoRecord::band);
+            names.push_back(scene.bands[i].name + ": " + std::to_string(photos) +
+                            (photos == 1 ? " photo" : " photos"));
+        }
+        std::vector<const char*> shown;
+        for (const std::string& name : names) shown.push_back(name.c_str());
+        int band = int(std::min<std::size_t>(b.shown, names.size() - 1));
+        if (c.combo("Band", &band, shown.data(), int(shown.size()))) show_band(b, std::uint32_t(band));
+        second_band(c, session, scene);
+        ImGui::PopItemWidth();
+    }
+    ImGui::End();
+}
+
+bool is_shown(const BandSettings& s, const package::PhotoRecord& photo) {
+    return photo.band == s.shown || s.other == photo.band;
+}
+
+void show_next_band(Session& session, std::size_t bands) {
+    BandSettings& b = session.settings.bands;
+    if (bands > 1) show_band(b, std::uint32_t((b.shown + 1) % bands));
+}
+
+}  // namespace vantage
