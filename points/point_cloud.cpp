@@ -69,4 +69,31 @@ Eigen::Vector3d unpacked(const package::PackedPoint& point, const PointNode& nod
     return out;
 }
 
+std::vector<float> local_spacings(const std::vector<PointNode>& nodes) {
+    std::vector<float> out;
+    for (const PointNode& n : nodes) out.push_back(n.spacing);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (std::size_t c = 0; c < std::size_t(std::popcount(nodes[i].child_octants)); ++c) {
+            float& child = out[nodes[i].children + c];
+            child = std::min(child, out[i]);
+        }
+    return out;
+}
+
+std::uint32_t finest_node(const std::vector<PointNode>& nodes, std::uint32_t node,
+                          const package::PackedPoint& point) {
+    const std::uint64_t all = std::uint64_t(point.high) << 32 | point.low;
+    for (int bit = bits - 1; bit >= 0; --bit) {
+        unsigned octant = 0;
+        for (int axis = 0; axis < 3; ++axis) octant |= unsigned(all >> (bits * axis + bit) & 1) << axis;
+        const unsigned children = nodes[node].child_octants;
+        if (!(children >> octant & 1)) break;
+        const std::uint32_t child =
+            nodes[node].children + std::uint32_t(std::popcount(children & ((1u << octant) - 1)));
+        if (nodes[child].size >= nodes[node].size) break;  // more points of one place
+        node = child;
+    }
+    return node;
+}
+
 }  // namespace vantage

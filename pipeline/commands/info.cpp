@@ -7,6 +7,7 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/package/effect_costs.h"
 #include "pipeline/prepare/registration_reuse.h"
+#include "points/point_cloud.h"
 #include "scene/package_reader.h"
 
 namespace vantage {
@@ -24,6 +25,11 @@ nlohmann::json describe_package(const PackageReader& reader) {
     out["vertices"] = s.vertices;
     out["triangles"] = s.triangles;
     out["clusters"] = s.clusters;
+    if (points_only(s)) {
+        for (const char* of_mesh : {"vertices", "triangles", "clusters"}) out.erase(of_mesh);
+        out["points"] = read_point_cloud(reader)->points;
+        out["photos"] = nlohmann::json::array();
+    }
     out["origin"] = s.origin;
     const std::vector<Band> bands = read_bands(reader);
     for (const Band& band : bands)
@@ -56,10 +62,13 @@ nlohmann::json describe_package(const PackageReader& reader) {
 }
 
 void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
-    fmt::print("{}\n{} vertices, {} triangles in {} clusters, {} photos, {:.1f} MB\n\neffects\n",
-               j["tool"].get<std::string>(), j["vertices"].get<std::uint64_t>(),
-               j["triangles"].get<std::uint64_t>(), j["clusters"].get<std::uint64_t>(), j["photos"].size(),
-               double(j["bytes"].get<std::uint64_t>()) / 1e6);
+    const auto count = [&](const char* key) { return j[key].get<std::uint64_t>(); };
+    const std::string shape =
+        j.contains("points") ? fmt::format("{} point{}", count("points"), count("points") == 1 ? "" : "s")
+                             : fmt::format("{} vertices, {} triangles in {} clusters", count("vertices"),
+                                           count("triangles"), count("clusters"));
+    fmt::print("{}\n{}, {} photos, {:.1f} MB\n\neffects\n", j["tool"].get<std::string>(), shape,
+               j["photos"].size(), double(count("bytes")) / 1e6);
     for (const auto& e : j["effects"])
         fmt::print("  {:<18} {:<4}{} {}\n", e["name"].get<std::string>(), e["on"].get<bool>() ? "on" : "off",
                    e["forced"].get<bool>() ? "(forced)" : "", e["evidence"].get<std::string>());
@@ -67,9 +76,10 @@ void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
     for (const std::string& line : table_of(costs)) fmt::print("  {}\n", line);
     fmt::print("\nphotos\n");
     for (const auto& p : j["photos"])
-        fmt::print("  {:<24} {}{}x{}  sees {:.1f} % of the vertices{}\n", p["name"].get<std::string>(),
+        fmt::print("  {:<24} {}{}x{}  sees {:.1f} % of the {}{}\n", p["name"].get<std::string>(),
                    p.contains("band") ? p["band"].get<std::string>() + ", " : "", p["width"].get<int>(),
                    p["height"].get<int>(), 100 * p["visible_vertices"].get<double>(),
+                   j.contains("points") ? "points" : "vertices",
                    p["held_out"].get<bool>()     ? ", held out"
                    : p["registered"].get<bool>() ? ", camera registered"
                                                  : "");

@@ -73,8 +73,14 @@ InputFiles input_files(const PrepareOptions& o) {
     files.points.assign(o.settings.points.begin(), o.settings.points.end());
     files.compared.assign(o.settings.deviation_from.begin(), o.settings.deviation_from.end());
     if (!o.input.empty()) files = discover(o.input, files);
-    if (files.mesh.empty() || files.cameras.empty() || files.photos.empty())
-        throw Error(Exit::usage, "expected an INPUT folder, or --mesh, --cameras and --photos together");
+    const bool photos = !files.cameras.empty() && !files.photos.empty(),
+               neither = files.cameras.empty() && files.photos.empty();
+    if (files.mesh.empty() ? files.points.empty() || !(photos || neither) : !photos)
+        throw Error(Exit::usage,
+                    "expected an INPUT folder, or --mesh, --cameras and --photos together, or --points in "
+                    "place of --mesh, alone or with both of the others");
+    if (files.mesh.empty() && !files.compared.empty())
+        throw Error(Exit::usage, "--deviation-from: there is no mesh of which to measure the deviation");
     return files;
 }
 
@@ -133,12 +139,17 @@ std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const
 }
 
 void print_scene(const SceneInput& scene) {
-    fmt::print(
-        "mesh     {} ({} vertices, {} triangles)\ncameras  {}{} ({})\nphotos   {} ({})\n",
-        scene.files.mesh.string(), scene.mesh.positions.size(), scene.mesh.triangles.size(),
-        scene.files.cameras.string(),
-        scene.files.more_cameras.empty() ? "" : fmt::format(" and {} more", scene.files.more_cameras.size()),
-        scene.camera_format, scene.files.photos.string(), scene.photos.size());
+    if (!scene.files.mesh.empty())
+        fmt::print("mesh     {} ({} vertices, {} triangles)\n", scene.files.mesh.string(),
+                   scene.mesh.positions.size(), scene.mesh.triangles.size());
+    if (!scene.files.cameras.empty())
+        fmt::print("cameras  {}{} ({})\n", scene.files.cameras.string(),
+                   scene.files.more_cameras.empty()
+                       ? ""
+                       : fmt::format(" and {} more", scene.files.more_cameras.size()),
+                   scene.camera_format);
+    if (!scene.files.photos.empty())
+        fmt::print("photos   {} ({})\n", scene.files.photos.string(), scene.photos.size());
     for (std::uint32_t b = 0; scene.bands.size() > 1 && b < scene.bands.size(); ++b)
         fmt::print("band     {} ({})\n", scene.bands[b],
                    std::ranges::count(scene.photos, b, &PhotoInput::band));
@@ -270,7 +281,8 @@ void add_prepare(CLI::App& app, Run& run) {
         "  vantage prepare church.toml -o church    # several objects, see the README\n"
         "Run again, it continues where it was interrupted and repeats only what a change affects.");
     c->add_option("INPUT", o->input,
-                  "folder with mesh, cameras and photos; or a scene file, NAME.toml, that lists several");
+                  "folder with a mesh or a point cloud, cameras and photos; or a scene file, NAME.toml, that "
+                  "lists several");
     c->add_option("--mesh", o->mesh, "mesh file: PLY, OBJ, STL, OFF");
     c->add_option("--cameras", o->cameras, camera_format_names());
     c->add_option("--photos", o->photos, "folder of photos");
@@ -279,8 +291,8 @@ void add_prepare(CLI::App& app, Run& run) {
         "measure the mesh's signed distance from this mesh or point cloud, as a scalar layer; may be "
         "repeated");
     c->add_option("--points", o->settings.points,
-                  "point cloud to show with the mesh, in the same coordinates: PLY, OBJ, STL, OFF; may be "
-                  "repeated");
+                  "point cloud to show, with the mesh in the same coordinates or alone: PLY, LAS, OBJ, STL, "
+                  "OFF; may be repeated");
     c->add_option("--bands", o->settings.bands,
                   "photo sets that are shown one at a time: auto (by folders named visible, infrared, uvf, "
                   "raking, before, ...), folders (each is a band), off, or a TOML file with the patterns of "

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <tuple>
 
+#include "pipeline/formats/clouds/cloud.h"
 #include "pipeline/formats/import/cameras.h"
 #include "pipeline/formats/import/ply.h"
 #include "pipeline/input/band_groups.h"
@@ -31,21 +33,57 @@ bool is_same(const fs::path& a, const fs::path& b) {
     return fs::equivalent(a, b, error);
 }
 
-/// A mesh before points, mesh.* before other names, then the larger file; never a file of --deviation-from or
-/// --points.
+bool is_given(const fs::path& file, const InputFiles& given) {
+    const auto is_file = [&](const fs::path& other) { return is_same(other, file); };
+    return std::ranges::any_of(given.compared, is_file) || std::ranges::any_of(given.points, is_file);
+}
+
+/// Meshes, never files of --deviation-from or --points; mesh.* before other names, then the larger file.
 fs::path find_mesh(const Files& files, const InputFiles& given) {
-    using Rank = std::tuple<bool, bool, std::uintmax_t>;
+    using Rank = std::tuple<bool, std::uintmax_t>;
     fs::path best;
     Rank best_rank;
     for (const fs::path& f : files) {
         if (!is_one_of(lower_extension(f), {".ply", ".obj", ".stl", ".off"})) continue;
-        const auto is_file = [&](const fs::path& other) { return is_same(other, f); };
-        if (std::ranges::any_of(given.compared, is_file) || std::ranges::any_of(given.points, is_file))
-            continue;
-        const Rank rank{has_faces(f), f.stem() == "mesh", fs::file_size(f)};
+        if (is_given(f, given) || !has_faces(f)) continue;
+        const Rank rank{f.stem() == "mesh", fs::file_size(f)};
         if (best.empty() || rank > best_rank) best = f, best_rank = rank;
     }
     return best;
+}
+
+/// Point clouds that are not given, the largest first.
+Files find_clouds(const Files& files, const InputFiles& given) {
+    Files found;
+    for (const fs::path& f : files)
+        if (is_cloud_file(f) && !is_given(f, given) && !(lower_extension(f) == ".ply" && has_faces(f)))
+            found.push_back(f);
+    std::ranges::stable_sort(found, std::greater{}, [](const fs::path& f) { return fs::file_size(f); });
+    return found;
+}
+
+/// Without a mesh, takes the largest cloud, unless one is given; notes the clouds that are not used.
+void take_clouds(const fs::path& folder, const Files& files, InputFiles& found) {
+    const bool takes = found.mesh.empty() && found.points.empty();
+    const Files clouds = find_clouds(files, found);
+    for (std::size_t i = 0; i < clouds.size(); ++i) {
+        const std::string name = clouds[i].lexically_relative(folder).string();
+        if (takes && i == 0)
+            found.points.push_back(clouds[i]);
+        else
+            found.notes.push_back(name + ": a point cloud, not used; --points shows it");
+    }
+}
+
+/// Without a mesh, cameras without photos and photos without cameras are not used.
+void drop_unmatched(const fs::path& folder, InputFiles& found) {
+    const auto note = [&](fs::path& file, const char* why) {
+        const fs::path name = file.lexically_relative(folder);
+        found.notes.push_back((name.empty() || name == "." ? file : name).string() + ": not used, " + why);
+        file.clear();
+    };
+    if (found.cameras.empty() && !found.photos.empty()) note(found.photos, "no cameras found");
+    if (found.photos.empty() && !found.cameras.empty()) note(found.cameras, "no photos found");
 }
 
 /// Whether `file` is the first file of a folder in this format; the others lie next to it.
@@ -171,7 +209,8 @@ fs::path find_photos(const fs::path& root, const Files& files, const fs::path& c
     if (folders.size() < 2) return folders.empty() ? fs::path() : *folders.begin();
     for (const fs::path& f : std::set(folders))
         for (fs::path above = f; above != root; folders.insert(above)) above = above.parent_path();
-    const std::vector<std::string> names = photo_names(cameras);
+    const std::vector<std::string> names =
+        cameras.empty() ? std::vector<std::string>() : photo_names(cameras);
     const fs::path beside = fs::is_directory(cameras) ? cameras : cameras.parent_path();
     std::vector<PhotoFolder> all;
     for (const fs::path& f : folders) all.push_back(rated(f, root, beside, names));
@@ -206,15 +245,20 @@ InputFiles discover(const fs::path& folder, const InputFiles& given) {
     InputFiles found = given;
     if (found.mesh.empty()) found.mesh = find_mesh(files, found);
     find_all_cameras(folder, files, found);
-    if (found.mesh.empty())
-        throw Error(Exit::input, folder.string() + ": no mesh found (PLY, OBJ, STL, OFF)" +
-                                     (found.compared.empty() && found.points.empty()
-                                          ? ""
-                                          : " other than the files of --deviation-from and --points"));
-    if (found.cameras.empty())
+    take_clouds(folder, files, found);
+    if (found.mesh.empty() && found.points.empty())
+        throw Error(Exit::input,
+                    folder.string() + ": no mesh found (PLY, OBJ, STL, OFF), and no point cloud" +
+                        (found.compared.empty() ? "" : " other than the files of --deviation-from"));
+    if (found.mesh.empty() && !found.compared.empty())
+        throw Error(Exit::usage,
+                    folder.string() + ": has no mesh, of which --deviation-from could measure the deviation");
+    if (!found.mesh.empty() && found.cameras.empty())
         throw Error(Exit::input, folder.string() + ": no cameras found; expected " + camera_format_names());
     if (found.photos.empty()) found.photos = find_photos(folder, files, found.cameras);
-    if (found.photos.empty()) throw Error(Exit::input, folder.string() + ": no photos found");
+    if (found.mesh.empty()) drop_unmatched(folder, found);
+    if (!found.mesh.empty() && found.photos.empty())
+        throw Error(Exit::input, folder.string() + ": no photos found");
     return found;
 }
 

@@ -12,8 +12,9 @@ namespace vantage {
 /// If each of several folders with the photos of a band (see band_folder) has a camera file, all are taken.
 /// Follows symbolic links, ignores hidden files. What else could have been taken is listed in `notes`. What
 /// `given` has is not searched for, and none of `given.compared` and `given.points` is taken for the mesh.
-/// Throws Error(input) stating what is missing, or if there are several camera files and one cannot be read:
-/// it might have been the one.
+/// Without a mesh, the largest point cloud (a PLY without faces, or a file of cloud.h) is taken in its place,
+/// and cameras and photos may be missing. Throws Error(input) stating what is missing, or if there are
+/// several camera files and one cannot be read: it might have been the one.
 InputFiles discover(const std::filesystem::path& folder, const InputFiles& given = {});
 
 /// The stencil of a photo: NAME.mask.png in the photo's folder, or in a folder `masks` next to that folder

@@ -10,11 +10,12 @@ namespace vantage {
 namespace fs = std::filesystem;
 
 std::vector<fs::path> input_paths(const InputFiles& files) {
-    std::vector<fs::path> out = camera_files(files.cameras);
+    std::vector<fs::path> out;
+    if (!files.cameras.empty()) out = camera_files(files.cameras);
     for (const fs::path& more : files.more_cameras)
         for (fs::path& file : camera_files(more)) out.push_back(std::move(file));
     if (is_bands_file(files.bands)) out.emplace_back(files.bands);
-    out.push_back(files.mesh);
+    if (!files.mesh.empty()) out.push_back(files.mesh);
     out.insert(out.end(), files.compared.begin(), files.compared.end());
     out.insert(out.end(), files.points.begin(), files.points.end());
     if (!fs::is_directory(files.photos)) return out;  // read_scene will say so

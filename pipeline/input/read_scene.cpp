@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "pipeline/formats/clouds/cloud.h"
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/formats/images/photos.h"
 #include "pipeline/formats/import/cameras.h"
@@ -249,23 +250,27 @@ void read_clouds(SceneInput& scene) {
 SceneInput read_scene(const InputFiles& files) {
     SceneInput scene;
     scene.files = files;
-    scene.read.push_back(stamped(files.mesh));
-    for (const fs::path& file : camera_files(files.cameras)) scene.read.push_back(stamped(file));
-    for (const fs::path& more : files.more_cameras)
-        for (const fs::path& file : camera_files(more)) scene.read.push_back(stamped(file));
-    if (is_bands_file(files.bands)) scene.read.push_back(stamped(files.bands));
-    std::vector<CameraFile> cameras = read_camera_files(files);
-    scene.camera_format = cameras.front().set.format;
+    std::vector<CameraFile> cameras;
+    if (!files.mesh.empty()) scene.read.push_back(stamped(files.mesh));
+    if (!files.cameras.empty()) {
+        for (const fs::path& file : camera_files(files.cameras)) scene.read.push_back(stamped(file));
+        for (const fs::path& more : files.more_cameras)
+            for (const fs::path& file : camera_files(more)) scene.read.push_back(stamped(file));
+        if (is_bands_file(files.bands)) scene.read.push_back(stamped(files.bands));
+        cameras = read_camera_files(files);
+        scene.camera_format = cameras.front().set.format;
+    }
     for (const CameraFile& c : cameras)
         scene.warnings.insert(scene.warnings.end(), c.set.warnings.begin(), c.set.warnings.end());
-    scene.mesh = read_mesh(files.mesh, scene.warnings);
+    if (!files.mesh.empty()) scene.mesh = read_mesh(files.mesh, scene.warnings);
     read_compared(scene);
     read_clouds(scene);
+    if (files.photos.empty() && has_points_only(scene)) return scene;
     if (!fs::exists(files.photos)) throw Error(Exit::input, files.photos.string() + ": does not exist");
     if (!fs::is_directory(files.photos)) throw Error(Exit::input, files.photos.string() + ": not a folder");
-    add_photos(scene, std::move(cameras));
-    if (scene.photos.empty()) fail_without_photos(scene);
-    set_bands(scene);
+    if (!cameras.empty()) add_photos(scene, std::move(cameras));
+    if (scene.photos.empty() && !has_points_only(scene)) fail_without_photos(scene);
+    if (!scene.photos.empty()) set_bands(scene);
     return scene;
 }
 

@@ -24,12 +24,12 @@ struct PhotoInput {
 
 /// Where the parts of an input are.
 struct InputFiles {
-    std::filesystem::path mesh;
-    std::filesystem::path cameras;  ///< a file, or a COLMAP folder
-    std::filesystem::path photos;   ///< a folder
+    std::filesystem::path mesh;     ///< empty in a scene of points only
+    std::filesystem::path cameras;  ///< a file, or a COLMAP folder; empty without photos
+    std::filesystem::path photos;   ///< a folder; empty in a scene of points only without photos
     std::vector<std::filesystem::path>
         compared{};  ///< meshes or clouds from which the mesh's deviation is measured
-    std::vector<std::filesystem::path> points{};  ///< point clouds to show with the mesh
+    std::vector<std::filesystem::path> points{};  ///< point clouds to show, with the mesh or alone
     std::vector<std::string> notes{};             ///< what else was found and not taken
     std::vector<std::filesystem::path>
         more_cameras{};          ///< as `cameras`, each of the photos in its own folder below `photos`
@@ -58,5 +58,10 @@ struct SceneInput {
     std::vector<StampedFile> read{};  ///< meshes, cameras and photos left out, stamped before they were read
     std::vector<std::string> bands{""};  ///< names, the default band first; a single one may have none
 };
+
+/// Whether there is a cloud and no mesh.
+inline bool has_points_only(const SceneInput& scene) {
+    return scene.files.mesh.empty() && !scene.files.points.empty();
+}
 
 }  // namespace vantage

@@ -46,9 +46,10 @@ void order_vertices(PackedModel& m, Mesh& mesh) {
 
 }  // namespace
 
-PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles) {
+PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles, const Eigen::AlignedBox3d* bounds) {
     PackedModel m;
-    const MainBox box = main_box(mesh.positions, mesh.triangles);
+    const MainBox box =
+        bounds ? MainBox{bounds->min(), bounds->max(), {}} : main_box(mesh.positions, mesh.triangles);
     m.origin = box.low + (box.high - box.low) / 2;
     m.positions.reserve(mesh.positions.size());
     for (const Eigen::Vector3d& p : mesh.positions) m.positions.push_back((p - m.origin).cast<float>());

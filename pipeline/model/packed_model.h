@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
@@ -19,8 +20,8 @@ struct PackedModel {
 };
 
 /// Also reorders `mesh` the same way: triangles by cluster, vertices by first use (for memory locality),
-/// unused vertices last.
-PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles);
+/// unused vertices last. `bounds`: of what a stand-in stands for, instead of the mesh's main_box.
+PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles, const Eigen::AlignedBox3d* bounds = nullptr);
 
 /// Writes geometry, clusters and vertex attributes. Throws Error(storage).
 void write_model(PackageWriter& writer, const PackedModel& model, const Mesh& mesh);

@@ -65,15 +65,18 @@ json choices_json(const std::map<Effect, EffectChoice>& choices) {
 
 json inputs_json(const SceneInput& scene, IdentityCache& identities) {
     json inputs;
-    inputs["mesh"] = input_json(scene.files.mesh, identities);
+    if (!scene.files.mesh.empty()) inputs["mesh"] = input_json(scene.files.mesh, identities);
     inputs["compared"] = json::array();
     for (const fs::path& file : scene.files.compared)
         inputs["compared"].push_back(input_json(file, identities));
     inputs["points"] = json::array();
     for (const fs::path& file : scene.files.points) inputs["points"].push_back(input_json(file, identities));
     inputs["camera_format"] = scene.camera_format;
-    for (const fs::path& file : camera_files(scene.files.cameras))
-        inputs["cameras"].push_back(input_json(file, identities));
+    if (scene.files.cameras.empty())
+        inputs["cameras"] = json::array();
+    else
+        for (const fs::path& file : camera_files(scene.files.cameras))
+            inputs["cameras"].push_back(input_json(file, identities));
     // By their paths: their names may be the same.
     for (const fs::path& more : scene.files.more_cameras)
         for (const fs::path& file : camera_files(more)) {
@@ -82,6 +85,7 @@ json inputs_json(const SceneInput& scene, IdentityCache& identities) {
             inputs["more_cameras"].push_back(std::move(entry));
         }
     if (is_bands_file(scene.files.bands)) inputs["bands"] = input_json(scene.files.bands, identities);
+    if (scene.photos.empty()) inputs["photos"] = json::array();
     for (const PhotoInput& photo : scene.photos)
         inputs["photos"].push_back(
             utf8_name(photo.file.lexically_relative(scene.files.photos).generic_string()));

@@ -43,7 +43,7 @@ void compare(const fs::path& file, const json& was, IdentityCache& identities, C
 }
 
 void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& identities, Changes& out) {
-    const std::vector<fs::path> now = camera_files(cameras);
+    const std::vector<fs::path> now = cameras.empty() ? std::vector<fs::path>() : camera_files(cameras);
     const fs::path folder = fs::is_directory(cameras) ? cameras : cameras.parent_path();
     std::set<std::string> known;
     for (const json& was : meta.at("inputs").at("cameras")) {
@@ -91,6 +91,31 @@ void compare_listed(const json& meta, const char* list, const std::vector<fs::pa
         }
         if (named > 0 && changed == named) out.push_back(changes.front());
     }
+}
+
+/// The mesh, of which there may be none in a scene of points only; what was one may have become the other.
+void compare_mesh(const json& meta, const fs::path& mesh, IdentityCache& identities, Changes& out) {
+    const json was = meta.at("inputs").value("mesh", json{});
+    if (was.is_object() && mesh.empty())
+        add_missing(was.at("name").get<std::string>(), out);
+    else if (was.is_object())
+        compare(mesh, was, identities, out);
+    else if (!mesh.empty())
+        add_new(mesh, out);
+}
+
+/// In a scene of points only, all clouds have to be there.
+void compare_only_clouds(const json& meta, const std::vector<fs::path>& files, Changes& out) {
+    if (meta.at("inputs").contains("mesh")) return;
+    std::set<std::string> now, before;
+    for (const fs::path& file : files) now.insert(utf8_name(file.filename().string()));
+    for (const json& was : meta.at("inputs").value("points", json::array())) {
+        before.insert(was.at("name").get<std::string>());
+        if (!now.contains(was.at("name").get<std::string>()))
+            add_missing(was.at("name").get<std::string>(), out);
+    }
+    for (const fs::path& file : files)
+        if (!before.contains(utf8_name(file.filename().string()))) add_new(file, out);
 }
 
 /// Photos that the package neither has nor left out.
@@ -153,17 +178,25 @@ void compare_left_out(const json& meta, const fs::path& folder, IdentityCache& i
     }
 }
 
+/// There are no photos any more, or never were.
+Changes without_photos(const PackageReader& package, Changes out) {
+    for (const package::PhotoRecord& p : package.photos()) add_missing(p.name, out);
+    return out;
+}
+
 }  // namespace
 
 Changes changed_inputs(const PackageReader& package, const InputFiles& files, IdentityCache& identities) {
     const json meta = parse_meta(package);
     try {
         Changes out;
-        compare(files.mesh, meta.at("inputs").at("mesh"), identities, out);
+        compare_mesh(meta, files.mesh, identities, out);
         compare_listed(meta, "compared", files.compared, identities, out);
         compare_listed(meta, "points", files.points, identities, out);
+        compare_only_clouds(meta, files.points, out);
         compare_cameras(meta, files.cameras, identities, out);
         compare_bands(meta, files, identities, out);
+        if (files.photos.empty()) return without_photos(package, std::move(out));
         compare_photos(package, meta, files.photos, identities, out);
         compare_stencils(package, meta, files.photos, identities, out);
         compare_left_out(meta, files.photos, identities, out);
@@ -179,7 +212,7 @@ std::vector<std::string> names_listed(const PackageReader& package, const char* 
     const json meta = parse_meta(package);
     try {
         for (const json& was : meta.at("inputs").value(list, json::array()))
-            if (was.at("name") != meta.at("inputs").at("mesh").at("name"))
+            if (was.at("name") != meta.at("inputs").value("mesh", json::object()).value("name", ""))
                 out.push_back(was.at("name").get<std::string>());
     } catch (const json::exception& e) {
         throw Error(Exit::damaged, package.path().string() + ": META: " + e.what());

@@ -13,6 +13,7 @@
 #include "pipeline/prepare/registration_reuse.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/surroundings/find_surroundings.h"
+#include "points/point_cloud.h"
 #include "scene/part_file.h"
 #include "values/bytes_of.h"
 
@@ -91,6 +92,8 @@ struct BandColors {
 
 EffectDecision add_surroundings(const FinishInput& in, const PackageReader& part, Samples samples,
                                 const ColorRefinement& colors, std::span<const package::PhotoRecord> photos) {
+    if (points_only(in.scene))
+        return decide(Effect::surroundings, EffectChoice::automatic, 0, "the scene has points only");
     const Traced traced(in.geometry.trace, "surroundings");
     const Surroundings found = find_surroundings({.package = part,
                                                   .photos = photos,
@@ -166,9 +169,29 @@ void agree_by_band(const FinishInput& in, const PackageReader& part, std::vector
     out.consensus = joined(std::move(consensus), photos.records, in.bands);
 }
 
+/// What there is to say about no photos.
+Agreement no_agreement() {
+    const auto none = [](Effect e) {
+        return decide(e, EffectChoice::automatic, 0, "the scene has no photos");
+    };
+    Agreement out;
+    out.registration.decision = none(Effect::registration);
+    out.colors.exposure = none(Effect::exposure);
+    out.colors.falloff = none(Effect::falloff);
+    out.consensus.decision = none(Effect::consensus);
+    out.surroundings = none(Effect::surroundings);
+    return out;
+}
+
 }  // namespace
 
 Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
+    if (photos.records.empty()) {
+        const Agreement none = no_agreement();
+        write_registration(in.geometry.writer, none.registration, in.given, 0);
+        write_results(in, none, photos);
+        return none;
+    }
     const auto read = [&](std::uint32_t photo) { return in.geometry.writer.read(Type::samples, photo); };
     const PackageReader part(part_of(in.out), PackageReader::Expect::part);
     PhotoSamples samples = read_samples(photos.records, read);

@@ -7,6 +7,7 @@
 #include "pipeline/stages/borders.h"
 #include "pipeline/stages/coverage.h"
 #include "pipeline/stages/depth_summary.h"
+#include "pipeline/stages/facet_coordinates.h"
 #include "pipeline/stages/masks.h"
 #include "pipeline/stages/seen_hull.h"
 #include "pipeline/stages/vertex_coordinates.h"
@@ -92,7 +93,9 @@ void make_from_geometry(const GeometryContext& c, const PosedPhoto& photo, const
     if (missing[Stage::coordinates] || missing[Stage::coverage]) {
         const auto coordinates = [&] {
             const Traced traced(c.trace, "coordinates", photo.name);
-            return vertex_coordinates(view.projection, view.triangles.indices, photo.intrinsics);
+            return c.renderer.cloud()
+                       ? facet_coordinates(view.projection, c.model.indices, geometry, photo.intrinsics)
+                       : vertex_coordinates(view.projection, view.triangles.indices, photo.intrinsics);
         }();
         if (missing[Stage::coordinates]) {
             record_findings(geometry, coordinates, photo.intrinsics, photo.pose, r);

@@ -11,6 +11,7 @@
 #include "pipeline/prepare/finish.h"
 #include "pipeline/prepare/moved_photo.h"
 #include "pipeline/prepare/registration_reuse.h"
+#include "points/point_cloud.h"
 #include "scene/error.h"
 #include "scene/part_file.h"
 #include "values/bytes_of.h"
@@ -185,6 +186,11 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
     const std::vector<Eigen::Vector3f> normals(from.begin(), from.end());
     const PrepareSettings settings = scene_settings_in(meta);
     GeometryRenderer renderer(model, normals, settings);
+    SplatCloud cloud;
+    if (points_only(scene)) {
+        cloud = splat_cloud(first);
+        renderer.splats(cloud);
+    }
     const auto discs =
         surface_disc_set(model.positions, model.indices, scene.reference_density, bounds_from_origin(scene));
     const GeometryContext geometry{.model = model,

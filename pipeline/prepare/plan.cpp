@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "pipeline/model/deviation.h"
+#include "pipeline/model/stand_in.h"
 #include "pipeline/model/subdivide.h"
 #include "pipeline/package/chunk_plan.h"
 #include "pipeline/package/meta.h"
 #include "pipeline/package/photo_records.h"
 #include "pipeline/pixels/pyramid.h"
 #include "pipeline/stages/inspect.h"
+#include "points/point_cloud.h"
 
 namespace vantage {
 namespace {
@@ -46,6 +48,7 @@ package::SceneRecord scene_record(const PackedModel& model, const SceneInput& sc
     record.reference_density = reference_density(scene, model.record);
     record.border_width = settings.border_width;
     for (const EffectDecision& d : effects) record.effects |= std::uint64_t(d.on) << int(d.effect);
+    if (has_points_only(scene)) record.effects |= points_only_bit;
     if (effect_on(record, Effect::scalar_layers)) record.scalar_layers = scene.mesh.scalars.size();
     return record;
 }
@@ -68,6 +71,18 @@ void add_deviations(SceneInput& scene, Trace* trace) {
     scene.compared.clear();
 }
 
+/// Its facets are seen from both sides, because the surface of points has none.
+PackedModel pack_stand_in(SceneInput& scene, unsigned cluster_triangles) {
+    std::vector<Eigen::Vector3d> eyes;
+    for (const PhotoInput& photo : scene.photos) eyes.push_back(photo.camera.cam_from_world.center());
+    scene.mesh = stand_in(scene.points, eyes);
+    Eigen::AlignedBox3d bounds;
+    for (const Eigen::Vector3d& p : scene.points.positions) bounds.extend(p);
+    PackedModel model = pack_model(scene.mesh, cluster_triangles, &bounds);
+    for (package::ClusterRecord& c : model.clusters) c.cone_cutoff = 1;
+    return model;
+}
+
 }  // namespace
 
 void reduce_photos(SceneInput& scene, int longest) {
@@ -80,6 +95,7 @@ void reduce_photos(SceneInput& scene, int longest) {
 
 PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace* trace) {
     const Traced traced(trace, "model");
+    if (has_points_only(scene)) return pack_stand_in(scene, settings.cluster_triangles);
     subdivide_large_triangles(scene.mesh);
     add_deviations(scene, trace);
     return pack_model(scene.mesh, settings.cluster_triangles);

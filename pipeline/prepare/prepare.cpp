@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <mutex>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "pipeline/prepare/resources.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/stages/mesh_in_view.h"
+#include "scene/checksum.h"
 #include "scene/error.h"
 #include "scene/part_file.h"
 #include "values/bytes_of.h"
@@ -54,10 +56,14 @@ class StageCounts {
     const EarlierPackages& earlier_;
 };
 
-void expect_usable(const SceneInput& scene, bool strict) {
-    if (scene.mesh.points_only())
+void expect_usable(const SceneInput& scene, const PrepareSettings& settings, bool strict) {
+    if (has_points_only(scene) && choice_of(settings.effects, Effect::points) == EffectChoice::off)
+        throw Error(Exit::usage, scene.files.points.front().string() +
+                                     ": the scene has points only, expected --effect points=on or auto");
+    if (scene.mesh.points_only() && !has_points_only(scene))
         throw Error(Exit::input,
-                    scene.files.mesh.string() + ": has points only, expected a mesh with triangles");
+                    scene.files.mesh.string() +
+                        ": has points only, expected a mesh with triangles; --points shows points");
     if (strict && !scene.left_out.empty())
         throw Error(Exit::input, scene.left_out.front().photo + ": " + scene.left_out.front().why);
 }
@@ -117,13 +123,20 @@ void write_scene(PackageWriter& writer, const PreparePlan& plan, const PackedMod
     }
 }
 
+/// The model's checksum and that of the points that stand behind it.
+std::uint64_t with_cloud(std::uint64_t model, const SplatCloud& cloud) {
+    const std::array all{model, checksum(bytes_of(cloud.positions)), checksum(bytes_of(cloud.radii))};
+    return checksum(std::as_bytes(std::span(all)));
+}
+
 SceneKey scene_key(const PreparePlan& plan, const SceneInput& scene, const PrepareSettings& settings,
                    const PackedModel& model, const GeometryRenderer& renderer) {
+    const std::uint64_t checksum_of_model = model_checksum(model, scene.mesh.normals);
     return {.settings = settings,
             .distance = renderer.distance(),
             .opengl = renderer.by_opengl(),
             .undistortion = effect_on(plan.scene, Effect::undistortion),
-            .model = model_checksum(model, scene.mesh.normals),
+            .model = renderer.cloud() ? with_cloud(checksum_of_model, *renderer.cloud()) : checksum_of_model,
             .reference_density = plan.scene.reference_density};
 }
 
@@ -160,7 +173,7 @@ void record_left_out(const SceneInput& scene, const PhotoTables& photos, Prepare
         else
             ++usable;
     std::ranges::sort(result.left_out, {}, &UnusablePhoto::photo);
-    if (usable == 0)
+    if (usable == 0 && !has_points_only(scene))
         throw Error(Exit::input, scene.files.photos.string() + ": no photo can be used; the first: " +
                                      result.left_out.front().photo + ": " + result.left_out.front().why);
 }
@@ -213,7 +226,7 @@ PrepareResult prepare_photos(const PhotoContext& context, PhotoTables& photos,
 
 PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const std::filesystem::path& out,
                       const OnProgress& progress, const PrepareRun& run) {
-    expect_usable(scene, run.strict);
+    expect_usable(scene, settings, run.strict);
     if (settings.photo_size > 0) reduce_photos(scene, settings.photo_size);
     std::optional<IdentityCache> default_cache;
     IdentityCache& identities = run.identities ? *run.identities : default_cache.emplace();
@@ -225,6 +238,11 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     GeometryRenderer renderer(model, scene.mesh.normals, settings);
     PreparePlan plan = make_plan(model, scene, settings, run.share, identities, run.trace);
     if (!effect_on(plan.scene, Effect::scalar_layers)) scene.mesh.scalars.clear();
+    SplatCloud cloud;
+    if (has_points_only(scene) && !scene.photos.empty()) {
+        cloud = splat_cloud(plan.points, scene.points, model.origin);
+        renderer.splats(cloud);
+    }
     const ResourceEstimate estimate = reserve(plan, scene, settings, run, renderer.by_opengl(), out);
 
     PackageWriter writer(out, plan.chunks, plan.names, run.share);

@@ -24,6 +24,7 @@
 #include "pipeline/report/registration_part.h"
 #include "pipeline/report/timeline.h"
 #include "pipeline/run/for_each_photo.h"
+#include "points/point_cloud.h"
 #include "scene/error.h"
 #include "scene/flush_to_disk.h"
 
@@ -60,9 +61,11 @@ std::string heading(const PackageReader& package, const json& meta,
                : fmt::format(
                      "<p class=bad>Incomplete: {} left out, see below.</p>\n",
                      left_out.size() == 1 ? "one photo is" : fmt::format("{} photos are", left_out.size()));
-    out += fmt::format("<p>{} photos, {} vertices, {} triangles, {:.1f} MB; prepared by {}",
-                       package.photos().size(), s.vertices, s.triangles, double(package.size()) / 1e6,
-                       escaped(meta.value("tool", "")));
+    const std::string shape = points_only(s)
+                                  ? fmt::format("{} points", read_point_cloud(package)->points)
+                                  : fmt::format("{} vertices, {} triangles", s.vertices, s.triangles);
+    out += fmt::format("<p>{} photos, {}, {:.1f} MB; prepared by {}", package.photos().size(), shape,
+                       double(package.size()) / 1e6, escaped(meta.value("tool", "")));
     if (run) out += fmt::format(" in {:.1f} s, peak memory {:.0f} MB", run->seconds, run->memory_mb);
     return out + ".</p>\n";
 }
@@ -155,9 +158,10 @@ std::string photo_figure(const PackageReader& package, std::uint32_t i, const Ph
     return "<figure>" + embedded_picture(thumbnail(package, i, p), p.name) +
            embedded_picture(mask_picture(package, i, p), std::string("masks of ") + p.name) +
            fmt::format(
-               "<figcaption><b>{}</b> {} x {}{}; sees {:.1f} % of the vertices, depth {:.3g} to "
+               "<figcaption><b>{}</b> {} x {}{}; sees {:.1f} % of the {}, depth {:.3g} to "
                "{:.3g}</figcaption></figure>\n",
-               escaped(p.name), p.width, p.height, flags, 100 * p.visible_vertices, p.z_min, p.z_max);
+               escaped(p.name), p.width, p.height, flags, 100 * p.visible_vertices,
+               points_only(package.scene()) ? "points" : "vertices", p.z_min, p.z_max);
 }
 
 void write_photos_part(std::ofstream& out, const PackageReader& package) {
@@ -212,7 +216,8 @@ void write_report(const fs::path& file, const PackageReader& package, const std:
     flush_to_disk(file);
     out << report_style << "</style>\n"
         << heading(package, meta, left_out, run) << left_out_part(left_out) << warnings_part(meta)
-        << effects_part(package, meta, run) << coverage_part(package);
+        << effects_part(package, meta, run);
+    if (!package.photos().empty()) out << coverage_part(package);
     if (run && run->prepared.agreement) {
         out << registration_part(package.photos(), run->prepared.agreement->registration)
             << colors_part(package.photos(), run->prepared.agreement->colors)

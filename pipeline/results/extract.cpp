@@ -87,7 +87,7 @@ void write_photo(const PackageReader& reader, std::uint32_t i, const package::Ph
 void expect_replaceable(const PackageReader& reader, const std::vector<std::uint32_t>& wanted,
                         const std::vector<std::string>& stems, const fs::path& folder, bool force) {
     const Inputs inputs = inputs_of(reader);
-    output_file(folder / mesh_name, Product::ply, inputs, force);
+    if (!points_only(reader.scene())) output_file(folder / mesh_name, Product::ply, inputs, force);
     if (effect_on(reader.scene(), Effect::points))
         output_file(folder / points_name, Product::ply, inputs, force);
     for (const std::uint32_t i : wanted) {
@@ -122,7 +122,7 @@ void extract(const fs::path& package, const fs::path& folder, const std::vector<
     }
     for (const std::uint32_t i : wanted)
         if (photos[i].levels) write_photo(reader, i, photos[i], stems[i], folder);
-    write_mesh(reader, folder / mesh_name);
+    if (!points_only(reader.scene())) write_mesh(reader, folder / mesh_name);
     if (const auto cloud = read_point_cloud(reader)) write_points(reader, *cloud, folder / points_name);
 }
 

@@ -104,6 +104,7 @@ Measured triangle_size(const SceneInput& scene) {
 }
 
 Measured focal_spread(const SceneInput& scene) {
+    if (scene.photos.empty()) return {0, "the scene has no photos"};
     double low = std::numeric_limits<double>::infinity(), high = 0;
     for (const PhotoInput& p : scene.photos) {
         const double f = p.camera.intrinsics.fx / p.camera.intrinsics.width;
@@ -207,6 +208,12 @@ std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effe
     std::vector<EffectDecision> decisions;
     for (const EffectRow& row : effect_table()) {
         const Measured m = measure(row, scene);
+        if (row.effect == Effect::per_fragment && has_points_only(scene)) {
+            // Triangles of a stand-in are not drawn.
+            decisions.push_back(
+                decide(row.effect, EffectChoice::automatic, 1e9, "the scene has points only"));
+            continue;
+        }
         decisions.push_back(decide(row.effect, choice_of(choices, row.effect),
                                    std::isfinite(m.value) ? m.value : 1e9, m.evidence));
         // Even if forced on, there may be nothing to show.

@@ -50,11 +50,13 @@ void expect_mesh_in_view(const SceneInput& scene) {
     const Eigen::AlignedBox3d mesh(box.low, box.high);
     Eigen::AlignedBox3d cameras;
     for (const PhotoInput& photo : scene.photos) cameras.extend(photo.camera.cam_from_world.center());
-    throw Error(Exit::misplaced,
-                fmt::format("{}: {} of {} photos see less than {} % of a frame of it, so it is not where the "
-                            "cameras look: mesh {}, cameras {}",
-                            scene.files.mesh.string(), blind, scene.photos.size(), 100 * least_share_of_frame,
-                            text(mesh), text(cameras)));
+    throw Error(
+        Exit::misplaced,
+        fmt::format("{}: {} of {} photos see less than {} % of a frame of it, so it is not where the "
+                    "cameras look: {} {}, cameras {}",
+                    (scene.files.mesh.empty() ? scene.files.points.front() : scene.files.mesh).string(),
+                    blind, scene.photos.size(), 100 * least_share_of_frame,
+                    scene.files.mesh.empty() ? "points" : "mesh", text(mesh), text(cameras)));
 }
 
 }  // namespace vantage

@@ -2,6 +2,7 @@
 
 #include "gl/context.h"
 #include "pipeline/model/packed_model.h"
+#include "pipeline/model/stand_in.h"
 #include "pipeline/run/trace.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/visibility/border_distance.h"
@@ -9,6 +10,7 @@
 #include "pipeline/visibility/gl_thread.h"
 #include "pipeline/visibility/near_distance.h"
 #include "pipeline/visibility/rasterize.h"
+#include "pipeline/visibility/splat.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -64,9 +66,27 @@ GeometryRenderer::~GeometryRenderer() = default;
 
 bool GeometryRenderer::by_opengl() const { return gl_ != nullptr; }
 
+void GeometryRenderer::splats(const SplatCloud& cloud) {
+    cloud_ = &cloud;
+    slack_ = facet_size(model_.positions, model_.indices);
+}
+
 std::future<PhotoGeometry> GeometryRenderer::render(std::shared_ptr<const PhotoView> view,
                                                     const Intrinsics& k, Trace* trace,
                                                     const std::string& photo) {
+    auto rendered = render_model(view, k, trace, photo);
+    if (!cloud_) return rendered;
+    return std::async(std::launch::deferred, [=, this, rendered = std::move(rendered)]() mutable {
+        PhotoGeometry maps = rendered.get();
+        const Traced traced(trace, "splat", photo);
+        splat(*cloud_, k, view->projection.cam_from_origin, slack_, maps);
+        return maps;
+    });
+}
+
+std::future<PhotoGeometry> GeometryRenderer::render_model(std::shared_ptr<const PhotoView> view,
+                                                          const Intrinsics& k, Trace* trace,
+                                                          const std::string& photo) {
     if (!gl_)
         return std::async(std::launch::deferred, [=, this] {
             const Traced traced(trace, "render", photo);

@@ -5,6 +5,7 @@
 
 #include "pipeline/model/clusters.h"
 #include "pipeline/model/packed_model.h"
+#include "pipeline/model/splat_cloud.h"
 #include "pipeline/run/trace.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/visibility/frame_triangles.h"
@@ -36,6 +37,11 @@ class GeometryRenderer {
     bool by_opengl() const;  ///< false: on the CPU
     DistanceMethod distance() const { return distance_; }
 
+    /// From now on the model is a stand-in, and depth that of `cloud`, which must outlive the renderer.
+    void splats(const SplatCloud& cloud);
+    /// Null unless depth is that of a cloud.
+    const SplatCloud* cloud() const { return cloud_; }
+
     /// On the CPU, rendering is deferred to the future's get().
     std::future<PhotoGeometry> render(std::shared_ptr<const PhotoView> view, const Intrinsics& intrinsics,
                                       Trace* trace, const std::string& photo);
@@ -48,6 +54,12 @@ class GeometryRenderer {
     const std::vector<Eigen::Vector3f>& normals_;
     DistanceMethod distance_;
     std::unique_ptr<OpenGl> gl_;
+    const SplatCloud* cloud_ = nullptr;
+    double slack_ = 0;  ///< of the stand-in, scene units
+
+    std::future<PhotoGeometry> render_model(std::shared_ptr<const PhotoView> view,
+                                            const Intrinsics& intrinsics, Trace* trace,
+                                            const std::string& photo);
 };
 
 }  // namespace vantage

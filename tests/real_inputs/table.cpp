@@ -1,5 +1,8 @@
 // The table: a new case is a new row.
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "tests/real_inputs/row.h"
 
@@ -105,6 +108,26 @@ std::string text_cloud(std::vector<std::string> points) {
     for (const std::string& p : points) text += p + "\n";
     return text;
 }
+/// A LAS file of format 2 whose points are the corners of the box, twice.
+std::string box_las() {
+    std::string las(227, '\0');
+    const auto put = [&](std::size_t at, const auto& value) { std::memcpy(&las[at], &value, sizeof value); };
+    las.replace(0, 4, "LASF");
+    las[24] = 1, las[25] = 2, las[104] = 2;
+    put(94, std::uint16_t(227)), put(96, std::uint32_t(227)), put(105, std::uint16_t(26)),
+        put(107, std::uint32_t(16));
+    for (std::size_t axis = 0; axis < 3; ++axis) put(131 + 8 * axis, 0.001), put(155 + 8 * axis, 0.5);
+    for (int i = 0; i < 16; ++i) {
+        std::array<std::int32_t, 3> at{};
+        for (int axis = 0; axis < 3; ++axis) at[std::size_t(axis)] = (i >> axis & 1) ? 500 : -1500;
+        const std::array<std::uint16_t, 3> rgb{52224, 16384, 13056};
+        std::string record(26, '\0');
+        std::memcpy(&record[0], &at, 12);
+        std::memcpy(&record[20], &rgb, 6);
+        las += record;
+    }
+    return las;
+}
 std::string cloud(const std::string& file, const std::string& then) {
     return "vantage prepare {scan} -o {out}.vantage --no-report --points " + file + " " + then;
 }
@@ -184,7 +207,7 @@ std::vector<Row> rows() {
         {"folders", "no mesh in the folder, --mesh names one elsewhere", moved("mesh.ply", "../elsewhere.ply"), Command{with("--mesh {scan}/../elsewhere.ply")}},
         {"folders", "COLMAP's dense workspace", [](Scan& s) { s.remove("mesh.ply"); s["fused.ply"] = points_ply(); s["meshed-poisson.ply"] = box_ply(); s["stereo/depth_maps/A.jpg.geometric.bin"] = "x"; }, Says{"meshed-poisson.ply"}},
         {"folders", "a dense workspace with meshed-delaunay.ply", [](Scan& s) { s.remove("mesh.ply"); s["fused.ply"] = points_ply(); s["meshed-delaunay.ply"] = box_ply(); }, Says{"meshed-delaunay.ply"}},
-        {"folders", "fused.ply alone", [](Scan& s) { s.remove("mesh.ply"); s["fused.ply"] = points_ply(); }, Exit::input, Says{"fused.ply: has points only"}},
+        {"folders", "fused.ply alone", [](Scan& s) { s.remove("mesh.ply"); s["fused.ply"] = points_ply(); }, Says{"fused.ply (1000)"}, Holds{"A.jpg=red B.jpg=green C.jpg=blue"}},
         {"folders", "mesh.ply holds points, scan.ply is the mesh", [](Scan& s) { s["mesh.ply"] = points_ply(); s["scan.ply"] = box_ply(); }, Says{"scan.ply"}},
         {"folders", "dense/ with undistorted photos beside images/", [](Scan& s) { s.copy("images", "dense/images"); s.copy("sparse", "dense/sparse"); s.move("mesh.ply", "dense/mesh.ply"); }, Says{"dense/images (3)"}},
         {"folders", "equal names in two folders", [](Scan& s) { s.move("images/A.jpg", "images/cam1/A.jpg"); s.move("images/B.jpg", "images/cam2/A.jpg"); s.move("images/C.jpg", "images/cam2/C.jpg"); cameras_named({"cam1/A.jpg", "cam2/A.jpg", "cam2/C.jpg"})(s); }, Holds{"C.jpg=blue cam1_A.jpg=red cam2_A.jpg=green"}},
@@ -476,7 +499,7 @@ std::vector<Row> rows() {
         // --------------------------------------------------------------------------------------- comparisons
         {"comparisons", "a larger mesh", with_file("old.ply", box_ply({.scale = 1.5})), Says{"deviation-from-old from -0.5 to -0.5"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
         {"comparisons", "the mesh moved", with_file("old.ply", box_ply({.x = 0.25})), Says{"deviation-from-old from -0.25 to 0.25"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
-        {"comparisons", "the only mesh of the folder", nothing(), Exit::input, Says{"no mesh found (PLY, OBJ, STL, OFF) other than the files of --deviation-from and --points"}, no_package, Command{deviation("{scan}/mesh.ply", "")}},
+        {"comparisons", "the only mesh of the folder", nothing(), Exit::input, Says{"no mesh found (PLY, OBJ, STL, OFF), and no point cloud other than the files of --deviation-from"}, no_package, Command{deviation("{scan}/mesh.ply", "")}},
         {"comparisons", "a point cloud without normals", with_file("old.ply", points_ply()), Says{"deviation-from-old from 0 to 1"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
         {"comparisons", "two meshes", [](Scan& s) { s["a.ply"] = box_ply({.scale = 1.5}); s["b.obj"] = box_obj(); }, Says{"deviation-from-a from -0.5 to -0.5; deviation-from-b from 0 to 0"}, Command{deviation("{scan}/a.ply", "--deviation-from {scan}/b.obj ; vantage info {out}.vantage")}},
         {"comparisons", "two meshes of the same name", [](Scan& s) { s["a/m.ply"] = box_ply(); s["b/m.ply"] = box_ply(); }, Exit::usage, Says{"b/m.ply: another --deviation-from file has the same name"}, no_package, Command{deviation("{scan}/a/m.ply", "--deviation-from {scan}/b/m.ply")}},
@@ -507,6 +530,18 @@ std::vector<Row> rows() {
         {"point clouds", "again, nothing to do", with_file("cloud.ply", points_ply()), Says{"is current, nothing to do"}, Command{cloud("{scan}/cloud.ply", "; " + cloud("{scan}/cloud.ply", ""))}},
         {"point clouds", "checked, from a cloud that has changed", [](Scan& s) { s["cloud.ply"] = points_ply(); s["other.ply"] = points_ply(7); }, Exit::stale, Says{"cloud.ply: has changed"}, no_package, Command{cloud("{scan}/cloud.ply", "; cp {scan}/other.ply {scan}/cloud.ply ; vantage check --against {scan} {out}.vantage")}},
         {"point clouds", "shown alone", with_file("cloud.ply", points_ply()), Says{"out.png"}, Command{cloud("{scan}/cloud.ply", "; vantage-player {out}.vantage --offscreen --photo A --points alone -o {out}.png")}},
+        {"point clouds", "not named beside a mesh", with_file("cloud.ply", points_ply()), Says{"cloud.ply: a point cloud, not used; --points shows it"}},
+        {"point clouds", "no mesh", with_mesh("cloud.ply", points_ply()), Says{"sound"}, Holds{"A.jpg=red B.jpg=green C.jpg=blue"}, Command{check_against}},
+        {"point clouds", "no mesh, --points names one of two", [](Scan& s) { s.remove("mesh.ply"); s["a.ply"] = points_ply(7); s["b.ply"] = points_ply(9); }, Says{"a.ply (7)", "b.ply: a point cloud, not used"}, Holds{"A.jpg=red"}, Command{cloud("{scan}/a.ply", "")}},
+        {"point clouds", "no mesh, no photos", [](Scan& s) { s.remove("mesh.ply"); s.remove("images"); s["cloud.ply"] = points_ply(); }, Says{"sparse: not used, no photos found"}, Holds{"2 x 2 x 2"}},
+        {"point clouds", "no mesh, no cameras", [](Scan& s) { s.remove("mesh.ply"); s.remove("sparse"); s["cloud.ply"] = points_ply(); }, Says{"images: not used, no cameras found"}, Holds{"2 x 2 x 2"}},
+        {"point clouds", "nothing else", [](Scan& s) { s.remove("mesh.ply"); s.remove("sparse"); s.remove("images"); s["cloud.ply"] = points_ply(); }, Says{"sound"}, Holds{"2 x 2 x 2"}, Command{check_against}},
+        {"point clouds", "no mesh, points switched off", with_mesh("cloud.ply", points_ply()), Exit::usage, Says{"cloud.ply: the scene has points only, expected --effect points=on or auto"}, no_package, Command{with("--effect points=off")}},
+        {"point clouds", "no mesh, a deviation to measure", [](Scan& s) { s.remove("mesh.ply"); s["cloud.ply"] = points_ply(); s["old.ply"] = points_ply(9); }, Exit::usage, Says{"has no mesh, of which --deviation-from could measure the deviation"}, no_package, Command{deviation("{scan}/old.ply", "")}},
+        {"point clouds", "a mesh has replaced the cloud", [](Scan& s) { s.remove("mesh.ply"); s["cloud.ply"] = points_ply(); s["later/mesh.txt"] = box_ply(); }, Exit::stale, Says{"mesh.ply: was added after the package was prepared"}, no_package, Command{"vantage prepare {scan} -o {out}.vantage --no-report ; cp {scan}/later/mesh.txt {scan}/mesh.ply ; vantage check --against {scan} {out}.vantage"}},
+        {"point clouds", "LAS", with_mesh("scan.las", box_las()), Says{"16 points in scan.las"}, Holds{"A.jpg=red B.jpg=green C.jpg=blue"}, Command{std::string(prepare_command) + " ; vantage info {out}.vantage"}},
+        {"point clouds", "LAS, cut off", with_mesh("scan.las", box_las().substr(0, 300)), Exit::input, Says{"scan.las: is cut off: its header counts 16 points, 2 are there"}, no_package},
+        {"point clouds", "LAS, compressed", [](Scan& s) { s.remove("mesh.ply"); s["scan.laz"] = box_las(); s["scan.laz"][104] = char(0x82); }, Exit::input, Says{"scan.laz: is compressed (LAZ), which is not supported"}, no_package},
         {"point clouds", "shown, a wrong size", with_file("cloud.ply", points_ply()), Exit::usage, Says{"--point-size"}, no_package, Command{cloud("{scan}/cloud.ply", "; vantage-player {out}.vantage --offscreen --photo A --point-size 0 -o {out}.png")}},
 
         // ------------------------------------------------------------------------------------------ packages

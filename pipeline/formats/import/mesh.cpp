@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <map>
 
 #include "pipeline/formats/import/coordinate_warnings.h"
@@ -14,7 +13,6 @@
 #include "pipeline/formats/import/ply.h"
 #include "scene/error.h"
 #include "values/lower_extension.h"
-#include "values/main_box.h"
 
 namespace vantage {
 namespace {
@@ -37,26 +35,6 @@ void weld(Mesh& mesh) {
             w[0] != w[1] && w[1] != w[2] && w[2] != w[0])
             welded.triangles.push_back(w);
     mesh = std::move(welded);
-}
-
-/// Whether the coordinates and their squares are finite in single precision.
-bool usable(const Eigen::Vector3d& p) { return p.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < 1e18; }
-
-/// Removes points for which `bad(index)` is true, with their attributes, and returns their number.
-std::size_t drop_points(Mesh& cloud, const std::function<bool(std::size_t)>& bad) {
-    std::size_t kept = 0;
-    const std::size_t all = cloud.positions.size();
-    for (std::size_t i = 0; i < all; ++i) {
-        if (bad(i)) continue;
-        cloud.positions[kept] = cloud.positions[i];
-        if (!cloud.colors.empty()) cloud.colors[kept] = cloud.colors[i];
-        if (!cloud.normals.empty()) cloud.normals[kept] = cloud.normals[i];
-        ++kept;
-    }
-    cloud.positions.resize(kept);
-    if (!cloud.colors.empty()) cloud.colors.resize(kept);
-    if (!cloud.normals.empty()) cloud.normals.resize(kept);
-    return all - kept;
 }
 
 /// Drops triangles with a missing, repeated or unusable vertex and returns their number. Vertices that belong
@@ -110,21 +88,38 @@ Mesh parse(const std::filesystem::path& file, const std::string& extension) {
     return read_with_openmesh(file);
 }
 
-/// Throws Error(input), also if the file has no vertices.
-Mesh read_any(const std::filesystem::path& file, const std::string& extension) {
+}  // namespace
+
+bool usable(const Eigen::Vector3d& p) { return p.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < 1e18; }
+
+std::size_t drop_points(Mesh& cloud, const std::function<bool(std::size_t)>& bad) {
+    std::size_t kept = 0;
+    const std::size_t all = cloud.positions.size();
+    for (std::size_t i = 0; i < all; ++i) {
+        if (bad(i)) continue;
+        cloud.positions[kept] = cloud.positions[i];
+        if (!cloud.colors.empty()) cloud.colors[kept] = cloud.colors[i];
+        if (!cloud.normals.empty()) cloud.normals[kept] = cloud.normals[i];
+        ++kept;
+    }
+    cloud.positions.resize(kept);
+    if (!cloud.colors.empty()) cloud.colors.resize(kept);
+    if (!cloud.normals.empty()) cloud.normals.resize(kept);
+    return all - kept;
+}
+
+Mesh read_mesh_file(const std::filesystem::path& file) {
     if (!std::filesystem::exists(file)) throw Error(Exit::input, file.string() + ": does not exist");
     if (std::filesystem::is_directory(file))
         throw Error(Exit::input, file.string() + ": expected a file, found a folder");
-    Mesh mesh = parse(file, extension);
+    Mesh mesh = parse(file, lower_extension(file));
     if (mesh.positions.empty()) throw Error(Exit::input, file.string() + ": has no vertices");
     return mesh;
 }
 
-}  // namespace
-
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings) {
     const std::string extension = lower_extension(file);
-    Mesh mesh = read_any(file, extension);
+    Mesh mesh = read_mesh_file(file);
     if (mesh.points_only()) {
         mesh.scalars = {};
         if (const std::size_t n =
@@ -141,23 +136,6 @@ Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warn
     for (const std::string& w : coordinate_warnings(mesh))
         warnings.push_back(file.filename().string() + ": " + w);
     return mesh;
-}
-
-Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& warnings) {
-    Mesh cloud = read_any(file, lower_extension(file));
-    cloud.triangles = {}, cloud.normals = {}, cloud.scalars = {};
-    const std::string name = file.filename().string();
-    if (const std::size_t n = drop_points(cloud, [&](std::size_t i) { return !usable(cloud.positions[i]); }))
-        warnings.push_back(name + ": " + std::to_string(n) + " invalid points dropped");
-    if (cloud.positions.empty())
-        throw Error(Exit::input, file.string() + ": has no point with finite coordinates");
-    const MainBox box = main_box(cloud.positions, {});
-    const auto stray = [&](std::size_t i) {
-        return std::ranges::binary_search(box.strays, std::uint32_t(i));
-    };
-    if (const std::size_t n = drop_points(cloud, stray))
-        warnings.push_back(name + ": " + std::to_string(n) + " points far from all others dropped");
-    return cloud;
 }
 
 }  // namespace vantage

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,9 +18,12 @@ namespace vantage {
 /// Error(input).
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
-/// Reads the points of a cloud, or the vertices of a mesh, with their colors and nothing else. Points with
-/// coordinates that are not finite, or 1e18 or more, and those far from all others (values/main_box.h) are
-/// dropped and counted in `warnings`. Throws Error(input), also if no point is left.
-Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& warnings);
+/// A mesh or cloud as its file has it. Throws Error(input), also if it has no vertices.
+Mesh read_mesh_file(const std::filesystem::path& file);
+
+/// Whether the coordinates and their squares are finite in single precision.
+bool usable(const Eigen::Vector3d& position);
+/// Removes points for which `bad(index)` is true, with their colors and normals, and returns their number.
+std::size_t drop_points(Mesh& cloud, const std::function<bool(std::size_t)>& bad);
 
 }  // namespace vantage

@@ -1,0 +1,44 @@
+#include "pipeline/formats/clouds/cloud.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "pipeline/formats/clouds/las.h"
+#include "pipeline/formats/import/mesh.h"
+#include "scene/error.h"
+#include "values/lower_extension.h"
+#include "values/main_box.h"
+
+namespace vantage {
+
+namespace {
+
+bool is_las(const std::filesystem::path& file) {
+    const std::string extension = lower_extension(file);
+    return extension == ".las" || extension == ".laz";
+}
+
+}  // namespace
+
+bool is_cloud_file(const std::filesystem::path& file) {
+    return lower_extension(file) == ".ply" || is_las(file);
+}
+
+Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+    Mesh cloud = is_las(file) ? read_las(file, warnings) : read_mesh_file(file);
+    cloud.triangles = {}, cloud.normals = {}, cloud.scalars = {};
+    const std::string name = file.filename().string();
+    if (const std::size_t n = drop_points(cloud, [&](std::size_t i) { return !usable(cloud.positions[i]); }))
+        warnings.push_back(name + ": " + std::to_string(n) + " invalid points dropped");
+    if (cloud.positions.empty())
+        throw Error(Exit::input, file.string() + ": has no point with finite coordinates");
+    const MainBox box = main_box(cloud.positions, {});
+    const auto stray = [&](std::size_t i) {
+        return std::ranges::binary_search(box.strays, std::uint32_t(i));
+    };
+    if (const std::size_t n = drop_points(cloud, stray))
+        warnings.push_back(name + ": " + std::to_string(n) + " points far from all others dropped");
+    return cloud;
+}
+
+}  // namespace vantage

@@ -1,0 +1,23 @@
+// LAS point clouds. Checks that colors fit the points and that no more points come out than the file can
+// hold.
+#include <cstdlib>
+
+#include "pipeline/formats/clouds/las.h"
+#include "scene/error.h"
+#include "tests/fuzz/memory_file.h"
+
+using namespace vantage;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const fuzz::MemoryFolder folder;
+    folder.set("scan.las", fuzz::text_of(data, size));
+    try {
+        std::vector<std::string> warnings;
+        const Mesh cloud = read_las(folder.path() / "scan.las", warnings);
+        constexpr std::size_t shortest = 20;
+        if (cloud.positions.empty() || cloud.positions.size() > size / shortest) std::abort();
+        if (!cloud.colors.empty() && cloud.colors.size() != cloud.positions.size()) std::abort();
+    } catch (const Error&) {
+    }
+    return 0;
+}
