@@ -18,6 +18,9 @@ std::vector<fs::path> input_paths(const InputFiles& files) {
     if (!files.mesh.empty()) out.push_back(files.mesh);
     out.insert(out.end(), files.compared.begin(), files.compared.end());
     out.insert(out.end(), files.points.begin(), files.points.end());
+    if (files.mesh.has_parent_path() && fs::is_directory(files.mesh.parent_path()))
+        for (const fs::path& file : files_below(files.mesh.parent_path(), 1))
+            if (file.extension() == ".mtl") out.push_back(file);
     if (!fs::is_directory(files.photos)) return out;  // read_scene will say so
     // Cameras may name photos in subfolders.
     for (const fs::path& file : files_below(files.photos, 2)) {

@@ -262,7 +262,8 @@ SceneInput read_scene(const InputFiles& files) {
     }
     for (const CameraFile& c : cameras)
         scene.warnings.insert(scene.warnings.end(), c.set.warnings.begin(), c.set.warnings.end());
-    if (!files.mesh.empty()) scene.mesh = read_mesh(files.mesh, scene.warnings);
+    if (!files.mesh.empty()) scene.mesh = read_mesh(files.mesh, scene.warnings, &scene.files.materials);
+    for (const fs::path& file : scene.files.materials) scene.read.push_back(stamped(file));
     read_compared(scene);
     read_clouds(scene);
     if (files.photos.empty() && has_points_only(scene)) return scene;

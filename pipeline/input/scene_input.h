@@ -29,8 +29,9 @@ struct InputFiles {
     std::filesystem::path photos;   ///< a folder; empty in a scene of points only without photos
     std::vector<std::filesystem::path>
         compared{};  ///< meshes or clouds from which the mesh's deviation is measured
-    std::vector<std::filesystem::path> points{};  ///< point clouds to show, with the mesh or alone
-    std::vector<std::string> notes{};             ///< what else was found and not taken
+    std::vector<std::filesystem::path> points{};     ///< point clouds to show, with the mesh or alone
+    std::vector<std::filesystem::path> materials{};  ///< of the mesh, if they are not all opaque
+    std::vector<std::string> notes{};                ///< what else was found and not taken
     std::vector<std::filesystem::path>
         more_cameras{};          ///< as `cameras`, each of the photos in its own folder below `photos`
     std::string bands = "auto";  ///< see group_bands

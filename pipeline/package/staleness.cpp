@@ -191,6 +191,9 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
     try {
         Changes out;
         compare_mesh(meta, files.mesh, identities, out);
+        for (const json& was : meta.at("inputs").value("materials", json::array()))
+            compare(file_named(files.mesh.parent_path(), was.at("name").get<std::string>()), was, identities,
+                    out);
         compare_listed(meta, "compared", files.compared, identities, out);
         compare_listed(meta, "points", files.points, identities, out);
         compare_only_clouds(meta, files.points, out);

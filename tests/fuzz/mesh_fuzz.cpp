@@ -1,5 +1,6 @@
-// OBJ, STL and OFF meshes. The first byte is the format (o: OBJ, s: STL, f: OFF), the rest the file. Checks
-// that indices are in range and normals finite.
+// OBJ, STL and OFF meshes and the materials of an OBJ. The first byte is the format (o: OBJ, s: STL, f: OFF,
+// m: MTL), the rest the file. Checks that indices are in range and normals finite, and that attributes have
+// one value per vertex.
 #include <cstdlib>
 
 #include "pipeline/formats/import/mesh.h"
@@ -11,14 +12,21 @@ using namespace vantage;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     static const fuzz::MemoryFolder folder;
-    const char* name = data[0] == 'o' ? "mesh.obj" : data[0] == 's' ? "mesh.stl" : "mesh.off";
-    folder.set(name, fuzz::text_of(data + 1, size - 1));
+    const char* name = data[0] == 'o' || data[0] == 'm' ? "mesh.obj"
+                       : data[0] == 's'                 ? "mesh.stl"
+                                                        : "mesh.off";
+    const std::string text(fuzz::text_of(data + 1, size - 1));
+    folder.set("mesh.mtl", data[0] == 'm' ? text : "newmtl glass\nKd 0.1 0.5 1\nd 0.3\n");
+    folder.set(name, data[0] == 'm' ? "mtllib mesh.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nusemtl glass\n"
+                                      "f 1 2 3\nusemtl frame\nf 2 3 4\n"
+                                    : text);
     try {
         std::vector<std::string> warnings;
         const Mesh mesh = read_mesh(folder.path() / name, warnings);
         for (const auto& t : mesh.triangles)
             for (const std::uint32_t v : t)
                 if (v >= mesh.positions.size()) std::abort();
+        if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size()) std::abort();
         for (const Eigen::Vector3f& n : mesh.normals)
             if (!n.allFinite()) std::abort();
     } catch (const Error&) {

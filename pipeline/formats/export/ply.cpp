@@ -25,17 +25,23 @@ std::string properties(std::span<const PlyLayer> layers) {
 
 void write_ply(const std::filesystem::path& file, const Eigen::Vector3d& origin,
                std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
-               std::span<const std::array<std::uint32_t, 3>> triangles, std::span<const PlyLayer> layers) {
+               std::span<const std::array<std::uint32_t, 3>> triangles, std::span<const PlyLayer> layers,
+               std::span<const std::array<std::uint8_t, 4>> colors) {
+    const char* const color_properties =
+        colors.empty() ? ""
+                       : "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                         "property uchar alpha\n";
     std::ofstream out(file, std::ios::binary);
     out << fmt::format(
         "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty double x\nproperty double y\n"
-        "property double z\nproperty float nx\nproperty float ny\nproperty float nz\n{}element face {}\n"
+        "property double z\nproperty float nx\nproperty float ny\nproperty float nz\n{}{}element face {}\n"
         "property list uchar int vertex_indices\nend_header\n",
-        ply_mark, positions.size(), properties(layers), triangles.size());
+        ply_mark, positions.size(), color_properties, properties(layers), triangles.size());
     const auto put = [&](const auto& v) { out.write(reinterpret_cast<const char*>(&v), sizeof v); };
     for (std::size_t i = 0; i < positions.size(); ++i) {
         put(Eigen::Vector3d(origin + positions[i].cast<double>()));
         put(normals[i]);
+        if (!colors.empty()) put(colors[i]);
         for (const PlyLayer& layer : layers) put(layer.values[i]);
     }
     for (const auto& t : triangles) {

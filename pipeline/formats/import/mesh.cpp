@@ -81,11 +81,27 @@ void complete_normals(Mesh& mesh) {
     for (Eigen::Vector3f& n : mesh.normals) n.stableNormalize();
 }
 
-Mesh parse(const std::filesystem::path& file, const std::string& extension) {
+/// What reading a mesh also gives.
+struct Found {
+    std::vector<std::string>& warnings;
+    std::vector<std::filesystem::path> materials{};  ///< files
+};
+
+Mesh parse(const std::filesystem::path& file, const std::string& extension, Found& found) {
     if (extension == ".ply") return read_ply(file);
-    if (extension == ".obj") return read_obj(file);
+    if (extension == ".obj") return read_obj(file, found.warnings, found.materials);
     if (extension == ".off" && !is_binary_off(file)) return read_off(file);
     return read_with_openmesh(file);
+}
+
+/// Throws Error(input), also if the file has no vertices.
+Mesh read_any(const std::filesystem::path& file, const std::string& extension, Found& found) {
+    if (!std::filesystem::exists(file)) throw Error(Exit::input, file.string() + ": does not exist");
+    if (std::filesystem::is_directory(file))
+        throw Error(Exit::input, file.string() + ": expected a file, found a folder");
+    Mesh mesh = parse(file, extension, found);
+    if (mesh.positions.empty()) throw Error(Exit::input, file.string() + ": has no vertices");
+    return mesh;
 }
 
 }  // namespace
@@ -109,17 +125,17 @@ std::size_t drop_points(Mesh& cloud, const std::function<bool(std::size_t)>& bad
 }
 
 Mesh read_mesh_file(const std::filesystem::path& file) {
-    if (!std::filesystem::exists(file)) throw Error(Exit::input, file.string() + ": does not exist");
-    if (std::filesystem::is_directory(file))
-        throw Error(Exit::input, file.string() + ": expected a file, found a folder");
-    Mesh mesh = parse(file, lower_extension(file));
-    if (mesh.positions.empty()) throw Error(Exit::input, file.string() + ": has no vertices");
-    return mesh;
+    std::vector<std::string> of_materials;  // points have none
+    Found found{of_materials};
+    return read_any(file, lower_extension(file), found);
 }
 
-Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings,
+               std::vector<std::filesystem::path>* materials) {
     const std::string extension = lower_extension(file);
-    Mesh mesh = read_mesh_file(file);
+    Found found{warnings};
+    Mesh mesh = read_any(file, extension, found);
+    if (materials) *materials = std::move(found.materials);
     if (mesh.points_only()) {
         mesh.scalars = {};
         if (const std::size_t n =

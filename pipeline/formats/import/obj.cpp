@@ -1,24 +1,45 @@
 #include "pipeline/formats/import/obj.h"
 
+#include <algorithm>
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "pipeline/formats/import/color_bytes.h"
 #include "pipeline/formats/import/number.h"
 #include "pipeline/formats/import/ply.h"
 #include "pipeline/formats/import/tokens.h"
+#include "pipeline/formats/materials/color_by_material.h"
+#include "pipeline/formats/materials/mtl.h"
 
 namespace vantage {
 namespace {
 
+namespace fs = std::filesystem;
 using Words = std::vector<std::string_view>;
+
+std::string joined(const Words& words) {
+    std::string out;
+    for (const std::string_view word : words) out.append(out.empty() ? "" : " ").append(word);
+    return out;
+}
+
+/// A mesh and its materials by name.
+struct ObjMesh {
+    Mesh mesh;
+    std::vector<std::uint32_t> of_triangle;        ///< number of its name; beyond all: no material
+    std::vector<std::string> names;                ///< in the order of their first use
+    std::set<std::vector<std::string>> libraries;  ///< the words of each `mtllib`
+};
 
 class ObjReader {
   public:
     explicit ObjReader(const std::filesystem::path& file) : in_(file) {}
 
-    Mesh read() {
+    ObjMesh read() {
         for (Words words; next_line(words);) {
             if (words.empty()) continue;  // only a comment
             if (words[0] == "v")
@@ -27,9 +48,13 @@ class ObjReader {
                 normals_.push_back(point(words).cast<float>());
             else if (words[0] == "f")
                 add_face(words);
+            else if (words[0] == "mtllib" && words.size() > 1)
+                libraries_.insert({words.begin() + 1, words.end()});
+            else if (words[0] == "usemtl")
+                use_material(joined({words.begin() + 1, words.end()}));
         }
         if (colored_) mesh_.colors = color_bytes(colors_, true);
-        return std::move(mesh_);
+        return {std::move(mesh_), std::move(of_triangle_), std::move(names_), std::move(libraries_)};
     }
 
   private:
@@ -88,6 +113,12 @@ class ObjReader {
         for (std::size_t i = 1; i < words.size(); ++i) corners.push_back(corner(words[i]));
         for (std::size_t i = 2; i < corners.size(); ++i)
             mesh_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+        of_triangle_.resize(mesh_.triangles.size(), material_);
+    }
+    void use_material(const std::string& name) {
+        const auto [at, is_new] = numbers_.try_emplace(name, std::uint32_t(names_.size()));
+        if (is_new) names_.push_back(name);
+        material_ = at->second;
     }
 
     Tokens in_;
@@ -95,10 +126,74 @@ class ObjReader {
     std::vector<Eigen::Vector3f> normals_;
     std::array<std::vector<double>, 4> colors_;
     bool colored_ = false;
+    std::uint32_t material_ = no_vertex;
+    std::vector<std::uint32_t> of_triangle_;
+    std::map<std::string, std::uint32_t> numbers_;
+    std::vector<std::string> names_;
+    std::set<std::vector<std::string>> libraries_;
 };
+
+/// The existing file that a library's name means, with backslashes for slashes; without its folder if that
+/// does not exist, or leads out of the OBJ's. Empty if there is none.
+fs::path library_file(const fs::path& folder, std::string name) {
+    std::ranges::replace(name, '\\', '/');
+    const fs::path given = fs::path(name).lexically_normal();
+    std::error_code error;
+    if (given.is_relative() && !given.empty() && *given.begin() != ".." &&
+        fs::is_regular_file(folder / given, error))
+        return folder / given;
+    const fs::path beside = folder / given.filename();
+    return !given.filename().empty() && fs::is_regular_file(beside, error) ? beside : fs::path();
+}
+
+/// The files of one `mtllib`: one whose name has spaces, or several. Those that are missing add to `missing`.
+std::vector<fs::path> library_files(const fs::path& folder, const std::vector<std::string>& words,
+                                    std::vector<std::string>& missing) {
+    if (fs::path whole = library_file(folder, joined({words.begin(), words.end()})); !whole.empty())
+        return {whole};
+    std::vector<fs::path> out;
+    for (const std::string& word : words)
+        if (fs::path file = library_file(folder, word); !file.empty())
+            out.push_back(std::move(file));
+        else
+            missing.push_back(word);
+    return out;
+}
+
+/// The colors of the mesh's materials, by number. Adds the files read to `files`.
+std::vector<MaterialColor> material_colors(const ObjMesh& obj, const fs::path& file,
+                                           std::set<fs::path>& files, std::vector<std::string>& warnings) {
+    std::map<std::string, MaterialColor> known;
+    std::vector<std::string> missing;
+    for (const std::vector<std::string>& words : obj.libraries)
+        for (const fs::path& library : library_files(file.parent_path(), words, missing))
+            if (files.insert(library).second) known.merge(read_mtl(library, warnings));
+    if (!missing.empty())
+        warnings.push_back(
+            file.filename().string() + ": its material file " + missing.front().substr(0, 80) +
+            (missing.size() > 1 ? " and " + std::to_string(missing.size() - 1) + " others are" : " is") +
+            " missing; faces of its materials are taken as opaque");
+    std::vector<MaterialColor> out;
+    for (const std::string& name : obj.names) {
+        const auto at = known.find(name);
+        out.push_back(at == known.end() ? MaterialColor{255, 255, 255, 255} : at->second);
+    }
+    return out;
+}
 
 }  // namespace
 
-Mesh read_obj(const std::filesystem::path& file) { return ObjReader(file).read(); }
+Mesh read_obj(const fs::path& file, std::vector<std::string>& warnings, std::vector<fs::path>& materials) {
+    ObjMesh obj = ObjReader(file).read();
+    const auto none = [](std::uint32_t m) { return m == no_vertex; };
+    if (obj.libraries.empty() || std::ranges::all_of(obj.of_triangle, none)) return std::move(obj.mesh);
+    std::set<fs::path> files;
+    const std::vector<MaterialColor> colors = material_colors(obj, file, files, warnings);
+    const auto clear = [&](std::uint32_t m) { return m < colors.size() && colors[m][3] < 255; };
+    if (std::ranges::none_of(obj.of_triangle, clear)) return std::move(obj.mesh);
+    color_by_material(obj.mesh, obj.of_triangle, colors);
+    materials.insert(materials.end(), files.begin(), files.end());
+    return std::move(obj.mesh);
+}
 
 }  // namespace vantage
