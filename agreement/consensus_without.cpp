@@ -1,14 +1,17 @@
 #include "agreement/consensus_without.h"
 
+#include "scene/opaque_part.h"
+
 namespace vantage {
 namespace {
 
 constexpr std::size_t cached_views = 16;  ///< some 7 MB each, as exposed and as corrected
 
 ConsensusPartners partners_in(const PackageReader& package, const PhotoSamples& samples) {
+    const auto opaque = 3 * std::size_t(opaque_part(package).triangles);
     const auto discs =
         thinned(surface_disc_set(package.records<Eigen::Vector3f>(package::Type::positions),
-                                 package.records<std::uint32_t>(package::Type::indices),
+                                 package.records<std::uint32_t>(package::Type::indices).first(opaque),
                                  package.scene().reference_density, bounds_from_origin(package.scene())),
                 samples.step);
     const auto spans = samples.spans();

@@ -41,6 +41,8 @@ constexpr std::array table{
               "POINTS"},
     EffectRow{Effect::bands, "bands", "bands", "photo sets that are shown one at a time", "", 1, Basis::scene,
               "show", "BANDS"},
+    EffectRow{Effect::transparency, "transparency", "transparency",
+              "share of the triangles that are not opaque", "", 0, Basis::scene, "resolve", "TRANSPARENCY"},
 };
 static_assert(table.size() == std::size_t(Effect::count));
 static_assert(std::ranges::is_sorted(table, {}, &EffectRow::effect), "rows are in the order of Effect");

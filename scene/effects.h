@@ -25,6 +25,7 @@ enum class Effect : int {
     scalar_layers,
     points,
     bands,
+    transparency,
     count
 };
 

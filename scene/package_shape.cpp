@@ -6,6 +6,7 @@
 #include <set>
 
 #include "scene/error.h"
+#include "scene/opaque_part.h"
 #include "scene/surroundings.h"
 #include "scene/tiling.h"
 #include "values/photo_names.h"
@@ -76,6 +77,11 @@ void bands_shape(const PackageReader& reader, const package::SceneRecord& scene,
     }
 }
 
+void transparency_shape(const PackageReader& reader, Lines& out) {
+    if (!out.empty()) return;  // it is read from what has a wrong shape
+    if (auto damage = transparency_damage(reader)) out.push_back(std::move(*damage));
+}
+
 void blocks_shape(const PackageReader& reader, Type type, std::uint32_t i, std::uint32_t level,
                   const Level& size, Lines& out) {
     const DirectoryEntry* e = reader.find(type, i, level);
@@ -113,6 +119,7 @@ std::vector<std::string> misshapen(const PackageReader& reader) {
     Lines out;
     const package::SceneRecord& scene = reader.scene();
     model_shape(reader, scene, out);
+    transparency_shape(reader, out);
     surroundings_shape(reader, out);
     layers_shape(reader, scene, out);
     bands_shape(reader, scene, out);

@@ -15,6 +15,8 @@ const uint surroundings_bit = 0x80000000u;  // beside the photos' bits: the draw
 // Shader storage buffers.
 const int photos_buffer = 0;
 const int pages_buffer = 1;
+const int fragment_heads_buffer = 2;
+const int fragments_buffer = 3;
 const int coordinates_buffer = 4;
 const int touched_buffer = 5;
 const int point_sizes_buffer = 6;
@@ -32,9 +34,12 @@ const int surface_unit = 5;
 const int before_unit = 6;
 const int points_unit = 7;
 const int depth_unit = 8;
+const int transparent_sums_unit = 12;
+const int transmitted_unit = 13;
 const int accumulated_unit = 4;  // show
 const int filled_unit = 5;
 const int other_unit = 6;
+const int veil_unit = 7;
 const int object_colors_unit = 4;  // compose
 const int object_depths_unit = 5;
 const int finer_unit = 4;    // average_holes
@@ -62,6 +67,12 @@ const int lamp_uniform = 2;  // surface
 const int light_uniform = 3;
 const int camera_rows_uniform = 4;
 const int pass_slots_uniform = 16;  // an array, PASS_PHOTOS long
+const int nearness_uniform = 24;    // surface, of what is transparent
+const int frame_width_uniform = 25;
+const int capacity_uniform = 26;
+const int own_layer_share_uniform = 27;
+const int own_light_on_photos_uniform = 28;
+const int own_light_scale_uniform = 29;
 
 // Uniforms of resolve.
 const int takes_one_uniform = 0;
@@ -81,8 +92,10 @@ const int light_scale_uniform = 13;
 const int shows_points_uniform = 14;
 const int eye_dome_uniform = 15;
 const int points_alone_uniform = 16;
+const int shows_transparent_uniform = 24;
+const int veils_holes_uniform = 25;
 
-const int fill_background_uniform = 24;
+const int fill_background_uniform = 26;
 
 // Several objects in one picture: uniforms of object_depth and of compose; how far away surroundings and what has no
 // surface count, farther than anything.
@@ -109,6 +122,7 @@ const int fills_uniform = 6;
 const int bands_uniform = 7;
 const int band_share_uniform = 8;
 const int other_fills_uniform = 9;
+const int veils_uniform = 24;
 
 // Uniforms of average_holes.
 const int average_samples_uniform = 0;
@@ -147,6 +161,10 @@ const float light_ambient = 0.08f;
 const float light_diffuse = 0.8f;
 const float light_specular = 0.12f;
 const float light_gray = 0.3f;  // of a surface that faces the viewer, in linear light
+
+// Transparent surfaces.
+const int most_sorted_fragments = 64;  // of a pixel's sample; those behind them are approximated
+const float bare_gray = 0.47f;         // brightness of a bare white surface that faces the viewer
 
 // What is shown: the photos' colors, one false color per photo, or how many photos see each point.
 const uint show_colors = 0u;
@@ -223,4 +241,14 @@ struct PointSizes {
     uint first;
     float spacing;
     uint padding;
+};
+
+// A fragment of a transparent surface: the next one at its pixel, from 1 (0: none); its triangle; its depth; its color in linear
+// light, as half floats, and in the upper half of `blue_alpha` its alpha times 65535.
+struct TransparentFragment {
+    uint next;
+    uint triangle;
+    float depth;
+    uint red_green;
+    uint blue_alpha;
 };

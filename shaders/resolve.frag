@@ -65,6 +65,96 @@ float shade(ivec2 at) {
 }
 #endif
 
+#ifdef TRANSPARENCY
+layout(location = 1) out vec4 veil;   // over holes that are filled later: light, and its share
+layout(location = 2) out vec4 clean;  // what they are filled from: the samples without transparent surfaces
+layout(binding = transparent_sums_unit) uniform sampler2D transparent_sums;
+layout(binding = transmitted_unit) uniform sampler2D transmitted;
+layout(location = shows_transparent_uniform) uniform bool shows_transparent;
+layout(location = veils_holes_uniform) uniform bool veils_holes;
+
+// Light that transparent surfaces add, and the share of the light behind them that they let through.
+vec4 in_front(vec4 front, vec4 behind) { return vec4(front.rgb + front.a * behind.rgb, front.a * behind.a); }
+
+// Weighted blended transparency (McGuire and Bavoil 2013).
+vec4 blended(vec4 sums, float through) {
+    return vec4(sums.a > 0.0 ? sums.rgb / sums.a * (1.0 - through) : vec3(0.0), through);
+}
+
+#ifdef FRAGMENT_LISTS
+layout(std430, binding = fragment_heads_buffer) buffer Heads {
+    uint stored;
+    uint deep;
+    uint heads[];
+};
+layout(std430, binding = fragments_buffer) readonly buffer Fragments { TransparentFragment fragments[]; };
+
+// Nearer ones first; at equal depth that of the triangle with the lower number.
+bool nearer(uint a, uint b) {
+    float of_a = fragments[a].depth, of_b = fragments[b].depth;
+    return of_a > of_b || (of_a == of_b && fragments[a].triangle < fragments[b].triangle);
+}
+
+// Color and alpha.
+vec4 color_of(uint f) {
+    return vec4(unpackHalf2x16(fragments[f].red_green), unpackHalf2x16(fragments[f].blue_alpha & 0xffffu).x,
+                float(fragments[f].blue_alpha >> 16) / 65535.0);
+}
+
+// The pixel's list, the nearest fragments sorted (Yang et al. 2010), the others as a weighted mean behind them.
+vec4 sorted_layers(uint first) {
+    uint order[most_sorted_fragments];
+    order[0] = 0u;  // some compilers warn otherwise
+    int count = 0;
+    vec4 sums = vec4(0.0);
+    float through = 1.0;
+    uint others = 0u;
+    for (uint next = first; next != 0u; next = fragments[next - 1u].next) {
+        uint f = next - 1u, out_of = f;
+        int at = count;
+        if (count == most_sorted_fragments) {
+            if (nearer(f, order[count - 1])) {
+                out_of = order[count - 1];
+                at = count - 1;
+            } else {
+                at = -1;
+            }
+            vec4 c = color_of(out_of);
+            sums += vec4(c.rgb, 1.0) * c.a;
+            through *= 1.0 - c.a;
+            ++others;
+        } else {
+            ++count;
+        }
+        if (at < 0) continue;
+        while (at > 0) {
+            uint other = order[at - 1];
+            if (!nearer(f, other)) break;
+            order[at] = other;
+            --at;
+        }
+        order[at] = f;
+    }
+    if (others > 0u) atomicAdd(deep, others);
+    vec4 all = vec4(0.0, 0.0, 0.0, 1.0);
+    for (int i = 0; i < count; ++i) {
+        vec4 c = color_of(order[i]);
+        all = in_front(all, vec4(c.rgb * c.a, 1.0 - c.a));
+    }
+    return in_front(all, blended(sums, through));
+}
+#endif
+
+vec4 transparent_layers(ivec2 at) {
+    vec4 all = blended(texelFetch(transparent_sums, at, 0), texelFetch(transmitted, at, 0).r);
+#ifdef FRAGMENT_LISTS
+    uint first = heads[at.y * textureSize(surface, 0).x + at.x];
+    if (first != 0u) all = in_front(sorted_layers(first), all);
+#endif
+    return all;
+}
+#endif
+
 // The mean of square roots of light.
 vec3 mean_light(vec4 sums) {
     vec3 root = sums.rgb / sums.a;
@@ -132,5 +222,14 @@ void main() {
         accumulated.rgb *= surroundings_light;
     }
     if (hole) accumulated *= bare.a > 0.0 ? hole_weight : background_weight;
+#endif
+#ifdef TRANSPARENCY
+    veil = vec4(0.0);
+    clean = accumulated;
+    if (shows_transparent) {
+        vec4 layers = transparent_layers(at);
+        if (hole && veils_holes) veil = vec4(layers.rgb, 1.0 - layers.a);
+        else accumulated = vec4(layers.rgb + layers.a * accumulated.rgb, 1.0 - layers.a + layers.a * accumulated.a);
+    }
 #endif
 }

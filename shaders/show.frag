@@ -15,6 +15,17 @@ layout(binding = filled_unit) uniform sampler2D filled;   // square roots of lig
 layout(location = fills_uniform) uniform bool fills;      // show `filled` in place of holes
 #endif
 
+#if defined(SURROUNDINGS) && defined(TRANSPARENCY)
+layout(binding = veil_unit) uniform sampler2D veil;  // transparent surfaces over samples that are holes
+layout(location = veils_uniform) uniform bool veils;
+
+// Mean over the holes of a pixel, of whose samples `share` are none: light, and its share.
+vec4 veil_of(ivec2 at, float share) {
+    vec4 v = veils ? texelFetch(veil, at, 0) / (samples * max(1.0 - share, 1e-3)) : vec4(0.0);
+    return v / max(v.a, 1.0);
+}
+#endif
+
 float encode(float l) { return l <= 0.0031308 ? 12.92 * l : 1.055 * pow(l, 1.0 / 2.4) - 0.055; }
 vec3 encode(vec3 l) { return vec3(encode(l.r), encode(l.g), encode(l.b)); }
 
@@ -33,11 +44,26 @@ vec4 shown_color(vec4 a, ivec2 at, bool fills) {
     float share = a.a / samples;
     if (fills && a.a > 0.0 && share < 0.999) {
         vec3 around = texture(filled, (vec2(at) + 0.5) / (2.0 * vec2(textureSize(filled, 0)))).rgb;
+#ifdef TRANSPARENCY
+        vec4 v = veil_of(at, share);
+        around = sqrt(max(v.rgb + (1.0 - v.a) * around * around, 0.0));
+#endif
         vec3 root = mix(around, sqrt(max(a.rgb / a.a, 0.0)), share);
         return vec4(root * root, 1.0);
     }
+#ifdef TRANSPARENCY
+    if (a.a == 0.0) {
+        vec4 v = veil_of(at, 0.0);
+        return v.a > 0.0 ? vec4(v.rgb / v.a, v.a) : vec4(0.0);
+    }
 #endif
-    return vec4(a.rgb / max(a.a, 1.0), a.a / samples);
+#endif
+#ifdef TRANSPARENCY
+    float most = a.a > 0.0 ? a.a : 1.0;  // samples may be transparent
+#else
+    float most = max(a.a, 1.0);
+#endif
+    return vec4(a.rgb / most, a.a / samples);
 }
 
 #ifdef BANDS
@@ -92,6 +118,9 @@ void main() {
     vec4 light = band_color(at, fills);
 #else
     vec4 light = shown_color(texelFetch(accumulated, at, 0), at, fills);
+#endif
+#ifdef TRANSPARENCY
+    if (flip && compare == compare_nothing) light.rgb *= light.a;  // a window has black behind what is transparent
 #endif
     vec3 color = clamp(encode(clamp(light.rgb, 0.0, 1.0)), 0.0, 1.0);
     float seen = light.a;

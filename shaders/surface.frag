@@ -11,8 +11,12 @@ flat in uint draw_first;
 #ifdef SURROUNDINGS
 flat in uint draw_bits;
 #endif
+#ifdef TRANSPARENT
+#include "transparent.glsl"
+#else
 layout(location = 0) out vec4 shaded;  // alpha: 1, shows_surroundings or shows_value
 layout(location = 1) out uint triangle;  // its number plus 1; 0: none
+#endif
 layout(location = surface_eye_uniform) uniform vec3 eye;
 
 #ifdef SCALAR_LAYER
@@ -58,6 +62,30 @@ vec3 lit(vec3 n, vec3 v) {
 }
 #endif
 
+#ifdef TRANSPARENT
+// The surface's own color, shaded as the bare surface is; lit and colored by a layer as the opaque surface with its photos.
+vec3 own_color(vec3 n, vec3 v) {
+    vec3 base = pow(max(surface_color.rgb, vec3(0.0)), vec3(2.2)), color = base * (0.12 + 0.35 * abs(dot(n, v)));
+#ifdef LIGHT
+    color = lit(n, v) * (light_on_photos ? base * bare_gray : vec3(light_scale));
+#endif
+#ifdef SCALAR_LAYER
+    vec4 layer = layer_share > 0.0 ? layer_color() : vec4(0.0);
+    if (layer.a > 0.0) {
+        vec3 root = mix(sqrt(max(color, vec3(0.0))), sqrt(layer.rgb), layer_share);
+        color = root * root;
+    }
+#endif
+    return color;
+}
+
+void main() {
+    float alpha = clamp(surface_color.a, 0.0, 1.0);
+    if (!(alpha > 0.0)) discard;
+    put_fragment(own_color(unit(surface_normal), unit(eye - surface_position)), alpha,
+                 draw_first + uint(gl_PrimitiveID) + 1u);
+}
+#else
 void main() {
     vec3 n = normalize(surface_normal), v = normalize(eye - surface_position);
     float light = 0.12 + 0.35 * abs(dot(n, v));
@@ -79,3 +107,4 @@ void main() {
 #endif
     triangle = draw_first + uint(gl_PrimitiveID) + 1u;
 }
+#endif

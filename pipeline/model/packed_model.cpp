@@ -44,9 +44,29 @@ void order_vertices(PackedModel& m, Mesh& mesh) {
         std::copy_n(m.indices.begin() + std::ptrdiff_t(3 * t), 3, mesh.triangles[t].begin());
 }
 
+/// Orders the triangles by cluster; those that are not opaque come last.
+void cluster_in_two_parts(PackedModel& m, const Mesh& mesh, unsigned cluster_triangles,
+                          const Eigen::AlignedBox3f& scene) {
+    std::vector<std::uint32_t> opaque, transparent;
+    for (std::size_t t = 0; t < m.indices.size() / 3; ++t) {
+        auto& part = is_transparent(m.indices, t, mesh.colors) ? transparent : opaque;
+        part.insert(part.end(), m.indices.begin() + std::ptrdiff_t(3 * t),
+                    m.indices.begin() + std::ptrdiff_t(3 * t + 3));
+    }
+    m.clusters = make_clusters(m.positions, opaque, cluster_triangles, scene);
+    const auto first = std::uint32_t(opaque.size() / 3);
+    for (package::ClusterRecord c : make_clusters(m.positions, transparent, cluster_triangles, scene)) {
+        c.first_triangle += first;
+        m.clusters.push_back(c);
+    }
+    m.indices = std::move(opaque);
+    m.indices.insert(m.indices.end(), transparent.begin(), transparent.end());
+}
+
 }  // namespace
 
-PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles, const Eigen::AlignedBox3d* bounds) {
+PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles, bool transparency,
+                       const Eigen::AlignedBox3d* bounds) {
     PackedModel m;
     const MainBox box =
         bounds ? MainBox{bounds->min(), bounds->max(), {}} : main_box(mesh.positions, mesh.triangles);
@@ -58,8 +78,15 @@ PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles, const Eigen::Alig
     const Eigen::AlignedBox3f scene = box.strays.empty()
                                           ? Eigen::AlignedBox3f()
                                           : Eigen::AlignedBox3f(from_origin(box.low), from_origin(box.high));
-    m.clusters = make_clusters(m.positions, m.indices, cluster_triangles, scene);
+    if (transparency)
+        cluster_in_two_parts(m, mesh, cluster_triangles, scene);
+    else
+        m.clusters = make_clusters(m.positions, m.indices, cluster_triangles, scene);
     order_vertices(m, mesh);
+    m.opaque = transparency
+                   ? opaque_part(m.clusters, m.indices, mesh.colors)
+                   : OpaquePart{std::uint32_t(m.clusters.size()), std::uint32_t(m.indices.size() / 3),
+                                std::uint32_t(m.positions.size())};
     Eigen::Map<Eigen::Vector3d>(m.record.origin) = m.origin;
     Eigen::Map<Eigen::Vector3d>(m.record.bounds_min) = box.low;
     Eigen::Map<Eigen::Vector3d>(m.record.bounds_max) = box.high;

@@ -2,9 +2,11 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/mesh.h"
+#include "scene/opaque_part.h"
 #include "scene/package_format.h"
 #include "scene/package_writer.h"
 
@@ -17,11 +19,24 @@ struct PackedModel {
     std::vector<Eigen::Vector3f> positions;  ///< relative to `origin`
     std::vector<std::uint32_t> indices;      ///< three per triangle
     std::vector<package::ClusterRecord> clusters;
+    OpaquePart opaque{};  ///< what photos show
+
+    std::span<const package::ClusterRecord> opaque_clusters() const {
+        return std::span(clusters).first(opaque.clusters);
+    }
+    std::span<const Eigen::Vector3f> opaque_positions() const {
+        return std::span(positions).first(opaque.vertices);
+    }
+    std::span<const std::uint32_t> opaque_indices() const {
+        return std::span(indices).first(3 * std::size_t(opaque.triangles));
+    }
 };
 
 /// Also reorders `mesh` the same way: triangles by cluster, vertices by first use (for memory locality),
-/// unused vertices last. `bounds`: of what a stand-in stands for, instead of the mesh's main_box.
-PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles, const Eigen::AlignedBox3d* bounds = nullptr);
+/// unused vertices last. `transparency`: triangles that are not opaque come last, in clusters of their own;
+/// otherwise all count as opaque. `bounds`: of what a stand-in stands for, instead of the mesh's main_box.
+PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles, bool transparency = false,
+                       const Eigen::AlignedBox3d* bounds = nullptr);
 
 /// Writes geometry, clusters and vertex attributes. Throws Error(storage).
 void write_model(PackageWriter& writer, const PackedModel& model, const Mesh& mesh);

@@ -66,6 +66,12 @@ json choices_json(const std::map<Effect, EffectChoice>& choices) {
 json inputs_json(const SceneInput& scene, IdentityCache& identities) {
     json inputs;
     if (!scene.files.mesh.empty()) inputs["mesh"] = input_json(scene.files.mesh, identities);
+    for (const fs::path& file : scene.files.materials) {
+        json material = input_json(file, identities);
+        material["name"] =
+            utf8_name(file.lexically_relative(scene.files.mesh.parent_path()).generic_string());
+        inputs["materials"].push_back(std::move(material));
+    }
     inputs["compared"] = json::array();
     for (const fs::path& file : scene.files.compared)
         inputs["compared"].push_back(input_json(file, identities));
@@ -150,7 +156,12 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
                       const std::vector<EffectDecision>& effects, IdentityCache& identities) {
     json meta{{"tool", tool_name}, {"config", settings_json(settings)}};
     meta["inputs"] = inputs_json(scene, identities);
-    for (const EffectDecision& d : effects) meta["effects"].push_back(effect_json(d));
+    // Packages of scenes that do not call for it are those of before it was added.
+    const auto called_for = [](const EffectDecision& d) {
+        return d.effect != Effect::transparency || d.forced || d.measured > 0;
+    };
+    for (const EffectDecision& d : effects)
+        if (called_for(d)) meta["effects"].push_back(effect_json(d));
     meta["scalars"] = json::array();
     if (std::ranges::any_of(
             effects, [](const EffectDecision& d) { return d.effect == Effect::scalar_layers && d.on; }))

@@ -30,12 +30,13 @@ std::uint64_t checksum_of(const std::vector<T>& values) {
 }  // namespace
 
 std::uint64_t model_checksum(const PackedModel& model, const std::vector<Eigen::Vector3f>& normals) {
-    return Fingerprint()
-        .add(checksum_of(model.positions))
+    Fingerprint f;
+    f.add(checksum_of(model.positions))
         .add(checksum_of(normals))
         .add(checksum_of(model.indices))
-        .add(checksum_of(model.clusters))
-        .value();
+        .add(checksum_of(model.clusters));
+    if (model.opaque.clusters < model.clusters.size()) f.add(model.opaque.triangles);
+    return f.value();
 }
 
 std::uint64_t pose_checksum(const Pose& pose) { return Fingerprint().add(pose.R).add(pose.t).value(); }

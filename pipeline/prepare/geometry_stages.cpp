@@ -82,9 +82,11 @@ std::vector<std::uint8_t> validity(const RgbaImage& level) {
 PhotoView view_of(const GeometryContext& c, const PosedPhoto& photo) {
     const Traced traced(c.trace, "project", photo.name);
     const Eigen::Vector2d near_far =
-        depth_range(c.model.positions, photo.pose, model_reach(c.model.record, photo.pose));
-    return {triangles_in_frame(c.model.clusters, c.model.indices, photo.intrinsics, photo.pose), near_far,
-            project_model(c.model.positions, map_intrinsics(photo.intrinsics), photo.pose, near_far.x())};
+        depth_range(c.model.opaque_positions(), photo.pose, model_reach(c.model.record, photo.pose));
+    return {triangles_in_frame(c.model.opaque_clusters(), c.model.indices, photo.intrinsics, photo.pose),
+            near_far,
+            project_model(c.model.opaque_positions(), map_intrinsics(photo.intrinsics), photo.pose,
+                          near_far.x())};
 }
 
 void make_from_geometry(const GeometryContext& c, const PosedPhoto& photo, const StageSet& missing,
@@ -93,9 +95,11 @@ void make_from_geometry(const GeometryContext& c, const PosedPhoto& photo, const
     if (missing[Stage::coordinates] || missing[Stage::coverage]) {
         const auto coordinates = [&] {
             const Traced traced(c.trace, "coordinates", photo.name);
-            return c.renderer.cloud()
-                       ? facet_coordinates(view.projection, c.model.indices, geometry, photo.intrinsics)
-                       : vertex_coordinates(view.projection, view.triangles.indices, photo.intrinsics);
+            if (c.renderer.cloud())
+                return facet_coordinates(view.projection, c.model.indices, geometry, photo.intrinsics);
+            auto seen = vertex_coordinates(view.projection, view.triangles.indices, photo.intrinsics);
+            seen.resize(c.model.positions.size(), Eigen::Vector2f(-1, -1));  // photos look through the others
+            return seen;
         }();
         if (missing[Stage::coordinates]) {
             record_findings(geometry, coordinates, photo.intrinsics, photo.pose, r);

@@ -105,6 +105,7 @@ PackedModel model_of(const PackageReader& package) {
     copy(m.positions, Type::positions);
     copy(m.indices, Type::indices);
     copy(m.clusters, Type::clusters);
+    m.opaque = opaque_part(package);
     return m;
 }
 
@@ -191,8 +192,8 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
         cloud = splat_cloud(first);
         renderer.splats(cloud);
     }
-    const auto discs =
-        surface_disc_set(model.positions, model.indices, scene.reference_density, bounds_from_origin(scene));
+    const auto discs = surface_disc_set(model.positions, model.opaque_indices(), scene.reference_density,
+                                        bounds_from_origin(scene));
     const GeometryContext geometry{.model = model,
                                    .discs = discs,
                                    .renderer = renderer,

@@ -78,7 +78,7 @@ PackedModel pack_stand_in(SceneInput& scene, unsigned cluster_triangles) {
     scene.mesh = stand_in(scene.points, eyes);
     Eigen::AlignedBox3d bounds;
     for (const Eigen::Vector3d& p : scene.points.positions) bounds.extend(p);
-    PackedModel model = pack_model(scene.mesh, cluster_triangles, &bounds);
+    PackedModel model = pack_model(scene.mesh, cluster_triangles, false, &bounds);
     for (package::ClusterRecord& c : model.clusters) c.cone_cutoff = 1;
     return model;
 }
@@ -98,7 +98,7 @@ PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace
     if (has_points_only(scene)) return pack_stand_in(scene, settings.cluster_triangles);
     subdivide_large_triangles(scene.mesh);
     add_deviations(scene, trace);
-    return pack_model(scene.mesh, settings.cluster_triangles);
+    return pack_model(scene.mesh, settings.cluster_triangles, has_transparency(scene.mesh, settings.effects));
 }
 
 PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const PrepareSettings& settings,

@@ -254,7 +254,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     const SceneKey key = scene_key(plan, scene, settings, model, renderer);
     const Cameras cameras =
         scene_cameras(key, scene, model.origin, identities, earlier, share, plan.photos.records);
-    const auto discs = surface_disc_set(model.positions, model.indices, plan.scene.reference_density,
+    const auto discs = surface_disc_set(model.positions, model.opaque_indices(), plan.scene.reference_density,
                                         bounds_from_origin(plan.scene));
     const GeometryContext geometry{.model = model,
                                    .discs = discs,

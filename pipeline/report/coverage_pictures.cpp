@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "pipeline/run/for_each_photo.h"
+#include "scene/opaque_part.h"
 #include "values/main_box.h"
 
 namespace vantage {
@@ -32,7 +33,8 @@ struct Geometry {
 
     explicit Geometry(const PackageReader& package)
         : positions(package.records<Eigen::Vector3f>(Type::positions)),
-          indices(package.records<std::uint32_t>(Type::indices)),
+          indices(package.records<std::uint32_t>(Type::indices)
+                      .first(3 * std::size_t(opaque_part(package).triangles))),
           bounds(bounds_from_origin(package.scene())) {}
     std::array<Eigen::Vector3f, 3> corners(std::size_t triangle) const {
         return {positions[indices[3 * triangle]], positions[indices[3 * triangle + 1]],
@@ -162,6 +164,7 @@ std::vector<unsigned> photos_per_triangle(const PackageReader& package) {
         }
         package.forget(std::as_bytes(bits));
     }
+    count.resize(opaque_part(package).triangles);
     return count;
 }
 

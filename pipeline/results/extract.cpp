@@ -48,10 +48,13 @@ void write_mesh(const PackageReader& reader, const fs::path& file) {
     const package::SceneRecord& s = reader.scene();
     std::vector<PlyLayer> layers;
     for (const ValueLayer& layer : read_layers(reader)) layers.push_back({layer.name, layer.values});
+    std::span<const std::array<std::uint8_t, 4>> colors;
+    if (effect_on(s, Effect::transparency))
+        colors = reader.records<std::array<std::uint8_t, 4>>(Type::colors);
     write_ply(file, Eigen::Map<const Eigen::Vector3d>(s.origin),
               reader.records<Eigen::Vector3f>(Type::positions),
               reader.records<Eigen::Vector3f>(Type::normals),
-              reader.records<std::array<std::uint32_t, 3>>(Type::indices), layers);
+              reader.records<std::array<std::uint32_t, 3>>(Type::indices), layers, colors);
 }
 
 /// Node by node, coarse before fine.

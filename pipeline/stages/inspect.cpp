@@ -9,6 +9,7 @@
 
 #include "pipeline/input/file_name.h"
 #include "pipeline/pixels/undistort.h"
+#include "scene/opaque_part.h"
 
 namespace vantage {
 namespace {
@@ -180,6 +181,35 @@ Measured bands(const SceneInput& scene) {
     return {double(scene.bands.size()), evidence};
 }
 
+/// Triangles with a vertex whose alpha is below 255, and those whose three vertices have alpha 0.
+struct AlphaCount {
+    std::size_t transparent = 0, invisible = 0;
+};
+
+AlphaCount count_alpha(const Mesh& mesh) {
+    AlphaCount out;
+    if (mesh.colors.empty()) return out;
+    for (const auto& t : mesh.triangles) {
+        const auto alpha = [&](std::size_t i) { return mesh.colors[t[i]][3]; };
+        out.transparent += is_transparent(t, 0, mesh.colors);
+        out.invisible += alpha(0) == 0 && alpha(1) == 0 && alpha(2) == 0;
+    }
+    return out;
+}
+
+Measured transparent_share(const Mesh& mesh) {
+    const auto [transparent, invisible] = count_alpha(mesh);
+    const std::size_t all = mesh.triangles.size();
+    if (transparent == 0) return {0, "all triangles are opaque"};
+    std::string evidence =
+        fmt::format("{} of {} triangles have a vertex with alpha below 255", transparent, all);
+    if (invisible == all)
+        evidence = fmt::format("all {} triangles have alpha 0: taken as alpha that was never set", all);
+    else if (invisible > 0)
+        evidence += fmt::format(", and {} have alpha 0", invisible);
+    return {double(transparent) / double(all), evidence};
+}
+
 Measured measure(const EffectRow& row, const SceneInput& scene) {
     if (from_all_photos(row)) return {0, "measured after all photos are processed"};
     switch (row.effect) {
@@ -197,6 +227,8 @@ Measured measure(const EffectRow& row, const SceneInput& scene) {
             return clouds(scene);
         case Effect::bands:
             return bands(scene);
+        case Effect::transparency:
+            return transparent_share(scene.mesh);
         default:
             return {0, "not measured"};
     }
@@ -220,10 +252,18 @@ std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effe
         const bool nothing = (row.effect == Effect::vertex_colors && scene.mesh.colors.empty()) ||
                              (row.effect == Effect::scalar_layers && scene.mesh.scalars.empty()) ||
                              (row.effect == Effect::points && scene.points.positions.empty()) ||
-                             (row.effect == Effect::bands && scene.bands.size() < 2);
+                             (row.effect == Effect::bands && scene.bands.size() < 2) ||
+                             (row.effect == Effect::transparency && !has_transparency(scene.mesh, choices));
         if (nothing) decisions.back().on = false;
     }
     return decisions;
+}
+
+bool has_transparency(const Mesh& mesh, const std::map<Effect, EffectChoice>& choices) {
+    const auto [transparent, invisible] = count_alpha(mesh);
+    const EffectChoice choice = choice_of(choices, Effect::transparency);
+    if (transparent == 0 || choice == EffectChoice::off) return false;
+    return choice == EffectChoice::on || invisible < mesh.triangles.size();
 }
 
 double finest_density(const SceneInput& scene) {

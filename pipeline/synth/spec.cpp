@@ -56,8 +56,8 @@ toml::table parse(const std::filesystem::path& file) {
 }
 
 void check_tables(const std::filesystem::path& file, const toml::table& root) {
-    const std::set<std::string_view> known{"scene",    "building", "object",   "garden", "photos",
-                                           "infrared", "lens",     "exposure", "error"};
+    const std::set<std::string_view> known{"scene",  "building", "object", "garden",   "glass",
+                                           "photos", "infrared", "lens",   "exposure", "error"};
     for (const auto& [key, node] : root)
         if (!known.contains(key.str()))
             throw Error(Exit::input, file.string() + ": " + std::string(key.str()) + ": unknown table");
@@ -95,6 +95,11 @@ SynthSpec read_spec(const std::filesystem::path& file) {
         t.read("radius", s.garden.radius, 0, 1e5);
         t.read("hill", s.garden.hill, 0, 1e4);
         t.read("railing", s.garden.railing, 0, 1);
+    }
+    {
+        Table t(file, root, "glass");
+        t.read("alpha", s.glass.alpha, 0, 1);
+        t.read("max_edge", s.glass.max_edge, 0, 100);
     }
     {
         Table t(file, root, "photos");

@@ -22,6 +22,10 @@ struct SynthSpec {
         double hill = 8;     ///< height of the hill around the lawn, as far away again as the lawn's edge
         double railing = 0;  ///< thickness of the bars in front of the upper windows; 0: none
     } garden;                ///< shown by the photos, and not in the mesh
+    struct Glass {
+        double alpha = 0;     ///< of a case of glass around the object; 0: none
+        double max_edge = 0;  ///< as of the building
+    } glass;                  ///< in the mesh, and not shown by the photos
     struct Photos {
         int count = 12, width = 1200, height = 900;
         double fov = 55;             ///< horizontal field of view

@@ -15,6 +15,7 @@
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/garden.h"
+#include "pipeline/synth/glass_case.h"
 #include "scene/error.h"
 #include "values/photo_names.h"
 
@@ -90,7 +91,8 @@ void write_model(const SynthModel& model, bool height, const std::filesystem::pa
     for (const Vector3f& p : positions) heights.push_back(p.z());
     std::vector<PlyLayer> layers;
     if (height) layers.push_back({"height", heights});
-    write_ply(file, Vector3d::Zero(), positions, model.mesh.normals, model.mesh.triangles, layers);
+    write_ply(file, Vector3d::Zero(), positions, model.mesh.normals, model.mesh.triangles, layers,
+              model.mesh.colors);
 }
 
 }  // namespace
@@ -173,7 +175,9 @@ void synthesize(const SynthSpec& spec, const std::filesystem::path& folder,
     write_colmap_text(folder / "sparse", written);
     write_colmap_text(folder / "truth" / "sparse", photos);
     write_gains(folder / synth_mark, photos, exposed);
-    write_model(model, spec.height_layer, folder / "mesh.ply");
+    SynthModel with_glass = model;
+    add_glass_case(spec, with_glass);
+    write_model(with_glass, spec.height_layer, folder / "mesh.ply");
     std::atomic<std::size_t> done{0};
     for_each_photo(photos.size(), 0, [&](std::size_t i) {
         const Camera& camera = photos[i].camera;

@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-FrameTriangles triangles_in_frame(const std::vector<package::ClusterRecord>& clusters,
-                                  const std::vector<std::uint32_t>& indices, const Intrinsics& k,
+FrameTriangles triangles_in_frame(std::span<const package::ClusterRecord> clusters,
+                                  std::span<const std::uint32_t> indices, const Intrinsics& k,
                                   const Pose& pose) {
     // Inward unit normals of the view frustum's four side planes, in camera space.
     const Eigen::Vector3d sides[] = {

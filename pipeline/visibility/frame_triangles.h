@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/camera.h"
@@ -18,8 +19,8 @@ struct FrameTriangles {
 
 /// The triangles of all clusters whose bounding spheres intersect the camera's view frustum. Conservative: no
 /// triangle that projects into the frame is missing.
-FrameTriangles triangles_in_frame(const std::vector<package::ClusterRecord>& clusters,
-                                  const std::vector<std::uint32_t>& indices, const Intrinsics& intrinsics,
+FrameTriangles triangles_in_frame(std::span<const package::ClusterRecord> clusters,
+                                  std::span<const std::uint32_t> indices, const Intrinsics& intrinsics,
                                   const Pose& cam_from_origin);
 
 }  // namespace vantage

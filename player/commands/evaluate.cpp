@@ -15,7 +15,7 @@ void add_evaluate_options(CLI::App& app, EvaluateOptions& o, UnusedOptions& unus
     add_memory_options(app, o.memory);
     add_blending_options(app, o.blending);
     add_unused_options(app, unused);
-    hide(app, {"--size", "--quiet", "--upload"});
+    hide(app, {"--size", "--quiet", "--upload", "--transparency"});
     const std::string group = "Evaluation";
     app.add_option("--level", o.level, "pyramid level to compare: 0 full size, 1 half size")
         ->check(CLI::Range(0, 8))

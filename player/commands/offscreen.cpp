@@ -16,6 +16,7 @@
 #include "player/objects/object_set.h"
 #include "player/render/picture.h"
 #include "scene/error.h"
+#include "shaders/contract.h"
 
 namespace vantage {
 namespace {
@@ -113,6 +114,12 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
                         file.c_str(), picture.width, picture.height, r.photos, r.passes, r.tiles,
                         r.tiles_missing ? (" (" + std::to_string(r.tiles_missing) + " missing)").c_str() : "",
                         100 * colored_share(picture), s);
+        if (r.fragments_approximated > 0)
+            std::fprintf(
+                stderr,
+                "vantage-player: %s: %zu of %zu transparent fragments are approximated: more than fit "
+                "into memory, or than %d at a pixel\n",
+                file.c_str(), r.fragments_approximated, r.fragments, shader::most_sorted_fragments);
         std::fflush(stdout);
     }
     if (!damaged) return int(Exit::ok);

@@ -13,7 +13,7 @@ void add_smoothness_options(CLI::App& app, SmoothnessOptions& o) {
     add_output_options(app, o.output);
     add_memory_options(app, o.memory);
     add_blending_options(app, o.blending);
-    hide(app, {"--quiet", "--upload"});
+    hide(app, {"--quiet", "--upload", "--transparency"});
     const std::string group = "Smoothness";
     app.add_option(
            "--path", o.path,

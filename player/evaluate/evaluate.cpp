@@ -210,6 +210,7 @@ int run_evaluate(const PackageReader& package, const EvaluateOptions& o) {
     RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);
     settings.fill_holes = false;   // the whole frame is scored besides
     settings.points.show = false;  // photos are scored
+    settings.transparency = Transparency::off;
     report_registration(package);
     const gl::HeadlessContext context;
     Renderer renderer(package, memory_budget(o.memory));

@@ -113,6 +113,10 @@ void show_section(Controls& c, Session& s, const Renderer& renderer) {
         static const char* const surroundings[] = {"shown", "dimmed", "hidden"};
         choice(c, "Surroundings", r.surroundings, surroundings);
     }
+    if (renderer.scene().has_transparency()) {
+        static const char* const transparent[] = {"exact", "approximate", "hidden"};
+        choice(c, "Transparency", r.transparency, transparent);
+    }
     light_section(c, s);
     static const char* const compares[] = {"nothing", "side by side", "wiper", "difference"};
     choice(c, "Compare", r.compare, compares);
@@ -247,6 +251,8 @@ void status_panel(const Session& s, const Renderer& renderer) {
         ImGui::Text("%zu photos in %zu passes, %zu draws", r.photos, r.passes, r.draws);
         ImGui::Text("%zu tiles, %zu missing; %.1f MiB uploaded", r.tiles, r.tiles_missing,
                     double(r.uploaded) / double(MiB));
+        if (renderer.scene().has_transparency())
+            ImGui::Text("%zu transparent fragments, %zu approximated", r.fragments, r.fragments_approximated);
         const Residency& held = renderer.store().residency();
         budget_bar("graphics", double(gl::memory_held()), double(renderer.graphics_budget()));
         budget_bar("tiles", double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,

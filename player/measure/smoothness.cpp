@@ -21,6 +21,7 @@ RenderSettings shown_settings(const PackageReader& package, const SmoothnessOpti
     settings.complete = !o.fades;
     settings.wait_for_tiles = o.fades;
     settings.points.show = false;  // colors are followed on the mesh
+    settings.transparency = Transparency::off;
     return settings;
 }
 

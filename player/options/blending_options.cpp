@@ -55,6 +55,15 @@ void add_choices(CLI::App& app, RenderSettings& r) {
                                                     {"off", ShowSurroundings::off}}))
         ->default_str("on")
         ->group(group);
+    app.add_option("--transparency", r.transparency,
+                   "transparent surfaces: exact (sorted at each pixel), approximate (weighted sums: faster), "
+                   "off (not shown)")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, Transparency>{{"exact", Transparency::exact},
+                                                {"approximate", Transparency::approximate},
+                                                {"off", Transparency::off}}))
+        ->default_str("exact")
+        ->group(group);
 }
 
 void add_sampling(CLI::App& app, RenderSettings& r) {

@@ -21,7 +21,8 @@ struct PlannedPhoto {
 
 /// The clusters and photos that a view is drawn from; photos by decreasing agreement.
 struct Plan {
-    std::vector<std::uint32_t> clusters;
+    std::vector<std::uint32_t> clusters;     ///< opaque
+    std::vector<std::uint32_t> transparent;  ///< clusters that no photo shows
     std::vector<PlannedPhoto> photos;
     double uncovered =
         0;  ///< share of the surface in view and in some allowed photo that no chosen photo sees

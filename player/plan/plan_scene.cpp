@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/opaque_part.h"
 #include "scene/package_shape.h"
 #include "scene/surroundings.h"
 
@@ -89,6 +90,7 @@ PlanScene make_plan_scene(const PackageReader& package) {
     s.bands = read_bands(package);
     const auto clusters = package.records<package::ClusterRecord>(Type::clusters);
     s.clusters.assign(clusters.begin(), clusters.end());
+    if (effect_on(record, Effect::transparency)) s.first_transparent = opaque_part(package).clusters;
     s.size = bounds_from_origin(record).diagonal().norm();
     s.triangles = record.triangles;
     s.positions = package.records<Eigen::Vector3f>(Type::positions);

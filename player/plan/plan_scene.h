@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -31,6 +32,10 @@ struct PlanScene {
     std::span<const Eigen::Vector3f> positions;
     std::span<const std::uint32_t> indices;
 
+    std::uint32_t first_transparent = ~0u;  ///< cluster of the mesh; beyond all if it is opaque
+    bool has_transparency() const {
+        return first_transparent < std::min<std::size_t>(first_surrounding, clusters.size());
+    }
     /// The surroundings are clusters, triangles and vertices behind those of the mesh.
     std::uint32_t first_surrounding = ~0u;  ///< cluster; beyond all if there are no surroundings
     std::vector<std::array<std::uint8_t, 4>> surrounding_colors;  ///< one per vertex of theirs

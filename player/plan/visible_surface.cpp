@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace vantage {
@@ -59,6 +60,11 @@ VisibleSurface visible_surface(const PlanScene& scene, const View& view, std::sp
                      clusters_in_view(scene.tree, scene.clusters, view)};
     if (!surroundings)
         std::erase_if(s.clusters, [&](std::uint32_t c) { return c >= scene.first_surrounding; });
+    const auto is_transparent = [&](std::uint32_t c) {
+        return c >= scene.first_transparent && c < scene.first_surrounding;
+    };
+    std::ranges::copy_if(s.clusters, std::back_inserter(s.transparent), is_transparent);
+    std::erase_if(s.clusters, is_transparent);
     const std::vector<std::uint32_t> all = clusters_of(scene, seen);
     std::vector<std::uint32_t> count(scene.clusters.size(), 0), clusters;
     for (std::size_t i = 0; i < seen.size(); ++i) {

@@ -15,10 +15,11 @@ struct VisibleSurface {
     const PlanScene& scene;
     const View& view;
     Eigen::Vector3d eye;
-    std::vector<std::uint32_t> clusters;     ///< in view
-    std::vector<double> areas{};             ///< per cluster in view; any unit, 0: hidden
-    std::vector<std::uint32_t> triangles{};  ///< seen, with repetitions; none: unknown
-    std::vector<bool> seen{};                ///< per cluster of the scene: some of it was seen
+    std::vector<std::uint32_t> clusters;       ///< in view, opaque
+    std::vector<double> areas{};               ///< per cluster in view; any unit, 0: hidden
+    std::vector<std::uint32_t> triangles{};    ///< seen, with repetitions; none: unknown
+    std::vector<std::uint32_t> transparent{};  ///< clusters in view
+    std::vector<bool> seen{};                  ///< per cluster of the scene: some of it was seen
     /// Points on some of the triangles seen, with their triangles and clusters.
     struct Points {
         std::vector<SurfaceSample> samples;

@@ -21,7 +21,7 @@ class HoleFilling {
     /// The weight of a hole's own color: it counts as much as what surrounds it at an eighth of the frame.
     static float hole_weight(int width, int height);
 
-    /// Fills the pyramid from accumulated samples, `samples` per pixel.
+    /// Fills the pyramid from the samples accumulated in a texture of the frame's size, `samples` per pixel.
     void fill(const gl::Texture& accumulated, double samples);
     void fill(const FrameTargets& frame, double samples) { fill(frame.accumulated, samples); }
     /// Square roots of light at half the frame's size, without holes.

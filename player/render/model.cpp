@@ -37,7 +37,8 @@ std::vector<Eigen::Vector3f> normals_of(const PackageReader& package, const Plan
 std::vector<std::array<std::uint8_t, 4>> colors_of(const PackageReader& package, const PlanScene& scene) {
     using Color = std::array<std::uint8_t, 4>;
     std::vector<Color> out(package.scene().vertices, Color{255, 255, 255, 255});
-    if (effect_on(package.scene(), Effect::vertex_colors)) {
+    if (effect_on(package.scene(), Effect::vertex_colors) ||
+        effect_on(package.scene(), Effect::transparency)) {
         const auto stored = package.records<Color>(Type::colors);
         if (stored.size() != out.size())
             throw Error(Exit::damaged,
@@ -82,7 +83,9 @@ Model load_model(const PackageReader& package, const PlanScene& scene) {
     glVertexArrayAttribBinding(m.vertices.id(), draw_attribute, draw_attribute);
     glVertexArrayBindingDivisor(m.vertices.id(), draw_attribute, 1);
     glEnableVertexArrayAttrib(m.vertices.id(), draw_attribute);
-    if (!effect_on(package.scene(), Effect::vertex_colors) && !scene.has_surroundings()) return m;
+    if (!effect_on(package.scene(), Effect::vertex_colors) &&
+        !effect_on(package.scene(), Effect::transparency) && !scene.has_surroundings())
+        return m;
     m.colors = buffer_of("colors", std::span<const std::array<std::uint8_t, 4>>(colors_of(package, scene)));
     glVertexArrayVertexBuffer(m.vertices.id(), color_attribute, m.colors.id(), 0, 4);
     glVertexArrayAttribFormat(m.vertices.id(), color_attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);

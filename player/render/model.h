@@ -9,8 +9,8 @@
 namespace vantage {
 
 /// The package's mesh and surroundings on the graphics card, with the attributes of shaders/contract.glsl.
-/// Colors are present only if the effect is on, or if there are surroundings. The attribute `draw` is one
-/// DrawRecord per draw, selected by base instance from a buffer that each pass binds.
+/// Colors are present only if vertex colors or transparency are on, or if there are surroundings. The
+/// attribute `draw` is one DrawRecord per draw, selected by base instance from a buffer that each pass binds.
 struct Model {
     gl::Buffer positions, normals, colors, indices;
     gl::Buffer values;  ///< of the scalar layer shown last, once one was

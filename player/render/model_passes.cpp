@@ -130,14 +130,56 @@ void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targe
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDepthFunc(GL_GREATER);
     glUseProgram(surface_program(drawn.settings).id());
-    glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
-    uniform(shader::surface_eye_uniform, drawn.view.cam_from_origin.center());
-    if (drawn.settings.light.light != Light::photos) set_light(drawn);
-    if (shows_layer(drawn.settings)) set_layer(drawn.settings.layer);
+    set_surface(drawn);
     ring_.begin();
     cluster_photos_.assign(scene_->clusters.size(), 1);
     draw_clusters(drawn.plan.plan().clusters);
     ring_.end();
+}
+
+/// The uniforms of a surface program.
+void ModelPasses::set_surface(const DrawnView& drawn) {
+    glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
+    uniform(shader::surface_eye_uniform, drawn.view.cam_from_origin.center());
+    if (drawn.settings.light.light != Light::photos) set_light(drawn);
+    if (shows_layer(drawn.settings)) set_layer(drawn.settings.layer);
+}
+
+std::size_t ModelPasses::draw_transparent(const DrawnView& drawn, const TransparentTarget& target) {
+    const LightSettings& light = drawn.settings.light;
+    const bool normals = light.light == Light::normals;
+    glUseProgram(transparent_program(drawn.settings, target.lists).id());
+    set_surface(drawn);
+    const double near = target.depth_range.x(), depth = target.depth_range.y() - near;
+    const double scale = depth > 0 ? 1 / depth : 0;
+    glUniform2f(shader::nearness_uniform, float(-near * scale), float(scale));
+    if (target.lists) {
+        glUniform1ui(shader::frame_width_uniform, GLuint(target.width));
+        glUniform1ui(shader::capacity_uniform, target.capacity);
+    }
+    if (shows_layer(drawn.settings))
+        glUniform1f(shader::own_layer_share_uniform, float(drawn.settings.layer.share));
+    if (light.light != Light::photos) {
+        glUniform1i(shader::own_light_on_photos_uniform, light.on_photos && !normals);
+        glUniform1f(shader::own_light_scale_uniform, normals ? 1.0f : shader::light_gray);
+    }
+    ring_.begin();
+    cluster_photos_.assign(scene_->clusters.size(), 1);
+    const std::size_t draws = draw_run(drawn.plan.plan().transparent, 0);
+    ring_.end();
+    return draws;
+}
+
+const gl::Program& ModelPasses::transparent_program(const RenderSettings& settings, bool lists) {
+    std::vector<std::string> asked = asked_defines(settings);
+    if (lists) asked.emplace_back("FRAGMENT_LISTS");
+    gl::Program& program = transparent_programs_[asked];
+    if (program) return program;
+    std::vector<std::string> defines = surface_defines(*package_, *scene_);
+    if (std::ranges::count(defines, "VERTEX_COLORS") == 0) defines.emplace_back("VERTEX_COLORS");
+    defines.emplace_back("TRANSPARENT");
+    defines.insert(defines.end(), asked.begin(), asked.end());
+    return program = make_surface_program(defines);
 }
 
 const gl::Program& ModelPasses::surface_program(const RenderSettings& settings) {

@@ -33,6 +33,14 @@ struct DrawnView {
     std::vector<double> weights;  ///< dynamic, per photo
 };
 
+/// Where transparent surfaces are collected.
+struct TransparentTarget {
+    bool lists;  ///< else sums only
+    int width;   ///< pixels
+    std::uint32_t capacity;
+    Eigen::Vector2d depth_range;  ///< of the frame, scene units
+};
+
 /// Draws the model: its bare surface, and the photos on it, several per pass. Belongs to the OpenGL thread;
 /// the constructor's arguments must outlive it.
 class ModelPasses {
@@ -56,6 +64,8 @@ class ModelPasses {
     bool per_fragment(const RenderSettings& settings) const;
     /// Depth, plain shading and the triangles' numbers.
     void draw_surface(const DrawnView& drawn, const FrameTargets& targets);
+    /// The transparent surfaces, into the lists or sums of a TransparentPass. Returns the number of draws.
+    std::size_t draw_transparent(const DrawnView& drawn, const TransparentTarget& target);
     /// Adds photos to the sums `into`; best photo and consensus read the other sums. Returns the number of
     /// draws.
     std::size_t draw_photos(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
@@ -72,6 +82,8 @@ class ModelPasses {
     std::size_t draw_clusters(std::span<const std::uint32_t> clusters);
     std::size_t draw_run(std::span<const std::uint32_t> clusters, std::uint32_t bits);
     const gl::Program& surface_program(const RenderSettings& settings);
+    const gl::Program& transparent_program(const RenderSettings& settings, bool lists);
+    void set_surface(const DrawnView& drawn);
     void set_light(const DrawnView& drawn);
     void set_layer(const LayerSettings& settings);
     void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn);
@@ -90,6 +102,7 @@ class ModelPasses {
     FrameRing ring_;
     gl::Program surface_program_;
     std::map<std::vector<std::string>, gl::Program> other_surface_programs_;  ///< by what was asked for
+    std::map<std::vector<std::string>, gl::Program> transparent_programs_;    ///< likewise
     gl::Texture color_map_;                                                   ///< once a layer was shown
     ColorMap mapped_ = ColorMap::automatic;
     std::map<BlendVariant, gl::Program> blend_programs_;

@@ -57,6 +57,9 @@ struct LayerLegend {
 };
 LayerLegend layer_legend(const ValueLayer& layer, const LayerSettings& settings);
 
+/// How transparent surfaces are blended: sorted at each pixel, or by weighted sums.
+enum class Transparency { exact, approximate, off, count };
+
 /// How large points of a cloud are drawn.
 enum class PointSize {
     gaps,    ///< as far apart as neighboring points: gaps are filled
@@ -108,6 +111,7 @@ struct RenderSettings {
     bool thumbnails = false;      ///< nothing finer than thumbnails
     Show show = Show::colors;
     ShowSurroundings surroundings = ShowSurroundings::on;
+    Transparency transparency = Transparency::exact;
     LayerSettings layer;
     LightSettings light;
     PointSettings points;
@@ -139,9 +143,11 @@ struct FrameReport {
     std::size_t tiles_damaged = 0;  ///< found since opening
     std::size_t points = 0;         ///< of the cloud, drawn
     std::size_t nodes_missing = 0;  ///< of the cloud, needed and not resident
-    std::size_t uploaded = 0;       ///< bytes
-    double uncovered = 0;           ///< share of the surface visible in photos that no chosen photo sees
-    bool settled = false;           ///< everything needed is resident and has faded in
+    std::size_t fragments = 0;      ///< of transparent surfaces, in the last frame that was read back
+    std::size_t fragments_approximated = 0;  ///< of these: not sorted, for lack of room
+    std::size_t uploaded = 0;                ///< bytes
+    double uncovered = 0;  ///< share of the surface visible in photos that no chosen photo sees
+    bool settled = false;  ///< everything needed is resident and has faded in
 };
 
 /// Memory limits in bytes.

@@ -92,6 +92,7 @@ void add_work(const FrameReport& more, FrameReport& report) {
 
 gl::Program make_show_program(const PackageReader& package, const PlanScene& scene) {
     std::vector<std::string> defines = surroundings_defines(scene);
+    if (scene.has_transparency()) defines.emplace_back("TRANSPARENCY");
     for (std::string& d : shader_defines("show", package.scene().effects)) defines.push_back(std::move(d));
     return gl::make_program("show", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "show.frag"}},
                             defines);
@@ -112,6 +113,9 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
     if (scene_.has_surroundings()) filling_.emplace();
     if (auto cloud = read_point_cloud(package))
         points_.emplace(package, std::move(*cloud), points_memory(budget));
+    if (scene_.has_transparency())
+        transparent_.emplace(budget.graphics ? budget.graphics / 4 : TransparentPass::most_list_bytes,
+                             scene_.has_surroundings());
     held_ = gl::memory_held() - held_;
     gl::check("opening the package");
 }
@@ -131,7 +135,8 @@ gl::Program Renderer::make_resolve_program(const std::vector<std::string>& asked
 }
 
 const gl::Program& Renderer::resolve_program(const RenderSettings& settings) {
-    const std::vector<std::string> asked = passes_.asked_defines(settings);
+    std::vector<std::string> asked = passes_.asked_defines(settings);
+    if (transparent_ && transparent_->mode() == Transparency::exact) asked.emplace_back("FRAGMENT_LISTS");
     if (asked.empty()) return resolve_program_;
     gl::Program& program = other_resolve_programs_[asked];
     if (!program) program = make_resolve_program(asked);
@@ -144,21 +149,28 @@ void Renderer::fit(int width, int height, std::span<const BandFrame> bands) {
     const bool coordinates =
         std::ranges::any_of(bands, [&](const BandFrame& b) { return !per_fragment(b.settings); });
     const bool fits = targets_.width == width && targets_.height == height &&
-                      targets_.half_sums == settings.half_sums && (store_.has_coordinates() || !coordinates);
+                      targets_.half_sums == settings.half_sums &&
+                      (store_.has_coordinates() || !coordinates) &&
+                      (!transparent_ || transparent_->mode() == settings.transparency);
     if (!fits) {
         targets_ = {};
         readback_.release();
         if (points_) points_->release();
+        if (transparent_) transparent_->release();
         const std::uint64_t others =
-            gl::memory_held() - budget_.elsewhere - store_.bytes() + FrameTargets::bytes(width, height, settings.half_sums) +
+            gl::memory_held() - budget_.elsewhere - store_.bytes() +
+            FrameTargets::bytes(width, height, settings.half_sums) +
             (scene_.bands.size() > 1 ? 16 * std::uint64_t(width) * std::uint64_t(height) : 0) +
             (filling_ ? HoleFilling::bytes(width, height) : 0) +
-            (points_ ? PointPass::bytes(width, height) : 0) + TriangleReadback::bytes(width, height);
+            (points_ ? PointPass::bytes(width, height) : 0) +
+            (transparent_ ? transparent_->bytes(width, height, settings.transparency) : 0) +
+            TriangleReadback::bytes(width, height);
         graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
         store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
         targets_ = make_frame_targets(width, height, settings.half_sums);
         if (filling_) filling_->fit(width, height);
         if (points_) points_->fit(targets_);
+        if (transparent_) transparent_->fit(targets_, settings.transparency);
     }
     if (bands.size() > 1) targets_.add_other();
 }
@@ -245,7 +257,9 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
         draw_band(second);
         add_work(second.report, frame.report);
     }
+    count_fragments(frame);
     FrameReport& r = frame.report;
+    r.fragments = fragments_.fragments, r.fragments_approximated = fragments_.approximated;
     r.tiles_damaged = store_.residency().damaged_count() + (points_ ? points_->damaged() : 0);
     r.settled = r.tiles_missing == 0 && r.nodes_missing == 0 && settled() && store_.residency().settled();
     held_ += gl::memory_held() - held_before;
@@ -285,6 +299,7 @@ void Renderer::draw_present(Frame& frame) {
     if (shows_points(frame.drawn.settings))
         frame.report.points =
             points_->draw(frame.drawn.view, frame.drawn.clip_from_origin, frame.drawn.settings.points);
+    if (shows_transparent(frame.drawn.settings)) draw_transparent(frame);
     resolve(sums, frame);
 }
 
@@ -318,7 +333,9 @@ DrawnView Renderer::drawn_view(const View& view, const BandFrame& band, int side
 Eigen::Vector2d Renderer::depth_range_of(const View& view, const RenderSettings& settings,
                                          const ViewPlan& plan) const {
     const double reach = model_reach(package_->scene(), view.cam_from_origin);
-    const Eigen::Vector2d model = depth_range(scene_.clusters, plan.plan().clusters, view, reach);
+    std::vector<std::uint32_t> clusters = plan.plan().clusters;
+    clusters.insert(clusters.end(), plan.plan().transparent.begin(), plan.plan().transparent.end());
+    const Eigen::Vector2d model = depth_range(scene_.clusters, clusters, view, reach);
     const Eigen::Vector2d anything(1, 2);
     if (!shows_points(settings)) return model.y() > 0 ? model : anything;
     const Eigen::Vector2d cloud = points_->range(view, reach);
@@ -446,13 +463,18 @@ void Renderer::draw_passes(Pass photos, Frame& frame, bool consensus, int& into)
 
 void Renderer::resolve(int sums, const Frame& frame) {
     const gl::Framebuffer& target = frame.second ? targets_.other_target : targets_.accumulated_target;
+    const bool veiled = veils() && !frame.second;
     if (frame.sample.index == 0) {
         const std::array<float, 4> zero{};
         glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, zero.data());
+        for (const GLint apart : {1, 2})
+            if (veiled)
+                glClearNamedFramebufferfv(transparent_->veiled_target(), GL_COLOR, apart, zero.data());
         if (!frame.second) samples_ = 0;
     }
     if (!frame.second) ++samples_;
     bind_target(target, targets_.width, targets_.height);
+    if (veiled) glBindFramebuffer(GL_FRAMEBUFFER, transparent_->veiled_target());
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -494,6 +516,13 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
         glUniform1f(shader::background_weight_uniform, among * hole + (1 - among));
     }
     if (points_) set_points(frame.drawn, before);
+    if (transparent_) {
+        const bool shows = !before && shows_transparent(settings);
+        const bool veiled = veils() && !frame.second && fills_holes(settings);
+        glUniform1i(shader::shows_transparent_uniform, shows);
+        glUniform1i(shader::veils_holes_uniform, shows && veiled);
+        if (shows) transparent_->bind();
+    }
     if (!before && passes_.shows_layer(settings))
         glUniform1f(shader::layer_share_uniform, float(settings.layer.share));
     glUniform3fv(shader::background_uniform, 1, settings.background);
@@ -505,6 +534,37 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     glBindTextureUnit(shader::before_unit, progress < 1 ? targets_.before.id() : 0);
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/// In colors only: between counts or false colors, others would say what is not so.
+bool Renderer::shows_transparent(const RenderSettings& settings) const {
+    const bool hidden = shows_points(settings) && settings.points.alone;
+    return transparent_ && transparent_->mode() != Transparency::off && !hidden &&
+           settings.show == Show::colors && !plan_.plan().transparent.empty();
+}
+
+void Renderer::draw_transparent(Frame& frame) {
+    const Eigen::Vector2d range = depth_range_of(frame.drawn.view, frame.drawn.settings, frame.drawn.plan);
+    transparent_->collect([&] {
+        frame.report.draws += passes_.draw_transparent(
+            frame.drawn,
+            {transparent_->mode() == Transparency::exact, targets_.width, transparent_->capacity(), range});
+    });
+}
+
+/// Pictures wait for the counts of their samples; a window shows what has arrived.
+void Renderer::count_fragments(const Frame& frame) {
+    if (!transparent_) return;
+    const RenderSettings& settings = frame.drawn.settings;
+    const bool wait = settings.complete || settings.wait_for_tiles;
+    if (wait && frame.sample.index == 0) fragments_ = {};
+    if (!shows_transparent(settings)) return;
+    if (!wait && transparent_->update(false)) fragments_ = transparent_->count();
+    transparent_->capture();
+    if (wait && transparent_->update(true)) {
+        fragments_.fragments += transparent_->count().fragments;
+        fragments_.approximated += transparent_->count().approximated;
+    }
 }
 
 bool Renderer::shows_points(const RenderSettings& settings) const {
@@ -570,8 +630,8 @@ std::vector<std::uint32_t> Renderer::triangles() const {
 void Renderer::show(const View& view, const RenderSettings& settings, GLuint target, bool flip) {
     const bool fills = fills_holes(settings_of_band(settings, shown_.first, scene_));
     const bool other_fills = shown_.second && fills_holes(settings_of_band(settings, *shown_.second, scene_));
-    if (fills || other_fills)
-        filling_->fill(fills ? targets_.accumulated : targets_.other, std::max(samples_, 1.0));
+    const gl::Texture& clean = veils() ? transparent_->clean() : targets_.accumulated;
+    if (fills || other_fills) filling_->fill(fills ? clean : targets_.other, std::max(samples_, 1.0));
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, view.intrinsics.width, view.intrinsics.height);
     glDisable(GL_BLEND);
@@ -582,6 +642,10 @@ void Renderer::show(const View& view, const RenderSettings& settings, GLuint tar
     if (scene_.has_surroundings()) {
         glUniform1i(shader::fills_uniform, fills);
         glBindTextureUnit(shader::filled_unit, filling_->filled().id());
+        if (transparent_) {
+            glUniform1i(shader::veils_uniform, fills && veils());
+            glBindTextureUnit(shader::veil_unit, transparent_->veil());
+        }
     }
     if (scene_.bands.size() > 1) show_bands(other_fills);
     glUniform1ui(shader::compare_uniform, GLuint(settings.compare));

@@ -17,6 +17,7 @@
 #include "player/render/point_pass.h"
 #include "player/render/render_settings.h"
 #include "player/render/shown_bands.h"
+#include "player/render/transparent_pass.h"
 #include "player/render/triangle_readback.h"
 #include "player/stream/photo_store.h"
 
@@ -132,6 +133,10 @@ class Renderer {
                                    const ViewPlan& plan) const;
     void show_bands(bool other_fills) const;
     void set_points(const DrawnView& drawn, bool before) const;
+    bool veils() const { return transparent_ && transparent_->veil(); }
+    bool shows_transparent(const RenderSettings& settings) const;
+    void draw_transparent(Frame& frame);
+    void count_fragments(const Frame& frame);
 
     std::uint64_t held_ = gl::memory_held();  ///< until the constructor ends: what others hold
     const PackageReader* package_;
@@ -145,8 +150,10 @@ class Renderer {
     BandChange band_change_;
     ShownBands shown_;
     FrameTargets targets_;
-    std::optional<HoleFilling> filling_;  ///< if there are surroundings
-    std::optional<PointPass> points_;     ///< if there is a cloud
+    std::optional<HoleFilling> filling_;          ///< if there are surroundings
+    std::optional<PointPass> points_;             ///< if there is a cloud
+    std::optional<TransparentPass> transparent_;  ///< if some of the mesh is not opaque
+    FragmentCount fragments_;                     ///< of the picture
     TriangleReadback readback_;
     Eigen::Vector2d depth_terms_ = Eigen::Vector2d::Zero();
     gl::Program resolve_program_, show_program_;

@@ -52,6 +52,7 @@ void for_choices(R& r, const Choice& choice) {
     choice("choice", r.settings.choice);
     choice("surroundings", r.settings.surroundings);
     choice("band_how", r.settings.bands.how);
+    choice("transparency", r.settings.transparency);
 }
 
 /// Reads a field if the file has it with the right type.

@@ -46,19 +46,19 @@ inline std::vector<package::PointNode> sound_nodes() {
     return {root, low, high};
 }
 
-/// Two triangles, one cluster, surroundings, a cloud, two bands, and one photo of 40 x 30 pixels that sees
-/// them. Contains only the data that a player reads; fix_checksums() computes the checksums of heads,
-/// directory and header.
+/// Two triangles in a cluster, a transparent one in another, surroundings, a cloud, two bands, and one photo
+/// of 40 x 30 pixels that sees the first two. Contains only the data that a player reads; fix_checksums()
+/// computes the checksums of heads, directory and header.
 class SoundPackage {
   public:
     SoundPackage() {
         using package::Type;
         package::SceneRecord s{};
         for (int i = 0; i < 3; ++i) s.bounds_min[i] = -1, s.bounds_max[i] = 1;
-        s.vertices = 4, s.triangles = 2, s.clusters = 1, s.photos = 1, s.reference_density = 20;
+        s.vertices = 5, s.triangles = 3, s.clusters = 2, s.photos = 1, s.reference_density = 20;
         s.border_width = 8, s.scalar_layers = 2;
         s.effects = effect_bit(Effect::surroundings) | effect_bit(Effect::scalar_layers) |
-                    effect_bit(Effect::points) | effect_bit(Effect::bands);
+                    effect_bit(Effect::points) | effect_bit(Effect::bands) | effect_bit(Effect::transparency);
         package::PhotoRecord p{};
         std::strcpy(p.name, "a.jpg");
         p.width = 40, p.height = 30, p.levels = 1, p.thumbnail_width = 4, p.thumbnail_height = 3;
@@ -66,28 +66,30 @@ class SoundPackage {
         p.fx = p.fy = 40, p.cx = 20, p.cy = 15, p.t[2] = 3, p.corrected_direction[2] = 1, p.hull_area = 0.5;
         p.R[0] = p.R[4] = p.R[8] = 1, p.seen_distance = 3, p.z_min = 2, p.z_max = 4;
         for (double& g : p.gain) g = 1;
-        package::ClusterRecord c{};
-        c.radius = 1.5f, c.triangles = 2;
-        const float positions[4][3] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-        const std::uint32_t indices[6] = {0, 1, 2, 0, 2, 3};
-        const float normals[4][3] = {{0, 0, -1}, {0, 0, -1}, {0, 0, -1}, {0, 0, -1}};
-        const float coordinates[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-        package::CoverageRecord seen{};
-        seen.u1 = seen.v1 = 65535;
+        package::ClusterRecord c[2]{};
+        c[0].radius = c[1].radius = 1.5f, c[0].triangles = c[1].first_triangle = 2, c[1].triangles = 1;
+        const float positions[5][3] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, -1}};
+        const std::uint32_t indices[9] = {0, 1, 2, 0, 2, 3, 0, 2, 4};
+        const float normals[5][3] = {{0, 0, -1}, {0, 0, -1}, {0, 0, -1}, {0, 0, -1}, {0, 0, -1}};
+        const std::uint8_t colors[5][4] = {
+            {255, 255, 255, 255}, {255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {9, 99, 199, 100}};
+        const float coordinates[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {-1, -1}};
+        package::CoverageRecord seen[2]{};
+        seen[0].u1 = seen[0].v1 = 65535;
         const std::uint64_t bits[2] = {3, 3};
         const std::byte thumbnail[48]{};
         add(Type::scene, package::scene_wide, 0, bytes_of_one(s));
         add(Type::photos, package::scene_wide, 0, bytes_of_one(p));
-        add(Type::clusters, package::scene_wide, 0, bytes_of_one(c));
+        add(Type::clusters, package::scene_wide, 0, std::as_bytes(std::span(c)));
         add(Type::positions, package::scene_wide, 0, std::as_bytes(std::span(positions)));
         add(Type::normals, package::scene_wide, 0, std::as_bytes(std::span(normals)));
         add(Type::indices, package::scene_wide, 0, std::as_bytes(std::span(indices)));
         add(Type::coordinates, 0, 0, std::as_bytes(std::span(coordinates)));
-        add(Type::coverage, 0, 0, bytes_of_one(seen));
+        add(Type::coverage, 0, 0, std::as_bytes(std::span(seen)));
         add(Type::visible, 0, 0, std::as_bytes(std::span(bits)));
         add(Type::thumbnail, 0, 0, thumbnail);
         const std::string meta = R"({"scalars":["height","?"]})";
-        const float values[2][4] = {{0, 0, 1, 1}, {-1, 2, std::numeric_limits<float>::quiet_NaN(), 3}};
+        const float values[2][5] = {{0, 0, 1, 1, 2}, {-1, 2, std::numeric_limits<float>::quiet_NaN(), 3, 0}};
         add(Type::meta, package::scene_wide, 0, std::as_bytes(std::span(meta)));
         add(Type::scalars, package::scene_wide, 0, std::as_bytes(std::span(values)));
         add(Type::surroundings, package::scene_wide, 0, surroundings_chunk(sound_surroundings()));
@@ -99,6 +101,7 @@ class SoundPackage {
         add_tile(Type::depth, 1);
         package::BandRecord bands[2]{{"visible", s.effects}, {"infrared", 0}};
         add(Type::bands, package::scene_wide, 0, std::as_bytes(std::span(bands)));
+        add(Type::colors, package::scene_wide, 0, std::as_bytes(std::span(colors)));
         const std::size_t directory = bytes.size();
         bytes.resize(directory + entries.size() * sizeof(package::DirectoryEntry));
         std::memcpy(header.magic, package::magic, sizeof header.magic);

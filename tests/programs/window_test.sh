@@ -17,7 +17,7 @@ vantage=$1 player=$2 source=$3 dir=$VANTAGE_WINDOW_TEST
 cd "$dir" || exit 1
 export XDG_CONFIG_HOME=$dir/config
 "$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage >/dev/null 2>&1 || exit 1
-{ sed 's/^seed.*/&\nheight_layer = 1/' "$source/data/tiny.toml"; printf '\n[garden]\nradius = 30.0\nhill = 8.0\n'; } >garden.toml
+{ sed 's/^seed.*/&\nheight_layer = 1/' "$source/data/tiny.toml"; printf '\n[garden]\nradius = 30.0\nhill = 8.0\n[glass]\nalpha = 0.3\n'; } >garden.toml
 "$vantage" synth garden.toml -o garden >/dev/null && cp garden/mesh.ply cloud.ply &&
   "$vantage" prepare garden -o two.vantage --effect surroundings=on --points cloud.ply >/dev/null 2>&1 || exit 1
 head -c 100000 one.vantage >cut.vantage
@@ -133,6 +133,7 @@ key o; press "two.vantage"; press "Open"
 sleep 1
 [ "$(xdotool getwindowname "$window")" = "two.vantage - Vantage" ] || fail "the other package was not opened"
 press "Surroundings"; press "dimmed"
+press "Transparency"; press "approximate"
 press "Light"; press "normals"
 press "Light"; press "lamp at the viewer"
 press "On the photos"
@@ -165,6 +166,7 @@ remembers() { grep -q "\"$1\": $2" config/vantage/player.json || fail "$1 is not
 remembers blend 1
 remembers choice 1
 remembers surroundings 1
+remembers transparency 1
 remembers panel_layers false
 remembers panel_points false
 remembers consensus true

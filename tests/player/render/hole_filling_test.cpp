@@ -31,7 +31,7 @@ std::vector<float> filled(int width, int height, const std::function<Color(int x
     glTextureSubImage2D(frame.accumulated.id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, texels.data());
     HoleFilling filling;
     filling.fit(width, height);
-    filling.fill(frame, samples);
+    filling.fill(frame.accumulated, samples);
     const int w = (width + 1) / 2, h = (height + 1) / 2;
     std::vector<float> out(std::size_t(w) * std::size_t(h));
     glGetTextureImage(filling.filled().id(), 0, GL_RED, GL_FLOAT, GLsizei(4 * out.size()), out.data());

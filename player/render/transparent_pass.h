@@ -1,0 +1,76 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+
+#include "gl/object.h"
+#include "player/render/frame_targets.h"
+#include "player/render/render_settings.h"
+
+namespace vantage {
+
+/// Fragments of transparent surfaces.
+struct FragmentCount {
+    std::size_t fragments = 0;     ///< in front of what is opaque
+    std::size_t approximated = 0;  ///< of these: not sorted, for lack of room
+};
+
+/// The buffers in which transparent surfaces are collected: weighted sums (McGuire and Bavoil 2013) and, in
+/// exact mode, a list of fragments per pixel (Yang et al. 2010), which resolve sorts. Belongs to the OpenGL
+/// thread.
+class TransparentPass {
+  public:
+    /// Room in lists: this many fragments per pixel on average; what finds none goes to the sums.
+    static constexpr std::uint64_t layers_per_pixel = 4;
+    /// Lists take at most this, in bytes.
+    static constexpr std::uint64_t most_list_bytes = std::uint64_t(512) << 20;
+
+    /// `list_bytes`: of graphics memory for lists. `veils`: holes may be filled behind transparent surfaces.
+    TransparentPass(std::uint64_t list_bytes, bool veils) : list_bytes_(list_bytes), veils_(veils) {}
+    ~TransparentPass() { release(); }
+    TransparentPass(const TransparentPass&) = delete;
+    TransparentPass& operator=(const TransparentPass&) = delete;
+
+    void release();
+    /// Creates the buffers for a frame, with the depth of the model's. Nothing if the mode is off.
+    void fit(const FrameTargets& targets, Transparency mode);
+    std::uint64_t bytes(int width, int height, Transparency mode) const;
+    /// The mode that fit() was called with.
+    Transparency mode() const { return mode_; }
+    /// How many fragments the lists hold.
+    std::uint32_t capacity() const { return capacity_; }
+
+    /// Calls `draw` with targets and lists that are empty and bound, and whatever is behind the frame's depth
+    /// rejected.
+    void collect(const std::function<void()>& draw);
+    /// Makes what was collected the input of resolve.
+    void bind() const;
+    /// Starts reading back how many fragments there were, after resolve. Does nothing while an earlier count
+    /// is in flight.
+    void capture();
+    /// Takes the count that has arrived; `wait` waits for the one in flight. True if there is a new one.
+    bool update(bool wait);
+    const FragmentCount& count() const { return count_; }
+
+    /// The frame's accumulated samples; what is over holes, veil(); and the samples without transparent
+    /// surfaces, clean(), from which holes are filled. 0 without holes to fill.
+    GLuint veiled_target() const { return veiled_target_.id(); }
+    GLuint veil() const { return veil_.id(); }
+    const gl::Texture& clean() const { return clean_; }
+
+  private:
+    std::uint32_t capacity_for(int width, int height) const;
+
+    std::uint64_t list_bytes_;
+    bool veils_;
+    Transparency mode_ = Transparency::off;
+    int width_ = 0, height_ = 0;
+    std::uint32_t capacity_ = 0;
+    gl::Texture sums_, transmitted_, veil_, clean_;
+    gl::Framebuffer target_, veiled_target_;
+    gl::Buffer heads_, fragments_, counts_;
+    const std::uint32_t* mapped_ = nullptr;
+    GLsync fence_ = nullptr;
+    FragmentCount count_;
+};
+
+}  // namespace vantage
