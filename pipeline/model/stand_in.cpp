@@ -145,7 +145,7 @@ Eigen::Vector3d outward(const Eigen::Vector3d& p, const Eigen::Vector3d& middle,
 void add_facet(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, double cell, Mesh& out) {
     const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.cross(x);
     const auto first = std::uint32_t(out.positions.size());
-    for (const Eigen::Vector2d corner : {Eigen::Vector2d(1, 0), Eigen::Vector2d(-0.5, std::sqrt(0.75)),
+    for (const Eigen::Vector2d& corner : {Eigen::Vector2d(1, 0), Eigen::Vector2d(-0.5, std::sqrt(0.75)),
                                          Eigen::Vector2d(-0.5, -std::sqrt(0.75))}) {
         out.positions.emplace_back(center + cell * (corner.x() * x + corner.y() * y));
         out.normals.push_back(normal.cast<float>());
