@@ -3,6 +3,15 @@
 // light are summed by weight: where photos disagree, their mean is then the one that looks closest to all of them. BLEND_*: the weight, as in player/render/blend_table.cpp.
 #include "photos.glsl"
 
+#ifdef ON_POINTS
+// The surface is that of a point cloud as the frame shows it, read pixel by pixel.
+layout(binding = places_unit) uniform sampler2D places;      // distance along the view's axis, 0: no point; distance of its neighbors
+layout(location = frame_uniform) uniform vec4 frame;         // fx fy cx cy of the view
+layout(location = frame_axes_uniform) uniform mat3 axes;     // right, down and forward
+vec3 surface_position = vec3(0.0), surface_normal = vec3(0.0), quiet_color = vec3(0.0);
+float apart = 0.0;                                           // of neighboring points
+const uint draw_photos = ~surroundings_bit;
+#else
 in vec3 surface_position;
 in vec3 surface_normal;
 flat in uint draw_photos;
@@ -11,6 +20,7 @@ in vec3 quiet_color;  // square root of light
 #endif
 #ifndef PER_FRAGMENT
 in vec2 coordinate[PASS_PHOTOS];
+#endif
 #endif
 layout(location = 0) out vec4 accumulated;
 
@@ -64,6 +74,9 @@ float seen(uint photo, vec3 p, MaskPlace at) {
     float cosine = max(abs(dot(normalize(n), normalize(p))), least_cosine);
     float texel = float(1 << at.level) * p.z / min(photos[photo].focal_center.x, photos[photo].focal_center.y);
     float slack = max(depth_slack * p.z, texel / cosine);
+#ifdef ON_POINTS
+    slack = max(slack, 2.0 * apart);  // both depths are those of discs, as wide as points are apart
+#endif
     vec2 z = depths_at(at);
     return p.z > z.y + slack ? 0.0 : (p.z > z.x + slack ? beside : 1.0);
 }
@@ -217,9 +230,19 @@ vec4 as_shown(uint photo, vec4 c) {
 
 void main() {
     accumulated = vec4(0.0);
+#ifdef ON_POINTS
+    vec2 place = texelFetch(places, ivec2(gl_FragCoord.xy), 0).xy;
+    if (!(place.x > 0.0)) discard;
+    vec3 ray = axes * vec3((gl_FragCoord.xy - frame.zw) / frame.xy, 1.0);
+    surface_position = eye + ray * place.x;
+    surface_normal = -normalize(ray);  // points face the viewer
+    apart = place.y;
+    vec3 along_x = axes[0] * (place.x / frame.x), along_y = axes[1] * (place.x / frame.y);
+#else
     vec3 along_x = dFdx(surface_position), along_y = dFdy(surface_position);
     vec3 facing = cross(along_x, along_y);  // the triangle's normal, towards the viewer
     if (dot(facing, eye - surface_position) < 0.0) facing = -facing;
+#endif
 #ifdef CONSENSUS
     vec4 first = texelFetch(first_sums, ivec2(gl_FragCoord.xy), 0);
     vec3 mean = first.rgb / max(first.a, 1e-30);  // square root of light
@@ -234,8 +257,10 @@ void main() {
 #endif
     for (uint photo = 0u; photo < pass_count; ++photo) {
         if ((draw_photos >> photo & 1u) == 0u) continue;
+#ifndef ON_POINTS
         // A photo taken from behind shows the other side of the surface.
         if (dot(facing, photos[photo].center_hull.xyz - surface_position) < 0.0) continue;
+#endif
         vec3 p = (photos[photo].cam_from_origin * vec4(surface_position, 1.0)).xyz;
 #ifdef PER_FRAGMENT
         vec2 pixel = photos[photo].focal_center.xy * p.xy / max(p.z, 1e-30) + photos[photo].focal_center.zw;

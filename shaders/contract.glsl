@@ -36,6 +36,7 @@ const int points_unit = 7;
 const int depth_unit = 8;
 const int transparent_sums_unit = 12;
 const int transmitted_unit = 13;
+const int places_unit = 6;  // blend on points
 const int accumulated_unit = 4;  // show
 const int filled_unit = 5;
 const int other_unit = 6;
@@ -73,6 +74,8 @@ const int capacity_uniform = 26;
 const int own_layer_share_uniform = 27;
 const int own_light_on_photos_uniform = 28;
 const int own_light_scale_uniform = 29;
+const int frame_uniform = 1;  // blend on points
+const int frame_axes_uniform = 14;
 
 // Uniforms of resolve.
 const int takes_one_uniform = 0;
@@ -92,6 +95,7 @@ const int light_scale_uniform = 13;
 const int shows_points_uniform = 14;
 const int eye_dome_uniform = 15;
 const int points_alone_uniform = 16;
+const int photos_on_points_uniform = 17;
 const int shows_transparent_uniform = 24;
 const int veils_holes_uniform = 25;
 
@@ -110,6 +114,10 @@ const float nothing_away = 2e30f;
 // Uniforms of point; clip_from_origin_uniform is as above.
 const int point_size_uniform = 1;
 const int depth_per_w_uniform = 2;
+const int nearer_uniform = 3;
+
+// A point's number at a pixel, 0 for none: 1 + its place in its node + that node's number among the drawn ones times this.
+const uint points_per_node = 16384u;
 
 // Uniforms of show.
 const int samples_uniform = 0;
@@ -235,12 +243,12 @@ struct Photo {
 };
 
 // A node of a point cloud that is drawn: which of its children are (bit i: the eighth i), the number of the first of these
-// among the drawn nodes, and how far its points are apart.
+// among the drawn nodes, how far its points are apart, and the number of its first vertex.
 struct PointSizes {
     uint children;
     uint first;
     float spacing;
-    uint padding;
+    uint vertex;
 };
 
 // A fragment of a transparent surface: the next one at its pixel, from 1 (0: none); its triangle; its depth; its color in linear

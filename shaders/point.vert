@@ -11,6 +11,13 @@ layout(location = point_size_uniform) uniform vec4 size;  // pixels; at depth 1,
 layout(location = depth_per_w_uniform) uniform float depth_per_w;  // how clip z grows with w
 flat out vec3 point_color;
 flat out float point_size;
+#ifdef PLACED
+layout(location = nearer_uniform) uniform float shift;  // spacings by which points are drawn nearer than they are
+flat out vec2 point_place;
+flat out uint point_number;
+#else
+const float shift = 0.5;
+#endif
 
 // The spacing of the smallest drawn node in whose cube the point is (Schuetz 2016, adaptive point sizes).
 float spacing(uvec3 cell) {
@@ -29,9 +36,13 @@ void main() {
     uvec3 cell = uvec3(bits.x, bits.x >> 21 | bits.y << 11, bits.y >> 10) & 0x1fffffu;
     gl_Position = clip_from_origin * vec4(cube.xyz + (vec3(cell) + 0.5) * (cube.w / 2097152.0), 1.0);
     float far = max(gl_Position.w, 1e-30), apart = size.z > 0.0 ? spacing(cell) : 0.0;
+#ifdef PLACED
+    point_place = vec2(gl_Position.w, spacing(cell));
+    point_number = 1u + node * points_per_node + uint(gl_VertexID) - nodes[node].vertex;
+#endif
     point_size = clamp(size.x + (size.y + size.z * apart) / far, 1.0, size.w);
     // Half a spacing nearer, on the same pixel: points on a surface of the model are in front of it.
-    float nearer = max(gl_Position.w - 0.5 * apart, 0.5 * gl_Position.w);
+    float nearer = max(gl_Position.w - shift * apart, 0.5 * gl_Position.w);
     if (gl_Position.w > 0.0)
         gl_Position = vec4(gl_Position.xy * (nearer / gl_Position.w),
                            gl_Position.z - depth_per_w * (gl_Position.w - nearer), nearer);

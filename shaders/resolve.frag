@@ -45,6 +45,7 @@ layout(binding = points_unit) uniform sampler2D points;
 layout(binding = depth_unit) uniform sampler2D depth;
 layout(location = shows_points_uniform) uniform bool shows_points;
 layout(location = points_alone_uniform) uniform bool points_alone;  // without the model
+layout(location = photos_on_points_uniform) uniform bool photos_on_points;  // where there are photos, else the points' own colors
 layout(location = eye_dome_uniform) uniform vec4 eye_dome;  // depth is x + y / z; its z: strength; w: distance of neighbors, px
 
 // log2 of the depth; background and surroundings count as infinitely far.
@@ -207,7 +208,7 @@ void main() {
 #ifdef POINTS
     vec4 point = shows_points ? texelFetch(points, at, 0) : vec4(0.0);
     if (point.a > 0.0) {
-        accumulated = vec4(point.rgb * shade(at), 1.0);
+        if (!photos_on_points || hole) accumulated = vec4(point.rgb * shade(at), 1.0);
         hole = false;
         bare = vec4(0.0);
     } else if (shows_points && points_alone) {

@@ -30,6 +30,26 @@ Navigation stand_at(const package::PhotoRecord& photo, const Eigen::Vector3d& up
             2 * std::atan(photo.height / (2 * photo.fy)) * 180 / std::numbers::pi};
 }
 
+Navigation stand_before(const package::SceneRecord& scene, const Eigen::Vector3d& up) {
+    constexpr double fov = 45, margin = 1.1;
+    const double radius = std::max((Eigen::Map<const Eigen::Vector3d>(scene.bounds_max) -
+                                    Eigen::Map<const Eigen::Vector3d>(scene.bounds_min))
+                                           .norm() /
+                                       2,
+                                   1e-6);
+    const Eigen::Vector3d across = up.unitOrthogonal();
+    const Eigen::Vector3d eye =
+        (across + 0.5 * up).normalized() * radius * margin / std::sin(fov / 2 * std::numbers::pi / 180);
+    return {eye, Eigen::Vector3d::Zero(), up,
+            view_towards(eye, Eigen::Vector3d::Zero(), up, fov, 1, 1).cam_from_origin.R, fov};
+}
+
+Navigation home_of(const PackageReader& package, std::uint32_t photo) {
+    const auto photos = package.photos();
+    const Eigen::Vector3d up = mean_up(photos);
+    return photo < photos.size() ? stand_at(photos[photo], up) : stand_before(package.scene(), up);
+}
+
 void look(Navigation& n, double right, double down) {
     const Eigen::Matrix3d world = turn(n, right, down);
     n.R = n.R * world.transpose();

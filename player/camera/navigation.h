@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 
 #include "player/camera/view.h"
+#include "scene/package_reader.h"
 
 namespace vantage {
 
@@ -14,6 +15,12 @@ struct Navigation {
 
 /// At the photo's camera, facing its direction; the target is at the distance of the surface it sees.
 Navigation stand_at(const package::PhotoRecord& photo, const Eigen::Vector3d& up);
+
+/// In front of the whole model, a little above it, with the target in its middle; for scenes without photos.
+Navigation stand_before(const package::SceneRecord& scene, const Eigen::Vector3d& up);
+
+/// At the photo's camera, or before the model if the package has no photos.
+Navigation home_of(const PackageReader& package, std::uint32_t photo);
 
 /// Orbits the target by angles in radians: `right` about up, `down` about the camera's x axis. Stops 3
 /// degrees from the poles.

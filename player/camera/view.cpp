@@ -43,6 +43,7 @@ View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, con
 }
 
 Eigen::Vector3d mean_up(std::span<const package::PhotoRecord> photos) {
+    if (photos.empty()) return Eigen::Vector3d::UnitZ();
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const package::PhotoRecord& p : photos) sum -= cam_from_origin(p).R.row(1).transpose();
     return sum.norm() > 1e-6 ? sum.normalized() : Eigen::Vector3d::UnitY();

@@ -1,5 +1,8 @@
 #include "player/measure/bench.h"
 
+#include <map>
+#include <string>
+
 #include "cli/real_range.h"
 #include "output/output_file.h"
 #include "output/package_inputs.h"
@@ -49,6 +52,12 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
     app.add_option("--pictures", o.pictures, "frames of each path to save as PNG, evenly spread")
         ->check(CLI::Range(0, 1 << 20))
         ->group(group);
+    app.add_option("--point-culling", o.points.culling)  // to measure what culling is worth
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, PointCulling>{{"hierarchical", PointCulling::hierarchical},
+                                                {"leaves", PointCulling::leaves},
+                                                {"none", PointCulling::none}}))
+        ->group("");
     app.add_flag("--warm", o.warm, "keep the package in the page cache")->group(group);
     app.footer(
         "Writes frames.csv, summary.json and a plot per path into the folder given by -o (default bench).\n"

@@ -13,6 +13,7 @@
 
 #include "player/interface/controls.h"
 #include "player/render/blend_table.h"
+#include "points/point_cloud.h"
 
 namespace vantage {
 namespace {
@@ -117,7 +118,7 @@ void show_section(Controls& c, Session& s, const Renderer& renderer) {
         static const char* const transparent[] = {"exact", "approximate", "hidden"};
         choice(c, "Transparency", r.transparency, transparent);
     }
-    light_section(c, s);
+    if (!points_only(renderer.package().scene())) light_section(c, s);
     static const char* const compares[] = {"nothing", "side by side", "wiper", "difference"};
     choice(c, "Compare", r.compare, compares);
     if (r.compare != Compare::nothing) r.bands.how = BandView::mix;  // one comparison at a time

@@ -4,17 +4,46 @@
 
 #include <cstdint>
 #include <iterator>
+#include <optional>
+
+#include "points/point_cloud.h"
 
 namespace vantage {
 
 namespace {
 
+/// The point under the pointer; as many lines if there is none, so that the panel keeps its size.
+void under_pointer(const Renderer& renderer) {
+    const std::optional<PickedPoint>& p = renderer.picked();
+    const bool shown = p && !ImGui::GetIO().WantCaptureMouse;
+    ImGui::TextDisabled(shown ? "under the pointer:" : "under the pointer: no point");
+    for (int axis = 0; axis < 3; ++axis)
+        if (shown)
+            ImGui::Text("%c  %.10g", "xyz"[axis], p -> position[axis]);
+        else
+            ImGui::TextDisabled(" ");
+    if (shown)
+        ImGui::Text("color  %d %d %d", p->color[0], p->color[1], p->color[2]);
+    else
+        ImGui::TextDisabled(" ");
+}
+
 void controls(Controls& c, Session& session, const Renderer& renderer) {
     PointSettings& p = session.settings.points;
-    static const char* const shown[] = {"with the model", "alone", "hidden"};
-    int choice = !p.show ? 2 : p.alone ? 1 : 0;
-    if (c.combo("Points", &choice, shown, int(std::size(shown)))) p.show = choice < 2, p.alone = choice == 1;
-    if (!p.show) return;
+    const bool only = points_only(renderer.package().scene());
+    if (!only) {
+        static const char* const shown[] = {"with the model", "alone", "hidden"};
+        int choice = !p.show ? 2 : p.alone ? 1 : 0;
+        if (c.combo("Points", &choice, shown, int(std::size(shown))))
+            p.show = choice < 2, p.alone = choice == 1;
+        if (!p.show) return;
+    }
+    if (!renderer.scene().photos.empty()) {
+        static const char* const colors[] = {"the photos'", "their own"};
+        int color = renderer.photos_on_points(session.settings) ? 0 : 1;
+        if (c.combo("Colors of points", &color, colors, int(std::size(colors))))
+            p.color = color == 0 ? PointColor::photos : PointColor::own;
+    }
     static const char* const sizes[] = {"fill gaps", "pixels", "input units"};
     int by = int(p.by);
     if (c.combo("Point size by", &by, sizes, int(std::size(sizes)))) {
@@ -32,6 +61,7 @@ void controls(Controls& c, Session& session, const Renderer& renderer) {
     ImGui::TextDisabled("%zu of %llu points drawn%s", session.report.points,
                         static_cast<unsigned long long>(renderer.points()->cloud().points),
                         renderer.points()->plan().whole ? "" : " (limit reached)");
+    under_pointer(renderer);
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ CameraPath path_named(const std::string& name, const PackageReader& package, con
     const std::uint32_t band = band_settings(package, o.blending.bands).shown,
                         first = o.package.photos.empty() ? middle_photo(photos, band)
                                                          : named_photos(package, o.package.photos).front();
-    return scripted_path(name, stand_at(photos[first], mean_up(photos)), frames, unsigned(repeat) + 1);
+    return scripted_path(name, home_of(package, first), frames, unsigned(repeat) + 1);
 }
 
 Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPath& path,

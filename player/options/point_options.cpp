@@ -18,6 +18,13 @@ void add_point_options(CLI::App& app, PointSettings& o) {
            "on: with the model (default); off; alone: without the model")
         ->check(CLI::IsMember({"on", "off", "alone"}))
         ->group(group);
+    app.add_option(
+           "--point-color", o.color,
+           "photos: those of the photos, where one shows the point (default without a mesh); own: their "
+           "own (default with a mesh)")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, PointColor>{{"photos", PointColor::photos}, {"own", PointColor::own}}))
+        ->group(group);
     app.add_option("--point-size-by", o.by,
                    "gaps: points are as large as they are apart; pixels; world: input units")
         ->transform(CLI::CheckedTransformer(std::map<std::string, PointSize>{

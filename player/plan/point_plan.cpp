@@ -27,7 +27,7 @@ double urgency(const PointNode& n, const Eigen::Vector3d& eye, double focal) {
 }  // namespace
 
 PointPlan plan_points(const PointCloud& cloud, const View& view, std::uint64_t budget, int side,
-                      bool culling) {
+                      PointCulling culling) {
     PointPlan plan;
     const Frustum planes = frustum(view);
     const Eigen::Vector3d eye = view.cam_from_origin.center();
@@ -35,7 +35,9 @@ PointPlan plan_points(const PointCloud& cloud, const View& view, std::uint64_t b
     std::priority_queue<std::pair<double, std::uint32_t>> waiting;
     const auto consider = [&](std::uint32_t node) {
         const PointNode& n = cloud.nodes[node];
-        if (!culling || side_of(planes, low_of(n), high_of(n)) != Side::outside)
+        const bool tested =
+            culling == PointCulling::hierarchical || (culling == PointCulling::leaves && !n.child_octants);
+        if (!tested || side_of(planes, low_of(n), high_of(n)) != Side::outside)
             waiting.emplace(urgency(n, eye, focal), node);
     };
     if (!cloud.nodes.empty()) consider(0);

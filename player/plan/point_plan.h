@@ -20,11 +20,18 @@ struct PointPlan {
 /// Maximum number of nodes in a plan.
 inline constexpr std::size_t most_point_nodes = 4096;
 
+/// Which nodes are tested against the frustum. All but `hierarchical` only to measure what that is worth.
+enum class PointCulling {
+    hierarchical,  ///< all, and what is below a node that is outside is not visited
+    leaves,        ///< those without children
+    none
+};
+
 /// At most `budget` points, but always the root if it is in view. Nodes outside the frustum are left out,
 /// never one with a point inside; and those below nodes whose points are less than a sample apart, with
-/// `side` samples along a pixel. Without `culling` all nodes are taken as in view, for comparison.
+/// `side` samples along a pixel. Nodes that are not tested count as in view.
 PointPlan plan_points(const PointCloud& cloud, const View& view, std::uint64_t budget, int side,
-                      bool culling = true);
+                      PointCulling culling = PointCulling::hierarchical);
 
 /// A node that is drawn, and which of its children are, too.
 struct DrawnNode {

@@ -21,8 +21,11 @@ gl::Program make_blend_program(const BlendVariant& v, const package::SceneRecord
     if (v.traces_texels) defines.emplace_back("TRACE_TEXELS");
     if (!v.trilinear) defines.emplace_back("BILINEAR");
     if (v.anisotropy > 1) defines.push_back("TAPS " + std::to_string(v.anisotropy));
-    return gl::make_program("blend", {{GL_VERTEX_SHADER, "blend.vert"}, {GL_FRAGMENT_SHADER, "blend.frag"}},
-                            defines);
+    if (v.on_points) defines.emplace_back("ON_POINTS");
+    return gl::make_program(
+        "blend",
+        {{GL_VERTEX_SHADER, v.on_points ? "resolve.vert" : "blend.vert"}, {GL_FRAGMENT_SHADER, "blend.frag"}},
+        defines);
 }
 
 }  // namespace vantage

@@ -17,8 +17,9 @@ struct BlendVariant {
     bool trilinear;
     int anisotropy;
     bool refined_colors;
-    bool surroundings;      ///< shown; implies per_fragment
-    EffectSet effects = 0;  ///< of the photos' band, if the scene has several
+    bool surroundings;       ///< shown; implies per_fragment
+    EffectSet effects = 0;   ///< of the photos' band, if the scene has several
+    bool on_points = false;  ///< on the points of a frame, not on the model; implies per_fragment
 
     auto operator<=>(const BlendVariant&) const = default;
 };

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "player/render/blend_table.h"
+#include "points/point_cloud.h"
 
 namespace vantage {
 namespace {
@@ -88,7 +89,8 @@ ModelPasses::ModelPasses(const PackageReader& package, const PlanScene& scene, c
       model_(load_model(package, scene)),
       blocks_(make_blocks(scene.photos)),
       ring_(pass_bytes(store.pages(), scene.clusters.size())),
-      surface_program_(make_surface_program(surface_defines(package, scene))) {}
+      surface_program_(make_surface_program(surface_defines(package, scene))),
+      no_vertices_(gl::make_vertex_array("no vertices")) {}
 
 void ModelPasses::use_records(std::span<const package::PhotoRecord> photos) { blocks_ = make_blocks(photos); }
 
@@ -109,6 +111,7 @@ bool ModelPasses::shows_surroundings(const RenderSettings& settings) const {
 }
 
 bool ModelPasses::per_fragment(const RenderSettings& settings) const {
+    if (points_only(package_->scene())) return true;
     // Triangles of the surroundings are too large for coordinates per vertex.
     if (shows_surroundings(settings)) return true;
     if (settings.coordinates != Coordinates::automatic) return settings.coordinates == Coordinates::fragment;
@@ -294,8 +297,9 @@ std::size_t ModelPasses::draw_run(std::span<const std::uint32_t> clusters, std::
     return draws;
 }
 
-const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bool consensus) {
-    const bool fragment = per_fragment(settings);
+const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bool consensus,
+                                              bool on_points) {
+    const bool fragment = on_points || per_fragment(settings);
     const Blend blend = settings.show == Show::coverage ? Blend::average : settings.blend;
     // Only programs for per-vertex coordinates depend on the number of photos, through their vertex outputs.
     const int photos = fragment ? most_photos_per_pass : settings.photos_per_pass;
@@ -308,7 +312,8 @@ const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bo
                                .anisotropy = settings.anisotropy,
                                .refined_colors = settings.refined_colors,
                                .surroundings = shows_surroundings(settings),
-                               .effects = scene_->bands.at(settings.bands.shown).effects};
+                               .effects = scene_->bands.at(settings.bands.shown).effects,
+                               .on_points = on_points};
     gl::Program& program = blend_programs_[variant];
     if (program) return program;
     package::SceneRecord scene = package_->scene();
@@ -318,7 +323,8 @@ const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bo
 }
 
 std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
-                                     const FrameTargets& targets, bool consensus, int into) {
+                                     const FrameTargets& targets, const PointSurface& points, bool consensus,
+                                     int into) {
     const RenderSettings& settings = drawn.settings;
     bind_target(targets.sums_target[into], targets);
     glEnable(GL_DEPTH_TEST);
@@ -332,8 +338,10 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
         glBindTextureUnit(shader::best_so_far_unit, targets.sums[1 - into].id());
     }
     if (consensus) glBindTextureUnit(shader::first_sums_unit, targets.sums[1 - into].id());
-    glUseProgram(blend_program(settings, consensus).id());
-    set_uniforms(pass, drawn);
+    if (!points.alone) {
+        glUseProgram(blend_program(settings, consensus, false).id());
+        set_uniforms(pass, drawn, false);
+    }
     std::vector<std::uint32_t> photos;
     // The best color so far is copied from target to target, so every cluster is drawn.
     const std::uint32_t always = takes_one(settings.blend) ? 1u << most_photos_per_pass : 0;
@@ -344,14 +352,33 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
     }
     ring_.begin();
     bind_photos(photos, drawn.weights);
-    const std::size_t draws = draw_clusters(drawn.plan.plan().clusters);
+    std::size_t draws = points.alone ? 0 : draw_clusters(drawn.plan.plan().clusters);
+    if (points.places) draw_on_points(pass, drawn, points, consensus), ++draws;
     ring_.end();
     return draws;
 }
 
-void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn) {
+/// Blends the same photos where the frame shows points. What is behind points failed the test of depth.
+void ModelPasses::draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
+                                 const PointSurface& points, bool consensus) {
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(blend_program(drawn.settings, consensus, true).id());
+    set_uniforms(pass, drawn, true);
+    const Intrinsics& k = drawn.view.intrinsics;
+    glUniform4f(shader::frame_uniform, float(k.fx), float(k.fy), float(k.cx), float(k.cy));
+    const Eigen::Matrix3f axes = drawn.view.cam_from_origin.R.transpose().cast<float>();
+    glUniformMatrix3fv(shader::frame_axes_uniform, 1, GL_FALSE, axes.data());
+    glBindTextureUnit(shader::places_unit, points.places);
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_DEPTH_TEST);
+}
+
+void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
+                               bool on_points) {
     const RenderSettings& settings = drawn.settings;
-    glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
+    if (!on_points)
+        glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
     glUniform1ui(shader::pass_count_uniform, GLuint(pass.size()));
     uniform(shader::eye_uniform, drawn.view.cam_from_origin.center());
     const View& weighted_from = settings.weights_from ? *settings.weights_from : drawn.view;
@@ -372,7 +399,7 @@ void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
         glUniform2ui(shader::first_layers_uniform, layout.color, layout.color + layout.masks);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shader::touched_buffer, trace_);
     }
-    if (per_fragment(settings)) return;
+    if (on_points || per_fragment(settings)) return;
     std::vector<std::uint32_t> slots;
     for (const PlannedPhoto* p : pass)
         slots.push_back(store_->residency().coordinate_slot(p->photo).value_or(0));
@@ -403,6 +430,7 @@ void ModelPasses::bind_photos(std::span<const std::uint32_t> photos, const std::
 }
 
 void ModelPasses::with_photo(std::uint32_t photo, const std::function<void()>& draw) {
+    if (photo >= scene_->photos.size()) return draw();  // none to compare with
     ring_.begin();
     bind_photos(std::array{photo}, std::vector<double>(scene_->photos.size(), 1));
     draw();

@@ -41,6 +41,12 @@ struct TransparentTarget {
     Eigen::Vector2d depth_range;  ///< of the frame, scene units
 };
 
+/// The points of a frame as a surface for photos.
+struct PointSurface {
+    GLuint places = 0;   ///< texture, see PointPass::places(); 0: no photos on points
+    bool alone = false;  ///< the model is not shown
+};
+
 /// Draws the model: its bare surface, and the photos on it, several per pass. Belongs to the OpenGL thread;
 /// the constructor's arguments must outlive it.
 class ModelPasses {
@@ -69,7 +75,8 @@ class ModelPasses {
     /// Adds photos to the sums `into`; best photo and consensus read the other sums. Returns the number of
     /// draws.
     std::size_t draw_photos(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
-                            const FrameTargets& targets, bool consensus, int into);
+                            const FrameTargets& targets, const PointSurface& points, bool consensus,
+                            int into);
     /// Runs `draw` with one photo, as far as it is resident, bound as photo 0.
     void with_photo(std::uint32_t photo, const std::function<void()>& draw);
 
@@ -86,10 +93,12 @@ class ModelPasses {
     void set_surface(const DrawnView& drawn);
     void set_light(const DrawnView& drawn);
     void set_layer(const LayerSettings& settings);
-    void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn);
+    void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn, bool on_points);
+    void draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
+                        const PointSurface& points, bool consensus);
     /// Writes the photos and their pages into the ring, and binds them.
     void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights);
-    const gl::Program& blend_program(const RenderSettings& settings, bool consensus);
+    const gl::Program& blend_program(const RenderSettings& settings, bool consensus, bool on_points);
 
     const PackageReader* package_;
     const PlanScene* scene_;
@@ -104,6 +113,7 @@ class ModelPasses {
     std::map<std::vector<std::string>, gl::Program> other_surface_programs_;  ///< by what was asked for
     std::map<std::vector<std::string>, gl::Program> transparent_programs_;    ///< likewise
     gl::Texture color_map_;                                                   ///< once a layer was shown
+    gl::VertexArray no_vertices_;
     ColorMap mapped_ = ColorMap::automatic;
     std::map<BlendVariant, gl::Program> blend_programs_;
     std::vector<std::uint32_t> cluster_photos_;  ///< per cluster: one bit per photo of the pass

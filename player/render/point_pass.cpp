@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -52,27 +53,47 @@ void set_size(const View& view, const PointSettings& s) {
                 s.by == PointSize::gaps ? filling * size * focal : 0, largest);
 }
 
+gl::Program make_point_program(const std::vector<std::string>& defines) {
+    return gl::make_program("point", {{GL_VERTEX_SHADER, "point.vert"}, {GL_FRAGMENT_SHADER, "point.frag"}},
+                            defines);
+}
+
+std::vector<float> own_spacings(const PointCloud& cloud) {
+    std::vector<float> out;
+    for (const package::PointNode& n : cloud.nodes) out.push_back(n.spacing);
+    return out;
+}
+
 }  // namespace
 
 PointPass::PointPass(const PackageReader& package, PointCloud cloud, std::uint64_t bytes)
     : cloud_(std::move(cloud)),
+      spacings_(points_only(package.scene()) ? local_spacings(cloud_.nodes) : own_spacings(cloud_)),
+      only_(points_only(package.scene())),
       store_(package, cloud_, bytes),
       ring_(std::min(most_point_nodes, cloud_.nodes.size()) *
                 (sizeof(Command) + sizeof(Record) + sizeof(shader::PointSizes)) +
             1024),
-      program_(gl::make_program("point",
-                                {{GL_VERTEX_SHADER, "point.vert"}, {GL_FRAGMENT_SHADER, "point.frag"}}, {})),
+      program_(make_point_program({})),
       vertices_(make_vertices(store_.buffer())) {}
 
-void PointPass::fit(const FrameTargets& targets) {
+void PointPass::fit(const FrameTargets& targets, bool placed) {
     width_ = targets.width, height_ = targets.height;
-    target_ = {};
+    release();
     picture_ = gl::make_texture_2d("frame points", GL_RGBA16F, width_, height_);
-    target_ = gl::make_framebuffer("frame points", std::array{picture_.id()}, targets.depth.id());
+    if (!placed) {
+        target_ = gl::make_framebuffer("frame points", std::array{picture_.id()}, targets.depth.id());
+        return;
+    }
+    places_ = gl::make_texture_2d("points' places", GL_RG32F, width_, height_);
+    numbers_ = gl::make_texture_2d("points' numbers", GL_R32UI, width_, height_);
+    target_ = gl::make_framebuffer("frame points", std::array{picture_.id(), places_.id(), numbers_.id()},
+                                   targets.depth.id());
+    if (!placed_program_) placed_program_ = make_point_program({"PLACED"});
 }
 
 std::size_t PointPass::stream(const View& view, const RenderSettings& settings, int side, double now) {
-    plan_ = plan_points(cloud_, view, settings.points.budget, side);
+    plan_ = plan_points(cloud_, view, settings.points.budget, side, settings.points.culling);
     store_.begin_frame(now);
     for (const std::uint32_t node : plan_.nodes) store_.need(cloud_.nodes[node]);
     std::size_t uploaded = 0;
@@ -87,8 +108,9 @@ std::size_t PointPass::stream(const View& view, const RenderSettings& settings, 
 
 std::size_t PointPass::draw(const View& view, const Eigen::Matrix4f& clip_from_origin,
                             const PointSettings& settings) {
-    const std::vector<DrawnNode> nodes =
+    drawn_ =
         drawn_nodes(cloud_, plan_, [&](std::uint32_t node) { return store_.resident(cloud_.nodes[node]); });
+    const std::vector<DrawnNode>& nodes = drawn_;
     ring_.begin();
     const FrameRing::Space commands = ring_.take(nodes.size() * sizeof(Command)),
                            records = ring_.take(nodes.size() * sizeof(Record)),
@@ -98,7 +120,8 @@ std::size_t PointPass::draw(const View& view, const Eigen::Matrix4f& clip_from_o
         const package::PointNode& n = cloud_.nodes[nodes[i].node];
         const Command command{n.count, 1, store_.first_point(n), i};
         const Record record{{n.low[0], n.low[1], n.low[2], n.size}, i};
-        const shader::PointSizes size{nodes[i].children, nodes[i].first, n.spacing, 0};
+        const shader::PointSizes size{nodes[i].children, nodes[i].first, spacings_[nodes[i].node],
+                                      placed() ? store_.first_point(n) : 0};
         std::memcpy(commands.memory + i * sizeof command, &command, sizeof command);
         std::memcpy(records.memory + i * sizeof record, &record, sizeof record);
         std::memcpy(sizes.memory + i * sizeof size, &size, sizeof size);
@@ -106,6 +129,11 @@ std::size_t PointPass::draw(const View& view, const Eigen::Matrix4f& clip_from_o
     }
     const std::array<float, 4> zero{};
     glClearNamedFramebufferfv(target_.id(), GL_COLOR, 0, zero.data());
+    if (placed()) {
+        const std::array<GLuint, 4> none{};
+        glClearNamedFramebufferfv(target_.id(), GL_COLOR, 1, zero.data());
+        glClearNamedFramebufferuiv(target_.id(), GL_COLOR, 2, none.data());
+    }
     glDepthMask(GL_TRUE);
     const float farthest = 0;
     if (settings.alone) glClearNamedFramebufferfv(target_.id(), GL_DEPTH, 0, &farthest);
@@ -115,7 +143,8 @@ std::size_t PointPass::draw(const View& view, const Eigen::Matrix4f& clip_from_o
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
     glEnable(GL_PROGRAM_POINT_SIZE);
-    glUseProgram(program_.id());
+    glUseProgram((placed() ? placed_program_ : program_).id());
+    if (placed()) glUniform1f(shader::nearer_uniform, only_ ? 0.0f : 0.5f);
     glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, clip_from_origin.data());
     set_size(view, settings);
     const Eigen::RowVector3f axis = view.cam_from_origin.R.row(2).cast<float>();

@@ -19,12 +19,14 @@ class PointPass {
     /// `bytes` of graphics memory for points.
     PointPass(const PackageReader& package, PointCloud cloud, std::uint64_t bytes);
 
-    void release() { target_ = {}, picture_ = {}; }
-    /// Creates the target for a frame, with the depth of the model's.
-    void fit(const FrameTargets& targets);
-    static std::uint64_t bytes(int width, int height) {
-        return std::uint64_t(width) * std::uint64_t(height) * 8;
+    void release() { target_ = {}, picture_ = {}, places_ = {}, numbers_ = {}; }
+    /// Creates the target for a frame, with the depth of the model's; `placed`: and with places() and
+    /// numbers().
+    void fit(const FrameTargets& targets, bool placed);
+    static std::uint64_t bytes(int width, int height, bool placed) {
+        return std::uint64_t(width) * std::uint64_t(height) * (placed ? 20 : 8);
     }
+    bool placed() const { return bool(places_); }
 
     /// Chooses nodes for the view, requests them and uploads what has arrived; with settings.complete or
     /// wait_for_tiles, waits for all of them. Returns the bytes uploaded.
@@ -43,16 +45,26 @@ class PointPass {
                      const PointSettings& settings);
     /// Linear light, and 1 in alpha where points are.
     GLuint picture() const { return picture_.id(); }
+    /// Per pixel the distance of its point along the view's axis, 0 without one, and how far apart points are
+    /// there.
+    GLuint places() const { return places_.id(); }
+    /// Per pixel the number of its point, for point_numbered(); 0: none.
+    GLuint numbers() const { return numbers_.id(); }
+    /// The nodes that the last draw() drew.
+    const std::vector<DrawnNode>& drawn() const { return drawn_; }
 
   private:
     PointCloud cloud_;
+    std::vector<float> spacings_;  ///< per node
+    bool only_;                    ///< there is no model to be in front of
     PointStore store_;
     PointPlan plan_;
     std::size_t missing_ = 0;
     FrameRing ring_;
-    gl::Program program_;
+    std::vector<DrawnNode> drawn_;
+    gl::Program program_, placed_program_;  ///< the second once it is asked for
     gl::VertexArray vertices_;
-    gl::Texture picture_;
+    gl::Texture picture_, places_, numbers_;
     gl::Framebuffer target_;
     int width_ = 0, height_ = 0;
 };

@@ -8,6 +8,7 @@
 #include "layers/value_layer.h"
 #include "player/camera/view.h"
 #include "player/plan/plan_settings.h"
+#include "player/plan/point_plan.h"
 #include "player/plan/weights.h"
 
 namespace vantage {
@@ -67,10 +68,20 @@ enum class PointSize {
     world    ///< in input units
 };
 
+/// Whose colors points have.
+enum class PointColor {
+    automatic,  ///< photos in a scene of points only, own beside a mesh
+    photos,     ///< the photos', where one shows the point, else their own
+    own
+};
+
 /// How a package's point cloud is shown.
 struct PointSettings {
     bool show = true;
     bool alone = false;  ///< without the model
+    PointColor color = PointColor::automatic;
+    PointCulling culling = PointCulling::hierarchical;  ///< for measurements
+    bool pick = false;                                  ///< draws what Renderer::pick() reads
     PointSize by = PointSize::gaps;
     double size = 1;                   ///< diameter, in the unit of `by`
     double eye_dome = 1;               ///< strength of the shading by depth; 0: none

@@ -143,15 +143,32 @@ const gl::Program& Renderer::resolve_program(const RenderSettings& settings) {
     return program;
 }
 
+/// In a scene of points only there is nothing but points, and no surface to put light or layers on.
+RenderSettings Renderer::usable(RenderSettings settings) const {
+    if (!points_ || !points_only(package_->scene())) return settings;
+    settings.points.show = settings.points.alone = true;
+    settings.light.light = Light::photos;
+    settings.layer.layer = -1;
+    return settings;
+}
+
+bool Renderer::photos_on_points(const RenderSettings& settings) const {
+    const PointColor color = settings.points.color;
+    return points_ && !scene_.photos.empty() &&
+           (color == PointColor::photos ||
+            (color == PointColor::automatic && points_only(package_->scene())));
+}
+
 /// Creates the frame's targets, and fits the tiles into the rest of the budget.
 void Renderer::fit(int width, int height, std::span<const BandFrame> bands) {
     const RenderSettings& settings = bands.front().settings;
     const bool coordinates =
         std::ranges::any_of(bands, [&](const BandFrame& b) { return !per_fragment(b.settings); });
-    const bool fits = targets_.width == width && targets_.height == height &&
-                      targets_.half_sums == settings.half_sums &&
-                      (store_.has_coordinates() || !coordinates) &&
-                      (!transparent_ || transparent_->mode() == settings.transparency);
+    const bool placed = points_ && (photos_on_points(settings) || settings.points.pick);
+    const bool fits =
+        targets_.width == width && targets_.height == height && targets_.half_sums == settings.half_sums &&
+        (store_.has_coordinates() || !coordinates) && (!points_ || points_->placed() || !placed) &&
+        (!transparent_ || transparent_->mode() == settings.transparency);
     if (!fits) {
         targets_ = {};
         readback_.release();
@@ -162,14 +179,14 @@ void Renderer::fit(int width, int height, std::span<const BandFrame> bands) {
             FrameTargets::bytes(width, height, settings.half_sums) +
             (scene_.bands.size() > 1 ? 16 * std::uint64_t(width) * std::uint64_t(height) : 0) +
             (filling_ ? HoleFilling::bytes(width, height) : 0) +
-            (points_ ? PointPass::bytes(width, height) : 0) +
+            (points_ ? PointPass::bytes(width, height, placed) : 0) +
             (transparent_ ? transparent_->bytes(width, height, settings.transparency) : 0) +
             TriangleReadback::bytes(width, height);
         graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
         store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
         targets_ = make_frame_targets(width, height, settings.half_sums);
         if (filling_) filling_->fit(width, height);
-        if (points_) points_->fit(targets_);
+        if (points_) points_->fit(targets_, placed);
         if (transparent_) transparent_->fit(targets_, settings.transparency);
     }
     if (bands.size() > 1) targets_.add_other();
@@ -222,11 +239,12 @@ void Renderer::plan_band(const View& view, const BandFrame& band, PixelSample sa
     band.plan->update(view, plan_settings(settings), band.photos, sample.side, readback_.seen());
 }
 
-FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
+FrameReport Renderer::draw(const View& view, const RenderSettings& given,
                            std::span<const std::uint32_t> photos, PixelSample sample, double now,
                            const View* next) {
     check_view(view);
     const std::uint64_t held_before = gl::memory_held();
+    const RenderSettings settings = usable(given);
     if (!shows_photos(settings)) photos = {};
     if (settings.weights_from) check_view(*settings.weights_from);
     choose_bands(settings, now);
@@ -273,8 +291,9 @@ void Renderer::draw_band(Frame& frame) {
     draw_present(frame);
 }
 
-void Renderer::redraw(const View& view, const RenderSettings& settings) {
+void Renderer::redraw(const View& view, const RenderSettings& given) {
     check_view(view);
+    const RenderSettings settings = usable(given);
     if (settings.weights_from) check_view(*settings.weights_from);
     for (const BandFrame& band : band_frames(settings, {})) {
         Frame frame{drawn_view(view, band, 1), {}, 0, {}, band.second};
@@ -288,6 +307,9 @@ void Renderer::draw_present(Frame& frame) {
     const ViewPlan& plan = frame.drawn.plan;
     const std::vector<const PlannedPhoto*> drawn = plan.drawn();
     frame.report.photos = drawn.size();
+    // Points that photos are drawn on come first: their depth keeps photos off the model behind them.
+    const bool shows = shows_points(frame.drawn.settings), first = photos_on_points(frame.drawn.settings);
+    if (shows && first) draw_points(frame);
     if (!plan.settled()) {
         const std::vector<const PlannedPhoto*> before = plan.before();
         frame.report.photos += std::size_t(std::ranges::count_if(before, [&](const PlannedPhoto* p) {
@@ -296,11 +318,24 @@ void Renderer::draw_present(Frame& frame) {
         resolve_before(draw_set(before, frame), frame);
     }
     const int sums = draw_set(drawn, frame);
-    if (shows_points(frame.drawn.settings))
-        frame.report.points =
-            points_->draw(frame.drawn.view, frame.drawn.clip_from_origin, frame.drawn.settings.points);
+    if (shows && !first) draw_points(frame);
     if (shows_transparent(frame.drawn.settings)) draw_transparent(frame);
     resolve(sums, frame);
+}
+
+void Renderer::pick(const Eigen::Vector2i& pixel) {
+    if (points_) picking_.look(*package_, *points_, pixel, targets_.width, targets_.height);
+}
+
+void Renderer::draw_points(Frame& frame) {
+    frame.report.points =
+        points_->draw(frame.drawn.view, frame.drawn.clip_from_origin, frame.drawn.settings.points);
+    frame.report.draws += points_->drawn().size();
+}
+
+PointSurface Renderer::point_surface(const RenderSettings& settings) const {
+    if (!shows_points(settings) || !photos_on_points(settings)) return {};
+    return {points_->places(), settings.points.alone};
 }
 
 /// Blends photos into empty sums. Returns the number of the sums.
@@ -362,7 +397,8 @@ void Renderer::find_seen(const View& view, const BandFrame& band, PixelSample sa
 
 TileNeeds Renderer::comparison_needs(const View& view, const RenderSettings& settings) const {
     const std::uint32_t photo = settings.compare_photo;
-    if (settings.compare == Compare::nothing || !scene_.photos[photo].levels) return {};
+    if (settings.compare == Compare::nothing || photo >= scene_.photos.size() || !scene_.photos[photo].levels)
+        return {};
     return whole_photo_needs(scene_.photos[photo], view.intrinsics.fx / scene_.intrinsics[photo].fx);
 }
 
@@ -457,7 +493,8 @@ void Renderer::draw_passes(Pass photos, Frame& frame, bool consensus, int& into)
         rest = rest.subspan(pass.size());
         if (frame.drawn.settings.complete) load(pass, frame);
         if (takes_one(frame.drawn.settings.blend)) into = 1 - into;
-        frame.report.draws += passes_.draw_photos(pass, frame.drawn, targets_, consensus, into);
+        frame.report.draws += passes_.draw_photos(pass, frame.drawn, targets_,
+                                                  point_surface(frame.drawn.settings), consensus, into);
     }
 }
 
@@ -568,13 +605,14 @@ void Renderer::count_fragments(const Frame& frame) {
 }
 
 bool Renderer::shows_points(const RenderSettings& settings) const {
-    return points_ && settings.points.show && settings.show == Show::colors;
+    return points_ && settings.points.show && (settings.show == Show::colors || photos_on_points(settings));
 }
 
 void Renderer::set_points(const DrawnView& drawn, bool before) const {
     const bool shows = shows_points(drawn.settings) && !before;
     glUniform1i(shader::shows_points_uniform, shows);
     glUniform1i(shader::points_alone_uniform, drawn.settings.points.alone);
+    glUniform1i(shader::photos_on_points_uniform, photos_on_points(drawn.settings));
     if (!shows) return;
     const Eigen::Vector2d terms =
         terms_of(drawn.view, depth_range_of(drawn.view, drawn.settings, drawn.plan));
@@ -593,7 +631,7 @@ bool Renderer::fills_holes(const RenderSettings& settings) const {
 
 /// Points alone need no photos, and neither does light, unless there are surroundings to show.
 bool Renderer::shows_photos(const RenderSettings& settings) const {
-    if (shows_points(settings) && settings.points.alone) return false;
+    if (shows_points(settings) && settings.points.alone) return photos_on_points(settings);
     const LightSettings& l = settings.light;
     return l.light == Light::photos || (l.on_photos && l.light != Light::normals) ||
            passes_.shows_surroundings(settings);
@@ -605,7 +643,7 @@ void Renderer::expose(const DrawnView& drawn) const {
     Exposure e;
     if (settings.refined_colors && settings.show == Show::colors) {
         e = drawn.view.exposure;
-        if (settings.exposure) {
+        if (settings.exposure && *settings.exposure < scene_.photos.size()) {
             const Exposure chosen = exposure_of(scene_.photos[*settings.exposure]);
             e.gain = chosen.gain;
             e.band = chosen.band;
@@ -627,7 +665,8 @@ std::vector<std::uint32_t> Renderer::triangles() const {
     return out;
 }
 
-void Renderer::show(const View& view, const RenderSettings& settings, GLuint target, bool flip) {
+void Renderer::show(const View& view, const RenderSettings& given, GLuint target, bool flip) {
+    const RenderSettings settings = usable(given);
     const bool fills = fills_holes(settings_of_band(settings, shown_.first, scene_));
     const bool other_fills = shown_.second && fills_holes(settings_of_band(settings, *shown_.second, scene_));
     const gl::Texture& clean = veils() ? transparent_->clean() : targets_.accumulated;
@@ -648,9 +687,10 @@ void Renderer::show(const View& view, const RenderSettings& settings, GLuint tar
         }
     }
     if (scene_.bands.size() > 1) show_bands(other_fills);
-    glUniform1ui(shader::compare_uniform, GLuint(settings.compare));
     const std::uint32_t photo = settings.compare_photo;
-    if (settings.compare != Compare::nothing) {
+    const bool compares = settings.compare != Compare::nothing && photo < scene_.photos.size();
+    glUniform1ui(shader::compare_uniform, GLuint(compares ? settings.compare : Compare::nothing));
+    if (compares) {
         const Eigen::Matrix3f photo_from_frame =
             pixels_from_pixels(scene_.intrinsics[photo], scene_.poses[photo].R, view).cast<float>();
         glUniform1f(shader::wiper_uniform, float(settings.wiper));

@@ -15,6 +15,7 @@
 #include "player/render/hole_filling.h"
 #include "player/render/model_passes.h"
 #include "player/render/point_pass.h"
+#include "player/render/point_picking.h"
 #include "player/render/render_settings.h"
 #include "player/render/shown_bands.h"
 #include "player/render/transparent_pass.h"
@@ -69,6 +70,12 @@ class Renderer {
     const PackageReader& package() const { return *package_; }
     const PlanScene& scene() const { return scene_; }
     std::span<const ValueLayer> layers() const { return passes_.layers(); }
+    /// Asks for the point at a pixel of the frame drawn last, if it was drawn with settings.points.pick or
+    /// with photos on points; the answer comes a few calls later. See PointPicking.
+    void pick(const Eigen::Vector2i& pixel);
+    const std::optional<PickedPoint>& picked() const { return picking_.found(); }
+    /// Whether points have the photos' colors where photos show them.
+    bool photos_on_points(const RenderSettings& settings) const;
     /// Null if the package has no point cloud.
     const PointPass* points() const { return points_ ? &*points_ : nullptr; }
     /// The triangles seen last, as far as they have been read back.
@@ -102,6 +109,7 @@ class Renderer {
         bool second = false;  ///< of two bands: its samples are accumulated by themselves
     };
 
+    RenderSettings usable(RenderSettings settings) const;
     void choose_bands(const RenderSettings& settings, double now);
     std::vector<BandFrame> band_frames(const RenderSettings& settings, std::span<const std::uint32_t> photos);
     void fit(int width, int height, std::span<const BandFrame> bands);
@@ -118,6 +126,8 @@ class Renderer {
     void load(Pass pass, Frame& frame);
     std::size_t pass_length(Pass rest, const RenderSettings& settings) const;
     void draw_present(Frame& frame);
+    void draw_points(Frame& frame);
+    PointSurface point_surface(const RenderSettings& settings) const;
     int draw_set(Pass photos, Frame& frame);
     void draw_passes(Pass photos, Frame& frame, bool consensus, int& into);
     void resolve(int sums, const Frame& frame);
@@ -156,6 +166,7 @@ class Renderer {
     FragmentCount fragments_;                     ///< of the picture
     TriangleReadback readback_;
     Eigen::Vector2d depth_terms_ = Eigen::Vector2d::Zero();
+    PointPicking picking_;
     gl::Program resolve_program_, show_program_;
     std::map<std::vector<std::string>, gl::Program> other_resolve_programs_;  ///< by what was asked for
     gl::VertexArray no_vertices_;

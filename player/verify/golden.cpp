@@ -7,20 +7,35 @@
 #include "output/side_by_side.h"
 #include "player/camera/camera_path.h"
 #include "player/camera/navigation.h"
+#include "points/point_cloud.h"
 #include "scene/error.h"
 
 namespace vantage {
+namespace {
+
+/// Where the band's photos were taken; around points without photos, on four sides.
+std::vector<Navigation> stands_of(const PackageReader& package, std::uint32_t band,
+                                  const Eigen::Vector3d& up) {
+    std::vector<Navigation> out;
+    for (const package::PhotoRecord& p : package.photos())
+        if (p.levels > 0 && p.band == band) out.push_back(stand_at(p, up));
+    if (out.empty() && points_only(package.scene()))
+        for (int i = 0; i < 4; ++i) {
+            out.push_back(stand_before(package.scene(), up));
+            orbit(out.back(), 1.57 * i, 0);
+        }
+    return out;
+}
+
+}  // namespace
 
 void write_default_views(const std::filesystem::path& file, const PackageReader& package) {
-    const auto photos = package.photos();
-    const Eigen::Vector3d up = mean_up(photos);
+    const Eigen::Vector3d up = mean_up(package.photos());
     const std::vector<Band> bands = read_bands(package);
     std::vector<Navigation> views;
     std::vector<std::string> names;
     for (std::uint32_t b = 0; b < bands.size(); ++b) {
-        std::vector<Navigation> stands;
-        for (const package::PhotoRecord& p : photos)
-            if (p.levels > 0 && p.band == b) stands.push_back(stand_at(p, up));
+        const std::vector<Navigation> stands = stands_of(package, b, up);
         const std::size_t count = std::min<std::size_t>(4, stands.size());
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t at = i * stands.size() / count;

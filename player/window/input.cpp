@@ -93,10 +93,9 @@ void run_shortcuts(Session& s, const PlanScene& scene, double now) {
     if (pressed(GLFW_KEY_O)) s.open_asked = true;
     if (pressed(GLFW_KEY_P)) s.screenshot = true;
     if (pressed(GLFW_KEY_ESCAPE)) s.quit = true;
-    bool* const panels[] = {&s.panels.help,   &s.panels.blending, &s.panels.status,
-                            &s.panels.photos, &s.panels.frusta,   &s.panels.radar,
-                            &s.panels.layers, &s.panels.points,   &s.panels.bands,
-                            &s.panels.objects};
+    bool* const panels[] = {&s.panels.help,   &s.panels.blending, &s.panels.status, &s.panels.photos,
+                            &s.panels.frusta, &s.panels.radar,    &s.panels.layers, &s.panels.points,
+                            &s.panels.bands,  &s.panels.objects};
     for (int i = 0; i < int(std::size(panels)); ++i)
         if (pressed(GLFW_KEY_F1 + i)) *panels[i] = !*panels[i];
 }

@@ -20,6 +20,7 @@
 #include "player/window/remembered.h"
 #include "player/window/screenshot.h"
 #include "player/window/shown_scene.h"
+#include "points/point_cloud.h"
 #include "scene/error.h"
 #include "scene/package_shape.h"
 
@@ -37,8 +38,9 @@ double process_seconds() {
     return up - ticks / double(::sysconf(_SC_CLK_TCK));
 }
 
-void expect_photo(const PackageReader& package) {
-    if (package.photos().empty())
+/// Throws Error(damaged) if there is neither a photo nor a point.
+void expect_content(const PackageReader& package) {
+    if (package.photos().empty() && !points_only(package.scene()))
         throw Error(Exit::damaged, package.path().string() + ": contains no photos");
 }
 
@@ -72,7 +74,7 @@ void remember(const Session& session, const PackageReader& package, Remembered& 
     r.other_band = shown.other ? bands[*shown.other].name : "";
 }
 
-/// A session at the first photo of --photo, or the middle one.
+/// A session at the first photo of --photo, or the middle one; without photos, before the model.
 Session start_session(const PackageReader& package, const ShowOptions& o, const Remembered& remembered) {
     Session s;
     s.settings = remembered.settings;
@@ -90,7 +92,7 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
             ? std::vector<std::uint32_t>{middle_photo(package.photos(), s.settings.bands.shown)}
             : named_photos(package, o.package.photos);
     s.standing_at = s.settings.compare_photo = named.front();
-    s.camera = stand_at(package.photos()[s.standing_at], mean_up(package.photos()));
+    s.camera = home_of(package, s.standing_at);
     return s;
 }
 
@@ -112,7 +114,7 @@ std::optional<Requested> take_request(Session& session, double now) {
                 : std::vector{SceneObject{std::filesystem::path(file).stem().string(), file, {}, true}};
         PackageReader package(objects.front().package);
         expect_shape(package);
-        expect_photo(package);
+        expect_content(package);
         return Requested{std::move(objects), std::move(package), now};
     } catch (const Error& e) {
         say(session, e.what(), now);
@@ -164,7 +166,7 @@ std::optional<Requested> show_package(GLFWwindow* window, Session& session, Show
 }  // namespace
 
 int run_window(const PackageReader& first, const ShowOptions& o, const std::vector<SceneObject>& objects) {
-    expect_photo(first);
+    expect_content(first);
     Remembered remembered;
     remembered.settings = render_settings(first, o.blending, Purpose::window);
     const std::filesystem::path folder = o.window.fresh ? std::filesystem::path() : settings_folder();

@@ -40,7 +40,9 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     ImGui::Render();
     const bool still = !keys && unchanged(view) && lit_ == s.settings.light;
     if (!still) samples_ = 0;
+    s.settings.points.pick = s.panels.points;
     draw(view, still, now);
+    if (s.panels.points) renderer_.pick({int(ImGui::GetIO().MousePos.x), int(ImGui::GetIO().MousePos.y)});
     objects_.show(view, s.settings, 0, true);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     last_ = view;

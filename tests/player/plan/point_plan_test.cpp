@@ -54,7 +54,7 @@ TEST(PointPlan, NeverCullsAVisiblePoint) {
             view_towards(random.vector(3), random.vector(3), random.vector(1), random(10, 100), 640, 480);
         const PointPlan with = plan_points(test.cloud, view, all, 1);
         const std::set<std::uint32_t> kept(with.nodes.begin(), with.nodes.end());
-        for (const std::uint32_t node : plan_points(test.cloud, view, all, 1, false).nodes) {
+        for (const std::uint32_t node : plan_points(test.cloud, view, all, 1, PointCulling::none).nodes) {
             ++planned;
             if (kept.contains(node)) continue;
             ++culled;
