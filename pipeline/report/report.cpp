@@ -8,6 +8,7 @@
 #include <future>
 #include <nlohmann/json.hpp>
 
+#include "bands/bands.h"
 #include "output/markup.h"
 #include "output/page_style.h"
 #include "pipeline/package/effect_costs.h"
@@ -153,6 +154,8 @@ RgbaImage thumbnail(const PackageReader& package, std::uint32_t i, const PhotoRe
 
 std::string photo_figure(const PackageReader& package, std::uint32_t i, const PhotoRecord& p) {
     std::string flags;
+    if (const std::vector<Band> bands = read_bands(package); bands.size() > 1)
+        flags += ", " + escaped(bands[p.band].name);
     if (p.flags & package::photo_undistorted) flags += ", undistorted";
     if (p.flags & package::photo_has_alpha) flags += ", partly transparent";
     return "<figure>" + embedded_picture(thumbnail(package, i, p), p.name) +

@@ -104,15 +104,22 @@ Measured triangle_size(const SceneInput& scene) {
                               edge)};
 }
 
-Measured focal_spread(const SceneInput& scene) {
+/// Of the photos that are shown together: those of a band, if there are several.
+Measured focal_spread(const SceneInput& scene, bool by_band) {
     if (scene.photos.empty()) return {0, "the scene has no photos"};
-    double low = std::numeric_limits<double>::infinity(), high = 0;
-    for (const PhotoInput& p : scene.photos) {
-        const double f = p.camera.intrinsics.fx / p.camera.intrinsics.width;
-        low = std::min(low, f);
-        high = std::max(high, f);
+    double least = 1, most = 0;
+    for (std::uint32_t b = 0; b < (by_band ? scene.bands.size() : 1); ++b) {
+        double low = std::numeric_limits<double>::infinity(), high = 0;
+        for (const PhotoInput& p : scene.photos) {
+            if (by_band && p.band != b) continue;
+            const double f = p.camera.intrinsics.fx / p.camera.intrinsics.width;
+            low = std::min(low, f);
+            high = std::max(high, f);
+        }
+        if (b == 0 || high / low > most / least) least = low, most = high;
     }
-    return {high / low - 1, fmt::format("focal lengths range from {:.3f} to {:.3f} photo widths", low, high)};
+    return {most / least - 1,
+            fmt::format("focal lengths range from {:.3f} to {:.3f} photo widths", least, most)};
 }
 
 Measured unseen_colors(const SceneInput& scene) {
@@ -210,7 +217,7 @@ Measured transparent_share(const Mesh& mesh) {
     return {double(transparent) / double(all), evidence};
 }
 
-Measured measure(const EffectRow& row, const SceneInput& scene) {
+Measured measure(const EffectRow& row, const SceneInput& scene, bool by_band) {
     if (from_all_photos(row)) return {0, "measured after all photos are processed"};
     switch (row.effect) {
         case Effect::undistortion:
@@ -218,7 +225,7 @@ Measured measure(const EffectRow& row, const SceneInput& scene) {
         case Effect::per_fragment:
             return triangle_size(scene);
         case Effect::fov_normalization:
-            return focal_spread(scene);
+            return focal_spread(scene, by_band);
         case Effect::vertex_colors:
             return unseen_colors(scene);
         case Effect::scalar_layers:
@@ -238,8 +245,9 @@ Measured measure(const EffectRow& row, const SceneInput& scene) {
 
 std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effect, EffectChoice>& choices) {
     std::vector<EffectDecision> decisions;
+    const bool by_band = scene.bands.size() > 1 && choice_of(choices, Effect::bands) != EffectChoice::off;
     for (const EffectRow& row : effect_table()) {
-        const Measured m = measure(row, scene);
+        const Measured m = measure(row, scene, by_band);
         if (row.effect == Effect::per_fragment && has_points_only(scene)) {
             // Triangles of a stand-in are not drawn.
             decisions.push_back(

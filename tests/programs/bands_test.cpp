@@ -56,13 +56,14 @@ class Bands : public TemporaryFolder {
                 [](const Progress&) {});
         return PackageReader(dir / (scene + ".vantage"));
     }
-    /// Every pixel of the infrared photos, at random.
-    void add_noise(const std::string& scene) const {
+    /// Every pixel of a band's photos, at random.
+    void add_noise(const std::string& scene, const std::string& band = "infrared") const {
+        const int width = band == "infrared" ? 260 : 331, height = band == "infrared" ? 200 : 250;
         std::mt19937 random(7);
-        for (const auto& entry : fs::directory_iterator(dir / scene / "images" / "infrared")) {
-            std::vector<std::byte> pixels(260 * 200 * 3);
+        for (const auto& entry : fs::directory_iterator(dir / scene / "images" / band)) {
+            std::vector<std::byte> pixels(std::size_t(width * height * 3));
             for (std::byte& b : pixels) b = std::byte(random() & 255);
-            image_files().write(entry.path(), 260, 200, 3, Sample::u8, pixels);
+            image_files().write(entry.path(), width, height, 3, Sample::u8, pixels);
         }
     }
     struct Ran {
@@ -211,6 +212,76 @@ TEST_F(Bands, PhotosOfOneBandAreNeverBlendedIntoTheOther) {
     }
 }
 
+TEST_F(Bands, LookAsIfTheyWereAlone) {
+    SynthSpec spec = small_scene();
+    spec.exposure.stops = 0.5;
+    make(spec);
+    spec.infrared.count = 0;
+    make(spec, "alone");
+    const PackageReader both = prepared(), alone = prepared("alone");
+    const gl::HeadlessContext context;
+    Renderer a(both, MemoryBudget{}), b(alone, MemoryBudget{});
+    RenderSettings s;
+    s.blend = Blend::average;  // in which distances to cameras count most
+    for (const int photos : {0, 2}) {
+        s.photos = photos;
+        const Picture in_both = taken(a, s), by_itself = taken(b, s);
+        int worst = 0;
+        for (std::size_t i = 0; i < in_both.rgba.size(); ++i)
+            worst = std::max(worst, std::abs(int(in_both.rgba[i]) - int(by_itself.rgba[i])));
+        EXPECT_LE(worst, 1) << photos;
+    }
+}
+
+TEST_F(Bands, ABandThatTakesAnothersPlaceLeavesNoHole) {
+    make(small_scene());
+    const PackageReader package = prepared();
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    RenderSettings s;
+    s.complete = false;
+    s.photos = 2;
+    s.fill_holes = true;
+    s.upload_bytes = std::size_t(1) << 20;
+    double now = 0;
+    const auto frame = [&] {
+        now += 1.0 / 30;
+        const FrameReport report = renderer.draw(front(), s, all(package), {}, now);
+        EXPECT_LE(report.uploaded, s.upload_bytes);
+        return report.settled;
+    };
+    const auto settle = [&](const auto& look) {
+        for (int i = 0; i < 600; ++i) {
+            const bool settled = frame();
+            look(shown_picture(renderer, front(), s));
+            if (settled) return true;
+        }
+        return false;
+    };
+    ASSERT_TRUE(settle([](const Picture&) {}));
+    const Picture before = shown_picture(renderer, front(), s);
+    std::vector<Picture> shown;
+    s.bands.shown = infrared;
+    ASSERT_TRUE(settle([&](const Picture& p) { shown.push_back(p); }));
+    EXPECT_GT(mean_difference(before, shown.back()), 10);
+    EXPECT_LT(mean_difference(before, shown.front()), 0.1) << "its photos are not there yet";
+    const auto settled_at =
+        std::ranges::find_if(shown, [&](const Picture& p) { return mean_difference(before, p) > 0.1; });
+    EXPECT_GE(shown.end() - settled_at, 5) << "it fades in";
+    for (std::size_t f = 0; f < shown.size(); ++f) {
+        std::size_t of_neither = 0;  // beside edges, until the finest tiles are there
+        for (std::size_t i = 0; i < before.rgba.size(); ++i) {
+            const int low = std::min(before.rgba[i], shown.back().rgba[i]),
+                      high = std::max(before.rgba[i], shown.back().rgba[i]), is = shown[f].rgba[i];
+            of_neither += is < low - 24 || is > high + 24;
+        }
+        EXPECT_LT(double(of_neither) / double(before.rgba.size()), 0.02) << "frame " << f;
+    }
+    s.bands = {.shown = infrared, .other = visible, .share = 0.5};
+    ASSERT_TRUE(settle([](const Picture&) {}));
+    EXPECT_LE(largest_error(before, shown.back(), shown_picture(renderer, front(), s), 0.5), 2);
+}
+
 TEST_F(Bands, ExposureIsDecidedPerBand) {
     SynthSpec spec = small_scene();
     spec.infrared.stops = 1;
@@ -322,19 +393,22 @@ TEST_F(Bands, NumbersOutOfRangeAreRefused) {
 TEST_F(Bands, EvaluatePredictsAPhotoFromItsOwnBand) {
     make(small_scene());
     prepared("scene");
-    fs::copy(dir / "scene", dir / "noise", fs::copy_options::recursive);
-    add_noise("noise");
-    prepared("noise");
-    std::string scores[2];
-    for (const int i : {0, 1}) {
-        const std::string name = i ? "noise" : "scene", out = (dir / ("evaluated-" + name)).string();
-        const Ran ran = run(VANTAGE_PLAYER " evaluate " + (dir / (name + ".vantage")).string() +
-                            " --photo visible_0001,visible_0002 -o " + out);
-        ASSERT_EQ(ran.code, 0) << ran.says;
-        scores[i] = slurp(fs::path(out) / "photos.csv");
+    for (const std::string band : {"visible", "infrared"}) {
+        const std::string other = band == "visible" ? "infrared" : "visible", noise = "noise-in-" + other;
+        fs::copy(dir / "scene", dir / noise, fs::copy_options::recursive);
+        add_noise(noise, other);
+        prepared(noise);
+        const auto scores = [&](const std::string& name) {
+            const std::string out = (dir / (name + "-" + band)).string();
+            const Ran ran = run(VANTAGE_PLAYER " evaluate " + (dir / (name + ".vantage")).string() +
+                                " --photo " + band + "_0001," + band + "_0002 -o " + out);
+            EXPECT_EQ(ran.code, 0) << ran.says;
+            return slurp(fs::path(out) / "photos.csv");
+        };
+        const std::string sound = scores("scene");
+        EXPECT_FALSE(sound.empty());
+        EXPECT_EQ(sound, scores(noise)) << band;
     }
-    EXPECT_FALSE(scores[0].empty());
-    EXPECT_EQ(scores[0], scores[1]);
 }
 
 TEST_F(Bands, ProgramsKnowThem) {

@@ -20,6 +20,7 @@ export XDG_CONFIG_HOME=$dir/config
 { sed 's/^seed.*/&\nheight_layer = 1/' "$source/data/tiny.toml"; printf '\n[garden]\nradius = 30.0\nhill = 8.0\n[glass]\nalpha = 0.3\n'; } >garden.toml
 "$vantage" synth garden.toml -o garden >/dev/null && cp garden/mesh.ply cloud.ply &&
   "$vantage" prepare garden -o two.vantage --effect surroundings=on --points cloud.ply >/dev/null 2>&1 || exit 1
+"$vantage" synth "$source/data/bands.toml" -o bands >/dev/null && "$vantage" prepare bands -o three.vantage >/dev/null 2>&1 || exit 1
 head -c 100000 one.vantage >cut.vantage
 "$player" one.vantage --size 900x700 --blended 1 --controls places >says 2>&1 &
 pid=$!
@@ -158,6 +159,19 @@ press "Eye-dome shading" 0.2
 press "Million points" 0.1
 press "Points"; press "with the model"
 key F8
+key o; press "three.vantage"; press "Open"
+sleep 1
+[ "$(xdotool getwindowname "$window")" = "three.vantage - Vantage" ] || fail "the package with bands was not opened"
+press "Band"; press "infrared: 4 photos"
+press "Photo 1"
+sleep 1
+press "Second band"; press "visible"
+press "Share of the second" 0.25
+press "Together"; press "beside each other"
+press "Together"; press "divided"
+press "Divided at" 0.25
+key x; key x
+key F9
 quit
 
 [ "$(ls one-*.png 2>/dev/null | wc -l)" = 2 ] || fail "expected two screenshots: $(ls)"
@@ -169,6 +183,12 @@ remembers surroundings 1
 remembers transparency 1
 remembers panel_layers false
 remembers panel_points false
+remembers panel_bands false
+remembers band '"infrared"'
+remembers other_band '"visible"'
+remembers band_how 2
+remembers band_share '0\.[12]'
+remembers band_wiper '0\.[12]'
 remembers consensus true
 remembers fill_holes false
 for weight in distance angle angle_mask depth_mask border_mask; do remembers $weight false; done

@@ -128,6 +128,15 @@ std::string box_las() {
     }
     return las;
 }
+
+/// A and B in one folder, C in the other.
+Change in_bands(const std::string& first, const std::string& second) {
+    return [=](Scan& s) {
+        for (const std::string name : {"A.jpg", "B.jpg"})
+            s.move("images/" + name, "images/" + first + "/" + name);
+        s.move("images/C.jpg", "images/" + second + "/C.jpg");
+    };
+}
 std::string cloud(const std::string& file, const std::string& then) {
     return "vantage prepare {scan} -o {out}.vantage --no-report --points " + file + " " + then;
 }
@@ -546,6 +555,25 @@ std::vector<Row> rows() {
         {"point clouds", "LAS, cut off", with_mesh("scan.las", box_las().substr(0, 300)), Exit::input, Says{"scan.las: is cut off: its header counts 16 points, 2 are there"}, no_package},
         {"point clouds", "LAS, compressed", [](Scan& s) { s.remove("mesh.ply"); s["scan.laz"] = box_las(); s["scan.laz"][104] = char(0x82); }, Exit::input, Says{"scan.laz: is compressed (LAZ), which is not supported"}, no_package},
         {"point clouds", "shown, a wrong size", with_file("cloud.ply", points_ply()), Exit::usage, Says{"--point-size"}, no_package, Command{cloud("{scan}/cloud.ply", "; vantage-player {out}.vantage --offscreen --photo A --point-size 0 -o {out}.png")}},
+        // ------------------------------------------------------------------------------------------- bands
+        {"bands", "images/visible and images/infrared", in_bands("visible", "infrared"), Says{"band     visible (2)", "band     infrared (1)"}},
+        {"bands", "RGB and UVF, checked", in_bands("RGB", "UVF"), Says{"sound"}, Command{check_against}},
+        {"bands", "before and after, the larger one first", in_bands("before", "after"), Says{"band     before (2)", "band     after (1)"}},
+        {"bands", "images/left and images/right", in_bands("left", "right"), Never{"band "}},
+        {"bands", "left and right, --bands folders, prepared again", in_bands("left", "right"), Says{"nothing to do"}, Command{with("--bands folders ; ") + with("--bands folders")}},
+        {"bands", "left and right, --bands folders, then without", in_bands("left", "right"), Never{"nothing to do", "band "}, Command{with("--bands folders ; ") + prepare_command}},
+        {"bands", "images/infrared and images/extra", in_bands("extra", "infrared"), Says{"'infrared' may be a band, but 'extra' is the name of none"}, Never{"band  "}},
+        {"bands", "infrared below other photos", [](Scan& s) { s.move("images/C.jpg", "images/infrared/C.jpg"); }, Says{"band     photos (2)", "band     infrared (1)"}},
+        {"bands", "visible and infrared, --bands off", in_bands("visible", "infrared"), Never{"band "}, Command{with("--bands off")}},
+        {"bands", "visible and infrared, --effect bands=off", in_bands("visible", "infrared"), Says{"bands              off (forced)"}, Command{with("--effect bands=off ; vantage info {out}.vantage")}},
+        {"bands", "by file names", with_file("bands.toml", "normal = [\"A.*\", \"B.jpg\"]\nuv = \"C*\"\n"), Says{"band     normal (2)", "band     uv (1)"}, Command{with("--bands {scan}/bands.toml")}},
+        {"bands", "by file names, the file has changed", with_file("bands.toml", "normal = [\"A.*\", \"B.jpg\"]\nuv = \"C*\"\n"), Exit::stale, Says{"bands.toml: has changed"}, Command{with("--bands {scan}/bands.toml ; cp {scan}/sparse/images.txt {scan}/bands.toml ; vantage check --against {scan} {out}.vantage")}},
+        {"bands", "a photo in two bands", with_file("bands.toml", "a = \"*.jpg\"\nb = \"C*\"\n"), Exit::input, Says{"bands.toml: C.jpg is in two bands, a and b; expected one"}, no_package, Command{with("--bands {scan}/bands.toml")}},
+        {"bands", "a photo in no band", with_file("bands.toml", "a = \"A*\"\n"), Exit::input, Says{"bands.toml: B.jpg is in no band"}, no_package, Command{with("--bands {scan}/bands.toml")}},
+        {"bands", "a band without photos", with_file("bands.toml", "a = \"*.jpg\"\nuv = \"uv/*\"\n"), Exit::input, Says{"bands.toml: the band uv has no photo that can be used"}, no_package, Command{with("--bands {scan}/bands.toml")}},
+        {"bands", "--bands of a misspelled word", nothing(), Exit::usage, Says{"--bands folder: expected auto, folders, off, or a file that names the bands"}, no_package, Command{with("--bands folder")}},
+        {"bands", "cameras in each band's folder", [](Scan& s) { for (const auto& [band, photos] : {std::pair("visible", std::vector<std::string>{"A.jpg", "B.jpg"}), std::pair("infrared", std::vector<std::string>{"C.jpg"})}) { for (const std::string& p : photos) s.move("images/" + p, std::string(band) + "/images/" + p); s[std::string(band) + "/sparse/cameras.txt"] = s["sparse/cameras.txt"]; s[std::string(band) + "/sparse/images.txt"] = colmap_images(photos); } s.remove("sparse/cameras.txt"); s.remove("sparse/images.txt"); }, Says{"and 1 more (COLMAP text)", "band     visible (2)"}, Never{"not used"}},
+        {"bands", "the output is the file that names the bands", with_file("bands.toml", "a = \"*\"\n"), Exit::usage, Says{"bands.toml"}, no_package, Command{"vantage prepare {scan} -o {scan}/bands.toml --bands {scan}/bands.toml --force"}},
 
         // ------------------------------------------------------------------------------------------ packages
         {"packages", "show a missing package", nothing(), Exit::input, Says{"none.vantage: cannot open"}, no_package, Command{"vantage-player {out}/none.vantage --offscreen --photo A -o {out}.png"}},
