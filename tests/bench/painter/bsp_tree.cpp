@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <functional>
 #include <random>
 #include <utility>
 
@@ -28,63 +29,87 @@ std::pair<PaintedPolygon, PaintedPolygon> split(const PaintedPolygon& p, const s
     return out;
 }
 
+/// The triangles that have an area, in random order.
+std::vector<PaintedPolygon> shuffled(std::span<const BspTree::Triangle> triangles, std::uint32_t seed) {
+    std::vector<PaintedPolygon> out;
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        const auto& [a, b, c] = triangles[t];
+        if ((b - a).cross(c - a).norm() > 0) out.push_back({{a, b, c}, t});
+    }
+    std::mt19937 random(seed);
+    std::ranges::shuffle(out, random);
+    return out;
+}
+
+double extent_of(std::span<const BspTree::Triangle> triangles) {
+    double extent = 0;
+    for (const BspTree::Triangle& t : triangles)
+        for (const Vector3d& corner : t) extent = std::max(extent, corner.cwiseAbs().maxCoeff());
+    return extent;
+}
+
+/// Polygons on both sides of a plane.
+struct Sides {
+    std::vector<PaintedPolygon> in_plane, front, behind;
+    std::size_t cut = 0;
+    bool complete = true;  ///< none was left whole for lack of room
+};
+
+Sides divided(std::vector<PaintedPolygon> polygons, const Vector3d& normal, double offset, double thick,
+              std::size_t room) {
+    Sides out;
+    for (PaintedPolygon& p : polygons) {
+        std::vector<double> side;
+        for (const Vector3d& corner : p.corners) side.push_back(normal.dot(corner) - offset);
+        const double low = std::ranges::min(side), high = std::ranges::max(side);
+        if (low >= -thick && high <= thick) {
+            out.in_plane.push_back(std::move(p));
+        } else if (low >= -thick) {
+            out.front.push_back(std::move(p));
+        } else if (high <= thick) {
+            out.behind.push_back(std::move(p));
+        } else if (out.cut >= room) {
+            out.complete = false;
+            (high > -low ? out.front : out.behind).push_back(std::move(p));
+        } else {
+            auto [one, other] = split(p, side, thick);
+            out.front.push_back(std::move(one));
+            out.behind.push_back(std::move(other));
+            ++out.cut;
+        }
+    }
+    std::ranges::sort(out.in_plane, std::greater(), &PaintedPolygon::triangle);
+    return out;
+}
+
 }  // namespace
 
 BspTree::BspTree(std::span<const Triangle> triangles, std::uint32_t seed, std::size_t most) {
-    std::vector<PaintedPolygon> all;
-    double extent = 0;
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        const auto& [a, b, c] = triangles[t];
-        extent =
-            std::max({extent, a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
-        if ((b - a).cross(c - a).norm() > 0) all.push_back({{a, b, c}, t});
-    }
-    const double thick = 1e-9 * extent;
-    std::mt19937 random(seed);
-    std::ranges::shuffle(all, random);
-    polygons_ = all.size();
     struct Work {
         std::vector<PaintedPolygon> polygons;
         std::uint32_t parent;
         bool front;
     };
+    const double thick = 1e-9 * extent_of(triangles);
     std::vector<Work> todo;
-    if (!all.empty()) todo.push_back({std::move(all), none, false});
+    if (auto all = shuffled(triangles, seed); !all.empty()) todo.push_back({std::move(all), none, false});
+    polygons_ = todo.empty() ? 0 : todo.front().polygons.size();
     while (!todo.empty()) {
         Work work = std::move(todo.back());
         todo.pop_back();
-        const PaintedPolygon& first = work.polygons.front();
-        const auto& [a, b, c] = triangles[first.triangle];
-        Node node{(b - a).cross(c - a).normalized(), 0, {}};
-        node.offset = node.normal.dot(a);
-        Work front{{}, std::uint32_t(nodes_.size()), true}, behind{{}, std::uint32_t(nodes_.size()), false};
-        for (PaintedPolygon& p : work.polygons) {
-            std::vector<double> side;
-            for (const Vector3d& corner : p.corners) side.push_back(node.normal.dot(corner) - node.offset);
-            const double low = std::ranges::min(side), high = std::ranges::max(side);
-            if (low >= -thick && high <= thick) {
-                node.in_plane.push_back(std::move(p));
-            } else if (low >= -thick) {
-                front.polygons.push_back(std::move(p));
-            } else if (high <= thick) {
-                behind.polygons.push_back(std::move(p));
-            } else if (polygons_ >= most) {
-                complete_ = false;
-                (high > -low ? front : behind).polygons.push_back(std::move(p));
-            } else {
-                auto [one, other] = split(p, side, thick);
-                front.polygons.push_back(std::move(one));
-                behind.polygons.push_back(std::move(other));
-                ++polygons_;
-            }
-        }
-        std::ranges::sort(node.in_plane, std::greater(), &PaintedPolygon::triangle);
+        const auto& [a, b, c] = triangles[work.polygons.front().triangle];
+        const Vector3d normal = (b - a).cross(c - a).normalized();
+        const double offset = normal.dot(a);
+        Sides sides =
+            divided(std::move(work.polygons), normal, offset, thick, most - std::min(most, polygons_));
+        polygons_ += sides.cut;
+        complete_ &= sides.complete;
+        const auto number = std::uint32_t(nodes_.size());
         if (work.parent != none)
-            (work.front ? nodes_[work.parent].front : nodes_[work.parent].behind) =
-                std::uint32_t(nodes_.size());
-        nodes_.push_back(std::move(node));
-        if (!front.polygons.empty()) todo.push_back(std::move(front));
-        if (!behind.polygons.empty()) todo.push_back(std::move(behind));
+            (work.front ? nodes_[work.parent].front : nodes_[work.parent].behind) = number;
+        nodes_.push_back({normal, offset, std::move(sides.in_plane)});
+        if (!sides.front.empty()) todo.push_back({std::move(sides.front), number, true});
+        if (!sides.behind.empty()) todo.push_back({std::move(sides.behind), number, false});
     }
 }
 
