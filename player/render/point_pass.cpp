@@ -26,10 +26,9 @@ struct Record {
 
 enum Binding : GLuint { points_binding, records_binding };
 
-gl::VertexArray make_vertices(GLuint points) {
+gl::VertexArray make_vertices() {
     gl::VertexArray out = gl::make_vertex_array("points");
     const GLuint id = out.id();
-    glVertexArrayVertexBuffer(id, points_binding, points, 0, sizeof(package::PackedPoint));
     glVertexArrayAttribIFormat(id, shader::cell_attribute, 2, GL_UNSIGNED_INT, 0);
     glVertexArrayAttribFormat(id, shader::color_attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE,
                               offsetof(package::PackedPoint, color));
@@ -75,7 +74,7 @@ PointPass::PointPass(const PackageReader& package, PointCloud cloud, std::uint64
                 (sizeof(Command) + sizeof(Record) + sizeof(shader::PointSizes)) +
             1024),
       program_(make_point_program({})),
-      vertices_(make_vertices(store_.buffer())) {}
+      vertices_(make_vertices()) {}
 
 void PointPass::fit(const FrameTargets& targets, bool placed) {
     width_ = targets.width, height_ = targets.height;
@@ -149,6 +148,8 @@ std::size_t PointPass::draw(const View& view, const Eigen::Matrix4f& clip_from_o
     set_size(view, settings);
     const Eigen::RowVector3f axis = view.cam_from_origin.R.row(2).cast<float>();
     glUniform1f(shader::depth_per_w_uniform, clip_from_origin.row(2).head<3>().dot(axis));
+    glVertexArrayVertexBuffer(vertices_.id(), points_binding, store_.buffer(), 0,
+                              sizeof(package::PackedPoint));
     glVertexArrayVertexBuffer(vertices_.id(), records_binding, ring_.buffer(), records.offset,
                               sizeof(Record));
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::point_sizes_buffer, ring_.buffer(), sizes.offset,

@@ -34,6 +34,7 @@ class PointPass {
     /// The planned nodes that are still to come.
     std::size_t missing() const { return missing_; }
     std::size_t damaged() const { return store_.damaged(); }
+    std::uint64_t growth() const { return store_.growth(); }  ///< see PointStore
     const PointPlan& plan() const { return plan_; }
     const PointCloud& cloud() const { return cloud_; }
     /// See depth_range() in point_plan.h.

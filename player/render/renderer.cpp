@@ -179,7 +179,7 @@ void Renderer::fit(int width, int height, std::span<const BandFrame> bands) {
             FrameTargets::bytes(width, height, settings.half_sums) +
             (scene_.bands.size() > 1 ? 16 * std::uint64_t(width) * std::uint64_t(height) : 0) +
             (filling_ ? HoleFilling::bytes(width, height) : 0) +
-            (points_ ? PointPass::bytes(width, height, placed) : 0) +
+            (points_ ? PointPass::bytes(width, height, placed) + points_->growth() : 0) +
             (transparent_ ? transparent_->bytes(width, height, settings.transparency) : 0) +
             TriangleReadback::bytes(width, height);
         graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);

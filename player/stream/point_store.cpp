@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "player/stream/residency.h"
 
@@ -9,6 +10,13 @@ namespace vantage {
 namespace {
 
 constexpr std::uint64_t block_bytes = package::point_block * sizeof(package::PackedPoint);
+/// Blocks for which there is space from the start. More is allocated when it is needed: it would delay the
+/// first picture.
+constexpr std::uint32_t first_capacity = 16;
+
+gl::Buffer buffer_of(std::uint32_t blocks) {
+    return gl::make_buffer("points", blocks * block_bytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+}
 
 }  // namespace
 
@@ -17,7 +25,8 @@ PointStore::PointStore(const PackageReader& package, const PointCloud& cloud, st
       pool_(std::uint32_t(
                 std::min<std::uint64_t>(cloud.blocks, std::max<std::uint64_t>(2, bytes / block_bytes))),
             cloud.blocks),
-      points_(gl::make_buffer("points", pool_.layers() * block_bytes, nullptr, GL_DYNAMIC_STORAGE_BIT)),
+      capacity_(std::min(pool_.layers(), first_capacity)),
+      points_(buffer_of(capacity_)),
       requested_(cloud.blocks),
       stream_(package, ring_bytes, 1) {}
 
@@ -47,11 +56,22 @@ bool PointStore::place(const Fetched& fetched) {
     }
     damaged_.erase(fetched.request.key);
     const auto slot = pool_.place(fetched.request.key, frame_);
+    if (slot && *slot >= capacity_) grow(*slot + 1);
     if (slot)
         glCopyNamedBufferSubData(stream_.buffer(), points_.id(), GLintptr(fetched.piece.offset),
                                  GLintptr(*slot * block_bytes), GLsizeiptr(block_bytes));
     return slot.has_value();
 }
+
+void PointStore::grow(std::uint32_t layers) {
+    const std::uint32_t capacity = std::min(pool_.layers(), std::max(layers, 2 * capacity_));
+    gl::Buffer larger = buffer_of(capacity);
+    glCopyNamedBufferSubData(points_.id(), larger.id(), 0, 0, GLsizeiptr(capacity_ * block_bytes));
+    points_ = std::move(larger);
+    capacity_ = capacity;
+}
+
+std::uint64_t PointStore::growth() const { return (pool_.layers() - capacity_) * block_bytes; }
 
 std::size_t PointStore::stream(std::size_t budget) {
     std::erase_if(missing_, [&](const StreamRequest& r) {

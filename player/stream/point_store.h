@@ -38,14 +38,19 @@ class PointStore {
     std::uint32_t first_point(const package::PointNode& node) const {
         return *pool_.layer_of(node.block) * package::point_block + node.first;
     }
+    /// Another one after stream() or load() may be larger.
     GLuint buffer() const { return points_.id(); }
+    /// Graphics memory by which the buffer may still grow, bytes.
+    std::uint64_t growth() const;
     std::size_t damaged() const { return damaged_.size(); }
 
   private:
     bool place(const Fetched& fetched);
+    void grow(std::uint32_t layers);
 
     const package::DirectoryEntry* chunk_;
     LayerPool pool_;
+    std::uint32_t capacity_;  ///< layers of the pool for which the buffer has space
     gl::Buffer points_;
     std::vector<StreamRequest> missing_;
     std::vector<bool> requested_;                        ///< per block, in this frame
