@@ -17,11 +17,6 @@ ImU32 weight_color(double distance, double angle, float alpha) {
         ImVec4(float(0.15 + 0.85 * angle), float(0.15 + 0.85 * distance), 0.2f, alpha));
 }
 
-bool in_use(const Renderer& renderer, std::uint32_t photo) {
-    return std::ranges::any_of(renderer.plan().photos,
-                               [&](const PlannedPhoto& p) { return p.photo == photo; });
-}
-
 /// A line between two points relative to the origin, clipped in front of the viewer.
 void line(ImDrawList& list, const View& view, Eigen::Vector3d a, Eigen::Vector3d b, ImU32 color,
           float width) {
@@ -53,7 +48,7 @@ void draw_frusta(const Session& s, const Renderer& renderer, const View& view) {
         const Eigen::Vector3d center = pose.center();
         if ((center - view.cam_from_origin.center()).norm() < 0.02 * length)
             continue;  // the viewer is at this camera
-        const bool used = in_use(renderer, i);
+        const bool used = renderer.uses(i);
         const ImU32 color = weight_color(weights.distance[i], weights.angle[i], used ? 1.0f : 0.45f);
         std::array<Eigen::Vector3d, 4> corner;
         for (std::size_t c = 0; c < 4; ++c) {
@@ -112,7 +107,7 @@ void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const
     for (std::uint32_t i = 0; i < scene.poses.size(); ++i) {
         if (!is_shown(s.settings.bands, scene.photos[i])) continue;
         arrow(scene.poses[i],
-              weight_color(weights.distance[i], weights.angle[i], in_use(renderer, i) ? 1.0f : 0.5f), 14);
+              weight_color(weights.distance[i], weights.angle[i], renderer.uses(i) ? 1.0f : 0.5f), 14);
         const ImVec2 at = place(scene.poses[i].center());
         const double d = std::hypot(double(at.x - mouse.x), double(at.y - mouse.y));
         if (d < best) best = d, nearest = i;

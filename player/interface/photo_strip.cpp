@@ -76,8 +76,7 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
         } else {
             list.AddRectFilled(at, end, IM_COL32(40, 44, 52, 255));
         }
-        const bool used = std::ranges::any_of(renderer.plan().photos,
-                                              [&](const PlannedPhoto& q) { return q.photo == order[n]; });
+        const bool used = renderer.uses(order[n]);
         const FalseColor c = false_color(order[n]);
         if (used || hovered)
             list.AddRect(at, end, ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, 1)), 0, 0,

@@ -233,6 +233,12 @@ bool Renderer::settled() const {
            std::ranges::all_of(plans(), [](const ViewPlan* p) { return p->settled(); });
 }
 
+bool Renderer::uses(std::uint32_t photo) const {
+    return std::ranges::any_of(plans(), [&](const ViewPlan* p) {
+        return std::ranges::count(p->plan().photos, photo, &PlannedPhoto::photo) > 0;
+    });
+}
+
 void Renderer::plan_band(const View& view, const BandFrame& band, PixelSample sample) {
     const RenderSettings& settings = band.settings;
     if (settings.complete && settings.photos > 0 && sample.index == 0) find_seen(view, band, sample);

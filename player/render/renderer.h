@@ -81,6 +81,8 @@ class Renderer {
     /// The triangles seen last, as far as they have been read back.
     SeenTriangles seen() const { return readback_.seen(); }
     const Plan& plan() const { return plan_.plan(); }
+    /// Whether the plan of a band that is shown has this photo.
+    bool uses(std::uint32_t photo) const;
     bool per_fragment(const RenderSettings& settings) const { return passes_.per_fragment(settings); }
     const PhotoStore& store() const { return store_; }
     /// Current limit of graphics memory, bytes.
