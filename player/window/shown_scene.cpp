@@ -61,7 +61,7 @@ void ShownScene::interface(const View& view, double now) {
     if (s.panels.bands) band_panel(controls_, s, renderer_);
     if (s.panels.objects && object_panel(controls_, s, objects_, renderer_.scene().size)) samples_ = 0;
     if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
-    if (s.panels.photos) strip_.show(controls_, s, renderer_, view, now);
+    if (s.panels.photos && !renderer_.scene().photos.empty()) strip_.show(controls_, s, renderer_, view, now);
     if (s.panels.help) help_panel(s);
     open_dialog(controls_, s, renderer_);
     drop_dialog(controls_, s);
