@@ -187,8 +187,8 @@ remembers panel_bands false
 remembers band '"infrared"'
 remembers other_band '"visible"'
 remembers band_how 2
-remembers band_share '0\.[12]'
-remembers band_wiper '0\.[12]'
+remembers band_share '0\.[2-6]'
+remembers band_wiper '0\.[2-6]'
 remembers consensus true
 remembers fill_holes false
 for weight in distance angle angle_mask depth_mask border_mask; do remembers $weight false; done
