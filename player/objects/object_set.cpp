@@ -139,6 +139,7 @@ FrameReport ObjectSet::draw(const View& view, const RenderSettings& settings,
         if (settings.weights_from) of_others.weights_from = seen_by(*settings.weights_from);
         std::optional<View> ahead;
         if (next) ahead = seen_by(*next);
+        divide_budget();  // what the objects before it hold may have changed
         o->report = o->renderer->draw(o->view, of_others, o->photos, sample, now, ahead ? &*ahead : nullptr);
         all = joined(all, o->report);
     }

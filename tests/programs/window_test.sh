@@ -213,9 +213,9 @@ press "View"; press "Objects"
 press "Only right"
 press "left"
 press "Position of right"
-press "Move x of right" 0.7
-press "Turn z of right" 0.7
-press "Scale of right" 0.6
+press "Move x of right" 0.4
+press "Turn z of right" 0.4
+press "Scale of right" 0.3
 press "Save scene"
 press "Remove right"
 key F10

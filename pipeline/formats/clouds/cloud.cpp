@@ -18,13 +18,19 @@ bool is_las(const std::filesystem::path& file) {
     return extension == ".las" || extension == ".laz";
 }
 
+bool is_e57(const std::filesystem::path& file) { return lower_extension(file) == ".e57"; }
+
 }  // namespace
 
 bool is_cloud_file(const std::filesystem::path& file) {
-    return lower_extension(file) == ".ply" || is_las(file);
+    return lower_extension(file) == ".ply" || is_las(file) || is_e57(file);
 }
 
 Mesh read_cloud(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+    if (is_e57(file))
+        throw Error(
+            Exit::input,
+            file.string() + ": E57 is not supported; expected LAS or PLY, as CloudCompare writes them");
     Mesh cloud = is_las(file) ? read_las(file, warnings) : read_mesh_file(file);
     cloud.triangles = {}, cloud.normals = {}, cloud.scalars = {};
     const std::string name = file.filename().string();
