@@ -153,7 +153,7 @@ std::size_t ModelPasses::draw_transparent(const DrawnView& drawn, const Transpar
     const bool normals = light.light == Light::normals;
     glUseProgram(transparent_program(drawn.settings, target.lists).id());
     set_surface(drawn);
-    const double near = target.depth_range.x(), depth = target.depth_range.y() - near;
+    const double near = drawn.depth_range.x(), depth = drawn.depth_range.y() - near;
     const double scale = depth > 0 ? 1 / depth : 0;
     glUniform2f(shader::nearness_uniform, float(-near * scale), float(scale));
     if (target.lists) {

@@ -28,7 +28,8 @@ struct DrawnView {
     const View& view;
     const RenderSettings& settings;
     const ViewPlan& plan;
-    int side;  ///< samples per side of a pixel
+    int side;                     ///< samples per side of a pixel
+    Eigen::Vector2d depth_range;  ///< nearest and farthest, scene units
     Eigen::Matrix4f clip_from_origin;
     std::vector<double> weights;  ///< dynamic, per photo
 };
@@ -38,7 +39,6 @@ struct TransparentTarget {
     bool lists;  ///< else sums only
     int width;   ///< pixels
     std::uint32_t capacity;
-    Eigen::Vector2d depth_range;  ///< of the frame, scene units
 };
 
 /// The points of a frame as a surface for photos.

@@ -272,7 +272,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     if (!settings.complete) stream(frame, bands, next);
     for (const BandFrame& band : bands)
         band.plan->fade(plan_settings(band.settings), now, ready_photos(band));
-    depth_terms_ = terms_of(point, depth_range_of(point, settings, frame.drawn.plan));
+    depth_terms_ = terms_of(point, frame.drawn.depth_range);
     passes_.draw_surface(frame.drawn, targets_);
     if (!settings.complete) readback_.capture(targets_, view);
     draw_present(frame);
@@ -361,11 +361,13 @@ int Renderer::draw_set(Pass photos, Frame& frame) {
 
 DrawnView Renderer::drawn_view(const View& view, const BandFrame& band, int side) const {
     const RenderSettings& settings = band.settings;
+    const Eigen::Vector2d range = depth_range_of(view, settings, *band.plan);
     return {view,
             settings,
             *band.plan,
             side,
-            clip_matrix(view, depth_range_of(view, settings, *band.plan)),
+            range,
+            clip_matrix(view, range),
             weights_in_band(settings.weights_from.value_or(view), settings.weights, settings.bands.shown,
                             scene_)};
 }
@@ -374,9 +376,13 @@ DrawnView Renderer::drawn_view(const View& view, const BandFrame& band, int side
 Eigen::Vector2d Renderer::depth_range_of(const View& view, const RenderSettings& settings,
                                          const ViewPlan& plan) const {
     const double reach = model_reach(package_->scene(), view.cam_from_origin);
-    std::vector<std::uint32_t> clusters = plan.plan().clusters;
-    clusters.insert(clusters.end(), plan.plan().transparent.begin(), plan.plan().transparent.end());
-    const Eigen::Vector2d model = depth_range(scene_.clusters, clusters, view, reach);
+    std::vector<std::uint32_t> all;
+    if (!plan.plan().transparent.empty()) {
+        all = plan.plan().clusters;
+        all.insert(all.end(), plan.plan().transparent.begin(), plan.plan().transparent.end());
+    }
+    const Eigen::Vector2d model =
+        depth_range(scene_.clusters, all.empty() ? plan.plan().clusters : all, view, reach);
     const Eigen::Vector2d anything(1, 2);
     if (!shows_points(settings)) return model.y() > 0 ? model : anything;
     const Eigen::Vector2d cloud = points_->range(view, reach);
@@ -587,11 +593,10 @@ bool Renderer::shows_transparent(const RenderSettings& settings) const {
 }
 
 void Renderer::draw_transparent(Frame& frame) {
-    const Eigen::Vector2d range = depth_range_of(frame.drawn.view, frame.drawn.settings, frame.drawn.plan);
     transparent_->collect([&] {
         frame.report.draws += passes_.draw_transparent(
             frame.drawn,
-            {transparent_->mode() == Transparency::exact, targets_.width, transparent_->capacity(), range});
+            {transparent_->mode() == Transparency::exact, targets_.width, transparent_->capacity()});
     });
 }
 
@@ -620,8 +625,7 @@ void Renderer::set_points(const DrawnView& drawn, bool before) const {
     glUniform1i(shader::points_alone_uniform, drawn.settings.points.alone);
     glUniform1i(shader::photos_on_points_uniform, photos_on_points(drawn.settings));
     if (!shows) return;
-    const Eigen::Vector2d terms =
-        terms_of(drawn.view, depth_range_of(drawn.view, drawn.settings, drawn.plan));
+    const Eigen::Vector2d terms = terms_of(drawn.view, drawn.depth_range);
     const double apart = std::max(1.0, drawn.view.intrinsics.height / 720.0);
     glUniform4f(shader::eye_dome_uniform, float(terms.x()), float(terms.y()),
                 float(drawn.settings.points.eye_dome), float(apart));
