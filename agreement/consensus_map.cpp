@@ -30,21 +30,17 @@ float outside(const float* ln, const ConsensusView::Texel& other, std::size_t c)
     return std::max({0.0f, other.low[c] - ln[c], ln[c] - other.high[c]});
 }
 
-/// Whether another photo shows the color, too: then it belongs to the scene, even if the mesh lacks it.
-bool confirmed(const float* ln, const Others& others, std::size_t n) {
-    return std::any_of(others.begin(), others.begin() + std::ptrdiff_t(n), [&](const auto* other) {
-        return std::max({outside(ln, *other, 0), outside(ln, *other, 1), outside(ln, *other, 2)}) <=
-               tolerance;
-    });
+/// Whether the other photo shows the color, too: then it belongs to the scene, even if the mesh lacks it.
+bool confirms(const ConsensusView::Texel& other, const float* ln) {
+    return std::max({outside(ln, other, 0), outside(ln, other, 1), outside(ln, other, 2)}) <= tolerance;
 }
 
 float median(std::array<float, max_compared>& v, std::size_t n) {
     return upper_median(std::span(v).first(n));
 }
 
-/// Weight in [0, 1] of a color, given what `n` others show of the same place.
+/// Weight in [0, 1] of a color that none of `n` others shows, given what they show of the same place.
 float weight_among(const float* ln, const Others& others, std::size_t n) {
-    if (confirmed(ln, others, n)) return 1;
     float deviation = 0, spread = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         std::array<float, max_compared> values, off;
@@ -173,12 +169,16 @@ ConsensusMap consensus_of(const ConsensusView& photo, std::span<const ConsensusV
                                     float((y + 0.5 - photo.k.cy) / photo.k.fy) * t.z, t.z);
             Others seen;
             std::size_t n = 0;
+            bool confirmed = false;
             for (std::size_t j = 0; j < others.size() && n < max_compared; ++j) {
                 seen[n] = shown_at(*others[j], to[j].R * p + to[j].t);
-                n += seen[n] != nullptr;
+                if (!seen[n]) continue;
+                confirmed = confirmed || confirms(*seen[n], t.ln);
+                if (++n >= 2 && confirmed) break;
             }
             if (n < 2) continue;
             ++compared;
+            if (confirmed) continue;
             raw[std::size_t(y) * std::size_t(photo.width) + std::size_t(x)] =
                 std::uint8_t(std::lround(255 * weight_among(t.ln, seen, n)));
         }
