@@ -55,8 +55,7 @@ Backdrop estimate_backdrop(std::span<const CoarseView> views, const MeshPlanes& 
         inverse = inverse_distances(depths, out.sphere);
     }
     for (int l = 0; l < detail.refinements; ++l) {
-        DirectionSphere fine = direction_sphere(detail.sphere + l + 1);
-        for (Eigen::Vector3f& d : fine.directions) d = (frame * d).normalized();
+        DirectionSphere fine = divided(out.sphere);
         inverse = refine_depths(views, planes, depths, inverse, fine, threads);
         out.sphere = std::move(fine);
     }
@@ -67,9 +66,12 @@ Backdrop estimate_backdrop(std::span<const CoarseView> views, const MeshPlanes& 
 }
 
 std::vector<Eigen::Array3f> quiet_colors(const Backdrop& backdrop, std::span<const CoarseView> views) {
-    constexpr int rounds = 96;
-    constexpr float toward_mean = 0.02f;  // per round
-    const std::size_t n = backdrop.positions.size();
+    constexpr std::size_t enough = 10'000;  // directions: colors are smooth
+    constexpr int rounds = 24;
+    constexpr float toward_mean = 0.08f;  // per round
+    DirectionSphere coarse = direction_sphere(0);
+    while (coarse.directions.size() < std::min(enough, backdrop.positions.size())) coarse = divided(coarse);
+    const std::size_t n = coarse.directions.size();
     std::vector<Eigen::Array3f> out(n, Eigen::Array3f::Zero()), colors;
     std::vector<std::uint8_t> unknown(n, 1);
     Eigen::Array3f mean = Eigen::Array3f::Zero();
@@ -90,9 +92,14 @@ std::vector<Eigen::Array3f> quiet_colors(const Backdrop& backdrop, std::span<con
     for (std::size_t v = 0; v < n; ++v)
         if (unknown[v]) out[v] = mean;
     for (int round = 0; round < rounds; ++round) {
-        relax(backdrop.sphere, unknown, 1, out);
+        relax(coarse, unknown, 1, out);
         for (std::size_t v = 0; v < n; ++v)
             if (unknown[v]) out[v] += toward_mean * (mean - out[v]);
+    }
+    out.reserve(backdrop.positions.size());
+    for (std::size_t v = n; v < backdrop.positions.size(); ++v) {
+        const auto [a, b] = backdrop.sphere.ends[v];
+        out.push_back((out[a] + out[b]) / 2);
     }
     for (Eigen::Array3f& c : out) c = c.square();
     return out;

@@ -12,12 +12,12 @@ namespace vantage {
 
 /// How finely surroundings are estimated.
 struct BackdropDetail {
-    int sphere = 6;       ///< level of the direction sphere
+    int sphere = 5;       ///< level of the direction sphere
     int labels = 96;      ///< depths per direction
-    int refinements = 1;  ///< times that the sphere is divided again, for edges
+    int refinements = 2;  ///< times that the sphere is divided again, for edges
 };
 /// Enough to judge whether there is anything to estimate.
-inline constexpr BackdropDetail judged_detail{.sphere = 5, .labels = 48, .refinements = 0};
+inline constexpr BackdropDetail judged_detail{.sphere = 4, .labels = 32, .refinements = 0};
 
 /// A closed surface around the cameras, as seen from their center: one vertex per direction.
 struct Backdrop {

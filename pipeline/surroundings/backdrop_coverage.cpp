@@ -9,28 +9,38 @@ namespace {
 
 /// A vertex in a photo.
 struct Seen {
-    bool in_front = false;  ///< of the camera
-    bool near = false;      ///< in the photo, or next to it, and next to an open texel
-    bool open = false;      ///< on an open texel
-    Eigen::Vector2f place;  ///< 0 to 1 inside the photo
-    float density = 0;      ///< pixels per unit
+    enum : std::uint8_t {
+        in_front = 1,  ///< of the camera
+        near = 2,      ///< in the photo, or next to it, and next to an open texel
+        open = 4,      ///< on an open texel
+        left = 8,      ///< outside the photo, on this side
+        right = 16,
+        above = 32,
+        below = 64,
+        outside = left | right | above | below
+    };
+    std::uint8_t is = 0;
+    Eigen::Vector2f place = Eigen::Vector2f::Zero();  ///< 0 to 1 inside the photo
+    float density = 0;                                ///< pixels per unit
 };
 
-Seen seen_by(const CoarseView& v, const Eigen::Vector3f& position) {
+Seen seen_by(const CoarseView& v, std::span<const std::uint8_t> gaps, const Eigen::Vector3f& position) {
     const Eigen::Vector3f p = in_camera(v, position);
     if (!(p.z() > 0)) return {};
     const float x = float(v.k.fx) * p.x() / p.z() + float(v.k.cx),
                 y = float(v.k.fy) * p.y() / p.z() + float(v.k.cy);
-    Seen s{.in_front = true,
-           .place = {x / float(v.k.width), y / float(v.k.height)},
-           .density = float(v.k.fx) / p.z()};
+    Seen s{Seen::in_front, {x / float(v.k.width), y / float(v.k.height)}, float(v.k.fx) / p.z()};
+    if (s.place.x() < 0) s.is |= Seen::left;
+    if (s.place.x() > 1) s.is |= Seen::right;
+    if (s.place.y() < 0) s.is |= Seen::above;
+    if (s.place.y() > 1) s.is |= Seen::below;
     if (!(std::abs(x) < 1e6f && std::abs(y) < 1e6f)) return s;
     const int i = int(std::floor(x)), j = int(std::floor(y)), inside_i = std::clamp(i, 0, v.k.width - 1),
               inside_j = std::clamp(j, 0, v.k.height - 1),
               outside = std::max(std::abs(i - inside_i), std::abs(j - inside_j));
     const std::size_t at = std::size_t(inside_j) * std::size_t(v.k.width) + std::size_t(inside_i);
-    s.near = outside <= gap_reach && v.gaps[at] == 1;
-    s.open = outside == 0 && v.is_open(at);
+    if (outside <= gap_reach && gaps[at] == 1) s.is |= Seen::near;
+    if (outside == 0 && v.is_open(at)) s.is |= Seen::open;
     return s;
 }
 
@@ -56,7 +66,9 @@ std::vector<package::ClusterRecord> backdrop_clusters(const Backdrop& b) {
         };
         each([&](const Eigen::Vector3f& p) { box.extend(p); });
         const Eigen::Vector3f center = box.center();
-        each([&](const Eigen::Vector3f& p) { c.radius = std::max(c.radius, (p - center).norm()); });
+        float radius2 = 0;
+        each([&](const Eigen::Vector3f& p) { radius2 = std::max(radius2, (p - center).squaredNorm()); });
+        c.radius = std::sqrt(radius2);
         std::copy_n(center.data(), 3, c.center);
         c.cone_cutoff = 1;
         out.push_back(c);
@@ -65,9 +77,10 @@ std::vector<package::ClusterRecord> backdrop_clusters(const Backdrop& b) {
 }
 
 BackdropCoverage backdrop_coverage(const Backdrop& b, std::span<const package::ClusterRecord> clusters,
-                                   const CoarseView& view) {
+                                   const CoarseView& view, std::span<const std::uint8_t> gaps) {
     std::vector<Seen> seen;
-    for (const Eigen::Vector3f& p : b.positions) seen.push_back(seen_by(view, p));
+    seen.reserve(b.positions.size());
+    for (const Eigen::Vector3f& p : b.positions) seen.push_back(seen_by(view, gaps, p));
     const std::uint64_t words = package::visible_words(b.sphere.triangles.size());
     const Eigen::AlignedBox2f frame(Eigen::Vector2f(0, 0), Eigen::Vector2f(1, 1));
     const Eigen::Vector2f large_area(4 / float(view.k.width), 4 / float(view.k.height));
@@ -78,22 +91,20 @@ BackdropCoverage backdrop_coverage(const Backdrop& b, std::span<const package::C
         float density = 0;
         for (std::uint32_t t = c.first_triangle; t < c.first_triangle + c.triangles; ++t) {
             const auto& corners = b.sphere.triangles[t];
-            const auto count = [&](auto member) {
-                return std::ranges::count_if(corners, [&](std::uint32_t v) { return seen[v].*member; });
-            };
-            const auto in_front = count(&Seen::in_front);
-            Eigen::AlignedBox2f area;
-            for (const std::uint32_t v : corners)
-                if (seen[v].in_front) area.extend(seen[v].place);
-            // One that reaches behind the camera may be anywhere in the photo.
-            if (in_front > 0 && in_front < 3) area = frame;
-            if (in_front == 0 || !area.intersects(frame)) continue;
+            const int x = seen[corners[0]].is, y = seen[corners[1]].is, z = seen[corners[2]].is;
+            const int all = x & y & z, any = x | y | z;
+            if (!(any & Seen::in_front) || all & Seen::outside) continue;
+            Eigen::AlignedBox2f area = frame;  // of one that reaches behind the camera
+            if (all & Seen::in_front) {
+                area.setEmpty();
+                for (const std::uint32_t v : corners) area.extend(seen[v].place);
+            }
             // Between the corners of a large one, anything may be open.
             const bool large = (area.sizes().array() > large_area.array()).any();
-            if (!large && count(&Seen::near) == 0) continue;
+            if (!large && !(any & Seen::near)) continue;
             ++part;
             set(out.visible, words, t);
-            if (in_front == 3 && count(&Seen::open) == 3) set(out.visible, 0, t);
+            if (all & Seen::open) set(out.visible, 0, t);
             box.extend(area.intersection(frame));
             for (const std::uint32_t v : corners) density = std::max(density, seen[v].density);
         }

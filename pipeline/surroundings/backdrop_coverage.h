@@ -15,12 +15,12 @@ inline constexpr std::uint32_t backdrop_cluster = 256;
 std::vector<package::ClusterRecord> backdrop_clusters(const Backdrop& backdrop);
 
 /// What a photo sees of the backdrop, as COVR and VISB say it of the mesh: where it is in the photo and the
-/// mesh leaves it open. The view has its gaps.
+/// mesh leaves it open. `gaps`: of the view.
 struct BackdropCoverage {
     std::vector<package::CoverageRecord> clusters;
     std::vector<std::uint64_t> visible;
 };
 BackdropCoverage backdrop_coverage(const Backdrop& backdrop, std::span<const package::ClusterRecord> clusters,
-                                   const CoarseView& view);
+                                   const CoarseView& view, std::span<const std::uint8_t> gaps);
 
 }  // namespace vantage

@@ -1,6 +1,7 @@
 #include "pipeline/surroundings/coarse_view.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <opencv2/imgproc.hpp>
@@ -26,35 +27,47 @@ CoarseView read_view(const PackageReader& package, const package::PhotoRecord& r
     v.z.resize(linear.size());
     std::memcpy(v.z.data(), depth.data(), 4 * v.z.size());
     const auto& gain = colors.ln_gain[photo];
+    v.ln.assign(linear.size(), Eigen::Array3f::Constant(std::numeric_limits<float>::quiet_NaN()));
     for (std::size_t at = 0; at < linear.size(); ++at) {
+        if (std::isnan(linear[at][0])) continue;
+        ++v.pixels;
+        if (v.z[at] != std::numeric_limits<float>::infinity()) continue;
+        ++v.open;
         const Eigen::Vector2d pixel(double(int(at) % v.k.width) + 0.5, double(int(at) / v.k.width) + 0.5);
         const double falloff = log_falloff(colors.falloff[photo], falloff_radius(v.k, pixel));
         Eigen::Array3f c;
         for (int i = 0; i < 3; ++i)
             c[i] = linear[at][std::size_t(i)] * float(std::exp(gain[std::size_t(i)] + falloff));
-        v.ln.push_back(ln_of(c));
-        v.pixels += !std::isnan(c[0]);
-        v.open += v.is_open(at);
+        v.ln[at] = ln_of(c);
     }
     return v;
 }
 
 }  // namespace
 
-void find_gaps(const PackageReader& package, const package::PhotoRecord& r, CoarseView& v) {
+std::vector<std::uint8_t> gaps_in(const CoarseView& v, const PackageReader& package,
+                                  const package::PhotoRecord& r) {
     const Level size = level_size(int(r.width), int(r.height), mask_level);
     const auto depth = read_level(package, r, v.photo, package::Type::depth, mask_level);
     const int shift = coarse_level(r, long_side) - mask_level;
-    v.gaps.assign(v.z.size(), 0);
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            float z;
-            std::memcpy(&z, &depth[4 * (std::size_t(y) * std::size_t(size.width) + std::size_t(x))], 4);
-            if (z == std::numeric_limits<float>::infinity())
-                v.gaps[std::size_t(y >> shift) * std::size_t(v.k.width) + std::size_t(x >> shift)] = 1;
+    std::vector<std::uint8_t> out(v.z.size(), 0);
+    constexpr auto open = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
+    for (int y = 0; y < size.height; ++y) {
+        const std::byte* z = &depth[4 * std::size_t(y) * std::size_t(size.width)];
+        std::uint8_t* row = &out[std::size_t(y >> shift) * std::size_t(v.k.width)];
+        for (int at = 0; at << shift < size.width; ++at) {
+            std::uint8_t any = row[at];
+            for (int x = at << shift; x < std::min(size.width, (at + 1) << shift); ++x) {
+                std::uint32_t bits;
+                std::memcpy(&bits, z + 4 * std::size_t(x), 4);
+                any |= std::uint8_t(bits == open);
+            }
+            row[at] = any;
         }
-    cv::Mat gaps(v.k.height, v.k.width, CV_8U, v.gaps.data());
+    }
+    cv::Mat gaps(v.k.height, v.k.width, CV_8U, out.data());
     cv::dilate(gaps, gaps, cv::Mat::ones(2 * gap_reach + 1, 2 * gap_reach + 1, CV_8U));
+    return out;
 }
 
 std::vector<CoarseView> read_coarse_views(const PackageReader& package,

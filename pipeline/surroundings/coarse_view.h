@@ -24,16 +24,13 @@ struct CoarseView {
     std::uint32_t photo = 0;
     Intrinsics k;  ///< of the level
     Pose pose;     ///< relative to the origin
-    /// ln_of linear light in the exposure of the mean photo; NaN where the photo has no pixel.
+    /// ln_of linear light in the exposure of the mean photo; NaN where the photo has no pixel or shows the
+    /// mesh.
     std::vector<Eigen::Array3f> ln;
     std::vector<float> z;              ///< of the mesh, +inf where it is open
-    /// 1: something within `gap_reach` texels is open at `mask_level`; see find_gaps.
-    std::vector<std::uint8_t> gaps;
     std::size_t pixels = 0, open = 0;  ///< texels with a pixel, and those of them without mesh
 
-    bool is_open(std::size_t texel) const {
-        return z[texel] == std::numeric_limits<float>::infinity() && !std::isnan(ln[texel][0]);
-    }
+    bool is_open(std::size_t texel) const { return !std::isnan(ln[texel][0]); }
 };
 
 /// A position relative to the origin in the view's camera space.
@@ -48,8 +45,10 @@ std::vector<CoarseView> read_coarse_views(const PackageReader& package,
                                           std::span<const std::uint32_t> of, const PhotoColors& colors,
                                           unsigned threads);
 
-/// Fills in `gaps`. Throws Error(damaged).
-void find_gaps(const PackageReader& package, const package::PhotoRecord& record, CoarseView& view);
+/// Per texel of the view, 1 where something within `gap_reach` texels is open at `mask_level`. Throws
+/// Error(damaged).
+std::vector<std::uint8_t> gaps_in(const CoarseView& view, const PackageReader& package,
+                                  const package::PhotoRecord& record);
 
 /// Views, and the colors in which they are.
 struct CoarseViews {

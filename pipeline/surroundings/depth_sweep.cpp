@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/run/for_each_photo.h"
 #include "pipeline/surroundings/place_cost.h"
 
 namespace vantage {
@@ -11,7 +10,6 @@ namespace {
 
 constexpr float nearest = 1.0f;          ///< the largest inverse distance over the base, times the reach
 constexpr float infinite = 1.0f / 4096;  ///< an inverse distance, times the reach, that counts as infinity
-constexpr std::size_t run = 256;         ///< directions per task
 
 struct Cameras {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
@@ -70,13 +68,11 @@ void prefer_plane(SweptDepths& d, const DirectionSphere& sphere, const PlaceCost
     on_plane.base = d.base;
     on_plane.shown = d.shown;
     on_plane.cost.assign(d.shown.size(), PlaceCost::largest);
-    for_each_photo((d.shown.size() + run - 1) / run, threads, [&](std::size_t r) {
-        PlaceCost::Sights sights;
-        for (std::size_t i = r * run; i < std::min(d.shown.size(), (r + 1) * run); ++i) {
-            if (!(plane[i] > 0)) continue;
-            cost.aim(sphere.directions[d.shown[i]], plane[i], plane[i], sights);
-            on_plane.cost[i] = cost_at(d, cost, sights, d.shown[i], plane[i]);
-        }
+    for_each_direction(d.shown.size(), threads, [&](std::size_t i) {
+        if (!(plane[i] > 0)) return;
+        thread_local PlaceCost::Sights sights;
+        cost.aim(sphere.directions[d.shown[i]], plane[i], plane[i], sights);
+        on_plane.cost[i] = cost_at(d, cost, sights, d.shown[i], plane[i]);
     });
     average(on_plane, sphere);
     average(on_plane, sphere);
@@ -123,25 +119,21 @@ SweptDepths sweep_depths(std::span<const CoarseView> views, const DirectionSpher
         cost.aim(sphere.directions[v], inverse_of(v, 0), inverse_of(v, labels - 1), sights);
     };
     std::vector<std::uint8_t> shown(n, 0);
-    for_each_photo((n + run - 1) / run, threads, [&](std::size_t r) {
-        PlaceCost::Sights sights;
-        for (std::size_t v = r * run; v < std::min(n, (r + 1) * run); ++v) {
-            aim(v, sights);
-            for (int label = 0; label < labels && !shown[v]; label += 8)
-                shown[v] = cost.is_shown(sights, inverse_of(v, label));
-        }
+    for_each_direction(n, threads, [&](std::size_t v) {
+        thread_local PlaceCost::Sights sights;
+        aim(v, sights);
+        for (int label = 0; label < labels && !shown[v]; label += 8)
+            shown[v] = cost.is_shown(sights, inverse_of(v, label));
     });
     for (std::uint32_t v = 0; v < n; ++v)
         if (shown[v]) d.shown.push_back(v);
     d.cost.resize(d.shown.size() * std::size_t(labels));
-    for_each_photo((d.shown.size() + run - 1) / run, threads, [&](std::size_t r) {
-        PlaceCost::Sights sights;
-        for (std::size_t i = r * run; i < std::min(d.shown.size(), (r + 1) * run); ++i) {
-            aim(d.shown[i], sights);
-            for (int label = 0; label < labels; ++label)
-                d.cost[i * std::size_t(labels) + std::size_t(label)] =
-                    cost_at(d, cost, sights, d.shown[i], inverse_of(d.shown[i], label));
-        }
+    for_each_direction(d.shown.size(), threads, [&](std::size_t i) {
+        thread_local PlaceCost::Sights sights;
+        aim(d.shown[i], sights);
+        for (int label = 0; label < labels; ++label)
+            d.cost[i * std::size_t(labels) + std::size_t(label)] =
+                cost_at(d, cost, sights, d.shown[i], inverse_of(d.shown[i], label));
     });
     average(d, sphere);
     average(d, sphere);

@@ -1,8 +1,12 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "pipeline/run/for_each_photo.h"
 
 namespace vantage {
 
@@ -14,10 +18,24 @@ struct DirectionSphere {
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise seen from the center;
                                                           ///< the four pieces of a triangle are consecutive
     std::vector<std::array<std::uint32_t, 6>> neighbors;  ///< per direction; the last of twelve is none
+    std::vector<std::array<std::uint32_t, 2>> ends;       ///< per direction, of the edge that it divided;
+                                                          ///< of the first twelve, the direction itself
 };
 
 /// `level`: how often triangles are divided; 20 * 4^level triangles.
 DirectionSphere direction_sphere(int level);
+
+/// The sphere with each triangle divided into four. Its first directions are those of `sphere`.
+DirectionSphere divided(const DirectionSphere& sphere);
+
+/// Calls `visit` with 0 to `count` - 1 on up to `threads` threads, many at a time.
+template <class Visit>
+void for_each_direction(std::size_t count, unsigned threads, const Visit& visit) {
+    constexpr std::size_t run = 256;
+    for_each_photo((count + run - 1) / run, threads, [&](std::size_t r) {
+        for (std::size_t i = r * run; i < std::min(count, (r + 1) * run); ++i) visit(i);
+    });
+}
 
 /// Replaces the values of the directions marked in `open` by the mean of their neighbors', `rounds` times.
 /// Value: float or an Eigen array.

@@ -48,9 +48,8 @@ EffectDecision first_decision(const SurroundingsInput& in, std::span<const Coars
 /// Lets left-out photos confirm it.
 EffectDecision judged(const SurroundingsInput& in, const CoarseViews& some, const MeshPlanes& mesh,
                       EffectDecision d) {
-    const unsigned threads = std::max(1u, in.threads > 1 ? in.threads - 1 : 1);
     const SurroundingsJudgment j =
-        judge_surroundings(some, in.samples, in.photos, in.lens, mesh, most_folds, threads);
+        judge_surroundings(some, in.samples, in.photos, in.lens, mesh, most_folds, in.threads);
     d.judgment = j.gain;
     d.evidence += "; " + sentence(j.gain);
     if (j.gain.photos >= min_judged_photos) d.evidence += " over a plain color";
@@ -75,13 +74,16 @@ std::vector<std::byte> chunk_of(const SurroundingsInput& in, const Backdrop& bac
     std::vector<std::uint32_t> with_pixels;
     for (std::uint32_t i = 0; i < in.photos.size(); ++i)
         if (in.photos[i].levels) with_pixels.push_back(i);
+    const bool all_known = with_pixels.size() == some.views.size();
     for (std::span<const std::uint32_t> rest = with_pixels; !rest.empty();) {
         const auto now = rest.first(std::min(rest.size(), most_surrounding_views));
         rest = rest.subspan(now.size());
-        auto views = read_coarse_views(in.package, in.photos, now, some.colors, in.threads);
+        std::vector<CoarseView> read;
+        if (!all_known) read = read_coarse_views(in.package, in.photos, now, some.colors, in.threads);
+        const std::span<const CoarseView> views = all_known ? some.views : read;
         for_each_photo(views.size(), in.threads, [&](std::size_t i) {
-            find_gaps(in.package, in.photos[now[i]], views[i]);
-            BackdropCoverage c = backdrop_coverage(backdrop, content.clusters, views[i]);
+            const std::vector<std::uint8_t> gaps = gaps_in(views[i], in.package, in.photos[now[i]]);
+            BackdropCoverage c = backdrop_coverage(backdrop, content.clusters, views[i], gaps);
             content.coverage[now[i]] = std::move(c.clusters);
             content.visible[now[i]] = std::move(c.visible);
         });
@@ -105,7 +107,7 @@ Surroundings find_surroundings(const SurroundingsInput& in) {
     if (!out.decision.on) return out;
     // In the meantime, because most scenes with something to show keep it.
     std::future<Backdrop> estimate =
-        std::async(std::launch::async, [&] { return estimate_backdrop(some.views, mesh, {}, 1); });
+        std::async(std::launch::async, [&] { return estimate_backdrop(some.views, mesh, {}, in.threads); });
     if (in.judge) out.decision = judged(in, some, mesh, std::move(out.decision));
     if (!out.decision.on) return out;
     const Backdrop backdrop = estimate.get();

@@ -13,7 +13,7 @@ namespace vantage {
 namespace {
 
 constexpr float largest = 0.5f;  ///< difference of ln(color), mean of the channels, that counts
-constexpr int step = 4;          ///< of the texels compared, along both sides
+constexpr int step = 6;          ///< of the texels compared, along both sides
 constexpr std::size_t most_comparisons = 300'000;
 constexpr int heights = 24;
 constexpr int most_rounds = 24;

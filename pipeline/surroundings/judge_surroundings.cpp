@@ -128,7 +128,8 @@ std::vector<CoarseView> exposed_without(std::span<const CoarseView> views, std::
         for (int c = 0; c < 3; ++c)
             factor[c] = float(
                 std::exp(fitted.ln_gain[v.photo][std::size_t(c)] - used.ln_gain[v.photo][std::size_t(c)]));
-        for (Eigen::Array3f& ln : changed.ln) ln = ln_of(linear_of(ln) * factor);
+        for (std::size_t at = 0; at < changed.ln.size(); ++at)
+            if (v.is_open(at)) changed.ln[at] = ln_of(linear_of(v.ln[at]) * factor);
     }
     return out;
 }

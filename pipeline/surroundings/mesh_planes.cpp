@@ -1,6 +1,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 #include "pipeline/surroundings/down_direction.h"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::size_t most_planes = 3;
 constexpr int tries = 300;
+constexpr std::size_t most_compared = 5000;             ///< discs per try
 constexpr double least_share = 0.04, thickness = 0.01;  ///< of the mesh's extent
 constexpr float same_way = 0.9f;                        ///< cosine between normals
 constexpr double level = 0.966;                         ///< cosine between a floor's normal and down
@@ -43,23 +45,39 @@ Plane fitted(const std::vector<const Disc*>& discs) {
     return {normal, normal.dot(mean)};
 }
 
+bool lies_on(const Disc& d, const Disc& seed, double thick) {
+    return std::abs((d.center - seed.center).dot(seed.normal)) < thick &&
+           std::abs(d.normal.dot(seed.normal)) > same_way;
+}
+
+/// The disc on whose plane most of the others lie, of those that are tried.
+const Disc& best_seed(const std::vector<const Disc*>& discs, double thick, std::mt19937_64& random) {
+    // A sample is enough to compare the seeds.
+    std::vector<Disc> sample;
+    for (std::size_t i = 0; i < discs.size(); i += 1 + discs.size() / most_compared)
+        sample.push_back(*discs[i]);
+    const Disc* best = discs.front();
+    std::ptrdiff_t most = 0;
+    for (int i = 0; i < tries; ++i) {
+        const Disc* seed = discs[random() % discs.size()];
+        const auto on =
+            std::ranges::count_if(sample, [&](const Disc& d) { return lies_on(d, *seed, thick); });
+        if (on > most) most = on, best = seed;
+    }
+    return *best;
+}
+
 std::vector<Plane> largest_planes(std::vector<const Disc*> left, double thick) {
     std::vector<Plane> planes;
     std::mt19937_64 random(1);
     const double least = least_share * double(left.size());
     while (planes.size() < most_planes && double(left.size()) > least) {
-        std::vector<const Disc*> best;
-        for (int i = 0; i < tries; ++i) {
-            const Disc& seed = *left[random() % left.size()];
-            std::vector<const Disc*> on;
-            for (const Disc* d : left)
-                if (std::abs((d->center - seed.center).dot(seed.normal)) < thick &&
-                    std::abs(d->normal.dot(seed.normal)) > same_way)
-                    on.push_back(d);
-            if (on.size() > best.size()) best = std::move(on);
-        }
-        if (double(best.size()) < least) break;
-        const Plane plane = planes.emplace_back(fitted(best));
+        const Disc& seed = best_seed(left, thick, random);
+        std::vector<const Disc*> on;
+        std::ranges::copy_if(left, std::back_inserter(on),
+                             [&](const Disc* d) { return lies_on(*d, seed, thick); });
+        if (double(on.size()) < least) break;
+        const Plane plane = planes.emplace_back(fitted(on));
         std::erase_if(left, [&](const Disc* d) {
             return std::abs(plane.normal.dot(d->center.cast<double>()) - plane.height) < thick;
         });

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 
-#include "pipeline/run/for_each_photo.h"
 #include "pipeline/surroundings/depth_smoothing.h"
 #include "pipeline/surroundings/place_cost.h"
 
@@ -12,8 +12,7 @@ namespace vantage {
 namespace {
 
 constexpr int rounds = 3;
-constexpr float edge = 2;         ///< steps between neighbors
-constexpr std::size_t run = 256;  ///< directions per task
+constexpr float edge_steps = 2;  ///< between neighbors
 
 struct Candidate {
     float over;  ///< inverse distance over the base
@@ -23,38 +22,39 @@ struct Candidate {
 class Refinement {
   public:
     Refinement(std::span<const CoarseView> views, const ScenePlanes& planes, const SweptDepths& coarse,
-               const DirectionSphere& fine)
+               const DirectionSphere& fine, unsigned threads)
         : coarse_(coarse),
           planes_(planes),
           fine_(fine),
+          threads_(threads),
           cost_(views, coarse.center),
-          base_(base_depths(fine, coarse.center, coarse.reach, planes.ground)) {
-        for (const Eigen::Vector3f& direction : fine.directions) most_.push_back(cost_.innermost(direction));
+          base_(base_depths(fine, coarse.center, coarse.reach, planes.ground)),
+          most_(base_.size()),
+          over_(base_.size()) {
+        for_each_direction(most_.size(), threads_,
+                           [&](std::size_t v) { most_[v] = cost_.innermost(fine.directions[v]); });
     }
 
     /// The directions of the coarse sphere come first; each other one divides an edge between two of them.
     void interpolate(const std::vector<float>& inverse) {
-        over_.resize(base_.size());
         for (std::size_t v = 0; v < inverse.size(); ++v) over_[v] = std::max(0.0f, inverse[v] - base_[v]);
         for (std::size_t v = inverse.size(); v < base_.size(); ++v) {
-            std::array<float, 2> ends{};
-            std::size_t count = 0;
-            for (const std::uint32_t u : fine_.neighbors[v])
-                if (u < inverse.size()) ends[count++] = over_[u];
-            const bool smooth = std::abs(ends[0] - ends[1]) <= edge * coarse_.step;
-            over_[v] = smooth ? (ends[0] + ends[1]) / 2 : ends[1];
+            const float a = over_[fine_.ends[v][0]], b = over_[fine_.ends[v][1]];
+            over_[v] = std::abs(a - b) <= edge_steps * coarse_.step ? (a + b) / 2 : b;
         }
     }
 
-    void improve(unsigned threads) {
+    void improve() {
+        std::vector<std::uint8_t> edge(over_.size());
+        for_each_direction(edge.size(), threads_,
+                           [&](std::size_t v) { edge[v] = at_edge(std::uint32_t(v)); });
         std::vector<std::uint32_t> open;
-        for (std::uint32_t v = 0; v < over_.size(); ++v)
-            if (at_edge(v)) open.push_back(v);
+        for (std::uint32_t v = 0; v < edge.size(); ++v)
+            if (edge[v]) open.push_back(v);
         std::vector<std::vector<Candidate>> candidates(open.size());
-        for_each_photo((open.size() + run - 1) / run, threads, [&](std::size_t r) {
-            for (std::size_t i = r * run; i < std::min(open.size(), (r + 1) * run); ++i)
-                candidates[i] = candidates_of(open[i]);
-        });
+        for_each_direction(open.size(), threads_,
+                           [&](std::size_t i) { candidates[i] = candidates_of(open[i]); });
+        for (std::size_t i = 0; i < open.size(); ++i) tried_[open[i]] = candidates[i];
         for (std::size_t i = 0; i < open.size(); ++i)
             over_[open[i]] = std::ranges::min(candidates[i], {}, [&](const Candidate& c) {
                                  return c.cost + steps(open[i], c.over);
@@ -62,15 +62,15 @@ class Refinement {
     }
 
     std::vector<float> result() const {
-        std::vector<float> out;
-        for (std::size_t v = 0; v < base_.size(); ++v) {
+        std::vector<float> out(base_.size());
+        for_each_direction(out.size(), threads_, [&](std::size_t v) {
             float w = base_[v] + over_[v];
             for (const Plane& plane : planes_.walls) {
                 const float on = inverse_distance(plane, coarse_.center, fine_.directions[v]);
                 if (on > base_[v] && std::abs(on - w) < 2 * coarse_.step) w = on;
             }
-            out.push_back(std::min(w, most_[v]));
-        }
+            out[v] = std::min(w, most_[v]);
+        });
         return out;
     }
 
@@ -84,7 +84,7 @@ class Refinement {
         float low = over_[v], high = over_[v];
         each_neighbor(
             v, [&](std::uint32_t u) { low = std::min(low, over_[u]), high = std::max(high, over_[u]); });
-        return high - low > edge * coarse_.step;
+        return high - low > edge_steps * coarse_.step;
     }
     std::vector<Candidate> candidates_of(std::uint32_t v) const {
         std::vector<Candidate> out{{over_[v], 0}};
@@ -93,7 +93,14 @@ class Refinement {
                 out, [&](const Candidate& c) { return std::abs(c.over - over_[u]) < coarse_.step / 2; });
             if (!known) out.push_back({over_[u], 0});
         });
-        for (Candidate& c : out) c.cost = data(v, c.over);
+        const auto tried = tried_.find(v);
+        for (Candidate& c : out) {
+            const Candidate* known = nullptr;
+            if (tried != tried_.end())
+                for (const Candidate& t : tried->second)
+                    if (t.over == c.over) known = &t;
+            c.cost = known ? known->cost : data(v, c.over);
+        }
         return out;
     }
     float alone(std::uint32_t v, float over) const {
@@ -122,8 +129,10 @@ class Refinement {
     const SweptDepths& coarse_;
     const ScenePlanes& planes_;
     const DirectionSphere& fine_;
+    unsigned threads_;
     PlaceCost cost_;
     std::vector<float> base_, most_, over_;
+    std::unordered_map<std::uint32_t, std::vector<Candidate>> tried_;  ///< in the last round, by direction
 };
 
 }  // namespace
@@ -131,9 +140,9 @@ class Refinement {
 std::vector<float> refine_depths(std::span<const CoarseView> views, const ScenePlanes& planes,
                                  const SweptDepths& coarse, const std::vector<float>& inverse,
                                  const DirectionSphere& fine, unsigned threads) {
-    Refinement refinement(views, planes, coarse, fine);
+    Refinement refinement(views, planes, coarse, fine, threads);
     refinement.interpolate(inverse);
-    for (int round = 0; round < rounds; ++round) refinement.improve(threads);
+    for (int round = 0; round < rounds; ++round) refinement.improve();
     return refinement.result();
 }
 

@@ -30,10 +30,10 @@ inline ViewSample sample(const CoarseView& v, const Eigen::Vector3f& p, float in
     const std::size_t nearest = at + (u > 0.5f) + (w > 0.5f ? width : 0);
     if (std::isfinite(v.z[nearest]))
         return {v.z[nearest] * inverse > 1.02f * p.z() ? ViewSample::in_front : ViewSample::behind};
-    if (!v.is_open(at) || !v.is_open(at + 1) || !v.is_open(at + width) || !v.is_open(at + width + 1))
-        return {};
-    return {ViewSample::open, (1 - w) * ((1 - u) * v.ln[at] + u * v.ln[at + 1]) +
-                                  w * ((1 - u) * v.ln[at + width] + u * v.ln[at + width + 1])};
+    const Eigen::Array3f ln = (1 - w) * ((1 - u) * v.ln[at] + u * v.ln[at + 1]) +
+                              w * ((1 - u) * v.ln[at + width] + u * v.ln[at + width + 1]);
+    if (std::isnan(ln[0])) return {};  // one of the four is not open
+    return {ViewSample::open, ln};
 }
 
 /// Per channel; of an even number, the mean of the two in the middle. Not empty.

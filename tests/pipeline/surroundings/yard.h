@@ -69,7 +69,9 @@ inline std::vector<CoarseView> photos(const Background& background) {
                 const bool mesh = miss < 1.5;
                 v.z.push_back(mesh ? float(along * ray.dot(forward))
                                    : std::numeric_limits<float>::infinity());
-                v.ln.push_back(ln_of(mesh ? Eigen::Array3f::Constant(0.5f) : background(eye, ray, pixel)));
+                const Eigen::Array3f unknown =
+                    Eigen::Array3f::Constant(std::numeric_limits<float>::quiet_NaN());
+                v.ln.push_back(mesh ? unknown : ln_of(background(eye, ray, pixel)));
                 ++v.pixels;
                 v.open += !mesh;
             }
