@@ -24,37 +24,25 @@ std::optional<PickedPoint> point_numbered(const PackageReader& package, const Po
     return PickedPoint{origin + unpacked(p, n), {p.color[0], p.color[1], p.color[2]}};
 }
 
-PointPicking::~PointPicking() {
-    if (fence_) glDeleteSync(fence_);
-}
-
 void PointPicking::take(const PackageReader& package, const PointPass& points) {
-    if (!fence_ || glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, 0) == GL_TIMEOUT_EXPIRED) return;
-    glDeleteSync(fence_);
-    fence_ = nullptr;
-    found_ = point_numbered(package, points.cloud(), nodes_, *mapped_);
+    if (const auto number = number_.take(false))
+        found_ = point_numbered(package, points.cloud(), nodes_, number->front());
 }
 
 void PointPicking::look(const PackageReader& package, const PointPass& points, const Eigen::Vector2i& pixel,
                         int width, int height) {
     take(package, points);
-    if (fence_) return;
+    if (number_.pending()) return;
     if (!points.placed() || pixel.minCoeff() < 0 || pixel.x() >= width || pixel.y() >= height) {
         found_.reset();
         return;
     }
-    if (!mapped_) {
-        constexpr GLbitfield flags = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-        number_ = gl::make_buffer("picked point", sizeof(std::uint32_t), nullptr, flags);
-        mapped_ = static_cast<const std::uint32_t*>(
-            glMapNamedBufferRange(number_.id(), 0, sizeof(std::uint32_t), flags));
-        if (!mapped_) return;
-    }
+    if (!number_ && !number_.allocate("picked point", 1)) return;
     glBindBuffer(GL_PIXEL_PACK_BUFFER, number_.id());
     glGetTextureSubImage(points.numbers(), 0, pixel.x(), pixel.y(), 0, 1, 1, 1, GL_RED_INTEGER,
                          GL_UNSIGNED_INT, sizeof(std::uint32_t), nullptr);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-    fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    number_.begin();
     nodes_ = points.drawn();
 }
 

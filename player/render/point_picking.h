@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "gl/object.h"
+#include "gl/readback.h"
 #include "player/render/point_pass.h"
 #include "scene/package_reader.h"
 
@@ -26,11 +26,6 @@ std::optional<PickedPoint> point_numbered(const PackageReader& package, const Po
 /// the graphics card, so that the answer comes a few calls later. Belongs to the OpenGL thread.
 class PointPicking {
   public:
-    PointPicking() = default;
-    PointPicking(const PointPicking&) = delete;
-    PointPicking& operator=(const PointPicking&) = delete;
-    ~PointPicking();
-
     /// Takes up an answer that has arrived, and asks for the point at `pixel` (from the frame's upper left).
     void look(const PackageReader& package, const PointPass& points, const Eigen::Vector2i& pixel, int width,
               int height);
@@ -40,9 +35,7 @@ class PointPicking {
   private:
     void take(const PackageReader& package, const PointPass& points);
 
-    gl::Buffer number_;
-    const std::uint32_t* mapped_ = nullptr;
-    GLsync fence_ = nullptr;
+    gl::Readback number_;
     std::vector<DrawnNode> nodes_;  ///< drawn when the answer under way was asked for
     std::optional<PickedPoint> found_;
 };

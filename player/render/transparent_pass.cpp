@@ -17,12 +17,10 @@ std::uint64_t head_bytes(int width, int height) { return 4 * (counters + pixels(
 }  // namespace
 
 void TransparentPass::release() {
-    if (fence_) glDeleteSync(fence_);
-    fence_ = nullptr;
-    mapped_ = nullptr;
     target_ = {}, veiled_target_ = {};
     sums_ = {}, transmitted_ = {}, veil_ = {}, clean_ = {};
-    heads_ = {}, fragments_ = {}, counts_ = {};
+    heads_ = {}, fragments_ = {};
+    counts_.release();
     mode_ = Transparency::off;
     capacity_ = 0;
     count_ = {};
@@ -61,10 +59,7 @@ void TransparentPass::fit(const FrameTargets& targets, Transparency mode) {
     capacity_ = capacity_for(width_, height_);
     heads_ = gl::make_buffer("fragment heads", head_bytes(width_, height_));
     fragments_ = gl::make_buffer("fragments", fragment_bytes * capacity_);
-    constexpr GLbitfield flags = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-    counts_ = gl::make_buffer("fragment counts", 4 * counters, nullptr, flags);
-    mapped_ = static_cast<const std::uint32_t*>(
-        glMapNamedBufferRange(counts_.id(), 0, 4 * GLsizeiptr(counters), flags));
+    counts_.allocate("fragment counts", counters);
 }
 
 void TransparentPass::collect(const std::function<void()>& draw) {
@@ -95,21 +90,17 @@ void TransparentPass::bind() const {
 }
 
 void TransparentPass::capture() {
-    if (!counts_ || fence_) return;
+    if (!counts_ || counts_.pending()) return;
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glCopyNamedBufferSubData(heads_.id(), counts_.id(), 0, 0, 4 * GLsizeiptr(counters));
     glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
-    fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    counts_.begin();
 }
 
 bool TransparentPass::update(bool wait) {
-    if (!fence_ || !mapped_) return false;
-    constexpr GLuint64 second = 1'000'000'000;
-    const GLenum state = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? 10 * second : 0);
-    if (state == GL_TIMEOUT_EXPIRED) return false;
-    glDeleteSync(fence_);
-    fence_ = nullptr;
-    const std::size_t stored = mapped_[0], deep = mapped_[1];
+    const auto counted = counts_.take(wait);
+    if (!counted) return false;
+    const std::size_t stored = (*counted)[0], deep = (*counted)[1];
     count_ = {stored, deep + (stored > capacity_ ? stored - capacity_ : 0)};
     return true;
 }

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "gl/object.h"
+#include "gl/readback.h"
 #include "player/render/frame_targets.h"
 #include "player/render/render_settings.h"
 
@@ -26,10 +27,6 @@ class TransparentPass {
 
     /// `list_bytes`: of graphics memory for lists. `veils`: holes may be filled behind transparent surfaces.
     TransparentPass(std::uint64_t list_bytes, bool veils) : list_bytes_(list_bytes), veils_(veils) {}
-    ~TransparentPass() { release(); }
-    TransparentPass(const TransparentPass&) = delete;
-    TransparentPass& operator=(const TransparentPass&) = delete;
-
     void release();
     /// Creates the buffers for a frame, with the depth of the model's. Nothing if the mode is off.
     void fit(const FrameTargets& targets, Transparency mode);
@@ -67,9 +64,8 @@ class TransparentPass {
     std::uint32_t capacity_ = 0;
     gl::Texture sums_, transmitted_, veil_, clean_;
     gl::Framebuffer target_, veiled_target_;
-    gl::Buffer heads_, fragments_, counts_;
-    const std::uint32_t* mapped_ = nullptr;
-    GLsync fence_ = nullptr;
+    gl::Buffer heads_, fragments_;
+    gl::Readback counts_;
     FragmentCount count_;
 };
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "gl/object.h"
+#include "gl/readback.h"
 #include "player/camera/view.h"
 #include "player/plan/view_plan.h"
 #include "player/render/frame_targets.h"
@@ -28,18 +29,11 @@ class TriangleReadback {
 
     SeenTriangles seen() const { return {triangles_, view_, version_}; }
 
-    ~TriangleReadback();
-    TriangleReadback() = default;
-    TriangleReadback(const TriangleReadback&) = delete;
-    TriangleReadback& operator=(const TriangleReadback&) = delete;
-
   private:
     int width_ = 0, height_ = 0;
     gl::Texture small_;
     gl::Framebuffer small_target_;
-    gl::Buffer pixels_;
-    const std::uint32_t* mapped_ = nullptr;
-    GLsync fence_ = nullptr;
+    gl::Readback pixels_;
     View view_{}, captured_{};
     std::vector<std::uint32_t> triangles_;
     std::uint64_t version_ = 0;
