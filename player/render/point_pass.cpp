@@ -74,7 +74,13 @@ PointPass::PointPass(const PackageReader& package, PointCloud cloud, std::uint64
                 (sizeof(Command) + sizeof(Record) + sizeof(shader::PointSizes)) +
             1024),
       program_(make_point_program({})),
-      vertices_(make_vertices()) {}
+      vertices_(make_vertices()) {
+    if (cloud_.nodes.empty()) return;
+    // As thumbnails do of photos, the coarsest points fill the first frame.
+    store_.begin_frame(0);
+    store_.need(cloud_.nodes.front());
+    store_.load();
+}
 
 void PointPass::fit(const FrameTargets& targets, bool placed) {
     width_ = targets.width, height_ = targets.height;

@@ -137,6 +137,22 @@ TEST_F(PointScenes, LookLikeTheMeshWithTheSamePhotos) {
     }
 }
 
+TEST_F(PointScenes, TheFirstFrameOfAWindowShowsTheWholeCloudCoarsely) {
+    put_cloud(samples(300'000));
+    const PackageReader package = prepared("cloud.vantage");
+    const gl::HeadlessContext context;
+    const View view = view_of(home_of(package, 0), 320, 240);
+    const Picture all = taken(package, view, {});
+    RenderSettings window;
+    window.complete = window.wait_for_tiles = false;
+    window.upload_bytes = 1;  // a block, at most
+    const Picture first = taken(package, view, window);
+    EXPECT_LT(first.report.points, all.report.points) << "the rest is still to come";
+    double share = 0;
+    difference(all, first, share);
+    EXPECT_GT(share, 0.95);
+}
+
 TEST_F(PointScenes, WhatNoPhotoSeesKeepsItsOwnColor) {
     // A sheet inside the building, behind its walls from everywhere.
     std::vector<PlyPoint> points = samples(200'000);
