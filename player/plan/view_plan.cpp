@@ -48,17 +48,23 @@ std::vector<std::uint32_t> photos_of(const std::vector<PlannedPhoto>& planned) {
 
 void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos,
                       int side, const SeenTriangles& seen) {
-    const PlanSettings wanted = with_side(settings, side);
-    if (made_for_ && same(made_for_->view, view) && made_for_->settings == wanted &&
-        std::ranges::equal(made_for_->photos, photos) && made_for_->seen == seen.version)
+    const bool same_view = made_for_ && same(made_for_->view, view),
+               same_settings = made_for_ && made_for_->settings == settings;
+    const bool at_rest = same_view && same_settings && made_for_->at_rest;
+    if (same_view && same_settings && made_for_->side == side &&
+        std::ranges::equal(made_for_->photos, photos) && (at_rest || made_for_->seen == seen.version))
         return;
     const std::vector<std::uint32_t> previous = photos_of(plan_.photos);
-    uses_seen_ = (!settings.complete || settings.photos > 0) && !seen.triangles.empty() &&
-                 shows_much_of(seen.view, view, *scene_);
-    plan_ = make_plan(*scene_, widened(view), wanted, photos, previous,
-                      uses_seen_ ? seen.triangles : std::span<const std::uint32_t>());
+    uses_seen_ = (!settings.complete || settings.photos > 0) &&
+                 (at_rest || (!seen.triangles.empty() && shows_much_of(seen.view, view, *scene_)));
+    // After other settings, the triangles may be from before the change.
+    const bool rests = at_rest || (uses_seen_ && same_settings && same(seen.view, view));
+    if (rests && !at_rest) at_rest_.assign(seen.triangles.begin(), seen.triangles.end());
+    const std::span<const std::uint32_t> known = rests ? at_rest_ : seen.triangles;
+    plan_ = make_plan(*scene_, widened(view), with_side(settings, side), photos, previous,
+                      uses_seen_ ? known : std::span<const std::uint32_t>());
     plan_drawn(widened(view), settings, photos);
-    made_for_ = Key{view, wanted, {photos.begin(), photos.end()}, seen.version};
+    made_for_ = Key{view, settings, side, {photos.begin(), photos.end()}, seen.version, rests};
 }
 
 /// Plans the photos that are drawn as a set of their own: in the plan of others, clusters may lack photos

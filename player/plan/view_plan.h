@@ -26,7 +26,9 @@ class ViewPlan {
         : scene_(&scene), drawn_(scene.photos.size(), false), before_(drawn_) {}
 
     /// Remakes the plan if necessary. `settings.samples` applies to one sample per pixel; `side` multiplies
-    /// it. `seen` is used if the view has changed little since.
+    /// it. `seen` is used if the view has changed little since. Once it is of this very view, it is kept:
+    /// each sample of a pixel shows slightly different triangles, and plans for each would never come to
+    /// rest.
     void update(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos,
                 int side, const SeenTriangles& seen);
     /// Advances the transition to `now` seconds. When it has ended, the next one begins if the planned photos
@@ -53,13 +55,16 @@ class ViewPlan {
     struct Key {
         View view;
         PlanSettings settings;
+        int side;
         std::vector<std::uint32_t> photos;
         std::uint64_t seen;  ///< version
+        bool at_rest;        ///< made for triangles seen from this very view
     };
     void plan_drawn(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos);
 
     const PlanScene* scene_;
     std::optional<Key> made_for_;
+    std::vector<std::uint32_t> at_rest_;  ///< the triangles of a plan at_rest
     bool uses_seen_ = false;
     Plan plan_;
     std::vector<PlannedPhoto> kept_;    ///< see kept()

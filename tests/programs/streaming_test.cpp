@@ -189,6 +189,30 @@ TEST_F(Streaming, DamagedTilesFallBackToCoarserOnesUntilRestored) {
               0.1);
 }
 
+TEST_F(Streaming, APictureOfASmallModelComesToRest) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(package, {});
+    RenderSettings settings = streamed();
+    settings.photos = 1;
+    settings.wait_for_tiles = true;
+    for (const double away : {100.0, 1000.0}) {
+        const View view = view_towards({0.3 * away, -away, 0.2 * away}, {0, 0, 0}, {0, 0, 1}, 40, 640, 480);
+        // As a window does: one sample per frame once everything is settled, from the first again otherwise.
+        constexpr int side = 4;
+        int samples = 0, frame = 0;
+        bool settled = false;
+        for (; frame < 150 && samples < side * side; ++frame) {
+            const PixelSample sample = settled ? PixelSample{samples, side} : PixelSample{};
+            const bool rests = settled;
+            settled = renderer.draw(view, settings, all(package), sample, away + frame / 30.0).settled;
+            samples = rests && settled ? samples + 1 : 0;
+            glFinish();  // what was seen arrives before the next frame
+        }
+        EXPECT_EQ(samples, side * side) << "from " << away;
+    }
+}
+
 TEST_F(Streaming, PlansCoverTheViewAndKeepTheirPhotos) {
     const PackageReader package(file);
     const PlanScene scene = make_plan_scene(package);
