@@ -72,6 +72,12 @@ quit() {  # quits by the menu and expects exit code 0
   [ $? = 0 ] || { cat says; fail "the player failed"; }
 }
 
+# From far away the model is small, which is fast in software.
+step_back() {
+  xdotool mousemove 500 400
+  for _ in $(seq 40); do xdotool click 5; done
+  frames 5
+}
 key() { xdotool keydown "$1"; frames 2; xdotool keyup "$1"; frames 2; }
 
 place "Photo 1" >/dev/null || { cat says; fail "no window"; exit 1; }
@@ -80,10 +86,7 @@ window=$(xdotool search --name Vantage | tail -1)
 xdotool windowfocus "$window"
 sleep 0.3
 
-# From far away the model is small, which is fast in software.
-xdotool mousemove 500 400
-for _ in $(seq 40); do xdotool click 5; done
-frames 5
+step_back
 press "Average"
 press "Best photo"
 press "Lumigraph"
@@ -133,6 +136,7 @@ sleep 1
 key o; press "two.vantage"; press "Open"
 sleep 1
 [ "$(xdotool getwindowname "$window")" = "two.vantage - Vantage" ] || fail "the other package was not opened"
+step_back
 press "Surroundings"; press "dimmed"
 press "Transparency"; press "approximate"
 press "Light"; press "normals"
@@ -165,6 +169,7 @@ sleep 1
 press "Band"; press "infrared: 4 photos"
 press "Photo 1"
 sleep 1
+step_back
 press "Second band"; press "visible"
 press "Share of the second" 0.25
 press "Together"; press "beside each other"
@@ -206,9 +211,7 @@ pid=$!
 place "Photo 1" >/dev/null || { cat says; fail "no window for a scene"; exit 1; }
 window=$(xdotool search --name Vantage | tail -1)
 xdotool windowfocus "$window"
-xdotool mousemove 500 400
-for _ in $(seq 40); do xdotool click 5; done
-frames 5
+step_back
 press "View"; press "Objects"
 press "Only right"
 press "left"
