@@ -1,7 +1,6 @@
 #include "pipeline/surroundings/coarse_view.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <opencv2/imgproc.hpp>
@@ -51,20 +50,13 @@ std::vector<std::uint8_t> gaps_in(const CoarseView& v, const PackageReader& pack
     const auto depth = read_level(package, r, v.photo, package::Type::depth, mask_level);
     const int shift = coarse_level(r, long_side) - mask_level;
     std::vector<std::uint8_t> out(v.z.size(), 0);
-    constexpr auto open = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
-    for (int y = 0; y < size.height; ++y) {
-        const std::byte* z = &depth[4 * std::size_t(y) * std::size_t(size.width)];
-        std::uint8_t* row = &out[std::size_t(y >> shift) * std::size_t(v.k.width)];
-        for (int at = 0; at << shift < size.width; ++at) {
-            std::uint8_t any = row[at];
-            for (int x = at << shift; x < std::min(size.width, (at + 1) << shift); ++x) {
-                std::uint32_t bits;
-                std::memcpy(&bits, z + 4 * std::size_t(x), 4);
-                any |= std::uint8_t(bits == open);
-            }
-            row[at] = any;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            float z;
+            std::memcpy(&z, &depth[4 * (std::size_t(y) * std::size_t(size.width) + std::size_t(x))], 4);
+            if (z == std::numeric_limits<float>::infinity())
+                out[std::size_t(y >> shift) * std::size_t(v.k.width) + std::size_t(x >> shift)] = 1;
         }
-    }
     cv::Mat gaps(v.k.height, v.k.width, CV_8U, out.data());
     cv::dilate(gaps, gaps, cv::Mat::ones(2 * gap_reach + 1, 2 * gap_reach + 1, CV_8U));
     return out;

@@ -74,6 +74,7 @@ std::vector<std::byte> chunk_of(const SurroundingsInput& in, const Backdrop& bac
     std::vector<std::uint32_t> with_pixels;
     for (std::uint32_t i = 0; i < in.photos.size(); ++i)
         if (in.photos[i].levels) with_pixels.push_back(i);
+    // Few photos are all among those that were compared, in the same order.
     const bool all_known = with_pixels.size() == some.views.size();
     for (std::span<const std::uint32_t> rest = with_pixels; !rest.empty();) {
         const auto now = rest.first(std::min(rest.size(), most_surrounding_views));

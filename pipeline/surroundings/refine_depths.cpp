@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <unordered_map>
 
 #include "pipeline/surroundings/depth_smoothing.h"
 #include "pipeline/surroundings/place_cost.h"
@@ -54,7 +53,6 @@ class Refinement {
         std::vector<std::vector<Candidate>> candidates(open.size());
         for_each_direction(open.size(), threads_,
                            [&](std::size_t i) { candidates[i] = candidates_of(open[i]); });
-        for (std::size_t i = 0; i < open.size(); ++i) tried_[open[i]] = candidates[i];
         for (std::size_t i = 0; i < open.size(); ++i)
             over_[open[i]] = std::ranges::min(candidates[i], {}, [&](const Candidate& c) {
                                  return c.cost + steps(open[i], c.over);
@@ -93,14 +91,7 @@ class Refinement {
                 out, [&](const Candidate& c) { return std::abs(c.over - over_[u]) < coarse_.step / 2; });
             if (!known) out.push_back({over_[u], 0});
         });
-        const auto tried = tried_.find(v);
-        for (Candidate& c : out) {
-            const Candidate* known = nullptr;
-            if (tried != tried_.end())
-                for (const Candidate& t : tried->second)
-                    if (t.over == c.over) known = &t;
-            c.cost = known ? known->cost : data(v, c.over);
-        }
+        for (Candidate& c : out) c.cost = data(v, c.over);
         return out;
     }
     float alone(std::uint32_t v, float over) const {
@@ -132,7 +123,6 @@ class Refinement {
     unsigned threads_;
     PlaceCost cost_;
     std::vector<float> base_, most_, over_;
-    std::unordered_map<std::uint32_t, std::vector<Candidate>> tried_;  ///< in the last round, by direction
 };
 
 }  // namespace
