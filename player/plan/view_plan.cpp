@@ -50,21 +50,24 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
                       int side, const SeenTriangles& seen) {
     const bool same_view = made_for_ && same(made_for_->view, view),
                same_settings = made_for_ && made_for_->settings == settings;
-    const bool at_rest = same_view && same_settings && made_for_->at_rest;
+    const bool at_rest = same_view && same_settings && !at_rest_.empty();
     if (same_view && same_settings && made_for_->side == side &&
         std::ranges::equal(made_for_->photos, photos) && (at_rest || made_for_->seen == seen.version))
         return;
     const std::vector<std::uint32_t> previous = photos_of(plan_.photos);
-    uses_seen_ = (!settings.complete || settings.photos > 0) &&
-                 (at_rest || (!seen.triangles.empty() && shows_much_of(seen.view, view, *scene_)));
-    // After other settings, the triangles may be from before the change.
-    const bool rests = at_rest || (uses_seen_ && same_settings && same(seen.view, view));
-    if (rests && !at_rest) at_rest_.assign(seen.triangles.begin(), seen.triangles.end());
-    const std::span<const std::uint32_t> known = rests ? at_rest_ : seen.triangles;
-    plan_ = make_plan(*scene_, widened(view), with_side(settings, side), photos, previous,
-                      uses_seen_ ? known : std::span<const std::uint32_t>());
+    if (!at_rest) {
+        uses_seen_ = (!settings.complete || settings.photos > 0) && !seen.triangles.empty() &&
+                     shows_much_of(seen.view, view, *scene_);
+        at_rest_.clear();
+        // After other settings, the triangles may be from before the change.
+        if (uses_seen_ && same_settings && same(seen.view, view))
+            at_rest_.assign(seen.triangles.begin(), seen.triangles.end());
+    }
+    std::span<const std::uint32_t> known = at_rest_;
+    if (uses_seen_ && known.empty()) known = seen.triangles;
+    plan_ = make_plan(*scene_, widened(view), with_side(settings, side), photos, previous, known);
     plan_drawn(widened(view), settings, photos);
-    made_for_ = Key{view, settings, side, {photos.begin(), photos.end()}, seen.version, rests};
+    made_for_ = Key{view, settings, side, {photos.begin(), photos.end()}, seen.version};
 }
 
 /// Plans the photos that are drawn as a set of their own: in the plan of others, clusters may lack photos

@@ -58,13 +58,12 @@ class ViewPlan {
         int side;
         std::vector<std::uint32_t> photos;
         std::uint64_t seen;  ///< version
-        bool at_rest;        ///< made for triangles seen from this very view
     };
     void plan_drawn(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos);
 
     const PlanScene* scene_;
     std::optional<Key> made_for_;
-    std::vector<std::uint32_t> at_rest_;  ///< the triangles of a plan at_rest
+    std::vector<std::uint32_t> at_rest_;  ///< the triangles seen from made_for_'s very view; empty: not yet
     bool uses_seen_ = false;
     Plan plan_;
     std::vector<PlannedPhoto> kept_;    ///< see kept()

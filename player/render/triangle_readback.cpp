@@ -18,10 +18,11 @@ void TriangleReadback::capture(const FrameTargets& targets, const View& view) {
     if (width != width_ || height != height_) {
         small_ = gl::make_texture_2d("seen triangles", GL_R32UI, width, height);
         small_target_ = gl::make_framebuffer("seen triangles", std::array{small_.id()}, 0);
-        if (!pixels_.allocate("seen triangles", std::size_t(width) * std::size_t(height))) return;
+        pixels_.allocate("seen triangles", std::size_t(width) * std::size_t(height));
         width_ = width;
         height_ = height;
     }
+    if (!pixels_) return;
     glNamedFramebufferReadBuffer(targets.surface_target.id(), GL_COLOR_ATTACHMENT1);
     glBlitNamedFramebuffer(targets.surface_target.id(), small_target_.id(), 0, 0, targets.width,
                            targets.height, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
