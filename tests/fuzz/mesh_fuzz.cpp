@@ -27,6 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             for (const std::uint32_t v : t)
                 if (v >= mesh.positions.size()) std::abort();
         if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size()) std::abort();
+        if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) std::abort();
         for (const Eigen::Vector3f& n : mesh.normals)
             if (!n.allFinite()) std::abort();
     } catch (const Error&) {

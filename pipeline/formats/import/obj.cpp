@@ -54,6 +54,8 @@ class ObjReader {
                 use_material(joined({words.begin() + 1, words.end()}));
         }
         if (colored_) mesh_.colors = color_bytes(colors_, true);
+        // Vertices may follow the last face with normals.
+        if (!mesh_.normals.empty()) mesh_.normals.resize(mesh_.positions.size(), Eigen::Vector3f::Zero());
         return {std::move(mesh_), std::move(of_triangle_), std::move(names_), std::move(libraries_)};
     }
 
