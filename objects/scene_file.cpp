@@ -28,14 +28,13 @@ class ObjectTable {
           table_(table) {
         static const std::set<std::string, std::less<>> known{"name",    "package", "input",  "mesh",
                                                               "cameras", "photos",  "points", "move",
-                                                              "turn",    "scale",   "shown"};
+                                                              "turn",    "scale",   "shown",  "opacity"};
         for (const auto& [key, value] : table)
             if (!known.contains(key.str())) {
                 std::ostringstream what;
                 what << "unknown key '" << key.str()
-                     << "', expected name, package, input, mesh, cameras, photos, points, move, turn, scale "
-                        "or "
-                        "shown";
+                     << "', expected name, package, input, mesh, cameras, photos, points, move, turn, scale, "
+                        "shown or opacity";
                 fail(what.str());
             }
     }
@@ -135,6 +134,7 @@ SceneObject read_object(const fs::path& file, const toml::table& table, std::siz
     out.name = name_of(t, out);
     out.placement = {t.vector("move"), t.vector("turn"), t.number("scale", 1, smallest, largest)};
     out.shown = t.flag("shown", true);
+    out.opacity = t.number("opacity", 1, 0, 1);
     if (number == 1 && out.placement != Placement{})
         t.fail("the scene has this object's coordinates, so it cannot be moved, turned or scaled");
     return out;
@@ -179,6 +179,7 @@ std::string scene_file_text(const std::vector<SceneObject>& objects, const fs::p
         if (!p.turn.isZero(0)) t.insert("turn", list_of(p.turn));
         if (p.scale != 1) t.insert("scale", p.scale);
         if (!o.shown) t.insert("shown", false);
+        if (o.opacity != 1) t.insert("opacity", o.opacity);
         list.push_back(std::move(t));
     }
     std::ostringstream out;

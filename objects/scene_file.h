@@ -13,6 +13,7 @@ struct SceneObject {
     std::filesystem::path package;  ///< empty if the object is still to be prepared
     Placement placement;
     bool shown = true;
+    double opacity = 1;  ///< 0 to 1; below 1, what is behind shows through its surface
     /// What to prepare it from: a folder, or the three parts by themselves; and point clouds to show with it.
     struct Input {
         std::filesystem::path folder, mesh, cameras, photos;
@@ -27,7 +28,7 @@ enum class SceneUse { show, prepare };
 bool is_scene_file(const std::filesystem::path& file);
 
 /// Reads a list of objects, each with `package` or what it is prepared from (`input`, or `mesh`, `cameras`
-/// and `photos`; `points`), and if wanted `name`, `move`, `turn`, `scale` and `shown`:
+/// and `photos`; `points`), and if wanted `name`, `move`, `turn`, `scale`, `shown` and `opacity`:
 ///
 ///     [[object]]
 ///     package = "altar.vantage"

@@ -1,4 +1,5 @@
-// Several objects in one picture: at each pixel, nearer ones over those behind them, in linear light.
+// Several objects in one picture: at each pixel, nearer ones over those behind them, in linear light. An object that is not
+// opaque lets those behind its nearest surface through.
 #include "contract.glsl"
 
 layout(location = 0) out vec4 shown;
@@ -8,6 +9,7 @@ layout(location = objects_uniform) uniform int objects;
 layout(location = compose_flip_uniform) uniform bool flip;
 layout(location = compose_fill_uniform) uniform bool fill;
 layout(location = compose_background_uniform) uniform vec3 background;  // linear
+layout(location = compose_opacity_uniform) uniform float opacity[MOST_OBJECTS];
 
 vec3 decode(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045))); }
 vec3 encode(vec3 l) { return mix(12.92 * l, 1.055 * pow(max(l, 0.0), vec3(1.0 / 2.4)) - 0.055, greaterThan(l, vec3(0.0031308))); }
@@ -47,8 +49,9 @@ void main() {
     float through = 1.0;
     for (int k = 0; k < count; ++k) {
         vec4 c = texelFetch(colors, ivec3(at, order[k]), 0);
-        light += through * c.a * decode(c.rgb);
-        through *= 1.0 - c.a;
+        float alpha = away[k] < surroundings_away ? c.a * opacity[order[k]] : c.a;
+        light += through * alpha * decode(c.rgb);
+        through *= 1.0 - alpha;
     }
     if (fill) {
         light += through * background;

@@ -108,6 +108,7 @@ const int objects_uniform = 0;
 const int compose_flip_uniform = 1;
 const int compose_fill_uniform = 2;
 const int compose_background_uniform = 3;
+const int compose_opacity_uniform = 4;  // one for each object, in the order of the layers
 const float surroundings_away = 1e30f;
 const float nothing_away = 2e30f;
 

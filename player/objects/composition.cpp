@@ -58,6 +58,8 @@ void Composition::show(std::span<const ObjectFrame> frames, const View& view, co
     glViewport(0, 0, width_, height_);
     glUseProgram(compose_program_.id());
     glUniform1i(shader::objects_uniform, GLint(frames.size()));
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        glUniform1f(shader::compose_opacity_uniform + GLint(i), float(frames[i].opacity));
     glUniform1i(shader::compose_flip_uniform, flip);
     glUniform1i(shader::compose_fill_uniform, settings.fill_holes);
     glUniform3fv(shader::compose_background_uniform, 1, settings.background);

@@ -12,11 +12,13 @@ struct ObjectFrame {
     Renderer* renderer;
     const View& view;  ///< that the renderer drew last
     const RenderSettings& settings;
-    double scale;  ///< of the object in the scene
+    double scale;    ///< of the object in the scene
+    double opacity;  ///< 0 to 1
 };
 
 /// Composes what several renderers drew into one picture: at each pixel, nearer objects over those behind
-/// them. Belongs to the OpenGL thread.
+/// them, which show through by what the nearer one's opacity leaves; surroundings stay opaque. Belongs to the
+/// OpenGL thread.
 class Composition {
   public:
     /// Shows the frames, all of the size of `view`, in the framebuffer `target`; `flip` as for

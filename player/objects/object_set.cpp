@@ -78,12 +78,18 @@ const SceneObject& ObjectSet::at(std::size_t object) const {
     return object == 0 ? first_object_ : others_.at(object - 1)->object;
 }
 
-void ObjectSet::place(std::size_t object, const Placement& placement) {
-    if (object > 0) others_.at(object - 1)->object.placement = placement;
+SceneObject& ObjectSet::object_at(std::size_t object) {
+    return object == 0 ? first_object_ : others_.at(object - 1)->object;
 }
 
-void ObjectSet::show_object(std::size_t object, bool shown) {
-    (object == 0 ? first_object_ : others_.at(object - 1)->object).shown = shown;
+void ObjectSet::place(std::size_t object, const Placement& placement) {
+    if (object > 0) object_at(object).placement = placement;
+}
+
+void ObjectSet::show_object(std::size_t object, bool shown) { object_at(object).shown = shown; }
+
+void ObjectSet::set_opacity(std::size_t object, double opacity) {
+    object_at(object).opacity = std::clamp(opacity, 0.0, 1.0);
 }
 
 void ObjectSet::show_only(std::size_t object) {
@@ -100,7 +106,7 @@ const FrameReport& ObjectSet::report(std::size_t object) const {
     return object == 0 ? first_report_ : others_.at(object - 1)->report;
 }
 
-bool ObjectSet::alone() const { return others_.empty() && first_object_.shown; }
+bool ObjectSet::alone() const { return others_.empty() && first_object_.shown && first_object_.opacity == 1; }
 
 RenderSettings ObjectSet::settings_of_others(const RenderSettings& settings) const {
     RenderSettings out = settings;
@@ -152,10 +158,11 @@ void ObjectSet::show(const View& view, const RenderSettings& settings, GLuint ta
     of_first.fill_background = false;
     const RenderSettings of_others = settings_of_others(settings);
     std::vector<ObjectFrame> frames;
-    if (first_object_.shown) frames.push_back({&first_, view, of_first, 1});
+    if (first_object_.shown) frames.push_back({&first_, view, of_first, 1, first_object_.opacity});
     for (const auto& o : others_)
         if (o->object.shown)
-            frames.push_back({o->renderer.get(), o->view, of_others, o->object.placement.scale});
+            frames.push_back(
+                {o->renderer.get(), o->view, of_others, o->object.placement.scale, o->object.opacity});
     composition_.show(frames, view, settings, target, flip);
 }
 

@@ -32,6 +32,8 @@ class ObjectSet {
     const SceneObject& at(std::size_t object) const;
     void place(std::size_t object, const Placement& placement);
     void show_object(std::size_t object, bool shown);
+    /// 0 to 1. What is behind the object's nearest surface, of other objects, shows through it.
+    void set_opacity(std::size_t object, double opacity);
     /// Shows this object alone.
     void show_only(std::size_t object);
     /// As a scene file lists them.
@@ -55,6 +57,7 @@ class ObjectSet {
         FrameReport report{};
     };
     bool alone() const;
+    SceneObject& object_at(std::size_t object);
     RenderSettings settings_of_others(const RenderSettings& settings) const;
     void divide_budget();
     std::string free_name(const std::string& wanted) const;

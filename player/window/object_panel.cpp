@@ -26,6 +26,14 @@ bool placement_sliders(Controls& c, ObjectSet& objects, std::size_t object, doub
     return changed;
 }
 
+bool opacity_slider(Controls& c, ObjectSet& objects, std::size_t object) {
+    double opacity = objects.at(object).opacity;
+    ImGui::SetNextItemWidth(90);
+    if (!c.slider(("Opacity of " + objects.at(object).name).c_str(), &opacity, 0, 1, "%.2f")) return false;
+    objects.set_opacity(object, opacity);
+    return true;
+}
+
 /// One object's row. Sets `removed` if it is to be removed.
 bool object_row(Controls& c, ObjectSet& objects, std::size_t object, double size, bool& removed) {
     const std::string name = objects.at(object).name;
@@ -33,6 +41,8 @@ bool object_row(Controls& c, ObjectSet& objects, std::size_t object, double size
     if (c.checkbox(name.c_str(), &shown)) objects.show_object(object, shown), changed = true;
     ImGui::SameLine();
     if (c.button(("Only " + name).c_str())) objects.show_only(object), changed = true;
+    ImGui::SameLine();
+    changed |= opacity_slider(c, objects, object);
     if (object == 0) return changed;
     ImGui::SameLine();
     removed = c.button(("Remove " + name).c_str());

@@ -36,6 +36,7 @@ class SceneFile : public TemporaryFolder {
 TEST_F(SceneFile, IsReadBackAsItWasWritten) {
     std::vector<SceneObject> objects{{"nave", dir / "packages" / "nave.vantage", {}, true},
                                      {"the \"altar\"", dir / "altar.vantage", {}, false}};
+    objects[1].opacity = 0.25;
     objects[1].placement = {{1.25, -3, 1e-7}, {0, 90, -12.5}, 0.01};
     write_scene_file(dir / "church.toml", objects);
     const std::vector<SceneObject> read = read_scene_file(dir / "church.toml", SceneUse::show);
@@ -45,6 +46,7 @@ TEST_F(SceneFile, IsReadBackAsItWasWritten) {
         EXPECT_EQ(read[i].package.lexically_normal(), objects[i].package);
         EXPECT_EQ(read[i].placement, objects[i].placement);
         EXPECT_EQ(read[i].shown, objects[i].shown);
+        EXPECT_EQ(read[i].opacity, objects[i].opacity);
     }
     // The folder may be moved: its packages are found relative to it.
     EXPECT_NE(scene_file_text(objects, dir).find("packages/nave.vantage"), std::string::npos);
@@ -92,8 +94,10 @@ TEST_F(SceneFile, ErrorsNameTheObjectAndWhatWasExpected) {
     EXPECT_EQ(error_of(first + second + "shown = 1\n"), ": object 2: shown: expected true or false");
     EXPECT_EQ(error_of(first + second + "rotate = 1\n"),
               ": object 2: unknown key 'rotate', expected name, package, input, mesh, cameras, photos, "
-              "points, move, turn, scale or "
-              "shown");
+              "points, move, turn, scale, shown or opacity");
+    for (const char* opacity : {"-0.1", "1.5", "nan", "true"})
+        EXPECT_EQ(error_of(first + second + "opacity = " + opacity + "\n"),
+                  ": object 2: opacity: expected a number from 0 to 1");
     EXPECT_EQ(error_of("[[object]]\ninput = \"scan\"\n"),
               ": object 1: has no package; 'vantage prepare' makes packages of a scene's inputs");
     EXPECT_EQ(error_of(first, SceneUse::prepare),

@@ -126,6 +126,60 @@ TEST_F(Objects, EachPixelShowsTheObjectThatItsRayMeetsFirst) {
     EXPECT_EQ(wrong, 0u);
 }
 
+TEST_F(Objects, ThroughAFadedObjectThoseBehindItShowInLinearLight) {
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(*first, MemoryBudget{});
+    ObjectSet set(renderer, scene, MemoryBudget{});
+    std::vector<Picture> alone;
+    for (std::size_t i = 0; i < 3; ++i) {
+        set.show_only(i);
+        alone.push_back(take_picture(set, view(), {}, photos, 1));
+    }
+    for (std::size_t i = 0; i < 3; ++i) set.show_object(i, true);
+    const std::array<double, 3> opacity{0.7, 0.25, 0};
+    for (std::size_t i = 0; i < 3; ++i) set.set_opacity(i, opacity[i]);
+    const Picture faded = take_picture(set, view(), {}, photos, 1);
+    std::vector<PlacedRays> rays;
+    for (unsigned i = 0; i < 3; ++i) rays.push_back(placed(i));
+    const auto linear = [](double code) {
+        const double c = code / 255;
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    const auto code = [](double l) {
+        return 255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055);
+    };
+    std::size_t compared = 0, wrong = 0;
+    for (int y = 2; y < faded.height - 2; y += 2)
+        for (int x = 2; x < faded.width - 2; x += 2) {
+            const std::size_t p = 4 * (std::size_t(y) * std::size_t(faded.width) + std::size_t(x));
+            std::vector<std::pair<double, unsigned>> order;
+            bool inside = true;
+            for (unsigned i = 0; i < 3; ++i) {
+                const double z = rays[i].distance(x + 0.5, y + 0.5);
+                // Where an object has no color, or is seen at an outline, this test has nothing to say.
+                inside &= (std::isfinite(z) ? 255 : 0) == alone[i].rgba[p + 3];
+                if (std::isfinite(z)) order.emplace_back(z, i);
+            }
+            std::ranges::sort(order);
+            for (std::size_t k = 1; k < order.size(); ++k)
+                inside &= order[k].first > 1.01 * order[k - 1].first;
+            if (!inside || order.size() < 2) continue;
+            ++compared;
+            double through = 1;
+            Vector3d light = Vector3d::Zero();
+            for (const auto& [z, i] : order) {
+                for (int c = 0; c < 3; ++c)
+                    light[c] += through * opacity[i] * linear(alone[i].rgba[p + std::size_t(c)]);
+                through *= 1 - opacity[i];
+            }
+            wrong += std::abs(faded.rgba[p + 3] - 255 * (1 - through)) > 1;
+            for (int c = 0; c < 3 && through < 0.99; ++c)
+                wrong += std::abs(faded.rgba[p + std::size_t(c)] - code(light[c] / (1 - through))) > 1.5;
+        }
+    EXPECT_GT(compared, 1000u);
+    EXPECT_EQ(wrong, 0u);
+}
+
 TEST_F(Objects, OneObjectIsDrawnAsWithoutASet) {
     const gl::HeadlessContext context(gl::Debug::on);
     RenderSettings settings;
@@ -145,6 +199,8 @@ TEST_F(Objects, OneObjectIsDrawnAsWithoutASet) {
     EXPECT_EQ(off, 0u);
     set.remove(1);
     EXPECT_EQ(take_picture(set, view(), settings, photos, 2).rgba, expected.rgba);
+    set.set_opacity(0, 0.5);
+    EXPECT_NE(take_picture(set, view(), settings, photos, 2).rgba, expected.rgba);
 }
 
 TEST_F(Objects, RemovingAnObjectReturnsItsMemory) {

@@ -215,6 +215,7 @@ step_back
 press "View"; press "Objects"
 press "Only right"
 press "left"
+press "Opacity of right" 0.4
 press "Position of right"
 press "Move x of right" 0.4
 press "Turn z of right" 0.4
@@ -224,7 +225,7 @@ press "Remove right"
 key F10
 [ "$(xdotool getwindowname "$window")" = "one.vantage - Vantage" ] || fail "the first object's package is not named"
 quit
-grep -q "name = 'right'" scene-0001.toml && grep -q "turn = " scene-0001.toml && grep -q "package = 'one.vantage'" scene-0001.toml ||
+grep -q "name = 'right'" scene-0001.toml && grep -q "turn = " scene-0001.toml && grep -q "opacity = " scene-0001.toml && grep -q "package = 'one.vantage'" scene-0001.toml ||
   fail "the scene was not saved as it was: $(cat scene-0001.toml)"
 [ $failed = 0 ] && echo "every control works"
 exit $failed
