@@ -1,4 +1,5 @@
-// PLY meshes, text and binary. Checks that every index is that of a vertex.
+// PLY meshes, text and binary. Checks that every index is that of a vertex and that attributes have one value
+// per vertex.
 #include <cstdlib>
 
 #include "pipeline/formats/import/mesh.h"
@@ -16,6 +17,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (const auto& t : mesh.triangles)
             for (const std::uint32_t v : t)
                 if (v >= mesh.positions.size()) std::abort();
+        const auto fits = [&](std::size_t n) { return n == 0 || n == mesh.positions.size(); };
+        if (!fits(mesh.colors.size()) || !fits(mesh.normals.size())) std::abort();
+        for (const auto& scalar : mesh.scalars)
+            if (scalar.values.size() != mesh.positions.size()) std::abort();
     } catch (const Error&) {
     }
     return 0;

@@ -109,6 +109,8 @@ Ply read_header(const std::filesystem::path& file, std::span<const char> bytes) 
         } else if (key == "element") {
             Element e;
             if (!(words >> e.name >> e.count)) ply.fail("an element name and count");
+            if (e.name == "vertex" && std::ranges::count(ply.elements, e.name, &Element::name) > 0)
+                ply.fail("one element vertex, found two");
             ply.elements.push_back(e);
         } else if (key == "property") {
             read_property(ply, words);

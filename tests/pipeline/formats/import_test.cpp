@@ -278,6 +278,21 @@ TEST_F(Import, TruncatedPlyOrImpossibleCountsAreRejected) {
     EXPECT_THROW(read_mesh(dir / "many.ply", warnings), Error);
 }
 
+TEST_F(Import, PlyWithTwoElementsOfVerticesIsRejected) {
+    // The first has normals, the second more vertices.
+    put("two.ply",
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float nx\nproperty float ny\nproperty float nz\nelement vertex 3\nproperty float x\n"
+        "property float y\nproperty float z\nend_header\n0 0 0 0 0 1\n0 0 0\n1 0 0\n0 1 0\n");
+    std::vector<std::string> warnings;
+    try {
+        read_mesh(dir / "two.ply", warnings);
+        FAIL() << "accepted";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.what(), (dir / "two.ply").string() + ": expected one element vertex, found two");
+    }
+}
+
 TEST_F(Import, PlyPointsStripsAndBrokenFaces) {
     std::vector<std::string> warnings;
     const std::string vertices = "property float x\nproperty float y\nproperty float z\n";
