@@ -13,6 +13,7 @@ namespace vantage {
 
 void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
     add_package_options(app, o.package);
+    add_object_options(app, o.objects);
     add_output_options(app, o.output);
     add_memory_options(app, o.memory);
     add_blending_options(app, o.blending);
@@ -64,6 +65,7 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
         "Examples:\n"
         "  vantage-player bench chapel.vantage\n"
         "  vantage-player bench chapel.vantage --paths orbit --modes stream,resident --repeats 5 -o orbit\n"
+        "  vantage-player bench church.toml --paths orbit\n"
         "  vantage-player bench chapel.vantage --paths flight --modes stream --minutes 10 --graphics-memory "
         "256");
 }
@@ -93,7 +95,7 @@ int bench_command(int argc, char** argv) {
     if (const auto code = parse(app, argc, argv)) return *code;
     if (unused.pictures.offscreen) options.purpose = Purpose::pictures;
     if (!options.output.file.empty()) options.folder = options.output.file;
-    const PackageReader package(options.package.file);
+    const PackageReader package(named_objects(options.package, options.objects).front().package);
     expect_bench_folder(package, options);
     return run_bench(package, options);
 }

@@ -22,18 +22,6 @@ void list_photos(const PackageReader& package) {
                     p.flags & package::photo_held_out ? "  held out" : "");
 }
 
-/// The objects of the scene that the command line names, the first one that of the package to open.
-std::vector<SceneObject> named_objects(const ShowOptions& o) {
-    const auto object = [](const std::filesystem::path& package) {
-        return SceneObject{package.stem().string(), package, {}, true};
-    };
-    std::vector<SceneObject> out = is_scene_file(o.package.file)
-                                       ? read_scene_file(o.package.file, SceneUse::show)
-                                       : std::vector{object(o.package.file)};
-    for (const std::string& package : o.added) out.push_back(object(package));
-    return out;
-}
-
 /// One line per verb.
 std::string verbs_text() {
     std::string out;
@@ -49,11 +37,7 @@ std::string verbs_text() {
 
 void add_show_options(CLI::App& app, ShowOptions& o) {
     add_package_options(app, o.package);
-    app.add_option(
-           "--add", o.added,
-           "show this package, too, in the same coordinates; a scene file (NAME.toml, in place of the "
-           "package) also moves, turns and scales objects")
-        ->delimiter(',');
+    add_object_options(app, o.objects);
     app.add_flag("--list", o.list, "list the photos and exit");
     add_output_options(app, o.output);
     add_memory_options(app, o.memory);
@@ -88,7 +72,7 @@ int show_command(int argc, char** argv) {
     ShowOptions options;
     add_show_options(app, options);
     if (const auto code = parse(app, argc, argv)) return *code;
-    const std::vector<SceneObject> objects = named_objects(options);
+    const std::vector<SceneObject> objects = named_objects(options.package, options.objects);
     const PackageReader package(objects.front().package);
     package.meta();  // not needed for showing, but reports damage
     if (options.list) return list_photos(package), 0;

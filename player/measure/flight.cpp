@@ -7,8 +7,7 @@
 #include "gl/context.h"
 #include "player/measure/frame_timer.h"
 #include "player/measure/touched_texels.h"
-#include "player/render/picture.h"
-#include "player/render/renderer.h"
+#include "player/objects/object_set.h"
 
 namespace vantage {
 namespace {
@@ -16,11 +15,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Makes everything that the path needs resident, as far as there is space.
-void preload(Renderer& renderer, const CameraPath& path, FrameSize size, RenderSettings settings,
+void preload(ObjectSet& objects, const CameraPath& path, FrameSize size, RenderSettings settings,
              const std::vector<std::uint32_t>& photos) {
     settings.complete = true;
     for (const Navigation& n : path.frames)
-        renderer.draw(view_of(n, size.width, size.height), settings, photos, {}, 0);
+        objects.draw(view_of(n, size.width, size.height), settings, photos, {}, 0);
 }
 
 /// Whether a frame is one of `pictures`, evenly spread over `frames`.
@@ -88,12 +87,15 @@ CameraPath path_named(const std::string& name, const PackageReader& package, con
 
 Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPath& path,
            const std::string& mode, int repeat, const FlightTarget& target) {
-    if (!o.warm) drop_from_page_cache(package.path());
+    const std::vector<SceneObject> scene = named_objects(o.package, o.objects);
+    for (const SceneObject& object : scene)
+        if (!o.warm) drop_from_page_cache(object.package);
     const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
     const RenderSettings settings = flight_settings(package, o, mode);
     const FrameSize size = target.size;
     Renderer renderer(package, memory_budget(o.memory));
-    if (mode == "resident") preload(renderer, path, size, settings, photos);
+    ObjectSet objects(renderer, scene, memory_budget(o.memory));
+    if (mode == "resident") preload(objects, path, size, settings, photos);
     Flight flight{path.name, mode, repeat, {}};
     flight.frames.reserve(path.frames.size());
     FrameTimer timer(gl::current_device().software);
@@ -103,13 +105,13 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
     std::uint64_t before_jump = 0;
     for (int i = 0; i < frames; ++i) {
         if (o.minutes > 0 && Clock::now() - begin > minutes) break;
-        if (i == jump) before_jump = renderer.store().bytes_read();
+        if (i == jump) before_jump = objects.bytes_read();
         const double now = 1 + i * frame_seconds;
         const View view = view_of(path.frames[std::size_t(i)], size.width, size.height);
         const std::optional<View> next = expected_view(path, i, jump, size);
         timer.begin();
-        const FrameReport report = renderer.draw(view, settings, photos, {}, now, next ? &*next : nullptr);
-        renderer.show(view, settings, target.framebuffer.id(), false);
+        const FrameReport report = objects.draw(view, settings, photos, {}, now, next ? &*next : nullptr);
+        objects.show(view, settings, target.framebuffer.id(), false);
         const double ms = timer.end();
         gl::check("drawing a frame");
         flight.frames.push_back({ms, report, gl::memory_held(), memory_without(flight.frames.size())});
@@ -118,15 +120,16 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
             std::snprintf(number, sizeof number, "-%05d.png", i);
             write_picture(o.folder / (path.name + "-" + mode + number), target);
         }
-        const bool exact = report.tiles_missing == 0 && report.photos == renderer.plan().photos.size();
+        const bool exact = objects.size() == 1 && report.tiles_missing == 0 &&
+                           report.photos == renderer.plan().photos.size();
         if (jump >= 0 && i > jump && flight.frames_to_exact < 0 && exact) {
             flight.frames_to_exact = i - jump;
-            flight.jump_bytes = renderer.store().bytes_read() - before_jump;
+            flight.jump_bytes = objects.bytes_read() - before_jump;
             flight.touched_bytes = touched_bytes(renderer, view, settings, photos, now);
         }
     }
-    flight.bytes_read = renderer.store().bytes_read();
-    flight.graphics_budget = renderer.graphics_budget();
+    flight.bytes_read = objects.bytes_read();
+    flight.graphics_budget = objects.graphics_budget();
     return flight;
 }
 

@@ -9,6 +9,7 @@
 #include "player/measure/process_memory.h"
 #include "player/options/blending_options.h"
 #include "player/options/memory_options.h"
+#include "player/options/object_options.h"
 #include "player/options/output_options.h"
 #include "player/options/package_options.h"
 #include "player/options/point_options.h"
@@ -21,6 +22,7 @@ inline constexpr double frame_seconds = 1.0 / 30;
 /// How paths are flown.
 struct FlightOptions {
     PackageOptions package;
+    ObjectOptions objects;
     BlendingOptions blending;
     MemoryOptions memory;
     PointSettings points;
@@ -45,7 +47,7 @@ struct Flight {
     int repeat;
     std::vector<FrameRecord> frames;
     std::uint64_t bytes_read = 0, graphics_budget = 0;
-    // Of the jump in the path "jump":
+    // Of the jump in the path "jump", if there is a single object:
     int frames_to_exact = -1;  ///< until no tile was missing; -1: never
     std::uint64_t jump_bytes = 0, touched_bytes = 0;
 };
@@ -64,8 +66,9 @@ FlightTarget make_flight_target(FrameSize size);
 CameraPath path_named(const std::string& name, const PackageReader& package, const FlightOptions& options,
                       int repeat);
 
-/// Flies a path with a fresh renderer. `mode`: "stream", within the upload budget; "resident", everything
-/// loaded beforehand; "whole", each photo uploaded whole when it is chosen. Throws Error.
+/// Flies a path over the scene's objects, of which `package` is the first, with fresh renderers. `mode`:
+/// "stream", within the upload budget; "resident", everything loaded beforehand; "whole", each photo uploaded
+/// whole when it is chosen. Throws Error.
 Flight fly(const PackageReader& package, const FlightOptions& options, const CameraPath& path,
            const std::string& mode, int repeat, const FlightTarget& target);
 

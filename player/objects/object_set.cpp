@@ -106,6 +106,18 @@ const FrameReport& ObjectSet::report(std::size_t object) const {
     return object == 0 ? first_report_ : others_.at(object - 1)->report;
 }
 
+std::uint64_t ObjectSet::bytes_read() const {
+    std::uint64_t sum = first_.store().bytes_read();
+    for (const auto& o : others_) sum += o->renderer->store().bytes_read();
+    return sum;
+}
+
+std::uint64_t ObjectSet::graphics_budget() const {
+    std::uint64_t sum = first_.graphics_budget();
+    for (const auto& o : others_) sum += o->renderer->graphics_budget();
+    return sum;
+}
+
 bool ObjectSet::alone() const { return others_.empty() && first_object_.shown && first_object_.opacity == 1; }
 
 RenderSettings ObjectSet::settings_of_others(const RenderSettings& settings) const {
@@ -129,27 +141,40 @@ FrameReport ObjectSet::draw(const View& view, const RenderSettings& settings,
     of_first.fill_background = false;
     FrameReport all;
     all.settled = true;
-    if (first_object_.shown || settings.compare != Compare::nothing) {
+    // An even share of the frame's uploads, and what objects before it have left of theirs.
+    const bool draws_first = first_object_.shown || settings.compare != Compare::nothing;
+    auto to_draw = std::size_t(draws_first) +
+                   std::size_t(std::ranges::count_if(others_, [](const auto& o) { return o->object.shown; }));
+    const auto upload_share = [&] {
+        const std::size_t left = settings.upload_bytes - std::min(settings.upload_bytes, all.uploaded);
+        return left / to_draw--;
+    };
+    if (draws_first) {
+        of_first.upload_bytes = upload_share();
         first_report_ = first_.draw(view, of_first, photos, sample, now, next);
         all = first_report_;
     }
     RenderSettings of_others = settings_of_others(settings);
-    const Eigen::Vector3d origin = origin_of(first_.package());
     for (const auto& o : others_) {
         if (!o->object.shown) continue;
-        const auto seen_by = [&](const View& v) {
-            return view_of_object(v, origin, origin_of(o->package), o->object.placement);
-        };
-        o->view = seen_by(view);
-        of_others.weights_from.reset();
-        if (settings.weights_from) of_others.weights_from = seen_by(*settings.weights_from);
-        std::optional<View> ahead;
-        if (next) ahead = seen_by(*next);
+        of_others.weights_from = settings.weights_from;
+        of_others.upload_bytes = upload_share();
         divide_budget();  // what the objects before it hold may have changed
-        o->report = o->renderer->draw(o->view, of_others, o->photos, sample, now, ahead ? &*ahead : nullptr);
-        all = joined(all, o->report);
+        all = joined(all, draw_other(*o, view, of_others, sample, now, next));
     }
     return all;
+}
+
+FrameReport ObjectSet::draw_other(Other& o, const View& view, RenderSettings& settings, PixelSample sample,
+                                  double now, const View* next) const {
+    const auto seen_by = [&](const View& v) {
+        return view_of_object(v, origin_of(first_.package()), origin_of(o.package), o.object.placement);
+    };
+    o.view = seen_by(view);
+    if (settings.weights_from) settings.weights_from = seen_by(*settings.weights_from);
+    std::optional<View> ahead;
+    if (next) ahead = seen_by(*next);
+    return o.report = o.renderer->draw(o.view, settings, o.photos, sample, now, ahead ? &*ahead : nullptr);
 }
 
 void ObjectSet::show(const View& view, const RenderSettings& settings, GLuint target, bool flip) {

@@ -39,9 +39,14 @@ class ObjectSet {
     /// As a scene file lists them.
     std::vector<SceneObject> objects() const;
     const FrameReport& report(std::size_t object) const;
+    /// Of all objects together.
+    std::uint64_t bytes_read() const;
+    std::uint64_t graphics_budget() const;  ///< bytes
 
-    /// Draws all objects that are shown, as Renderer::draw does. `photos`: of the first object; others blend
-    /// all of theirs. Layers, bands, surroundings and comparisons are those of the first object.
+    /// Draws all objects that are shown, as Renderer::draw does; `settings.upload_bytes` is for all
+    /// together, but each may upload a tile.
+    /// `photos`: of the first object; others blend all of theirs. Layers, bands, surroundings and comparisons
+    /// are those of the first object.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
     /// Shows what was drawn last, as Renderer::show does. A comparison shows the first object alone.
@@ -59,6 +64,9 @@ class ObjectSet {
     bool alone() const;
     SceneObject& object_at(std::size_t object);
     RenderSettings settings_of_others(const RenderSettings& settings) const;
+    /// `settings.weights_from` is a view of the scene, and becomes one of the object.
+    FrameReport draw_other(Other& other, const View& view, RenderSettings& settings, PixelSample sample,
+                           double now, const View* next) const;
     void divide_budget();
     std::string free_name(const std::string& wanted) const;
 

@@ -1,11 +1,9 @@
 #pragma once
-#include <string>
-#include <vector>
-
 #include "player/options/blending_options.h"
 #include "player/options/layer_options.h"
 #include "player/options/light_options.h"
 #include "player/options/memory_options.h"
+#include "player/options/object_options.h"
 #include "player/options/output_options.h"
 #include "player/options/package_options.h"
 #include "player/options/picture_options.h"
@@ -17,6 +15,7 @@ namespace vantage {
 /// The command line of `vantage-player FILE`.
 struct ShowOptions {
     PackageOptions package;
+    ObjectOptions objects;
     BlendingOptions blending;
     LayerOptions layer;
     LightOptions light;
@@ -25,7 +24,6 @@ struct ShowOptions {
     OutputOptions output;
     PictureOptions pictures;
     WindowOptions window;
-    std::vector<std::string> added;  ///< packages to show with it
     bool list = false;
 };
 

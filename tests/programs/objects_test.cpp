@@ -223,6 +223,26 @@ TEST_F(Objects, RemovingAnObjectReturnsItsMemory) {
     }
 }
 
+TEST_F(Objects, TogetherTheyKeepTheUploadLimitAndConverge) {
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(*first, MemoryBudget{});
+    ObjectSet set(renderer, scene, MemoryBudget{});
+    RenderSettings settings;
+    settings.complete = false;
+    settings.upload_bytes = std::size_t(2) << 20;
+    std::uint64_t total = 0, most = 0;
+    bool settled = false;
+    for (int i = 0; i < 3000 && !settled; ++i) {
+        const FrameReport report = set.draw(view(), settings, photos, {}, 1 + i / 30.0);
+        total += report.uploaded;
+        most = std::max<std::uint64_t>(most, report.uploaded);
+        settled = report.settled && report.tiles_missing == 0;
+    }
+    EXPECT_TRUE(settled);
+    EXPECT_LE(most, settings.upload_bytes);
+    EXPECT_GT(total, 2 * settings.upload_bytes) << "nothing to limit";
+}
+
 TEST_F(Objects, MovedApartTheyAreBesideEachOtherAndBackTogetherAsBefore) {
     const gl::HeadlessContext context(gl::Debug::on);
     Renderer renderer(*first, MemoryBudget{});

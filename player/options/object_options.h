@@ -1,0 +1,21 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "objects/scene_file.h"
+#include "player/options/package_options.h"
+
+namespace vantage {
+
+/// What is shown with the package.
+struct ObjectOptions {
+    std::vector<std::string> added;  ///< packages
+};
+void add_object_options(CLI::App& app, ObjectOptions& options);
+
+/// The objects of the scene that the command line names: those of a scene file in place of the package, or
+/// the package; then those that are added. Throws Error(input).
+std::vector<SceneObject> named_objects(const PackageOptions& package, const ObjectOptions& options);
+
+}  // namespace vantage
