@@ -106,7 +106,8 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
       scene_(make_plan_scene(package)),
       store_(package, budget.ring),
       passes_(package, scene_, store_),
-      plan_(scene_),
+      bands_(scene_),
+      tiles_(scene_, store_, passes_),
       resolve_program_(make_resolve_program({})),
       show_program_(make_show_program(package, scene_)),
       no_vertices_(gl::make_vertex_array("no vertices")) {
@@ -192,53 +193,6 @@ void Renderer::fit(int width, int height, std::span<const BandFrame> bands) {
     if (bands.size() > 1) targets_.add_other();
 }
 
-/// The bands of this frame; each keeps its plan as long as it is shown.
-void Renderer::choose_bands(const RenderSettings& settings, double now) {
-    ShownBands wanted = shown_bands(settings.bands, scene_.bands.size());
-    if (scene_.bands.size() > 1 && !settings.complete) {
-        const bool ready = !plan_.drawn().empty() || plan_.plan().photos.empty();
-        wanted = band_change_.update(wanted, now, ready);
-    }
-    if (wanted.first != shown_.first) {
-        std::optional<ViewPlan> former(std::move(plan_));
-        plan_ = other_plan_ && shown_.second == wanted.first ? std::move(*other_plan_) : ViewPlan(scene_);
-        other_plan_ = wanted.second == shown_.first ? std::move(former) : std::nullopt;
-    } else if (wanted.second != shown_.second) {
-        other_plan_.reset();
-    }
-    if (wanted.second && !other_plan_) other_plan_.emplace(scene_);
-    if (!wanted.second) other_plan_.reset();
-    shown_ = wanted;
-}
-
-std::vector<Renderer::BandFrame> Renderer::band_frames(const RenderSettings& settings,
-                                                       std::span<const std::uint32_t> photos) {
-    const auto frame = [&](std::uint32_t band, ViewPlan& plan, bool second) {
-        return BandFrame{settings_of_band(settings, band, scene_), photos_of_band(photos, band, scene_),
-                         &plan, second};
-    };
-    std::vector<BandFrame> out{frame(shown_.first, plan_, false)};
-    if (shown_.second) out.push_back(frame(*shown_.second, *other_plan_, true));
-    return out;
-}
-
-std::vector<const ViewPlan*> Renderer::plans() const {
-    std::vector<const ViewPlan*> out{&plan_};
-    if (other_plan_) out.push_back(&*other_plan_);
-    return out;
-}
-
-bool Renderer::settled() const {
-    return band_change_.settled() &&
-           std::ranges::all_of(plans(), [](const ViewPlan* p) { return p->settled(); });
-}
-
-bool Renderer::uses(std::uint32_t photo) const {
-    return std::ranges::any_of(plans(), [&](const ViewPlan* p) {
-        return std::ranges::count(p->plan().photos, photo, &PlannedPhoto::photo) > 0;
-    });
-}
-
 void Renderer::plan_band(const View& view, const BandFrame& band, PixelSample sample) {
     const RenderSettings& settings = band.settings;
     if (settings.complete && settings.photos > 0 && sample.index == 0) find_seen(view, band, sample);
@@ -253,8 +207,8 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     const RenderSettings settings = usable(given);
     if (!shows_photos(settings)) photos = {};
     if (settings.weights_from) check_view(*settings.weights_from);
-    choose_bands(settings, now);
-    const std::vector<BandFrame> bands = band_frames(settings, photos);
+    bands_.choose(settings, now);
+    const std::vector<BandFrame> bands = bands_.frames(settings, photos);
     if (passes_.load_layer(settings)) targets_ = {};  // the budget has to be divided again
     fit(view.intrinsics.width, view.intrinsics.height, bands);
     store_.begin_frame(now, !settings.complete && !settings.wait_for_tiles);
@@ -267,11 +221,12 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     }
     const View point = sampled(view, sample);
     Frame frame{drawn_view(point, bands.front(), sample.side), sample, now, report};
-    frame.report.clusters = plan_.plan().clusters.size();
-    frame.report.uncovered = plan_.plan().uncovered;
-    if (!settings.complete) stream(frame, bands, next);
+    frame.report.clusters = bands_.plan_of_first().clusters.size();
+    frame.report.uncovered = bands_.plan_of_first().uncovered;
+    if (!settings.complete) tiles_.stream(point, bands, sample.side, next, frame.report);
     for (const BandFrame& band : bands)
-        band.plan->fade(plan_settings(band.settings), now, ready_photos(band));
+        band.plan->fade(plan_settings(band.settings), now,
+                        tiles_.ready_photos(band.settings, band.plan->plan()));
     depth_terms_ = terms_of(point, frame.drawn.depth_range);
     passes_.draw_surface(frame.drawn, targets_);
     if (!settings.complete) readback_.capture(targets_, view);
@@ -285,7 +240,8 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     FrameReport& r = frame.report;
     r.fragments = fragments_.fragments, r.fragments_approximated = fragments_.approximated;
     r.tiles_damaged = store_.residency().damaged_count() + (points_ ? points_->damaged() : 0);
-    r.settled = r.tiles_missing == 0 && r.nodes_missing == 0 && settled() && store_.residency().settled();
+    r.settled =
+        r.tiles_missing == 0 && r.nodes_missing == 0 && bands_.settled() && store_.residency().settled();
     held_ += gl::memory_held() - held_before;
     gl::check("rendering a view");
     return r;
@@ -301,7 +257,7 @@ void Renderer::redraw(const View& view, const RenderSettings& given) {
     check_view(view);
     const RenderSettings settings = usable(given);
     if (settings.weights_from) check_view(*settings.weights_from);
-    for (const BandFrame& band : band_frames(settings, {})) {
+    for (const BandFrame& band : bands_.frames(settings, {})) {
         Frame frame{drawn_view(view, band, 1), {}, 0, {}, band.second};
         draw_band(frame);
     }
@@ -391,13 +347,6 @@ Eigen::Vector2d Renderer::depth_range_of(const View& view, const RenderSettings&
     return {std::min(model.x(), cloud.x()), std::max(model.y(), cloud.y())};
 }
 
-std::vector<bool> Renderer::ready_photos(const BandFrame& band) const {
-    std::vector<bool> ready(scene_.photos.size(), false);
-    for (const PlannedPhoto& p : band.plan->plan().photos)
-        ready[p.photo] = store_.base_resident(p.photo, !per_fragment(band.settings));
-    return ready;
-}
-
 /// Finds out which triangles the view shows before photos are chosen for it. Waits for the graphics card.
 void Renderer::find_seen(const View& view, const BandFrame& band, PixelSample sample) {
     band.plan->update(view, plan_settings(band.settings), band.photos, sample.side, readback_.seen());
@@ -407,103 +356,11 @@ void Renderer::find_seen(const View& view, const BandFrame& band, PixelSample sa
     readback_.update(true);
 }
 
-TileNeeds Renderer::comparison_needs(const View& view, const RenderSettings& settings) const {
-    const std::uint32_t photo = settings.compare_photo;
-    if (settings.compare == Compare::nothing || photo >= scene_.photos.size() || !scene_.photos[photo].levels)
-        return {};
-    return whole_photo_needs(scene_.photos[photo], view.intrinsics.fx / scene_.intrinsics[photo].fx);
-}
-
-/// Requests what the frame needs and prefetches what frames to come will need; uploads what has arrived.
-void Renderer::stream(Frame& frame, std::span<const BandFrame> bands, const View* next) {
-    const RenderSettings& settings = frame.drawn.settings;
-    for (const BandFrame& band : bands) {
-        const bool coordinates = !per_fragment(band.settings);
-        for (const PlannedPhoto& p : band.plan->plan().photos) store_.need_base(p.photo, coordinates);
-        for (const PlannedPhoto& p : band.plan->kept()) store_.need_base(p.photo, coordinates);
-    }
-    for (const BandFrame& band : bands)
-        for (const PlannedPhoto& p : band.plan->plan().photos) {
-            if (settings.whole_photos) frame.report.uploaded += store_.load_whole(p.photo);
-            frame.report.tiles += p.needs.tiles();
-            // Until the visible triangles are known, many tiles would be read unnecessarily.
-            const bool known = band.plan->uses_seen() || settings.wait_for_tiles;
-            frame.report.tiles_missing += known ? store_.need(p.photo, p.needs) : p.needs.tiles();
-        }
-    const TileNeeds comparison = comparison_needs(frame.drawn.view, settings);
-    frame.report.tiles_missing += store_.need(settings.compare_photo, comparison);
-    for (const std::uint32_t p : wanted_thumbnails_)
-        if (scene_.photos[p].levels) store_.need_thumbnail(p);
-    wanted_thumbnails_.clear();
-    if (settings.wait_for_tiles) {
-        store_.load();
-        frame.report.tiles_missing = store_.missing(settings.compare_photo, comparison);
-        for (const BandFrame& band : bands)
-            for (const PlannedPhoto& p : band.plan->plan().photos)
-                frame.report.tiles_missing += store_.missing(p.photo, p.needs);
-        return;
-    }
-    if (frame.report.tiles_missing == 0) prefetch(bands, frame.sample.side, next);
-    // Points have taken their part of the frame's budget.
-    frame.report.uploaded +=
-        store_.stream(settings.upload_bytes - std::min(settings.upload_bytes, frame.report.uploaded));
-}
-
-/// What the view may show next, and what the view expected soon will need.
-void Renderer::prefetch(std::span<const BandFrame> bands, int side, const View* next) {
-    for (const BandFrame& band : bands)
-        for (const PlannedPhoto& p : band.plan->plan().photos) store_.prefetch(p.photo, p.later);
-    for (const BandFrame& band : bands) {
-        if (!next) continue;
-        for (const PlannedPhoto& p : band.plan->ahead(*next, plan_settings(band.settings), side).photos)
-            store_.prefetch(p.photo, p.needs);
-    }
-}
-
-/// Loads everything that a pass needs, however long it takes.
-void Renderer::load(Pass pass, Frame& frame) {
-    std::size_t missing = 0;
-    store_.begin_frame(frame.now, false);  // what earlier passes used may be evicted
-    for (const PlannedPhoto* p : pass) {
-        store_.need_base(p->photo, !per_fragment(frame.drawn.settings));
-        store_.need(p->photo, p->needs);
-        store_.need(p->photo, p->later);
-        frame.report.tiles += p->needs.tiles();
-    }
-    store_.need(frame.drawn.settings.compare_photo, comparison_needs(frame.drawn.view, frame.drawn.settings));
-    store_.load();
-    for (const PlannedPhoto* p : pass) missing += store_.missing(p->photo, p->needs);
-    frame.report.tiles_missing += missing;
-}
-
-std::size_t Renderer::pass_length(Pass rest, const RenderSettings& settings) const {
-    const std::size_t most = std::min(rest.size(), std::size_t(settings.photos_per_pass));
-    if (!settings.complete) return most;
-    const ResidencyLayout& layout = store_.residency().layout();
-    std::size_t n = 0, color = 0, masks = 0;
-    while (n < most) {
-        for (const auto& level : rest[n]->needs.color) color += level.size();
-        for (const auto& level : rest[n]->needs.masks) masks += level.size();
-        // Sums do not depend on the split into passes, so a pass ends when graphics memory is full.
-        const auto exceeds = [](std::size_t wanted, std::size_t room, std::size_t all) {
-            return wanted > room && room < all;
-        };
-        const bool full =
-            exceeds(color, layout.color, store_.pages().color) ||
-            exceeds(masks + n + 1, layout.masks, store_.pages().masks) ||
-            exceeds(n + 1, layout.thumbnails, scene_.photos.size()) ||
-            (!per_fragment(settings) && exceeds(n + 1, layout.coordinates, scene_.photos.size()));
-        if (n > 0 && full) break;
-        ++n;
-    }
-    return n;
-}
-
 void Renderer::draw_passes(Pass photos, Frame& frame, bool consensus, int& into) {
     for (Pass rest = photos; !rest.empty(); ++frame.report.passes) {
-        const Pass pass = rest.first(pass_length(rest, frame.drawn.settings));
+        const Pass pass = rest.first(tiles_.pass_length(rest, frame.drawn.settings));
         rest = rest.subspan(pass.size());
-        if (frame.drawn.settings.complete) load(pass, frame);
+        if (frame.drawn.settings.complete) tiles_.load(pass, frame.drawn, frame.now, frame.report);
         if (takes_one(frame.drawn.settings.blend)) into = 1 - into;
         frame.report.draws += passes_.draw_photos(pass, frame.drawn, targets_,
                                                   point_surface(frame.drawn.settings), consensus, into);
@@ -589,7 +446,7 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
 bool Renderer::shows_transparent(const RenderSettings& settings) const {
     const bool hidden = shows_points(settings) && settings.points.alone;
     return transparent_ && transparent_->mode() != Transparency::off && !hidden &&
-           settings.show == Show::colors && !plan_.plan().transparent.empty();
+           settings.show == Show::colors && !bands_.plan_of_first().transparent.empty();
 }
 
 void Renderer::draw_transparent(Frame& frame) {
@@ -677,8 +534,9 @@ std::vector<std::uint32_t> Renderer::triangles() const {
 
 void Renderer::show(const View& view, const RenderSettings& given, GLuint target, bool flip) {
     const RenderSettings settings = usable(given);
-    const bool fills = fills_holes(settings_of_band(settings, shown_.first, scene_));
-    const bool other_fills = shown_.second && fills_holes(settings_of_band(settings, *shown_.second, scene_));
+    const bool fills = fills_holes(settings_of_band(settings, bands_.shown().first, scene_));
+    const bool other_fills =
+        bands_.shown().second && fills_holes(settings_of_band(settings, *bands_.shown().second, scene_));
     const gl::Texture& clean = veils() ? transparent_->clean() : targets_.accumulated;
     if (fills || other_fills) filling_->fill(fills ? clean : targets_.other, std::max(samples_, 1.0));
     glBindFramebuffer(GL_FRAMEBUFFER, target);
@@ -714,14 +572,14 @@ void Renderer::show(const View& view, const RenderSettings& given, GLuint target
 }
 
 void Renderer::show_bands(bool other_fills) const {
-    const GLuint how = !shown_.second                         ? shader::bands_one
-                       : shown_.how == BandView::side_by_side ? shader::bands_side_by_side
-                       : shown_.how == BandView::wiper        ? shader::bands_wiper
-                                                              : shader::bands_mixed;
+    const GLuint how = !bands_.shown().second                         ? shader::bands_one
+                       : bands_.shown().how == BandView::side_by_side ? shader::bands_side_by_side
+                       : bands_.shown().how == BandView::wiper        ? shader::bands_wiper
+                                                                      : shader::bands_mixed;
     glUniform1ui(shader::bands_uniform, how);
-    glUniform1f(shader::band_share_uniform, float(shown_.share));
+    glUniform1f(shader::band_share_uniform, float(bands_.shown().share));
     if (scene_.has_surroundings()) glUniform1i(shader::other_fills_uniform, other_fills);
-    glBindTextureUnit(shader::other_unit, shown_.second ? targets_.other.id() : 0);
+    glBindTextureUnit(shader::other_unit, bands_.shown().second ? targets_.other.id() : 0);
 }
 
 }  // namespace vantage

@@ -10,14 +10,14 @@
 #include "gl/program.h"
 #include "player/camera/view.h"
 #include "player/plan/plan.h"
-#include "player/plan/view_plan.h"
+#include "player/render/band_plans.h"
 #include "player/render/frame_targets.h"
+#include "player/render/frame_tiles.h"
 #include "player/render/hole_filling.h"
 #include "player/render/model_passes.h"
 #include "player/render/point_pass.h"
 #include "player/render/point_picking.h"
 #include "player/render/render_settings.h"
-#include "player/render/shown_bands.h"
 #include "player/render/transparent_pass.h"
 #include "player/render/triangle_readback.h"
 #include "player/stream/photo_store.h"
@@ -80,9 +80,10 @@ class Renderer {
     const PointPass* points() const { return points_ ? &*points_ : nullptr; }
     /// The triangles seen last, as far as they have been read back.
     SeenTriangles seen() const { return readback_.seen(); }
-    const Plan& plan() const { return plan_.plan(); }
+    /// Of the first band that is shown.
+    const Plan& plan() const { return bands_.plan_of_first(); }
     /// Whether the plan of a band that is shown has this photo.
-    bool uses(std::uint32_t photo) const;
+    bool uses(std::uint32_t photo) const { return bands_.uses(photo); }
     bool per_fragment(const RenderSettings& settings) const { return passes_.per_fragment(settings); }
     const PhotoStore& store() const { return store_; }
     /// Current limit of graphics memory, bytes.
@@ -92,17 +93,10 @@ class Renderer {
     /// Graphics memory that this renderer holds, bytes.
     std::uint64_t held() const { return held_; }
     /// Requests this photo's thumbnail with the next frame, for panels.
-    void want_thumbnail(std::uint32_t photo) { wanted_thumbnails_.push_back(photo); }
+    void want_thumbnail(std::uint32_t photo) { tiles_.want_thumbnail(photo); }
 
   private:
-    using Pass = std::span<const PlannedPhoto* const>;
-    /// A band and what it is drawn from.
-    struct BandFrame {
-        RenderSettings settings;
-        std::vector<std::uint32_t> photos;
-        ViewPlan* plan;
-        bool second;  ///< of two bands
-    };
+    using Pass = FrameTiles::Pass;
     struct Frame {
         DrawnView drawn;
         PixelSample sample;
@@ -112,21 +106,11 @@ class Renderer {
     };
 
     RenderSettings usable(RenderSettings settings) const;
-    void choose_bands(const RenderSettings& settings, double now);
-    std::vector<BandFrame> band_frames(const RenderSettings& settings, std::span<const std::uint32_t> photos);
     void fit(int width, int height, std::span<const BandFrame> bands);
     void find_seen(const View& view, const BandFrame& band, PixelSample sample);
     void plan_band(const View& view, const BandFrame& band, PixelSample sample);
     void draw_band(Frame& frame);
-    bool settled() const;
     DrawnView drawn_view(const View& view, const BandFrame& band, int side) const;
-    std::vector<bool> ready_photos(const BandFrame& band) const;
-    std::vector<const ViewPlan*> plans() const;
-    void stream(Frame& frame, std::span<const BandFrame> bands, const View* next);
-    void prefetch(std::span<const BandFrame> bands, int side, const View* next);
-    TileNeeds comparison_needs(const View& view, const RenderSettings& settings) const;
-    void load(Pass pass, Frame& frame);
-    std::size_t pass_length(Pass rest, const RenderSettings& settings) const;
     void draw_present(Frame& frame);
     void draw_points(Frame& frame);
     PointSurface point_surface(const RenderSettings& settings) const;
@@ -157,10 +141,8 @@ class Renderer {
     PlanScene scene_;
     PhotoStore store_;
     ModelPasses passes_;
-    ViewPlan plan_;
-    std::optional<ViewPlan> other_plan_;  ///< of a second band
-    BandChange band_change_;
-    ShownBands shown_;
+    BandPlans bands_;
+    FrameTiles tiles_;
     FrameTargets targets_;
     std::optional<HoleFilling> filling_;          ///< if there are surroundings
     std::optional<PointPass> points_;             ///< if there is a cloud
@@ -173,7 +155,6 @@ class Renderer {
     std::map<std::vector<std::string>, gl::Program> other_resolve_programs_;  ///< by what was asked for
     gl::VertexArray no_vertices_;
     double samples_ = 0;  ///< accumulated in targets_.accumulated
-    std::vector<std::uint32_t> wanted_thumbnails_;
 };
 
 }  // namespace vantage

@@ -1,0 +1,104 @@
+#include "player/render/frame_tiles.h"
+
+#include <algorithm>
+
+namespace vantage {
+
+TileNeeds FrameTiles::comparison_needs(const View& view, const RenderSettings& settings) const {
+    const std::uint32_t photo = settings.compare_photo;
+    if (settings.compare == Compare::nothing || photo >= scene_->photos.size() ||
+        !scene_->photos[photo].levels)
+        return {};
+    return whole_photo_needs(scene_->photos[photo], view.intrinsics.fx / scene_->intrinsics[photo].fx);
+}
+
+void FrameTiles::stream(const View& view, std::span<const BandFrame> bands, int side, const View* next,
+                        FrameReport& report) {
+    const RenderSettings& settings = bands.front().settings;
+    for (const BandFrame& band : bands) {
+        for (const PlannedPhoto& p : band.plan->plan().photos)
+            store_->need_base(p.photo, coordinates(band.settings));
+        for (const PlannedPhoto& p : band.plan->kept())
+            store_->need_base(p.photo, coordinates(band.settings));
+    }
+    for (const BandFrame& band : bands)
+        for (const PlannedPhoto& p : band.plan->plan().photos) {
+            if (settings.whole_photos) report.uploaded += store_->load_whole(p.photo);
+            report.tiles += p.needs.tiles();
+            // Until the visible triangles are known, many tiles would be read unnecessarily.
+            const bool known = band.plan->uses_seen() || settings.wait_for_tiles;
+            report.tiles_missing += known ? store_->need(p.photo, p.needs) : p.needs.tiles();
+        }
+    const TileNeeds comparison = comparison_needs(view, settings);
+    report.tiles_missing += store_->need(settings.compare_photo, comparison);
+    for (const std::uint32_t p : wanted_thumbnails_)
+        if (scene_->photos[p].levels) store_->need_thumbnail(p);
+    wanted_thumbnails_.clear();
+    if (settings.wait_for_tiles) {
+        store_->load();
+        report.tiles_missing = store_->missing(settings.compare_photo, comparison);
+        for (const BandFrame& band : bands)
+            for (const PlannedPhoto& p : band.plan->plan().photos)
+                report.tiles_missing += store_->missing(p.photo, p.needs);
+        return;
+    }
+    if (report.tiles_missing == 0) prefetch(bands, side, next);
+    // Points have taken their part of the frame's budget.
+    report.uploaded +=
+        store_->stream(settings.upload_bytes - std::min(settings.upload_bytes, report.uploaded));
+}
+
+void FrameTiles::prefetch(std::span<const BandFrame> bands, int side, const View* next) {
+    for (const BandFrame& band : bands)
+        for (const PlannedPhoto& p : band.plan->plan().photos) store_->prefetch(p.photo, p.later);
+    for (const BandFrame& band : bands) {
+        if (!next) continue;
+        for (const PlannedPhoto& p : band.plan->ahead(*next, plan_settings(band.settings), side).photos)
+            store_->prefetch(p.photo, p.needs);
+    }
+}
+
+void FrameTiles::load(Pass pass, const DrawnView& drawn, double now, FrameReport& report) {
+    store_->begin_frame(now, false);  // what earlier passes used may be evicted
+    for (const PlannedPhoto* p : pass) {
+        store_->need_base(p->photo, coordinates(drawn.settings));
+        store_->need(p->photo, p->needs);
+        store_->need(p->photo, p->later);
+        report.tiles += p->needs.tiles();
+    }
+    store_->need(drawn.settings.compare_photo, comparison_needs(drawn.view, drawn.settings));
+    store_->load();
+    for (const PlannedPhoto* p : pass) report.tiles_missing += store_->missing(p->photo, p->needs);
+}
+
+std::size_t FrameTiles::pass_length(Pass rest, const RenderSettings& settings) const {
+    const std::size_t most = std::min(rest.size(), std::size_t(settings.photos_per_pass));
+    if (!settings.complete) return most;
+    const ResidencyLayout& layout = store_->residency().layout();
+    std::size_t n = 0, color = 0, masks = 0;
+    while (n < most) {
+        for (const auto& level : rest[n]->needs.color) color += level.size();
+        for (const auto& level : rest[n]->needs.masks) masks += level.size();
+        // Sums do not depend on the split into passes, so a pass ends when graphics memory is full.
+        const auto exceeds = [](std::size_t wanted, std::size_t room, std::size_t all) {
+            return wanted > room && room < all;
+        };
+        const bool full =
+            exceeds(color, layout.color, store_->pages().color) ||
+            exceeds(masks + n + 1, layout.masks, store_->pages().masks) ||
+            exceeds(n + 1, layout.thumbnails, scene_->photos.size()) ||
+            (coordinates(settings) && exceeds(n + 1, layout.coordinates, scene_->photos.size()));
+        if (n > 0 && full) break;
+        ++n;
+    }
+    return n;
+}
+
+std::vector<bool> FrameTiles::ready_photos(const RenderSettings& settings, const Plan& plan) const {
+    std::vector<bool> ready(scene_->photos.size(), false);
+    for (const PlannedPhoto& p : plan.photos)
+        ready[p.photo] = store_->base_resident(p.photo, coordinates(settings));
+    return ready;
+}
+
+}  // namespace vantage

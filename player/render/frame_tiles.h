@@ -1,0 +1,48 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "player/render/band_plans.h"
+#include "player/render/model_passes.h"
+#include "player/stream/photo_store.h"
+
+namespace vantage {
+
+/// Requests the tiles of frames. Belongs to the OpenGL thread; the constructor's arguments must outlive it.
+class FrameTiles {
+  public:
+    using Pass = std::span<const PlannedPhoto* const>;
+
+    FrameTiles(const PlanScene& scene, PhotoStore& store, const ModelPasses& passes)
+        : scene_(&scene), store_(&store), passes_(&passes) {}
+
+    /// Requests this photo's thumbnail with the next frame, for panels.
+    void want_thumbnail(std::uint32_t photo) { wanted_thumbnails_.push_back(photo); }
+
+    /// Requests what a frame needs and prefetches what frames to come will need, for the view expected next,
+    /// too; uploads what has arrived. Adds to the report.
+    void stream(const View& view, std::span<const BandFrame> bands, int side, const View* next,
+                FrameReport& report);
+    /// Loads everything that a pass needs, however long it takes. Adds to the report.
+    void load(Pass pass, const DrawnView& drawn, double now, FrameReport& report);
+
+    /// How many of the photos one pass draws. Those of a picture that waits for its tiles must fit into
+    /// graphics memory together.
+    std::size_t pass_length(Pass rest, const RenderSettings& settings) const;
+    /// By number, whether a photo of the scene can be drawn, at least coarsely.
+    std::vector<bool> ready_photos(const RenderSettings& settings, const Plan& plan) const;
+
+  private:
+    bool coordinates(const RenderSettings& settings) const { return !passes_->per_fragment(settings); }
+    TileNeeds comparison_needs(const View& view, const RenderSettings& settings) const;
+    void prefetch(std::span<const BandFrame> bands, int side, const View* next);
+
+    const PlanScene* scene_;
+    PhotoStore* store_;
+    const ModelPasses* passes_;
+    std::vector<std::uint32_t> wanted_thumbnails_;
+};
+
+}  // namespace vantage
