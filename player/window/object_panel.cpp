@@ -28,7 +28,6 @@ bool placement_sliders(Controls& c, ObjectSet& objects, std::size_t object, doub
 
 bool opacity_slider(Controls& c, ObjectSet& objects, std::size_t object) {
     double opacity = objects.at(object).opacity;
-    ImGui::SetNextItemWidth(90);
     if (!c.slider(("Opacity of " + objects.at(object).name).c_str(), &opacity, 0, 1, "%.2f")) return false;
     objects.set_opacity(object, opacity);
     return true;
@@ -41,16 +40,16 @@ bool object_row(Controls& c, ObjectSet& objects, std::size_t object, double size
     if (c.checkbox(name.c_str(), &shown)) objects.show_object(object, shown), changed = true;
     ImGui::SameLine();
     if (c.button(("Only " + name).c_str())) objects.show_only(object), changed = true;
-    ImGui::SameLine();
-    changed |= opacity_slider(c, objects, object);
-    if (object == 0) return changed;
-    ImGui::SameLine();
-    removed = c.button(("Remove " + name).c_str());
-    ImGui::SameLine();
     const std::string position = "Position of " + name;
     bool* open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID((position + " open").c_str()));
-    if (c.button(position.c_str())) *open = !*open;
-    if (*open) changed |= placement_sliders(c, objects, object, size);
+    if (object > 0) {
+        ImGui::SameLine();
+        removed = c.button(("Remove " + name).c_str());
+        ImGui::SameLine();
+        if (c.button(position.c_str())) *open = !*open;
+    }
+    changed |= opacity_slider(c, objects, object);
+    if (object > 0 && *open) changed |= placement_sliders(c, objects, object, size);
     return changed;
 }
 

@@ -109,6 +109,7 @@ press "Compare"; press "difference"
 press "Compare"; press "wiper"
 press "Wiper" 0.3
 press "Compare"; press "nothing"
+step_back
 press "View"; press "Cameras in the scene"
 press "View"; press "Radar"
 press "Radar map" 0.5
@@ -137,7 +138,7 @@ key o; press "two.vantage"; press "Open"
 sleep 1
 [ "$(xdotool getwindowname "$window")" = "two.vantage - Vantage" ] || fail "the other package was not opened"
 step_back
-press "Surroundings"; press "dimmed"
+press "Surroundings"; press "hidden"  # which is faster
 press "Transparency"; press "approximate"
 press "Light"; press "normals"
 press "Light"; press "lamp at the viewer"
@@ -163,6 +164,7 @@ press "Eye-dome shading" 0.2
 press "Million points" 0.1
 press "Points"; press "with the model"
 key F8
+press "Surroundings"; press "dimmed"
 key o; press "three.vantage"; press "Open"
 sleep 1
 [ "$(xdotool getwindowname "$window")" = "three.vantage - Vantage" ] || fail "the package with bands was not opened"
