@@ -237,7 +237,7 @@ void blending_panel(Controls& c, Session& s, const Renderer& renderer) {
     ImGui::End();
 }
 
-void status_panel(const Session& s, const Renderer& renderer) {
+void status_panel(const Session& s, const Renderer& renderer, std::uint64_t graphics_budget) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x - 352, 40), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize(ImVec2(340, 0), ImGuiCond_FirstUseEver);
@@ -255,7 +255,7 @@ void status_panel(const Session& s, const Renderer& renderer) {
         if (renderer.scene().has_transparency())
             ImGui::Text("%zu transparent fragments, %zu approximated", r.fragments, r.fragments_approximated);
         const Residency& held = renderer.store().residency();
-        budget_bar("graphics", double(gl::memory_held()), double(renderer.graphics_budget()));
+        budget_bar("graphics", double(gl::memory_held()), double(graphics_budget));
         budget_bar("tiles", double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
                    double(held.layout().bytes()));
         if (r.tiles_damaged)

@@ -10,7 +10,8 @@ void set_style();
 
 void menu_bar(Controls& controls, Session& session, const Renderer& renderer, double now);
 void blending_panel(Controls& controls, Session& session, const Renderer& renderer);
-void status_panel(const Session& session, const Renderer& renderer);
+/// `graphics_budget`: of all objects, bytes.
+void status_panel(const Session& session, const Renderer& renderer, std::uint64_t graphics_budget);
 void help_panel(Session& session);
 /// Asks for a package to open: lists those in the current one's folder, and accepts any path.
 void open_dialog(Controls& controls, Session& session, const Renderer& renderer);

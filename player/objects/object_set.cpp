@@ -20,6 +20,7 @@ FrameReport joined(const FrameReport& a, const FrameReport& b) {
     out.clusters += b.clusters, out.photos += b.photos, out.passes += b.passes, out.draws += b.draws;
     out.tiles += b.tiles, out.tiles_missing += b.tiles_missing, out.tiles_damaged += b.tiles_damaged;
     out.points += b.points, out.nodes_missing += b.nodes_missing, out.uploaded += b.uploaded;
+    out.fragments += b.fragments, out.fragments_approximated += b.fragments_approximated;
     out.uncovered = std::max(a.uncovered, b.uncovered);
     out.settled = a.settled && b.settled;
     return out;

@@ -55,7 +55,7 @@ void ShownScene::interface(const View& view, double now) {
     if (s.panels.frusta) draw_frusta(s, renderer_, view);
     if (!drawn_) return;  // panels would delay the first picture
     if (s.panels.blending) blending_panel(controls_, s, renderer_);
-    if (s.panels.status) status_panel(s, renderer_);
+    if (s.panels.status) status_panel(s, renderer_, objects_.graphics_budget());
     if (s.panels.layers) layer_panel(controls_, s, renderer_, view);
     if (s.panels.points) point_panel(controls_, s, renderer_);
     if (s.panels.bands) band_panel(controls_, s, renderer_);
