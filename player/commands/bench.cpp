@@ -95,7 +95,8 @@ int bench_command(int argc, char** argv) {
     if (const auto code = parse(app, argc, argv)) return *code;
     if (unused.pictures.offscreen) options.purpose = Purpose::pictures;
     if (!options.output.file.empty()) options.folder = options.output.file;
-    const PackageReader package(named_objects(options.package, options.objects).front().package);
+    options.scene = named_objects(options.package, options.objects);
+    const PackageReader package(options.scene.front().package);
     expect_bench_folder(package, options);
     return run_bench(package, options);
 }

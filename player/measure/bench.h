@@ -1,10 +1,12 @@
 #pragma once
 #include "player/measure/flight.h"
+#include "player/options/object_options.h"
 
 namespace vantage {
 
 /// The command line of `vantage-player bench`.
 struct BenchOptions : FlightOptions {
+    ObjectOptions objects;
     std::vector<std::string> paths{"still", "orbit", "approach", "jump"};
     std::vector<std::string> modes{"stream", "resident", "whole"};
     int repeats = 3;

@@ -87,14 +87,13 @@ CameraPath path_named(const std::string& name, const PackageReader& package, con
 
 Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPath& path,
            const std::string& mode, int repeat, const FlightTarget& target) {
-    const std::vector<SceneObject> scene = named_objects(o.package, o.objects);
-    for (const SceneObject& object : scene)
+    for (const SceneObject& object : o.scene)
         if (!o.warm) drop_from_page_cache(object.package);
     const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
     const RenderSettings settings = flight_settings(package, o, mode);
     const FrameSize size = target.size;
     Renderer renderer(package, memory_budget(o.memory));
-    ObjectSet objects(renderer, scene, memory_budget(o.memory));
+    ObjectSet objects(renderer, o.scene, memory_budget(o.memory));
     if (mode == "resident") preload(objects, path, size, settings, photos);
     Flight flight{path.name, mode, repeat, {}};
     flight.frames.reserve(path.frames.size());

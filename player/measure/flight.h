@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "gl/object.h"
+#include "objects/scene_file.h"
 #include "player/camera/camera_path.h"
 #include "player/camera/shots.h"
 #include "player/measure/process_memory.h"
 #include "player/options/blending_options.h"
 #include "player/options/memory_options.h"
-#include "player/options/object_options.h"
 #include "player/options/output_options.h"
 #include "player/options/package_options.h"
 #include "player/options/point_options.h"
@@ -22,7 +22,7 @@ inline constexpr double frame_seconds = 1.0 / 30;
 /// How paths are flown.
 struct FlightOptions {
     PackageOptions package;
-    ObjectOptions objects;
+    std::vector<SceneObject> scene;  ///< what is shown; the first object is the package
     BlendingOptions blending;
     MemoryOptions memory;
     PointSettings points;

@@ -63,8 +63,7 @@ void ObjectSet::remove(std::size_t object) {
 
 /// A limit that was given is divided evenly; otherwise each object has what a frame of it needs.
 void ObjectSet::divide_budget() {
-    std::uint64_t held = first_.held();
-    for (const auto& o : others_) held += o->renderer->held();
+    const std::uint64_t held = sum([](const Renderer& r) { return r.held(); });
     MemoryBudget share = budget_;
     share.graphics = budget_.graphics / size();
     const auto set = [&](Renderer& renderer) {
@@ -107,16 +106,18 @@ const FrameReport& ObjectSet::report(std::size_t object) const {
     return object == 0 ? first_report_ : others_.at(object - 1)->report;
 }
 
+std::uint64_t ObjectSet::sum(std::uint64_t (*of)(const Renderer&)) const {
+    std::uint64_t out = of(first_);
+    for (const auto& o : others_) out += of(*o->renderer);
+    return out;
+}
+
 std::uint64_t ObjectSet::bytes_read() const {
-    std::uint64_t sum = first_.store().bytes_read();
-    for (const auto& o : others_) sum += o->renderer->store().bytes_read();
-    return sum;
+    return sum([](const Renderer& r) { return r.store().bytes_read(); });
 }
 
 std::uint64_t ObjectSet::graphics_budget() const {
-    std::uint64_t sum = first_.graphics_budget();
-    for (const auto& o : others_) sum += o->renderer->graphics_budget();
-    return sum;
+    return sum([](const Renderer& r) { return r.graphics_budget(); });
 }
 
 bool ObjectSet::alone() const { return others_.empty() && first_object_.shown && first_object_.opacity == 1; }

@@ -61,6 +61,7 @@ class ObjectSet {
         View view{};
         FrameReport report{};
     };
+    std::uint64_t sum(std::uint64_t (*of)(const Renderer&)) const;
     bool alone() const;
     SceneObject& object_at(std::size_t object);
     RenderSettings settings_of_others(const RenderSettings& settings) const;

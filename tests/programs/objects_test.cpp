@@ -1,6 +1,7 @@
 // Several objects in one picture, compared with each alone and with what rays meet first.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -17,6 +18,7 @@
 #include "player/objects/object_view.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
+#include "values/srgb.h"
 
 using namespace vantage;
 using Eigen::Vector3d;
@@ -77,6 +79,16 @@ class Objects : public TemporaryFolder {
         const Placement& p = scene[i].placement;
         return {RayScene(meshes[i]), view_of_object(view(), origin_of(*first), origin, p), origin, p.scale};
     }
+    std::array<PlacedRays, 3> all_rays() const { return {placed(0), placed(1), placed(2)}; }
+    /// A picture of each object; shows the last one alone.
+    std::vector<Picture> each_alone(ObjectSet& set) const {
+        std::vector<Picture> out;
+        for (std::size_t i = 0; i < 3; ++i) {
+            set.show_only(i);
+            out.push_back(take_picture(set, view(), {}, photos, 1));
+        }
+        return out;
+    }
     std::vector<Mesh> meshes;
     std::vector<SceneObject> scene;
     std::unique_ptr<PackageReader> first;
@@ -90,13 +102,8 @@ TEST_F(Objects, EachPixelShowsTheObjectThatItsRayMeetsFirst) {
     Renderer renderer(*first, MemoryBudget{});
     ObjectSet set(renderer, scene, MemoryBudget{});
     const Picture together = take_picture(set, view(), {}, photos, 1);
-    std::vector<Picture> alone;
-    for (std::size_t i = 0; i < 3; ++i) {
-        set.show_only(i);
-        alone.push_back(take_picture(set, view(), {}, photos, 1));
-    }
-    std::vector<PlacedRays> rays;
-    for (unsigned i = 0; i < 3; ++i) rays.push_back(placed(i));
+    const std::vector<Picture> alone = each_alone(set);
+    const std::array<PlacedRays, 3> rays = all_rays();
     std::array<std::size_t, 3> compared{};
     std::size_t wrong = 0;
     for (int y = 2; y < together.height - 2; y += 2)
@@ -130,24 +137,12 @@ TEST_F(Objects, ThroughAFadedObjectThoseBehindItShowInLinearLight) {
     const gl::HeadlessContext context(gl::Debug::on);
     Renderer renderer(*first, MemoryBudget{});
     ObjectSet set(renderer, scene, MemoryBudget{});
-    std::vector<Picture> alone;
-    for (std::size_t i = 0; i < 3; ++i) {
-        set.show_only(i);
-        alone.push_back(take_picture(set, view(), {}, photos, 1));
-    }
+    const std::vector<Picture> alone = each_alone(set);
     for (std::size_t i = 0; i < 3; ++i) set.show_object(i, true);
     const std::array<double, 3> opacity{0.7, 0.25, 0};
     for (std::size_t i = 0; i < 3; ++i) set.set_opacity(i, opacity[i]);
     const Picture faded = take_picture(set, view(), {}, photos, 1);
-    std::vector<PlacedRays> rays;
-    for (unsigned i = 0; i < 3; ++i) rays.push_back(placed(i));
-    const auto linear = [](double code) {
-        const double c = code / 255;
-        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-    };
-    const auto code = [](double l) {
-        return 255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055);
-    };
+    const std::array<PlacedRays, 3> rays = all_rays();
     std::size_t compared = 0, wrong = 0;
     for (int y = 2; y < faded.height - 2; y += 2)
         for (int x = 2; x < faded.width - 2; x += 2) {
@@ -169,12 +164,14 @@ TEST_F(Objects, ThroughAFadedObjectThoseBehindItShowInLinearLight) {
             Vector3d light = Vector3d::Zero();
             for (const auto& [z, i] : order) {
                 for (int c = 0; c < 3; ++c)
-                    light[c] += through * opacity[i] * linear(alone[i].rgba[p + std::size_t(c)]);
+                    light[c] +=
+                        through * opacity[i] * linear_of_srgb_byte()[alone[i].rgba[p + std::size_t(c)]];
                 through *= 1 - opacity[i];
             }
             wrong += std::abs(faded.rgba[p + 3] - 255 * (1 - through)) > 1;
             for (int c = 0; c < 3 && through < 0.99; ++c)
-                wrong += std::abs(faded.rgba[p + std::size_t(c)] - code(light[c] / (1 - through))) > 1.5;
+                wrong += std::abs(faded.rgba[p + std::size_t(c)] -
+                                  255 * srgb_from_linear(light[c] / (1 - through))) > 1.5;
         }
     EXPECT_GT(compared, 1000u);
     EXPECT_EQ(wrong, 0u);
