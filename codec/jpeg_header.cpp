@@ -1,0 +1,82 @@
+#include "codec/jpeg_header.h"
+
+#include <algorithm>
+
+namespace vantage::codec {
+namespace {
+
+constexpr int start_of_image = 0xd8, baseline_frame = 0xc0, huffman_tables = 0xc4, arithmetic_tables = 0xcc,
+              restart_interval = 0xdd, start_of_scan = 0xda;
+
+int byte_at(std::span<const std::byte> b, std::size_t i) { return std::to_integer<int>(b[i]); }
+int word_at(std::span<const std::byte> b, std::size_t i) { return byte_at(b, i) << 8 | byte_at(b, i + 1); }
+
+/// `segment` begins with its length. False if this kind of frame is not read.
+bool read_frame(std::span<const std::byte> segment, JpegHeader& out) {
+    if (segment.size() < 8 || byte_at(segment, 2) != 8) return false;
+    out.height = word_at(segment, 3);
+    out.width = word_at(segment, 5);
+    const auto components = std::size_t(byte_at(segment, 7));
+    if ((components != 1 && components != 3) || segment.size() != 8 + 3 * components) return false;
+    int h = 1, v = 1;
+    for (std::size_t c = 0; c < components; ++c) {
+        const int sampling = byte_at(segment, 8 + 3 * c + 1);
+        if (sampling >> 4 < 1 || sampling >> 4 > 4 || (sampling & 15) < 1 || (sampling & 15) > 4)
+            return false;
+        h = std::max(h, sampling >> 4);
+        v = std::max(v, sampling & 15);
+    }
+    // The blocks of a single component are coded one by one, whatever its sampling factors (A.2.2).
+    out.mcu_width = components == 1 ? 8 : 8 * h;
+    out.mcu_height = components == 1 ? 8 : 8 * v;
+    return out.width > 0 && out.height > 0;
+}
+
+bool is_other_frame(int marker) {
+    return marker >= 0xc1 && marker <= 0xcf && marker != huffman_tables && marker != arithmetic_tables;
+}
+
+}  // namespace
+
+std::optional<JpegHeader> parse_jpeg_header(std::span<const std::byte> jpeg) {
+    if (jpeg.size() < 2 || word_at(jpeg, 0) != (0xff00 | start_of_image)) return std::nullopt;
+    JpegHeader out;
+    for (std::size_t at = 2; at + 4 <= jpeg.size();) {
+        const int marker = byte_at(jpeg, at + 1);
+        const auto length = std::size_t(word_at(jpeg, at + 2));
+        if (byte_at(jpeg, at) != 0xff || marker < baseline_frame || length < 2 ||
+            length > jpeg.size() - at - 2)
+            return std::nullopt;
+        const auto segment = jpeg.subspan(at + 2, length);
+        if (is_other_frame(marker)) return std::nullopt;
+        if (marker == baseline_frame) {
+            if (out.frame_at || !read_frame(segment, out)) return std::nullopt;
+            out.frame_at = at;
+        }
+        if (marker == restart_interval) {
+            if (length != 4) return std::nullopt;
+            out.restart_interval = word_at(segment, 2);
+        }
+        at += 2 + length;
+        if (marker != start_of_scan) continue;
+        out.bytes = at;
+        const bool all =
+            out.frame_at && length >= 3 && byte_at(segment, 2) == byte_at(jpeg, out.frame_at + 9);
+        return all ? std::optional(out) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+std::vector<std::byte> resized_header(std::span<const std::byte> jpeg, const JpegHeader& header, int width,
+                                      int height) {
+    std::vector<std::byte> out(jpeg.begin(), jpeg.begin() + std::ptrdiff_t(header.bytes));
+    const auto set = [&](std::size_t at, int value) {
+        out[at] = std::byte(value >> 8);
+        out[at + 1] = std::byte(value & 0xff);
+    };
+    set(header.frame_at + 5, height);
+    set(header.frame_at + 7, width);
+    return out;
+}
+
+}  // namespace vantage::codec

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vantage::codec {
+
+/// What precedes the entropy-coded data of a baseline JPEG (ITU-T T.81, Annex B): tables, size and scan.
+struct JpegHeader {
+    std::size_t bytes = 0;     ///< up to and including the scan's header
+    std::size_t frame_at = 0;  ///< where the frame's marker (SOF0) is
+    int width = 0, height = 0;
+    int mcu_width = 0, mcu_height = 0;  ///< pixels that are coded together, 8 to 32
+    int restart_interval = 0;           ///< MCUs; 0: no restarts
+};
+
+/// Reads a header at the beginning of `jpeg`. Empty unless it is that of a baseline JPEG of 8 bits with one
+/// scan of all its 1 or 3 components.
+std::optional<JpegHeader> parse_jpeg_header(std::span<const std::byte> jpeg);
+
+/// The header's bytes with another size, 1 to 65535 pixels along each side.
+std::vector<std::byte> resized_header(std::span<const std::byte> jpeg, const JpegHeader& header, int width,
+                                      int height);
+
+}  // namespace vantage::codec

@@ -1,0 +1,75 @@
+// Coded tiles and photos: a byte that chooses the decoder, width and height, then what to decode. Checks that
+// what a JPEG is divided into can be put together again.
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+#include "codec/byte_planes.h"
+#include "codec/depth_values.h"
+#include "codec/jpeg_cells.h"
+#include "codec/jpeg_pixels.h"
+
+using namespace vantage::codec;
+
+namespace {
+
+/// The header is followed by cells of equal length.
+void decode_equal_cells(std::span<const std::byte> data, std::span<std::byte> out) {
+    const auto header = parse_jpeg_header(data);
+    if (!header) return;
+    const auto grid = cell_grid(data.first(header->bytes));
+    constexpr int most = 512;
+    if (!grid || header->width > most || header->height > most) return;
+    const auto cells = data.subspan(header->bytes);
+    const std::size_t each = cells.size() / grid->cells();
+    const PixelRect part{header->width / 3, header->height / 3,
+                         std::min(header->width, header->width / 3 + 256),
+                         std::min(header->height, header->height / 3 + 256)};
+    decode_cells(
+        data.first(header->bytes), *grid, part,
+        [&](std::size_t i) {
+            if (i >= grid->cells()) std::abort();
+            return cells.subspan(i * each, each);
+        },
+        out);
+}
+
+void divide_and_join(std::span<const std::byte> data) {
+    const auto header = parse_jpeg_header(data);
+    if (header && std::int64_t(header->width) * header->height > 1 << 20) return;  // slow, not wrong
+    const auto cells = divide_jpeg(data);
+    if (!cells) return;
+    const auto joined = joined_jpeg(cells->header, [&](std::size_t i) {
+        const std::size_t from = i ? cells->ends[i - 1] : 0;
+        return std::span<const std::byte>(cells->bytes).subspan(from, cells->ends[i] - from);
+    });
+    if (!joined) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    if (size < 3) return 0;
+    const int width = 1 + bytes[1], height = 1 + bytes[2];
+    const std::span<const std::byte> data(reinterpret_cast<const std::byte*>(bytes) + 3, size - 3);
+    static std::vector<std::byte> out(std::size_t(256) * 256 * 4);
+    const std::span texels = std::span(out).first(std::size_t(width) * std::size_t(height) * 4);
+    switch (bytes[0] % 5) {
+        case 0:
+            decode_planes(data, width, height, texels);
+            break;
+        case 1:
+            decode_depth(data, width, height, texels);
+            break;
+        case 2:
+            decode_jpeg(data, width, height, texels);
+            break;
+        case 3:
+            decode_equal_cells(data, out);
+            break;
+        default:
+            divide_and_join(data);
+    }
+    return 0;
+}
