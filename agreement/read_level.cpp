@@ -1,9 +1,11 @@
 #include "agreement/read_level.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 #include "scene/error.h"
+#include "scene/stored_tile.h"
 #include "values/srgb.h"
 
 namespace vantage {
@@ -14,21 +16,33 @@ int coarse_level(const package::PhotoRecord& r, int long_side) {
     return l;
 }
 
+namespace {
+
+/// Copies what a tile adds to its level, which is all but its border.
+void copy_content(std::span<const std::byte> tile, const Level& level, std::size_t number,
+                  std::span<std::byte> texels) {
+    const int left = tile_left(level, number) + tile_border, top = tile_top(level, number) + tile_border;
+    const auto bytes = 4 * std::size_t(std::min(tile_content, level.width - left));
+    for (int y = 0; y < std::min(tile_content, level.height - top); ++y) {
+        const std::size_t from = std::size_t(y + tile_border) * tile_size + tile_border,
+                          to = std::size_t(top + y) * std::size_t(level.width) + std::size_t(left);
+        std::memcpy(&texels[4 * to], &tile[4 * from], bytes);
+    }
+}
+
+}  // namespace
+
 std::vector<std::byte> join_tiles(const PackageReader& reader, const package::DirectoryEntry& e,
                                   const Level& level) {
-    if (reader.blocks(e) != std::size_t(level.tiles()) || e.block_length != tile_bytes)
+    if (!holds_level(reader, e, level))
         throw Error(Exit::damaged, describe(e, reader) + ": tiles do not match the level's size");
-    for (std::size_t t = 0; t < reader.blocks(e); ++t) reader.sound_block(e, t);
-    std::vector<std::byte> out;
-    out.reserve(std::size_t(level.width) * std::size_t(level.height) * 4);
-    for (int y = 0; y < level.height; ++y)
-        for (int column = 0; column < level.columns(); ++column) {
-            const int tile = (y / tile_content) * level.columns() + column, x = column * tile_content;
-            const auto n = std::size_t(std::min(tile_content, level.width - x));
-            const auto first = std::size_t(y % tile_content + tile_border) * tile_size + tile_border;
-            const auto row = reader.block(e, std::size_t(tile)).subspan(4 * first, 4 * n);
-            out.insert(out.end(), row.begin(), row.end());
-        }
+    std::vector<std::byte> out(std::size_t(level.width) * std::size_t(level.height) * 4), tile(tile_bytes);
+    for (std::size_t t = 0; t < std::size_t(level.tiles()); ++t) {
+        if (!read_tile(reader, e, level, t, tile))
+            throw DamagedPackage(Defect::tile_checksum,
+                                 reader.path().string() + ": " + describe_damaged_tile(reader, e, level, t));
+        copy_content(tile, level, t, out);
+    }
     return out;
 }
 

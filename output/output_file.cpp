@@ -135,7 +135,7 @@ fs::path output_file(const fs::path& file, Product product, const Inputs& inputs
     const fs::path to = followed(file);
     expect_replaceable(file, to, row_of(product), inputs, force);
     if (product == Product::package)
-        for (const fs::path& own : {part_of(to), displaced_part_of(to)}) expect_own(own);
+        for (const fs::path& own : {part_of(to), packing_of(to), displaced_part_of(to)}) expect_own(own);
     return to;
 }
 

@@ -26,6 +26,7 @@ enum class Effect : int {
     points,
     bands,
     transparency,
+    compact,
     count
 };
 

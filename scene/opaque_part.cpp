@@ -37,7 +37,7 @@ std::optional<std::string> transparency_damage(const PackageReader& package) {
     const package::SceneRecord& scene = package.scene();
     if (!effect_on(scene, Effect::transparency)) return {};
     const package::DirectoryEntry* e = package.find(Type::colors);
-    if (!e || e->head_length != scene.vertices * sizeof(Color))
+    if (package.content_length(e) != scene.vertices * sizeof(Color))
         return "VCOL does not have one color per vertex";
     const auto indices = package.records<std::uint32_t>(Type::indices);
     const auto colors = package.records<Color>(Type::colors);

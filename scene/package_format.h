@@ -9,9 +9,11 @@ namespace vantage::package {
 
 inline constexpr char magic[8] = {'V', 'A', 'N', 'T', 'A', 'G', 'E', '\n'};
 inline constexpr char part_magic[8] = {'V', 'N', 'T', 'G', 'P', 'A', 'R', 'T'};  ///< while in preparation
-inline constexpr std::uint32_t version = 3;
-inline constexpr std::uint64_t alignment = 4096;  ///< of every chunk and every block
+inline constexpr std::uint32_t version = 4;
+inline constexpr std::uint32_t oldest_version = 3;  ///< that is still read
+inline constexpr std::uint64_t alignment = 4096;    ///< of every raw chunk and its blocks
 constexpr std::uint64_t aligned(std::uint64_t n) { return (n + alignment - 1) / alignment * alignment; }
+inline constexpr std::uint64_t coded_alignment = 8;  ///< of every other chunk
 inline constexpr std::uint32_t scene_wide = 0xffffffffu;
 
 constexpr std::uint32_t fourcc(const char (&s)[5]) {
@@ -47,6 +49,22 @@ enum class Type : std::uint32_t {
     depth = fourcc("DPTH"),        ///< per photo and level: R32F tiles: linear z, +inf where nothing is seen
 };
 
+/// How a chunk's content is stored; codec/ has the forms of tiles.
+enum class Form : std::uint32_t {
+    raw,     ///< as it is; all chunks of versions before 4
+    zstd,    ///< without blocks: u64 length of the content, then a zstd frame
+    jpeg,    ///< tiles of color: JPEG without the header, which all tiles share
+    cells,   ///< a level of color: the photo's own JPEG, in cells
+    planes,  ///< tiles of four bytes per texel, without loss
+    depth    ///< tiles of depth, rounded
+};
+
+/// Content is at most so many times as long as a zstd chunk, which may end with zeros, so that no small file
+/// claims much memory.
+inline constexpr std::uint64_t most_expansion = 32;
+/// Bytes in the head of a coded chunk for each of its blocks: checksum and end.
+inline constexpr std::uint64_t coded_block_entry = 16;
+
 struct Header {
     char magic[8];
     std::uint32_t version;
@@ -59,8 +77,10 @@ struct Header {
     std::uint64_t header_checksum;     ///< XXH3-64 of the preceding bytes
 };
 
-/// Where a chunk is. A chunk is a head followed by blocks of equal length. `checksum` covers the head; the
-/// head of a chunk with blocks holds the u64 checksum of each block, padded with zeros to the alignment.
+/// Where a chunk is. A chunk is a head followed by blocks. `checksum` covers the head. In a raw chunk, blocks
+/// have equal length, and the head holds the u64 checksum of each block, padded with zeros to the alignment.
+/// In others, the head holds the u64 checksums, then the u64 end of each block, counted from the end of the
+/// head, then what all blocks share.
 struct DirectoryEntry {
     std::uint32_t type;
     std::uint32_t version;
@@ -69,9 +89,10 @@ struct DirectoryEntry {
     std::uint64_t offset;
     std::uint64_t length;  ///< head and blocks
     std::uint64_t head_length;
-    std::uint64_t block_length;  ///< 0 if the chunk has no blocks
+    std::uint64_t block_length;  ///< of a raw chunk; 0 if it has no blocks
     std::uint64_t checksum;      ///< XXH3-64 of the head
-    std::uint64_t reserved;
+    Form form;
+    std::uint32_t coded_blocks;  ///< number of blocks, unless the form is raw
 };
 
 struct SceneRecord {

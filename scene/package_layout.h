@@ -16,6 +16,7 @@ struct ChunkPlan {
     std::uint64_t bytes = 0;  ///< of the head, for a chunk without blocks
     std::uint64_t blocks = 0;
     std::uint64_t block_length = 0;
+    bool compact = false;  ///< may be stored in a shorter form; the sizes are those of the raw one
 };
 
 /// The share of the photos that one of several runs prepares: number `share` of `shares`, counted from 1; 0
@@ -25,9 +26,11 @@ struct Share {
     bool holds(std::size_t photo) const { return shares == 0 || photo % shares == share - 1; }
 };
 
-/// The positions of the planned chunks in the package.
+/// The positions of the planned chunks in the package, or, if some are compact, in its part: there, each has
+/// the space of its raw form, most of which is never written.
 struct PackageLayout {
     std::uint64_t bytes = 0;                         ///< size of the file
+    bool compact = false;                            ///< whether any chunk is
     std::uint64_t checksum = 0;                      ///< of the photos' names and of where their chunks are
     std::vector<package::DirectoryEntry> directory;  ///< in the order of the plan, without checksums
 };

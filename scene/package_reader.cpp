@@ -15,6 +15,7 @@
 #include <tuple>
 #include <vector>
 
+#include "codec/zstd_bytes.h"
 #include "scene/checksum.h"
 #include "scene/damaged_package.h"
 #include "scene/lost_package.h"
@@ -24,6 +25,7 @@
 namespace vantage {
 
 using package::DirectoryEntry;
+using package::Form;
 using package::Type;
 
 namespace {
@@ -83,6 +85,8 @@ struct PackageReader::Mapping {
     std::once_flag scene_read, photos_read;
     package::SceneRecord scene{};
     std::vector<package::PhotoRecord> photos;
+    std::mutex mutex;  ///< of `contents`
+    std::map<const DirectoryEntry*, std::vector<std::byte>> contents;
 
     ~Mapping() {
         if (data) {
@@ -90,6 +94,25 @@ struct PackageReader::Mapping {
             ::munmap(const_cast<std::byte*>(data), size);
         }
         if (fd >= 0) ::close(fd);
+    }
+
+    std::uint64_t word(std::uint64_t offset) const {
+        std::uint64_t w;
+        std::memcpy(&w, data + offset, sizeof w);
+        return w;
+    }
+
+    /// The content of a zstd chunk, decompressed once; empty if it is damaged.
+    std::span<const std::byte> decompressed(const DirectoryEntry& e) {
+        const std::scoped_lock lock(mutex);
+        const auto [found, is_new] = contents.try_emplace(&e);
+        if (!is_new) return found->second;
+        const std::uint64_t length = word(e.offset);
+        if (length / package::most_expansion > e.length) return {};
+        found->second.resize(length);
+        const std::span frame(data + e.offset + sizeof length, e.length - sizeof length);
+        if (!codec::decompress(frame, found->second)) found->second = {};
+        return found->second;
     }
 
     [[noreturn]] void damaged(Defect defect, const std::string& what) const {
@@ -133,11 +156,11 @@ struct PackageReader::Mapping {
             damaged(Defect::not_a_package, "header: not a Vantage package");
         if (h.header_checksum != checksum({data, offsetof(package::Header, header_checksum)}))
             damaged(Defect::header_checksum, "header: checksum does not match");
-        if (h.version != package::version) {
+        if (h.version < package::oldest_version || h.version > package::version) {
             const bool newer = h.version > package::version;
             damaged(newer ? Defect::newer_format : Defect::format_version,
                     "header: format version " + std::to_string(h.version) + ", this program reads " +
-                        std::to_string(package::version) +
+                        std::to_string(package::oldest_version) + " to " + std::to_string(package::version) +
                         (newer ? "; made by a newer version of vantage" : "; prepare it again"));
         }
         if (h.file_size != size)
@@ -152,12 +175,15 @@ struct PackageReader::Mapping {
             damaged(Defect::directory, "directory: lies outside the file");
         const auto* first = reinterpret_cast<const DirectoryEntry*>(data + h.directory_offset);
         directory.assign(first, first + h.directory_count);
+        const bool forms = h.version >= 4;
         // A part's entries are written one by one; a torn one is ignored.
         const bool growing = is_part() && h.directory_checksum == 0;
         if (growing)
             std::erase_if(directory, [&](const DirectoryEntry& e) { return e.type == 0 || !fits(e); });
         else if (checksum(std::as_bytes(std::span(directory))) != h.directory_checksum)
             damaged(Defect::directory, "directory: checksum does not match");
+        for (DirectoryEntry& e : directory)
+            if (!forms) e.form = Form::raw, e.coded_blocks = 0;
         for (const DirectoryEntry& e : directory) {
             if (!fits(e))
                 damaged(Defect::directory, "directory: entry " + std::to_string(&e - directory.data()) +
@@ -167,8 +193,20 @@ struct PackageReader::Mapping {
     }
 
     bool fits(const DirectoryEntry& e) const {
-        return e.offset % package::alignment == 0 && e.offset <= size && e.length <= size - e.offset &&
-               e.head_length <= e.length && (e.block_length == 0 ? e.head_length == e.length : blocks_fit(e));
+        const bool raw = e.form == Form::raw;
+        return e.offset % (raw ? package::alignment : package::coded_alignment) == 0 && e.offset <= size &&
+               e.length <= size - e.offset && e.head_length <= e.length &&
+               (raw ? raw_fits(e) : coded_fits(e));
+    }
+
+    static bool raw_fits(const DirectoryEntry& e) {
+        return e.block_length == 0 ? e.head_length == e.length : blocks_fit(e);
+    }
+
+    /// Forms of later programs are left alone.
+    static bool coded_fits(const DirectoryEntry& e) {
+        if (e.form == Form::zstd) return e.head_length == e.length && e.length >= sizeof(std::uint64_t);
+        return e.head_length / package::coded_block_entry >= e.coded_blocks;
     }
 
     static bool blocks_fit(const DirectoryEntry& e) {
@@ -199,18 +237,38 @@ const DirectoryEntry* PackageReader::find(Type type, std::uint32_t photo, std::u
 }
 
 std::span<const std::byte> PackageReader::bytes(const DirectoryEntry* e) const& {
-    return e ? std::span(map_->data + e->offset, e->head_length) : std::span<const std::byte>{};
+    if (!e) return {};
+    if (e->form == Form::zstd) return map_->decompressed(*e);
+    return {map_->data + e->offset, e->head_length};
+}
+
+std::uint64_t PackageReader::content_length(const DirectoryEntry* e) const {
+    if (!e) return 0;
+    return e->form == Form::zstd ? map_->word(e->offset) : e->head_length;
 }
 
 std::size_t PackageReader::blocks(const DirectoryEntry& e) const {
+    if (e.form != Form::raw) return e.coded_blocks;
     return e.block_length ? (e.length - e.head_length) / e.block_length : 0;
+}
+
+std::span<const std::byte> PackageReader::shared(const DirectoryEntry& e) const& {
+    if (e.form == Form::raw || e.form == Form::zstd) return {};
+    const std::uint64_t tables = package::coded_block_entry * e.coded_blocks;
+    return {map_->data + e.offset + tables, e.head_length - tables};
 }
 
 std::span<const std::byte> PackageReader::block(const DirectoryEntry& e, std::size_t i) const& {
     if (i >= blocks(e))
         map_->damaged(Defect::chunk_missing,
                       describe(e, *this) + ": block " + std::to_string(i) + " does not exist");
-    return {map_->data + e.offset + e.head_length + i * e.block_length, e.block_length};
+    const std::byte* first = map_->data + e.offset + e.head_length;
+    if (e.form == Form::raw) return {first + i * e.block_length, e.block_length};
+    const std::uint64_t ends = e.offset + e.coded_blocks * sizeof(std::uint64_t),
+                        from = i ? map_->word(ends + (i - 1) * sizeof from) : 0,
+                        to = map_->word(ends + i * sizeof from);
+    if (from > to || to > e.length - e.head_length) return {};
+    return {first + from, to - from};
 }
 
 std::span<const std::byte> PackageReader::sound_block(const DirectoryEntry& e, std::size_t i) const& {
@@ -220,9 +278,8 @@ std::span<const std::byte> PackageReader::sound_block(const DirectoryEntry& e, s
 }
 
 bool PackageReader::block_sound(const DirectoryEntry& e, std::size_t i) const {
-    std::uint64_t expected;
-    std::memcpy(&expected, map_->data + e.offset + i * sizeof expected, sizeof expected);
-    return checksum(block(e, i)) == expected;
+    const auto bytes = block(e, i);
+    return !bytes.empty() && checksum(bytes) == map_->word(e.offset + i * sizeof(std::uint64_t));
 }
 
 std::span<const std::byte> PackageReader::raw(const DirectoryEntry& e) const& {
@@ -263,10 +320,13 @@ std::span<const std::byte> PackageReader::checked(Type type, std::uint32_t photo
     }
     if (!head_sound(*e))
         map_->damaged(Defect::chunk_checksum, describe(*e, *this) + ": checksum does not match");
-    if (e->head_length % record)
+    if (content_length(e) % record)
         map_->damaged(Defect::invalid_record,
                       describe(*e, *this) + ": length is not a multiple of its record size");
-    return bytes(e);
+    const auto content = bytes(e);
+    if (content.size() != content_length(e))
+        map_->damaged(Defect::invalid_record, describe(*e, *this) + ": cannot be decompressed");
+    return content;
 }
 
 package::SceneRecord PackageReader::checked_scene() const {
@@ -279,7 +339,8 @@ package::SceneRecord PackageReader::checked_scene() const {
     const auto expect_count = [&](Type type, std::uint64_t count, std::uint64_t record,
                                   const std::string& what) {
         const DirectoryEntry* e = find(type);
-        if (!e || count > e->length / record || e->length != count * record)
+        const std::uint64_t length = content_length(e);
+        if (!e || count > length / record || length != count * record)
             map_->damaged(Defect::invalid_record, what + ": length does not match the scene's counts");
     };
     expect_count(Type::photos, s.photos, sizeof(package::PhotoRecord), "PHOT");

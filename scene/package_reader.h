@@ -42,12 +42,19 @@ class PackageReader {
     const package::DirectoryEntry* find(package::Type type, std::uint32_t photo = package::scene_wide,
                                         std::uint32_t level = 0) const;
 
-    /// The head of a chunk, which is all of it if it has no blocks; empty for null.
+    /// The content of a chunk without blocks, decompressed if it is stored so and kept until the reader is
+    /// closed; of others, the head. Empty for null, and if it cannot be decompressed.
     std::span<const std::byte> bytes(const package::DirectoryEntry* entry) const&;
     std::span<const std::byte> bytes(const package::DirectoryEntry*) const&& = delete;
-    /// Number of blocks.
+    /// Length of that content; 0 for null.
+    std::uint64_t content_length(const package::DirectoryEntry* entry) const;
+    /// Number of blocks as stored: of color in cells, these are no tiles.
     std::size_t blocks(const package::DirectoryEntry& entry) const;
-    /// Throws Error(damaged) if there is no such block.
+    /// What the blocks of a coded chunk share; empty for others.
+    std::span<const std::byte> shared(const package::DirectoryEntry& entry) const&;
+    std::span<const std::byte> shared(const package::DirectoryEntry&) const&& = delete;
+    /// A block as stored; empty if the chunk's head is damaged. Throws Error(damaged) if there is no such
+    /// block.
     std::span<const std::byte> block(const package::DirectoryEntry& entry, std::size_t index) const&;
     std::span<const std::byte> block(const package::DirectoryEntry&, std::size_t) const&& = delete;
     /// The same, checked. Throws Error(damaged) if its checksum does not match.

@@ -7,6 +7,7 @@
 
 #include "scene/error.h"
 #include "scene/opaque_part.h"
+#include "scene/stored_tile.h"
 #include "scene/surroundings.h"
 #include "scene/tiling.h"
 #include "values/photo_names.h"
@@ -54,7 +55,8 @@ void layers_shape(const PackageReader& reader, const package::SceneRecord& scene
     if (!effect_on(scene, Effect::scalar_layers)) return;
     const DirectoryEntry* e = reader.find(Type::scalars, package::scene_wide);
     const std::uint64_t layer = scene.vertices * sizeof(float);
-    if (!e || layer == 0 || e->head_length % layer != 0 || e->head_length / layer != scene.scalar_layers)
+    if (!e || layer == 0 || reader.content_length(e) % layer != 0 ||
+        reader.content_length(e) / layer != scene.scalar_layers)
         out.emplace_back("VSCL does not have one value per vertex and layer");
 }
 
@@ -87,7 +89,7 @@ void blocks_shape(const PackageReader& reader, Type type, std::uint32_t i, std::
     const DirectoryEntry* e = reader.find(type, i, level);
     if (!e)
         out.push_back("photo " + std::to_string(i) + ": level " + std::to_string(level) + " is missing");
-    else if (reader.blocks(*e) != std::size_t(size.tiles()) || e->block_length != tile_bytes)
+    else if (!holds_level(reader, *e, size))
         out.push_back(describe(*e, reader) + ": has " + std::to_string(reader.blocks(*e)) +
                       " tiles, expected " + std::to_string(size.tiles()));
 }
@@ -102,11 +104,13 @@ void photo_shape(const PackageReader& reader, const package::SceneRecord& scene,
             blocks_shape(reader, type, i, std::uint32_t(l), size(l), out);
     const auto expect = [&](Type type, std::uint64_t bytes, const char* message) {
         const DirectoryEntry* e = reader.find(type, i);
-        if (!e || e->head_length != bytes) out.push_back(std::string(p.name) + ": " + message);
+        if (reader.content_length(e) != bytes) out.push_back(std::string(p.name) + ": " + message);
     };
-    expect(Type::thumbnail, std::uint64_t(p.thumbnail_width) * p.thumbnail_height * 4,
-           "THMB does not have the size in its record");
-    expect(Type::coordinates, scene.vertices * 8, "TEXC does not have one entry per vertex");
+    if (const DirectoryEntry* e = reader.find(Type::thumbnail, i); !e || e->form != package::Form::jpeg)
+        expect(Type::thumbnail, std::uint64_t(p.thumbnail_width) * p.thumbnail_height * 4,
+               "THMB does not have the size in its record");
+    if (!effect_on(scene, Effect::per_fragment) || reader.find(Type::coordinates, i))
+        expect(Type::coordinates, scene.vertices * 8, "TEXC does not have one entry per vertex");
     expect(Type::coverage, scene.clusters * sizeof(package::CoverageRecord),
            "COVR does not have one entry per cluster");
     expect(Type::visible, 16 * package::visible_words(scene.triangles),

@@ -34,11 +34,16 @@ bool is_at(int fd, const std::filesystem::path& path) {
 }  // namespace
 
 std::filesystem::path part_of(const std::filesystem::path& file) { return file.string() + ".part"; }
+std::filesystem::path packing_of(const std::filesystem::path& file) { return file.string() + ".packing"; }
 std::filesystem::path displaced_part_of(const std::filesystem::path& file) {
     return file.string() + ".former";
 }
 
-PartFile::PartFile(const std::filesystem::path& file) : file_(file), part_(part_of(file)) { open(); }
+PartFile::PartFile(const std::filesystem::path& file) : PartFile(file, part_of(file)) {}
+PartFile::PartFile(const std::filesystem::path& file, const std::filesystem::path& part)
+    : file_(file), part_(part) {
+    open();
+}
 
 PartFile::~PartFile() { close(); }
 
@@ -93,6 +98,18 @@ std::uint64_t PartFile::copy(int from, std::uint64_t from_offset, std::uint64_t 
     return copied;
 }
 
+void PartFile::copy(const PartFile& from, std::uint64_t from_offset, std::uint64_t offset,
+                    std::uint64_t length) const {
+    std::uint64_t done = copy(from.fd_, from_offset, offset, length);
+    std::vector<std::byte> bytes;
+    while (done < length) {
+        bytes.resize(std::min<std::uint64_t>(length - done, 1 << 20));
+        from.read(from_offset + done, bytes);
+        write(offset + done, bytes);
+        done += bytes.size();
+    }
+}
+
 void PartFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
     if (!try_read(offset, bytes)) fail("read");
 }
@@ -117,7 +134,11 @@ void PartFile::reserve(std::uint64_t bytes) const {
     // A part may be longer: an interrupted run had appended to it.
     struct stat st {};
     const bool longer = ::fstat(fd_, &st) == 0 && std::uint64_t(st.st_size) > bytes;
-    if ((error != 0 || longer) && ::ftruncate(fd_, off_t(bytes)) != 0) fail("size");
+    if (error != 0 || longer) resize(bytes);
+}
+
+void PartFile::resize(std::uint64_t bytes) const {
+    if (::ftruncate(fd_, off_t(bytes)) != 0) fail("size");
 }
 
 void PartFile::punch_hole(std::uint64_t offset, std::uint64_t length) const {
@@ -144,6 +165,11 @@ void PartFile::displace() {
 }
 
 void PartFile::remove() const { ::unlink(part_.c_str()); }
+
+void PartFile::discard() {
+    remove();
+    close();
+}
 
 void PartFile::flush() const {
     if (::fsync(fd_) != 0) fail("flush");

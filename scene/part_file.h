@@ -9,16 +9,20 @@ namespace vantage {
 
 /// The name under which `file` is written until it is complete.
 std::filesystem::path part_of(const std::filesystem::path& file);
+/// The name under which a part's chunks are put together, if they are not where they belong.
+std::filesystem::path packing_of(const std::filesystem::path& file);
 /// The name to which an existing part of another layout is moved.
 std::filesystem::path displaced_part_of(const std::filesystem::path& file);
 
-/// A file that is written as part_of(file) and renamed when it is complete. Only one process at a time can
-/// have it open; the lock ends with the process, even in a crash. Offsets and lengths are in bytes. Reading
-/// and writing are thread-safe. Functions throw Error(storage) if the system call fails.
+/// A file that is written as part_of(file), or another name beside it, and renamed when it is complete. Only
+/// one process at a time can have it open; the lock ends with the process, even in a crash. Offsets and
+/// lengths are in bytes. Reading and writing are thread-safe. Functions throw Error(storage) if the system
+/// call fails.
 class PartFile {
   public:
     /// Creates the part or opens the existing one.
     explicit PartFile(const std::filesystem::path& file);
+    PartFile(const std::filesystem::path& file, const std::filesystem::path& part);
     ~PartFile();
     PartFile(const PartFile&) = delete;
     PartFile& operator=(const PartFile&) = delete;
@@ -30,12 +34,17 @@ class PartFile {
     /// Copies from another file inside the kernel, sharing blocks if the file system can. Returns the number
     /// of bytes copied, which may be less than `length`.
     std::uint64_t copy(int from, std::uint64_t from_offset, std::uint64_t offset, std::uint64_t length) const;
+    /// The same from another part, all of it.
+    void copy(const PartFile& from, std::uint64_t from_offset, std::uint64_t offset,
+              std::uint64_t length) const;
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
     /// Returns false if reading fails or the file is too short.
     bool try_read(std::uint64_t offset, std::span<std::byte> bytes) const;
 
     /// Sets the size and allocates the space now, so that a full disk fails the run at once, not hours later.
     void reserve(std::uint64_t bytes) const;
+    /// Sets the size alone: what is not written takes no space if the file system supports holes.
+    void resize(std::uint64_t bytes) const;
     /// Zeroes a range, and frees its space if the file system supports holes.
     void punch_hole(std::uint64_t offset, std::uint64_t length) const;
     /// Waits until all that was written is on the disk.
@@ -48,9 +57,12 @@ class PartFile {
     void displace();
     /// Deletes the part.
     void remove() const;
+    /// Deletes and closes it.
+    void discard();
     /// Flushes to the disk, then renames to file(), so that a file with this name is always complete, and
     /// flushes the folder, so that a power cut does not take the name back; deletes the displaced part.
     void publish();
+    /// Or discarded.
     bool published() const { return fd_ < 0; }
 
   private:

@@ -26,6 +26,26 @@ inline Level level_size(int width, int height, int level) {
             int((std::int64_t(height) + (1LL << level) - 1) >> level)};
 }
 
+/// The part of a tile, in its texels, that lies in its level.
+struct TilePart {
+    int left = 0, top = 0, right = 0, bottom = 0;
+    int width() const { return right - left; }
+    int height() const { return bottom - top; }
+};
+
+/// Where a tile's first texel is in its level; negative for the border of the first.
+inline int tile_left(const Level& level, std::size_t tile) {
+    return int(tile % std::size_t(level.columns())) * tile_content - tile_border;
+}
+inline int tile_top(const Level& level, std::size_t tile) {
+    return int(tile / std::size_t(level.columns())) * tile_content - tile_border;
+}
+inline TilePart inner_part(const Level& level, std::size_t tile) {
+    const int x = tile_left(level, tile), y = tile_top(level, tile);
+    return {x < 0 ? -x : 0, y < 0 ? -y : 0, level.width - x < tile_size ? level.width - x : tile_size,
+            level.height - y < tile_size ? level.height - y : tile_size};
+}
+
 /// Number of levels, down to the first that fits in one tile.
 inline int level_count(int width, int height) {
     int n = 1;

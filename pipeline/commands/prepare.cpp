@@ -44,7 +44,7 @@ namespace {
 struct PrepareOptions {
     std::string input, mesh, cameras, photos, out, distance = "auto", resampling = "cubic",
                                                    render_by = "auto", config;
-    std::string progress = "auto", share, trace, report, refine = "full";
+    std::string progress = "auto", share, trace, report, refine = "full", tiles = "raw";
     std::vector<std::string> effects;
     PrepareSettings settings;
     bool explain = false, strict = false, rehash = false, no_report = false, force = false;
@@ -105,7 +105,7 @@ void resolve_outputs(PrepareOptions& o, const InputFiles& files) {
         o.report = std::filesystem::path(o.out).replace_extension(".html").string();
     o.out = output_file(o.out, Product::package, inputs, o.force).string();
     for (const std::filesystem::path& own :
-         {std::filesystem::path(o.out), part_of(o.out), displaced_part_of(o.out)})
+         {std::filesystem::path(o.out), part_of(o.out), packing_of(o.out), displaced_part_of(o.out)})
         inputs.files.push_back(own);
     if (o.writes_report()) {
         o.report = output_file(o.report, Product::page, inputs, o.force).string();
@@ -215,6 +215,7 @@ int run_prepare(PrepareOptions o) {
         if ((row.basis == Basis::pixels && o.refine != "full") ||
             (row.basis == Basis::colors && o.refine == "off"))
             o.settings.effects[row.effect] = EffectChoice::off;
+    if (o.tiles == "jpeg") o.settings.effects[Effect::compact] = EffectChoice::on;
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const InputFiles files = input_files(o);
@@ -323,6 +324,15 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--resampling", o->resampling,
                   "filter for photos with lens distortion: nearest, linear, cubic, lanczos")
         ->capture_default_str();
+    c->add_option("--tiles", o->tiles,
+                  "raw: as they are shown, exact, some 20 times as long as the photos' files; jpeg: the "
+                  "photos' own JPEG "
+                  "and more of it, twice as long as the files, decoded while they are shown")
+        ->check(CLI::IsMember({"raw", "jpeg"}))
+        ->capture_default_str();
+    c->add_flag("--vertex-coordinates", o->settings.vertex_coordinates,
+                "store texture coordinates per vertex, for the player's --coordinates vertex, even if the "
+                "scene does not ask for them");
     c->add_option("--refine", o->refine,
                   "full: correct cameras and colors and mask moving objects where photos disagree; color: "
                   "correct colors only; off: change nothing")

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/stages/surface_samples.h"
+#include "scene/package_reader.h"
 #include "scene/tiling.h"
 
 namespace vantage {
@@ -42,7 +43,34 @@ std::vector<ChunkPlan> plan_scene(const package::SceneRecord& s, const LayoutSiz
     return plan;
 }
 
+/// Not what is small, nor what is written record by record, nor points.
+bool can_be_compact(const ChunkPlan& chunk) {
+    switch (chunk.type) {
+        case Type::positions:
+        case Type::normals:
+        case Type::indices:
+        case Type::clusters:
+        case Type::colors:
+        case Type::scalars:
+        case Type::thumbnail:
+        case Type::coverage:
+        case Type::visible:
+        case Type::samples:
+        case Type::coordinates:
+        case Type::tiles:
+        case Type::masks:
+        case Type::depth:
+            return true;
+        default:
+            return false;
+    }
+}
+
 }  // namespace
+
+bool stores_coordinates(const package::SceneRecord& scene, bool asked) {
+    return asked || !effect_on(scene, Effect::compact) || !effect_on(scene, Effect::per_fragment);
+}
 
 std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const LayoutSizes& sizes,
                                    std::span<const package::PhotoRecord> photos, Share share) {
@@ -66,9 +94,10 @@ std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const Layo
     each([&](std::uint32_t i, const auto&, int) {
         plan.push_back({Type::samples, i, 0, package::surface_discs * sizeof(package::SampleRecord)});
     });
-    each([&](std::uint32_t i, const auto&, int) {
-        plan.push_back({Type::coordinates, i, 0, scene.vertices * 8});
-    });
+    if (sizes.coordinates)
+        each([&](std::uint32_t i, const auto&, int) {
+            plan.push_back({Type::coordinates, i, 0, scene.vertices * 8});
+        });
     for (int level = mask_levels_end(top); level-- > 0;) {
         for (const Type type : {Type::tiles, Type::masks, Type::depth})
             each([&](std::uint32_t i, const package::PhotoRecord& p, int levels) {
@@ -81,6 +110,7 @@ std::vector<ChunkPlan> plan_chunks(const package::SceneRecord& scene, const Layo
     if (sizes.point_blocks)
         plan.push_back({Type::points, package::scene_wide, 0, 0, sizes.point_blocks,
                         package::point_block * sizeof(package::PackedPoint)});
+    for (ChunkPlan& chunk : plan) chunk.compact = effect_on(scene, Effect::compact) && can_be_compact(chunk);
     return plan;
 }
 

@@ -71,6 +71,7 @@ bool EarlierPackage::reuse(Stage stage, std::uint32_t from, std::uint32_t to, in
     std::vector<std::uint64_t> checksums;
     if (levels > 0)
         for (const auto& [type, level] : chunks_of(stage_row(stage), levels)) {
+            if (!writer.plans(type, to, level)) continue;
             const DirectoryEntry* e = reader_.find(type, from, level);
             if (e == nullptr) return false;
             entries.push_back(e);
@@ -112,7 +113,7 @@ std::uint64_t content_of(Stage stage, std::uint32_t photo, int levels, const Pac
     std::vector<std::uint64_t> checksums;
     if (levels > 0)
         for (const auto& [type, level] : chunks_of(stage_row(stage), levels))
-            checksums.push_back(writer.checksum_of(type, photo, level));
+            if (writer.plans(type, photo, level)) checksums.push_back(writer.checksum_of(type, photo, level));
     return content(checksums);
 }
 

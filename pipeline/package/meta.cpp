@@ -149,6 +149,7 @@ json settings_json(const PrepareSettings& s) {
              {"points", names_of(s.points)},
              {"effects", choices_json(s.effects)}};
     if (s.bands != bands_auto) out["bands"] = is_bands_file(s.bands) ? file_name(s.bands) : s.bands;
+    if (s.vertex_coordinates) out["vertex_coordinates"] = true;
     return out;
 }
 
@@ -158,7 +159,8 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
     meta["inputs"] = inputs_json(scene, identities);
     // Packages of scenes that do not call for it are those of before it was added.
     const auto called_for = [](const EffectDecision& d) {
-        return d.effect != Effect::transparency || d.forced || d.measured > 0;
+        const bool seldom = d.effect == Effect::transparency || d.effect == Effect::compact;
+        return !seldom || d.forced || d.measured > 0;
     };
     for (const EffectDecision& d : effects)
         if (called_for(d)) meta["effects"].push_back(effect_json(d));
@@ -187,6 +189,21 @@ std::string with_results(const std::string& meta, std::span<const EffectDecision
     while (listed > 0 && changed.dump(1).size() > meta.size())
         changed["findings"] = findings_json(findings, --listed);
     return fitted(changed, meta.size());
+}
+
+std::string repacked_meta(const std::string& meta, bool compact) {
+    json changed = json::parse(meta);
+    const char* name = effect_row(Effect::compact).name;
+    changed.at("config").at("effects")[name] = compact ? "on" : "off";
+    for (json& row : changed.at("effects")) {
+        if (row.at("name") != name) continue;
+        row["on"] = compact;
+        row["forced"] = true;
+        return changed.dump(1);
+    }
+    changed.at("effects").push_back(effect_json(
+        decide(Effect::compact, compact ? EffectChoice::on : EffectChoice::off, 0, "not measured")));
+    return changed.dump(1);
 }
 
 std::string with_choices(const std::string& meta, const std::map<Effect, EffectChoice>& choices) {
@@ -242,6 +259,7 @@ PrepareSettings scene_settings_in(const std::string& meta) {
     s.border_width = config.at("border_width");
     s.border_threshold = config.at("border_threshold");
     s.judge = config.value("judge", true);
+    s.vertex_coordinates = config.value("vertex_coordinates", false);
     return s;
 }
 

@@ -29,6 +29,8 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
 /// listed.
 std::string with_results(const std::string& meta, std::span<const EffectDecision> decisions,
                          std::span<const std::string> findings);
+/// META of the same package with its tiles in another form. Its length may differ.
+std::string repacked_meta(const std::string& meta, bool compact);
 /// META with other choices for its effects; the length stays the same.
 std::string with_choices(const std::string& meta, const std::map<Effect, EffectChoice>& choices);
 

@@ -10,11 +10,17 @@ namespace {
 using package::PhotoState;
 using package::Stage;
 
-Fingerprint start(const StageRow& row) { return Fingerprint().add(row.stage).add(row.version); }
+/// Compact chunks hold other bytes, and depth and colors that other stages read are rounded.
+Fingerprint start(const StageRow& row, const SceneKey& scene) {
+    Fingerprint f;
+    f.add(row.stage).add(row.version);
+    if (scene.compact) f.add(scene.compact);
+    return f;
+}
 
 std::uint64_t tiles_key(const SceneKey& scene, const PhotoInput& photo, std::uint64_t file) {
     const Intrinsics& k = photo.camera.intrinsics;
-    Fingerprint f = start(stage_row(Stage::tiles));
+    Fingerprint f = start(stage_row(Stage::tiles), scene);
     f.add(file).add(photo.decoded.width).add(photo.decoded.height).add(k.width).add(k.height);
     // The camera matters to the pixels only if they are resampled.
     if (scene.undistortion && photo.camera.lens.distorts())
@@ -51,7 +57,7 @@ PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Pose
     s.model = scene.model;
     const std::uint64_t tiles = tiles_key(scene, photo, s.photo);
     for (const StageRow& row : stage_table()) {
-        Fingerprint f = start(row);
+        Fingerprint f = start(row, scene);
         if (row.pixels != PixelInput::none) f.add(tiles);
         if (row.model) f.add(s.camera).add(s.model).add(scene.opengl);
         if (row.key) row.key(f, scene);

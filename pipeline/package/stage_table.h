@@ -27,6 +27,7 @@ struct SceneKey {
     DistanceMethod distance;       ///< never automatic
     bool opengl;                   ///< the model is rendered by OpenGL, otherwise by the CPU
     bool undistortion;             ///< the effect is on
+    bool compact;                  ///< the effect is on
     std::uint64_t model;           ///< XXH3-64 of geometry and clusters, see model_checksum
     double reference_density = 1;  ///< of the depth mask
 };

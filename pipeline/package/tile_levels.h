@@ -12,9 +12,21 @@
 
 namespace vantage {
 
-/// Cuts a level of 4-byte texels into tiles and writes them to the package.
+/// Quality of color in JPEG that is not the photo's own, 1 to 100, see docs/measurements.md.
+inline constexpr int color_quality = 97;
+
+/// Cuts a level of 4-byte texels into tiles and writes them to the package; in a shorter form, if the chunk
+/// is compact: opaque color as JPEG, depth rounded, masks and other color without loss.
 void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo, std::uint32_t level,
                  std::span<const std::byte> texels, const Level& size);
+
+/// Writes the finest level of a photo as its JPEG's own coefficients. False if the chunk is not compact, or
+/// the JPEG is not of a kind that can be divided.
+bool write_own_jpeg(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> jpeg);
+
+/// Writes a photo's thumbnail: RGBA texels, which may be stored as JPEG.
+void write_thumbnail(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> texels,
+                     const Level& size);
 
 /// A level of a photo's TILE or MASK as an image; see read_level.
 RgbaImage read_level_image(const PackageReader& reader, const package::PhotoRecord& record,

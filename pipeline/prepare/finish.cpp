@@ -90,11 +90,17 @@ struct BandColors {
     ColorFit fit;
 };
 
-EffectDecision add_surroundings(const FinishInput& in, const PackageReader& part, Samples samples,
-                                const ColorRefinement& colors, std::span<const package::PhotoRecord> photos) {
+/// The photos' chunks as they are now: a compact one that was rewritten has another length.
+PackageReader open_part(const FinishInput& in) {
+    return PackageReader(part_of(in.out), PackageReader::Expect::part);
+}
+
+EffectDecision add_surroundings(const FinishInput& in, Samples samples, const ColorRefinement& colors,
+                                std::span<const package::PhotoRecord> photos) {
     if (points_only(in.scene))
         return decide(Effect::surroundings, EffectChoice::automatic, 0, "the scene has points only");
     const Traced traced(in.geometry.trace, "surroundings");
+    const PackageReader part = open_part(in);
     const Surroundings found = find_surroundings({.package = part,
                                                   .photos = photos,
                                                   .samples = samples,
@@ -142,7 +148,7 @@ BandAgreement agree(const FinishInput& in, const PackageReader& part, BandColors
         apply_colors(out.colors, photos.records);
     }
     out.consensus = find_consensus(in, part, folds, out.colors, photos);
-    if (of.band == 0) out.surroundings = add_surroundings(in, part, of.samples, out.colors, photos.records);
+    if (of.band == 0) out.surroundings = add_surroundings(in, of.samples, out.colors, photos.records);
     return out;
 }
 
@@ -193,7 +199,6 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
         return none;
     }
     const auto read = [&](std::uint32_t photo) { return in.geometry.writer.read(Type::samples, photo); };
-    const PackageReader part(part_of(in.out), PackageReader::Expect::part);
     PhotoSamples samples = read_samples(photos.records, read);
     const std::vector<std::uint32_t> lens = lenses_of(photos.records);
     // Not the records themselves, whose poses change in the meantime.
@@ -202,7 +207,8 @@ Agreement finish_package(const FinishInput& in, PhotoTables& photos) {
     // In the meantime, because cameras seldom move.
     std::future<std::vector<BandColors>> fitting =
         std::async(std::launch::async, [&] { return fit_bands(in, samples, given, lens); });
-    out.registration = register_cameras(in, part, samples, photos);
+    out.registration = register_cameras(in, open_part(in), samples, photos);
+    const PackageReader part = open_part(in);
     std::vector<BandColors> colors = fitting.get();
     if (out.registration.decision.on && !in.known) {
         samples = read_samples(photos.records, read);

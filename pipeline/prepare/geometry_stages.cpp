@@ -103,7 +103,8 @@ void make_from_geometry(const GeometryContext& c, const PosedPhoto& photo, const
         }();
         if (missing[Stage::coordinates]) {
             record_findings(geometry, coordinates, photo.intrinsics, photo.pose, r);
-            if (r.levels) c.writer.write(Type::coordinates, photo.index, bytes_of(coordinates));
+            if (r.levels && c.writer.plans(Type::coordinates, photo.index))
+                c.writer.write(Type::coordinates, photo.index, bytes_of(coordinates));
         }
         if (missing[Stage::coverage]) write_coverage(c, photo, view.triangles, geometry, coordinates);
     }

@@ -174,11 +174,13 @@ void join(std::span<const PackageReader> parts, const std::string& meta, const p
     const DirectoryEntry *nodes = first.find(Type::point_nodes), *points = first.find(Type::points);
     std::vector<std::string> bands;
     for (Band& band : read_bands(first)) bands.push_back(std::move(band.name));
-    const LayoutSizes sizes{.meta_bytes = meta.size(),
-                            .colors = first.find(Type::colors) != nullptr,
-                            .point_nodes = nodes ? nodes->head_length / sizeof(package::PointNode) : 0,
-                            .point_blocks = points ? first.blocks(*points) : 0,
-                            .bands = bands.size() > 1 ? bands.size() : 0};
+    const LayoutSizes sizes{
+        .meta_bytes = meta.size(),
+        .colors = first.find(Type::colors) != nullptr,
+        .point_nodes = first.content_length(nodes) / sizeof(package::PointNode),
+        .point_blocks = points ? first.blocks(*points) : 0,
+        .bands = bands.size() > 1 ? bands.size() : 0,
+        .coordinates = stores_coordinates(scene, scene_settings_in(meta).vertex_coordinates)};
     PackageWriter writer(out, plan_chunks(scene, sizes, records), names_checksum(records));
     PhotoTables photos = copy_parts(parts, out, writer, progress);
 

@@ -38,21 +38,30 @@ void cut_out(RgbaImage& image, const RgbaImage& stencil) {
     image.opaque = false;
 }
 
-RgbaImage decode_pixels(const PhotoJob& job, PhotoFile& file, package::PhotoRecord& r) {
+/// A photo's pixels; `own`: those of its file, unchanged.
+struct Pixels {
+    RgbaImage image;
+    bool own;
+};
+
+Pixels decode_pixels(const PhotoJob& job, PhotoFile& file, package::PhotoRecord& r) {
     RgbaImage image = decoded(job, file);
-    if (!job.photo.stencil.empty()) cut_out(image, read_stencil(job.photo.stencil, image));
+    const bool whole = job.photo.stencil.empty();
+    if (!whole) cut_out(image, read_stencil(job.photo.stencil, image));
+    const bool full_size = image.width == int(r.width) && image.height == int(r.height);
     const int longest = int(std::max(r.width, r.height));
     if (std::max(image.width, image.height) > longest)
         image = reduced(image, thumbnail_size(image.width, image.height, longest));
     const SceneKey& key = job.context.key;
-    if (!key.undistortion || !job.photo.camera.lens.distorts()) return image;
+    if (!key.undistortion || !job.photo.camera.lens.distorts()) return {std::move(image), whole && full_size};
     r.flags |= package::photo_undistorted;
     const Traced traced(job.context.trace, "undistort", job.photo.name);
-    return undistort(image, job.photo.camera, key.settings.resampling);
+    return {undistort(image, job.photo.camera, key.settings.resampling), false};
 }
 
-/// Writes thumbnail and tile pyramid.
-void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level, package::PhotoRecord& r,
+/// Writes thumbnail and tile pyramid. `jpeg`: the photo's file, if level 0 can be taken from it, else empty.
+void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
+                  std::span<const std::byte> jpeg, package::PhotoRecord& r,
                   std::promise<CoarsePixels>& found) {
     const Traced traced(job.context.trace, "tiles", r.name);
     PackageWriter& writer = job.context.writer;
@@ -68,14 +77,15 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
             coarse.samples = level;
             found.set_value(std::move(coarse));
         }
-        if (l < r.levels && missing[Stage::tiles])
+        const bool own = l == 0 && !jpeg.empty();
+        if (l < r.levels && missing[Stage::tiles] && !(own && write_own_jpeg(writer, i, jpeg)))
             write_tiles(writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height});
         RgbaImage next = halve(level);
         // The coarsest level that still has the thumbnail's detail is the cheapest to reduce.
         const int wanted = int(std::max(r.thumbnail_width, r.thumbnail_height));
         if (thumbnail_missing && (std::max(next.width, next.height) < wanted || l + 1 == last)) {
             const RgbaImage small = reduced(level, {int(r.thumbnail_width), int(r.thumbnail_height)});
-            writer.write(Type::thumbnail, i, std::as_bytes(std::span(small.rgba)));
+            write_thumbnail(writer, i, bytes_of(small.rgba), {small.width, small.height});
             thumbnail_missing = false;
         }
         level = std::move(next);
@@ -86,9 +96,12 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
 
 void make_pixels(const PhotoJob& job, const StageSet& missing, PhotoFile& file, package::PhotoRecord& r,
                  std::promise<CoarsePixels>& coarse) {
-    RgbaImage image = decode_pixels(job, file, r);
+    Pixels pixels = decode_pixels(job, file, r);
+    const auto jpeg = pixels.own && is_upright_jpeg(file.bytes(), {int(r.width), int(r.height)})
+                          ? file.bytes()
+                          : std::span<const std::byte>{};
+    write_pixels(job, missing, std::move(pixels.image), jpeg, r, coarse);
     file.release();
-    write_pixels(job, missing, std::move(image), r, coarse);
 }
 
 }  // namespace vantage

@@ -124,7 +124,8 @@ PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const P
                                .colors = !scene.mesh.colors.empty(),
                                .point_nodes = plan.points.nodes.size(),
                                .point_blocks = plan.points.blocks,
-                               .bands = plan.bands.size() > 1 ? plan.bands.size() : 0},
+                               .bands = plan.bands.size() > 1 ? plan.bands.size() : 0,
+                               .coordinates = stores_coordinates(plan.scene, settings.vertex_coordinates)},
                               plan.photos.records, share);
     plan.names = names_checksum(plan.photos.records);
     return plan;

@@ -136,6 +136,7 @@ SceneKey scene_key(const PreparePlan& plan, const SceneInput& scene, const Prepa
             .distance = renderer.distance(),
             .opengl = renderer.by_opengl(),
             .undistortion = effect_on(plan.scene, Effect::undistortion),
+            .compact = effect_on(plan.scene, Effect::compact),
             .model = renderer.cloud() ? with_cloud(checksum_of_model, *renderer.cloud()) : checksum_of_model,
             .reference_density = plan.scene.reference_density};
 }

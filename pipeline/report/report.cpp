@@ -28,6 +28,7 @@
 #include "points/point_cloud.h"
 #include "scene/error.h"
 #include "scene/flush_to_disk.h"
+#include "scene/stored_tile.h"
 
 namespace vantage {
 namespace {
@@ -145,10 +146,9 @@ RgbaImage mask_picture(const PackageReader& package, std::uint32_t i, const Phot
 }
 
 RgbaImage thumbnail(const PackageReader& package, std::uint32_t i, const PhotoRecord& p) {
-    const auto bytes = package.records<std::byte>(Type::thumbnail, i);
-    RgbaImage image{int(p.thumbnail_width), int(p.thumbnail_height), {}};
-    image.rgba.resize(bytes.size());
-    std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
+    RgbaImage image = blank_image(int(p.thumbnail_width), int(p.thumbnail_height));
+    if (!read_thumbnail(package, i, std::as_writable_bytes(std::span(image.rgba))))
+        throw Error(Exit::damaged, package.path().string() + ": the thumbnail of " + p.name + " is damaged");
     return reduced(image, thumbnail_size(image.width, image.height, 320));
 }
 

@@ -19,6 +19,7 @@
 #include "points/point_cloud.h"
 #include "scene/package_reader.h"
 #include "scene/package_shape.h"
+#include "scene/stored_tile.h"
 #include "scene/tiling.h"
 
 namespace vantage {
@@ -47,7 +48,7 @@ void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std
     if (without_pixels != (p.levels == 0))
         add(out, Finding::level_flag_mismatch, fmt::format("{}: flags and levels disagree", p.name));
     if (without_pixels) return;
-    const auto uvs = reader.records<std::array<float, 2>>(Type::coordinates, i);
+    const auto uvs = reader.records<std::array<float, 2>>(Type::coordinates, i, false);
     for (const auto& uv : uvs) {
         const bool marked = uv[0] == -1 && uv[1] == -1;
         if (!marked && !(uv[0] >= 0 && uv[0] <= 1 && uv[1] >= 0 && uv[1] <= 1)) {
@@ -63,11 +64,18 @@ void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std
 
 /// Depth is positive or +inf, and a texel of the mask is valid exactly if its depth is finite.
 void check_mask_meaning(const PackageReader& reader, std::uint32_t i, std::uint32_t level, Issues& out) {
+    const package::PhotoRecord& p = reader.photos()[i];
+    const Level size = level_size(int(p.width), int(p.height), int(level));
     const auto* masks = reader.find(Type::masks, i, level);
     const auto* depth = reader.find(Type::depth, i, level);
     if (!masks || !depth) return;
-    for (std::size_t b = 0; b < std::min(reader.blocks(*masks), reader.blocks(*depth)); ++b) {
-        const auto m = reader.block(*masks, b), d = reader.block(*depth, b);
+    std::vector<std::byte> m(tile_bytes), d(tile_bytes);
+    for (std::size_t b = 0; b < std::size_t(size.tiles()); ++b) {
+        if (!read_tile(reader, *masks, size, b, m) || !read_tile(reader, *depth, size, b, d)) {
+            add(out, Finding::mask_depth_mismatch,
+                describe(*masks, reader) + fmt::format(": tile {} cannot be decoded", b));
+            return;
+        }
         for (std::size_t t = 0; t < tile_bytes; t += 4) {
             float z;
             std::memcpy(&z, d.data() + t, 4);

@@ -12,6 +12,7 @@
 
 #include "bands/bands.h"
 #include "pipeline/package/stage_table.h"
+#include "scene/stored_tile.h"
 #include "scene/tiling.h"
 
 namespace vantage {
@@ -90,9 +91,19 @@ void diff_meta(const PackageReader& a, const PackageReader& b, Differences& out)
         diff_json("inputs", of_a.value(list, json{}), of_b.value(list, json{}), out, list);
 }
 
+/// Whether the chunks are stored as the same bytes.
 bool same_chunk(const DirectoryEntry* a, const DirectoryEntry* b) {
     if (!a || !b) return a == b;
-    return a->checksum == b->checksum && a->length == b->length && a->head_length == b->head_length;
+    return a->form == b->form && a->checksum == b->checksum && a->length == b->length &&
+           a->head_length == b->head_length;
+}
+
+/// Whether chunks without blocks have the same content, in whatever form.
+bool same_content(const PackageReader& a, const DirectoryEntry* of_a, const PackageReader& b,
+                  const DirectoryEntry* of_b) {
+    if (same_chunk(of_a, of_b)) return true;
+    return of_a && of_b && a.blocks(*of_a) == 0 && b.blocks(*of_b) == 0 &&
+           std::ranges::equal(a.bytes(of_a), b.bytes(of_b));
 }
 
 void diff_model(const PackageReader& a, const PackageReader& b, Differences& out) {
@@ -112,7 +123,7 @@ void diff_model(const PackageReader& a, const PackageReader& b, Differences& out
                                                   {Type::points, "points"},
                                                   {Type::bands, "bands"}};
     for (const auto& [type, what] : parts)
-        if (!same_chunk(a.find(type), b.find(type))) out.push_back({"model", what, "different"});
+        if (!same_content(a, a.find(type), b, b.find(type))) out.push_back({"model", what, "different"});
 }
 
 /// Differences between byte texels, or between depths relative to the depth.
@@ -145,17 +156,21 @@ void compare_depths(std::span<const std::byte> a, std::span<const std::byte> b, 
     }
 }
 
+/// Empty if all tiles are the same.
 std::string compare_tiles(const PackageReader& a, const DirectoryEntry& of_a, const PackageReader& b,
-                          const DirectoryEntry& of_b) {
+                          const DirectoryEntry& of_b, const Level& level) {
     Texels t;
     const bool depth = of_a.type == std::uint32_t(Type::depth);
-    t.tiles = a.blocks(of_a);
+    t.tiles = std::size_t(level.tiles());
+    std::vector<std::byte> x(tile_bytes), y(tile_bytes);
     for (std::size_t i = 0; i < t.tiles; ++i) {
-        const auto x = a.block(of_a, i), y = b.block(of_b, i);
-        if (std::ranges::equal(x, y)) continue;
+        if (!read_tile(a, of_a, level, i, x) || !read_tile(b, of_b, level, i, y))
+            return fmt::format("tile {} cannot be decoded", i);
+        if (x == y) continue;
         ++t.differing;
         depth ? compare_depths(x, y, t) : compare_bytes(x, y, t);
     }
+    if (t.differing == 0) return "";
     return depth ? fmt::format("{} of {} tiles, by at most {:.2g} % of the depth", t.differing, t.tiles,
                                100 * t.largest)
                  : fmt::format("{} of {} tiles, by at most {:.0f} of 255, mean {:.2f} over those tiles",
@@ -188,19 +203,36 @@ std::string compare_visible(const PackageReader& a, const PackageReader& b, std:
     return fmt::format("visibility of {} triangles differs", bits);
 }
 
-/// Called for the finest level that differs; coarser levels follow from it.
+std::string compare_thumbnails(const PackageReader& a, const PackageReader& b, std::uint32_t i,
+                               std::uint32_t j) {
+    const PhotoRecord &p = a.photos()[i], &q = b.photos()[j];
+    if (p.thumbnail_width != q.thumbnail_width || p.thumbnail_height != q.thumbnail_height)
+        return "different size";
+    std::vector<std::byte> x(std::size_t(p.thumbnail_width) * p.thumbnail_height * 4), y(x.size());
+    if (!read_thumbnail(a, i, x) || !read_thumbnail(b, j, y)) return "cannot be decoded";
+    if (x == y) return "";
+    Texels t;
+    compare_bytes(x, y, t);
+    return fmt::format("by at most {:.0f} of 255", t.largest);
+}
+
+/// Called for the finest level that differs; coarser levels follow from it. Empty if the content is the same.
 std::string compare_chunk(const PackageReader& a, const PackageReader& b, Type type, std::uint32_t level,
                           std::uint32_t i, std::uint32_t j, const PhotoRecord& photo) {
     const DirectoryEntry *x = a.find(type, i, level), *y = b.find(type, j, level);
     if (!x || !y) return "present in only one";
-    if (x->length != y->length || x->head_length != y->head_length) return "different size";
-    if (a.blocks(*x) > 0) return fmt::format("level {}: {}", level, compare_tiles(a, *x, b, *y));
+    if (type == Type::thumbnail) return compare_thumbnails(a, b, i, j);
+    if (a.blocks(*x) > 0 || b.blocks(*y) > 0) {
+        const Level size = level_size(int(photo.width), int(photo.height), int(level));
+        if (!holds_level(a, *x, size) || !holds_level(b, *y, size)) return "different size";
+        const std::string tiles = compare_tiles(a, *x, b, *y, size);
+        return tiles.empty() ? "" : fmt::format("level {}: {}", level, tiles);
+    }
+    if (same_content(a, x, b, y)) return "";
+    if (a.content_length(x) != b.content_length(y)) return "different size";
     if (type == Type::coordinates) return compare_coordinates(a, b, i, j, photo);
     if (type == Type::visible) return compare_visible(a, b, i, j);
-    if (type != Type::thumbnail) return "different";
-    Texels t;
-    compare_bytes(a.bytes(x), b.bytes(y), t);
-    return fmt::format("by at most {:.0f} of 255", t.largest);
+    return "different";
 }
 
 void diff_photo(const PackageReader& a, const PackageReader& b, std::uint32_t i, std::uint32_t j,
@@ -224,7 +256,9 @@ void diff_photo(const PackageReader& a, const PackageReader& b, std::uint32_t i,
                 const char* what = type == Type::depth     ? "depth"
                                    : type == Type::visible ? "visible triangles"
                                                            : stage_row(Stage(s)).name;
-                out.push_back({p.name, what, compare_chunk(a, b, type, level, i, j, p)});
+                const std::string text = compare_chunk(a, b, type, level, i, j, p);
+                if (text.empty()) continue;
+                out.push_back({p.name, what, text});
                 reported.insert(type);
             }
     }

@@ -15,6 +15,7 @@
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/results/diff.h"
 #include "scene/error.h"
+#include "scene/stored_tile.h"
 
 namespace vantage {
 namespace {
@@ -74,8 +75,9 @@ std::optional<Pair> differing(const PackageReader& a, const PackageReader& b, st
                               std::uint32_t j, Type type, std::uint32_t level) {
     const PhotoRecord& p = a.photos()[i];
     const DirectoryEntry *x = a.find(type, i, level), *y = b.find(type, j, level);
-    if (!x || !y || x->length != y->length || x->checksum == y->checksum) return {};
     const Level size = level_size(int(p.width), int(p.height), int(level));
+    if (!x || !y || x->checksum == y->checksum || !holds_level(a, *x, size) || !holds_level(b, *y, size))
+        return {};
     return Pair{size, join_tiles(a, *x, size), join_tiles(b, *y, size)};
 }
 

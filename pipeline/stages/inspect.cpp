@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include "pipeline/input/file_name.h"
@@ -188,6 +189,23 @@ Measured bands(const SceneInput& scene) {
     return {double(scene.bands.size()), evidence};
 }
 
+/// Photos of which the size is not known, or 0, do not count.
+Measured raw_length(const SceneInput& scene) {
+    double pixels = 0, bytes = 0;
+    for (const PhotoInput& p : scene.photos) {
+        std::error_code error;
+        const auto length = std::filesystem::file_size(p.file, error);
+        if (error || length == 0) continue;
+        pixels += double(p.camera.intrinsics.width) * p.camera.intrinsics.height;
+        bytes += double(length);
+    }
+    if (bytes == 0) return {0, "there are no photos"};
+    // A third more for coarser levels; masks and depth, of twice as many bytes, begin at half size.
+    const double raw = pixels * 4 * (1 + 1 / 3.0) * 1.5;
+    return {raw / bytes, fmt::format("raw, {:.0f} MB of photos become {:.0f} MB of tiles, masks and depth",
+                                     bytes / 1e6, raw / 1e6)};
+}
+
 /// Triangles with a vertex whose alpha is below 255, and those whose three vertices have alpha 0.
 struct AlphaCount {
     std::size_t transparent = 0, invisible = 0;
@@ -236,6 +254,8 @@ Measured measure(const EffectRow& row, const SceneInput& scene, bool by_band) {
             return bands(scene);
         case Effect::transparency:
             return transparent_share(scene.mesh);
+        case Effect::compact:
+            return raw_length(scene);
         default:
             return {0, "not measured"};
     }
@@ -247,7 +267,10 @@ std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effe
     std::vector<EffectDecision> decisions;
     const bool by_band = scene.bands.size() > 1 && choice_of(choices, Effect::bands) != EffectChoice::off;
     for (const EffectRow& row : effect_table()) {
-        const Measured m = measure(row, scene, by_band);
+        // The default is still raw: what has not been chosen is not measured.
+        const bool chosen =
+            row.effect != Effect::compact || choice_of(choices, row.effect) != EffectChoice::automatic;
+        const Measured m = chosen ? measure(row, scene, by_band) : Measured{0, "not chosen"};
         if (row.effect == Effect::per_fragment && has_points_only(scene)) {
             // Triangles of a stand-in are not drawn.
             decisions.push_back(

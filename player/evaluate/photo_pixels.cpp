@@ -4,8 +4,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "agreement/read_level.h"
 #include "scene/tiling.h"
-#include "values/grid.h"
 
 namespace vantage {
 
@@ -16,17 +16,7 @@ Picture level_of_photo(const PackageReader& package, package::Type type, std::ui
     const Level size = level_size(int(record.width), int(record.height), level);
     Picture p{size.width, size.height, {}, {}};
     p.rgba.resize(std::size_t(size.width) * std::size_t(size.height) * 4);
-    const Grid<std::uint8_t> out{p.rgba.data(), 4 * size.width, size.height};
-    for (int t = 0; t < size.tiles(); ++t) {
-        const Grid<const std::byte> texels{package.sound_block(*chunk, std::size_t(t)).data(), 4 * tile_size,
-                                           tile_size};
-        const int x0 = t % size.columns() * tile_content, y0 = t / size.columns() * tile_content;
-        const int width = std::min(tile_content, size.width - x0),
-                  height = std::min(tile_content, size.height - y0);
-        for (int y = 0; y < height; ++y)
-            std::memcpy(&out(4 * x0, y0 + y), &texels(4 * tile_border, y + tile_border),
-                        std::size_t(width) * 4);
-    }
+    std::ranges::copy(join_tiles(package, *chunk, size), std::as_writable_bytes(std::span(p.rgba)).begin());
     return p;
 }
 

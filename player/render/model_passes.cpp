@@ -111,7 +111,7 @@ bool ModelPasses::shows_surroundings(const RenderSettings& settings) const {
 }
 
 bool ModelPasses::per_fragment(const RenderSettings& settings) const {
-    if (points_only(package_->scene())) return true;
+    if (points_only(package_->scene()) || !has_coordinates(*package_)) return true;
     // Triangles of the surroundings are too large for coordinates per vertex.
     if (shows_surroundings(settings)) return true;
     if (settings.coordinates != Coordinates::automatic) return settings.coordinates == Coordinates::fragment;

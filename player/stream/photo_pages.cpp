@@ -1,5 +1,6 @@
 #include "player/stream/photo_pages.h"
 
+#include <algorithm>
 #include <string>
 
 #include "scene/error.h"
@@ -36,6 +37,12 @@ PackagePages number_pages(std::span<const package::PhotoRecord> photos) {
     return out;
 }
 
+bool has_coordinates(const PackageReader& package) {
+    const auto photos = package.photos();
+    const auto shown = std::ranges::find_if(photos, [](const auto& p) { return p.levels > 0; });
+    return shown == photos.end() || package.find(Type::coordinates, std::uint32_t(shown - photos.begin()));
+}
+
 StreamRequest color_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,
                             std::uint32_t level, std::uint32_t tile) {
     return {Resource::color, pages.photos[photo].color[level] + tile, package.find(Type::tiles, photo, level),
@@ -52,7 +59,8 @@ StreamRequest mask_request(const PackageReader& package, const PackagePages& pag
 
 StreamRequest thumbnail_request(const PackageReader& package, std::uint32_t photo) {
     StreamRequest r{Resource::thumbnail, photo, package.find(Type::thumbnail, photo)};
-    r.bytes = r.chunk->head_length;
+    const package::PhotoRecord& p = package.photos()[photo];
+    r.bytes = std::uint64_t(p.thumbnail_width) * p.thumbnail_height * 4;
     return r;
 }
 

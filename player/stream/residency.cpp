@@ -5,6 +5,7 @@
 #include <string>
 
 #include "scene/error.h"
+#include "scene/stored_tile.h"
 #include "scene/tiling.h"
 #include "shaders/contract.h"
 
@@ -183,10 +184,14 @@ void Residency::evict_masks() { mask_pool_ = LayerPool(layout_.masks, pages_->ma
 std::size_t Residency::upload_whole(std::uint32_t photo, std::uint32_t levels) {
     std::size_t uploaded = 0;
     std::vector<StreamRequest> missing;
+    const package::PhotoRecord& p = package_->photos()[photo];
+    const auto size = [&](std::uint32_t level) {
+        return level_size(int(p.width), int(p.height), int(level));
+    };
     const auto all = [&](Type type, std::uint32_t level, const auto& request) {
         const auto* chunk = package_->find(type, photo, level);
-        for (std::uint32_t t = 0; chunk && t < package_->blocks(*chunk); ++t)
-            need(request(*package_, *pages_, photo, level, t), missing);
+        const auto tiles = std::uint32_t(chunk ? size(level).tiles() : 0);
+        for (std::uint32_t t = 0; t < tiles; ++t) need(request(*package_, *pages_, photo, level, t), missing);
     };
     for (std::uint32_t l = levels; l-- > 0;) {
         all(Type::tiles, l, color_request);
@@ -194,9 +199,12 @@ std::size_t Residency::upload_whole(std::uint32_t photo, std::uint32_t levels) {
     }
     std::vector<std::byte> both(2 * tile_bytes);
     for (const StreamRequest& r : missing) {
-        const auto block = package_->block(*r.chunk, r.block);
-        std::copy(block.begin(), block.end(), both.begin());
-        if (r.second) std::ranges::copy(package_->block(*r.second, r.block), both.begin() + tile_bytes);
+        const Level level = size(r.chunk->level);
+        const std::span<std::byte> first(both.data(), tile_bytes),
+            second(both.data() + tile_bytes, tile_bytes);
+        if (!read_tile(*package_, *r.chunk, level, r.block, first) ||
+            (r.second && !read_tile(*package_, *r.second, level, r.block, second)))
+            continue;
         if (store(r, reinterpret_cast<std::uintptr_t>(both.data()), 0)) uploaded += std::size_t(r.size());
     }
     return uploaded;

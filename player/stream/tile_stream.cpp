@@ -5,12 +5,15 @@
 #include <cstring>
 
 #include "agreement/consensus_weights.h"
+#include "scene/stored_tile.h"
 #include "scene/tiling.h"
 
 namespace vantage {
 
 std::uint64_t StreamRequest::size() const {
-    return bytes ? bytes : chunk->block_length + (second ? second->block_length : 0);
+    if (bytes) return bytes;
+    if (resource == Resource::points) return chunk->block_length;
+    return second ? 2 * tile_bytes : tile_bytes;
 }
 
 TileStream::TileStream(const PackageReader& package, std::size_t ring_bytes, unsigned threads)
@@ -89,36 +92,50 @@ void TileStream::work(std::stop_token stop) {
         begun_[request.identity()] = true;
         const std::span<std::byte> to = ring_.memory(*piece);
         lock.unlock();
-        const bool sound = fetch(request, to);
+        std::uint64_t read = 0;
+        const bool sound = fetch(request, to, read);
         lock.lock();
-        bytes_read_ += to.size();
+        bytes_read_ += read;
         done_.push_back({request, *piece, sound});
         piece.reset();
         fetched_.notify_all();
     }
 }
 
-bool TileStream::fetch(const StreamRequest& r, std::span<std::byte> to) const {
+bool TileStream::fetch(const StreamRequest& r, std::span<std::byte> to, std::uint64_t& read) const {
     const auto copy = [&](std::span<const std::byte> from, std::size_t at) {
         std::memcpy(to.data() + at, from.data(), from.size());
+        read += from.size();
         package_.forget(from);
     };
+    if (r.resource == Resource::thumbnail) {
+        read += r.chunk->length;
+        return read_thumbnail(package_, r.key, to);
+    }
     if (r.bytes) {
         // The pieces of a chunk share its checksum, which the first piece checks.
         if (r.first == 0 && !package_.head_sound(*r.chunk)) return false;
         copy(package_.bytes(r.chunk).subspan(r.first, r.bytes), 0);
         return true;
     }
-    if (!package_.block_sound(*r.chunk, r.block) || (r.second && !package_.block_sound(*r.second, r.block)))
-        return false;
-    copy(package_.block(*r.chunk, r.block), 0);
-    if (r.reweighted) {
-        const package::PhotoRecord& p = package_.photos()[r.chunk->photo];
-        set_tile_weights(r.weights, level_size(int(p.width), int(p.height), int(r.chunk->level)), r.block,
-                         to.first(tile_bytes));
+    if (r.resource == Resource::points) {
+        if (!package_.block_sound(*r.chunk, r.block)) return false;
+        copy(package_.block(*r.chunk, r.block), 0);
+        return true;
     }
-    if (r.second) copy(package_.block(*r.second, r.block), std::size_t(r.chunk->block_length));
-    return true;
+    const package::PhotoRecord& p = package_.photos()[r.chunk->photo];
+    const Level level = level_size(int(p.width), int(p.height), int(r.chunk->level));
+    const auto tile = [&](const package::DirectoryEntry& chunk, std::size_t at) {
+        const bool sound = read_tile(package_, chunk, level, r.block, to.subspan(at, tile_bytes));
+        for (const auto& piece : stored_pieces(package_, chunk, level, r.block)) {
+            read += piece.size();
+            package_.forget(piece);
+        }
+        return sound;
+    };
+    if (!tile(*r.chunk, 0)) return false;
+    if (r.reweighted) set_tile_weights(r.weights, level, r.block, to.first(tile_bytes));
+    return !r.second || tile(*r.second, tile_bytes);
 }
 
 }  // namespace vantage

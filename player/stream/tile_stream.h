@@ -36,6 +36,7 @@ struct StreamRequest {
     bool reweighted = false;                          ///< of masks: with the consensus weights of `weights`
     const ConsensusMap* weights = nullptr;            ///< see set_weights
 
+    /// Bytes in the ring: of tiles, decoded.
     std::uint64_t size() const;
     std::uint64_t identity() const { return std::uint64_t(resource) << 32 | key; }
 };
@@ -47,8 +48,8 @@ struct Fetched {
     bool sound;
 };
 
-/// Worker threads that copy pieces of the mapped package into the upload ring. All functions are for the
-/// OpenGL thread; only wait() waits.
+/// Worker threads that copy or decode pieces of the mapped package into the upload ring. All functions are
+/// for the OpenGL thread; only wait() waits.
 class TileStream {
   public:
     TileStream(const PackageReader& package, std::size_t ring_bytes, unsigned threads);
@@ -76,7 +77,8 @@ class TileStream {
 
   private:
     void work(std::stop_token stop);
-    bool fetch(const StreamRequest& request, std::span<std::byte> to) const;
+    /// Adds to `read` the bytes of the package that it read.
+    bool fetch(const StreamRequest& request, std::span<std::byte> to, std::uint64_t& read) const;
 
     const PackageReader& package_;
     UploadRing ring_;

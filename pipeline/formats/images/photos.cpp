@@ -127,6 +127,11 @@ RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::b
     return photo;
 }
 
+bool is_upright_jpeg(std::span<const std::byte> bytes, PhotoSize size) {
+    const JpegHeader h = jpeg_header(bytes);
+    return is_jpeg(bytes) && h.readable && h.width == size.width && h.height == size.height;
+}
+
 std::string reason_of(const Error& error, const std::filesystem::path& file) {
     std::string message = error.what();
     for (const std::string& prefix : {file.string() + ": ", file.filename().string() + ": "})

@@ -20,6 +20,9 @@ RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected);
 RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
                        PhotoSize expected);
 
+/// Whether these are the bytes of a JPEG of this size, which decode_photo does not transpose.
+bool is_upright_jpeg(std::span<const std::byte> bytes, PhotoSize size);
+
 /// The message of an error about this file without its path: "JPEG is corrupt ...".
 std::string reason_of(const Error& error, const std::filesystem::path& file);
 
