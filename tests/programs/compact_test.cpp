@@ -1,0 +1,159 @@
+// Packages whose tiles are the photos' own JPEG, and what else is short.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "agreement/read_level.h"
+#include "codec/depth_values.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/prepare/repack.h"
+#include "pipeline/results/check.h"
+#include "scene/part_file.h"
+#include "scene/stored_tile.h"
+#include "tests/datasets.h"
+#include "tests/temporary_folder.h"
+
+using namespace vantage;
+using package::Type;
+
+namespace {
+
+using Bytes = std::vector<char>;
+
+Bytes content(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class CompactPackages : public TemporaryFolder {
+  protected:
+    /// Nothing is decided by the photos, so that both forms have the same cameras and weights.
+    static PrepareSettings settings(EffectChoice compact, unsigned threads = 2) {
+        PrepareSettings s;
+        s.effects[Effect::compact] = compact;
+        s.threads = threads;
+        for (const EffectRow& row : effect_table())
+            if (from_all_photos(row)) s.effects[row.effect] = EffectChoice::off;
+        return s;
+    }
+    static void make(const std::filesystem::path& scan, const PrepareSettings& s,
+                     const std::filesystem::path& out, const PrepareRun& run = {}) {
+        prepare(
+            read_scene(discover(scan)), s, out, [](const Progress&) {}, run);
+    }
+    static std::vector<std::byte> level(const PackageReader& p, Type type, std::uint32_t photo, int l) {
+        return read_level(p, p.photos()[photo], photo, type, l);
+    }
+    static void expect_sound_package(const std::filesystem::path& file) {
+        for (const Issue& issue : check_package(file, {.deep = true})) ADD_FAILURE() << issue.text;
+    }
+};
+
+double psnr(const std::vector<std::byte>& a, const std::vector<std::byte>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double d = std::to_integer<int>(a[i]) - std::to_integer<int>(b[i]);
+        sum += i % 4 == 3 ? 0 : d * d;
+    }
+    return 10 * std::log10(255.0 * 255.0 * 0.75 * double(a.size()) / std::max(sum, 1e-9));
+}
+
+}  // namespace
+
+TEST_F(CompactPackages, ShowThePhotosOwnPixelsAndTheSameMasks) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    make(scan, settings(EffectChoice::off), dir / "raw.vantage");
+    make(scan, settings(EffectChoice::on), dir / "compact.vantage");
+    expect_sound_package(dir / "compact.vantage");
+    const PackageReader raw(dir / "raw.vantage"), compact(dir / "compact.vantage");
+    EXPECT_LT(compact.size(), raw.size() / 6);
+    ASSERT_EQ(raw.photos().size(), compact.photos().size());
+    for (std::uint32_t i = 0; i < raw.photos().size(); ++i) {
+        const int levels = int(raw.photos()[i].levels);
+        EXPECT_EQ(level(raw, Type::tiles, i, 0), level(compact, Type::tiles, i, 0)) << i;
+        for (int l = 1; l < levels; ++l)
+            EXPECT_GT(psnr(level(raw, Type::tiles, i, l), level(compact, Type::tiles, i, l)), 42) << i;
+        for (int l = mask_level; l < mask_levels_end(levels); ++l) {
+            EXPECT_EQ(level(raw, Type::masks, i, l), level(compact, Type::masks, i, l)) << i;
+            const auto x = level(raw, Type::depth, i, l), y = level(compact, Type::depth, i, l);
+            for (std::size_t at = 0; at < x.size(); at += 4) {
+                float exact, kept;
+                std::memcpy(&exact, &x[at], 4);
+                std::memcpy(&kept, &y[at], 4);
+                ASSERT_EQ(std::isinf(exact), std::isinf(kept));
+                if (std::isinf(exact)) continue;
+                ASSERT_LE(std::abs(double(exact) - double(kept)), codec::depth_error * double(exact));
+            }
+        }
+    }
+}
+
+TEST_F(CompactPackages, AreTheSameBytesOnAnyNumberOfThreadsAndAfterAnInterruption) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    make(scan, settings(EffectChoice::on, 1), dir / "one.vantage");
+    const Bytes expected = content(dir / "one.vantage");
+    make(scan, settings(EffectChoice::on, 3), dir / "three.vantage");
+    EXPECT_TRUE(content(dir / "three.vantage") == expected);
+
+    std::atomic<bool> stop = false;
+    const auto stopping = [&](const Progress& p) {
+        stop = stop || (std::string_view(p.stage) == "photos" && p.done == 3);
+    };
+    PrepareRun run;
+    run.stop = &stop;
+    EXPECT_THROW(
+        prepare(read_scene(discover(scan)), settings(EffectChoice::on), dir / "late.vantage", stopping, run),
+        Error);
+    EXPECT_TRUE(std::filesystem::exists(part_of(dir / "late.vantage")));
+    make(scan, settings(EffectChoice::on), dir / "late.vantage");
+    EXPECT_TRUE(content(dir / "late.vantage") == expected);
+    EXPECT_FALSE(std::filesystem::exists(part_of(dir / "late.vantage")));
+    EXPECT_FALSE(std::filesystem::exists(packing_of(dir / "late.vantage")));
+}
+
+TEST_F(CompactPackages, AreRepackedFromRawAndBack) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    make(scan, settings(EffectChoice::on), dir / "compact.vantage");
+    repack(dir / "compact.vantage", false, dir / "raw.vantage", 2);
+    repack(dir / "raw.vantage", true, dir / "again.vantage", 2);
+    for (const char* file : {"raw.vantage", "again.vantage"}) expect_sound_package(dir / file);
+    const PackageReader compact(dir / "compact.vantage"), raw(dir / "raw.vantage"),
+        again(dir / "again.vantage");
+    EXPECT_LT(again.size(), raw.size() / 6);
+    for (std::uint32_t i = 0; i < raw.photos().size(); ++i) {
+        EXPECT_EQ(level(raw, Type::tiles, i, 0), level(compact, Type::tiles, i, 0));
+        EXPECT_GT(psnr(level(raw, Type::tiles, i, 0), level(again, Type::tiles, i, 0)), 40);
+        for (const Type type : {Type::masks, Type::depth})
+            EXPECT_EQ(level(again, type, i, mask_level), level(compact, type, i, mask_level));
+    }
+}
+
+TEST_F(CompactPackages, ADamagedCellCostsTheTilesThatShowIt) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    make(scan, settings(EffectChoice::on), dir / "compact.vantage");
+    std::uint64_t at = 0;
+    {
+        const PackageReader p(dir / "compact.vantage");
+        const package::DirectoryEntry& e = *p.find(Type::tiles, 0, 0);
+        ASSERT_EQ(e.form, package::Form::cells);
+        at = e.offset + e.head_length + p.block(e, 0).size() / 2;
+    }
+    {
+        std::fstream file(dir / "compact.vantage", std::ios::in | std::ios::out | std::ios::binary);
+        file.seekp(std::streamoff(at));
+        file.put('\x55').put('\xaa').put('\x55');
+    }
+    const PackageReader p(dir / "compact.vantage");
+    const package::DirectoryEntry& e = *p.find(Type::tiles, 0, 0);
+    const Level size = level_size(int(p.photos()[0].width), int(p.photos()[0].height), 0);
+    std::vector<std::byte> tile(tile_bytes);
+    EXPECT_FALSE(read_tile(p, e, size, 0, tile));
+    EXPECT_TRUE(read_tile(p, e, size, std::size_t(size.tiles()) - 1, tile));
+    EXPECT_EQ(worst(check_package(dir / "compact.vantage", {.deep = true})), Exit::damaged);
+}
