@@ -1,0 +1,41 @@
+#pragma once
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+
+namespace vantage {
+
+/// Bytes per second over the last two seconds. Thread-safe.
+class Rate {
+  public:
+    void add(std::uint64_t bytes) {
+        const std::scoped_lock lock(mutex_);
+        Slot& slot = slots_[std::size_t(now()) % slots_.size()];
+        if (slot.time != now()) slot = {now(), 0};
+        slot.bytes += bytes;
+    }
+
+    double per_second() const {
+        const std::scoped_lock lock(mutex_);
+        std::uint64_t bytes = 0;
+        for (const Slot& slot : slots_)
+            if (slot.time > now() - std::int64_t(slots_.size())) bytes += slot.bytes;
+        return double(bytes) * slots_per_second / double(slots_.size());
+    }
+
+  private:
+    static constexpr int slots_per_second = 4;
+    struct Slot {
+        std::int64_t time = -1'000'000;  ///< in slots since the clock began
+        std::uint64_t bytes = 0;
+    };
+    static std::int64_t now() {
+        using namespace std::chrono;
+        return floor<milliseconds>(steady_clock::now().time_since_epoch()).count() * slots_per_second / 1000;
+    }
+    mutable std::mutex mutex_;
+    std::array<Slot, 8> slots_{};
+};
+
+}  // namespace vantage

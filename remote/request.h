@@ -1,0 +1,53 @@
+#pragma once
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "remote/answer.h"
+#include "remote/byte_range.h"
+#include "scene/error.h"
+
+namespace vantage {
+
+/// Why a request failed.
+struct Failure {
+    Exit code = Exit::input;
+    std::string message;       ///< begins with the URL
+    bool transient = false;    ///< trying again may help
+    bool unreachable = false;  ///< the server was not reached, or the connection was cut
+};
+
+/// A GET of a range of a file. Its functions are called by the thread of Transfers.
+class Request {
+  public:
+    explicit Request(ByteRange range) : range_(range) {}
+    virtual ~Request() = default;
+    Request(const Request&) = delete;
+    Request& operator=(const Request&) = delete;
+
+    ByteRange range() const { return range_; }
+    /// A header line to send, such as `If-None-Match: "5"`; or empty.
+    virtual std::string condition() const { return {}; }
+    /// Called with the headers of the last answer, before its body. `asked`: what of the range was asked for,
+    /// after what had arrived before a cut. Returns as flaw_of() does, and may shorten() the range.
+    virtual std::string flaw(const Answer& answer, ByteRange asked) = 0;
+    /// Stores the next bytes of the body, which lie in the range. May throw Error(storage).
+    virtual void store(std::uint64_t offset, std::span<const std::byte> bytes) = 0;
+    /// Called once: all bytes were stored (null), or the last try failed. Not called if cancelled.
+    virtual void done(const Failure* failure) = 0;
+
+    /// From any thread. Transfers::cancel() also wakes its thread.
+    void cancel() { cancelled_ = true; }
+    bool cancelled() const { return cancelled_; }
+
+  protected:
+    void shorten(std::uint64_t end) { range_.end = end; }
+
+  private:
+    ByteRange range_;
+    std::atomic<bool> cancelled_ = false;
+};
+
+}  // namespace vantage
