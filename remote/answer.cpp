@@ -55,7 +55,7 @@ std::string total_flaw(std::uint64_t total, const Origin* known) {
 
 std::string version_flaw(const Answer& answer, const Origin& known) {
     if (same_version({{}, known.size, answer.etag, answer.last_modified}, known)) return {};
-    const bool by_tag = !known.etag.empty() && !answer.etag.empty();
+    const bool by_tag = !known.etag.empty();
     const std::string& found = by_tag ? answer.etag : answer.last_modified;
     return "the file has changed on the server: its " + std::string(by_tag ? "ETag" : "Last-Modified") +
            " is " + (found.empty() ? "missing" : found) + ", expected " +

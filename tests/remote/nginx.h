@@ -22,14 +22,14 @@ class Nginx {
     static bool installed() { return !program().empty(); }
 
     /// `settings`: directives of the location, such as `limit_rate 1m;`.
-    Nginx(const std::filesystem::path& own, const std::filesystem::path& served, const std::string& settings = "",
-          const std::string& server_settings = "", bool tls = false)
+    Nginx(const std::filesystem::path& own, const std::filesystem::path& served,
+          const std::string& settings = "", const std::string& server_settings = "", bool tls = false)
         : own_(own), port_(free_port()), tls_(tls) {
         std::filesystem::create_directories(own);
         std::ofstream(own / "nginx.conf")
             << "daemon off; master_process off; pid " << (own / "pid").string() << ";\nerror_log "
-            << (own / "error.log").string() << ";\nevents {}\nhttp { access_log " << (own / "access.log").string()
-            << ";\n"
+            << (own / "error.log").string() << ";\nevents {}\nhttp { access_log "
+            << (own / "access.log").string() << ";\n"
             << temporary_folders() << "keepalive_requests 100000; server { listen 127.0.0.1:" << port_
             << (tls ? " ssl http2" : "") << "; " << server_settings << " root " << served.string()
             << "; location / { " << settings << " } } }\n";
