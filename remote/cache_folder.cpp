@@ -19,8 +19,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// What a crash may leave of write_small_file().
+constexpr const char* origin_part = "origin.part";
+
 /// In the order in which they are deleted: the origin, which tells that the folder is ours, last.
-constexpr std::array files_of_ours = {cached::table, cached::data, cached::origin};
+constexpr std::array files_of_ours = {cached::table, cached::data, origin_part, cached::origin};
 
 std::string folder_name(const std::string& url, std::uint64_t seed) {
     XXH128_canonical_t bytes;
@@ -43,6 +46,14 @@ bool is_folder(const fs::path& path) {
 
 bool ours(const fs::path& folder) {
     return is_folder(folder) && begins_like_origin(read_small_file(folder / cached::origin));
+}
+
+/// True if the folder is empty, but for what a crash left.
+bool unclaimed(const fs::path& folder) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        if (entry->path().filename() != origin_part) return false;
+    return !error && is_folder(folder);
 }
 
 void drop(const fs::path& folder) {
@@ -107,8 +118,8 @@ fs::path CacheFolder::folder_of(const std::string& url) const {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         fs::path folder = root_ / folder_name(url, seed);
         std::error_code error;
-        if (!fs::exists(fs::symlink_status(folder, error)) || ours(folder)) return folder;
-        if (is_folder(folder) && fs::is_empty(folder, error) && !error) return folder;
+        if (!fs::exists(fs::symlink_status(folder, error)) || ours(folder) || unclaimed(folder))
+            return folder;
     }
     throw Error(Exit::storage, root_.string() + ": folders in it are not a cache of remote files");
 }

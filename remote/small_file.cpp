@@ -13,10 +13,9 @@ std::string read_small_file(const std::filesystem::path& path) {
     const Descriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     struct stat st {};
     if (!fd || ::fstat(fd.get(), &st) != 0 || !S_ISREG(st.st_mode)) return {};
-    std::string content(most_bytes + 1, '\0');
+    std::string content(most_bytes, '\0');
     const ssize_t n = ::pread(fd.get(), content.data(), content.size(), 0);
-    if (n < 0 || std::size_t(n) > most_bytes) return {};
-    content.resize(std::size_t(n));
+    content.resize(n < 0 ? 0 : std::size_t(n));
     return content;
 }
 
