@@ -17,6 +17,22 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(space) + 1 - first);
 }
 
+/// Without characters that would break a line or change a terminal.
+std::string printable(std::string_view text) {
+    std::string shown(text);
+    std::ranges::replace_if(
+        shown, [](unsigned char c) { return c < 32 || c == 127; }, '?');
+    return shown;
+}
+
+/// The beginning of a value, for a message.
+std::string quoted(const std::string& value) {
+    constexpr std::size_t most = 100;  // bytes
+    std::string text = "'";
+    text += value.substr(0, most);
+    return text += value.size() > most ? "...'" : "'";
+}
+
 bool same_word(std::string_view a, std::string_view b) {
     return a.size() == b.size() && ::strncasecmp(a.data(), b.data(), a.size()) == 0;
 }
@@ -58,8 +74,8 @@ std::string version_flaw(const Answer& answer, const Origin& known) {
     const bool by_tag = !known.etag.empty();
     const std::string& found = by_tag ? answer.etag : answer.last_modified;
     return "the file has changed on the server: its " + std::string(by_tag ? "ETag" : "Last-Modified") +
-           " is " + (found.empty() ? "missing" : found) + ", expected " +
-           (by_tag ? known.etag : known.last_modified);
+           " is " + (found.empty() ? "missing" : quoted(found)) + ", expected " +
+           quoted(by_tag ? known.etag : known.last_modified);
 }
 
 /// Why an answer other than 206 cannot be used.
@@ -74,7 +90,7 @@ std::string range_flaw(const Answer& answer, ByteRange asked, const Origin* know
     const std::string expected = ", expected " + words(asked);
     if (answer.content_range_text.empty()) return "the answer has no Content-Range" + expected;
     if (!answer.content_range || !answer.content_range->bytes || !answer.content_range->total)
-        return "the answer has an invalid Content-Range '" + answer.content_range_text + "'" + expected +
+        return "the answer has an invalid Content-Range " + quoted(answer.content_range_text) + expected +
                " and the size of the file";
     const std::uint64_t total = *answer.content_range->total;
     if (std::string flaw = total_flaw(total, known); !flaw.empty()) return flaw;
@@ -98,16 +114,16 @@ void take_header_line(Answer& answer, std::string_view line) {
     if (colon == std::string_view::npos) return;
     const std::string_view name = line.substr(0, colon), value = trimmed(line.substr(colon + 1));
     if (same_word(name, "content-range")) {
-        answer.content_range_text = value;
+        answer.content_range_text = printable(value);
         answer.content_range = parse_content_range(value);
     } else if (same_word(name, "content-length")) {
         answer.content_length = parse_number(value);
     } else if (same_word(name, "etag")) {
-        answer.etag = value.starts_with('"') ? value : std::string_view();
+        answer.etag = value.starts_with('"') ? printable(value) : "";
     } else if (same_word(name, "last-modified")) {
-        answer.last_modified = value;
+        answer.last_modified = printable(value);
     } else if (same_word(name, "content-encoding")) {
-        answer.content_encoding = value;
+        answer.content_encoding = printable(value);
     } else if (same_word(name, "location")) {
         answer.location = value;
     }
@@ -116,7 +132,8 @@ void take_header_line(Answer& answer, std::string_view line) {
 std::string flaw_of(const Answer& answer, ByteRange asked, const Origin* known) {
     if (answer.status != 206) return refusal(answer, asked, known);
     if (!answer.content_encoding.empty() && !same_word(answer.content_encoding, "identity"))
-        return "the answer has the Content-Encoding '" + answer.content_encoding + "', expected identity";
+        return "the answer has the Content-Encoding " + quoted(answer.content_encoding) +
+               ", expected identity";
     if (std::string flaw = range_flaw(answer, asked, known); !flaw.empty()) return flaw;
     if (known) return version_flaw(answer, *known);
     if (answer.etag.empty() && answer.last_modified.empty())

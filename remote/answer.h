@@ -11,11 +11,12 @@
 
 namespace vantage {
 
-/// What the headers of an answer say. Headers that are not listed here are ignored.
+/// What the headers of an answer say. Headers that are not listed here are ignored. In texts, `?` replaces
+/// control characters.
 struct Answer {
     int status = 0;                               ///< 0 if the status line is malformed
     std::optional<ContentRange> content_range;    ///< none if absent or malformed
-    std::string content_range_text;               ///< as sent, empty if absent
+    std::string content_range_text;               ///< empty if absent
     std::optional<std::uint64_t> content_length;  ///< none if absent or malformed
     std::string etag;                             ///< empty if absent or weak
     std::string last_modified, content_encoding, location;

@@ -11,16 +11,18 @@ class Rate {
   public:
     void add(std::uint64_t bytes) {
         const std::scoped_lock lock(mutex_);
-        Slot& slot = slots_[std::size_t(now()) % slots_.size()];
-        if (slot.time != now()) slot = {now(), 0};
+        const std::int64_t time = now();
+        Slot& slot = slots_[std::size_t(time) % slots_.size()];
+        if (slot.time != time) slot = {time, 0};
         slot.bytes += bytes;
     }
 
     double per_second() const {
         const std::scoped_lock lock(mutex_);
+        const std::int64_t time = now();
         std::uint64_t bytes = 0;
         for (const Slot& slot : slots_)
-            if (slot.time > now() - std::int64_t(slots_.size())) bytes += slot.bytes;
+            if (slot.time > time - std::int64_t(slots_.size())) bytes += slot.bytes;
         return double(bytes) * slots_per_second / double(slots_.size());
     }
 

@@ -23,8 +23,8 @@ constexpr std::uint64_t most_request_blocks = (4 << 20) / block_bytes;  // 4 MiB
 constexpr std::uint64_t most_first_bytes = 64 << 20;
 
 TransferOptions transfer_options(const RemoteOptions& given) {
-    return {given.connect_timeout, given.stall_timeout, std::clamp(given.most_requests, 1, 64),
-            given.certificates};
+    return {given.connect_timeout, given.stall_timeout, given.retry_pause,
+            std::clamp(given.most_requests, 1, 64), given.certificates};
 }
 
 std::uint64_t first_bytes(const RemoteOptions& given) {
@@ -67,8 +67,8 @@ struct RemoteFile::Impl {
 /// A request for a run of blocks. It keeps them until the thread of the transfers is done with it, even if
 /// those that waited for it are gone.
 struct RemoteFile::Impl::Part : Request {
-    Part(Impl& owner, BlockRun blocks, Kept blocks_kept)
-        : Request(bytes_of(blocks, owner.file->origin().size)),
+    Part(Impl& owner, BlockRun blocks, std::uint64_t turn, Kept blocks_kept)
+        : Request(bytes_of(blocks, owner.file->origin().size), turn),
           impl(owner),
           run(blocks),
           kept(std::move(blocks_kept)) {}
@@ -201,7 +201,7 @@ RemoteFile::Impl::Parts RemoteFile::Impl::request(const std::vector<BlockRun>& r
 }
 
 void RemoteFile::Impl::request_run(BlockRun run, const Kept& kept, Parts& parts) {
-    const auto part = std::make_shared<Part>(*this, run, kept);
+    const auto part = std::make_shared<Part>(*this, run, parts.size(), kept);
     for (std::uint64_t block = run.begin; block < run.end; ++block) pending.emplace(block, part);
     transfers.start(part);
     parts.push_back(part);

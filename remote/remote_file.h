@@ -20,9 +20,11 @@ struct RemoteOptions {
     std::uint64_t cache_bytes = std::uint64_t(4) << 30;  ///< most that all cached files take on the disk
     std::chrono::milliseconds connect_timeout{10'000};
     std::chrono::seconds stall_timeout{20};  ///< at fewer than 256 bytes per second
-    int most_requests = 6;                   ///< in flight at once, 1 to 64
-    std::uint64_t first_bytes = 256 << 10;   ///< that opening fetches; rounded up to 64 KiB, at most 64 MiB
-    std::filesystem::path certificates;      ///< PEM file of trusted authorities; empty: those of the system
+    std::chrono::milliseconds retry_pause{
+        250};                               ///< before the second try; four times as long before the third
+    int most_requests = 6;                  ///< in flight at once, 1 to 64
+    std::uint64_t first_bytes = 256 << 10;  ///< that opening fetches; rounded up to 64 KiB, at most 64 MiB
+    std::filesystem::path certificates;     ///< PEM file of trusted authorities; empty: those of the system
 };
 
 /// What has been transferred since the file was opened.
@@ -68,9 +70,10 @@ class RemoteFile {
     bool offline() const;
 
     /// Waits until all ranges are present. What another thread is fetching is waited for, not requested
-    /// again. Returns false when stopped; requests that nobody else waits for are then cancelled. Throws
-    /// Error(input) after up to three tries, also if the file has changed on the server; Error(storage);
-    /// Error(internal) if a range extends beyond the file.
+    /// again. Returns false when stopped; requests that nobody else waits for are then cancelled. A call of
+    /// many bytes does not hold up others: what a call needs first goes before what another needs later.
+    /// Throws Error(input) after up to three tries, also if the file has changed on the server;
+    /// Error(storage); Error(internal) if a range extends beyond the file.
     [[nodiscard]] bool fetch(std::span<const ByteRange> ranges, std::stop_token stop = {});
     /// True if all bytes were fetched and not freed since.
     bool present(ByteRange range) const;

@@ -16,17 +16,19 @@ struct Failure {
     Exit code = Exit::input;
     std::string message;       ///< begins with the URL
     bool transient = false;    ///< trying again may help
-    bool unreachable = false;  ///< the server was not reached, or the connection was cut
+    bool unreachable = false;  ///< the server was not reached or is busy, or the connection was cut
 };
 
 /// A GET of a range of a file. Its functions are called by the thread of Transfers.
 class Request {
   public:
-    explicit Request(ByteRange range) : range_(range) {}
+    /// `turn`: requests with a lower one go first, so that a caller with many does not hold up the others.
+    explicit Request(ByteRange range, std::uint64_t turn = 0) : turn_(turn), range_(range) {}
     virtual ~Request() = default;
     Request(const Request&) = delete;
     Request& operator=(const Request&) = delete;
 
+    std::uint64_t turn() const { return turn_; }
     ByteRange range() const { return range_; }
     /// A header line to send, such as `If-None-Match: "5"`; or empty.
     virtual std::string condition() const { return {}; }
@@ -46,6 +48,7 @@ class Request {
     void shorten(std::uint64_t end) { range_.end = end; }
 
   private:
+    const std::uint64_t turn_;
     ByteRange range_;
     std::atomic<bool> cancelled_ = false;
 };

@@ -25,8 +25,6 @@ constexpr std::size_t most_header_bytes = 64 << 10;  // per answer
 constexpr long most_redirects = 5;
 constexpr long stall_rate = 256;                    // bytes per second; slower is a stall
 constexpr std::uint64_t progress_bytes = 64 << 10;  // that a try must bring to count as progress
-constexpr auto first_pause =
-    std::chrono::milliseconds(200);  // before the second try; then four times as long
 
 struct CloseEasy {
     void operator()(CURL* easy) const { curl_easy_cleanup(easy); }
@@ -90,7 +88,7 @@ bool headers_end(Active& a) {
     }
     if (const std::string flaw = a.request->flaw(a.answer, a.asked); !flaw.empty()) {
         a.fault = a.failure(flaw);
-        a.fault->transient = may_pass(a.answer.status);
+        a.fault->transient = a.fault->unreachable = may_pass(a.answer.status);
         return false;
     }
     return a.answered = true;
@@ -228,8 +226,14 @@ struct Transfers::Impl {
 
     void take_incoming() {
         const std::scoped_lock lock(mutex_);
-        std::ranges::move(incoming_, std::back_inserter(waiting_));
+        for (auto& a : incoming_) enqueue(std::move(a));
         incoming_.clear();
+    }
+
+    void enqueue(std::unique_ptr<Active> a) {
+        const auto turn = [](const auto& other) { return other->request->turn(); };
+        const auto at = std::ranges::upper_bound(waiting_, a->request->turn(), {}, turn);
+        waiting_.insert(at, std::move(a));
     }
 
     void drop_cancelled() {
@@ -335,16 +339,16 @@ struct Transfers::Impl {
             const auto failure = failure_of(*a, code, options_);
             curl_multi_remove_handle(multi_.get(), easy);
             if (failure && try_again(*a, *failure))
-                waiting_.push_back(std::move(a));
+                enqueue(std::move(a));
             else if (!a->request->cancelled())
                 a->request->done(failure ? &*failure : nullptr);
         }
     }
 
-    static bool try_again(Active& a, const Failure& failure) {
+    bool try_again(Active& a, const Failure& failure) const {
         if (a.received_in_try() >= progress_bytes) a.tries_left = a.tries;
         if (!failure.transient || --a.tries_left <= 0) return false;
-        auto pause = first_pause;
+        auto pause = options_.retry_pause;
         for (int tried = a.tries - a.tries_left; tried > 1; --tried) pause *= 4;
         a.not_before = Clock::now() + pause;
         return true;
@@ -358,7 +362,7 @@ struct Transfers::Impl {
     std::mutex mutex_;
     std::vector<std::unique_ptr<Active>> incoming_;  ///< guarded by the mutex
     // Of the thread only.
-    std::deque<std::unique_ptr<Active>> waiting_;
+    std::deque<std::unique_ptr<Active>> waiting_;  ///< by turn, then in the order in which they came
     std::vector<std::unique_ptr<Active>> in_flight_;
     std::jthread thread_;
 };

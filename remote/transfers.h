@@ -13,15 +13,17 @@ namespace vantage {
 struct TransferOptions {
     std::chrono::milliseconds connect_timeout{10'000};
     std::chrono::seconds stall_timeout{20};
+    std::chrono::milliseconds retry_pause{
+        250};                            ///< before the second try; four times as long before the third
     int most_in_flight = 6;              ///< requests
     std::filesystem::path certificates;  ///< PEM file of trusted authorities; empty: those of the system
 };
 
-/// Carries out requests for one URL in a thread of its own, oldest first. They share connections: one with
-/// HTTP/2, otherwise one per request in flight. Bodies are passed on as they arrive; memory for them is 64
-/// KiB per request. A request that fails for a reason that may pass is tried three times, continuing with
-/// what has arrived. Certificates are always verified. Redirects are followed, but never from https to http.
-/// Thread-safe.
+/// Carries out requests for one URL in a thread of its own, in the order of their turns. They share
+/// connections: one with HTTP/2, otherwise one per request in flight. Bodies are passed on as they arrive;
+/// memory for them is 64 KiB per request. A request that fails for a reason that may pass is tried three
+/// times, continuing with what has arrived. Certificates are always verified. Redirects are followed, but
+/// never from https to http. Thread-safe.
 class Transfers {
   public:
     /// Throws Error(internal) if the thread or the library cannot be started.

@@ -121,19 +121,19 @@ TEST_F(RemoteFaults, SizeThatChangesIsReported) {
 
 TEST_F(RemoteFaults, ValidatorThatChangesIsReported) {
     EXPECT_EQ(fetching_error(changed([](Reply& r, const Asked&) { r.etag = "ETag: \"two\"\r\n"; })),
-              "the file has changed on the server: its ETag is \"two\", expected \"one\"");
+              "the file has changed on the server: its ETag is '\"two\"', expected '\"one\"'");
     EXPECT_EQ(fetching_error(changed([](Reply& r, const Asked&) { r.etag = ""; })),
-              "the file has changed on the server: its ETag is missing, expected \"one\"");
+              "the file has changed on the server: its ETag is missing, expected '\"one\"'");
     const Handler dated = changed([](Reply& r, const Asked& asked) {
         r.etag = asked.number == 0 ? "Last-Modified: Monday\r\n" : "Last-Modified: Tuesday\r\n";
     });
     FaultServer server(dated);
     RemoteFile file(server.url(), options);
-    EXPECT_EQ(
-        error_of([&] {
-            EXPECT_TRUE(fetch(file, {5 * block, 6 * block}));
-        }),
-        server.url() + ": the file has changed on the server: its Last-Modified is Tuesday, expected Monday");
+    EXPECT_EQ(error_of([&] {
+                  EXPECT_TRUE(fetch(file, {5 * block, 6 * block}));
+              }),
+              server.url() +
+                  ": the file has changed on the server: its Last-Modified is 'Tuesday', expected 'Monday'");
 }
 
 TEST_F(RemoteFaults, ServerWithoutValidatorsIsRefused) {

@@ -163,7 +163,7 @@ TEST_F(RemoteFileTest, DiscardedBytesAreFetchedAgain) {
 }
 
 TEST_F(RemoteFileTest, StopReturnsAndCancelsTheRequest) {
-    const Nginx nginx(dir / "nginx", dir / "served", "limit_rate 64k;");
+    const Nginx nginx(dir / "nginx", dir / "served", "limit_rate 128k;");
     RemoteFile file(nginx.url(), options);
     std::stop_source stop;
     const ByteRange all{0, content.size()};  // would take many seconds
@@ -240,6 +240,21 @@ TEST_F(RemoteFileTest, NoMoreRequestsThanAllowedAreInFlight) {
     for (std::uint64_t i = 1; i < 20; ++i) ranges.push_back({2 * i * block, (2 * i + 1) * block});
     ASSERT_TRUE(file.fetch(ranges));
     EXPECT_EQ(most, 3);
+}
+
+TEST_F(RemoteFileTest, SmallFetchDoesNotWaitForALargeOne) {
+    FaultServer server([&](const Asked& asked) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        return answer_well(asked, content);
+    });
+    options.most_requests = 1;
+    RemoteFile file(server.url(), options);
+    std::vector<ByteRange> many;
+    for (std::uint64_t i = 1; i < 90; ++i) many.push_back({2 * i * block, (2 * i + 1) * block});
+    std::jthread large([&] { EXPECT_TRUE(file.fetch(many)); });
+    while (file.traffic().requests < 5) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_TRUE(fetch(file, {199 * block, 200 * block}));
+    EXPECT_FALSE(file.present(many.back()));
 }
 
 class RemoteFileOverTls : public RemoteFileTest {

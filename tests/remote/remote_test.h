@@ -26,6 +26,7 @@ class RemoteTest : public TemporaryFolder {
         options.cache = dir / "cache";
         options.connect_timeout = std::chrono::seconds(5);
         options.stall_timeout = std::chrono::seconds(1);
+        options.retry_pause = std::chrono::milliseconds(20);
         options.first_bytes = block;
     }
 
