@@ -8,6 +8,7 @@
 #include <deque>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -200,9 +201,12 @@ struct Transfers::Impl {
         : url_(std::move(url)), shown_url_(shown_url(url_)), options_(given) {
         if (starts_library()) multi_.reset(curl_multi_init());
         if (!multi_) throw Error(Exit::internal, "cannot start libcurl");
-        curl_multi_setopt(multi_.get(), CURLMOPT_MAX_HOST_CONNECTIONS, long(options_.most_in_flight));
         curl_multi_setopt(multi_.get(), CURLMOPT_MAXCONNECTS, long(options_.most_in_flight));
-        thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+        try {
+            thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+        } catch (const std::system_error&) {
+            throw Error(Exit::memory, shown_url_ + ": cannot start a thread for transfers");
+        }
     }
 
     ~Impl() {
@@ -301,7 +305,6 @@ struct Transfers::Impl {
         curl_easy_setopt(easy, CURLOPT_RANGE, range.c_str());
         curl_easy_setopt(easy, CURLOPT_HTTPHEADER, headers);
         curl_easy_setopt(easy, CURLOPT_USERAGENT, "vantage/" VANTAGE_VERSION);
-        curl_easy_setopt(easy, CURLOPT_PRIVATE, &a);
         curl_easy_setopt(easy, CURLOPT_HEADERDATA, &a);
         curl_easy_setopt(easy, CURLOPT_HEADERFUNCTION, on_header);
         curl_easy_setopt(easy, CURLOPT_WRITEDATA, &a);

@@ -26,7 +26,7 @@ struct TransferOptions {
 /// never from https to http. Thread-safe.
 class Transfers {
   public:
-    /// Throws Error(internal) if the thread or the library cannot be started.
+    /// Throws Error(memory) if the thread cannot be started, Error(internal) if libcurl cannot.
     Transfers(std::string url, const TransferOptions& options);
     /// Requests that are not done are dropped.
     ~Transfers();

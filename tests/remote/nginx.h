@@ -2,6 +2,7 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -42,6 +43,7 @@ class Nginx {
         const std::string path = program();
         child_ = ::fork();
         if (child_ == 0) {
+            ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // not to outlive a test that crashes
             ::execl(path.c_str(), "nginx", "-e", log.c_str(), "-c", config.c_str(), nullptr);
             ::_exit(127);
         }
