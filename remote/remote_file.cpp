@@ -180,19 +180,17 @@ RemoteFile::Impl::Parts RemoteFile::Impl::request(const std::vector<BlockRun>& r
     Parts parts;
     const std::scoped_lock lock(mutex);
     for (const BlockRun& run : runs)
-        for (std::uint64_t block = run.begin; block < run.end;) {
-            const auto found = pending.find(block);
-            std::uint64_t end = block + 1;
-            if (file->table().present(block)) {
-            } else if (found != pending.end()) {
+        for (std::uint64_t block = run.begin, end = 0; block < run.end; block = end) {
+            end = block + 1;
+            if (file->table().present(block)) continue;
+            if (const auto found = pending.find(block); found != pending.end()) {
                 parts.push_back(found->second);
-            } else {
-                while (end < run.end && end - block < most_request_blocks && !file->table().present(end) &&
-                       !pending.contains(end))
-                    ++end;
-                request_run({block, end}, kept, parts);
+                continue;
             }
-            block = end;
+            while (end < run.end && end - block < most_request_blocks && !file->table().present(end) &&
+                   !pending.contains(end))
+                ++end;
+            request_run({block, end}, kept, parts);
         }
     std::ranges::sort(parts);
     parts.erase(std::ranges::unique(parts).begin(), parts.end());

@@ -15,14 +15,14 @@
 namespace vantage {
 
 struct RemoteOptions {
-    std::filesystem::path
-        cache;  ///< folder; empty: $XDG_CACHE_HOME/vantage/remote, else ~/.cache/vantage/remote
+    /// Folder; empty: $XDG_CACHE_HOME/vantage/remote, else ~/.cache/vantage/remote. On a local disk.
+    std::filesystem::path cache;
     std::uint64_t cache_bytes = std::uint64_t(4) << 30;  ///< most that all cached files take on the disk
     std::chrono::milliseconds connect_timeout{10'000};
     std::chrono::seconds stall_timeout{20};  ///< at fewer than 256 bytes per second
-    std::chrono::milliseconds retry_pause{
-        250};                               ///< before the second try; four times as long before the third
-    int most_requests = 6;                  ///< in flight at once, 1 to 64
+    /// Before the second try; four times as long before the third.
+    std::chrono::milliseconds retry_pause{250};
+    int most_requests = 6;  ///< in flight at once, 1 to 64; each takes 64 KiB of memory for bodies
     std::uint64_t first_bytes = 256 << 10;  ///< that opening fetches; rounded up to 64 KiB, at most 64 MiB
     std::filesystem::path certificates;     ///< PEM file of trusted authorities; empty: those of the system
 };
@@ -37,7 +37,7 @@ struct Traffic {
 
 /// A file on a server, read by ranges over HTTP. It is cached in a sparse file of the same size, which is
 /// mapped: ranges are fetched into it before they are read. Bytes that were not fetched read as zero. All
-/// sizes are in bytes; blocks have 64 KiB, and ranges are fetched in whole blocks.
+/// sizes are in bytes; blocks are 64 KiB, and ranges are fetched in whole blocks.
 ///
 /// The cache has a limit. When it is exceeded, files that no process has open are deleted, then blocks of
 /// this one are freed, least recently fetched first, and read as zero again. Blocks stay while they are
@@ -77,8 +77,8 @@ class RemoteFile {
     [[nodiscard]] bool fetch(std::span<const ByteRange> ranges, std::stop_token stop = {});
     /// True if all bytes were fetched and not freed since.
     bool present(ByteRange range) const;
-    /// Forgets bytes that do not match a checksum, so that they are fetched again. Later ones of the same
-    /// fetch may replace them in place.
+    /// Forgets bytes that do not match a checksum, so that the next fetch() fetches them again, in place.
+    /// Other bytes of the same blocks are forgotten with them.
     void discard(ByteRange range);
     /// The blocks of these ranges stay as long as the result lives, once they are fetched: keep them, then
     /// fetch. The result may outlive this object. Throws Error(storage).

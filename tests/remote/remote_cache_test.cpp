@@ -107,6 +107,19 @@ TEST_F(RemoteCache, SecondOpeningFetchesNothingAgain) {
     EXPECT_TRUE(same(file, {0, content.size()}, content));
 }
 
+TEST_F(RemoteCache, WithoutTheFirstBytesIsCompletedWhenOpened) {
+    { RemoteFile file = open(); }
+    options.first_bytes = 4 * block;
+    {
+        RemoteFile file = open();
+        EXPECT_TRUE(file.present({0, 4 * block}));
+        EXPECT_TRUE(same(file, {0, 4 * block}, content));
+    }
+    options.first_bytes = 8 * block;
+    reachable = false;
+    EXPECT_NE(error_of([&] { open(); }), "");
+}
+
 TEST_F(RemoteCache, ServesTheFileIfTheServerCannotBeReached) {
     fetch_all();
     const int before = server.requests();
