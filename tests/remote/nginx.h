@@ -47,7 +47,7 @@ class Nginx {
             ::execl(path.c_str(), "nginx", "-e", log.c_str(), "-c", config.c_str(), nullptr);
             ::_exit(127);
         }
-        for (int tries = 0; tries < 200 && !accepts(); ++tries)
+        for (int tries = 0; tries < 1000 && !accepts(); ++tries)
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     void stop() {

@@ -196,6 +196,7 @@ TEST_F(RemoteFaults, ShorterBodyIsReportedAfterThreeTries) {
 }
 
 TEST_F(RemoteFaults, StallIsReported) {
+    options.stall_timeout = std::chrono::seconds(1);
     const std::string error = fetching_error([&](const Asked& asked) {
         asked.send(Reply(asked.range, content.size()).text());
         asked.wait_for_client();
