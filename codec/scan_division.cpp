@@ -10,8 +10,9 @@ namespace vantage::codec {
 namespace {
 
 constexpr int huffman_tables = 0xc4, end_of_image = 0xd9, first_restart = 0xd0;
-constexpr int most_size = 11;  ///< bits of a DC difference
-constexpr int peek_bits = 10;  ///< codes up to this length are found by one look at a table
+constexpr int most_blocks = 10;  ///< in an MCU (B.2.3)
+constexpr int most_size = 11;    ///< bits of a DC difference
+constexpr int peek_bits = 10;    ///< codes up to this length are found by one look at a table
 
 int byte_at(std::span<const std::byte> b, std::size_t i) { return std::to_integer<int>(b[i]); }
 
@@ -134,8 +135,8 @@ class BitReader {
 /// Appends bits, and a zero after every byte of 0xff.
 class BitWriter {
   public:
-    /// More than an MCU of ten blocks can have, with its zeros.
-    static constexpr std::size_t room = std::size_t(10) * 64 * 8;
+    /// More than an MCU can have: 64 codes of at most 31 bits per block, each byte followed by a zero.
+    static constexpr std::size_t room = std::size_t(most_blocks) * 64 * 8;
 
     explicit BitWriter(std::size_t expected) : out_(expected + room) {}
     /// Must be called before each MCU.
@@ -222,6 +223,9 @@ void read_frame(std::span<const std::byte> segment, Scan& out) {
 }
 
 bool read_scan(std::span<const std::byte> segment, Scan& out) {
+    int blocks = 0;
+    for (const Component& c : out.components) blocks += c.blocks;
+    if (blocks > most_blocks) return false;
     const auto n = std::size_t(byte_at(segment, 2));
     if (n != out.components.size() || segment.size() != 6 + 2 * n) return false;
     for (std::size_t c = 0; c < n; ++c) {

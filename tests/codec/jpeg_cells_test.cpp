@@ -146,6 +146,14 @@ TEST(JpegCells, WhatIsNoWholeJpegIsNotDivided) {
     EXPECT_FALSE(divide_jpeg(picture(20, 20)));
 }
 
+TEST(JpegCells, AnMcuOfTooManyBlocksIsRefused) {
+    Bytes jpeg = jpeg_of(320, 200, {TJSAMP_444, 0}, 100);
+    const auto header = parse_jpeg_header(jpeg);
+    ASSERT_TRUE(header);
+    for (std::size_t c = 0; c < 3; ++c) jpeg[header->frame_at + 11 + 3 * c] = std::byte(0x44);
+    EXPECT_FALSE(divide_jpeg(jpeg));
+}
+
 TEST(JpegCells, DamagedBytesAreRefusedOrDecodedButDoNoHarm) {
     const auto cells = divide_jpeg(jpeg_of(320, 200, {TJSAMP_420, 0}, 80));
     ASSERT_TRUE(cells);
