@@ -9,11 +9,9 @@
 #include <csetjmp>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
 
 #include "codec/jpeg_pixels.h"
 #include "codec/scan_division.h"
-#include "values/grid.h"
 
 namespace vantage::codec {
 namespace {
@@ -121,7 +119,7 @@ void append_word(std::vector<std::byte>& out, std::size_t value) {
 }
 
 /// Rows of MCUs in the cells of row `row`.
-int rows_in_cell(const CellGrid& g, int row) { return std::min(g.band, g.mcu_rows() - row * g.band); }
+int rows_in_cell(const CellGrid& g, int row) { return std::min(g.band, g.header.mcu_rows() - row * g.band); }
 
 /// Row `row` of a cell with `rows` rows of MCUs; empty if the cell is damaged.
 std::optional<std::span<const std::byte>> row_of_cell(std::span<const std::byte> cell, int rows, int row) {
@@ -141,7 +139,7 @@ struct Window {
     int first_column, last_column, first_row, last_row;
 };
 
-Window whole(const CellGrid& g) { return {0, g.columns, 0, g.mcu_rows()}; }
+Window whole(const CellGrid& g) { return {0, g.columns, 0, g.header.mcu_rows()}; }
 
 /// What a part needs, with the neighbors from which its chroma is interpolated.
 Window window_of(const CellGrid& g, const PixelRect& part) {
@@ -149,7 +147,7 @@ Window window_of(const CellGrid& g, const PixelRect& part) {
     return {std::max(0, part.left - beside) / g.cell_width(),
             std::min(g.columns, divided_up(part.right + beside, g.cell_width())),
             std::max(0, part.top - above) / g.header.mcu_height,
-            std::min(g.mcu_rows(), divided_up(part.bottom + above, g.header.mcu_height))};
+            std::min(g.header.mcu_rows(), divided_up(part.bottom + above, g.header.mcu_height))};
 }
 
 PixelRect pixels_of(const CellGrid& g, const Window& w) {
@@ -184,7 +182,7 @@ std::optional<JpegCells> in_cells(std::vector<std::byte> header,
     const auto grid = cell_grid(header);
     if (!grid) return std::nullopt;
     const auto columns = std::size_t(grid->columns);
-    if (segments.size() != columns * std::size_t(grid->mcu_rows())) return std::nullopt;
+    if (segments.size() != columns * std::size_t(grid->header.mcu_rows())) return std::nullopt;
     JpegCells out{std::move(header), {}, {}};
     for (int row = 0; row < grid->rows; ++row)
         for (std::size_t column = 0; column < columns; ++column) {
@@ -209,21 +207,20 @@ std::vector<std::byte> plain_header(std::span<const std::byte> jpeg, const JpegH
     constexpr int first_app = 0xe0, jfif = 0xe0, adobe = 0xee, last_app = 0xef, comment = 0xfe,
                   restarts = 0xdd;
     std::vector<std::byte> out(jpeg.begin(), jpeg.begin() + 2);
-    for (std::size_t at = 2; at < header.bytes;) {
-        const auto byte = [&](std::size_t i) { return std::to_integer<int>(jpeg[at + i]); };
-        const std::size_t length = 2 + std::size_t(byte(2) << 8 | byte(3));
-        const int marker = byte(1);
+    for (const JpegSegment& s : segments_of(jpeg, header)) {
         // These two tell the color space.
-        const bool kept = (marker == jfif && length == 18) || (marker == adobe && length == 16);
-        if (at + length == header.bytes) {
+        const bool kept =
+            (s.marker == jfif && s.content.size() == 16) || (s.marker == adobe && s.content.size() == 14);
+        if (s.at + 2 + s.content.size() == header.bytes) {
             out.insert(out.end(), tables.begin(), tables.end());
             for (const int b : {0xff, restarts, 0, 4, interval >> 8, interval & 0xff})
                 out.push_back(std::byte(b));
         }
-        if (kept || ((marker < first_app || marker > last_app) && marker != comment && marker != restarts))
-            out.insert(out.end(), jpeg.begin() + std::ptrdiff_t(at),
-                       jpeg.begin() + std::ptrdiff_t(at + length));
-        at += length;
+        if (!kept &&
+            ((s.marker >= first_app && s.marker <= last_app) || s.marker == comment || s.marker == restarts))
+            continue;
+        out.insert(out.end(), {std::byte(0xff), std::byte(s.marker)});
+        out.insert(out.end(), s.content.begin(), s.content.end());
     }
     return out;
 }
@@ -231,7 +228,7 @@ std::vector<std::byte> plain_header(std::span<const std::byte> jpeg, const JpegH
 std::optional<JpegCells> divide_codes(std::span<const std::byte> jpeg) {
     const auto header = parse_jpeg_header(jpeg);
     if (!header) return std::nullopt;
-    const int interval = interval_for(divided_up(header->width, header->mcu_width), header->mcu_width);
+    const int interval = interval_for(header->mcu_columns(), header->mcu_width);
     const auto divided = divide_scan(jpeg, *header, interval);
     if (!divided) return std::nullopt;
     std::vector<std::span<const std::byte>> segments;
@@ -261,10 +258,9 @@ std::optional<CellGrid> cell_grid(std::span<const std::byte> bytes) {
         header->restart_interval > most_interval)
         return std::nullopt;
     CellGrid g{.header = *header, .band = divided_up(wanted_height, header->mcu_height)};
-    const int mcus = divided_up(header->width, header->mcu_width);
-    if (mcus % header->restart_interval) return std::nullopt;
-    g.columns = mcus / header->restart_interval;
-    g.rows = divided_up(g.mcu_rows(), g.band);
+    if (header->mcu_columns() % header->restart_interval) return std::nullopt;
+    g.columns = header->mcu_columns() / header->restart_interval;
+    g.rows = divided_up(g.header.mcu_rows(), g.band);
     return g;
 }
 

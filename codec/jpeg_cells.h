@@ -20,9 +20,7 @@ struct CellGrid {
     int band = 0;  ///< rows of MCUs in a cell; the last row of cells may have fewer
 
     int cell_width() const { return header.restart_interval * header.mcu_width; }
-    int cell_height() const { return band * header.mcu_height; }
     std::size_t cells() const { return std::size_t(columns) * std::size_t(rows); }
-    int mcu_rows() const { return (header.height + header.mcu_height - 1) / header.mcu_height; }
 };
 
 /// Empty if `header` is not one of a photo in cells.
@@ -32,6 +30,11 @@ std::optional<CellGrid> cell_grid(std::span<const std::byte> header);
 struct JpegCells {
     std::vector<std::byte> header, bytes;
     std::vector<std::uint64_t> ends;
+
+    std::span<const std::byte> cell(std::size_t i) const {
+        const std::size_t from = i ? ends[i - 1] : 0;
+        return std::span(bytes).subspan(from, ends[i] - from);
+    }
 };
 
 /// Divides a JPEG without changing its coefficients. Empty if it is not one of 8 bits in gray or three

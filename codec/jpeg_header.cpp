@@ -67,6 +67,13 @@ std::optional<JpegHeader> parse_jpeg_header(std::span<const std::byte> jpeg) {
     return std::nullopt;
 }
 
+std::vector<JpegSegment> segments_of(std::span<const std::byte> jpeg, const JpegHeader& header) {
+    std::vector<JpegSegment> out;
+    for (std::size_t at = 2; at < header.bytes; at += 2 + out.back().content.size())
+        out.push_back({at, byte_at(jpeg, at + 1), jpeg.subspan(at + 2, std::size_t(word_at(jpeg, at + 2)))});
+    return out;
+}
+
 std::vector<std::byte> resized_header(std::span<const std::byte> jpeg, const JpegHeader& header, int width,
                                       int height) {
     std::vector<std::byte> out(jpeg.begin(), jpeg.begin() + std::ptrdiff_t(header.bytes));

@@ -241,17 +241,12 @@ bool read_scan(std::span<const std::byte> segment, Scan& out) {
 /// Tables and components; the header was parsed before.
 bool read_header(std::span<const std::byte> jpeg, const JpegHeader& header, Scan& out) {
     out.restart_interval = header.restart_interval;
-    for (std::size_t at = 2; at < header.bytes;) {
-        const std::size_t length =
-            std::size_t(byte_at(jpeg, at + 2)) << 8 | std::size_t(byte_at(jpeg, at + 3));
-        const auto segment = jpeg.subspan(at + 2, length);
-        const int marker = byte_at(jpeg, at + 1);
-        if (marker == huffman_tables && !read_tables(segment, out)) return false;
-        if (at == header.frame_at) read_frame(segment, out);
-        at += 2 + length;
-        if (at == header.bytes) return read_scan(segment, out);
+    const auto segments = segments_of(jpeg, header);
+    for (const JpegSegment& s : segments) {
+        if (s.marker == huffman_tables && !read_tables(s.content, out)) return false;
+        if (s.at == header.frame_at) read_frame(s.content, out);
     }
-    return false;
+    return read_scan(segments.back().content, out);
 }
 
 /// The codes of luminance differences (table K.3), as in a DHT segment after the table's number.
@@ -342,9 +337,7 @@ std::optional<DividedScan> divide_scan(std::span<const std::byte> jpeg, const Jp
     DividedScan divided{.tables = choose_codes(scan)};
     BitReader in(jpeg.subspan(header.bytes));
     BitWriter out(jpeg.size() + jpeg.size() / 16);
-    const auto up = [](int a, int b) { return (a + b - 1) / b; };
-    const std::int64_t mcus =
-        std::int64_t(up(header.width, header.mcu_width)) * up(header.height, header.mcu_height);
+    const std::int64_t mcus = std::int64_t(header.mcu_columns()) * header.mcu_rows();
     for (std::int64_t mcu = 0; mcu < mcus; ++mcu) {
         if (scan.restart_interval && mcu && mcu % scan.restart_interval == 0) {
             if (in.overrun() || !in.restart()) return std::nullopt;

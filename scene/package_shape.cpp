@@ -133,6 +133,12 @@ std::vector<std::string> misshapen(const PackageReader& reader) {
     return out;
 }
 
+bool has_coordinates(const PackageReader& package) {
+    const auto photos = package.photos();
+    const auto shown = std::ranges::find_if(photos, [](const auto& p) { return p.levels > 0; });
+    return shown == photos.end() || package.find(Type::coordinates, std::uint32_t(shown - photos.begin()));
+}
+
 void expect_shape(const PackageReader& package) {
     if (const Lines lines = misshapen(package); !lines.empty())
         throw Error(Exit::damaged, package.path().string() + ": " + lines.front());

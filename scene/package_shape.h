@@ -12,6 +12,8 @@ namespace vantage {
 /// Reads SCEN, PHOT, INDX and CLUS, and the directory for the rest. Throws Error(damaged) if one of the four
 /// is unreadable.
 std::vector<std::string> misshapen(const PackageReader& package);
+/// Whether photos have texture coordinates per vertex; true if there are no photos.
+bool has_coordinates(const PackageReader& package);
 /// Throws Error(damaged) with the first contradiction.
 void expect_shape(const PackageReader& package);
 

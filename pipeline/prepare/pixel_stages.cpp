@@ -97,9 +97,10 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
 void make_pixels(const PhotoJob& job, const StageSet& missing, PhotoFile& file, package::PhotoRecord& r,
                  std::promise<CoarsePixels>& coarse) {
     Pixels pixels = decode_pixels(job, file, r);
-    const auto jpeg = pixels.own && is_upright_jpeg(file.bytes(), {int(r.width), int(r.height)})
-                          ? file.bytes()
-                          : std::span<const std::byte>{};
+    const bool kept =
+        job.context.key.compact && pixels.own && is_upright_jpeg(file.bytes(), {int(r.width), int(r.height)});
+    if (!kept) file.release();
+    const auto jpeg = kept ? file.bytes() : std::span<const std::byte>{};
     write_pixels(job, missing, std::move(pixels.image), jpeg, r, coarse);
     file.release();
 }

@@ -1,6 +1,5 @@
 #include "pipeline/prepare/repack.h"
 
-#include <array>
 #include <mutex>
 #include <string>
 
@@ -34,12 +33,6 @@ LayoutSizes sizes_of(const PackageReader& from, std::size_t meta_bytes, bool coo
             .point_blocks = points ? from.blocks(*points) : 0,
             .bands = from.content_length(from.find(Type::bands)) / sizeof(package::BandRecord),
             .coordinates = coordinates};
-}
-
-bool has_coordinates(const PackageReader& from) {
-    for (std::uint32_t i = 0; i < from.photos().size(); ++i)
-        if (from.photos()[i].levels > 0) return from.find(Type::coordinates, i) != nullptr;
-    return true;
 }
 
 /// Chunks that depend on all photos come behind the planned ones.

@@ -10,6 +10,7 @@
 
 #include "player/render/blend_table.h"
 #include "points/point_cloud.h"
+#include "scene/package_shape.h"
 
 namespace vantage {
 namespace {

@@ -1,6 +1,5 @@
 #include "player/stream/photo_pages.h"
 
-#include <algorithm>
 #include <string>
 
 #include "scene/error.h"
@@ -35,12 +34,6 @@ PackagePages number_pages(std::span<const package::PhotoRecord> photos) {
         out.photos.push_back(pages);
     }
     return out;
-}
-
-bool has_coordinates(const PackageReader& package) {
-    const auto photos = package.photos();
-    const auto shown = std::ranges::find_if(photos, [](const auto& p) { return p.levels > 0; });
-    return shown == photos.end() || package.find(Type::coordinates, std::uint32_t(shown - photos.begin()));
 }
 
 StreamRequest color_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,

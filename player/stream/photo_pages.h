@@ -22,9 +22,6 @@ struct PackagePages {
 /// Throws Error(damaged) for a photo with more levels than the shaders support.
 PackagePages number_pages(std::span<const package::PhotoRecord> photos);
 
-/// Whether photos have texture coordinates per vertex.
-bool has_coordinates(const PackageReader& package);
-
 StreamRequest color_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,
                             std::uint32_t level, std::uint32_t tile);
 StreamRequest mask_request(const PackageReader& package, const PackagePages& pages, std::uint32_t photo,

@@ -49,10 +49,7 @@ Bytes jpeg_of(int width, int height, const Kind& kind, int quality) {
 }
 
 CellAt cells_in(const JpegCells& cells) {
-    return [&cells](std::size_t i) {
-        const std::size_t from = i ? cells.ends[i - 1] : 0;
-        return std::span<const std::byte>(cells.bytes).subspan(from, cells.ends[i] - from);
-    };
+    return [&cells](std::size_t i) { return cells.cell(i); };
 }
 
 Bytes decoded(std::span<const std::byte> jpeg, int width, int height) {
