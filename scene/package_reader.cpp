@@ -296,6 +296,8 @@ bool PackageReader::sound(const DirectoryEntry& e) const {
 }
 
 void PackageReader::forget(std::span<const std::byte> bytes) const {
+    // Content that was decompressed is not in the file.
+    if (bytes.data() < map_->data || bytes.data() >= map_->data + map_->size) return;
     const auto page = std::uintptr_t(::sysconf(_SC_PAGESIZE));
     const auto first = (reinterpret_cast<std::uintptr_t>(bytes.data()) + page - 1) / page * page,
                last = (reinterpret_cast<std::uintptr_t>(bytes.data()) + bytes.size()) / page * page;

@@ -67,7 +67,7 @@ class PackageReader {
     std::span<const std::byte> raw(const package::DirectoryEntry&) const&& = delete;
     int descriptor() const;
     /// Releases the pages of these bytes, or of the whole file; they are read from the file again when
-    /// needed.
+    /// needed. Content that was decompressed stays.
     void forget(std::span<const std::byte> bytes) const;
     void forget_all() const;
     /// True if the head's checksum matches.

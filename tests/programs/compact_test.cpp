@@ -1,6 +1,7 @@
 // Packages whose tiles are the photos' own JPEG, and what else is short.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstring>
@@ -92,6 +93,17 @@ TEST_F(CompactPackages, ShowThePhotosOwnPixelsAndTheSameMasks) {
             }
         }
     }
+}
+
+TEST_F(CompactPackages, GeometryIsTheSameAfterItsMemoryWasGivenBack) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    make(scan, settings(EffectChoice::on), dir / "compact.vantage");
+    const PackageReader package(dir / "compact.vantage");
+    ASSERT_EQ(package.find(Type::positions)->form, package::Form::zstd);
+    const auto positions = package.records<Eigen::Vector3f>(Type::positions);
+    const std::vector<Eigen::Vector3f> before(positions.begin(), positions.end());
+    package.forget(std::as_bytes(positions));
+    EXPECT_TRUE(std::ranges::equal(package.records<Eigen::Vector3f>(Type::positions), before));
 }
 
 TEST_F(CompactPackages, AreTheSameBytesOnAnyNumberOfThreadsAndAfterAnInterruption) {
