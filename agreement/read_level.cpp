@@ -34,6 +34,8 @@ void copy_content(std::span<const std::byte> tile, const Level& level, std::size
 
 std::vector<std::byte> join_tiles(const PackageReader& reader, const package::DirectoryEntry& e,
                                   const Level& level) {
+    const auto whole = reader.raw(e);
+    const Held held = reader.hold({&whole, 1});
     if (!holds_level(reader, e, level))
         throw Error(Exit::damaged, describe(e, reader) + ": tiles do not match the level's size");
     std::vector<std::byte> out(std::size_t(level.width) * std::size_t(level.height) * 4), tile(tile_bytes);

@@ -1,24 +1,22 @@
 #include "scene/package_reader.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "codec/zstd_bytes.h"
 #include "scene/checksum.h"
 #include "scene/damaged_package.h"
-#include "scene/lost_package.h"
+#include "scene/mapped_package.h"
 #include "scene/tiling.h"
 #include "values/photo_names.h"
 
@@ -67,6 +65,8 @@ std::vector<std::string_view> names_of(std::span<const package::PhotoRecord> pho
     return names;
 }
 
+constexpr std::uint64_t held_at_once = 16 << 20;  ///< bytes of blocks, of a package on a server
+
 std::string tile_mismatch(const PackageReader& reader, const DirectoryEntry& e, std::size_t tile) {
     return describe(e, reader) + ": tile " + std::to_string(tile) + " of " +
            std::to_string(reader.blocks(e)) + ": checksum does not match";
@@ -75,10 +75,10 @@ std::string tile_mismatch(const PackageReader& reader, const DirectoryEntry& e, 
 }  // namespace
 
 struct PackageReader::Mapping {
-    std::filesystem::path path;
+    std::unique_ptr<PackageSource> source;
     const std::byte* data = nullptr;
     std::uint64_t size = 0;
-    int fd = -1;
+    bool remote = false;
     std::vector<DirectoryEntry> directory;  ///< copied: a part's changes while it is written
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, const DirectoryEntry*> index;
     // Copied before they are used, because the file may be overwritten while it is open.
@@ -88,12 +88,58 @@ struct PackageReader::Mapping {
     std::mutex mutex;  ///< of `contents`
     std::map<const DirectoryEntry*, std::vector<std::byte>> contents;
 
-    ~Mapping() {
-        if (data) {
-            withdraw_mapping({data, size});
-            ::munmap(const_cast<std::byte*>(data), size);
+    std::mutex holding;  ///< of `whole` and `held`
+    std::set<const DirectoryEntry*> whole;
+    std::vector<Held> held;
+
+    explicit Mapping(std::unique_ptr<PackageSource> from)
+        : source(std::move(from)),
+          data(source->bytes().data()),
+          size(source->bytes().size()),
+          remote(source->traffic().has_value()) {}
+
+    /// Fetches these parts, which then stay readable.
+    void keep(std::span<const Part> parts, std::stop_token stop = {}) {
+        Held fetched = source->hold(parts, std::move(stop));
+        if (!fetched) throw Error(Exit::interrupted, source->name().string() + ": stopped while it was read");
+        const std::scoped_lock lock(holding);
+        held.push_back(std::move(fetched));
+    }
+    void keep(Part part) {
+        if (remote) keep({&part, 1});
+    }
+    /// Fetches a chunk again that does not match its checksum. False for a file.
+    bool again(const DirectoryEntry& e) {
+        const Part part(data + e.offset, e.length);
+        if (!source->discard({&part, 1})) return false;
+        keep(part);
+        return true;
+    }
+    /// Fetches the lengths of the content of all compressed chunks of the scene.
+    void keep_lengths() {
+        std::vector<Part> words;
+        for (const DirectoryEntry& e : directory)
+            if (e.photo == package::scene_wide && e.form == Form::zstd)
+                words.emplace_back(data + e.offset, sizeof(std::uint64_t));
+        if (remote && !words.empty()) keep(words);
+    }
+    bool has_whole(const DirectoryEntry* e) {
+        const std::scoped_lock lock(holding);
+        return whole.contains(e);
+    }
+    /// The same for whole chunks.
+    void keep(std::vector<const DirectoryEntry*> chunks, std::stop_token stop = {}) {
+        if (!remote) return;
+        {
+            const std::scoped_lock lock(holding);
+            std::erase_if(chunks, [&](const DirectoryEntry* e) { return whole.contains(e); });
         }
-        if (fd >= 0) ::close(fd);
+        if (chunks.empty()) return;
+        std::vector<Part> parts;
+        for (const DirectoryEntry* e : chunks) parts.emplace_back(data + e->offset, e->length);
+        keep(parts, std::move(stop));
+        const std::scoped_lock lock(holding);
+        whole.insert(chunks.begin(), chunks.end());
     }
 
     std::uint64_t word(std::uint64_t offset) const {
@@ -116,34 +162,37 @@ struct PackageReader::Mapping {
     }
 
     [[noreturn]] void damaged(Defect defect, const std::string& what) const {
-        throw DamagedPackage(defect, path.string() + ": " + what);
-    }
-
-    void map() {
-        fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-        struct stat st {};
-        if (fd < 0 || ::fstat(fd, &st) != 0 || !S_ISREG(st.st_mode)) {
-            const std::string why = fd < 0 ? std::strerror(errno) : "not a regular file";
-            throw Error(Exit::input, path.string() + ": cannot open: " + why);
-        }
-        ::flock(fd, LOCK_SH | LOCK_NB);  // fails only while a writer has the file open
-        size = std::uint64_t(st.st_size);
-        if (size < sizeof(package::Header))
-            damaged(Defect::not_a_package,
-                    "not a Vantage package: " + std::to_string(size) + " bytes, a header has 64");
-        void* p = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, fd, 0);
-        if (p == MAP_FAILED)
-            throw Error(errno == ENOMEM ? Exit::memory : Exit::input,
-                        path.string() + ": cannot map: " + std::strerror(errno));
-        data = static_cast<const std::byte*>(p);
-        announce_mapping({data, size}, path.c_str());
+        throw DamagedPackage(defect, source->name().string() + ": " + what);
     }
 
     const package::Header& header() const { return *reinterpret_cast<const package::Header*>(data); }
 
     bool is_part() const { return std::memcmp(header().magic, package::part_magic, 8) == 0; }
 
-    const package::Header& checked_header(Expect expect) const {
+    /// Header and directory.
+    void read(Expect expect) {
+        try {
+            read_directory(checked_header(expect));
+        } catch (const DamagedPackage&) {
+            // Of a package on a server, the local copy may be what is damaged.
+            const Part first(data, std::min<std::uint64_t>(size, sizeof(package::Header)));
+            if (!source->discard({&first, 1})) throw;
+            const package::Header& h = checked_header(expect);
+            if (h.directory_offset < size) {
+                const Part rest(
+                    data + h.directory_offset,
+                    std::min(size - h.directory_offset, h.directory_count * sizeof(DirectoryEntry)));
+                source->discard({&rest, 1});
+            }
+            read_directory(h);
+        }
+    }
+
+    const package::Header& checked_header(Expect expect) {
+        if (size < sizeof(package::Header))
+            damaged(Defect::not_a_package,
+                    "not a Vantage package: " + std::to_string(size) + " bytes, a header has 64");
+        keep({data, sizeof(package::Header)});
         const package::Header& h = header();
         const bool part = is_part();
         if (part && expect == Expect::whole && h.shares > 0 && h.directory_checksum != 0)
@@ -173,6 +222,7 @@ struct PackageReader::Mapping {
         if (h.directory_offset % 8 || h.directory_offset > size ||
             h.directory_count > (size - h.directory_offset) / sizeof(DirectoryEntry))
             damaged(Defect::directory, "directory: lies outside the file");
+        keep({data + h.directory_offset, h.directory_count * sizeof(DirectoryEntry)});
         const auto* first = reinterpret_cast<const DirectoryEntry*>(data + h.directory_offset);
         directory.assign(first, first + h.directory_count);
         const bool forms = h.version >= 4;
@@ -190,6 +240,17 @@ struct PackageReader::Mapping {
                                                " lies outside the file");
             index[{e.type, e.photo, e.level}] = &e;
         }
+    }
+
+    /// Chunks without blocks, except coordinates per vertex, and thumbnails.
+    std::vector<const DirectoryEntry*> before_tiles() const {
+        std::vector<const DirectoryEntry*> out;
+        for (const DirectoryEntry& e : directory) {
+            const bool streamed =
+                e.block_length > 0 || (e.coded_blocks > 0 && e.type != std::uint32_t(Type::thumbnail));
+            if (!streamed && e.type != std::uint32_t(Type::coordinates)) out.push_back(&e);
+        }
+        return out;
     }
 
     bool fits(const DirectoryEntry& e) const {
@@ -217,16 +278,17 @@ struct PackageReader::Mapping {
 };
 
 PackageReader::PackageReader(const std::filesystem::path& file, Expect expect)
-    : map_(std::make_unique<Mapping>()) {
-    map_->path = file;
-    map_->map();
-    map_->read_directory(map_->checked_header(expect));
+    : PackageReader(mapped_package(file), expect) {}
+
+PackageReader::PackageReader(std::unique_ptr<PackageSource> source, Expect expect)
+    : map_(std::make_unique<Mapping>(std::move(source))) {
+    map_->read(expect);
 }
 PackageReader::~PackageReader() = default;
 PackageReader::PackageReader(PackageReader&&) noexcept = default;
 PackageReader& PackageReader::operator=(PackageReader&&) noexcept = default;
 
-const std::filesystem::path& PackageReader::path() const { return map_->path; }
+const std::filesystem::path& PackageReader::path() const { return map_->source->name(); }
 std::uint64_t PackageReader::size() const { return map_->size; }
 const package::Header& PackageReader::header() const { return map_->header(); }
 std::span<const DirectoryEntry> PackageReader::directory() const& { return map_->directory; }
@@ -238,12 +300,15 @@ const DirectoryEntry* PackageReader::find(Type type, std::uint32_t photo, std::u
 
 std::span<const std::byte> PackageReader::bytes(const DirectoryEntry* e) const& {
     if (!e) return {};
+    if (e->block_length == 0 && e->coded_blocks == 0) map_->keep({e});
     if (e->form == Form::zstd) return map_->decompressed(*e);
     return {map_->data + e->offset, e->head_length};
 }
 
 std::uint64_t PackageReader::content_length(const DirectoryEntry* e) const {
     if (!e) return 0;
+    if (map_->remote && e->form == Form::zstd && !map_->has_whole(e))
+        map_->keep({map_->data + e->offset, sizeof(std::uint64_t)});
     return e->form == Form::zstd ? map_->word(e->offset) : e->head_length;
 }
 
@@ -286,7 +351,27 @@ std::span<const std::byte> PackageReader::raw(const DirectoryEntry& e) const& {
     return {map_->data + e.offset, e.length};
 }
 
-int PackageReader::descriptor() const { return map_->fd; }
+int PackageReader::descriptor() const { return map_->source->descriptor(); }
+
+bool PackageReader::remote() const { return map_->remote; }
+std::optional<SourceTraffic> PackageReader::traffic() const { return map_->source->traffic(); }
+
+Held PackageReader::hold(std::span<const Part> parts, std::stop_token stop) const {
+    return map_->source->hold(parts, std::move(stop));
+}
+
+bool PackageReader::discard(std::span<const Part> parts) const { return map_->source->discard(parts); }
+bool PackageReader::fetch_again(const DirectoryEntry& e) const { return map_->again(e); }
+
+void PackageReader::fetch_scene(std::stop_token stop) const {
+    map_->keep(map_->before_tiles(), std::move(stop));
+}
+
+std::uint64_t PackageReader::scene_bytes() const {
+    std::uint64_t bytes = 0;
+    for (const DirectoryEntry* e : map_->before_tiles()) bytes += e->length;
+    return bytes;
+}
 
 bool PackageReader::sound(const DirectoryEntry& e) const {
     if (!head_sound(e)) return false;
@@ -307,6 +392,7 @@ void PackageReader::forget(std::span<const std::byte> bytes) const {
 void PackageReader::forget_all() const { forget({map_->data, map_->size}); }
 
 bool PackageReader::head_sound(const DirectoryEntry& e) const {
+    if (e.block_length == 0 && e.coded_blocks == 0) map_->keep({&e});
     return checksum({map_->data + e.offset, e.head_length}) == e.checksum;
 }
 
@@ -320,7 +406,7 @@ std::span<const std::byte> PackageReader::checked(Type type, std::uint32_t photo
                           "chunk " + std::string(reinterpret_cast<const char*>(&t), 4) + " is missing");
         return {};
     }
-    if (!head_sound(*e))
+    if (!head_sound(*e) && !(map_->again(*e) && head_sound(*e)))
         map_->damaged(Defect::chunk_checksum, describe(*e, *this) + ": checksum does not match");
     if (content_length(e) % record)
         map_->damaged(Defect::invalid_record,
@@ -335,6 +421,7 @@ package::SceneRecord PackageReader::checked_scene() const {
     const auto records = this->records<package::SceneRecord>(Type::scene);
     if (records.size() != 1) map_->damaged(Defect::invalid_record, "SCEN: expected one record");
     const package::SceneRecord s = records[0];
+    map_->keep_lengths();
     for (int i = 0; i < 3; ++i)
         if (!std::isfinite(s.origin[i]) || !(s.bounds_min[i] <= s.bounds_max[i]))
             map_->damaged(Defect::invalid_record, "SCEN: origin or bounds are not finite");
@@ -385,22 +472,45 @@ std::optional<std::uint32_t> PackageReader::photo_index(std::string_view wanted)
     const std::vector<std::string_view> names = names_of(photos());
     const std::vector<std::size_t> meant = photos_meant(names, wanted);
     if (meant.size() > 1)
-        throw Error(Exit::usage, map_->path.string() + ": photo " + std::string(wanted) +
+        throw Error(Exit::usage, path().string() + ": photo " + std::string(wanted) +
                                      " is ambiguous, expected one of " + listed(names, meant));
     return meant.empty() ? std::nullopt : std::optional(std::uint32_t(meant.front()));
 }
 
 std::vector<std::string> PackageReader::photo_stems() const { return file_stems(names_of(photos())); }
 
+namespace {
+
+void add_block_mismatches(const PackageReader& package, const DirectoryEntry& e, std::size_t most,
+                          std::vector<Mismatch>& out) {
+    const auto body = package.raw(e).subspan(e.head_length);
+    std::uint64_t end = 0;  ///< of what is held
+    Held held;
+    for (std::size_t b = 0; b < package.blocks(e) && out.size() < most; ++b) {
+        const auto block = package.block(e, b);
+        const auto last = block.empty() ? 0 : std::uint64_t(block.data() - body.data()) + block.size();
+        if (last > end) {
+            const std::uint64_t begin = last - block.size();
+            const auto next = body.subspan(
+                begin, std::min(body.size() - begin, std::max<std::uint64_t>(held_at_once, block.size())));
+            held = package.hold({&next, 1});
+            end = begin + next.size();
+        }
+        if (!package.block_sound(e, b)) out.push_back({Defect::tile_checksum, tile_mismatch(package, e, b)});
+    }
+}
+
+}  // namespace
+
 std::vector<Mismatch> mismatches(const PackageReader& package, bool tiles, std::size_t most) {
     std::vector<Mismatch> out;
     for (const DirectoryEntry& e : package.directory()) {
+        const auto head = package.raw(e).first(e.head_length);
+        const Held held = package.hold({&head, 1});
         const bool sound = package.head_sound(e);
         if (!sound)
             out.push_back({Defect::chunk_checksum, describe(e, package) + ": checksum does not match"});
-        for (std::size_t b = 0; tiles && sound && b < package.blocks(e) && out.size() < most; ++b)
-            if (!package.block_sound(e, b))
-                out.push_back({Defect::tile_checksum, tile_mismatch(package, e, b)});
+        if (tiles && sound) add_block_mismatches(package, e, most, out);
         if (tiles) package.forget(package.raw(e));
         if (out.size() >= most) break;
     }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,12 +15,17 @@
 #include "scene/damaged_package.h"
 #include "scene/effects.h"
 #include "scene/package_format.h"
+#include "scene/package_source.h"
 
 namespace vantage {
 
-/// A mapped package. Opening it reads and checks the header and the directory only. While open, it holds a
-/// shared lock, so that other processes can tell that the file is in use. Spans point into the mapping and
-/// are valid as long as the reader, so functions that return one cannot be called on a temporary.
+/// A mapped package, in a file or on a server. Opening it reads and checks the header and the directory only.
+/// Spans point into the mapping and are valid as long as the reader, so functions that return one cannot be
+/// called on a temporary.
+///
+/// Of a package on a server, bytes are fetched before they are read, and any function may throw Error(input)
+/// if they cannot be. Content and records are fetched when they are asked for, and stay; blocks and heads of
+/// chunks with blocks must be held by the caller, see hold().
 class PackageReader {
   public:
     /// What is accepted: only a whole package, or also one that is still being prepared. In the latter, only
@@ -28,6 +34,7 @@ class PackageReader {
     enum class Expect { whole, part };
     /// Throws Error(input) if the file cannot be opened, Error(damaged) if it is not what is expected.
     explicit PackageReader(const std::filesystem::path& file, Expect expect = Expect::whole);
+    explicit PackageReader(std::unique_ptr<PackageSource> source, Expect expect = Expect::whole);
     ~PackageReader();
     PackageReader(PackageReader&&) noexcept;
     PackageReader& operator=(PackageReader&&) noexcept;
@@ -66,11 +73,28 @@ class PackageReader {
     std::span<const std::byte> raw(const package::DirectoryEntry& entry) const&;
     std::span<const std::byte> raw(const package::DirectoryEntry&) const&& = delete;
     int descriptor() const;
+    using Part = PackageSource::Part;
+    /// Of a package on a server, fetches these bytes, which stay readable as long as the result; null when
+    /// stopped. Otherwise nothing is to be done. Throws Error(input), Error(storage).
+    [[nodiscard]] Held hold(std::span<const Part> parts, std::stop_token stop = {}) const;
+    /// Forgets fetched bytes that do not match a checksum, so that they are fetched again. False for a file.
+    bool discard(std::span<const Part> parts) const;
+    /// Fetches a whole chunk again that does not match its checksums. False for a file.
+    bool fetch_again(const package::DirectoryEntry& entry) const;
+    /// Fetches at once all that is read before the first tile: chunks without blocks, and thumbnails. They
+    /// stay. Throws as hold() does, and Error(interrupted) when stopped.
+    void fetch_scene(std::stop_token stop = {}) const;
+    /// Bytes that fetch_scene() reads.
+    std::uint64_t scene_bytes() const;
+    bool remote() const;
+    /// Nothing for a file.
+    std::optional<SourceTraffic> traffic() const;
+
     /// Releases the pages of these bytes, or of the whole file; they are read from the file again when
     /// needed. Content that was decompressed stays.
     void forget(std::span<const std::byte> bytes) const;
     void forget_all() const;
-    /// True if the head's checksum matches.
+    /// True if the head's checksum matches; of a chunk without blocks, that is all of it.
     bool head_sound(const package::DirectoryEntry& entry) const;
     /// True if the checksums of the head and of every block match.
     bool sound(const package::DirectoryEntry& entry) const;

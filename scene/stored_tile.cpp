@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
+#include <utility>
 
 #include "codec/byte_planes.h"
 #include "codec/depth_values.h"
@@ -100,6 +102,8 @@ bool holds_level(const PackageReader& package, const DirectoryEntry& chunk, cons
         case Form::depth:
             return blocks == tiles;
         case Form::cells: {
+            // Reading a tile checks this as well: heads on a server are not fetched for it.
+            if (package.remote()) return true;
             const auto grid = codec::cell_grid(package.shared(chunk));
             return grid && fits(*grid, level, blocks);
         }
@@ -108,8 +112,10 @@ bool holds_level(const PackageReader& package, const DirectoryEntry& chunk, cons
     }
 }
 
-bool read_tile(const PackageReader& package, const DirectoryEntry& chunk, const Level& level,
-               std::size_t tile, std::span<std::byte> to) {
+namespace {
+
+bool copy_or_decode(const PackageReader& package, const DirectoryEntry& chunk, const Level& level,
+                    std::size_t tile, std::span<std::byte> to) {
     if (chunk.form == Form::raw) {
         if (!package.block_sound(chunk, tile)) return false;
         std::ranges::copy(package.block(chunk, tile), to.begin());
@@ -120,6 +126,46 @@ bool read_tile(const PackageReader& package, const DirectoryEntry& chunk, const 
     if (!decode(package, chunk, level, tile, inner, packed)) return false;
     place(packed, inner, to);
     return true;
+}
+
+std::span<const std::byte> head_of(const PackageReader& package, const DirectoryEntry& chunk) {
+    return package.raw(chunk).first(chunk.head_length);
+}
+
+Held held_or_stopped(const PackageReader& package, Held held) {
+    if (!held) throw Error(Exit::interrupted, package.path().string() + ": stopped while it was read");
+    return held;
+}
+
+}  // namespace
+
+Held hold_tiles(const PackageReader& package, std::span<const TilePlace> tiles, std::stop_token stop) {
+    if (!package.remote()) return package.hold({});
+    std::vector<std::span<const std::byte>> parts;
+    for (const TilePlace& t : tiles) parts.push_back(head_of(package, *t.chunk));
+    Held heads = package.hold(parts, stop);
+    if (!heads) return {};
+    parts.clear();
+    for (const TilePlace& t : tiles) {
+        const auto pieces = stored_pieces(package, *t.chunk, t.level, t.tile);
+        parts.insert(parts.end(), pieces.begin(), pieces.end());
+    }
+    Held blocks = package.hold(parts, std::move(stop));
+    if (!blocks) return {};
+    return std::make_shared<std::pair<Held, Held>>(std::move(heads), std::move(blocks));
+}
+
+bool read_tile(const PackageReader& package, const DirectoryEntry& chunk, const Level& level,
+               std::size_t tile, std::span<std::byte> to, std::stop_token stop) {
+    const TilePlace place{&chunk, level, tile};
+    Held held = held_or_stopped(package, hold_tiles(package, {&place, 1}, stop));
+    if (copy_or_decode(package, chunk, level, tile, to)) return true;
+    if (!package.remote()) return false;
+    auto parts = stored_pieces(package, chunk, level, tile);
+    parts.push_back(head_of(package, chunk));
+    package.discard(parts);
+    held = held_or_stopped(package, hold_tiles(package, {&place, 1}, std::move(stop)));
+    return copy_or_decode(package, chunk, level, tile, to);
 }
 
 std::vector<std::span<const std::byte>> stored_pieces(const PackageReader& package,
@@ -134,19 +180,32 @@ std::vector<std::span<const std::byte>> stored_pieces(const PackageReader& packa
     return out;
 }
 
-bool read_thumbnail(const PackageReader& package, std::uint32_t photo, std::span<std::byte> to) {
-    const package::PhotoRecord& p = package.photos()[photo];
-    const DirectoryEntry* chunk = package.find(package::Type::thumbnail, photo);
-    if (!chunk || !package.head_sound(*chunk)) return false;
-    if (chunk->form == Form::jpeg)
-        return package.blocks(*chunk) == 1 && package.block_sound(*chunk, 0) &&
+namespace {
+
+bool decode_thumbnail(const PackageReader& package, const DirectoryEntry& chunk,
+                      const package::PhotoRecord& p, std::span<std::byte> to) {
+    if (!package.head_sound(chunk)) return false;
+    if (chunk.form == Form::jpeg)
+        return package.blocks(chunk) == 1 && package.block_sound(chunk, 0) &&
                to.size() == texel * p.thumbnail_width * p.thumbnail_height &&
-               decode_from_jpeg(package.shared(*chunk), package.block(*chunk, 0), int(p.thumbnail_width),
+               decode_from_jpeg(package.shared(chunk), package.block(chunk, 0), int(p.thumbnail_width),
                                 int(p.thumbnail_height), to);
-    const auto content = package.bytes(chunk);
+    const auto content = package.bytes(&chunk);
     if (content.size() != to.size()) return false;
     std::ranges::copy(content, to.begin());
     return true;
+}
+
+}  // namespace
+
+bool read_thumbnail(const PackageReader& package, std::uint32_t photo, std::span<std::byte> to) {
+    const package::PhotoRecord& p = package.photos()[photo];
+    const DirectoryEntry* chunk = package.find(package::Type::thumbnail, photo);
+    if (!chunk) return false;
+    const auto whole = package.raw(*chunk);
+    const Held held = held_or_stopped(package, package.hold({&whole, 1}));
+    return decode_thumbnail(package, *chunk, p, to) ||
+           (package.fetch_again(*chunk) && decode_thumbnail(package, *chunk, p, to));
 }
 
 std::string describe_damaged_tile(const PackageReader& package, const DirectoryEntry& chunk,
