@@ -10,6 +10,7 @@
 
 #include "output/output_file.h"
 #include "scene/error.h"
+#include "values/is_url.h"
 
 namespace vantage {
 namespace {
@@ -91,7 +92,9 @@ class ObjectTable {
     }
 
   private:
-    fs::path from_folder(const fs::path& p) const { return p.is_absolute() ? p : folder_ / p; }
+    fs::path from_folder(const fs::path& p) const {
+        return p.is_absolute() || is_url(p.native()) ? p : folder_ / p;
+    }
     fs::path folder_;
     std::string where_;
     const toml::table& table_;
@@ -172,7 +175,9 @@ std::vector<SceneObject> read_scene_file(const fs::path& file, SceneUse use) {
 std::string scene_file_text(const std::vector<SceneObject>& objects, const fs::path& folder) {
     toml::array list;
     for (const SceneObject& o : objects) {
-        const fs::path relative = fs::absolute(o.package).lexically_relative(fs::absolute(folder));
+        fs::path relative;
+        if (!is_url(o.package.native()))
+            relative = fs::absolute(o.package).lexically_relative(fs::absolute(folder));
         toml::table t{{"name", o.name}, {"package", (relative.empty() ? o.package : relative).string()}};
         const Placement& p = o.placement;
         if (!p.move.isZero(0)) t.insert("move", list_of(p.move));

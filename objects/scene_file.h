@@ -10,7 +10,7 @@ namespace vantage {
 /// One object of a scene file. In the file, paths are relative to its folder.
 struct SceneObject {
     std::string name;
-    std::filesystem::path package;  ///< empty if the object is still to be prepared
+    std::filesystem::path package;  ///< or URL; empty if the object is still to be prepared
     Placement placement;
     bool shown = true;
     double opacity = 1;  ///< 0 to 1; below 1, what is behind shows through its surface

@@ -1,11 +1,11 @@
 #include "remote/url.h"
 
 #include <curl/curl.h>
-#include <strings.h>
 
 #include <memory>
 
 #include "scene/error.h"
+#include "values/is_url.h"
 
 namespace vantage {
 
@@ -27,13 +27,6 @@ std::string without(const std::string& text, std::initializer_list<CURLUPart> pa
 }
 
 }  // namespace
-
-bool is_url(std::string_view text) {
-    const auto starts_with = [&](std::string_view scheme) {
-        return text.size() > scheme.size() && ::strncasecmp(text.data(), scheme.data(), scheme.size()) == 0;
-    };
-    return starts_with("http://") || starts_with("https://");
-}
 
 std::string checked_url(std::string_view text) {
     const std::string given(text);

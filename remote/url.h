@@ -4,9 +4,6 @@
 
 namespace vantage {
 
-/// True for http:// and https://, in any case.
-bool is_url(std::string_view text);
-
 /// The URL without fragment. Throws Error(input) if it is not a URL of http or https.
 std::string checked_url(std::string_view text);
 

@@ -120,7 +120,7 @@ void add_check(CLI::App& app, Run& run) {
         "scans/a)\n"
         "Exit code, the worst of all packages: 3 unreadable, 4 damaged, 5 stale, 9 incomplete, 0 none of "
         "these.\nEach finding has a stable identifier, see --list-findings.");
-    c->add_option("FILES", o->files, "the packages");
+    c->add_option("FILES", o->files, "the packages, or their URLs");
     c->add_flag("--deep", o->depth.deep, "read every tile");
     c->add_option(
         "--against", o->depth.against,

@@ -8,6 +8,7 @@
 #include "pipeline/package/effect_costs.h"
 #include "pipeline/prepare/registration_reuse.h"
 #include "points/point_cloud.h"
+#include "remote/remote_package.h"
 #include "scene/package_reader.h"
 
 namespace vantage {
@@ -94,12 +95,14 @@ void add_info(CLI::App& app, Run& run) {
     auto o = std::make_shared<InfoOptions>();
     CLI::App* c =
         app.add_subcommand("info", "Show what a package contains, and which effects are on and why");
-    c->footer("Example:\n  vantage info --json chapel.vantage");
-    c->add_option("FILE", o->file, "the package")->required();
+    c->footer(
+        "Examples:\n  vantage info --json chapel.vantage\n  vantage info "
+        "https://example.org/scans/chapel.vantage");
+    c->add_option("FILE", o->file, "the package, or its URL")->required();
     c->add_flag("--json", o->json, "machine-readable output");
     c->callback([o, &run] {
         run = [o] {
-            const PackageReader package(o->file);
+            const PackageReader package = open_package(o->file);
             const nlohmann::json j = describe_package(package);
             if (o->json)
                 fmt::print("{}\n", json_text(j));

@@ -17,6 +17,7 @@
 #include "pipeline/package/staleness.h"
 #include "pipeline/stages/surface_samples.h"
 #include "points/point_cloud.h"
+#include "remote/remote_package.h"
 #include "scene/package_reader.h"
 #include "scene/package_shape.h"
 #include "scene/stored_tile.h"
@@ -169,7 +170,7 @@ Issues check_package(const std::filesystem::path& file, const CheckDepth& depth)
     Issues out;
     Finding unreadable = Finding::cannot_open;
     try {
-        const PackageReader reader(file);
+        const PackageReader reader = open_package(file);
         unreadable = Finding::input_unreadable;  // from here on, only inputs are opened
         check_structure(reader, depth.deep, out);
         if (!out.empty()) return out;

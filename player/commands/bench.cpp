@@ -8,6 +8,7 @@
 #include "output/package_inputs.h"
 #include "player/commands/commands.h"
 #include "player/commands/parse.h"
+#include "player/options/opened_package.h"
 
 namespace vantage {
 
@@ -96,7 +97,8 @@ int bench_command(int argc, char** argv) {
     if (unused.pictures.offscreen) options.purpose = Purpose::pictures;
     if (!options.output.file.empty()) options.folder = options.output.file;
     options.scene = named_objects(options.package, options.objects);
-    const PackageReader package(options.scene.front().package);
+    const PackageReader package =
+        opened_package(options.scene.front().package, options.memory, options.output.quiet);
     expect_bench_folder(package, options);
     return run_bench(package, options);
 }

@@ -6,6 +6,7 @@
 #include "output/package_inputs.h"
 #include "player/commands/commands.h"
 #include "player/commands/parse.h"
+#include "player/options/opened_package.h"
 
 namespace vantage {
 
@@ -81,7 +82,7 @@ int evaluate_command(int argc, char** argv) {
     add_evaluate_options(app, options, unused);
     if (const auto code = parse(app, argc, argv)) return *code;
     if (!options.output.file.empty()) options.folder = options.output.file;
-    const PackageReader package(options.package.file);
+    const PackageReader package = opened_package(options.package.file, options.memory, options.output.quiet);
     expect_evaluation_folder(package, options);
     return run_evaluate(package, options);
 }

@@ -8,6 +8,7 @@
 #include "player/commands/commands.h"
 #include "player/commands/offscreen.h"
 #include "player/commands/parse.h"
+#include "player/options/opened_package.h"
 #include "player/window/run_window.h"
 #include "scene/package_reader.h"
 
@@ -73,11 +74,12 @@ int show_command(int argc, char** argv) {
     add_show_options(app, options);
     if (const auto code = parse(app, argc, argv)) return *code;
     const std::vector<SceneObject> objects = named_objects(options.package, options.objects);
-    const PackageReader package(objects.front().package);
+    if (!options.list && !options.pictures.offscreen) return run_window(options, objects);
+    const PackageReader package =
+        opened_package(objects.front().package, options.memory, options.output.quiet);
     package.meta();  // not needed for showing, but reports damage
     if (options.list) return list_photos(package), 0;
-    return options.pictures.offscreen ? run_offscreen(package, options, objects)
-                                      : run_window(package, options, objects);
+    return run_offscreen(package, options, objects);
 }
 
 }  // namespace vantage

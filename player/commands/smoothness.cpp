@@ -5,6 +5,7 @@
 #include "output/package_inputs.h"
 #include "player/commands/commands.h"
 #include "player/commands/parse.h"
+#include "player/options/opened_package.h"
 
 namespace vantage {
 
@@ -69,7 +70,7 @@ int smoothness_command(int argc, char** argv) {
     add_smoothness_options(app, options);
     if (const auto code = parse(app, argc, argv)) return *code;
     if (!options.output.file.empty()) options.folder = options.output.file;
-    const PackageReader package(options.package.file);
+    const PackageReader package = opened_package(options.package.file, options.memory, options.output.quiet);
     expect_smoothness_folder(package, options);
     return run_smoothness(package, options);
 }

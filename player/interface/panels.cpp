@@ -14,6 +14,7 @@
 #include "player/interface/controls.h"
 #include "player/render/blend_table.h"
 #include "points/point_cloud.h"
+#include "scene/package_shape.h"
 
 namespace vantage {
 namespace {
@@ -78,7 +79,9 @@ void photo_section(Controls& c, Session& s, const Renderer& renderer) {
     c.slider("Per pass", &r.photos_per_pass, 1, most_photos_per_pass);
     c.slider("Angle limit", &r.angle_limit, 10.0, 180.0, "%.0f deg");
     static const char* const coordinates[] = {"as the scene asks", "per vertex", "per fragment"};
+    ImGui::BeginDisabled(!has_coordinates(renderer.package()));
     choice(c, "Coordinates", r.coordinates, coordinates);
+    ImGui::EndDisabled();
 }
 
 /// Only if the package's exposures were refined.
@@ -237,6 +240,25 @@ void blending_panel(Controls& c, Session& s, const Renderer& renderer) {
     ImGui::End();
 }
 
+namespace {
+
+/// Of a package on a server.
+void transfer_lines(const Renderer& renderer) {
+    const auto traffic = renderer.package().traffic();
+    if (!traffic) return;
+    ImGui::Text("network %.0f kB/s, %.1f MB; cache %.1f MB", traffic->bytes_per_second / 1e3,
+                double(traffic->bytes_received) / 1e6, double(traffic->bytes_from_cache) / 1e6);
+    if (const std::string failure = renderer.failure(); !failure.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 0.5f, 0.4f, 1));
+        ImGui::TextWrapped("%s", failure.c_str());
+        ImGui::PopStyleColor();
+    } else if (traffic->offline) {
+        ImGui::TextUnformatted("the server cannot be reached: shown from the cache");
+    }
+}
+
+}  // namespace
+
 void status_panel(const Session& s, const Renderer& renderer, std::uint64_t graphics_budget) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x - 352, 40), ImGuiCond_FirstUseEver);
@@ -258,6 +280,7 @@ void status_panel(const Session& s, const Renderer& renderer, std::uint64_t grap
         budget_bar("graphics", double(gl::memory_held()), double(graphics_budget));
         budget_bar("tiles", double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
                    double(held.layout().bytes()));
+        transfer_lines(renderer);
         if (r.tiles_damaged)
             ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), "%zu damaged tiles not shown", r.tiles_damaged);
     }
@@ -299,7 +322,10 @@ void open_dialog(Controls& c, Session& s, const Renderer& renderer) {
     s.open_asked = false;
     if (!ImGui::BeginPopupModal("Open a package", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
     static std::array<char, 1024> typed{};
-    const std::filesystem::path folder = std::filesystem::absolute(renderer.package().path()).parent_path();
+    const PackageReader& shown = renderer.package();
+    const std::filesystem::path folder = shown.remote()
+                                             ? std::filesystem::current_path()
+                                             : std::filesystem::absolute(shown.path()).parent_path();
     ImGui::TextDisabled("%s", folder.c_str());
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {

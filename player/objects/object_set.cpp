@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "player/objects/object_view.h"
+#include "remote/remote_package.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -18,7 +19,8 @@ Eigen::Vector3d origin_of(const PackageReader& package) {
 FrameReport joined(const FrameReport& a, const FrameReport& b) {
     FrameReport out = a;
     out.clusters += b.clusters, out.photos += b.photos, out.passes += b.passes, out.draws += b.draws;
-    out.tiles += b.tiles, out.tiles_missing += b.tiles_missing, out.tiles_damaged += b.tiles_damaged;
+    out.tiles += b.tiles, out.tiles_missing += b.tiles_missing;
+    out.tiles_damaged += b.tiles_damaged, out.tiles_absent += b.tiles_absent;
     out.points += b.points, out.nodes_missing += b.nodes_missing, out.uploaded += b.uploaded;
     out.fragments += b.fragments, out.fragments_approximated += b.fragments_approximated;
     out.uncovered = std::max(a.uncovered, b.uncovered);
@@ -45,7 +47,9 @@ void ObjectSet::add(const SceneObject& object) {
     if (size() == most)
         throw Error(Exit::usage,
                     object.package.string() + ": a scene has at most " + std::to_string(most) + " objects");
-    auto other = std::make_unique<Other>(Other{object, PackageReader(object.package), {}, {}});
+    auto other = std::make_unique<Other>(
+        Other{object, open_package(object.package, {.cache_bytes = budget_.cache}), {}, {}});
+    other->package.fetch_scene();
     other->object.name = free_name(object.name);
     other->photos.resize(other->package.photos().size());
     std::iota(other->photos.begin(), other->photos.end(), 0u);

@@ -12,10 +12,15 @@ void add_memory_options(CLI::App& app, MemoryOptions& o) {
     app.add_option("--upload", o.upload_kib, "KiB uploaded per frame, at most (window and bench)")
         ->check(CLI::Range(256u, 1u << 22))
         ->capture_default_str();
+    app.add_option("--cache-size", o.cache_mib, "MiB on the disk for packages from servers, at most")
+        ->check(CLI::Range(16u, 1u << 24))
+        ->capture_default_str();
 }
 
 MemoryBudget memory_budget(const MemoryOptions& o) {
-    return {std::uint64_t(o.graphics_mib) << 20, std::uint64_t(o.ring_mib) << 20};
+    return {.graphics = std::uint64_t(o.graphics_mib) << 20,
+            .ring = std::uint64_t(o.ring_mib) << 20,
+            .cache = std::uint64_t(o.cache_mib) << 20};
 }
 
 }  // namespace vantage

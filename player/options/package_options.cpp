@@ -7,7 +7,8 @@
 namespace vantage {
 
 void add_package_options(CLI::App& app, PackageOptions& o) {
-    app.add_option("FILE", o.file, "package")->required();
+    app.add_option("FILE", o.file, "package: a file, or its URL on a server (http:// or https://)")
+        ->required();
     app.add_option("--exclude", o.exclude, "photos not to blend")->delimiter(',');
     app.add_option("--photo", o.photos, "photos to look from or to leave out, or 'all'")->delimiter(',');
 }

@@ -34,6 +34,8 @@ class PointPass {
     /// The planned nodes that are still to come.
     std::size_t missing() const { return missing_; }
     std::size_t damaged() const { return store_.damaged(); }
+    std::size_t absent() const { return store_.absent(); }
+    std::string failure() const { return store_.failure(); }
     std::uint64_t growth() const { return store_.growth(); }  ///< see PointStore
     const PointPlan& plan() const { return plan_; }
     const PointCloud& cloud() const { return cloud_; }

@@ -151,7 +151,8 @@ struct FrameReport {
     std::size_t clusters = 0, photos = 0, passes = 0, draws = 0;
     std::size_t tiles = 0;          ///< needed
     std::size_t tiles_missing = 0;  ///< needed and not resident: coarser ones were shown
-    std::size_t tiles_damaged = 0;  ///< found since opening
+    std::size_t tiles_damaged = 0;  ///< found of late
+    std::size_t tiles_absent = 0;   ///< that a server did not give of late
     std::size_t points = 0;         ///< of the cloud, drawn
     std::size_t nodes_missing = 0;  ///< of the cloud, needed and not resident
     std::size_t fragments = 0;      ///< of transparent surfaces, in the last frame that was read back
@@ -166,6 +167,7 @@ struct MemoryBudget {
     std::uint64_t graphics = 0;                    ///< 0: by the size of the frame
     std::uint64_t ring = std::uint64_t(32) << 20;  ///< of the buffer that uploads pass through
     std::uint64_t elsewhere = 0;                   ///< graphics memory that other renderers hold
+    std::uint64_t cache = std::uint64_t(4) << 30;  ///< on the disk, of packages on servers
 };
 
 }  // namespace vantage

@@ -240,11 +240,17 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     FrameReport& r = frame.report;
     r.fragments = fragments_.fragments, r.fragments_approximated = fragments_.approximated;
     r.tiles_damaged = store_.residency().damaged_count() + (points_ ? points_->damaged() : 0);
+    r.tiles_absent = store_.residency().absent_count() + (points_ ? points_->absent() : 0);
     r.settled =
         r.tiles_missing == 0 && r.nodes_missing == 0 && bands_.settled() && store_.residency().settled();
     held_ += gl::memory_held() - held_before;
     gl::check("rendering a view");
     return r;
+}
+
+std::string Renderer::failure() const {
+    const std::string of_points = points_ ? points_->failure() : std::string();
+    return of_points.empty() ? store_.failure() : of_points;
 }
 
 /// A second band, or one again: with its own surface, because it may lack surroundings.

@@ -68,6 +68,8 @@ class Renderer {
     Eigen::Vector2d depth_terms() const { return depth_terms_; }
 
     const PackageReader& package() const { return *package_; }
+    /// Why a server did not give all that was requested of late; empty if it did, and for a file.
+    std::string failure() const;
     const PlanScene& scene() const { return scene_; }
     std::span<const ValueLayer> layers() const { return passes_.layers(); }
     /// Asks for the point at a pixel of the frame drawn last, if it was drawn with settings.points.pick or

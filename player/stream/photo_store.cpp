@@ -5,6 +5,7 @@
 #include <cstring>
 #include <utility>
 
+#include "scene/error.h"
 #include "scene/tiling.h"
 
 namespace vantage {
@@ -139,6 +140,7 @@ void PhotoStore::load() {
     wanted_.clear();
     stream_.want(ordered_);
     while (stream_.wait()) residency_->upload(stream_, SIZE_MAX);
+    if (residency_->absent_count() > 0) throw Error(Exit::input, stream_.failure());
 }
 
 std::size_t PhotoStore::load_whole(std::uint32_t photo) {
@@ -148,7 +150,7 @@ std::size_t PhotoStore::load_whole(std::uint32_t photo) {
 bool PhotoStore::base_resident(std::uint32_t photo, bool coordinates) const {
     const StreamRequest thumbnail = thumbnail_request(*package_, photo),
                         masks = mask_request(*package_, pages_, photo, coarsest_masks(photos_[photo]), 0);
-    return (residency_->holds(thumbnail) || residency_->damaged(thumbnail)) && residency_->holds(masks) &&
+    return (residency_->holds(thumbnail) || residency_->failed(thumbnail)) && residency_->holds(masks) &&
            (!coordinates || residency_->coordinate_slot(photo));
 }
 

@@ -48,7 +48,8 @@ class PhotoStore {
     /// Uploads at most `budget` bytes of what has been fetched, or one larger piece, and fetches what this
     /// frame has requested. Returns the bytes uploaded.
     std::size_t stream(std::size_t budget);
-    /// Fetches and uploads everything requested since the last call or the start of the frame. Waits.
+    /// Fetches and uploads everything requested since the last call or the start of the frame. Waits. Throws
+    /// Error(input) if a server does not give it.
     void load();
     /// Uploads a whole photo in this frame, however long it takes. Returns the bytes uploaded.
     std::size_t load_whole(std::uint32_t photo);
@@ -58,6 +59,10 @@ class PhotoStore {
     const Residency& residency() const { return *residency_; }
     std::uint64_t bytes_read() const { return stream_.bytes_read(); }
     std::size_t waiting() const { return stream_.waiting(); }
+    /// Why a server did not give all that was requested of late; empty if it did.
+    std::string failure() const {
+        return residency_ && residency_->absent_count() > 0 ? stream_.failure() : std::string();
+    }
     std::size_t ring_bytes() const { return stream_.ring_bytes(); }
 
     /// The size of a photo's page table, in 32-bit words.

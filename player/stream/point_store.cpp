@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "player/stream/residency.h"
+#include "scene/error.h"
 
 namespace vantage {
 namespace {
@@ -39,10 +39,10 @@ void PointStore::begin_frame(double now) {
 
 bool PointStore::need(const package::PointNode& node) {
     if (pool_.use(node.block, frame_)) return true;
-    if (const auto found = damaged_.find(node.block);
-        found != damaged_.end() && std::abs(now_ - found->second) > Residency::retry_seconds)
-        damaged_.erase(found);
-    if (!requested_[node.block] && !damaged_.contains(node.block))
+    if (const auto found = failed_.find(node.block);
+        found != failed_.end() && std::abs(now_ - found->second.at) > Residency::retry_seconds)
+        failed_.erase(found);
+    if (!requested_[node.block] && !failed_.contains(node.block))
         missing_.push_back(
             {.resource = Resource::points, .key = node.block, .chunk = chunk_, .block = node.block});
     requested_[node.block] = true;
@@ -50,15 +50,15 @@ bool PointStore::need(const package::PointNode& node) {
 }
 
 bool PointStore::place(const Fetched& fetched) {
-    if (!fetched.sound) {
-        damaged_[fetched.request.key] = now_;
+    if (fetched.state != Fetched::State::sound) {
+        failed_[fetched.request.key] = {now_, fetched.state == Fetched::State::damaged};
         return false;
     }
-    damaged_.erase(fetched.request.key);
+    failed_.erase(fetched.request.key);
     const auto slot = pool_.place(fetched.request.key, frame_);
     if (slot && *slot >= capacity_) grow(*slot + 1);
     if (slot)
-        glCopyNamedBufferSubData(stream_.buffer(), points_.id(), GLintptr(fetched.piece.offset),
+        glCopyNamedBufferSubData(stream_.buffer(), points_.id(), GLintptr(fetched.piece->offset),
                                  GLintptr(*slot * block_bytes), GLsizeiptr(block_bytes));
     return slot.has_value();
 }
@@ -73,9 +73,13 @@ void PointStore::grow(std::uint32_t layers) {
 
 std::uint64_t PointStore::growth() const { return (pool_.layers() - capacity_) * block_bytes; }
 
+std::size_t PointStore::damaged() const {
+    return std::size_t(std::ranges::count_if(failed_, [](const auto& f) { return f.second.damaged; }));
+}
+
 std::size_t PointStore::stream(std::size_t budget) {
     std::erase_if(missing_, [&](const StreamRequest& r) {
-        return pool_.layer_of(r.key).has_value() || damaged_.contains(r.key);
+        return pool_.layer_of(r.key).has_value() || failed_.contains(r.key);
     });
     missing_.resize(std::min<std::size_t>(missing_.size(), pool_.available(frame_)));
     stream_.want(missing_);
@@ -94,6 +98,7 @@ void PointStore::load() {
     do stream(most_bytes);
     while (stream_.wait());
     stream(most_bytes);
+    if (absent() > 0) throw Error(Exit::input, stream_.failure());
 }
 
 }  // namespace vantage

@@ -5,6 +5,7 @@
 
 #include "gl/object.h"
 #include "player/stream/layer_pool.h"
+#include "player/stream/residency.h"
 #include "player/stream/tile_stream.h"
 #include "points/point_cloud.h"
 
@@ -27,11 +28,11 @@ class PointStore {
     bool resident(const package::PointNode& node) const { return pool_.layer_of(node.block).has_value(); }
     /// Whether the node's block is still to come: neither resident nor damaged, and there is space for it.
     bool awaits(const package::PointNode& node) const {
-        return !resident(node) && !damaged_.contains(node.block) && pool_.available(frame_) > 0;
+        return !resident(node) && !failed_.contains(node.block) && pool_.available(frame_) > 0;
     }
     /// Uploads what has arrived, at most `budget` bytes or one block. Returns the bytes uploaded.
     std::size_t stream(std::size_t budget);
-    /// Waits for all requested blocks that fit.
+    /// Waits for all requested blocks that fit. Throws Error(input) if a server does not give them.
     void load();
 
     /// Where the node's first point is in buffer().
@@ -42,7 +43,10 @@ class PointStore {
     GLuint buffer() const { return points_.id(); }
     /// Graphics memory by which the buffer may still grow, bytes.
     std::uint64_t growth() const;
-    std::size_t damaged() const { return damaged_.size(); }
+    std::size_t damaged() const;
+    std::size_t absent() const { return failed_.size() - damaged(); }
+    /// Why a server did not give all that was requested of late; empty if it did.
+    std::string failure() const { return absent() > 0 ? stream_.failure() : std::string(); }
 
   private:
     bool place(const Fetched& fetched);
@@ -53,8 +57,8 @@ class PointStore {
     std::uint32_t capacity_;  ///< layers of the pool for which the buffer has space
     gl::Buffer points_;
     std::vector<StreamRequest> missing_;
-    std::vector<bool> requested_;                        ///< per block, in this frame
-    std::unordered_map<std::uint32_t, double> damaged_;  ///< by block: when it was found, seconds
+    std::vector<bool> requested_;                                   ///< per block, in this frame
+    std::unordered_map<std::uint32_t, Residency::Failure> failed_;  ///< by block
     std::uint64_t frame_ = 0;
     double now_ = 0;
     TileStream stream_;  ///< last: its threads use the package

@@ -100,7 +100,11 @@ void Residency::begin_frame(double now, bool fade) {
     ++frame_;
     now_ = now;
     fades_ = fade;
-    std::erase_if(damaged_, [&](const auto& d) { return std::abs(now_ - d.second) > 2 * retry_seconds; });
+    std::erase_if(failed_, [&](const auto& f) { return std::abs(now_ - f.second.at) > 2 * retry_seconds; });
+}
+
+std::size_t Residency::damaged_count() const {
+    return std::size_t(std::ranges::count_if(failed_, [](const auto& f) { return f.second.damaged; }));
 }
 
 const LayerPool& Residency::pool_of(Resource resource) const {
@@ -126,15 +130,15 @@ bool Residency::holds(const StreamRequest& r) const {
     return slot && slots_[*slot].arrived[r.key % pieces];
 }
 
-bool Residency::recently_damaged(const StreamRequest& r) const {
-    const auto it = damaged_.find(r.identity());
-    return it != damaged_.end() &&
-           std::abs(now_ - it->second) < retry_seconds;  // the clock may have been set back
+bool Residency::recently_failed(const StreamRequest& r) const {
+    const auto it = failed_.find(r.identity());
+    return it != failed_.end() &&
+           std::abs(now_ - it->second.at) < retry_seconds;  // the clock may have been set back
 }
 
 bool Residency::need(const StreamRequest& r, std::vector<StreamRequest>& missing) {
     if (const_cast<LayerPool&>(pool_of(r.resource)).use(r.key, frame_)) return true;
-    if (!recently_damaged(r)) missing.push_back(r);
+    if (!recently_failed(r)) missing.push_back(r);
     return false;
 }
 
@@ -146,7 +150,7 @@ bool Residency::need_coordinates(std::uint32_t photo, std::vector<StreamRequest>
     const auto* chunk = package_->find(Type::coordinates, photo);
     for (std::uint32_t i = 0; i < pieces; ++i) {
         StreamRequest r{Resource::coordinates, photo * pieces + i, chunk};
-        if (recently_damaged(r)) return false;
+        if (recently_failed(r)) return false;
         if (slot && slot->arrived[i]) continue;
         r.first = i * piece_bytes;
         r.bytes = std::min(piece_bytes, std::uint64_t(layout_.vertices) * 8 - r.first);
@@ -165,12 +169,12 @@ std::size_t Residency::upload(TileStream& stream, std::size_t budget) {
     std::size_t uploaded = 0;
     // The first piece ignores the budget: one larger than the budget would block those behind it.
     while (const auto fetched = stream.take(uploaded == 0 ? SIZE_MAX : budget - std::min(budget, uploaded))) {
-        if (!fetched->sound) {
-            damaged_[fetched->request.identity()] = now_;
+        if (fetched->state != Fetched::State::sound) {
+            failed_[fetched->request.identity()] = {now_, fetched->state == Fetched::State::damaged};
         } else {
-            if (damaged_.erase(fetched->request.identity()) > 0) discard_coordinates(fetched->request);
-            if (store(fetched->request, fetched->piece.offset, stream.buffer()))
-                uploaded += fetched->piece.bytes;
+            if (failed_.erase(fetched->request.identity()) > 0) discard_coordinates(fetched->request);
+            if (store(fetched->request, fetched->piece->offset, stream.buffer()))
+                uploaded += fetched->bytes();
         }
         stream.release(*fetched);
     }

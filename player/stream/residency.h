@@ -30,8 +30,12 @@ ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& 
 /// never those that the current frame uses. Belongs to the OpenGL thread.
 class Residency {
   public:
-    /// Damaged resources are not fetched again for this long.
+    /// Resources that are damaged, or that a server does not give, are not fetched again for this long.
     static constexpr double retry_seconds = 5;
+    struct Failure {
+        double at;     ///< when it was last found, seconds
+        bool damaged;  ///< else it could not be fetched
+    };
 
     Residency(const PackageReader& package, const PackagePages& pages, const ResidencyLayout& layout);
 
@@ -60,8 +64,11 @@ class Residency {
     bool holds(const StreamRequest& request) const;
     /// How many more resources of a kind this frame can hold.
     std::uint32_t available(Resource resource) const { return pool_of(resource).available(frame_); }
-    bool damaged(const StreamRequest& r) const { return damaged_.contains(r.identity()); }
-    std::size_t damaged_count() const { return damaged_.size(); }
+    /// Whether a resource was damaged or could not be fetched.
+    bool failed(const StreamRequest& r) const { return failed_.contains(r.identity()); }
+    std::size_t damaged_count() const;
+    /// Resources that could not be fetched of late.
+    std::size_t absent_count() const { return failed_.size() - damaged_count(); }
     /// No tile is fading in.
     bool settled() const { return now_ < last_arrival_ || now_ >= last_arrival_ + fade_seconds; }
 
@@ -77,9 +84,9 @@ class Residency {
   private:
     static constexpr double fade_seconds = 0.25;
     const LayerPool& pool_of(Resource resource) const;
-    /// Found damaged within the last retry_seconds. After that it is fetched again: a package may be restored
-    /// while it is shown.
-    bool recently_damaged(const StreamRequest& request) const;
+    /// Within the last retry_seconds. After that it is fetched again: a package may be restored while it is
+    /// shown, or the network.
+    bool recently_failed(const StreamRequest& request) const;
     /// Fetches all pieces of a photo's texture coordinates again after one was restored: pieces share a
     /// checksum, and the others may have arrived while it mismatched.
     void discard_coordinates(const StreamRequest& restored);
@@ -101,7 +108,8 @@ class Residency {
         std::uint32_t missing = 0;
     };
     std::vector<Slot> slots_;
-    std::unordered_map<std::uint64_t, double> damaged_;  ///< by identity: when last found, seconds
+
+    std::unordered_map<std::uint64_t, Failure> failed_;  ///< by identity
     std::uint64_t frame_ = 0;
     double now_ = 0, last_arrival_ = -1e9;
     bool fades_ = true;

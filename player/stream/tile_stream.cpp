@@ -1,23 +1,24 @@
 #include "player/stream/tile_stream.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstring>
 
 #include "agreement/consensus_weights.h"
+#include "scene/error.h"
 #include "scene/stored_tile.h"
 #include "scene/tiling.h"
 
 namespace vantage {
 
-std::uint64_t StreamRequest::size() const {
-    if (bytes) return bytes;
-    if (resource == Resource::points) return chunk->block_length;
-    return second ? 2 * tile_bytes : tile_bytes;
-}
-
 TileStream::TileStream(const PackageReader& package, std::size_t ring_bytes, unsigned threads)
     : package_(package), ring_(ring_bytes) {
+    if (package.remote())
+        remote_ = std::make_unique<RemoteBytes>(package, [this] {
+            { const std::scoped_lock lock(mutex_); }  // no worker is about to wait
+            work_.notify_all();
+        });
     for (unsigned i = 0; i < std::max(1u, threads); ++i)
         threads_.emplace_back([this](std::stop_token stop) { work(stop); });
 }
@@ -26,6 +27,7 @@ TileStream::~TileStream() {
     for (std::jthread& t : threads_) t.request_stop();
     work_.notify_all();
     threads_.clear();
+    remote_.reset();
 }
 
 void TileStream::want(std::span<const StreamRequest> requests) {
@@ -34,13 +36,14 @@ void TileStream::want(std::span<const StreamRequest> requests) {
         wanted_.clear();
         for (const StreamRequest& r : requests)
             if (!begun_.contains(r.identity())) wanted_.push_back(r);
+        if (remote_) remote_->want(std::vector(wanted_.begin(), wanted_.end()));
     }
     work_.notify_all();
 }
 
 std::optional<Fetched> TileStream::take(std::size_t budget) {
     const std::scoped_lock lock(mutex_);
-    if (done_.empty() || done_.front().piece.bytes > budget) return std::nullopt;
+    if (done_.empty() || done_.front().bytes() > budget) return std::nullopt;
     const Fetched f = done_.front();
     done_.pop_front();
     begun_.erase(f.request.identity());
@@ -49,7 +52,7 @@ std::optional<Fetched> TileStream::take(std::size_t budget) {
 
 void TileStream::release(const Fetched& fetched) {
     const std::scoped_lock lock(mutex_);
-    ring_.release(fetched.piece);
+    if (fetched.piece) ring_.release(*fetched.piece);
 }
 
 void TileStream::fence() {
@@ -73,38 +76,72 @@ std::size_t TileStream::waiting() const {
     return wanted_.size() + begun_.size();
 }
 
+std::string TileStream::failure() const {
+    const std::scoped_lock lock(mutex_);
+    return failure_;
+}
+
 std::uint64_t TileStream::bytes_read() const {
     const std::scoped_lock lock(mutex_);
     return bytes_read_;
 }
 
+std::optional<TileStream::Task> TileStream::next_arrival() {
+    std::optional<UploadRing::Piece> piece;
+    auto arrival = remote_->take([&](const StreamRequest& r) {
+        piece = ring_.take(std::size_t(r.size()));
+        return piece.has_value();
+    });
+    if (!arrival) return {};
+    std::erase_if(wanted_,
+                  [&](const StreamRequest& r) { return r.identity() == arrival->request.identity(); });
+    return Task{arrival->request, piece, std::move(arrival->held), std::move(arrival->failure)};
+}
+
+std::optional<TileStream::Task> TileStream::next_task() {
+    if (remote_) return next_arrival();
+    if (wanted_.empty()) return {};
+    // A request is started only when the ring has space for it.
+    const auto piece = ring_.take(std::size_t(wanted_.front().size()));
+    if (!piece) return {};
+    const StreamRequest request = wanted_.front();
+    wanted_.pop_front();
+    return Task{request, piece, {}, {}};
+}
+
+Fetched TileStream::carry_out(Task& task, std::uint64_t& read, std::stop_token stop) {
+    using State = Fetched::State;
+    if (!task.piece) return {task.request, {}, State::absent};
+    try {
+        const bool sound = fetch(task.request, ring_.memory(*task.piece), read, std::move(stop));
+        return {task.request, task.piece, sound ? State::sound : State::damaged};
+    } catch (const Error& e) {  // was fetched, but had to be fetched again
+        task.failure = e.what();
+        return {task.request, task.piece, State::absent};
+    }
+}
+
 void TileStream::work(std::stop_token stop) {
     std::unique_lock lock(mutex_);
-    std::optional<UploadRing::Piece> piece;
-    // A request is started only when the ring has space for it.
-    const auto can_begin = [&] {
-        if (!wanted_.empty()) piece = ring_.take(std::size_t(wanted_.front().size()));
-        return piece.has_value();
-    };
-    while (work_.wait(lock, stop, can_begin)) {
-        const StreamRequest request = wanted_.front();
-        wanted_.pop_front();
-        begun_[request.identity()] = true;
-        const std::span<std::byte> to = ring_.memory(*piece);
+    std::optional<Task> task;
+    while (work_.wait(lock, stop, [&] { return (task = next_task()).has_value(); })) {
+        begun_[task->request.identity()] = true;
         lock.unlock();
         std::uint64_t read = 0;
-        const bool sound = fetch(request, to, read);
+        const Fetched fetched = carry_out(*task, read, stop);
         lock.lock();
         bytes_read_ += read;
-        done_.push_back({request, *piece, sound});
-        piece.reset();
+        if (!task->failure.empty()) failure_ = task->failure;
+        done_.push_back(fetched);
+        task.reset();
         fetched_.notify_all();
     }
 }
 
-bool TileStream::fetch(const StreamRequest& r, std::span<std::byte> to, std::uint64_t& read) const {
-    const auto copy = [&](std::span<const std::byte> from, std::size_t at) {
-        std::memcpy(to.data() + at, from.data(), from.size());
+bool TileStream::fetch(const StreamRequest& r, std::span<std::byte> to, std::uint64_t& read,
+                       std::stop_token stop) const {
+    const auto copy = [&](std::span<const std::byte> from) {
+        std::memcpy(to.data(), from.data(), from.size());
         read += from.size();
         package_.forget(from);
     };
@@ -114,28 +151,47 @@ bool TileStream::fetch(const StreamRequest& r, std::span<std::byte> to, std::uin
     }
     if (r.bytes) {
         // The pieces of a chunk share its checksum, which the first piece checks.
-        if (r.first == 0 && !package_.head_sound(*r.chunk)) return false;
-        copy(package_.bytes(r.chunk).subspan(r.first, r.bytes), 0);
+        if (r.first == 0 && !package_.head_sound(*r.chunk) &&
+            !(package_.fetch_again(*r.chunk) && package_.head_sound(*r.chunk)))
+            return false;
+        const auto content = package_.bytes(r.chunk);
+        if (content.size() < r.first + r.bytes) return false;
+        copy(content.subspan(r.first, r.bytes));
         return true;
     }
     if (r.resource == Resource::points) {
-        if (!package_.block_sound(*r.chunk, r.block)) return false;
-        copy(package_.block(*r.chunk, r.block), 0);
+        if (!point_block_sound(r)) return false;
+        copy(package_.block(*r.chunk, r.block));
         return true;
     }
-    const package::PhotoRecord& p = package_.photos()[r.chunk->photo];
-    const Level level = level_size(int(p.width), int(p.height), int(r.chunk->level));
-    const auto tile = [&](const package::DirectoryEntry& chunk, std::size_t at) {
-        const bool sound = read_tile(package_, chunk, level, r.block, to.subspan(at, tile_bytes));
-        for (const auto& piece : stored_pieces(package_, chunk, level, r.block)) {
+    return fetch_tiles(r, to, read, std::move(stop));
+}
+
+bool TileStream::point_block_sound(const StreamRequest& r) const {
+    const auto sound = [&] {
+        return package_.head_sound(*r.chunk) && package_.block_sound(*r.chunk, r.block);
+    };
+    if (sound()) return true;
+    const std::array parts{package_.raw(*r.chunk).first(r.chunk->head_length),
+                           package_.block(*r.chunk, r.block)};
+    return package_.discard(parts) && package_.hold(parts) && sound();
+}
+
+bool TileStream::fetch_tiles(const StreamRequest& r, std::span<std::byte> to, std::uint64_t& read,
+                             std::stop_token stop) const {
+    const std::vector<TilePlace> tiles = tiles_of(package_, r);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const TilePlace& t = tiles[i];
+        const std::span<std::byte> texels = to.subspan(i * tile_bytes, tile_bytes);
+        const bool sound = read_tile(package_, *t.chunk, t.level, t.tile, texels, stop);
+        for (const auto& piece : stored_pieces(package_, *t.chunk, t.level, t.tile)) {
             read += piece.size();
             package_.forget(piece);
         }
-        return sound;
-    };
-    if (!tile(*r.chunk, 0)) return false;
-    if (r.reweighted) set_tile_weights(r.weights, level, r.block, to.first(tile_bytes));
-    return !r.second || tile(*r.second, tile_bytes);
+        if (!sound) return false;
+        if (i == 0 && r.reweighted) set_tile_weights(r.weights, t.level, r.block, texels);
+    }
+    return true;
 }
 
 }  // namespace vantage

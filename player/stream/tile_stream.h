@@ -2,54 +2,38 @@
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
+#include <string>
 #include <thread>
 #include <unordered_map>
 #include <vector>
 
-#include "agreement/consensus_map.h"
+#include "player/stream/remote_bytes.h"
+#include "player/stream/stream_request.h"
 #include "player/stream/upload_ring.h"
 #include "scene/package_reader.h"
 
 namespace vantage {
 
-/// Units of upload.
-enum class Resource : std::uint32_t {
-    color,        ///< a tile of color
-    masks,        ///< a tile of masks, followed by that of depth
-    thumbnail,    ///< a photo's thumbnail
-    coordinates,  ///< a piece of a photo's texture coordinates
-    points,       ///< a block of points
-};
-inline constexpr std::size_t photo_resources = 4;  ///< all but points
-
-/// A piece of the package to fetch; `key` is unique among those of its resource.
-struct StreamRequest {
-    Resource resource;
-    std::uint32_t key;
-    const package::DirectoryEntry* chunk;
-    std::uint32_t block = 0;                          ///< in a chunk with blocks
-    std::uint64_t first = 0, bytes = 0;               ///< in a chunk without blocks
-    const package::DirectoryEntry* second = nullptr;  ///< chunk whose block of the same number follows
-    bool reweighted = false;                          ///< of masks: with the consensus weights of `weights`
-    const ConsensusMap* weights = nullptr;            ///< see set_weights
-
-    /// Bytes in the ring: of tiles, decoded.
-    std::uint64_t size() const;
-    std::uint64_t identity() const { return std::uint64_t(resource) << 32 | key; }
-};
-
-/// A request whose bytes are in the ring; not `sound`: its checksum mismatched.
+/// A request whose bytes are in the ring, or why not.
 struct Fetched {
+    enum class State {
+        sound,
+        damaged,  ///< its checksum mismatched
+        absent    ///< the server could not be reached, see TileStream::failure
+    };
     StreamRequest request;
-    UploadRing::Piece piece;
-    bool sound;
+    std::optional<UploadRing::Piece> piece;  ///< none if absent
+    State state;
+
+    std::size_t bytes() const { return piece ? piece->bytes : 0; }
 };
 
-/// Worker threads that copy or decode pieces of the mapped package into the upload ring. All functions are
-/// for the OpenGL thread; only wait() waits.
+/// Worker threads that copy or decode pieces of the mapped package into the upload ring. Of a package on a
+/// server, these are fetched first. All functions are for the OpenGL thread; only wait() waits.
 class TileStream {
   public:
     TileStream(const PackageReader& package, std::size_t ring_bytes, unsigned threads);
@@ -74,11 +58,28 @@ class TileStream {
     std::size_t waiting() const;
     /// Bytes read from the package since opening.
     std::uint64_t bytes_read() const;
+    /// Why a request could not be fetched, of the last such request; empty if there was none.
+    std::string failure() const;
 
   private:
+    struct Task {
+        StreamRequest request;
+        std::optional<UploadRing::Piece> piece;
+        Held held;
+        std::string failure;
+    };
+    /// With the mutex: the next request that can be started, which leaves the queue.
+    std::optional<Task> next_task();
+    std::optional<Task> next_arrival();
+    /// Without the mutex.
+    Fetched carry_out(Task& task, std::uint64_t& read, std::stop_token stop);
     void work(std::stop_token stop);
     /// Adds to `read` the bytes of the package that it read.
-    bool fetch(const StreamRequest& request, std::span<std::byte> to, std::uint64_t& read) const;
+    bool fetch(const StreamRequest& request, std::span<std::byte> to, std::uint64_t& read,
+               std::stop_token stop) const;
+    bool point_block_sound(const StreamRequest& request) const;
+    bool fetch_tiles(const StreamRequest& request, std::span<std::byte> to, std::uint64_t& read,
+                     std::stop_token stop) const;
 
     const PackageReader& package_;
     UploadRing ring_;
@@ -88,7 +89,9 @@ class TileStream {
     std::deque<Fetched> done_;
     std::unordered_map<std::uint64_t, bool> begun_;  ///< in flight, or fetched and not taken
     std::uint64_t bytes_read_ = 0;
-    std::vector<std::jthread> threads_;  ///< last: they use all members above
+    std::string failure_;
+    std::unique_ptr<RemoteBytes> remote_;  ///< of a package on a server; uses the mutex
+    std::vector<std::jthread> threads_;    ///< last: they use all members above
 };
 
 }  // namespace vantage

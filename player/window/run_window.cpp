@@ -17,12 +17,14 @@
 #include "player/camera/shots.h"
 #include "player/window/glfw_window.h"
 #include "player/window/input.h"
+#include "player/window/opening.h"
 #include "player/window/remembered.h"
 #include "player/window/screenshot.h"
 #include "player/window/shown_scene.h"
 #include "points/point_cloud.h"
 #include "scene/error.h"
 #include "scene/package_shape.h"
+#include "values/is_url.h"
 
 namespace vantage {
 namespace {
@@ -38,8 +40,10 @@ double process_seconds() {
     return up - ticks / double(::sysconf(_SC_CLK_TCK));
 }
 
-/// Throws Error(damaged) if there is neither a photo nor a point.
+/// Throws Error(damaged) if there is neither a photo nor a point, or META is damaged, which showing does not
+/// need.
 void expect_content(const PackageReader& package) {
+    package.meta();
     if (package.photos().empty() && !points_only(package.scene()))
         throw Error(Exit::damaged, package.path().string() + ": contains no photos");
 }
@@ -74,6 +78,21 @@ void remember(const Session& session, const PackageReader& package, Remembered& 
     r.other_band = shown.other ? bands[*shown.other].name : "";
 }
 
+FrameSize remembered_size(const ShowOptions& o, const std::filesystem::path& folder) {
+    return o.window.fresh ? Remembered{}.window : read_settings(folder, {}).window;
+}
+
+/// The settings of the command line, or those remembered in the folder, if there is one.
+Remembered start_settings(const PackageReader& package, const ShowOptions& o,
+                          const std::filesystem::path& folder) {
+    Remembered given;
+    given.settings = render_settings(package, o.blending, Purpose::window);
+    if (o.window.fresh) return given;
+    Remembered out = read_settings(folder, given);
+    if (o.blending.given) out.settings = given.settings;
+    return out;
+}
+
 /// A session at the first photo of --photo, or the middle one; without photos, before the model.
 Session start_session(const PackageReader& package, const ShowOptions& o, const Remembered& remembered) {
     Session s;
@@ -104,7 +123,8 @@ struct Requested {
 };
 
 /// Opens the package that the session asks for; empty, with a message, if it cannot be shown.
-std::optional<Requested> take_request(Session& session, double now) {
+std::optional<Requested> take_request(GLFWwindow* window, Session& session, const MemoryOptions& memory,
+                                      double now) {
     const std::string file = std::exchange(session.open, "");
     if (file.empty()) return {};
     try {
@@ -112,7 +132,7 @@ std::optional<Requested> take_request(Session& session, double now) {
             is_scene_file(file)
                 ? read_scene_file(file, SceneUse::show)
                 : std::vector{SceneObject{std::filesystem::path(file).stem().string(), file, {}, true}};
-        PackageReader package(objects.front().package);
+        PackageReader package = open_in_window(window, objects.front().package, memory);
         expect_shape(package);
         expect_content(package);
         return Requested{std::move(objects), std::move(package), now};
@@ -157,7 +177,7 @@ std::optional<Requested> show_package(GLFWwindow* window, Session& session, Show
         if (!o.window.controls.empty()) controls.write_places(o.window.controls);
         if (frame == 1 && !o.output.quiet)
             std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * (glfwGetTime() - requested_at));
-        if (auto other = take_request(session, now)) return other;
+        if (auto other = take_request(window, session, o.memory, now)) return other;
         if (ends || session.quit) break;
     }
     return {};
@@ -165,18 +185,19 @@ std::optional<Requested> show_package(GLFWwindow* window, Session& session, Show
 
 }  // namespace
 
-int run_window(const PackageReader& first, const ShowOptions& o, const std::vector<SceneObject>& objects) {
-    expect_content(first);
-    Remembered remembered;
-    remembered.settings = render_settings(first, o.blending, Purpose::window);
+int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     const std::filesystem::path folder = o.window.fresh ? std::filesystem::path() : settings_folder();
-    if (!o.window.fresh) {
-        const RenderSettings given = remembered.settings;
-        remembered = read_settings(folder, remembered);
-        if (o.blending.given) remembered.settings = given;
+    const std::filesystem::path& file = objects.front().package;
+    std::optional<PackageReader> at_hand;
+    if (!is_url(file.native())) {  // what is wrong with a file or an option is said without a window
+        expect_content(at_hand.emplace(file));
+        start_settings(*at_hand, o, folder);
     }
-    const GlfwWindow window(o.output.size.empty() ? remembered.window : parse_size(o.output.size), "Vantage",
-                            o.window.debug_gl == gl::Debug::on);
+    const GlfwWindow window(o.output.size.empty() ? remembered_size(o, folder) : parse_size(o.output.size),
+                            "Vantage", o.window.debug_gl == gl::Debug::on);
+    const PackageReader first = at_hand ? std::move(*at_hand) : open_in_window(window.get(), file, o.memory);
+    if (first.remote()) expect_content(first);
+    Remembered remembered = start_settings(first, o, folder);
     Controls controls;
     Session session = start_session(first, o, remembered);
     glfwSetWindowUserPointer(window.get(), &session);

@@ -115,8 +115,9 @@ bool ShownScene::unchanged(const View& view) const {
 /// accumulates the samples of each pixel, one per frame, and stops when the picture is final.
 void ShownScene::draw(const View& view, bool still, double now) {
     Session& s = session_;
-    // A damaged package may be restored while it is shown.
-    if (s.report.tiles_damaged > 0 && now > drawn_at_ + look_again_seconds) samples_ = 0;
+    // A damaged package may be restored while it is shown, and a server may be reached again.
+    if (s.report.tiles_damaged + s.report.tiles_absent > 0 && now > drawn_at_ + look_again_seconds)
+        samples_ = 0;
     if (still && idle()) return;
     drawn_at_ = now;
     const bool rests = still && s.report.settled;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/error.h"
+#include "values/is_url.h"
 
 namespace vantage {
 

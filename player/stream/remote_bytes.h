@@ -1,0 +1,64 @@
+#pragma once
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <thread>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "player/stream/stream_request.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+
+/// The bytes that requests read, of a package on a server. Threads of its own fetch them, the most urgent
+/// first and some together, so that neighboring ranges are one transfer. They stay readable until they are
+/// taken or no longer wanted. Thread-safe.
+class RemoteBytes {
+  public:
+    /// `arrived` is called by those threads when bytes have arrived or could not be fetched.
+    RemoteBytes(const PackageReader& package, std::function<void()> arrived);
+    ~RemoteBytes();
+
+    /// Replaces the queue, most urgent first. Transfers that none of these need are cancelled.
+    void want(std::span<const StreamRequest> requests);
+    /// What became of a request.
+    struct Arrival {
+        StreamRequest request;
+        Held held;            ///< null if its bytes could not be fetched
+        std::string failure;  ///< why
+    };
+    /// The most urgent request that has arrived, which leaves the queue. It is left there if `accepts`
+    /// refuses it, which is asked only about bytes that were fetched.
+    std::optional<Arrival> take(const std::function<bool(const StreamRequest&)>& accepts);
+
+  private:
+    /// Requests that are fetched together.
+    struct Group {
+        std::vector<StreamRequest> requests;
+        std::stop_source stop;
+    };
+    void work(std::stop_token stop);
+    /// With the mutex: the most urgent requests that are neither in flight nor arrived.
+    std::vector<StreamRequest> next_requests() const;
+    /// Fetches without the mutex.
+    void fetch(Group& group, std::unique_lock<std::mutex>& lock);
+    Held hold(const Group& group) const;
+
+    const PackageReader& package_;
+    std::function<void()> arrived_;
+    mutable std::mutex mutex_;
+    std::condition_variable_any work_;
+    std::vector<StreamRequest> wanted_;                    ///< not taken
+    std::unordered_map<std::uint64_t, Arrival> arrivals_;  ///< by identity, not taken
+    std::unordered_set<std::uint64_t> fetching_;
+    std::vector<Group*> groups_;         ///< in flight
+    std::vector<std::jthread> threads_;  ///< last: they use all members above
+};
+
+}  // namespace vantage

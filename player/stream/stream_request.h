@@ -1,0 +1,41 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "agreement/consensus_map.h"
+#include "scene/package_reader.h"
+#include "scene/stored_tile.h"
+
+namespace vantage {
+
+/// Units of upload.
+enum class Resource : std::uint32_t {
+    color,        ///< a tile of color
+    masks,        ///< a tile of masks, followed by that of depth
+    thumbnail,    ///< a photo's thumbnail
+    coordinates,  ///< a piece of a photo's texture coordinates
+    points,       ///< a block of points
+};
+inline constexpr std::size_t photo_resources = 4;  ///< all but points
+
+/// A piece of the package to fetch; `key` is unique among those of its resource.
+struct StreamRequest {
+    Resource resource;
+    std::uint32_t key;
+    const package::DirectoryEntry* chunk;
+    std::uint32_t block = 0;                          ///< in a chunk with blocks
+    std::uint64_t first = 0, bytes = 0;               ///< in a chunk without blocks
+    const package::DirectoryEntry* second = nullptr;  ///< chunk whose block of the same number follows
+    bool reweighted = false;                          ///< of masks: with the consensus weights of `weights`
+    const ConsensusMap* weights = nullptr;            ///< see set_weights
+
+    /// Bytes in the ring: of tiles, decoded.
+    std::uint64_t size() const;
+    std::uint64_t identity() const { return std::uint64_t(resource) << 32 | key; }
+};
+
+/// The tiles that a request reads; none unless it is of color or masks.
+std::vector<TilePlace> tiles_of(const PackageReader& package, const StreamRequest& request);
+
+}  // namespace vantage

@@ -1,0 +1,16 @@
+#pragma once
+#include <filesystem>
+
+#include "player/options/memory_options.h"
+#include "scene/package_reader.h"
+
+struct GLFWwindow;
+
+namespace vantage {
+
+/// Opens a package. While one on a server is fetched, except for its tiles, the window shows how far that is.
+/// Closing the window or Esc stops it: Error(interrupted). Throws also what opened_package() throws.
+PackageReader open_in_window(GLFWwindow* window, const std::filesystem::path& package,
+                             const MemoryOptions& options);
+
+}  // namespace vantage
