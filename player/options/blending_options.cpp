@@ -6,6 +6,9 @@
 #include "cli/real_range.h"
 #include "player/camera/shots.h"
 #include "player/render/blend_table.h"
+#include "points/point_cloud.h"
+#include "scene/error.h"
+#include "scene/package_shape.h"
 
 namespace vantage {
 namespace {
@@ -158,6 +161,10 @@ RenderSettings render_settings(const PackageReader& package, const BlendingOptio
         purpose == Purpose::window ||
         (effect_on(package.scene(), Effect::surroundings) && r.surroundings != ShowSurroundings::off);
     r.fill_holes = o.holes == "shade" || (o.holes.empty() && fills_frame);
+    if (r.coordinates == Coordinates::vertex && !points_only(package.scene()) && !has_coordinates(package))
+        throw Error(Exit::usage, package.path().string() +
+                                     ": has no texture coordinates per vertex (--coordinates vertex); "
+                                     "prepare it with --vertex-coordinates");
     return r;
 }
 

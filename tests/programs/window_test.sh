@@ -16,7 +16,7 @@ fi
 vantage=$1 player=$2 source=$3 dir=$VANTAGE_WINDOW_TEST
 cd "$dir" || exit 1
 export XDG_CONFIG_HOME=$dir/config
-"$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage >/dev/null 2>&1 || exit 1
+"$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage --vertex-coordinates >/dev/null 2>&1 || exit 1
 { sed 's/^seed.*/&\nheight_layer = 1/' "$source/data/tiny.toml"; printf '\n[garden]\nradius = 30.0\nhill = 8.0\n[glass]\nalpha = 0.3\n'; } >garden.toml
 "$vantage" synth garden.toml -o garden >/dev/null && cp garden/mesh.ply cloud.ply &&
   "$vantage" prepare garden -o two.vantage --effect surroundings=on --points cloud.ply >/dev/null 2>&1 || exit 1
