@@ -1,5 +1,9 @@
 #include "scene/package_writer.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstring>
 #include <map>
@@ -11,6 +15,7 @@
 #include "codec/zstd_bytes.h"
 #include "scene/checksum.h"
 #include "scene/error.h"
+#include "scene/flush_to_disk.h"
 #include "scene/package_reader.h"
 
 namespace vantage {
@@ -208,7 +213,8 @@ void PackageWriter::State::publish_in_place(std::span<const DirectoryEntry> pres
     file.publish();
 }
 
-/// Copies the chunks one after the other into a file of their own. The part remains until that is published.
+/// Copies the chunks one after the other into a file of their own. The part remains until that is complete;
+/// see publish_interrupted().
 void PackageWriter::State::publish_together(std::span<DirectoryEntry> present) {
     PartFile together(file.file(), packing_of(file.file()));
     together.resize(0);
@@ -228,8 +234,9 @@ void PackageWriter::State::publish_together(std::span<DirectoryEntry> present) {
     seal_header(h);
     together.write(sizeof h, std::as_bytes(present));
     together.write(0, bytes_of_one(h));
-    together.publish();
+    together.flush_with_name();
     file.discard();
+    together.publish();
 }
 
 PackageWriter::PackageWriter(const std::filesystem::path& file, std::span<const ChunkPlan> plan,
@@ -391,6 +398,26 @@ std::uint64_t PackageWriter::checksum_of(package::Type type, std::uint32_t photo
 }
 
 std::uint64_t PackageWriter::size() const { return state_->layout.bytes; }
+
+void publish_interrupted(const std::filesystem::path& file) {
+    const std::filesystem::path packing = packing_of(file);
+    const int fd = ::open(packing.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool unused = fd >= 0 && ::flock(fd, LOCK_EX | LOCK_NB) == 0;
+    bool whole = unused;
+    try {
+        if (unused) PackageReader reader(packing);
+    } catch (const Error&) {
+        whole = false;
+    }
+    std::error_code error;
+    if (whole) {
+        std::filesystem::remove(part_of(file), error);
+        std::filesystem::rename(packing, file, error);
+        if (!error) flush_to_disk(file.parent_path());
+    }
+    if (fd >= 0) ::close(fd);
+    if (error) throw Error(Exit::storage, file.string() + ": cannot rename: " + error.message());
+}
 
 void PackageWriter::finish() {
     State& s = *state_;

@@ -93,4 +93,8 @@ class PackageWriter {
     std::unique_ptr<State> state_;
 };
 
+/// If a run was killed after it had put a package together and before it was renamed, finishes that;
+/// otherwise does nothing. Throws Error(storage).
+void publish_interrupted(const std::filesystem::path& file);
+
 }  // namespace vantage

@@ -175,6 +175,11 @@ void PartFile::flush() const {
     if (::fsync(fd_) != 0) fail("flush");
 }
 
+void PartFile::flush_with_name() const {
+    flush();
+    flush_to_disk(part_.parent_path());
+}
+
 void PartFile::publish() {
     flush();
     rename_or_throw(part_, file_, file_);

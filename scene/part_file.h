@@ -59,6 +59,8 @@ class PartFile {
     void remove() const;
     /// Deletes and closes it.
     void discard();
+    /// Flushes to the disk, including the name.
+    void flush_with_name() const;
     /// Flushes to the disk, then renames to file(), so that a file with this name is always complete, and
     /// flushes the folder, so that a power cut does not take the name back; deletes the displaced part.
     void publish();

@@ -221,6 +221,7 @@ int run_prepare(PrepareOptions o) {
     const InputFiles files = input_files(o);
     resolve_outputs(o, files);
     IdentityCache identities(default_identity_cache(), o.rehash);
+    publish_interrupted(o.out);
     if (const auto lacking = current(o, files, identities)) {
         fmt::print("package  {} is current, nothing to do\n", o.out);
         return int(report_left_out(*lacking));
