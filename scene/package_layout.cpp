@@ -44,7 +44,9 @@ PackageLayout package_layout(std::span<const ChunkPlan> plan, std::uint64_t name
     for (const ChunkPlan& chunk : plan) {
         out.compact |= chunk.compact;
         out.directory.push_back(planned_entry(chunk, out.bytes));
-        out.bytes += aligned(out.directory.back().length);
+        const std::uint64_t length = aligned(out.directory.back().length);
+        out.bytes += length;
+        if (chunk.compact) out.compact_bytes += length;
     }
     out.checksum = layout_checksum(out, names);
     return out;

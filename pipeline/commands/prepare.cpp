@@ -44,7 +44,7 @@ namespace {
 struct PrepareOptions {
     std::string input, mesh, cameras, photos, out, distance = "auto", resampling = "cubic",
                                                    render_by = "auto", config;
-    std::string progress = "auto", share, trace, report, refine = "full", tiles = "raw";
+    std::string progress = "auto", share, trace, report, refine = "full", tiles = "auto";
     std::vector<std::string> effects;
     PrepareSettings settings;
     bool explain = false, strict = false, rehash = false, no_report = false, force = false;
@@ -215,7 +215,8 @@ int run_prepare(PrepareOptions o) {
         if ((row.basis == Basis::pixels && o.refine != "full") ||
             (row.basis == Basis::colors && o.refine == "off"))
             o.settings.effects[row.effect] = EffectChoice::off;
-    if (o.tiles == "jpeg") o.settings.effects[Effect::compact] = EffectChoice::on;
+    if (o.tiles != "auto")
+        o.settings.effects[Effect::compact] = o.tiles == "jpeg" ? EffectChoice::on : EffectChoice::off;
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const InputFiles files = input_files(o);
@@ -325,11 +326,12 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--resampling", o->resampling,
                   "filter for photos with lens distortion: nearest, linear, cubic, lanczos")
         ->capture_default_str();
-    c->add_option("--tiles", o->tiles,
-                  "raw: as they are shown, exact, some 20 times as long as the photos' files; jpeg: the "
-                  "photos' own JPEG "
-                  "and more of it, twice as long as the files, decoded while they are shown")
-        ->check(CLI::IsMember({"raw", "jpeg"}))
+    c->add_option(
+         "--tiles", o->tiles,
+         "raw: as they are shown, exact, some 20 times as long as the photos' files; jpeg: the "
+         "photos' own JPEG and more of it, twice as long as the files, decoded while they are shown; "
+         "auto: jpeg unless raw tiles would be no longer than the photos' files")
+        ->check(CLI::IsMember({"raw", "jpeg", "auto"}))
         ->capture_default_str();
     c->add_flag("--vertex-coordinates", o->settings.vertex_coordinates,
                 "store texture coordinates per vertex, for the player's --coordinates vertex, even if the "

@@ -9,6 +9,10 @@ namespace vantage {
 /// What disk_space_for() returns if the file system does not tell.
 inline constexpr std::uint64_t unknown_space = ~std::uint64_t(0);
 
+/// Bytes that preparing the package takes on the disk, at most: an estimate if chunks are compact, whose part
+/// and package exist at the same time.
+std::uint64_t disk_space_needed(const PackageLayout& layout);
+
 /// Bytes available on disk for the package `out`, including those that its part already occupies.
 std::uint64_t disk_space_for(const std::filesystem::path& out);
 

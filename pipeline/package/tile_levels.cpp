@@ -1,5 +1,6 @@
 #include "pipeline/package/tile_levels.h"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -30,6 +31,21 @@ std::vector<std::byte> cut_inner_part(std::span<const std::byte> texels, const L
         out.insert(out.end(), row.begin(), row.end());
     }
     return out;
+}
+
+/// Copies what a tile adds to its level from texels that cut_inner_part() cut.
+void paste_content(std::span<const std::byte> packed, const Level& level, std::size_t tile, RgbaImage& out) {
+    const TilePart part = inner_part(level, tile);
+    const int left = tile_left(level, tile) + tile_border, top = tile_top(level, tile) + tile_border;
+    const int right = std::min(left + tile_content, level.width),
+              bottom = std::min(top + tile_content, level.height);
+    for (int y = top; y < bottom; ++y) {
+        const int row = y - tile_top(level, tile) - part.top,
+                  column = left - tile_left(level, tile) - part.left;
+        std::memcpy(&out.rgba[4 * (std::size_t(y) * std::size_t(level.width) + std::size_t(left))],
+                    &packed[4 * (std::size_t(row) * std::size_t(part.width()) + std::size_t(column))],
+                    4 * std::size_t(right - left));
+    }
 }
 
 bool opaque(std::span<const std::byte> texels) {
@@ -103,6 +119,25 @@ void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo,
     writer.write_blocks(type, photo, level, [&](std::size_t number, std::span<std::byte> tile) {
         cut_tile(texels, size, number, tile);
     });
+}
+
+RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint32_t level,
+                    const RgbaImage& image) {
+    const auto texels = std::as_bytes(std::span(image.rgba));
+    if (!writer.compact(Type::tiles, photo, level) || !opaque(texels)) return image;
+    const Level size{image.width, image.height};
+    RgbaImage out{image.width, image.height, std::vector<std::uint8_t>(image.rgba.size())};
+    std::vector<std::byte> decoded;
+    for (std::size_t tile = 0; tile < std::size_t(size.tiles()); ++tile) {
+        const TilePart part = inner_part(size, tile);
+        const auto jpeg = codec::encode_jpeg(cut_inner_part(texels, size, tile), part.width(), part.height(),
+                                             color_quality);
+        decoded.resize(4 * std::size_t(part.width()) * std::size_t(part.height()));
+        if (!codec::decode_jpeg(jpeg, part.width(), part.height(), decoded))
+            throw std::logic_error("libjpeg-turbo cannot read what it wrote");
+        paste_content(decoded, size, tile, out);
+    }
+    return out;
 }
 
 RgbaImage read_level_image(const PackageReader& reader, const package::PhotoRecord& r, std::uint32_t photo,

@@ -20,6 +20,11 @@ inline constexpr int color_quality = 97;
 void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo, std::uint32_t level,
                  std::span<const std::byte> texels, const Level& size);
 
+/// A level of color as it is read after write_tiles(): rounded, if it is stored as JPEG. What is made of it
+/// is then the same as what is made later from the package.
+RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint32_t level,
+                    const RgbaImage& image);
+
 /// Writes the finest level of a photo as its JPEG's own coefficients. False if the chunk is not compact, or
 /// the JPEG is not of a kind that can be divided.
 bool write_own_jpeg(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> jpeg);

@@ -69,15 +69,16 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
     const bool opaque = is_opaque(level);
     if (!opaque) r.flags |= package::photo_has_alpha;
     CoarsePixels coarse;
+    // Samples are those of what is stored, so that they are the same if they are made again from it.
+    const std::uint32_t sampled = std::min(std::uint32_t(sample_level), r.levels - 1);
     bool thumbnail_missing = missing[Stage::thumbnail];
     const std::uint32_t last = std::max(r.levels, std::uint32_t(sample_level) + 1);
     for (std::uint32_t l = 0; l < last; ++l) {
         if (l == std::uint32_t(mask_level) && !opaque) coarse.valid = validity(level);
-        if (l == std::uint32_t(sample_level)) {
-            coarse.samples = level;
-            found.set_value(std::move(coarse));
-        }
         const bool own = l == 0 && !jpeg.empty();
+        if (l == sampled) coarse.samples = own ? level : as_stored(writer, i, l, level);
+        if (l > sampled && l <= std::uint32_t(sample_level)) coarse.samples = halve(coarse.samples);
+        if (l == std::uint32_t(sample_level)) found.set_value(std::move(coarse));
         if (l < r.levels && missing[Stage::tiles] && !(own && write_own_jpeg(writer, i, jpeg)))
             write_tiles(writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height});
         RgbaImage next = halve(level);

@@ -95,11 +95,11 @@ ResourceEstimate reserve(const PreparePlan& plan, const SceneInput& scene, const
                std::max(in_flight * photo(in_flight), shared ? 0 : agree_memory(scene, settings, in_flight));
     };
     const unsigned in_flight = photos_in_flight(settings, needed);
-    const ExpectedSeconds expected =
-        expected_seconds(scene, settings, plan.scene, in_flight, is_in_memory(out) ? 0 : layout.bytes);
+    const ExpectedSeconds expected = expected_seconds(scene, settings, plan.scene, in_flight,
+                                                      is_in_memory(out) ? 0 : disk_space_needed(layout));
     const double photos = expected.photos / (shared ? run.share.shares : 1);
     const std::chrono::duration<double> before = std::chrono::steady_clock::now() - run.start;
-    const ResourceEstimate estimate{.disk = layout.bytes,
+    const ResourceEstimate estimate{.disk = disk_space_needed(layout),
                                     .disk_free = disk_space_for(out),
                                     .memory = needed(in_flight),
                                     .in_flight = in_flight,

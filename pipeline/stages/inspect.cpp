@@ -202,7 +202,7 @@ Measured raw_length(const SceneInput& scene) {
     if (bytes == 0) return {0, "there are no photos"};
     // A third more for coarser levels; masks and depth, of twice as many bytes, begin at half size.
     const double raw = pixels * 4 * (1 + 1 / 3.0) * 1.5;
-    return {raw / bytes, fmt::format("raw, {:.0f} MB of photos become {:.0f} MB of tiles, masks and depth",
+    return {raw / bytes, fmt::format("raw, {:.1f} MB of photos become {:.1f} MB of tiles, masks and depth",
                                      bytes / 1e6, raw / 1e6)};
 }
 
@@ -267,10 +267,7 @@ std::vector<EffectDecision> inspect(const SceneInput& scene, const std::map<Effe
     std::vector<EffectDecision> decisions;
     const bool by_band = scene.bands.size() > 1 && choice_of(choices, Effect::bands) != EffectChoice::off;
     for (const EffectRow& row : effect_table()) {
-        // The default is still raw: what has not been chosen is not measured.
-        const bool chosen =
-            row.effect != Effect::compact || choice_of(choices, row.effect) != EffectChoice::automatic;
-        const Measured m = chosen ? measure(row, scene, by_band) : Measured{0, "not chosen"};
+        const Measured m = measure(row, scene, by_band);
         if (row.effect == Effect::per_fragment && has_points_only(scene)) {
             // Triangles of a stand-in are not drawn.
             decisions.push_back(

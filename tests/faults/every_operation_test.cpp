@@ -37,7 +37,7 @@ class EveryOperation : public WrittenPackage {
 }  // namespace
 
 TEST_F(EveryOperation, MayFailAndNothingIsLost) {
-    const int at_most = number_from("VANTAGE_FAULTS", 10);
+    const int at_most = number_from("VANTAGE_FAULTS", 6);
     for (const WritingCommand& c : commands) {
         const int operations = operations_of(c);
         ASSERT_GT(operations, 50) << c.name;

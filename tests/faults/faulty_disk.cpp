@@ -68,18 +68,25 @@ Fault& fault() {
 
 constexpr std::size_t page_bytes = 4096;
 
-/// Counts the pages of a mapping. If the one that shall fail is among them, it is replaced by one beyond the
-/// end of a file.
-void spoil_page(void* mapping, std::size_t size) {
+/// Counts the pages of a mapping of a file that are not holes. If the one that shall fail is among them, it
+/// is replaced by one beyond the end of a file.
+void spoil_page(void* mapping, std::size_t size, int fd) {
     Fault& f = fault();
-    const auto pages = int((size + page_bytes - 1) / page_bytes);
-    const int page = f.from - 1 - f.calls;
-    f.calls += pages;
-    if (page < 0 || page >= pages) return;
-    const int empty = int(::syscall(SYS_memfd_create, "empty", 0u));
-    ::syscall(SYS_mmap, static_cast<char*>(mapping) + std::size_t(page) * page_bytes, page_bytes, PROT_READ,
-              MAP_SHARED | MAP_FIXED, empty, 0l);
-    ::syscall(SYS_close, empty);
+    off_t end = 0;
+    for (off_t at = ::lseek(fd, 0, SEEK_DATA); at >= 0 && at < off_t(size);
+         at = ::lseek(fd, end, SEEK_DATA)) {
+        end = std::min(::lseek(fd, at, SEEK_HOLE), off_t(size));
+        if (end <= at) break;
+        const off_t first = at / off_t(page_bytes);
+        const int pages = int((end + off_t(page_bytes) - 1) / off_t(page_bytes) - first),
+                  page = f.from - 1 - f.calls;
+        f.calls += pages;
+        if (page < 0 || page >= pages) continue;
+        const int empty = int(::syscall(SYS_memfd_create, "empty", 0u));
+        ::syscall(SYS_mmap, static_cast<char*>(mapping) + std::size_t(first + page) * page_bytes, page_bytes,
+                  PROT_READ, MAP_SHARED | MAP_FIXED, empty, 0l);
+        ::syscall(SYS_close, empty);
+    }
 }
 
 enum class Fate { real, fails, is_short };
@@ -310,7 +317,7 @@ void* mmap(void* at, size_t size, int protection, int flags, int fd, off_t offse
     if (Fault& f = fault(); f.is("BAD_PAGE")) {
         void* const mapped = real(0);
         const std::scoped_lock lock(f.mutex);
-        if (mapped != MAP_FAILED && f.holds(path_of(fd))) spoil_page(mapped, size);
+        if (mapped != MAP_FAILED && f.holds(path_of(fd))) spoil_page(mapped, size, fd);
         return mapped;
     }
     void* const mapped = perform("mmap", path_of(fd), 0, real);

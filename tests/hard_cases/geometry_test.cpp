@@ -13,6 +13,7 @@
 #include <numeric>
 #include <random>
 
+#include "agreement/read_level.h"
 #include "gl/context.h"
 #include "pipeline/formats/import/mesh.h"
 #include "pipeline/input/discover.h"
@@ -29,6 +30,7 @@
 #include "player/verify/finite_targets.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "scene/tiling.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -92,7 +94,9 @@ class Geometry : public TemporaryFolder {
         with.mesh = read_mesh(written(mesh), out.warnings);
         if (change) change(with);
         const std::filesystem::path file = dir / "a.vantage";
-        prepare(with, {}, file, [](const Progress&) {});
+        PrepareSettings settings;
+        settings.vertex_coordinates = true;
+        prepare(with, settings, file, [](const Progress&) {});
         for (const Issue& i : check_package(file, {.deep = true})) ADD_FAILURE() << i.text;
         const PackageReader reader(file);
         expect_finite(reader);
@@ -132,13 +136,12 @@ class Geometry : public TemporaryFolder {
                 EXPECT_TRUE(std::isfinite(v)) << p.name;
             EXPECT_NEAR(Eigen::Map<const Eigen::Vector3d>(p.corrected_direction).norm(), 1, 1e-6);
             expect_all_finite(reader.records<float>(Type::coordinates, i), "coordinates");
-            const auto* depth = reader.find(Type::depth, i, 1);
-            for (std::size_t b = 0; b < reader.blocks(*depth); ++b)
-                for (std::size_t t = 0; t < reader.block(*depth, b).size(); t += 4) {
-                    float z;
-                    std::memcpy(&z, reader.block(*depth, b).data() + t, 4);
-                    ASSERT_TRUE(z > 0) << "depth of " << p.name;  // infinite if nothing is seen
-                }
+            const auto depth = read_level(reader, p, i, Type::depth, mask_level);
+            for (std::size_t t = 0; t < depth.size(); t += 4) {
+                float z;
+                std::memcpy(&z, &depth[t], 4);
+                ASSERT_TRUE(z > 0) << "depth of " << p.name;  // infinite if nothing is seen
+            }
         }
     }
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <numeric>
 
+#include "agreement/read_level.h"
 #include "gl/context.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
@@ -81,16 +82,11 @@ struct Opened {
         for (std::size_t v = 0; v < uv.size(); ++v) out[std::size_t(number[v])] = uv[v];
         return out;
     }
-    /// The texels of all tiles of one level of a photo.
+    /// The texels of one level of a photo.
     std::vector<std::uint8_t> texels(Type type, std::uint32_t photo, int level) const {
-        const auto* entry = package.find(type, photo, std::uint32_t(level));
-        std::vector<std::uint8_t> out;
-        for (std::size_t b = 0; b < package.blocks(*entry); ++b) {
-            const auto block = package.block(*entry, b);
-            const std::size_t at = out.size();
-            out.resize(at + block.size());
-            std::memcpy(out.data() + at, block.data(), block.size());
-        }
+        const auto texels = read_level(package, package.photos()[photo], photo, type, level);
+        std::vector<std::uint8_t> out(texels.size());
+        std::memcpy(out.data(), texels.data(), out.size());
         return out;
     }
 };
@@ -122,6 +118,7 @@ class ScaleAndPlace : public TemporaryFolder {
         const std::filesystem::path file = dir / name;
         PrepareSettings settings;  // for these photos, rounding decides whether gains are enabled
         settings.effects = {{Effect::exposure, EffectChoice::off}, {Effect::falloff, EffectChoice::off}};
+        settings.vertex_coordinates = true;
         prepare(input, settings, file, [](const Progress&) {});
         for (const Issue& i : check_package(file, {.deep = true})) ADD_FAILURE() << name << ": " << i.text;
         return std::make_unique<Opened>(file);

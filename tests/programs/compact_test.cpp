@@ -95,6 +95,21 @@ TEST_F(CompactPackages, ShowThePhotosOwnPixelsAndTheSameMasks) {
     }
 }
 
+TEST_F(CompactPackages, AreTheDefaultUnlessPhotosTakeMoreThanRawTiles) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    PrepareSettings automatic = settings(EffectChoice::automatic);
+    make(scan, automatic, dir / "default.vantage");
+    EXPECT_TRUE(effect_on(PackageReader(dir / "default.vantage").scene(), Effect::compact));
+    std::filesystem::copy(scan, dir / "large", std::filesystem::copy_options::recursive);
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(dir / "large"))
+        if (entry.path().extension() == ".jpg") {
+            std::filesystem::permissions(entry.path(), std::filesystem::perms::owner_all);
+            std::filesystem::resize_file(entry.path(), 50'000'000);  // zeros after the picture
+        }
+    make(dir / "large", automatic, dir / "large.vantage");
+    EXPECT_FALSE(effect_on(PackageReader(dir / "large.vantage").scene(), Effect::compact));
+}
+
 TEST_F(CompactPackages, GeometryIsTheSameAfterItsMemoryWasGivenBack) {
     VANTAGE_DATASET(scan, "sceaux-small");
     make(scan, settings(EffectChoice::on), dir / "compact.vantage");

@@ -68,7 +68,11 @@ class EndToEnd : public TemporaryFolder {
         synthesize(spec, dir / "scene", {});
         return dir / "scene";
     }
-    Prepared prepared(const fs::path& folder) { return Prepared(folder, dir / "scene.vantage"); }
+    Prepared prepared(const fs::path& folder) {
+        PrepareSettings settings;
+        settings.vertex_coordinates = true;
+        return Prepared(folder, dir / "scene.vantage", settings);
+    }
 };
 
 /// PSNR over the colored pixels in 8-bit sRGB; 200 if identical.
@@ -500,10 +504,14 @@ TEST_F(EndToEnd, StencilExcludesCoveredPixels) {
     // A changed stencil is a changed input; a stencil of the wrong size is rejected.
     stencil.assign(stencil.size(), 255);
     image_files().write(file, 331, 250, 1, Sample::u8, std::as_bytes(std::span(stencil)));
-    const PrepareResult again = prepare(read_scene(discover(folder)), {}, p.file, [](const Progress&) {});
+    PrepareSettings settings;
+    settings.vertex_coordinates = true;
+    const PrepareResult again =
+        prepare(read_scene(discover(folder)), settings, p.file, [](const Progress&) {});
     EXPECT_EQ(again.stages[std::size_t(package::Stage::tiles)].made, 1u);
     image_files().write(file, 33, 25, 1, Sample::u8, std::as_bytes(std::span(stencil).first(33 * 25)));
-    const PrepareResult small = prepare(read_scene(discover(folder)), {}, p.file, [](const Progress&) {});
+    const PrepareResult small =
+        prepare(read_scene(discover(folder)), settings, p.file, [](const Progress&) {});
     ASSERT_EQ(small.left_out.size(), 1u);
     EXPECT_NE(small.left_out[0].why.find("its stencil 0002.mask.png"), std::string::npos)
         << small.left_out[0].why;
@@ -563,6 +571,7 @@ TEST_F(EndToEnd, SurroundingsFillTheFrameAndLeaveTheMeshAlone) {
     {
         PrepareSettings without;
         without.effects[Effect::surroundings] = EffectChoice::off;
+        without.vertex_coordinates = true;  // as prepared() does
         Prepared none(set, dir / "none.vantage", without);
         const auto directory = none.package->directory();
         chunks.assign(directory.begin(), directory.end());

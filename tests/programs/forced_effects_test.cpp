@@ -74,7 +74,7 @@ TEST_F(CalmScene, CallsForNoEffectAndLooksTheSameWithEachForcedOn) {
     std::vector<std::uint8_t> plain;
     {
         const PackageReader package = prepared({});
-        EXPECT_EQ(package.scene().effects, 0u);
+        EXPECT_EQ(package.scene().effects & ~effect_bit(Effect::compact), 0u);
         plain = pictures(package);
         std::size_t colored = 0;
         for (std::size_t i = 3; i < plain.size(); i += 4) colored += plain[i] == 255;
@@ -85,7 +85,8 @@ TEST_F(CalmScene, CallsForNoEffectAndLooksTheSameWithEachForcedOn) {
         PrepareSettings settings;
         settings.effects[row.effect] = EffectChoice::on;
         const PackageReader package = prepared(settings);
-        EXPECT_EQ(package.scene().effects & ~effect_bit(row.effect), 0u) << row.option;
+        EXPECT_EQ(package.scene().effects & ~effect_bit(row.effect) & ~effect_bit(Effect::compact), 0u)
+            << row.option;
         const auto shown = pictures(package);
         ASSERT_EQ(shown.size(), plain.size());
         EXPECT_LE(percentile_99_9(shown, plain), 1) << row.option;

@@ -439,7 +439,7 @@ TEST_F(Transparent, PhotosLookThroughAGlassCase) {
     };
     const std::string vantage = VANTAGE_PROGRAM, player = VANTAGE_PLAYER;
     runs(vantage + " synth " VANTAGE_SOURCE_DIR "/data/glass.toml -o " + glass);
-    runs(vantage + " prepare " + glass + " -o " + package);
+    runs(vantage + " prepare " + glass + " -o " + package + " --vertex-coordinates");
     runs(vantage + " check --deep --against " + glass + " " + package);
     EXPECT_NE(runs(vantage + " info " + package).find("transparency       on"), std::string::npos);
     // What photos see is what they see of the same scene without the case.
@@ -535,6 +535,7 @@ TEST_F(Transparent, DamagedAlphaIsReported) {
     add_quad({-2, -5, 0.5}, {4, 0, 0}, {0, 0, 4}, {200, 100, 50, 128});
     std::vector<std::uint8_t> bytes;
     std::uint64_t colors = 0;
+    settings.effects[Effect::compact] = EffectChoice::off;  // alpha is where it can be changed
     {
         const PackageReader package = prepared();
         colors = package.find(package::Type::colors)->offset;

@@ -22,6 +22,7 @@
 #include "pipeline/input/file_name.h"
 #include "scene/checksum.h"
 #include "scene/package_reader.h"
+#include "scene/stored_tile.h"
 #include "tests/real_inputs/row.h"
 #include "tests/temporary_folder.h"
 
@@ -166,7 +167,10 @@ std::string describe_package(const fs::path& file) {
             text += std::string("-") + photos[i].name;
             continue;
         }
-        const auto mean = mean_color(package.bytes(package.find(package::Type::thumbnail, i)));
+        std::vector<std::byte> thumbnail(4 * std::size_t(photos[i].thumbnail_width) *
+                                         photos[i].thumbnail_height);
+        if (!read_thumbnail(package, i, thumbnail)) return "a thumbnail is damaged";
+        const auto mean = mean_color(thumbnail);
         text += fmt::format("{}={}", photos[i].name, color_name(mean));
     }
     const package::SceneRecord& scene = package.scene();

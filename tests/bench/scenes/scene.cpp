@@ -66,7 +66,10 @@ void synthesize_once(const SynthSpec& spec, const fs::path& input, const fs::pat
 void prepare_once(const fs::path& folder, const fs::path& package) {
     const std::string stamp = stamp_of(folder);
     if (made_from(package, stamp)) return;
-    prepare(read_scene(discover(folder)), {}, package, [](const Progress&) {});
+    // Raw tiles are the exact end, and what is measured here is taken from them.
+    PrepareSettings settings;
+    settings.effects[Effect::compact] = EffectChoice::off;
+    prepare(read_scene(discover(folder)), settings, package, [](const Progress&) {});
     mark_made_from(package, stamp);
 }
 

@@ -15,21 +15,23 @@ namespace fs = std::filesystem;
 
 struct Knob {
     const char* option;
-    std::vector<double> values;
-    double usual;
+    std::vector<std::string> values;
+    std::string usual;
 };
 
 std::vector<Knob> knobs() {
     const PrepareSettings usual;
-    return {{"border-width", {16, 32, 64, 128}, usual.border_width},
-            {"border-threshold", {0.0025, 0.01, 0.04}, usual.border_threshold},
-            {"cluster-triangles", {64, 256, 512}, double(usual.cluster_triangles)},
-            {"thumbnail", {128, 256, 512, 1024}, double(usual.thumbnail)}};
+    const auto text = [](auto value) { return fmt::format("{:g}", double(value)); };
+    return {{"border-width", {"16", "32", "64", "128"}, text(usual.border_width)},
+            {"border-threshold", {"0.0025", "0.01", "0.04"}, text(usual.border_threshold)},
+            {"cluster-triangles", {"64", "256", "512"}, text(usual.cluster_triangles)},
+            {"thumbnail", {"128", "256", "512", "1024"}, text(usual.thumbnail)},
+            {"tiles", {"raw", "jpeg"}, "jpeg"}};
 }
 
 /// For the thumbnail option, a picture from thumbnails alone; otherwise the final picture.
-PictureSetting picture_setting(const Knob& knob, double value) {
-    PictureSetting s{knob.option, fmt::format("{:g}", value), false, value == knob.usual, {}};
+PictureSetting picture_setting(const Knob& knob, const std::string& value) {
+    PictureSetting s{knob.option, value, false, value == knob.usual, {}};
     s.settings.photos = window_photos;
     s.timed = std::string(knob.option) == "cluster-triangles";
     s.settings.thumbnails = std::string(knob.option) == "thumbnail";
@@ -39,7 +41,7 @@ PictureSetting picture_setting(const Knob& knob, double value) {
 std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, const fs::path& folder,
                                  const Knob& knob) {
     std::vector<Measurement> out;
-    for (const double value : knob.values) {
+    for (const std::string& value : knob.values) {
         if (effort.name == "smoke" && value != knob.values.front() && value != knob.usual) continue;
         const PictureSetting s = picture_setting(knob, value);
         out.push_back(measure_prepared(scene, effort, {std::string("--") + knob.option, s.setting}, s, folder,
@@ -59,15 +61,15 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const fs::p
 }  // namespace
 
 extern const Sweep preparing_sweep;
-const Sweep preparing_sweep{
-    "preparing",
-    "Settings of prepare, one at a time",
-    "How do border, cluster and thumbnail settings affect the picture, the frame time and "
-    "the package? (Thumbnails are judged by a picture made from them alone.)",
-    "the held-out photo, or the ray-cast picture",
-    "not applicable: no setting is exact",
-    {{"prepare_s", "psnr"}, {"frame_ms", "psnr"}, {"package_bytes", "psnr"}},
-    jobs,
-    true};
+const Sweep preparing_sweep{"preparing",
+                            "Settings of prepare, one at a time",
+                            "How do border, cluster and thumbnail settings and the form of tiles affect the "
+                            "picture, the frame time and "
+                            "the package? (Thumbnails are judged by a picture made from them alone.)",
+                            "the held-out photo, or the ray-cast picture",
+                            "not applicable: no setting is exact",
+                            {{"prepare_s", "psnr"}, {"frame_ms", "psnr"}, {"package_bytes", "psnr"}},
+                            jobs,
+                            true};
 
 }  // namespace vantage::bench
