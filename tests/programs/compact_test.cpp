@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -159,6 +160,18 @@ TEST_F(CompactPackages, AreRepackedFromRawAndBack) {
         for (const Type type : {Type::masks, Type::depth})
             EXPECT_EQ(level(again, type, i, mask_level), level(compact, type, i, mask_level));
     }
+}
+
+TEST_F(CompactPackages, AreReadByAProgramThatKnowsOnlyTheTextOfTheFormat) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    make(scan, settings(EffectChoice::on), dir / "compact.vantage");
+    repack(dir / "compact.vantage", false, dir / "raw.vantage", 2);
+    const auto read = [&](const char* compact, const char* raw) {
+        return std::system(
+            (INDEPENDENT_READER " " + (dir / compact).string() + " " + (dir / raw).string()).c_str());
+    };
+    EXPECT_EQ(read("compact.vantage", "raw.vantage"), 0);
+    EXPECT_NE(read("raw.vantage", "raw.vantage"), 0) << "no form but raw occurs";
 }
 
 TEST_F(CompactPackages, ADamagedCellCostsTheTilesThatShowIt) {
