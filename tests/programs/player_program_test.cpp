@@ -104,3 +104,16 @@ TEST_F(PlayerProgram, RejectsInvalidRequests) {
     EXPECT_EQ(gone.code, int(Exit::input));
     EXPECT_TRUE(one_line(gone.message)) << gone.message;
 }
+
+TEST_F(PlayerProgram, CoordinatesPerVertexAreRefusedWhereThereAreNone) {
+    PrepareSettings settings;
+    settings.effects[Effect::per_fragment] = EffectChoice::on;
+    prepare(read_scene(discover(dir / "scene")), settings, file, [](const Progress&) {});
+    const Outcome none = play("--photo 0002 --coordinates vertex");
+    EXPECT_EQ(none.code, int(Exit::usage));
+    EXPECT_TRUE(one_line(none.message)) << none.message;
+    EXPECT_NE(none.message.find("--vertex-coordinates"), std::string::npos) << none.message;
+    settings.vertex_coordinates = true;
+    prepare(read_scene(discover(dir / "scene")), settings, file, [](const Progress&) {});
+    EXPECT_EQ(play("--photo 0002 --coordinates vertex").code, 0);
+}
