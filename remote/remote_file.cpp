@@ -44,6 +44,7 @@ struct RemoteFile::Impl {
     void adopt(const FirstRequest& request, std::uint64_t first);
 
     std::vector<BlockRun> blocks_within(std::span<const ByteRange> ranges) const;
+    void count_hits(const std::vector<BlockRun>& runs);
     std::uint64_t absent_bytes(const std::vector<BlockRun>& runs) const;
     Parts request(const std::vector<BlockRun>& runs, const Kept& kept);
     void request_run(BlockRun run, const Kept& kept, Parts& parts);
@@ -59,7 +60,8 @@ struct RemoteFile::Impl {
     std::atomic<std::uint64_t> bytes_from_cache = 0;
 
     std::mutex mutex;
-    std::condition_variable_any changed;                               ///< a part has finished
+    std::vector<bool> used;               ///< per block, since opening; guarded by the mutex
+    std::condition_variable_any changed;  ///< a part has finished
     std::unordered_map<std::uint64_t, std::shared_ptr<Part>> pending;  ///< by block; guarded by the mutex
     Transfers transfers;                                               ///< last: its thread uses the others
 };
@@ -149,7 +151,10 @@ void RemoteFile::Impl::adopt(const FirstRequest& request, std::uint64_t first) {
     }
     const BlockRun run = blocks_of({0, std::min(first, file->origin().size)});
     first_kept = file->keep({run});
-    if (!file->present(run)) file->write(0, request.bytes());
+    if (file->present(run)) return;
+    file->write(0, request.bytes());
+    count_hits({run});  // are none
+    bytes_from_cache = 0;
 }
 
 std::vector<BlockRun> RemoteFile::Impl::blocks_within(std::span<const ByteRange> ranges) const {
@@ -160,6 +165,18 @@ std::vector<BlockRun> RemoteFile::Impl::blocks_within(std::span<const ByteRange>
                                             std::to_string(range.end) + " do not lie in a file of " +
                                             std::to_string(size) + " bytes");
     return blocks_of(ranges);
+}
+
+/// Of blocks that are used for the first time since opening, counts those that are present.
+void RemoteFile::Impl::count_hits(const std::vector<BlockRun>& runs) {
+    const std::scoped_lock lock(mutex);
+    used.resize(file->table().blocks());
+    for (const BlockRun& run : runs)
+        for (std::uint64_t block = run.begin; block < run.end; ++block) {
+            if (!used[block] && file->table().present(block))
+                bytes_from_cache += bytes_of({block, block + 1}, file->origin().size).size();
+            used[block] = true;
+        }
 }
 
 /// Notes the use of those that are present.
@@ -244,9 +261,9 @@ bool RemoteFile::offline() const { return impl_->offline; }
 bool RemoteFile::fetch(std::span<const ByteRange> ranges, std::stop_token stop) {
     const std::vector<BlockRun> runs = impl_->blocks_within(ranges);
     const Kept kept = impl_->file->keep(runs);
+    impl_->count_hits(runs);
     const std::uint64_t absent = impl_->absent_bytes(runs);
-    for (const BlockRun& run : runs) impl_->bytes_from_cache += bytes_of(run, size()).size();
-    impl_->bytes_from_cache -= absent;
+
     if (absent == 0) return true;
 
     struct Reservation {

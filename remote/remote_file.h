@@ -31,7 +31,7 @@ struct RemoteOptions {
 struct Traffic {
     std::uint64_t bytes_received = 0;    ///< of bodies
     std::uint64_t requests = 0;          ///< each try counts
-    std::uint64_t bytes_from_cache = 0;  ///< that fetch() found present, in whole blocks
+    std::uint64_t bytes_from_cache = 0;  ///< present when they were first asked for, in whole blocks
     double bytes_per_second = 0;         ///< received, over the last two seconds
 };
 
