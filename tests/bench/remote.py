@@ -4,7 +4,7 @@
     tests/bench/remote.py PACKAGE [--photo NAME]
 
 Prints, for each network: the time to the first picture of the window (under Xvfb), to the exact picture of a photo's view
-(1280x720), and the bytes the server sent for it; then the same for a second visit, from the cache. Needs nginx, Xvfb.
+(1280x720, 4 photos blended), and the bytes the server sent for it; then the same for a second visit, from the cache. Needs nginx, Xvfb.
 """
 import argparse, asyncio, os, random, subprocess, sys, tempfile, threading, time
 
@@ -78,7 +78,7 @@ def start_nginx(folder, package):
     port = 20000 + os.getpid() % 10000
     temporary = "".join(f"{n}_temp_path {folder}/{n};" for n in ("client_body", "proxy", "fastcgi", "uwsgi", "scgi"))
     with open(f"{folder}/nginx.conf", "w") as conf:
-        conf.write(f"daemon off; pid {folder}/pid; error_log {folder}/log; events {{}} http {{ access_log off; {temporary}"
+        conf.write(f"daemon off; master_process off; pid {folder}/pid; error_log {folder}/log; events {{}} http {{ access_log off; {temporary}"
                    f" keepalive_requests 100000; server {{ listen 127.0.0.1:{port}; root {folder}/served; }} }}")
     server = subprocess.Popen(["/usr/sbin/nginx", "-e", f"{folder}/log", "-c", f"{folder}/nginx.conf"])
     time.sleep(0.5)
@@ -99,7 +99,7 @@ def visit(url, proxy, folder, cache, photo):
     words = run([url, "--fresh", "--size", "1280x720", "--frames", "1"], window_cache, ["xvfb-run", "-a"])[1]
     first = float(words.split("first picture after ")[1].split()[0]) / 1000
     before = proxy.sent
-    exact, _ = run([url, "--offscreen", "--photo", photo, "--size", "1280x720", "--samples", "1", "-o", f"{folder}/picture.png"], cache)
+    exact, _ = run([url, "--offscreen", "--photo", photo, "--size", "1280x720", "--samples", "1", "--blended", "4", "-o", f"{folder}/picture.png"], cache)
     return first, exact, proxy.sent - before
 
 
@@ -111,7 +111,7 @@ def main():
     photo = o.photo or subprocess.run([PLAYER, o.package, "--list"], capture_output=True, text=True).stdout.split()[0]
     with tempfile.TemporaryDirectory() as folder:
         server, port = start_nginx(folder, o.package)
-        exact, _ = run([o.package, "--offscreen", "--photo", photo, "--size", "1280x720", "--samples", "1", "-o", f"{folder}/p.png"], folder)
+        exact, _ = run([o.package, "--offscreen", "--photo", photo, "--size", "1280x720", "--samples", "1", "--blended", "4", "-o", f"{folder}/p.png"], folder)
         print(f"| network | visit | first picture | exact picture | MB sent |\n|---|---|---|---|---|\n| file | | | {exact:.1f} s | |")
         for i, (name, rtt, bits, cut) in enumerate(NETWORKS):
             proxy = Proxy(port, rtt, bits, cut)
