@@ -20,7 +20,7 @@ class Proxy:
 
     def __init__(self, target, rtt, bits, cut):
         self.target, self.rtt, self.rate, self.cut = target, rtt, bits / 8, cut
-        self.free_at = self.sent = self.cuts = 0
+        self.free_at = self.sent = 0
         self.random = random.Random(1)
         self.loop = asyncio.new_event_loop()
         started = threading.Event()
@@ -38,7 +38,6 @@ class Proxy:
         await asyncio.sleep(self.rtt)  # the handshake
         from_server, to_server = await asyncio.open_connection("127.0.0.1", self.target)
         left = self.random.randint(1, 1 << 20) if self.random.random() < self.cut else None
-        self.cuts += left is not None
         await asyncio.gather(self.forward(reader, to_server, False, None), self.forward(from_server, writer, True, left))
 
     async def forward(self, reader, writer, limited, left):
@@ -93,13 +92,19 @@ def run(arguments, cache, before=()):
     return time.monotonic() - start, done.stderr
 
 
+def exact_picture(package, photo, folder, cache):
+    """Seconds that it takes."""
+    return run([package, "--offscreen", "--photo", photo, "--size", "1280x720", "--samples", "1", "--blended", "4",
+                "-o", f"{folder}/picture.png"], cache)[0]
+
+
 def visit(url, proxy, folder, cache, photo):
     """Seconds to the first picture and to the exact one, and bytes for the latter."""
     window_cache = f"{cache}-window"
     words = run([url, "--fresh", "--size", "1280x720", "--frames", "1"], window_cache, ["xvfb-run", "-a"])[1]
     first = float(words.split("first picture after ")[1].split()[0]) / 1000
     before = proxy.sent
-    exact, _ = run([url, "--offscreen", "--photo", photo, "--size", "1280x720", "--samples", "1", "--blended", "4", "-o", f"{folder}/picture.png"], cache)
+    exact = exact_picture(url, photo, folder, cache)
     return first, exact, proxy.sent - before
 
 
@@ -111,7 +116,7 @@ def main():
     photo = o.photo or subprocess.run([PLAYER, o.package, "--list"], capture_output=True, text=True).stdout.split()[0]
     with tempfile.TemporaryDirectory() as folder:
         server, port = start_nginx(folder, o.package)
-        exact, _ = run([o.package, "--offscreen", "--photo", photo, "--size", "1280x720", "--samples", "1", "--blended", "4", "-o", f"{folder}/p.png"], folder)
+        exact = exact_picture(o.package, photo, folder, folder)
         print(f"| network | visit | first picture | exact picture | MB sent |\n|---|---|---|---|---|\n| file | | | {exact:.1f} s | |")
         for i, (name, rtt, bits, cut) in enumerate(NETWORKS):
             proxy = Proxy(port, rtt, bits, cut)

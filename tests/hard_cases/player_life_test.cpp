@@ -15,15 +15,12 @@
 #include "player/stream/layer_pool.h"
 #include "prepared_scene.h"
 #include "scene/error.h"
+#include "tests/one_line.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
 
 namespace {
-
-bool one_line(const std::string& text) {
-    return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n';
-}
 
 class PlayerLifetime : public PreparedScene {
   protected:

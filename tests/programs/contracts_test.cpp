@@ -10,15 +10,12 @@
 #include "pipeline/formats/images/photos.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "tests/one_line.h"
 #include "tests/programs/overnight.h"
 
 using namespace vantage;
 
 namespace {
-
-bool one_line(const std::string& text) {
-    return !text.empty() && std::ranges::count(text, '\n') == 1 && text.back() == '\n';
-}
 
 void write(const fs::path& to, const std::string& bytes) { std::ofstream(to, std::ios::binary) << bytes; }
 

@@ -24,6 +24,7 @@
 #include "scene/package_reader.h"
 #include "scene/part_file.h"
 #include "tests/faults/number_from.h"
+#include "tests/one_line.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
@@ -35,10 +36,6 @@ std::size_t made(const PrepareResult& p, Stage s) { return p.stages[std::size_t(
 std::size_t kept(const PrepareResult& p, Stage s) { return p.stages[std::size_t(s)].kept; }
 constexpr Stage every_stage[] = {Stage::thumbnail, Stage::tiles, Stage::masks, Stage::coordinates,
                                  Stage::coverage};
-
-bool one_line(const std::string& text) {
-    return !text.empty() && std::ranges::count(text, '\n') == 1 && text.back() == '\n';
-}
 
 }  // namespace
 

@@ -14,6 +14,7 @@
 #include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "tests/one_line.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -55,10 +56,6 @@ class PlayerProgram : public TemporaryFolder {
         f.put(char(was ^ 0x10));
     }
 };
-
-bool one_line(const std::string& text) {
-    return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n';
-}
 
 }  // namespace
 

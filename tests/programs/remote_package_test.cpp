@@ -5,16 +5,13 @@
 #include <set>
 
 #include "scene/package_reader.h"
+#include "tests/one_line.h"
 #include "tests/programs/overnight.h"
 #include "tests/remote/fault_server.h"
 
 using namespace vantage;
 
 namespace {
-
-bool one_line(const std::string& text) {
-    return !text.empty() && std::ranges::count(text, '\n') == 1 && text.back() == '\n';
-}
 
 class RemotePackages : public Overnight {
   protected:
