@@ -44,8 +44,7 @@ struct RemoteFile::Impl {
     void adopt(const FirstRequest& request, std::uint64_t first);
 
     std::vector<BlockRun> blocks_within(std::span<const ByteRange> ranges) const;
-    void count_hits(const std::vector<BlockRun>& runs);
-    std::uint64_t absent_bytes(const std::vector<BlockRun>& runs) const;
+    std::uint64_t use(const std::vector<BlockRun>& runs);
     Parts request(const std::vector<BlockRun>& runs, const Kept& kept);
     void request_run(BlockRun run, const Kept& kept, Parts& parts);
     bool wait(const Parts& parts, std::stop_token stop);
@@ -118,6 +117,7 @@ RemoteFile::Impl::Impl(std::string_view given_url, const RemoteOptions& options,
     open(first_bytes(options), std::move(stop));
     space.emplace(folder, *file, options.cache_bytes);
     space->reserve(0);
+    used.resize(file->table().blocks());
 }
 
 void RemoteFile::Impl::open(std::uint64_t first, std::stop_token stop) {
@@ -153,8 +153,7 @@ void RemoteFile::Impl::adopt(const FirstRequest& request, std::uint64_t first) {
     first_kept = file->keep({run});
     if (file->present(run)) return;
     file->write(0, request.bytes());
-    count_hits({run});  // are none
-    bytes_from_cache = 0;
+    used.assign(run.end, true);  // but not from the cache
 }
 
 std::vector<BlockRun> RemoteFile::Impl::blocks_within(std::span<const ByteRange> ranges) const {
@@ -167,27 +166,21 @@ std::vector<BlockRun> RemoteFile::Impl::blocks_within(std::span<const ByteRange>
     return blocks_of(ranges);
 }
 
-/// Of blocks that are used for the first time since opening, counts those that are present.
-void RemoteFile::Impl::count_hits(const std::vector<BlockRun>& runs) {
+/// Notes the use of blocks, and counts those that are present at the first. Returns the bytes that are
+/// absent.
+std::uint64_t RemoteFile::Impl::use(const std::vector<BlockRun>& runs) {
     const std::scoped_lock lock(mutex);
-    used.resize(file->table().blocks());
-    for (const BlockRun& run : runs)
-        for (std::uint64_t block = run.begin; block < run.end; ++block) {
-            if (!used[block] && file->table().present(block))
-                bytes_from_cache += bytes_of({block, block + 1}, file->origin().size).size();
-            used[block] = true;
-        }
-}
-
-/// Notes the use of those that are present.
-std::uint64_t RemoteFile::Impl::absent_bytes(const std::vector<BlockRun>& runs) const {
     const std::uint32_t tick = file->table().tick();
     std::uint64_t absent = 0;
     for (const BlockRun& run : runs)
         for (std::uint64_t block = run.begin; block < run.end; ++block) {
             file->table().touch(block, tick);
+            const std::uint64_t bytes = bytes_of({block, block + 1}, file->origin().size).size();
             if (!file->table().present(block))
-                absent += bytes_of({block, block + 1}, file->origin().size).size();
+                absent += bytes;
+            else if (!used[block])
+                bytes_from_cache += bytes;
+            used[block] = true;
         }
     return absent;
 }
@@ -261,9 +254,7 @@ bool RemoteFile::offline() const { return impl_->offline; }
 bool RemoteFile::fetch(std::span<const ByteRange> ranges, std::stop_token stop) {
     const std::vector<BlockRun> runs = impl_->blocks_within(ranges);
     const Kept kept = impl_->file->keep(runs);
-    impl_->count_hits(runs);
-    const std::uint64_t absent = impl_->absent_bytes(runs);
-
+    const std::uint64_t absent = impl_->use(runs);
     if (absent == 0) return true;
 
     struct Reservation {

@@ -16,7 +16,7 @@ namespace vantage {
 
 struct RemoteOptions {
     /// Folder; empty: $XDG_CACHE_HOME/vantage/remote, else ~/.cache/vantage/remote. On a local disk.
-    std::filesystem::path cache;
+    std::filesystem::path cache{};
     std::uint64_t cache_bytes = std::uint64_t(4) << 30;  ///< most that all cached files take on the disk
     std::chrono::milliseconds connect_timeout{10'000};
     std::chrono::seconds stall_timeout{20};  ///< at fewer than 256 bytes per second
@@ -24,7 +24,7 @@ struct RemoteOptions {
     std::chrono::milliseconds retry_pause{250};
     int most_requests = 6;  ///< in flight at once, 1 to 64; each takes 64 KiB of memory for bodies
     std::uint64_t first_bytes = 256 << 10;  ///< that opening fetches; rounded up to 64 KiB, at most 64 MiB
-    std::filesystem::path certificates;     ///< PEM file of trusted authorities; empty: those of the system
+    std::filesystem::path certificates{};   ///< PEM file of trusted authorities; empty: those of the system
 };
 
 /// What has been transferred since the file was opened.
