@@ -5,8 +5,8 @@
 #include <string>
 
 #include "remote/cached_file.h"
-#include "remote/descriptor.h"
 #include "remote/origin.h"
+#include "values/descriptor.h"
 
 namespace vantage {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "remote/descriptor.h"
+#include "values/descriptor.h"
 
 namespace vantage {
 

@@ -3,8 +3,8 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
-#include "remote/descriptor.h"
 #include "remote/storage_error.h"
+#include "values/descriptor.h"
 
 namespace vantage {
 

@@ -4,55 +4,45 @@
 #include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 
-#include "scene/damaged_package.h"
+#include "scene/error.h"
 #include "scene/lost_package.h"
-#include "scene/package_format.h"
+#include "values/descriptor.h"
 
 namespace vantage {
 namespace {
 
 class MappedPackage : public PackageSource {
   public:
-    explicit MappedPackage(const std::filesystem::path& file) : path_(file) {
-        fd_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-        try {
-            map();
-        } catch (...) {
-            if (fd_ >= 0) ::close(fd_);
-            throw;
+    explicit MappedPackage(const std::filesystem::path& file)
+        : path_(file), fd_(::open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {
+        struct stat st {};
+        if (!fd_ || ::fstat(fd_.get(), &st) != 0 || !S_ISREG(st.st_mode)) {
+            const std::string why = fd_ ? "not a regular file" : std::strerror(errno);
+            throw Error(Exit::input, path_.string() + ": cannot open: " + why);
         }
+        ::flock(fd_.get(), LOCK_SH | LOCK_NB);  // fails only while a writer has the file open
+        if (st.st_size > 0) map(std::size_t(st.st_size));
     }
     ~MappedPackage() override {
+        if (bytes_.empty()) return;
         withdraw_mapping(bytes_);
         ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
-        ::close(fd_);
     }
 
     const std::filesystem::path& name() const override { return path_; }
     Part bytes() const override { return bytes_; }
-    int descriptor() const override { return fd_; }
+    int descriptor() const override { return fd_.get(); }
     Held hold(std::span<const Part>, std::stop_token) override { return {Held(), this}; }
     bool discard(std::span<const Part>) override { return false; }
     std::optional<SourceTraffic> traffic() const override { return {}; }
 
   private:
-    void map() {
-        struct stat st {};
-        if (fd_ < 0 || ::fstat(fd_, &st) != 0 || !S_ISREG(st.st_mode)) {
-            const std::string why = fd_ < 0 ? std::strerror(errno) : "not a regular file";
-            throw Error(Exit::input, path_.string() + ": cannot open: " + why);
-        }
-        ::flock(fd_, LOCK_SH | LOCK_NB);  // fails only while a writer has the file open
-        const auto size = std::uint64_t(st.st_size);
-        if (size < sizeof(package::Header))
-            throw DamagedPackage(Defect::not_a_package, path_.string() + ": not a Vantage package: " +
-                                                            std::to_string(size) + " bytes, a header has 64");
-        void* p = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, fd_, 0);
+    void map(std::size_t size) {
+        void* p = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, fd_.get(), 0);
         if (p == MAP_FAILED)
             throw Error(errno == ENOMEM ? Exit::memory : Exit::input,
                         path_.string() + ": cannot map: " + std::strerror(errno));
@@ -61,7 +51,7 @@ class MappedPackage : public PackageSource {
     }
 
     std::filesystem::path path_;
-    int fd_ = -1;
+    Descriptor fd_;
     Part bytes_;
 };
 

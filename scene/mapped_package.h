@@ -7,7 +7,7 @@
 namespace vantage {
 
 /// A package in a file. While it is open, it holds a shared lock, so that other processes can tell that the
-/// file is in use. Throws Error(input) if it cannot be opened, Error(damaged) if it is shorter than a header.
+/// file is in use. Throws Error(input) if it cannot be opened.
 std::unique_ptr<PackageSource> mapped_package(const std::filesystem::path& file);
 
 }  // namespace vantage

@@ -26,7 +26,7 @@ DirectoryEntry planned_entry(const ChunkPlan& plan, std::uint64_t offset) {
 /// Ignores the positions of scene-wide chunks: every run rewrites them, so they do not affect what can be
 /// kept.
 std::uint64_t layout_checksum(const PackageLayout& layout, std::uint64_t names) {
-    std::vector<std::uint64_t> words{names, layout.bytes, layout.directory.size(), layout.compact};
+    std::vector<std::uint64_t> words{names, layout.bytes, layout.directory.size(), layout.compact()};
     for (const DirectoryEntry& e : layout.directory) {
         words.push_back(std::uint64_t(e.type) << 32 | e.level);
         if (e.photo == package::scene_wide) continue;
@@ -42,7 +42,6 @@ PackageLayout package_layout(std::span<const ChunkPlan> plan, std::uint64_t name
     // With an entry for a chunk that is appended.
     out.bytes = aligned(sizeof(package::Header) + (plan.size() + 1) * sizeof(DirectoryEntry));
     for (const ChunkPlan& chunk : plan) {
-        out.compact |= chunk.compact;
         out.directory.push_back(planned_entry(chunk, out.bytes));
         const std::uint64_t length = aligned(out.directory.back().length);
         out.bytes += length;

@@ -30,10 +30,11 @@ struct Share {
 /// the space of its raw form, most of which is never written.
 struct PackageLayout {
     std::uint64_t bytes = 0;                         ///< size of the file
-    bool compact = false;                            ///< whether any chunk is
-    std::uint64_t compact_bytes = 0;                 ///< of the file, for the raw forms of those that are
+    std::uint64_t compact_bytes = 0;                 ///< of the file, for the raw forms of compact chunks
     std::uint64_t checksum = 0;                      ///< of the photos' names and of where their chunks are
     std::vector<package::DirectoryEntry> directory;  ///< in the order of the plan, without checksums
+
+    bool compact() const { return compact_bytes > 0; }
 };
 
 /// `names` is a checksum of the photos' names, in order.

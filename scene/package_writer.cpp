@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstring>
@@ -17,6 +16,7 @@
 #include "scene/error.h"
 #include "scene/flush_to_disk.h"
 #include "scene/package_reader.h"
+#include "values/descriptor.h"
 
 namespace vantage {
 
@@ -153,7 +153,7 @@ struct PackageWriter::State {
         e.photo = package::scene_wide;
         e.offset = layout.bytes;
         const std::vector<std::byte> shorter =
-            layout.compact ? compressed(chunk.bytes) : std::vector<std::byte>{};
+            layout.compact() ? compressed(chunk.bytes) : std::vector<std::byte>{};
         if (!shorter.empty()) e.form = Form::zstd;
         const std::span<const std::byte> bytes = shorter.empty() ? chunk.bytes : shorter;
         e.length = e.head_length = bytes.size();
@@ -250,7 +250,7 @@ PackageWriter::PackageWriter(const std::filesystem::path& file, std::span<const 
         // part.
         s.file.write(0, std::as_bytes(std::span(package::part_magic)));
         if (!s.resumed) s.file.flush();
-        s.layout.compact ? s.file.resize(s.layout.bytes) : s.file.reserve(s.layout.bytes);
+        s.layout.compact() ? s.file.resize(s.layout.bytes) : s.file.reserve(s.layout.bytes);
         s.begin();
     } catch (...) {
         // The destructor does not run if the constructor throws.
@@ -401,22 +401,18 @@ std::uint64_t PackageWriter::size() const { return state_->layout.bytes; }
 
 void publish_interrupted(const std::filesystem::path& file) {
     const std::filesystem::path packing = packing_of(file);
-    const int fd = ::open(packing.c_str(), O_RDONLY | O_CLOEXEC);
-    const bool unused = fd >= 0 && ::flock(fd, LOCK_EX | LOCK_NB) == 0;
-    bool whole = unused;
+    const Descriptor fd(::open(packing.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!fd || ::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) return;  // another process is writing it
     try {
-        if (unused) PackageReader reader(packing);
+        const PackageReader whole(packing);
     } catch (const Error&) {
-        whole = false;
+        return;
     }
     std::error_code error;
-    if (whole) {
-        std::filesystem::remove(part_of(file), error);
-        std::filesystem::rename(packing, file, error);
-        if (!error) flush_to_disk(file.parent_path());
-    }
-    if (fd >= 0) ::close(fd);
-    if (error) throw Error(Exit::storage, file.string() + ": cannot rename: " + error.message());
+    std::filesystem::remove(part_of(file), error);
+    std::filesystem::rename(packing, file, error);
+    if (!error) return flush_to_disk(file.parent_path());
+    throw Error(Exit::storage, file.string() + ": cannot rename: " + error.message());
 }
 
 void PackageWriter::finish() {
@@ -427,7 +423,7 @@ void PackageWriter::finish() {
         if (s.settled[i] == Settled::present) present.push_back(s.layout.directory[i]);
     }
     for (const State::Appended& chunk : s.appended) present.push_back(s.write_behind(chunk));
-    s.layout.compact ? s.publish_together(present) : s.publish_in_place(present);
+    s.layout.compact() ? s.publish_together(present) : s.publish_in_place(present);
 }
 
 }  // namespace vantage
