@@ -16,21 +16,17 @@ int coarse_level(const package::PhotoRecord& r, int long_side) {
     return l;
 }
 
-namespace {
-
-/// Copies what a tile adds to its level, which is all but its border.
-void copy_content(std::span<const std::byte> tile, const Level& level, std::size_t number,
-                  std::span<std::byte> texels) {
-    const int left = tile_left(level, number) + tile_border, top = tile_top(level, number) + tile_border;
+void copy_content(std::span<const std::byte> texels, const TilePart& given, const Level& level,
+                  std::size_t tile, std::span<std::byte> out) {
+    const int left = tile_left(level, tile) + tile_border, top = tile_top(level, tile) + tile_border;
     const auto bytes = 4 * std::size_t(std::min(tile_content, level.width - left));
     for (int y = 0; y < std::min(tile_content, level.height - top); ++y) {
-        const std::size_t from = std::size_t(y + tile_border) * tile_size + tile_border,
+        const std::size_t from = std::size_t(y + tile_border - given.top) * std::size_t(given.width()) +
+                                 std::size_t(tile_border - given.left),
                           to = std::size_t(top + y) * std::size_t(level.width) + std::size_t(left);
-        std::memcpy(&texels[4 * to], &tile[4 * from], bytes);
+        std::memcpy(&out[4 * to], &texels[4 * from], bytes);
     }
 }
-
-}  // namespace
 
 std::vector<std::byte> join_tiles(const PackageReader& reader, const package::DirectoryEntry& e,
                                   const Level& level) {
@@ -43,7 +39,7 @@ std::vector<std::byte> join_tiles(const PackageReader& reader, const package::Di
         if (!read_tile(reader, e, level, t, tile))
             throw DamagedPackage(Defect::tile_checksum,
                                  reader.path().string() + ": " + describe_damaged_tile(reader, e, level, t));
-        copy_content(tile, level, t, out);
+        copy_content(tile, {0, 0, tile_size, tile_size}, level, t, out);
     }
     return out;
 }

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/package_reader.h"
@@ -11,6 +12,11 @@ namespace vantage {
 
 /// The finest level with at most `long_side` texels on its longer side that has masks, or the coarsest.
 int coarse_level(const package::PhotoRecord& record, int long_side);
+
+/// Copies what a tile adds to its level, which is all but its border, to the level's `out`, width * height
+/// texels of 4 bytes. `texels`: those of the tile's part `given`, packed, which has all of that.
+void copy_content(std::span<const std::byte> texels, const TilePart& given, const Level& level,
+                  std::size_t tile, std::span<std::byte> out);
 
 /// Joins the tiles of a level: width * height texels of 4 bytes. Throws Error(damaged) if the chunk's tiles
 /// do not match the level's size, or a tile its checksum.

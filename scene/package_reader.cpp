@@ -98,10 +98,14 @@ struct PackageReader::Mapping {
           size(source->bytes().size()),
           remote(source->traffic().has_value()) {}
 
-    /// Fetches these parts, which then stay readable.
-    void keep(std::span<const Part> parts, std::stop_token stop = {}) {
+    Held hold(std::span<const Part> parts, std::stop_token stop) const {
         Held fetched = source->hold(parts, std::move(stop));
         if (!fetched) throw Error(Exit::interrupted, source->name().string() + ": stopped while it was read");
+        return fetched;
+    }
+    /// Fetches these parts, which then stay readable.
+    void keep(std::span<const Part> parts, std::stop_token stop = {}) {
+        Held fetched = hold(parts, std::move(stop));
         const std::scoped_lock lock(holding);
         held.push_back(std::move(fetched));
     }
@@ -302,7 +306,7 @@ std::span<const std::byte> PackageReader::bytes(const DirectoryEntry* e) const& 
     if (!e) return {};
     if (e->block_length == 0 && e->coded_blocks == 0) map_->keep({e});
     if (e->form == Form::zstd) return map_->decompressed(*e);
-    return {map_->data + e->offset, e->head_length};
+    return head(*e);
 }
 
 std::uint64_t PackageReader::content_length(const DirectoryEntry* e) const {
@@ -347,6 +351,10 @@ bool PackageReader::block_sound(const DirectoryEntry& e, std::size_t i) const {
     return !bytes.empty() && checksum(bytes) == map_->word(e.offset + i * sizeof(std::uint64_t));
 }
 
+PackageReader::Part PackageReader::head(const DirectoryEntry& e) const& {
+    return {map_->data + e.offset, e.head_length};
+}
+
 std::span<const std::byte> PackageReader::raw(const DirectoryEntry& e) const& {
     return {map_->data + e.offset, e.length};
 }
@@ -357,7 +365,7 @@ bool PackageReader::remote() const { return map_->remote; }
 std::optional<SourceTraffic> PackageReader::traffic() const { return map_->source->traffic(); }
 
 Held PackageReader::hold(std::span<const Part> parts, std::stop_token stop) const {
-    return map_->source->hold(parts, std::move(stop));
+    return map_->hold(parts, std::move(stop));
 }
 
 bool PackageReader::discard(std::span<const Part> parts) const { return map_->source->discard(parts); }
@@ -393,7 +401,7 @@ void PackageReader::forget_all() const { forget({map_->data, map_->size}); }
 
 bool PackageReader::head_sound(const DirectoryEntry& e) const {
     if (e.block_length == 0 && e.coded_blocks == 0) map_->keep({&e});
-    return checksum({map_->data + e.offset, e.head_length}) == e.checksum;
+    return checksum(head(e)) == e.checksum;
 }
 
 std::span<const std::byte> PackageReader::checked(Type type, std::uint32_t photo, std::size_t record,
@@ -505,7 +513,7 @@ void add_block_mismatches(const PackageReader& package, const DirectoryEntry& e,
 std::vector<Mismatch> mismatches(const PackageReader& package, bool tiles, std::size_t most) {
     std::vector<Mismatch> out;
     for (const DirectoryEntry& e : package.directory()) {
-        const auto head = package.raw(e).first(e.head_length);
+        const auto head = package.head(e);
         const Held held = package.hold({&head, 1});
         const bool sound = package.head_sound(e);
         if (!sound)

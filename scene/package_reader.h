@@ -28,6 +28,7 @@ namespace vantage {
 /// chunks with blocks must be held by the caller, see hold().
 class PackageReader {
   public:
+    using Part = PackageSource::Part;
     /// What is accepted: only a whole package, or also one that is still being prepared. In the latter, only
     /// the photos' chunks sealed so far are found, scene-wide chunks may not have been written yet, and the
     /// caller must check the records.
@@ -69,20 +70,22 @@ class PackageReader {
     std::span<const std::byte> sound_block(const package::DirectoryEntry&, std::size_t) const&& = delete;
     /// True if the block's checksum matches.
     bool block_sound(const package::DirectoryEntry& entry, std::size_t index) const;
+    /// Of a chunk, as stored.
+    Part head(const package::DirectoryEntry& entry) const&;
+    Part head(const package::DirectoryEntry&) const&& = delete;
     /// Head and blocks as stored, and the file's descriptor, for copying.
     std::span<const std::byte> raw(const package::DirectoryEntry& entry) const&;
     std::span<const std::byte> raw(const package::DirectoryEntry&) const&& = delete;
     int descriptor() const;
-    using Part = PackageSource::Part;
-    /// Of a package on a server, fetches these bytes, which stay readable as long as the result; null when
-    /// stopped. Otherwise nothing is to be done. Throws Error(input), Error(storage).
+    /// Of a package on a server, fetches these bytes, which stay readable as long as the result. Otherwise
+    /// nothing is to be done. Throws Error(input), Error(storage), Error(interrupted) when stopped.
     [[nodiscard]] Held hold(std::span<const Part> parts, std::stop_token stop = {}) const;
     /// Forgets fetched bytes that do not match a checksum, so that they are fetched again. False for a file.
     bool discard(std::span<const Part> parts) const;
     /// Fetches a whole chunk again that does not match its checksums. False for a file.
     bool fetch_again(const package::DirectoryEntry& entry) const;
     /// Fetches at once all that is read before the first tile: chunks without blocks, and thumbnails. They
-    /// stay. Throws as hold() does, and Error(interrupted) when stopped.
+    /// stay. Throws as hold() does.
     void fetch_scene(std::stop_token stop = {}) const;
     /// Bytes that fetch_scene() reads.
     std::uint64_t scene_bytes() const;

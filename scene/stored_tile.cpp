@@ -128,43 +128,32 @@ bool copy_or_decode(const PackageReader& package, const DirectoryEntry& chunk, c
     return true;
 }
 
-std::span<const std::byte> head_of(const PackageReader& package, const DirectoryEntry& chunk) {
-    return package.raw(chunk).first(chunk.head_length);
-}
-
-Held held_or_stopped(const PackageReader& package, Held held) {
-    if (!held) throw Error(Exit::interrupted, package.path().string() + ": stopped while it was read");
-    return held;
-}
-
 }  // namespace
 
 Held hold_tiles(const PackageReader& package, std::span<const TilePlace> tiles, std::stop_token stop) {
     if (!package.remote()) return package.hold({});
     std::vector<std::span<const std::byte>> parts;
-    for (const TilePlace& t : tiles) parts.push_back(head_of(package, *t.chunk));
+    for (const TilePlace& t : tiles) parts.push_back(package.head(*t.chunk));
     Held heads = package.hold(parts, stop);
-    if (!heads) return {};
     parts.clear();
     for (const TilePlace& t : tiles) {
         const auto pieces = stored_pieces(package, *t.chunk, t.level, t.tile);
         parts.insert(parts.end(), pieces.begin(), pieces.end());
     }
     Held blocks = package.hold(parts, std::move(stop));
-    if (!blocks) return {};
     return std::make_shared<std::pair<Held, Held>>(std::move(heads), std::move(blocks));
 }
 
 bool read_tile(const PackageReader& package, const DirectoryEntry& chunk, const Level& level,
                std::size_t tile, std::span<std::byte> to, std::stop_token stop) {
     const TilePlace place{&chunk, level, tile};
-    Held held = held_or_stopped(package, hold_tiles(package, {&place, 1}, stop));
+    Held held = hold_tiles(package, {&place, 1}, stop);
     if (copy_or_decode(package, chunk, level, tile, to)) return true;
     if (!package.remote()) return false;
     auto parts = stored_pieces(package, chunk, level, tile);
-    parts.push_back(head_of(package, chunk));
+    parts.push_back(package.head(chunk));
     package.discard(parts);
-    held = held_or_stopped(package, hold_tiles(package, {&place, 1}, std::move(stop)));
+    held = hold_tiles(package, {&place, 1}, std::move(stop));
     return copy_or_decode(package, chunk, level, tile, to);
 }
 
@@ -203,7 +192,7 @@ bool read_thumbnail(const PackageReader& package, std::uint32_t photo, std::span
     const DirectoryEntry* chunk = package.find(package::Type::thumbnail, photo);
     if (!chunk) return false;
     const auto whole = package.raw(*chunk);
-    const Held held = held_or_stopped(package, package.hold({&whole, 1}));
+    const Held held = package.hold({&whole, 1});
     return decode_thumbnail(package, *chunk, p, to) ||
            (package.fetch_again(*chunk) && decode_thumbnail(package, *chunk, p, to));
 }

@@ -27,7 +27,7 @@ struct TilePlace {
     std::size_t tile;
 };
 /// Fetches what read_tile() reads of these tiles, all together, if the package is on a server. It stays as
-/// long as the result; null when stopped. Throws Error(input), Error(storage).
+/// long as the result. Throws as read_tile().
 [[nodiscard]] Held hold_tiles(const PackageReader& package, std::span<const TilePlace> tiles,
                               std::stop_token stop);
 

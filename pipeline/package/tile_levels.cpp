@@ -1,6 +1,5 @@
 #include "pipeline/package/tile_levels.h"
 
-#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -31,21 +30,6 @@ std::vector<std::byte> cut_inner_part(std::span<const std::byte> texels, const L
         out.insert(out.end(), row.begin(), row.end());
     }
     return out;
-}
-
-/// Copies what a tile adds to its level from texels that cut_inner_part() cut.
-void paste_content(std::span<const std::byte> packed, const Level& level, std::size_t tile, RgbaImage& out) {
-    const TilePart part = inner_part(level, tile);
-    const int left = tile_left(level, tile) + tile_border, top = tile_top(level, tile) + tile_border;
-    const int right = std::min(left + tile_content, level.width),
-              bottom = std::min(top + tile_content, level.height);
-    for (int y = top; y < bottom; ++y) {
-        const int row = y - tile_top(level, tile) - part.top,
-                  column = left - tile_left(level, tile) - part.left;
-        std::memcpy(&out.rgba[4 * (std::size_t(y) * std::size_t(level.width) + std::size_t(left))],
-                    &packed[4 * (std::size_t(row) * std::size_t(part.width()) + std::size_t(column))],
-                    4 * std::size_t(right - left));
-    }
 }
 
 bool opaque(std::span<const std::byte> texels) {
@@ -135,7 +119,7 @@ RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint3
         decoded.resize(4 * std::size_t(part.width()) * std::size_t(part.height()));
         if (!codec::decode_jpeg(jpeg, part.width(), part.height(), decoded))
             throw std::logic_error("libjpeg-turbo cannot read what it wrote");
-        paste_content(decoded, size, tile, out);
+        copy_content(decoded, part, size, tile, std::as_writable_bytes(std::span(out.rgba)));
     }
     return out;
 }

@@ -19,8 +19,7 @@ std::optional<PickedPoint> point_numbered(const PackageReader& package, const Po
     const package::DirectoryEntry* chunk = package.find(package::Type::points);
     if (place >= n.count || !chunk || n.block >= package.blocks(*chunk)) return {};
     package::PackedPoint p;
-    const PackageReader::Part head = package.raw(*chunk).first(chunk->head_length),
-                              block = package.block(*chunk, n.block);
+    const PackageReader::Part head = package.head(*chunk), block = package.block(*chunk, n.block);
     const Held held = package.hold(std::array{head, block});
     std::memcpy(&p, block.data() + (n.first + place) * sizeof p, sizeof p);
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);

@@ -85,7 +85,7 @@ void RemoteBytes::fetch(Group& group, std::unique_lock<std::mutex>& lock) {
     try {
         held = hold(group);
     } catch (const Error& e) {
-        failure = e.what();
+        if (e.code() != Exit::interrupted) failure = e.what();
     }
     lock.lock();
     if (!held && failure.empty()) return;  // stopped
@@ -102,18 +102,17 @@ Held RemoteBytes::hold(const Group& group) const {
     std::vector<TilePlace> tiles;
     std::vector<PackageReader::Part> parts;
     for (const StreamRequest& r : group.requests) {
-        const PackageReader::Part whole = package_.raw(*r.chunk);
         if (r.resource == Resource::points) {
-            parts.push_back(whole.first(r.chunk->head_length));
+            parts.push_back(package_.head(*r.chunk));
             parts.push_back(package_.block(*r.chunk, r.block));
         } else if (r.bytes) {
-            parts.push_back(whole);
+            parts.push_back(package_.raw(*r.chunk));
         }
         for (const TilePlace& tile : tiles_of(package_, r)) tiles.push_back(tile);
     }
     Held others = package_.hold(parts, group.stop.get_token());
-    Held held = others ? hold_tiles(package_, tiles, group.stop.get_token()) : nullptr;
-    return held ? std::make_shared<std::array<Held, 2>>(std::array{others, held}) : nullptr;
+    Held of_tiles = hold_tiles(package_, tiles, group.stop.get_token());
+    return std::make_shared<std::array<Held, 2>>(std::array{std::move(others), std::move(of_tiles)});
 }
 
 }  // namespace vantage

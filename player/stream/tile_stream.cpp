@@ -172,8 +172,7 @@ bool TileStream::point_block_sound(const StreamRequest& r) const {
         return package_.head_sound(*r.chunk) && package_.block_sound(*r.chunk, r.block);
     };
     if (sound()) return true;
-    const std::array parts{package_.raw(*r.chunk).first(r.chunk->head_length),
-                           package_.block(*r.chunk, r.block)};
+    const std::array parts{package_.head(*r.chunk), package_.block(*r.chunk, r.block)};
     return package_.discard(parts) && package_.hold(parts) && sound();
 }
 

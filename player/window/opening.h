@@ -9,7 +9,8 @@ struct GLFWwindow;
 namespace vantage {
 
 /// Opens a package. While one on a server is fetched, except for its tiles, the window shows how far that is.
-/// Closing the window or Esc stops it: Error(interrupted). Throws also what opened_package() throws.
+/// Closing the window or Esc stops it: Error(interrupted). Throws also what open_package() and
+/// PackageReader::fetch_scene() throw.
 PackageReader open_in_window(GLFWwindow* window, const std::filesystem::path& package,
                              const MemoryOptions& options);
 

@@ -78,8 +78,9 @@ void remember(const Session& session, const PackageReader& package, Remembered& 
     r.other_band = shown.other ? bands[*shown.other].name : "";
 }
 
-FrameSize remembered_size(const ShowOptions& o, const std::filesystem::path& folder) {
-    return o.window.fresh ? Remembered{}.window : read_settings(folder, {}).window;
+/// What does not depend on a package: the window.
+Remembered remembered_window(const ShowOptions& o, const std::filesystem::path& folder) {
+    return o.window.fresh ? Remembered{} : read_settings(folder, {});
 }
 
 /// The settings of the command line, or those remembered in the folder, if there is one.
@@ -188,18 +189,19 @@ std::optional<Requested> show_package(GLFWwindow* window, Session& session, Show
 int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     const std::filesystem::path folder = o.window.fresh ? std::filesystem::path() : settings_folder();
     const std::filesystem::path& file = objects.front().package;
-    std::optional<PackageReader> at_hand;
-    if (!is_url(file.native())) {  // what is wrong with a file or an option is said without a window
-        expect_content(at_hand.emplace(file));
-        start_settings(*at_hand, o, folder);
-    }
-    const GlfwWindow window(o.output.size.empty() ? remembered_size(o, folder) : parse_size(o.output.size),
-                            "Vantage", o.window.debug_gl == gl::Debug::on);
-    const PackageReader first = at_hand ? std::move(*at_hand) : open_in_window(window.get(), file, o.memory);
-    if (first.remote()) expect_content(first);
-    Remembered remembered = start_settings(first, o, folder);
+    std::optional<PackageReader> first;
+    Remembered remembered = remembered_window(o, folder);
+    const auto start = [&](PackageReader package) {
+        expect_content(first.emplace(std::move(package)));
+        remembered = start_settings(*first, o, folder);
+    };
+    // What is wrong with a file or an option is said without a window.
+    if (!is_url(file.native())) start(PackageReader(file));
+    const GlfwWindow window(o.output.size.empty() ? remembered.window : parse_size(o.output.size), "Vantage",
+                            o.window.debug_gl == gl::Debug::on);
+    if (!first) start(open_in_window(window.get(), file, o.memory));
     Controls controls;
-    Session session = start_session(first, o, remembered);
+    Session session = start_session(*first, o, remembered);
     glfwSetWindowUserPointer(window.get(), &session);
     glfwSetDropCallback(window.get(), [](GLFWwindow* w, int count, const char** files) {
         if (count == 0) return;
@@ -207,7 +209,7 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
         (is_scene_file(files[0]) ? to.open : to.dropped) = files[0];
     });
     std::optional<Requested> other, next;
-    const PackageReader* package = &first;
+    const PackageReader* package = &*first;
     bool damaged = false;
     double requested_at = glfwGetTime() - process_seconds();
     for (;;) {
