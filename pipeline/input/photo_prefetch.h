@@ -8,7 +8,7 @@
 
 #include "pipeline/input/file_identity.h"
 #include "pipeline/input/scene_input.h"
-#include "pipeline/pixels/rgba_image.h"
+#include "values/rgba_image.h"
 #include "pipeline/run/trace.h"
 
 namespace vantage {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "agreement/read_level.h"
-#include "pipeline/pixels/rgba_image.h"
+#include "values/rgba_image.h"
 #include "scene/package_reader.h"
 #include "scene/package_writer.h"
 #include "scene/tiling.h"

@@ -4,17 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/pixels/rgba_image.h"
 #include "scene/tiling.h"
+#include "values/rgba_image.h"
 
 namespace vantage {
-
-/// Whether alpha is 255 everywhere.
-bool is_opaque(const RgbaImage& image);
-
-/// The next coarser level: 2x2 box filter in linear light, weighted by alpha. Odd edges repeat their last
-/// texel, so that pixel coordinates halve exactly.
-RgbaImage halve(const RgbaImage& image);
 
 /// Cuts one stored tile with its border out of a level of 4-byte texels. Tiles are numbered row by row from
 /// the upper left; beyond the level's edges its last texel is repeated. `texels` holds level.width *

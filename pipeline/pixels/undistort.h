@@ -1,7 +1,7 @@
 #pragma once
-#include "pipeline/pixels/rgba_image.h"
 #include "pipeline/settings/settings.h"
 #include "scene/camera.h"
+#include "values/rgba_image.h"
 
 namespace vantage {
 

@@ -6,7 +6,7 @@
 
 #include "pipeline/model/packed_model.h"
 #include "pipeline/package/stage_table.h"
-#include "pipeline/pixels/rgba_image.h"
+#include "values/rgba_image.h"
 #include "pipeline/run/trace.h"
 #include "pipeline/stages/surface_samples.h"
 #include "pipeline/visibility/geometry_renderer.h"

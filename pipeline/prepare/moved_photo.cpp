@@ -5,7 +5,7 @@
 #include "pipeline/package/earlier_package.h"
 #include "pipeline/package/photo_records.h"
 #include "pipeline/package/tile_levels.h"
-#include "pipeline/pixels/pyramid.h"
+#include "scene/halve.h"
 #include "values/bytes_of.h"
 
 namespace vantage {

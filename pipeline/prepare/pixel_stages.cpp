@@ -8,6 +8,7 @@
 #include "pipeline/pixels/undistort.h"
 #include "pipeline/stages/surface_samples.h"
 #include "scene/error.h"
+#include "scene/halve.h"
 #include "values/bytes_of.h"
 
 namespace vantage {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/pixels/rgba_image.h"
+#include "values/rgba_image.h"
 #include "scene/package_reader.h"
 
 namespace vantage {

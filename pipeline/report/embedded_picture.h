@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "pipeline/pixels/rgba_image.h"
+#include "values/rgba_image.h"
 
 namespace vantage {
 

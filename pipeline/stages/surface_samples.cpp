@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "colors/color_fit.h"
-#include "pipeline/pixels/pyramid.h"
+#include "scene/halve.h"
 #include "scene/tiling.h"
 #include "values/grid.h"
 #include "values/srgb.h"

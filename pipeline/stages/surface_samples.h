@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "agreement/surface_discs.h"
-#include "pipeline/pixels/rgba_image.h"
+#include "values/rgba_image.h"
 #include "pipeline/visibility/photo_geometry.h"
 #include "scene/camera.h"
 #include "scene/package_format.h"

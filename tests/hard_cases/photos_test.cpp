@@ -16,12 +16,12 @@
 #include "pipeline/input/file_identity.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/package/tile_levels.h"
-#include "pipeline/pixels/pyramid.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/results/check.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
+#include "scene/halve.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;

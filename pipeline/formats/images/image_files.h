@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "pipeline/pixels/rgba_image.h"
+#include "values/rgba_image.h"
 
 namespace vantage {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "scene/halve.h"
 #include "scene/tiling.h"
 
 using namespace vantage;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "pipeline/pixels/pyramid.h"
 #include "pipeline/pixels/undistort.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/for_each_photo.h"
@@ -12,6 +11,7 @@
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/synthesize.h"
 #include "player/evaluate/picture_metrics.h"
+#include "scene/halve.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/mean.h"
 #include "tests/bench/measure/timing.h"
