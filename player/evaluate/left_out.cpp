@@ -19,7 +19,7 @@ std::vector<bool> surface_pixels(const PackageReader& package, std::uint32_t pho
                                  const Picture& like) {
     const int last = mask_levels_end(int(package.photos()[photo].levels)) - 1;
     const int from = std::clamp(level, mask_level, last);
-    const Picture masks = level_of_photo(package, package::Type::masks, photo, from);
+    const Picture masks = masks_at_level(package, photo, from);
     const Grid<const std::uint8_t> texels{masks.rgba.data(), 4 * masks.width, masks.height};
     std::vector<bool> out;
     out.reserve(like.rgba.size() / 4);
@@ -143,7 +143,7 @@ LeftOut leave_out(Renderer& renderer, RenderSettings settings, std::span<const s
     settings.surroundings = ShowSurroundings::off;  // the photo had a say in their shape
     std::vector<std::uint32_t> others(photos.begin(), photos.end());
     std::erase(others, photo);
-    p.photo = level_of_photo(package, package::Type::tiles, photo, level);
+    p.photo = photo_at_level(package, photo, level);
     const auto triangles = render_view(renderer, view_of_level(records[photo], level), settings, others, p);
     LeftOut out;
     out.photo = photo;

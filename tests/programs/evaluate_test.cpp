@@ -118,6 +118,17 @@ bool reports_offset(const LeftOut& r) {
 
 }  // namespace
 
+TEST_F(Evaluate, ComparesWithThePhotoItselfWhateverTheFormOfTiles) {
+    const auto truth = [&](EffectChoice compact, int level) {
+        PrepareSettings settings;
+        settings.effects[Effect::compact] = compact;
+        prepare(scene, settings, file, [](const Progress&) {});
+        return photo_at_level(PackageReader(file), 1, level).rgba;
+    };
+    for (const int level : {0, 2})
+        EXPECT_TRUE(truth(EffectChoice::on, level) == truth(EffectChoice::off, level)) << level;
+}
+
 TEST_F(Evaluate, GoodSceneGetsNoRemarks) {
     for (const LeftOut& r : evaluate()) {
         EXPECT_GT(r.score.psnr_gain, 22) << r.name;

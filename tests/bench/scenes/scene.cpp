@@ -138,12 +138,8 @@ std::vector<TrueView> held_out_views(const PackageReader& package, const Effort&
         const package::PhotoRecord& record = package.photos()[held_out];
         const int wanted = close_up(v) ? 0 : level_for(effort, int(record.width), int(record.height));
         const int level = std::min(wanted, int(record.levels) - 1);
-        TrueView view{record.name,
-                      view_of_level(record, level),
-                      level_of_photo(package, package::Type::tiles, held_out, level),
-                      {},
-                      {},
-                      {}};
+        TrueView view{
+            record.name, view_of_level(record, level), photo_at_level(package, held_out, level), {}, {}, {}};
         if (close_up(v)) {
             const Intrinsics whole = view.view.intrinsics, k = middle_of(whole, effort);
             view.view.intrinsics = k;

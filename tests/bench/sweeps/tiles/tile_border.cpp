@@ -62,7 +62,7 @@ std::vector<Measurement> measure_borders(const BenchScene& scene, const Effort& 
     constexpr int borders[] = {0, 1, 2, 4, 8};
     std::array<Differences, std::size(borders)> all;
     for (const std::uint32_t photo : some_photos(package, effort.photos)) {
-        const Picture whole = level_of_photo(package, package::Type::tiles, photo, 0);
+        const Picture whole = photo_at_level(package, photo, 0);
         for (std::size_t b = 0; b < std::size(borders); ++b)
             compare(whole, borders[b], effort.points, all[b]);
     }

@@ -171,7 +171,7 @@ std::vector<Measurement> measure_sizes(const BenchScene& scene, const Effort& ef
     for (const TrueView& v : scene.views)
         shown.push_back(shown_blocks(package, model, v, effort.points < 20000 ? 4 : 2));
     const std::vector<double> ms =
-        upload_ms(level_of_photo(package, package::Type::tiles, photos[0], 0), effort.repeats);
+        upload_ms(photo_at_level(package, photos[0], 0), effort.repeats);
     gl::check("uploading tiles");
     std::vector<Measurement> out;
     for (std::size_t s = 0; s < std::size(tile_sizes); ++s) {
