@@ -63,6 +63,8 @@ constexpr Row rows[] = {
      [](std::string_view h) { return h.starts_with("<svg ") && contains(h, "font-family='sans-serif'"); }},
     {Product::png, "a PNG picture", [](std::string_view h) { return h.starts_with("\x89PNG\r\n\x1a\n"); }},
     {Product::exr, "an EXR picture", [](std::string_view h) { return h.starts_with("\x76\x2f\x31\x01"); }},
+    {Product::jpeg, "a photo written by Vantage",
+     [](std::string_view h) { return h.starts_with("\xff\xd8\xff\xfe") && contains(h, jpeg_mark); }},
     {Product::scene, "a scene file written by Vantage",
      [](std::string_view h) { return h.starts_with(scene_mark); }},
 };

@@ -92,6 +92,14 @@ bool decode(const PackageReader& package, const DirectoryEntry& chunk, const Lev
 
 }  // namespace
 
+std::optional<std::vector<std::byte>> own_jpeg(const PackageReader& package, const DirectoryEntry& chunk) {
+    if (!package.head_sound(chunk)) return {};
+    for (std::size_t cell = 0; cell < package.blocks(chunk); ++cell)
+        if (!package.block_sound(chunk, cell)) return {};
+    return codec::joined_jpeg(package.shared(chunk),
+                              [&](std::size_t cell) { return package.block(chunk, cell); });
+}
+
 bool holds_level(const PackageReader& package, const DirectoryEntry& chunk, const Level& level) {
     const std::size_t blocks = package.blocks(chunk), tiles = std::size_t(level.tiles());
     switch (chunk.form) {

@@ -37,6 +37,11 @@ std::vector<std::span<const std::byte>> stored_pieces(const PackageReader& packa
                                                       const package::DirectoryEntry& chunk,
                                                       const Level& level, std::size_t tile);
 
+/// The photo's own JPEG, without metadata, that a level in cells holds. Empty if a cell is damaged. The chunk
+/// must hold the level, in a file.
+std::optional<std::vector<std::byte>> own_jpeg(const PackageReader& package,
+                                               const package::DirectoryEntry& chunk);
+
 /// A photo's thumbnail: width * height * 4 bytes, RGBA. False if it is damaged. Throws as read_tile().
 bool read_thumbnail(const PackageReader& package, std::uint32_t photo, std::span<std::byte> to);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <fstream>
 
 #include "bands/bands.h"
 #include "layers/value_layer.h"
@@ -13,8 +14,9 @@
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/package/tile_levels.h"
 #include "points/point_cloud.h"
-#include "scene/error.h"
+#include "scene/damaged_package.h"
 #include "scene/package_reader.h"
+#include "scene/stored_tile.h"
 #include "scene/tiling.h"
 
 namespace vantage {
@@ -28,11 +30,15 @@ constexpr const char *mesh_name = "mesh.ply", *points_name = "points.ply";
 /// The files made from a photo.
 struct PhotoFiles {
     fs::path photo, masks, depth;
+    Product photo_format;
 };
 /// `stem`: with the folder of its band, if there are several.
-PhotoFiles files_of(const fs::path& folder, const std::string& stem) {
-    return {folder / "photos" / (stem + ".png"), folder / "masks" / (stem + ".png"),
-            folder / "depth" / (stem + ".exr")};
+PhotoFiles files_of(const PackageReader& reader, std::uint32_t photo, const fs::path& folder,
+                    const std::string& stem) {
+    const package::DirectoryEntry* finest = reader.find(Type::tiles, photo);
+    const bool own = finest && finest->form == package::Form::cells;
+    return {folder / "photos" / (stem + (own ? ".jpg" : ".png")), folder / "masks" / (stem + ".png"),
+            folder / "depth" / (stem + ".exr"), own ? Product::jpeg : Product::png};
 }
 
 /// Per photo, the name of its files, in a folder of its band if there are several.
@@ -73,6 +79,23 @@ void write_points(const PackageReader& reader, const PointCloud& cloud, const fs
     });
 }
 
+/// The photo's own JPEG, after a comment that tells where it is from.
+void write_jpeg(const PackageReader& reader, const package::DirectoryEntry& tiles, const Level& level,
+                const fs::path& file) {
+    const auto jpeg = holds_level(reader, tiles, level) ? own_jpeg(reader, tiles) : std::nullopt;
+    if (!jpeg)
+        throw DamagedPackage(Defect::tile_checksum, reader.path().string() + ": " + describe(tiles, reader) +
+                                                        ": a part of the photo is damaged");
+    constexpr std::size_t start_of_image = 2;
+    const std::size_t length = jpeg_mark.size() + 2;
+    const char comment[] = {'\xff', '\xfe', char(length >> 8), char(length & 0xff)};
+    const auto* bytes = reinterpret_cast<const char*>(jpeg->data());
+    std::ofstream out(file, std::ios::binary);
+    out.write(bytes, start_of_image).write(comment, sizeof comment) << jpeg_mark;
+    out.write(bytes + start_of_image, std::streamsize(jpeg->size() - start_of_image));
+    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+}
+
 void write_photo(const PackageReader& reader, std::uint32_t i, const package::PhotoRecord& p,
                  const std::string& stem, const fs::path& folder) {
     const auto image = [&](Type type, std::uint32_t l, const fs::path& file, int channels, Sample format) {
@@ -81,8 +104,12 @@ void write_photo(const PackageReader& reader, std::uint32_t i, const package::Ph
         if (!e) throw Error(Exit::damaged, std::string(p.name) + ": a pyramid level is missing");
         image_files().write(file, size.width, size.height, channels, format, join_tiles(reader, *e, size));
     };
-    const PhotoFiles files = files_of(folder, stem);
-    image(Type::tiles, 0, files.photo, 4, Sample::u8);
+    const PhotoFiles files = files_of(reader, i, folder, stem);
+    if (files.photo_format == Product::jpeg)
+        write_jpeg(reader, *reader.find(Type::tiles, i), level_size(int(p.width), int(p.height), 0),
+                   files.photo);
+    else
+        image(Type::tiles, 0, files.photo, 4, Sample::u8);
     image(Type::masks, mask_level, files.masks, 4, Sample::u8);
     image(Type::depth, mask_level, files.depth, 1, Sample::f32);
 }
@@ -94,8 +121,8 @@ void expect_replaceable(const PackageReader& reader, const std::vector<std::uint
     if (effect_on(reader.scene(), Effect::points))
         output_file(folder / points_name, Product::ply, inputs, force);
     for (const std::uint32_t i : wanted) {
-        const PhotoFiles files = files_of(folder, stems[i]);
-        output_file(files.photo, Product::png, inputs, force);
+        const PhotoFiles files = files_of(reader, i, folder, stems[i]);
+        output_file(files.photo, files.photo_format, inputs, force);
         output_file(files.masks, Product::png, inputs, force);
         output_file(files.depth, Product::exr, inputs, force);
     }

@@ -436,7 +436,7 @@ TEST_F(Bands, ProgramsKnowThem) {
     EXPECT_NE(run(vantage + "info " + file).says.find("visible: 5 photos; infrared: 4 photos"),
               std::string::npos);
     EXPECT_EQ(run(vantage + "extract " + file + " -o " + (dir / "files").string()).code, 0);
-    EXPECT_TRUE(fs::exists(dir / "files" / "photos" / "infrared" / "infrared_0001.png"));
+    EXPECT_TRUE(fs::exists(dir / "files" / "photos" / "infrared" / "infrared_0001.jpg"));
     EXPECT_TRUE(fs::exists(dir / "files" / "depth" / "visible" / "visible_0001.exr"));
     const std::string golden = (dir / "golden").string();
     EXPECT_EQ(run(player + "verify " + file + " --size 96x72 --golden " + golden + " --update").code, 0);

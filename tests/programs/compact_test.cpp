@@ -11,11 +11,13 @@
 
 #include "agreement/read_level.h"
 #include "codec/depth_values.h"
+#include "codec/jpeg_pixels.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/prepare/repack.h"
 #include "pipeline/results/check.h"
+#include "pipeline/results/extract.h"
 #include "scene/part_file.h"
 #include "scene/stored_tile.h"
 #include "tests/datasets.h"
@@ -160,6 +162,31 @@ TEST_F(CompactPackages, AreRepackedFromRawAndBack) {
         for (const Type type : {Type::masks, Type::depth})
             EXPECT_EQ(level(again, type, i, mask_level), level(compact, type, i, mask_level));
     }
+}
+
+TEST_F(CompactPackages, GiveThePhotosBackAsJpeg) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    make(scan, settings(EffectChoice::on), dir / "compact.vantage");
+    for (int twice = 0; twice < 2; ++twice) extract(dir / "compact.vantage", dir / "files", {}, false);
+    const PackageReader package(dir / "compact.vantage");
+    std::size_t compared = 0;
+    for (const package::PhotoRecord& p : package.photos()) {
+        const auto pixels = [&](const std::filesystem::path& file) {
+            const Bytes jpeg = content(file);
+            std::vector<std::byte> rgba(std::size_t(p.width) * p.height * 4);
+            EXPECT_TRUE(
+                codec::decode_jpeg(std::as_bytes(std::span(jpeg)), int(p.width), int(p.height), rgba));
+            return rgba;
+        };
+        const std::filesystem::path given = dir / "files" / "photos" / p.name;
+        EXPECT_TRUE(pixels(given) == pixels(std::filesystem::path(scan) / "images" / p.name)) << p.name;
+        ++compared;
+    }
+    EXPECT_GT(compared, 1);
+    std::filesystem::copy_file(std::filesystem::path(scan) / "images" / package.photos()[0].name,
+                               dir / "files" / "photos" / package.photos()[0].name,
+                               std::filesystem::copy_options::overwrite_existing);
+    EXPECT_THROW(extract(dir / "compact.vantage", dir / "files", {}, false), Error) << "not one of ours";
 }
 
 TEST_F(CompactPackages, AreReadByAProgramThatKnowsOnlyTheTextOfTheFormat) {

@@ -76,12 +76,12 @@ TEST_F(Contracts, PhotosOfEqualStemKeepTheirOwnFiles) {
                                      " --photo 0000.jpg,0000.png");
     ASSERT_EQ(evaluated.code, 0) << evaluated.err;
     for (const std::string photo : {"0000.jpg", "0000.png"})
-        for (const fs::path& made : {files / "photos" / (photo + ".png"), files / "masks" / (photo + ".png"),
-                                     files / "depth" / (photo + ".exr"), pictures / (photo + ".png"),
-                                     evaluation / (photo + "-photo.png")})
+        for (const fs::path& made : {files / "photos" / (photo + photo.substr(4)),
+                                     files / "masks" / (photo + ".png"), files / "depth" / (photo + ".exr"),
+                                     pictures / (photo + ".png"), evaluation / (photo + "-photo.png")})
             EXPECT_TRUE(fs::exists(made)) << made;
-    EXPECT_NE(slurp(files / "photos" / "0000.jpg.png"), slurp(files / "photos" / "0000.png.png"));
-    EXPECT_TRUE(fs::exists(files / "photos" / "0002.png")) << "unique names stay short";
+    EXPECT_NE(slurp(files / "photos" / "0000.jpg.jpg"), slurp(files / "photos" / "0000.png.png"));
+    EXPECT_TRUE(fs::exists(files / "photos" / "0002.jpg")) << "unique names stay short";
 }
 
 TEST_F(Contracts, AmbiguousPhotoNamesAreRefused) {
@@ -306,7 +306,7 @@ TEST_F(Contracts, DamagedPackagesAreFoundByAllThatReadThem) {
         const Outcome x = run("extract " + package() + " -o " + files.string());
         EXPECT_EQ(x.code, extracted ? int(Exit::damaged) : 0) << int(type);
         EXPECT_EQ(one_line(x.err), extracted) << x.err;
-        EXPECT_EQ(fs::exists(files / "photos" / "0001.png"), type != package::Type::tiles);
+        EXPECT_EQ(fs::exists(files / "photos" / "0001.jpg"), type != package::Type::tiles);
         const Outcome d = run("diff " + package() + " " + sound.string());
         EXPECT_EQ(d.code, int(Exit::damaged)) << d.out;
         EXPECT_TRUE(one_line(d.err)) << d.err;
