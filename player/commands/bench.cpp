@@ -42,6 +42,8 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
     app.add_option("--minutes", o.minutes, "fly each path for this long instead")
         ->check(real_range(0, 1e4))
         ->group(group);
+    app.add_flag("--until-exact", o.until_exact, "end still and jump when their picture is exact")
+        ->group(group);
     app.add_option("--repeats", o.repeats, "flights of each path and mode")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str()
@@ -67,6 +69,8 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
         "  vantage-player bench chapel.vantage\n"
         "  vantage-player bench chapel.vantage --paths orbit --modes stream,resident --repeats 5 -o orbit\n"
         "  vantage-player bench church.toml --paths orbit\n"
+        "  vantage-player bench https://museum.org/chapel.vantage --paths still --modes stream "
+        "--until-exact\n"
         "  vantage-player bench chapel.vantage --paths flight --modes stream --minutes 10 --graphics-memory "
         "256");
 }

@@ -60,6 +60,13 @@ ProcessMemory memory_without(std::size_t records) {
     return memory;
 }
 
+/// The last frame is the first that is exact, of those from `first` on, which have the same view.
+void note_exact(Flight& flight, int first) {
+    flight.frames_to_exact = int(flight.frames.size()) - 1 - first;
+    for (auto f = std::size_t(first); f < flight.frames.size(); ++f)
+        flight.ms_to_exact += flight.frames[f].ms;
+}
+
 }  // namespace
 
 std::vector<double> frame_times(const Flight& f) {
@@ -101,10 +108,11 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
     const auto begin = Clock::now();
     const std::chrono::duration<double, std::ratio<60>> minutes(o.minutes);
     const int frames = int(path.frames.size()), jump = path.name == "jump" ? frames / 2 : -1;
-    std::uint64_t before_jump = 0;
+    const int stays_from = path.name == "still" ? 0 : jump;  // the view stays the same from there
+    StreamedSoFar before;
     for (int i = 0; i < frames; ++i) {
         if (o.minutes > 0 && Clock::now() - begin > minutes) break;
-        if (i == jump) before_jump = objects.bytes_read();
+        if (i == stays_from) before = objects.streamed();
         const double now = 1 + i * frame_seconds;
         const View view = view_of(path.frames[std::size_t(i)], size.width, size.height);
         const std::optional<View> next = expected_view(path, i, jump, size);
@@ -121,13 +129,14 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
         }
         const bool exact = objects.size() == 1 && report.tiles_missing == 0 &&
                            report.photos == renderer.plan().photos.size();
-        if (jump >= 0 && i > jump && flight.frames_to_exact < 0 && exact) {
-            flight.frames_to_exact = i - jump;
-            flight.jump_bytes = objects.bytes_read() - before_jump;
+        if (stays_from >= 0 && i > stays_from && flight.frames_to_exact < 0 && exact) {
+            note_exact(flight, stays_from);
+            flight.streamed_to_exact = objects.streamed() - before;
             flight.touched_bytes = touched_bytes(renderer, view, settings, photos, now);
+            if (o.until_exact) break;
         }
     }
-    flight.bytes_read = objects.bytes_read();
+    flight.streamed = objects.streamed();
     flight.graphics_budget = objects.graphics_budget();
     return flight;
 }

@@ -13,6 +13,7 @@
 #include "player/options/output_options.h"
 #include "player/options/package_options.h"
 #include "player/options/point_options.h"
+#include "player/stream/streamed_so_far.h"
 
 namespace vantage {
 
@@ -28,9 +29,10 @@ struct FlightOptions {
     PointSettings points;
     Purpose purpose = Purpose::window;
     int frames = 120;
-    double minutes = 0;  ///< instead of `frames`
-    bool warm = false;   ///< keep the package in the page cache
-    int pictures = 0;    ///< frames to save as PNG
+    double minutes = 0;        ///< instead of `frames`
+    bool until_exact = false;  ///< end a path whose view stays the same when its picture is exact
+    bool warm = false;         ///< keep the package in the page cache
+    int pictures = 0;          ///< frames to save as PNG
     std::filesystem::path folder = "bench";
 };
 
@@ -46,10 +48,13 @@ struct Flight {
     std::string path, mode;
     int repeat;
     std::vector<FrameRecord> frames;
-    std::uint64_t bytes_read = 0, graphics_budget = 0;
-    // Of the jump in the path "jump", if there is a single object:
+    StreamedSoFar streamed{};
+    std::uint64_t graphics_budget = 0;
+    // Of "still", and of the jump in "jump", if there is a single object:
     int frames_to_exact = -1;  ///< until no tile was missing; -1: never
-    std::uint64_t jump_bytes = 0, touched_bytes = 0;
+    double ms_to_exact = 0;
+    StreamedSoFar streamed_to_exact{};
+    std::uint64_t touched_bytes = 0;
 };
 std::vector<double> frame_times(const Flight& flight);  ///< ms
 

@@ -12,14 +12,15 @@ namespace vantage {
 
 nlohmann::json summarize(const std::vector<const Flight*>& flights, std::size_t upload_budget) {
     std::vector<double> all, medians, ratios;
-    std::uint64_t uploaded = 0, over = 0, graphics = 0, process = 0, missing = 0, read = 0;
+    std::uint64_t uploaded = 0, over = 0, graphics = 0, process = 0, missing = 0;
+    StreamedSoFar streamed;
     for (const Flight* f : flights) {
         const std::vector<double> ms = frame_times(*f);
         const FrameStatistics s = frame_statistics(ms);
         all.insert(all.end(), ms.begin(), ms.end());
         medians.push_back(s.median);
         ratios.push_back(s.median > 0 ? s.p999 / s.median : 0);
-        read += f->bytes_read;
+        streamed = streamed + f->streamed;
         for (const FrameRecord& r : f->frames) {
             uploaded = std::max<std::uint64_t>(uploaded, r.report.uploaded);
             over += r.report.uploaded > upload_budget;
@@ -45,12 +46,16 @@ nlohmann::json summarize(const std::vector<const Flight*>& flights, std::size_t 
         {"graphics_bytes_max", graphics},
         {"graphics_budget_bytes", flights.back()->graphics_budget},
         {"process_bytes_max", process},
-        {"bytes_read", read / flights.size()}};
+        {"bytes_read", streamed.bytes / flights.size()},
+        {"decoding_seconds", streamed.seconds / double(flights.size())}};
     if (const Flight& f = *flights.back(); f.frames_to_exact >= 0) {
         out["frames_to_exact"] = f.frames_to_exact;
-        out["bytes_to_exact"] = f.jump_bytes;
+        out["seconds_to_exact"] = f.ms_to_exact / 1000;
+        out["bytes_to_exact"] = f.streamed_to_exact.bytes;
+        out["decoding_seconds_to_exact"] = f.streamed_to_exact.seconds;
         out["bytes_touched"] = f.touched_bytes;
-        out["read_over_touched"] = double(f.jump_bytes) / double(std::max<std::uint64_t>(1, f.touched_bytes));
+        out["read_over_touched"] =
+            double(f.streamed_to_exact.bytes) / double(std::max<std::uint64_t>(1, f.touched_bytes));
     }
     return out;
 }
@@ -59,15 +64,16 @@ void print_summary(const nlohmann::json& s) {
     const auto& ms = s["ms"];
     std::printf(
         "%-10s %-9s  mean %7.2f  median %7.2f  99 %% %7.2f  99.9 %% %7.2f  max %7.2f ms  99.9 %%/median %.2f"
-        "  %5.1f MiB read  at most %.1f MiB per frame",
+        "  %5.1f MiB read, decoded in %.2f s  at most %.1f MiB per frame",
         s["path"].get<std::string>().c_str(), s["mode"].get<std::string>().c_str(), ms["mean"].get<double>(),
         ms["median"].get<double>(), ms["p99"].get<double>(), ms["p999"].get<double>(),
         ms["max"].get<double>(), s["p999_over_median"].get<double>(),
-        double(s["bytes_read"].get<std::uint64_t>()) / 1048576,
+        double(s["bytes_read"].get<std::uint64_t>()) / 1048576, s["decoding_seconds"].get<double>(),
         double(s["uploaded_bytes_a_frame_max"].get<std::uint64_t>()) / 1048576);
     if (s.contains("read_over_touched"))
-        std::printf("  exact after %d frames, %.2f bytes read per byte touched",
-                    s["frames_to_exact"].get<int>(), s["read_over_touched"].get<double>());
+        std::printf("  exact after %d frames, %.2f s, %.2f bytes read per byte touched",
+                    s["frames_to_exact"].get<int>(), s["seconds_to_exact"].get<double>(),
+                    s["read_over_touched"].get<double>());
     std::printf("\n");
     std::fflush(stdout);
 }

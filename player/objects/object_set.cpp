@@ -28,6 +28,13 @@ FrameReport joined(const FrameReport& a, const FrameReport& b) {
     return out;
 }
 
+template <class Of>
+auto ObjectSet::sum(Of of) const {
+    auto out = of(first_);
+    for (const auto& o : others_) out = out + of(*o->renderer);
+    return out;
+}
+
 ObjectSet::ObjectSet(Renderer& first, const std::vector<SceneObject>& objects, const MemoryBudget& budget)
     : first_(first), first_object_(objects.front()), budget_(budget) {
     for (std::size_t i = 1; i < objects.size(); ++i) add(objects[i]);
@@ -110,14 +117,8 @@ const FrameReport& ObjectSet::report(std::size_t object) const {
     return object == 0 ? first_report_ : others_.at(object - 1)->report;
 }
 
-std::uint64_t ObjectSet::sum(std::uint64_t (*of)(const Renderer&)) const {
-    std::uint64_t out = of(first_);
-    for (const auto& o : others_) out += of(*o->renderer);
-    return out;
-}
-
-std::uint64_t ObjectSet::bytes_read() const {
-    return sum([](const Renderer& r) { return r.store().bytes_read(); });
+StreamedSoFar ObjectSet::streamed() const {
+    return sum([](const Renderer& r) { return r.store().streamed(); });
 }
 
 std::uint64_t ObjectSet::graphics_budget() const {

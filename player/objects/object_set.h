@@ -40,7 +40,7 @@ class ObjectSet {
     std::vector<SceneObject> objects() const;
     const FrameReport& report(std::size_t object) const;
     /// Of all objects together.
-    std::uint64_t bytes_read() const;
+    StreamedSoFar streamed() const;
     std::uint64_t graphics_budget() const;  ///< bytes
 
     /// Draws all objects that are shown, as Renderer::draw does; `settings.upload_bytes` is for all
@@ -61,7 +61,9 @@ class ObjectSet {
         View view{};
         FrameReport report{};
     };
-    std::uint64_t sum(std::uint64_t (*of)(const Renderer&)) const;
+    /// Of all renderers.
+    template <class Of>
+    auto sum(Of of) const;
     bool alone() const;
     SceneObject& object_at(std::size_t object);
     RenderSettings settings_of_others(const RenderSettings& settings) const;

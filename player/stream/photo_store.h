@@ -57,7 +57,7 @@ class PhotoStore {
     bool base_resident(std::uint32_t photo, bool coordinates) const;
     const PackagePages& pages() const { return pages_; }
     const Residency& residency() const { return *residency_; }
-    std::uint64_t bytes_read() const { return stream_.bytes_read(); }
+    StreamedSoFar streamed() const { return stream_.streamed(); }
     std::size_t waiting() const { return stream_.waiting(); }
     /// Why a server did not give all that was requested of late; empty if it did.
     std::string failure() const {

@@ -81,9 +81,9 @@ std::string TileStream::failure() const {
     return failure_;
 }
 
-std::uint64_t TileStream::bytes_read() const {
+StreamedSoFar TileStream::streamed() const {
     const std::scoped_lock lock(mutex_);
-    return bytes_read_;
+    return streamed_;
 }
 
 std::optional<TileStream::Task> TileStream::next_arrival() {
@@ -127,10 +127,12 @@ void TileStream::work(std::stop_token stop) {
     while (work_.wait(lock, stop, [&] { return (task = next_task()).has_value(); })) {
         begun_[task->request.identity()] = true;
         lock.unlock();
-        std::uint64_t read = 0;
-        const Fetched fetched = carry_out(*task, read, stop);
+        const auto begin = std::chrono::steady_clock::now();
+        StreamedSoFar done;
+        const Fetched fetched = carry_out(*task, done.bytes, stop);
+        done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         lock.lock();
-        bytes_read_ += read;
+        streamed_ = streamed_ + done;
         if (!task->failure.empty()) failure_ = task->failure;
         done_.push_back(fetched);
         task.reset();

@@ -13,6 +13,7 @@
 
 #include "player/stream/remote_bytes.h"
 #include "player/stream/stream_request.h"
+#include "player/stream/streamed_so_far.h"
 #include "player/stream/upload_ring.h"
 #include "scene/package_reader.h"
 
@@ -56,8 +57,7 @@ class TileStream {
     GLuint buffer() const { return ring_.buffer(); }
     std::size_t ring_bytes() const { return ring_.bytes(); }
     std::size_t waiting() const;
-    /// Bytes read from the package since opening.
-    std::uint64_t bytes_read() const;
+    StreamedSoFar streamed() const;
     /// Why a request could not be fetched, of the last such request; empty if there was none.
     std::string failure() const;
 
@@ -88,7 +88,7 @@ class TileStream {
     std::deque<StreamRequest> wanted_;
     std::deque<Fetched> done_;
     std::unordered_map<std::uint64_t, bool> begun_;  ///< in flight, or fetched and not taken
-    std::uint64_t bytes_read_ = 0;
+    StreamedSoFar streamed_;
     std::string failure_;
     std::unique_ptr<RemoteBytes> remote_;  ///< of a package on a server; uses the mutex
     std::vector<std::jthread> threads_;    ///< last: they use all members above
