@@ -7,7 +7,7 @@
 #include "codec/depth_values.h"
 #include "codec/jpeg_cells.h"
 #include "codec/jpeg_pixels.h"
-#include "pipeline/pixels/pyramid.h"
+#include "pipeline/pixels/cut_tile.h"
 
 namespace vantage {
 namespace {

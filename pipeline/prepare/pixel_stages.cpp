@@ -4,7 +4,7 @@
 
 #include "pipeline/formats/images/photos.h"
 #include "pipeline/package/tile_levels.h"
-#include "pipeline/pixels/pyramid.h"
+#include "pipeline/pixels/reduced.h"
 #include "pipeline/pixels/undistort.h"
 #include "pipeline/stages/surface_samples.h"
 #include "scene/error.h"

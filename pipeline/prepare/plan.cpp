@@ -10,7 +10,7 @@
 #include "pipeline/package/chunk_plan.h"
 #include "pipeline/package/meta.h"
 #include "pipeline/package/photo_records.h"
-#include "pipeline/pixels/pyramid.h"
+#include "pipeline/pixels/reduced.h"
 #include "pipeline/stages/inspect.h"
 #include "points/point_cloud.h"
 

@@ -16,7 +16,7 @@
 #include "pipeline/package/stage_table.h"
 #include "pipeline/package/staleness.h"
 #include "pipeline/package/tile_levels.h"
-#include "pipeline/pixels/pyramid.h"
+#include "pipeline/pixels/reduced.h"
 #include "pipeline/prepare/finish.h"
 #include "pipeline/report/colors_part.h"
 #include "pipeline/report/consensus_part.h"

@@ -13,7 +13,7 @@
 #include "pipeline/formats/images/photos.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/pixels/pyramid.h"
+#include "pipeline/pixels/reduced.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"

@@ -1,16 +1,15 @@
-#include "pipeline/pixels/pyramid.h"
+#include "pipeline/pixels/cut_tile.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "scene/halve.h"
 #include "scene/tiling.h"
 
 using namespace vantage;
 
-TEST(Pyramid, TilesHoldEveryTexelAndItsNeighbors) {
+TEST(CutTile, TilesHoldEveryTexelAndItsNeighbors) {
     const Level level{600, 300};
     std::vector<std::uint32_t> texels(std::size_t(level.width) * std::size_t(level.height));
     for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = std::uint32_t(i);
@@ -28,20 +27,4 @@ TEST(Pyramid, TilesHoldEveryTexelAndItsNeighbors) {
                           std::uint32_t(v * level.width + u));
             }
     }
-}
-
-TEST(Pyramid, HalvingAveragesLinearLightAndRepeatsOddEdges) {
-    const RgbaImage image{3, 1, {0, 0, 0, 255, 255, 255, 255, 255, 90, 90, 90, 255}};
-    const RgbaImage half = halve(image);
-    ASSERT_EQ(half.width, 2);
-    ASSERT_EQ(half.height, 1);
-    EXPECT_NEAR(half.rgba[0], 188, 1);  // half the light of white, in sRGB
-    EXPECT_NEAR(half.rgba[4], 90, 1);
-}
-
-TEST(Pyramid, TransparentTexelsContributeNoColor) {
-    const RgbaImage half = halve(RgbaImage{2, 1, {200, 100, 50, 255, 0, 0, 0, 0}});
-    EXPECT_NEAR(half.rgba[0], 200, 1);
-    EXPECT_NEAR(half.rgba[1], 100, 1);
-    EXPECT_EQ(half.rgba[3], 128);
 }

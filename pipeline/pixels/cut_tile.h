@@ -1,11 +1,8 @@
 #pragma once
 #include <cstddef>
-#include <cstdint>
 #include <span>
-#include <vector>
 
 #include "scene/tiling.h"
-#include "values/rgba_image.h"
 
 namespace vantage {
 
@@ -14,11 +11,5 @@ namespace vantage {
 /// level.height * 4 bytes, `tile` holds tile_bytes.
 void cut_tile(std::span<const std::byte> texels, const Level& level, std::size_t number,
               std::span<std::byte> tile);
-
-/// Scaled down to `size`: bilinear above half of the image's size, else the area average (OpenCV).
-RgbaImage reduced(const RgbaImage& image, const Level& size);
-
-/// The photo's size scaled down to at most `longest` pixels on the long side, never larger than the photo.
-Level thumbnail_size(int width, int height, int longest);
 
 }  // namespace vantage

@@ -1,0 +1,13 @@
+#pragma once
+#include "scene/tiling.h"
+#include "values/rgba_image.h"
+
+namespace vantage {
+
+/// Scaled down to `size`: bilinear above half of the image's size, else the area average (OpenCV).
+RgbaImage reduced(const RgbaImage& image, const Level& size);
+
+/// The photo's size scaled down to at most `longest` pixels on the long side, never larger than the photo.
+Level thumbnail_size(int width, int height, int longest);
+
+}  // namespace vantage
