@@ -28,6 +28,7 @@ void FrameTiles::stream(const View& view, std::span<const BandFrame> bands, int 
             // Until the visible triangles are known, many tiles would be read unnecessarily.
             const bool known = band.plan->uses_seen() || settings.wait_for_tiles;
             report.tiles_missing += known ? store_->need(p.photo, p.needs) : p.needs.tiles();
+            if (!known) report.tiles_to_come += p.needs.tiles();
         }
     const TileNeeds comparison = comparison_needs(view, settings);
     report.tiles_missing += store_->need(settings.compare_photo, comparison);
@@ -46,6 +47,7 @@ void FrameTiles::stream(const View& view, std::span<const BandFrame> bands, int 
     // Points have taken their part of the frame's budget.
     report.uploaded +=
         store_->stream(settings.upload_bytes - std::min(settings.upload_bytes, report.uploaded));
+    report.tiles_to_come += store_->to_come();
 }
 
 void FrameTiles::prefetch(std::span<const BandFrame> bands, int side, const View* next) {

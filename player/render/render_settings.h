@@ -151,6 +151,8 @@ struct FrameReport {
     std::size_t clusters = 0, photos = 0, passes = 0, draws = 0;
     std::size_t tiles = 0;          ///< needed
     std::size_t tiles_missing = 0;  ///< needed and not resident: coarser ones were shown
+    std::size_t tiles_to_come =
+        0;  ///< that are being fetched: of those missing, as many as there is space for
     std::size_t tiles_damaged = 0;  ///< found of late
     std::size_t tiles_absent = 0;   ///< that a server did not give of late
     std::size_t points = 0;         ///< of the cloud, drawn
@@ -159,7 +161,7 @@ struct FrameReport {
     std::size_t fragments_approximated = 0;  ///< of these: not sorted, for lack of room
     std::size_t uploaded = 0;                ///< bytes
     double uncovered = 0;  ///< share of the surface visible in photos that no chosen photo sees
-    bool settled = false;  ///< everything needed is resident and has faded in
+    bool settled = false;  ///< nothing more is to come, and all has faded in
 };
 
 /// Memory limits in bytes.

@@ -242,7 +242,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     r.tiles_damaged = store_.residency().damaged_count() + (points_ ? points_->damaged() : 0);
     r.tiles_absent = store_.residency().absent_count() + (points_ ? points_->absent() : 0);
     r.settled =
-        r.tiles_missing == 0 && r.nodes_missing == 0 && bands_.settled() && store_.residency().settled();
+        r.tiles_to_come == 0 && r.nodes_missing == 0 && bands_.settled() && store_.residency().settled();
     held_ += gl::memory_held() - held_before;
     gl::check("rendering a view");
     return r;

@@ -121,6 +121,7 @@ std::size_t PhotoStore::stream(std::size_t budget) {
     std::array<std::uint32_t, photo_resources> available;
     for (std::size_t i = 0; i < photo_resources; ++i) available[i] = residency_->available(Resource(i));
     ordered_.clear();
+    to_come_ = 0;
     for (const Wanted& w : wanted_) {
         if (residency_->holds(w.request)) continue;
         std::uint32_t& left = available[std::size_t(w.request.resource)];
@@ -128,6 +129,7 @@ std::size_t PhotoStore::stream(std::size_t budget) {
         if (left == 0 && !piece) continue;
         left -= !piece;
         ordered_.push_back(w.request);
+        to_come_ += w.urgency != Urgency::prefetch;
     }
     stream_.want(ordered_);
     return uploaded;

@@ -48,6 +48,8 @@ class PhotoStore {
     /// Uploads at most `budget` bytes of what has been fetched, or one larger piece, and fetches what this
     /// frame has requested. Returns the bytes uploaded.
     std::size_t stream(std::size_t budget);
+    /// How many resources that this frame needs are being fetched.
+    std::size_t to_come() const { return to_come_; }
     /// Fetches and uploads everything requested since the last call or the start of the frame. Waits. Throws
     /// Error(input) if a server does not give it.
     void load();
@@ -100,6 +102,7 @@ class PhotoStore {
     std::vector<Wanted> wanted_;  ///< not resident
     std::unordered_set<std::uint64_t> wanted_identities_;
     std::vector<StreamRequest> missing_, ordered_;
+    std::size_t to_come_ = 0;
 };
 
 }  // namespace vantage
