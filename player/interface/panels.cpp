@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cfloat>
 #include <cmath>
@@ -186,7 +185,7 @@ void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
     if (c.menu("File")) {
         if (c.menu_item("Open...", "O")) s.open_asked = true;
         if (c.menu_item("Screenshot", "P")) s.screenshot = true;
-        if (c.menu_item("Quit", "Esc")) s.quit = true;
+        if (c.menu_item("Quit", "Ctrl+Q")) s.quit = true;
         ImGui::EndMenu();
     }
     if (c.menu("View")) {
@@ -294,8 +293,8 @@ void help_panel(Session& s) {
     if (ImGui::Begin("Mouse and keys", &s.panels.help,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
         const char* const lines[][2] = {{"drag", "orbit the model"},
-                                        {"drag, right button", "look around"},
-                                        {"drag, middle button", "pan"},
+                                        {"drag, right or middle button", "pan"},
+                                        {"Ctrl and drag", "look around"},
                                         {"wheel", "move closer or away"},
                                         {"W A S D, Q E", "fly; faster with Shift"},
                                         {"N, B", "fly to the next or previous photo"},
@@ -307,43 +306,15 @@ void help_panel(Session& s) {
                                         {"O", "open another package (or drop it here)"},
                                         {"P", "screenshot"},
                                         {"F1 to F10", "help and panels"},
-                                        {"Esc", "quit"}};
+                                        {"Esc", "close help, stop a flight or a comparison"},
+                                        {"Ctrl+Q", "quit"}};
         for (const auto& line : lines) {
             ImGui::TextColored(ImVec4(0.55f, 0.75f, 1, 1), "%s", line[0]);
-            ImGui::SameLine(190);
+            ImGui::SameLine(220);
             ImGui::TextUnformatted(line[1]);
         }
     }
     ImGui::End();
-}
-
-void open_dialog(Controls& c, Session& s, const Renderer& renderer) {
-    if (s.open_asked) ImGui::OpenPopup("Open a package");
-    s.open_asked = false;
-    if (!ImGui::BeginPopupModal("Open a package", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-    static std::array<char, 1024> typed{};
-    const PackageReader& shown = renderer.package();
-    const std::filesystem::path folder = shown.remote()
-                                             ? std::filesystem::current_path()
-                                             : std::filesystem::absolute(shown.path()).parent_path();
-    ImGui::TextDisabled("%s", folder.c_str());
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        if (entry.path().extension() != ".vantage") continue;
-        const std::string name = entry.path().filename().string();
-        const bool chosen = ImGui::Selectable(name.c_str(), false, ImGuiSelectableFlags_DontClosePopups);
-        c.note(name.c_str());
-        if (chosen) std::snprintf(typed.data(), typed.size(), "%s", entry.path().c_str());
-    }
-    ImGui::SetNextItemWidth(420);
-    ImGui::InputText("##file", typed.data(), typed.size());
-    if (c.button("Open") && typed[0]) {
-        s.open = typed.data();
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::SameLine();
-    if (c.button("Cancel")) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
 }
 
 void message_line(const Session& s, double now) {

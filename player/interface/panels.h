@@ -13,8 +13,6 @@ void blending_panel(Controls& controls, Session& session, const Renderer& render
 /// `graphics_budget`: of all objects, bytes.
 void status_panel(const Session& session, const Renderer& renderer, std::uint64_t graphics_budget);
 void help_panel(Session& session);
-/// Asks for a package to open: lists those in the current one's folder, and accepts any path.
-void open_dialog(Controls& controls, Session& session, const Renderer& renderer);
 /// The session's message, if there is one.
 void message_line(const Session& session, double now);
 

@@ -11,6 +11,14 @@ void say(Session& s, const std::string& message, double now) {
     s.message_until = now + 6;
 }
 
+bool take_key(Session& s, int key, bool modified) {
+    const auto is = [&](const KeyPress& p) { return p.key == key && p.modified == modified; };
+    const auto at = std::ranges::find_if(s.keys, is);
+    if (at == s.keys.end()) return false;
+    s.keys.erase(at);
+    return true;
+}
+
 void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record, double now) {
     s.standing_at = photo;
     s.settings.compare_photo = photo;
@@ -19,7 +27,7 @@ void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record,
 
 void replay(Session& s, double now) {
     if (s.recorded.size() < 2) return;
-    s.flight = Session::Flight{s.recorded, now, double(s.recorded.size() - 1) / 30};
+    s.flight = Session::Flight{s.recorded, now, double(s.recorded.size() - 1) / positions_per_second};
 }
 
 void continue_flight(Session& s, double now) {

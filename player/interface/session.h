@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "player/camera/navigation.h"
+#include "player/interface/key_press.h"
 #include "player/render/frame_statistics.h"
 #include "player/render/render_settings.h"
 
@@ -16,6 +17,9 @@ struct Panels {
     bool points = true, bands = true;  ///< only if the package has any
     bool objects = false;
 };
+
+/// How often positions are recorded.
+inline constexpr double positions_per_second = 30;
 
 /// The state that the user of the window sees and changes.
 struct Session {
@@ -35,7 +39,10 @@ struct Session {
     };
     std::optional<Flight> flight;
     bool recording = false;
-    std::vector<Navigation> recorded;
+    std::vector<Navigation> recorded;  ///< one per 1 / positions_per_second seconds
+
+    std::vector<KeyPress> keys;   ///< pressed since the last frame, and not taken yet
+    bool double_clicked = false;  ///< since the last frame, by the left button
 
     bool open_asked = false;  ///< show the dialog to open another package
     std::string open;         ///< another package or scene file to show, or empty
@@ -55,9 +62,12 @@ struct Session {
 /// Shows a message for 6 seconds.
 void say(Session& session, const std::string& message, double now);
 
+/// Whether a key was pressed since the last frame; takes the press.
+bool take_key(Session& session, int key, bool modified = false);
+
 /// Starts a flight to a photo's camera, 0.7 seconds long.
 void fly_to(Session& session, std::uint32_t photo, const package::PhotoRecord& record, double now);
-/// Starts a flight along the recorded path, 30 positions per second.
+/// Starts a flight along the recorded path, as fast as it was recorded.
 void replay(Session& session, double now);
 /// Moves the camera to its position on the flight in progress.
 void continue_flight(Session& session, double now);

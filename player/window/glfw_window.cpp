@@ -6,6 +6,8 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include <utility>
+
 #include "gl/context.h"
 #include "player/interface/panels.h"
 #include "scene/error.h"
@@ -24,6 +26,33 @@ namespace {
 
 }  // namespace
 
+struct GlfwWindow::Callbacks {
+    static GlfwWindow& window(GLFWwindow* w) {
+        return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(w));
+    }
+    static WindowEvents& events(GLFWwindow* w) {
+        window(w).events_.any = true;
+        return window(w).events_;
+    }
+    static void key(GLFWwindow* w, int key, int, int action, int modifiers) {
+        constexpr int modified = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
+        WindowEvents& e = events(w);
+        if (action == GLFW_PRESS) e.keys.push_back({key, (modifiers & modified) != 0});
+    }
+    static void drop(GLFWwindow* w, int count, const char** files) {
+        std::vector<std::string>& dropped = events(w).dropped;
+        dropped.insert(dropped.end(), files, files + count);
+    }
+    /// ImGui sees one click where a frame is longer than two of them.
+    static void button(GLFWwindow* w, int button, int action, int) {
+        constexpr double most_seconds = 0.4;
+        WindowEvents& e = events(w);
+        if (button != GLFW_MOUSE_BUTTON_LEFT || action != GLFW_PRESS) return;
+        const double now = glfwGetTime();
+        e.double_clicked |= now - std::exchange(window(w).clicked_at_, now) < most_seconds;
+    }
+};
+
 GlfwWindow::GlfwWindow(FrameSize size, const std::string& title, bool debug) {
     if (!glfwInit()) fail();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
@@ -38,8 +67,34 @@ GlfwWindow::GlfwWindow(FrameSize size, const std::string& title, bool debug) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     set_style();
+    watch_events();  // first: ImGui calls the callbacks that it finds
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init("#version 450");
+}
+
+void GlfwWindow::watch_events() {
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, Callbacks::key);
+    glfwSetDropCallback(window_, Callbacks::drop);
+    glfwSetMouseButtonCallback(window_, Callbacks::button);
+    constexpr auto note = [](GLFWwindow* w, auto...) { Callbacks::events(w); };
+    glfwSetCharCallback(window_, note);
+    glfwSetCursorPosCallback(window_, note);
+    glfwSetCursorEnterCallback(window_, note);
+    glfwSetScrollCallback(window_, note);
+    glfwSetWindowFocusCallback(window_, note);
+    glfwSetWindowRefreshCallback(window_, note);
+    glfwSetWindowIconifyCallback(window_, note);
+    glfwSetFramebufferSizeCallback(window_, note);
+    glfwSetWindowCloseCallback(window_, note);
+}
+
+WindowEvents GlfwWindow::events(double seconds) {
+    if (seconds > 0)
+        glfwWaitEventsTimeout(seconds);
+    else
+        glfwPollEvents();
+    return std::exchange(events_, {});
 }
 
 GlfwWindow::~GlfwWindow() {

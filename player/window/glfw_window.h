@@ -2,6 +2,7 @@
 #include <string>
 
 #include "player/camera/shots.h"
+#include "player/window/window_events.h"
 
 struct GLFWwindow;
 
@@ -16,9 +17,16 @@ class GlfwWindow {
     GlfwWindow(const GlfwWindow&) = delete;
     GlfwWindow& operator=(const GlfwWindow&) = delete;
     GLFWwindow* get() const { return window_; }
+    /// Handles what has happened. `seconds`: waits so long for something to happen; 0: does not wait.
+    WindowEvents events(double seconds = 0);
 
   private:
+    struct Callbacks;
+    void watch_events();
+
     GLFWwindow* window_ = nullptr;
+    WindowEvents events_;
+    double clicked_at_ = -1;
 };
 
 }  // namespace vantage

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include "player/interface/band_panel.h"
 #include "player/render/blend_table.h"
@@ -14,18 +16,24 @@
 namespace vantage {
 namespace {
 
-/// Whether a key was pressed in this frame, and not typed into a text field.
-bool pressed(int key) { return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key, false); }
-
+/// Dragging by the window's width turns by half a turn; what is dragged follows the pointer.
 void move_by_mouse(Session& s) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantCaptureMouse) return;
     const Navigation before = s.camera;
-    const double radians = 0.005;
-    if (io.MouseDown[0]) orbit(s.camera, io.MouseDelta.x * radians, -io.MouseDelta.y * radians);
-    if (io.MouseDown[1]) look(s.camera, -io.MouseDelta.x * radians, io.MouseDelta.y * radians);
-    const double pixel = (s.camera.eye - s.camera.target).norm() / std::max(1.0f, io.DisplaySize.y);
-    if (io.MouseDown[2]) fly(s.camera, Eigen::Vector3d(-io.MouseDelta.x, -io.MouseDelta.y, 0) * pixel);
+    const double right = double(io.MouseDelta.x), down = double(io.MouseDelta.y),
+                 height = std::max(1.0, double(io.DisplaySize.y)),
+                 fov = s.camera.fov * std::numbers::pi / 180;
+    if (io.MouseDown[0] && io.KeyCtrl) {
+        look(s.camera, -right * fov / height, -down * fov / height);
+    } else if (io.MouseDown[0]) {
+        const double radians = std::numbers::pi / std::max(1.0, double(io.DisplaySize.x));
+        orbit(s.camera, right * radians, down * radians);
+    }
+    if (io.MouseDown[1] || io.MouseDown[2]) {
+        const double pixel = 2 * (s.camera.eye - s.camera.target).norm() * std::tan(fov / 2) / height;
+        fly(s.camera, Eigen::Vector3d(-right, -down, 0) * pixel);
+    }
     if (io.MouseWheel != 0) approach(s.camera, std::pow(0.9, double(io.MouseWheel)));
     if (s.camera.eye != before.eye || s.camera.R != before.R) s.flight.reset();  // input interrupts a flight
 }
@@ -45,10 +53,14 @@ void move_lamp(Session& s) {
     s.settings.light.elevation = std::max(5.0, degrees * std::acos(std::min(std::hypot(x, y), 1.0)));
 }
 
-void move_by_keys(Session& s) {
+/// `tapped`: keys that were released before the frame began.
+void move_by_keys(Session& s, std::span<const KeyPress> tapped) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput) return;
-    const auto down = [&](int key) { return double(ImGui::IsKeyDown(key)); };
+    if (io.KeyCtrl || io.KeyAlt || io.KeySuper) return;
+    const auto down = [&](int key) {
+        const auto is = [&](const KeyPress& p) { return p.key == key && !p.modified; };
+        return double(ImGui::IsKeyDown(key) || std::ranges::any_of(tapped, is));
+    };
     const Eigen::Vector3d step(down(GLFW_KEY_D) - down(GLFW_KEY_A), down(GLFW_KEY_Q) - down(GLFW_KEY_E),
                                down(GLFW_KEY_W) - down(GLFW_KEY_S));
     const double pace =
@@ -74,30 +86,57 @@ void fly_on(Session& s, const PlanScene& scene, int by, double now) {
     }
 }
 
-void run_shortcuts(Session& s, const PlanScene& scene, double now) {
-    if (pressed(GLFW_KEY_N)) fly_on(s, scene, 1, now);
-    if (pressed(GLFW_KEY_B)) fly_on(s, scene, -1, now);
-    if (pressed(GLFW_KEY_C)) {
-        next(s.settings.compare);
-        s.settings.bands.how = BandView::mix;
+/// Closes what was opened last and can be closed; never the window.
+void leave(Session& s, double now) {
+    if (s.panels.help)
+        s.panels.help = false;
+    else if (s.flight)
+        s.flight.reset();
+    else if (s.settings.compare != Compare::nothing)
+        s.settings.compare = Compare::nothing;
+    else
+        say(s, "Ctrl+Q quits", now);
+}
+
+void toggle_panel(Panels& p, int number) {
+    bool* const panels[] = {&p.help,  &p.blending, &p.status, &p.photos, &p.frusta,
+                            &p.radar, &p.layers,   &p.points, &p.bands,  &p.objects};
+    if (number < int(std::size(panels))) *panels[number] = !*panels[number];
+}
+
+void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
+    switch (key) {
+        case GLFW_KEY_N:
+            return fly_on(s, scene, 1, now);
+        case GLFW_KEY_B:
+            return fly_on(s, scene, -1, now);
+        case GLFW_KEY_C:
+            s.settings.bands.how = BandView::mix;
+            return next(s.settings.compare);
+        case GLFW_KEY_X:
+            return show_next_band(s, scene.bands.size());
+        case GLFW_KEY_V:
+            return next(s.settings.show);
+        case GLFW_KEY_R:
+            s.recording = !s.recording;
+            if (s.recording) s.recorded.clear();
+            return;
+        case GLFW_KEY_T:
+            return replay(s, now);
+        case GLFW_KEY_O:
+            s.open_asked = true;
+            return;
+        case GLFW_KEY_P:
+            s.screenshot = true;
+            return;
+        case GLFW_KEY_ESCAPE:
+            return leave(s, now);
+        default:
+            break;
     }
-    if (pressed(GLFW_KEY_X)) show_next_band(s, scene.bands.size());
-    if (pressed(GLFW_KEY_V)) next(s.settings.show);
-    for (int key = GLFW_KEY_1; const BlendRow& row : blend_table())
-        if (pressed(key++)) s.settings.blend = row.blend;
-    if (pressed(GLFW_KEY_R)) {
-        s.recording = !s.recording;
-        if (s.recording) s.recorded.clear();
-    }
-    if (pressed(GLFW_KEY_T)) replay(s, now);
-    if (pressed(GLFW_KEY_O)) s.open_asked = true;
-    if (pressed(GLFW_KEY_P)) s.screenshot = true;
-    if (pressed(GLFW_KEY_ESCAPE)) s.quit = true;
-    bool* const panels[] = {&s.panels.help,   &s.panels.blending, &s.panels.status, &s.panels.photos,
-                            &s.panels.frusta, &s.panels.radar,    &s.panels.layers, &s.panels.points,
-                            &s.panels.bands,  &s.panels.objects};
-    for (int i = 0; i < int(std::size(panels)); ++i)
-        if (pressed(GLFW_KEY_F1 + i)) *panels[i] = !*panels[i];
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) toggle_panel(s.panels, key - GLFW_KEY_F1);
+    for (int number = GLFW_KEY_1; const BlendRow& row : blend_table())
+        if (key == number++) s.settings.blend = row.blend;
 }
 
 }  // namespace
@@ -105,13 +144,19 @@ void run_shortcuts(Session& s, const PlanScene& scene, double now) {
 void apply_input(Session& session, const PlanScene& scene, double now) {
     move_by_mouse(session);
     move_lamp(session);
-    move_by_keys(session);
-    run_shortcuts(session, scene, now);
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control in use
+    const std::vector<KeyPress> keys = std::exchange(session.keys, {});
+    move_by_keys(session, keys);
+    for (const KeyPress& p : keys) {
+        session.quit |= p.modified && p.key == GLFW_KEY_Q;
+        if (!p.modified && !session.open_asked) run_shortcut(session, scene, p.key, now);
+    }
 }
 
-bool any_key_down() {
+bool keys_in_use(const Session& session) {
     const auto& down = ImGui::GetIO().KeysDown;
-    return std::any_of(std::begin(down), std::end(down), [](bool d) { return d; });
+    return !session.keys.empty() || std::any_of(std::begin(down), std::end(down), [](bool d) { return d; });
 }
 
 }  // namespace vantage

@@ -4,9 +4,10 @@
 
 namespace vantage {
 
-/// Applies this frame's mouse and keyboard input, except input to panels. `now` in seconds.
+/// Applies the mouse and keyboard input since the last frame, except input to panels. `now` in seconds.
 void apply_input(Session& session, const PlanScene& scene, double now);
 
-bool any_key_down();
+/// Whether a key is down, or was since the last frame.
+bool keys_in_use(const Session& session);
 
 }  // namespace vantage

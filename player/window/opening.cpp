@@ -6,6 +6,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
 #include <future>
 #include <string>
@@ -21,8 +22,7 @@ struct Progress {
     double bytes = 0, of = 0, per_second = 0;  ///< of: 0 while the server is being asked
 };
 
-/// False once the user wants to stop.
-bool draw_progress(GLFWwindow* window, const std::string& name, const Progress& p) {
+void draw_progress(GLFWwindow* window, const std::string& name, const Progress& p) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
@@ -47,23 +47,24 @@ bool draw_progress(GLFWwindow* window, const std::string& name, const Progress& 
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window);
-    return !glfwWindowShouldClose(window) && !ImGui::IsKeyPressed(ImGuiKey_Escape);
 }
 
 /// Draws the progress until the result is there; the user may stop what leads to it.
 template <class Result, class Ask>
-Result await(GLFWwindow* window, std::future<Result> result, std::stop_source stop, const std::string& name,
+Result await(GlfwWindow& window, std::future<Result> result, std::stop_source stop, const std::string& name,
              const Ask& progress) {
     while (result.wait_for(std::chrono::milliseconds(30)) != std::future_status::ready) {
-        glfwPollEvents();
-        if (!draw_progress(window, name, progress())) stop.request_stop();
+        const auto is_escape = [](const KeyPress& p) { return p.key == GLFW_KEY_ESCAPE; };
+        if (std::ranges::any_of(window.events().keys, is_escape) || glfwWindowShouldClose(window.get()))
+            stop.request_stop();
+        draw_progress(window.get(), name, progress());
     }
     return result.get();
 }
 
 }  // namespace
 
-PackageReader open_in_window(GLFWwindow* window, const std::filesystem::path& package,
+PackageReader open_in_window(GlfwWindow& window, const std::filesystem::path& package,
                              const MemoryOptions& options) {
     if (!is_url(package.native())) return PackageReader(package);
     const std::string name = package.filename().string();

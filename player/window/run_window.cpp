@@ -7,6 +7,7 @@
 #include <imgui.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -124,7 +125,7 @@ struct Requested {
 };
 
 /// Opens the package that the session asks for; empty, with a message, if it cannot be shown.
-std::optional<Requested> take_request(GLFWwindow* window, Session& session, const MemoryOptions& memory,
+std::optional<Requested> take_request(GlfwWindow& window, Session& session, const MemoryOptions& memory,
                                       double now) {
     const std::string file = std::exchange(session.open, "");
     if (file.empty()) return {};
@@ -143,42 +144,68 @@ std::optional<Requested> take_request(GLFWwindow* window, Session& session, cons
     }
 }
 
+/// Into the current folder, under the package's name and a number.
+void save_screenshot(Session& session, const PackageReader& package, int width, int height, double now) {
+    try {
+        const std::string saved = free_name(package.path().stem().string(), ".png");
+        save_frame(saved, width, height);
+        say(session, "screenshot written to " + saved, now);
+    } catch (const Error& e) {
+        say(session, e.what(), now);
+    }
+}
+
+/// ImGui needs some frames to react to what has happened.
+constexpr int frames_after_event = 3;
+
+/// Whether a frame is to be drawn. At rest, waits until something happens, or the scene is to be drawn
+/// anyway. `lively`: frames that are still to be drawn after the last event.
+bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, int& lively) {
+    const bool rests = scene.rests() && !keys_in_use(session) && lively == 0;
+    WindowEvents events = window.events(rests ? std::clamp(scene.wakes_at() - glfwGetTime(), 0.001, 1.0) : 0);
+    session.keys = std::move(events.keys);
+    session.double_clicked = events.double_clicked;
+    for (const std::string& file : events.dropped)
+        (is_scene_file(file) ? session.open : session.dropped) = file;
+    lively = events.any ? frames_after_event : std::max(0, lively - 1);
+    return !rests || events.any || glfwGetTime() >= scene.wakes_at();
+}
+
 /// Shows one package, requested at `requested_at` seconds, until the window closes or another package is
 /// requested. Returns that other package, if any.
-std::optional<Requested> show_package(GLFWwindow* window, Session& session, ShownScene& scene,
+std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, ShownScene& scene,
                                       Controls& controls, const ShowOptions& o, double requested_at) {
-    for (int frame = 1; !glfwWindowShouldClose(window); ++frame) {
-        // A final picture needs no new frames without input.
-        if (scene.idle() && !any_key_down() && o.window.frames == 0 && o.window.controls.empty())
-            glfwWaitEventsTimeout(0.2);
-        else
-            glfwPollEvents();
+    GLFWwindow* window = shown_in.get();
+    const bool scripted = o.window.frames > 0 || !o.window.controls.empty();  // needs every frame
+    int lively = frames_after_event;
+    for (int frame = 0; !glfwWindowShouldClose(window);) {
+        if (!take_events(shown_in, session, scene, lively) && !scripted) continue;
         int width = 0, height = 0;
         glfwGetFramebufferSize(window, &width, &height);
         if (width == 0 || height == 0) {  // minimized
             glfwWaitEventsTimeout(0.1);
             continue;
         }
+        ++frame;
         const double now = glfwGetTime();
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
         controls.begin_frame();
+        const bool keys_used = keys_in_use(session);
         apply_input(session, scene.renderer().scene(), now);
-        scene.frame(width, height, now, any_key_down());
+        scene.frame(width, height, now, keys_used);
         const bool ends = frame == o.window.frames;
         if (ends && !o.window.screenshot.empty()) save_frame(o.window.screenshot, width, height);
         if (session.screenshot) {
-            const std::string saved = free_name(scene.renderer().package().path().stem().string(), ".png");
-            save_frame(saved, width, height);
-            say(session, "screenshot written to " + saved, now);
+            save_screenshot(session, scene.renderer().package(), width, height, now);
         }
         session.screenshot = false;
         glfwSwapBuffers(window);
         if (!o.window.controls.empty()) controls.write_places(o.window.controls);
         if (frame == 1 && !o.output.quiet)
             std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * (glfwGetTime() - requested_at));
-        if (auto other = take_request(window, session, o.memory, now)) return other;
+        if (auto other = take_request(shown_in, session, o.memory, now)) return other;
         if (ends || session.quit) break;
     }
     return {};
@@ -197,17 +224,11 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     };
     // What is wrong with a file or an option is said without a window.
     if (!is_url(file.native())) start(PackageReader(file));
-    const GlfwWindow window(o.output.size.empty() ? remembered.window : parse_size(o.output.size), "Vantage",
-                            o.window.debug_gl == gl::Debug::on);
-    if (!first) start(open_in_window(window.get(), file, o.memory));
+    GlfwWindow window(o.output.size.empty() ? remembered.window : parse_size(o.output.size), "Vantage",
+                      o.window.debug_gl == gl::Debug::on);
+    if (!first) start(open_in_window(window, file, o.memory));
     Controls controls;
     Session session = start_session(*first, o, remembered);
-    glfwSetWindowUserPointer(window.get(), &session);
-    glfwSetDropCallback(window.get(), [](GLFWwindow* w, int count, const char** files) {
-        if (count == 0) return;
-        Session& to = *static_cast<Session*>(glfwGetWindowUserPointer(w));
-        (is_scene_file(files[0]) ? to.open : to.dropped) = files[0];
-    });
     std::optional<Requested> other, next;
     const PackageReader* package = &*first;
     bool damaged = false;
@@ -216,7 +237,7 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
         glfwSetWindowTitle(window.get(), (package->path().filename().string() + " - Vantage").c_str());
         {
             ShownScene scene(*package, other ? other->objects : objects, o, session, controls);
-            next = show_package(window.get(), session, scene, controls, o, requested_at);
+            next = show_package(window, session, scene, controls, o, requested_at);
         }
         damaged |= session.report.tiles_damaged > 0;
         remember(session, *package, remembered);

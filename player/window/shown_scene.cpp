@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -34,6 +35,7 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     Session& s = session_;
     continue_flight(s, now);
     const View view = view_of(s.camera, width, height);
+    shown_at_ = now;
     interface(view, now);
     record(now);
     change_objects(now);
@@ -63,23 +65,52 @@ void ShownScene::interface(const View& view, double now) {
     if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
     if (s.panels.photos && !renderer_.scene().photos.empty()) strip_.show(controls_, s, renderer_, view, now);
     if (s.panels.help) help_panel(s);
-    open_dialog(controls_, s, renderer_);
+    const PackageReader& package = renderer_.package();
+    open_dialog_.show(controls_, s,
+                      package.remote() ? std::filesystem::current_path()
+                                       : std::filesystem::absolute(package.path()).parent_path());
     drop_dialog(controls_, s);
     message_line(s, now);
 }
 
+double ShownScene::wakes_at() const {
+    double at = HUGE_VAL;
+    if (!session_.message.empty() && session_.message_until > shown_at_) at = session_.message_until;
+    if (looks_again()) at = std::min(at, drawn_at_ + look_again_seconds);
+    if (ImGui::GetIO().WantTextInput) at = std::min(at, shown_at_ + blink_seconds);
+    return at;
+}
+
+/// Evenly in time, whatever the pace of the frames.
 void ShownScene::record(double now) {
     Session& s = session_;
-    if (s.recording && now >= record_at_) {
-        s.recorded.push_back(s.camera);
-        record_at_ = now + 1.0 / 30;
+    if (!s.recording) {
+        if (recording_) save_recorded(now);
+        recording_.reset();
+        return;
     }
-    if (was_recording_ && !s.recording && !s.recorded.empty()) {
-        const std::string file = free_name(renderer_.package().path().stem().string(), ".path");
-        write_path(file, s.recorded, renderer_.package());
+    if (!recording_) recording_ = Recording{now, s.camera, now};
+    const auto next = [&] { return recording_->begin + double(s.recorded.size()) / positions_per_second; };
+    for (double at; (at = next()) <= now;) {
+        const double passed = now - recording_->last_at;
+        s.recorded.push_back(
+            passed > 0 ? between(recording_->last, s.camera, (at - recording_->last_at) / passed) : s.camera);
+    }
+    recording_->last = s.camera;
+    recording_->last_at = now;
+}
+
+void ShownScene::save_recorded(double now) {
+    Session& s = session_;
+    if (s.recorded.empty()) return;
+    const PackageReader& package = renderer_.package();
+    try {
+        const std::string file = free_name(package.path().stem().string(), ".path");
+        write_path(file, s.recorded, package);
         say(s, std::to_string(s.recorded.size()) + " positions written to " + file, now);
+    } catch (const Error& e) {
+        say(s, e.what(), now);
     }
-    was_recording_ = s.recording;
 }
 
 /// Adds the package that the session asks for, and writes a scene file if it asks for one.
@@ -101,6 +132,11 @@ void ShownScene::change_objects(double now) {
     }
 }
 
+/// A damaged package may be restored while it is shown, and a server may be reached again.
+bool ShownScene::looks_again() const {
+    return session_.report.tiles_damaged + session_.report.tiles_absent > 0;
+}
+
 bool ShownScene::unchanged(const View& view) const {
     const ImGuiIO& io = ImGui::GetIO();
     const bool touched =
@@ -115,24 +151,20 @@ bool ShownScene::unchanged(const View& view) const {
 /// accumulates the samples of each pixel, one per frame, and stops when the picture is final.
 void ShownScene::draw(const View& view, bool still, double now) {
     Session& s = session_;
-    // A damaged package may be restored while it is shown, and a server may be reached again.
-    if (s.report.tiles_damaged + s.report.tiles_absent > 0 && now > drawn_at_ + look_again_seconds)
-        samples_ = 0;
-    if (still && idle()) return;
+    if (looks_again() && now > drawn_at_ + look_again_seconds) samples_ = 0;
+    if (still && is_final()) return;
     drawn_at_ = now;
-    const bool rests = still && s.report.settled;
+    // Stays at rest while the tiles for that come: going back would evict them where they do not all fit.
+    resting_ = still && (resting_ || s.report.settled);
     RenderSettings settings = s.settings;
-    settings.lod_bias = rests ? 0 : -0.5;
+    settings.lod_bias = resting_ ? 0 : -0.5;
     const Navigation ahead = before_ ? between(*before_, s.camera, 4) : s.camera;
     before_ = s.camera;
     const View next = view_of(ahead, view.intrinsics.width, view.intrinsics.height);
-    const PixelSample sample = rests ? PixelSample{samples_, rest_side} : PixelSample{};
+    const PixelSample sample = resting_ ? PixelSample{samples_, rest_side} : PixelSample{};
     const auto start = std::chrono::steady_clock::now();
     s.report = objects_.draw(view, settings, s.photos, sample, now, &next);
-    if (rests && s.report.settled)
-        ++samples_;
-    else
-        samples_ = 0;
+    samples_ = resting_ && s.report.settled ? samples_ + 1 : 0;
     drawn_ = true;
     if (gl::current_device().software) glFinish();
     remember_time(std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - start).count());

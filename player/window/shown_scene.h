@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "player/interface/controls.h"
+#include "player/interface/open_dialog.h"
 #include "player/interface/photo_strip.h"
 #include "player/interface/session.h"
 #include "player/objects/object_set.h"
@@ -18,20 +19,27 @@ class ShownScene {
                const ShowOptions& options, Session& session, Controls& controls);
 
     /// Draws the view if it has changed or can still improve, and the interface over it. `keys`: a key is
-    /// down.
+    /// down, or was.
     void frame(int width, int height, double now, bool keys);
-    /// The picture is final: nothing will change without input.
-    bool idle() const { return samples_ >= rest_side * rest_side && !session_.flight; }
+    /// The picture is final: without input, nothing changes before wakes_at().
+    bool rests() const { return is_final() && !session_.flight && !session_.recording; }
+    /// When the next frame is due at rest, in seconds.
+    double wakes_at() const;
     Renderer& renderer() { return renderer_; }
 
   private:
     static constexpr int rest_side = 2;  ///< samples per side of a pixel at rest
     static constexpr double look_again_seconds = Residency::retry_seconds + 1;
+    static constexpr double blink_seconds = 0.3;  ///< of a text field's cursor
 
     void interface(const View& view, double now);
     void record(double now);
+    void save_recorded(double now);
     void change_objects(double now);
     bool unchanged(const View& view) const;
+    bool looks_again() const;
+    /// The picture has all its samples.
+    bool is_final() const { return samples_ >= rest_side * rest_side; }
     void draw(const View& view, bool still, double now);
     void remember_time(float ms);
 
@@ -40,12 +48,19 @@ class ShownScene {
     Session& session_;
     Controls& controls_;
     PhotoStrip strip_;
+    OpenDialog open_dialog_;
     std::optional<View> last_;
     LightSettings lit_;
     std::optional<Navigation> before_;
     int samples_ = 0;
-    bool drawn_ = false, was_recording_ = false;
-    double record_at_ = 0, drawn_at_ = 0;
+    bool drawn_ = false, resting_ = false;
+    double drawn_at_ = 0, shown_at_ = 0;
+    struct Recording {
+        double begin;
+        Navigation last;  ///< of the last frame
+        double last_at;
+    };
+    std::optional<Recording> recording_;
 };
 
 }  // namespace vantage

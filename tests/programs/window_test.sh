@@ -3,19 +3,10 @@
 # did and remembered.
 # usage: window_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
-if [ -z "${VANTAGE_WINDOW_TEST:-}" ]; then
-  for tool in xvfb-run xdotool; do
-    command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
-  done
-  export VANTAGE_WINDOW_TEST=$(mktemp -d)
-  trap 'rm -rf "$VANTAGE_WINDOW_TEST"' EXIT
-  xvfb-run -a -s "-screen 0 1280x1024x24" "$0" "$@"
-  exit $?
-fi
+source "$(dirname "$0")/window.sh"
+under_xvfb 1280x1024 "$@"
 
-vantage=$1 player=$2 source=$3 dir=$VANTAGE_WINDOW_TEST
-cd "$dir" || exit 1
-export XDG_CONFIG_HOME=$dir/config
+vantage=$1 player=$2 source=$3
 "$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage --vertex-coordinates >/dev/null 2>&1 || exit 1
 { sed 's/^seed.*/&\nheight_layer = 1/' "$source/data/tiny.toml"; printf '\n[garden]\nradius = 30.0\nhill = 8.0\n[glass]\nalpha = 0.3\n'; } >garden.toml
 "$vantage" synth garden.toml -o garden >/dev/null && cp garden/mesh.ply cloud.ply &&
@@ -24,42 +15,6 @@ export XDG_CONFIG_HOME=$dir/config
 head -c 100000 one.vantage >cut.vantage
 "$player" one.vantage --size 900x700 --blended 1 --controls places >says 2>&1 &
 pid=$!
-failed=0
-fail() { echo "FAILED: $*"; failed=1; }
-
-# place NAME [share of its width]: waits for a control and prints the position of its center
-place() {
-  for _ in $(seq 40); do
-    if [ -f places ]; then
-      awk -F'\t' -v n="$1" '$1 == n && !done { print int($2 + $4 * '"${2:-0.5}"'), int($3 + $5 / 2); done = 1 }' places >at
-      [ -s at ] && { cat at; return 0; }
-    fi
-    sleep 0.1
-  done
-  return 1
-}
-frame() { awk -F'\t' '$1 == "frame" { print $2; exit }' places 2>/dev/null; }
-frames() {  # frames N: waits until N more frames are drawn
-  local from now
-  from=$(frame)
-  for _ in $(seq 200); do
-    now=$(frame)
-    [ $((${now:-0} - ${from:-0})) -ge "$1" ] && return
-    sleep 0.02
-  done
-  fail "no frames were drawn"
-}
-press() {  # press NAME [share of its width]: clicks a control
-  local at
-  at=$(place "$1" "${2:-0.5}") || { fail "there is no '$1'"; return; }
-  # shellcheck disable=SC2086
-  xdotool mousemove $at
-  frames 2
-  xdotool mousedown 1
-  frames 2
-  xdotool mouseup 1
-  frames 3
-}
 quit() {  # quits by the menu and expects exit code 0
   kill -0 $pid 2>/dev/null || { cat says; fail "the player has exited early"; }
   press "File"
@@ -72,19 +27,8 @@ quit() {  # quits by the menu and expects exit code 0
   [ $? = 0 ] || { cat says; fail "the player failed"; }
 }
 
-# From far away the model is small, which is fast in software.
-step_back() {
-  xdotool mousemove 500 400
-  for _ in $(seq 40); do xdotool click 5; done
-  frames 5
-}
-key() { xdotool keydown "$1"; frames 2; xdotool keyup "$1"; frames 2; }
-
-place "Photo 1" >/dev/null || { cat says; fail "no window"; exit 1; }
+find_window
 xdotool mousemove 600 20
-window=$(xdotool search --name Vantage | tail -1)
-xdotool windowfocus "$window"
-sleep 0.3
 
 step_back
 press "Average"
@@ -210,9 +154,7 @@ rm -f places
 printf '[[object]]\nname = "left"\npackage = "one.vantage"\n[[object]]\nname = "right"\npackage = "one.vantage"\nmove = [9, 0, 0]\n' >church.toml
 "$player" church.toml --fresh --size 900x700 --blended 1 --controls places >says 2>&1 &
 pid=$!
-place "Photo 1" >/dev/null || { cat says; fail "no window for a scene"; exit 1; }
-window=$(xdotool search --name Vantage | tail -1)
-xdotool windowfocus "$window"
+find_window
 step_back
 press "View"; press "Objects"
 press "Only right"

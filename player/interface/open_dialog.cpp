@@ -1,0 +1,132 @@
+#include "player/interface/open_dialog.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <tuple>
+
+#include "objects/scene_file.h"
+#include "values/is_url.h"
+#include "values/lower_extension.h"
+
+namespace vantage {
+namespace {
+
+constexpr const char* title = "Open a package";
+
+bool take(Session& s, ImGuiKey key) { return take_key(s, ImGui::GetKeyIndex(key)); }
+
+int taps(Session& s, ImGuiKey key) {
+    int n = 0;
+    while (take(s, key)) ++n;
+    return n;
+}
+
+std::string lower(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return text;
+}
+
+}  // namespace
+
+void OpenDialog::list(const std::filesystem::path& folder) {
+    folder_ = folder;
+    entries_.clear();
+    std::error_code error;
+    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+         at.increment(error)) {
+        const std::string name = at->path().filename().string();
+        std::error_code unknown;
+        const bool is_folder = at->is_directory(unknown);
+        const bool shown = is_folder ? !name.starts_with('.')
+                                     : lower_extension(at->path()) == ".vantage" || is_scene_file(name);
+        if (shown) entries_.push_back({name + (is_folder ? "/" : ""), at->path(), is_folder});
+    }
+    std::ranges::sort(entries_, {},
+                      [](const Entry& e) { return std::tuple(!e.folder, lower(e.label), e.label); });
+    if (folder.has_relative_path()) entries_.insert(entries_.begin(), {"../", folder.parent_path(), true});
+    selected_ = entries_.size();
+    typed_[0] = 0;
+    ++texts_;
+    focus_ = true;
+}
+
+void OpenDialog::select(std::size_t entry) {
+    selected_ = entry;
+    std::snprintf(typed_.data(), typed_.size(), "%s", entries_[entry].path.c_str());
+    ++texts_;
+    focus_ = scroll_ = true;
+}
+
+/// Enters the folder, or opens the file, that is typed or selected.
+void OpenDialog::accept(Session& s) {
+    const std::string typed = typed_.data();
+    if (typed.empty()) return;
+    const std::filesystem::path path = is_url(typed) ? std::filesystem::path(typed) : folder_ / typed;
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) return list(path.lexically_normal());
+    s.open = path.string();
+    closes_ = true;
+}
+
+void OpenDialog::move_by_keys(Session& s) {
+    const int by = taps(s, ImGuiKey_DownArrow) - taps(s, ImGuiKey_UpArrow), count = int(entries_.size());
+    if (by == 0 || count == 0) return;
+    const int from = selected_ < entries_.size() ? int(selected_) : by > 0 ? -1 : count;
+    select(std::size_t(std::clamp(from + by, 0, count - 1)));
+}
+
+void OpenDialog::entries(Controls& c, Session& s) {
+    ImGui::BeginChild("##entries", ImVec2(520, 260), true);
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        const char* label = entries_[i].label.c_str();
+        const bool chosen = ImGui::Selectable(label, i == selected_, ImGuiSelectableFlags_DontClosePopups);
+        const bool doubled = s.double_clicked && ImGui::IsItemHovered();
+        if (chosen || doubled) select(i);
+        if (doubled) {
+            accept(s);
+            break;  // of another folder from now on
+        }
+        c.note(label);
+        if (scroll_ && i == selected_) ImGui::SetScrollHereY();
+    }
+    scroll_ = false;
+    ImGui::EndChild();
+}
+
+void OpenDialog::show(Controls& c, Session& s, const std::filesystem::path& start) {
+    if (s.open_asked) {
+        list(start);
+        ImGui::OpenPopup(title);
+    }
+    s.open_asked = false;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    closes_ = take(s, ImGuiKey_Escape);
+    if (!closes_) content(c, s);
+    if (closes_) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    if (closes_) ImGui::SetWindowFocus(nullptr);  // the text field gives the keyboard back at once
+}
+
+void OpenDialog::content(Controls& c, Session& s) {
+    move_by_keys(s);
+    ImGui::TextDisabled("%s", folder_.c_str());
+    entries(c, s);
+    if (focus_) ImGui::SetKeyboardFocusHere();
+    focus_ = false;
+    ImGui::SetNextItemWidth(520);
+    ImGui::PushID(texts_);
+    ImGui::InputText("##file", typed_.data(), typed_.size());
+    ImGui::PopID();
+    c.note("File name");
+    const bool entered = take(s, ImGuiKey_Enter) || take(s, ImGuiKey_KeyPadEnter);
+    if (c.button("Open") || entered) accept(s);
+    ImGui::SameLine();
+    closes_ |= c.button("Cancel");
+}
+
+}  // namespace vantage

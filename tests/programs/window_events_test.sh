@@ -1,0 +1,117 @@
+#!/usr/bin/env bash
+# What the window does with events: taps shorter than a frame, drags, Esc, files and folders in the dialog, recordings, rest.
+# usage: window_events_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
+set -uo pipefail
+source "$(dirname "$0")/window.sh"
+under_xvfb 1280x1024 "$@"
+
+vantage=$1 player=$2 source=$3
+"$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage >/dev/null 2>&1 || exit 1
+mkdir folder && cp one.vantage folder/two.vantage
+start() {  # start FOLDER ARGUMENTS...: the window, with a file of its controls
+  local from=$1
+  shift
+  rm -f "$dir/places"
+  (cd "$from" && exec "$player" "$@" --size 900x700 --controls "$dir/places") >says 2>&1 &
+  pid=$!
+  find_window
+}
+alive() { sleep 0.3; kill -0 $pid 2>/dev/null || fail "$1 ended the player: $(cat says)"; }
+quit() {
+  xdotool key ctrl+q
+  for _ in $(seq 100); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
+  kill -9 $pid 2>/dev/null && fail "Ctrl+Q did not quit"
+  wait $pid
+  [ $? = 0 ] || fail "the player failed: $(cat says)"
+}
+title() { xdotool getwindowname "$window"; }
+remembers() { grep -q "\"$1\": $2" config/vantage/player.json || fail "$1 is not remembered as $2"; }
+there() { frames 3; place "$1" >/dev/null; }
+
+# Taps shorter than a frame: all of them act, in order.
+start . one.vantage
+xdotool mousemove 500 400 click 4
+xdotool key --delay 60 F3 F5 F6 F6
+frames 4
+xdotool key --delay 60 ctrl+c ctrl+c
+there "Wiper" && fail "Ctrl+C compares"
+xdotool key --delay 60 c c
+there "Wiper" || fail "two taps of C do not show the wiper"
+
+# Esc closes what is open, and nothing else.
+xdotool key Escape; frames 3
+there "Wiper" && fail "Esc does not end the comparison"
+xdotool key o
+there "Cancel" || fail "O does not open the dialog"
+xdotool key --delay 0 Escape; frames 1; xdotool key --delay 0 F6; frames 3
+there "Cancel" && fail "Esc does not close the dialog"
+xdotool key F1; frames 3; xdotool key Escape; frames 3; xdotool key Escape
+alive "Esc"
+
+# Dragging: what is dragged follows the pointer, half a turn per width of the window.
+step_back
+xdotool key r; frames 2
+xdotool mousemove 450 200; frames 2
+xdotool mousedown 1; frames 2; xdotool mousemove_relative 0 60; frames 3; xdotool mouseup 1; frames 2
+sleep 2
+xdotool key r; frames 3
+ls one-0001.path >/dev/null || fail "no path was recorded"
+risen=$(awk '/^[^#]/ { x = $1 - $4; y = $2 - $5; z = $3 - $6; last = atan2(z, sqrt(x * x + y * y)); if (!n++) first = last }
+  END { print int((last - first) * 180 / 3.14159265 + 0.5) }' one-0001.path)
+[ "$risen" = 12 ] || fail "dragging by 60 of 900 pixels downwards raised the camera by $risen degrees, expected 12"
+lines=$(grep -vc '^#' one-0001.path)
+[ "$lines" -ge 60 ] || fail "more than two seconds were recorded as $lines positions, expected 30 per second"
+
+# The dialog lists folders first, enters them by a double click, and is used by keys alone as well.
+xdotool key o; frames 3
+first=$(awk -F'\t' '$1 ~ /\/$/ || $1 ~ /vantage$/ { print $1 }' places | sed -n 2p)
+[ "$first" = "folder/" ] || fail "the first folder is '$first'"
+at=$(place "folder/") || fail "the folder is not listed"
+xdotool mousemove $at; frames 2
+xdotool click --repeat 2 --delay 50 1
+there "two.vantage" || fail "a double click does not enter a folder"
+xdotool key --delay 60 Down Down; frames 3
+xdotool key Return; frames 3
+[ "$(title)" = "two.vantage - Vantage" ] || fail "Enter does not open what the arrow keys selected: $(title)"
+xdotool key o; frames 4
+xdotool type --delay 30 nbv; frames 3
+xdotool key Return; frames 4
+[ "$(title)" = "two.vantage - Vantage" ] || fail "a file that does not exist replaced the package"
+alive "a file that does not exist"
+quit
+remembers panel_status false
+remembers panel_frusta true
+remembers panel_radar true
+
+# Where nothing can be written, that is said, and the window stays.
+start /proc "$dir/one.vantage"
+xdotool key p; frames 3
+alive "a screenshot that cannot be written"
+xdotool key r; frames 3; xdotool key r
+alive "a path that cannot be written"
+quit
+
+# At rest nothing is drawn: less than 1 % of a processor, also where tiles do not all fit into the memory.
+rests() {
+  "$player" "$@" --fresh >says 2>&1 &
+  pid=$!
+  sleep 1
+  local before after seconds=5
+  for _ in $(seq 60); do
+    before=$(awk '{ print $14 + $15 }' /proc/$pid/stat)
+    sleep $seconds
+    after=$(awk '{ print $14 + $15 }' /proc/$pid/stat)
+    [ $((after - before)) -le $seconds ] && { kill $pid; wait $pid 2>/dev/null; return; }
+  done
+  kill -9 $pid
+  fail "$* never rests: $((after - before)) ticks in $seconds s"
+}
+rests one.vantage --size 600x420
+rests one.vantage --size 900x700 --graphics-memory 110
+if [ -n "${VANTAGE_DATASETS:-}" ] && [ -d "$VANTAGE_DATASETS/sceaux-small" ]; then
+  "$vantage" prepare "$VANTAGE_DATASETS/sceaux-small" -o sceaux.vantage --no-report >/dev/null 2>&1 || fail "prepare"
+  rests sceaux.vantage --size 600x420
+fi
+
+[ $failed = 0 ] && echo "events are handled"
+exit $failed
