@@ -10,8 +10,8 @@
 
 namespace vantage {
 
-/// What the programs write: each kind replaces only files of the same kind that they have written, pictures
-/// any file of their format.
+/// What the programs write: each kind replaces only files of the same kind that they have written; PNG and
+/// EXR pictures, any file of their format.
 enum class Product { package, page, trace, junit, ply, csv, plot, png, exr, jpeg, scene };
 
 /// A line of the header of a mesh written by these programs.

@@ -166,8 +166,8 @@ std::vector<BlockRun> RemoteFile::Impl::blocks_within(std::span<const ByteRange>
     return blocks_of(ranges);
 }
 
-/// Notes the use of blocks, and counts those that are present at the first. Returns the bytes that are
-/// absent.
+/// Notes that blocks are used, and counts those that come from the cache, once each. Returns the bytes that
+/// are absent.
 std::uint64_t RemoteFile::Impl::use(const std::vector<BlockRun>& runs) {
     const std::scoped_lock lock(mutex);
     const std::uint32_t tick = file->table().tick();

@@ -402,7 +402,8 @@ std::uint64_t PackageWriter::size() const { return state_->layout.bytes; }
 void publish_interrupted(const std::filesystem::path& file) {
     const std::filesystem::path packing = packing_of(file);
     const Descriptor fd(::open(packing.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!fd || ::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) return;  // another process is writing it
+    if (!fd || ::flock(fd.get(), LOCK_EX | LOCK_NB) != 0)
+        return;  // there is none, or another process writes it
     try {
         const PackageReader whole(packing);
     } catch (const Error&) {

@@ -37,8 +37,8 @@ std::vector<std::span<const std::byte>> stored_pieces(const PackageReader& packa
                                                       const package::DirectoryEntry& chunk,
                                                       const Level& level, std::size_t tile);
 
-/// The photo's own JPEG, without metadata, that a level in cells holds. Empty if a cell is damaged. The chunk
-/// must hold the level, in a file.
+/// The photo's own JPEG, without metadata, that a level in cells holds. Empty if a cell is damaged. The
+/// package must be a file, and the chunk hold the level.
 std::optional<std::vector<std::byte>> own_jpeg(const PackageReader& package,
                                                const package::DirectoryEntry& chunk);
 

@@ -8,8 +8,8 @@
 
 #include "pipeline/input/file_identity.h"
 #include "pipeline/input/scene_input.h"
-#include "values/rgba_image.h"
 #include "pipeline/run/trace.h"
+#include "values/rgba_image.h"
 
 namespace vantage {
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "agreement/read_level.h"
-#include "values/rgba_image.h"
 #include "scene/package_reader.h"
 #include "scene/package_writer.h"
 #include "scene/tiling.h"
+#include "values/rgba_image.h"
 
 namespace vantage {
 

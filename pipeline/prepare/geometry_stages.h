@@ -6,11 +6,11 @@
 
 #include "pipeline/model/packed_model.h"
 #include "pipeline/package/stage_table.h"
-#include "values/rgba_image.h"
 #include "pipeline/run/trace.h"
 #include "pipeline/stages/surface_samples.h"
 #include "pipeline/visibility/geometry_renderer.h"
 #include "scene/package_writer.h"
+#include "values/rgba_image.h"
 
 namespace vantage {
 

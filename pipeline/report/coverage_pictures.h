@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "values/rgba_image.h"
 #include "scene/package_reader.h"
+#include "values/rgba_image.h"
 
 namespace vantage {
 

@@ -79,7 +79,7 @@ void write_points(const PackageReader& reader, const PointCloud& cloud, const fs
     });
 }
 
-/// The photo's own JPEG, after a comment that tells where it is from.
+/// The photo's own JPEG, with a comment by which it is known as one of ours.
 void write_jpeg(const PackageReader& reader, const package::DirectoryEntry& tiles, const Level& level,
                 const fs::path& file) {
     const auto jpeg = holds_level(reader, tiles, level) ? own_jpeg(reader, tiles) : std::nullopt;

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "agreement/surface_discs.h"
-#include "values/rgba_image.h"
 #include "pipeline/visibility/photo_geometry.h"
 #include "scene/camera.h"
 #include "scene/package_format.h"
+#include "values/rgba_image.h"
 
 namespace vantage {
 

@@ -42,7 +42,8 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
     app.add_option("--minutes", o.minutes, "fly each path for this long instead")
         ->check(real_range(0, 1e4))
         ->group(group);
-    app.add_flag("--until-exact", o.until_exact, "end still and jump when their picture is exact")
+    app.add_flag("--until-exact", o.until_exact,
+                 "end the paths still and jump as soon as the picture is exact (one object)")
         ->group(group);
     app.add_option("--repeats", o.repeats, "flights of each path and mode")
         ->check(CLI::Range(1, 1000))
