@@ -27,6 +27,15 @@ void Controls::write_places(const std::filesystem::path& file) const {
     std::filesystem::rename(part, file, error);
 }
 
+void Controls::explain(const char* text) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
 bool Controls::button(const char* name) {
     const bool pressed = ImGui::Button(name);
     note(name);

@@ -18,6 +18,9 @@ class Controls {
     /// and separated by tabs. Replaces the file atomically.
     void write_places(const std::filesystem::path& file) const;
 
+    /// Explains ImGui's last item, also a disabled one, while the pointer is on it.
+    static void explain(const char* text);
+
     bool button(const char* name);
     bool checkbox(const char* name, bool* value);
     bool radio(const char* name, int* value, int choice);

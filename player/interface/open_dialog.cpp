@@ -3,12 +3,13 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <tuple>
+#include <utility>
 
 #include "objects/scene_file.h"
 #include "values/is_url.h"
+#include "values/lower_case.h"
 #include "values/lower_extension.h"
 
 namespace vantage {
@@ -24,18 +25,14 @@ int taps(Session& s, ImGuiKey key) {
     return n;
 }
 
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return text;
-}
-
 }  // namespace
 
 void OpenDialog::list(const std::filesystem::path& folder) {
-    folder_ = folder;
-    entries_.clear();
     std::error_code error;
-    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+    folder_ = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
+    if (error) folder_ = folder;
+    entries_.clear();
+    for (std::filesystem::directory_iterator at(folder_, error), end; !error && at != end;
          at.increment(error)) {
         const std::string name = at->path().filename().string();
         std::error_code unknown;
@@ -45,8 +42,9 @@ void OpenDialog::list(const std::filesystem::path& folder) {
         if (shown) entries_.push_back({name + (is_folder ? "/" : ""), at->path(), is_folder});
     }
     std::ranges::sort(entries_, {},
-                      [](const Entry& e) { return std::tuple(!e.folder, lower(e.label), e.label); });
-    if (folder.has_relative_path()) entries_.insert(entries_.begin(), {"../", folder.parent_path(), true});
+                      [](const Entry& e) { return std::tuple(!e.folder, lower_case(e.label), e.label); });
+    if (folder_.has_relative_path()) entries_.insert(entries_.begin(), {"../", folder_.parent_path(), true});
+    trouble_ = error ? error.message() : "";
     selected_ = entries_.size();
     typed_[0] = 0;
     ++texts_;
@@ -66,7 +64,7 @@ void OpenDialog::accept(Session& s) {
     if (typed.empty()) return;
     const std::filesystem::path path = is_url(typed) ? std::filesystem::path(typed) : folder_ / typed;
     std::error_code error;
-    if (std::filesystem::is_directory(path, error)) return list(path.lexically_normal());
+    if (std::filesystem::is_directory(path, error)) return list(path);
     s.open = path.string();
     closes_ = true;
 }
@@ -93,15 +91,14 @@ void OpenDialog::entries(Controls& c, Session& s) {
         if (scroll_ && i == selected_) ImGui::SetScrollHereY();
     }
     scroll_ = false;
+    if (!trouble_.empty()) ImGui::TextUnformatted(trouble_.c_str());
     ImGui::EndChild();
 }
 
 void OpenDialog::show(Controls& c, Session& s, const std::filesystem::path& start) {
-    if (s.open_asked) {
-        list(start);
-        ImGui::OpenPopup(title);
-    }
-    s.open_asked = false;
+    const bool open = ImGui::IsPopupOpen(title);  // maybe since another scene was shown
+    if (s.open_asked || (open && folder_.empty())) list(start);
+    if (std::exchange(s.open_asked, false)) ImGui::OpenPopup(title);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;

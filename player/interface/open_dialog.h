@@ -30,6 +30,7 @@ class OpenDialog {
 
     std::filesystem::path folder_;
     std::vector<Entry> entries_;
+    std::string trouble_;       ///< why the folder was not listed
     std::size_t selected_ = 0;  ///< entries_.size(): none
     std::array<char, 4096> typed_{};
     int texts_ = 0;  ///< how often the text was set: a text field in use would keep its own

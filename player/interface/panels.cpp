@@ -38,32 +38,54 @@ void blend_section(Controls& c, RenderSettings& r) {
     for (const BlendRow& row : blend_table()) {
         if (&row != &blend_table().front()) ImGui::SameLine();
         c.radio(row.label, &blend, int(row.blend));
+        c.explain(row.help);
     }
     r.blend = Blend(blend);
     c.slider("Sharpness", &r.weights.sharpness, 0.01, 1.0, "%.3f rad", ImGuiSliderFlags_Logarithmic);
+    c.explain(
+        "Small: each point mainly from the photo whose ray is closest to yours. Large: more of the others.");
+    ImGui::BeginDisabled(r.blend != Blend::average);
     c.slider("Exponent", &r.weights.exponent, 0.0, 32.0, "%.1f");
+    ImGui::EndDisabled();
+    c.explain("How strongly near photos are preferred. For Average.");
     c.checkbox("Consensus", &r.consensus);
+    c.explain("Leaves out colors that differ from those of most photos.");
     ImGui::SameLine();
     c.checkbox("Fill holes", &r.fill_holes);
+    c.explain("Continues colors into surface that no photo sees.");
 }
 
 void weight_section(Controls& c, Session& s, const Renderer& renderer) {
     WeightSettings& w = s.settings.weights;
+    const bool average = s.settings.blend == Blend::average;
+    ImGui::BeginDisabled(!average);
     c.checkbox("Distance", &w.distance);
+    ImGui::EndDisabled();
+    c.explain("Prefers photos taken close to your position. For Average.");
     ImGui::SameLine(150);
     c.checkbox("Angle", &w.angle);
+    c.explain("Prefers photos whose rays are close to yours.");
+    ImGui::BeginDisabled(!average);
     c.checkbox("Angle mask", &w.angle_mask);
+    ImGui::EndDisabled();
+    c.explain("Prefers photos that face the surface. For Average.");
     ImGui::SameLine(150);
     c.checkbox("Depth mask", &w.depth_mask);
+    c.explain("Leaves out what is hidden from a photo.");
     c.checkbox("Border mask", &w.border_mask);
+    c.explain("Fades photos out towards their edges and towards silhouettes.");
     ImGui::SameLine(150);
     ImGui::BeginDisabled(!effect_on(renderer.package().scene(), Effect::consensus));
     c.checkbox("Consensus mask", &w.consensus_mask);
     ImGui::EndDisabled();
+    c.explain("Gives little weight to a photo where prepare found that it disagrees with the others.");
     c.checkbox("Angle by photo", &w.angle_per_photo);
+    c.explain("One angle for each photo, instead of one for each point.");
     ImGui::SameLine(150);
     c.checkbox("Field of view", &w.fov_normalization);
+    c.explain("Compares distances as if all photos had your field of view.");
     c.checkbox("Corrected", &w.corrected_directions);
+    c.explain("A photo's direction is that to the middle of what it sees, not that of its lens.");
     if (c.checkbox("Freeze weights", &s.freeze)) {
         s.settings.weights_from.reset();
         if (s.freeze) s.settings.weights_from = view_of(s.camera, 1280, 720);
@@ -258,11 +280,11 @@ void transfer_lines(const Renderer& renderer) {
 
 }  // namespace
 
-void status_panel(const Session& s, const Renderer& renderer, std::uint64_t graphics_budget) {
+void status_panel(Session& s, const Renderer& renderer, std::uint64_t graphics_budget) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x - 352, 40), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize(ImVec2(340, 0), ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("Status", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+    if (ImGui::Begin("Status", &s.panels.status, ImGuiWindowFlags_AlwaysAutoResize)) {
         const float highest = *std::ranges::max_element(s.frame_ms);
         ImGui::PlotLines("##frames", s.frame_ms.data(), int(s.frame_ms.size()), 0, "", 0,
                          std::max(1.0f, highest * 1.1f), ImVec2(322, 56));
@@ -276,7 +298,8 @@ void status_panel(const Session& s, const Renderer& renderer, std::uint64_t grap
         if (renderer.scene().has_transparency())
             ImGui::Text("%zu transparent fragments, %zu approximated", r.fragments, r.fragments_approximated);
         const Residency& held = renderer.store().residency();
-        budget_bar("graphics", double(gl::memory_held()), double(graphics_budget));
+        ImGui::Text("graphics memory: %.0f of %.0f MiB", double(gl::memory_held()) / double(MiB),
+                    double(graphics_budget) / double(MiB));
         budget_bar("tiles", double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
                    double(held.layout().bytes()));
         transfer_lines(renderer);
@@ -290,6 +313,7 @@ void help_panel(Session& s) {
     const Shortcuts blends = blend_shortcuts();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowBgAlpha(1);
     if (ImGui::Begin("Mouse and keys", &s.panels.help,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
         const char* const lines[][2] = {{"drag", "orbit the model"},

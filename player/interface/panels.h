@@ -11,7 +11,7 @@ void set_style();
 void menu_bar(Controls& controls, Session& session, const Renderer& renderer, double now);
 void blending_panel(Controls& controls, Session& session, const Renderer& renderer);
 /// `graphics_budget`: of all objects, bytes.
-void status_panel(const Session& session, const Renderer& renderer, std::uint64_t graphics_budget);
+void status_panel(Session& session, const Renderer& renderer, std::uint64_t graphics_budget);
 void help_panel(Session& session);
 /// The session's message, if there is one.
 void message_line(const Session& session, double now);

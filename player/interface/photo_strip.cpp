@@ -9,6 +9,7 @@
 #include <string>
 
 #include "player/interface/band_panel.h"
+#include "player/stream/stream_request.h"
 
 namespace vantage {
 
@@ -43,18 +44,23 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
     ImGui::SetNextWindowSize(ImVec2(screen.x - 24, height + 30));
     ImGui::Begin("##photos", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_HorizontalScrollbar);
+                     ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     // Not during a flight, nor under the pointer: a target must not move while it is being clicked.
-    if (ranked_at_ < 0 || (now - ranked_at_ > 0.5 && !s.flight && !ImGui::IsWindowHovered())) {
+    if (ranked_at_ < 0 || (now - ranked_at_ > ranking_seconds && !s.flight && !ImGui::IsWindowHovered())) {
         agreements_ = agreements(scene, view);
         ranked_at_ = now;
+        ranked_eye_ = s.camera.eye;
     }
+    outdated_ = s.camera.eye != ranked_eye_;
+    lacks_ = false;
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < scene.photos.size(); ++i)
         if (scene.photos[i].levels && is_shown(s.settings.bands, scene.photos[i])) order.push_back(i);
     std::ranges::stable_sort(order, std::ranges::greater(), [&](auto i) { return agreements_[i]; });
-    const auto shown = std::min<std::size_t>(order.size(), 48);
-    for (std::size_t n = 0; n < shown; ++n) {
+    if (ImGui::IsWindowHovered())
+        ImGui::SetScrollX(ImGui::GetScrollX() -
+                          120 * (ImGui::GetIO().MouseWheel + ImGui::GetIO().MouseWheelH));
+    for (std::size_t n = 0; n < order.size(); ++n) {
         const package::PhotoRecord& p = scene.photos[order[n]];
         const float width = height * float(p.width) / float(p.height);
         if (n > 0) ImGui::SameLine();
@@ -75,6 +81,8 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
                           share);
         } else {
             list.AddRectFilled(at, end, IM_COL32(40, 44, 52, 255));
+            const StreamRequest request = thumbnail_request(renderer.package(), order[n]);
+            lacks_ |= residency.available(Resource::thumbnail) > 0 && !residency.failed(request);
         }
         const bool used = renderer.uses(order[n]);
         const FalseColor c = false_color(order[n]);

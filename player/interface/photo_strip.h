@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <map>
 
 #include "player/interface/controls.h"
@@ -13,8 +14,13 @@ class PhotoStrip {
   public:
     ~PhotoStrip();
     void show(Controls& controls, Session& session, Renderer& renderer, const View& view, double now);
+    /// When photos are due to be ordered again, in seconds.
+    double ranks_at() const { return outdated_ ? ranked_at_ + ranking_seconds : HUGE_VAL; }
+    /// Whether a thumbnail that is in sight is still to come.
+    bool lacks_pictures() const { return lacks_; }
 
   private:
+    static constexpr double ranking_seconds = 0.5;
     GLuint picture(const Residency& residency, std::uint32_t layer);
     void forget();
 
@@ -22,6 +28,8 @@ class PhotoStrip {
     std::map<std::uint32_t, GLuint> pictures_;  ///< by layer
     std::vector<double> agreements_;
     double ranked_at_ = -1;
+    Eigen::Vector3d ranked_eye_ = Eigen::Vector3d::Zero();
+    bool outdated_ = false, lacks_ = false;
 };
 
 }  // namespace vantage

@@ -11,8 +11,8 @@ void say(Session& s, const std::string& message, double now) {
     s.message_until = now + 6;
 }
 
-bool take_key(Session& s, int key, bool modified) {
-    const auto is = [&](const KeyPress& p) { return p.key == key && p.modified == modified; };
+bool take_key(Session& s, int key) {
+    const auto is = [&](const KeyPress& p) { return p.key == key && p.with == KeyPress::With::nothing; };
     const auto at = std::ranges::find_if(s.keys, is);
     if (at == s.keys.end()) return false;
     s.keys.erase(at);

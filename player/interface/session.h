@@ -1,9 +1,11 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "player/camera/navigation.h"
+#include "player/interface/drag.h"
 #include "player/interface/key_press.h"
 #include "player/render/frame_statistics.h"
 #include "player/render/render_settings.h"
@@ -43,6 +45,7 @@ struct Session {
 
     std::vector<KeyPress> keys;   ///< pressed since the last frame, and not taken yet
     bool double_clicked = false;  ///< since the last frame, by the left button
+    std::array<Drag, 3> drags{};  ///< since the last frame, by button: left, right, middle
 
     bool open_asked = false;  ///< show the dialog to open another package
     std::string open;         ///< another package or scene file to show, or empty
@@ -62,8 +65,8 @@ struct Session {
 /// Shows a message for 6 seconds.
 void say(Session& session, const std::string& message, double now);
 
-/// Whether a key was pressed since the last frame; takes the press.
-bool take_key(Session& session, int key, bool modified = false);
+/// Whether a key was pressed, or repeated, alone since the last frame; takes the press.
+bool take_key(Session& session, int key);
 
 /// Starts a flight to a photo's camera, 0.7 seconds long.
 void fly_to(Session& session, std::uint32_t photo, const package::PhotoRecord& record, double now);

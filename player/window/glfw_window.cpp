@@ -6,6 +6,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include <cmath>
 #include <utility>
 
 #include "gl/context.h"
@@ -35,21 +36,42 @@ struct GlfwWindow::Callbacks {
         return window(w).events_;
     }
     static void key(GLFWwindow* w, int key, int, int action, int modifiers) {
-        constexpr int modified = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
+        using With = KeyPress::With;
         WindowEvents& e = events(w);
-        if (action == GLFW_PRESS) e.keys.push_back({key, (modifiers & modified) != 0});
+        if (action == GLFW_RELEASE) return;
+        const int with = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
+        e.keys.push_back({key,
+                          with == 0                  ? With::nothing
+                          : with == GLFW_MOD_CONTROL ? With::control
+                                                     : With::other,
+                          action == GLFW_REPEAT});
     }
     static void drop(GLFWwindow* w, int count, const char** files) {
         std::vector<std::string>& dropped = events(w).dropped;
         dropped.insert(dropped.end(), files, files + count);
     }
-    /// ImGui sees one click where a frame is longer than two of them.
+    /// Double clicks are found here: where a frame is longer than two clicks, ImGui sees one.
     static void button(GLFWwindow* w, int button, int action, int) {
-        constexpr double most_seconds = 0.4;
+        constexpr double most_seconds = 0.4, most_pixels = 5;
         WindowEvents& e = events(w);
+        GlfwWindow& in = window(w);
+        if (button < int(in.down_.size())) in.down_[std::size_t(button)] = action == GLFW_PRESS;
         if (button != GLFW_MOUSE_BUTTON_LEFT || action != GLFW_PRESS) return;
-        const double now = glfwGetTime();
-        e.double_clicked |= now - std::exchange(window(w).clicked_at_, now) < most_seconds;
+        const Click click{glfwGetTime(), in.x_, in.y_};
+        const Click last = std::exchange(in.clicked_, click);
+        if (click.at - last.at > most_seconds || std::hypot(click.x - last.x, click.y - last.y) > most_pixels)
+            return;
+        e.double_clicked = true;
+        in.clicked_ = {};  // a third click begins anew
+    }
+    /// The motion while a button was down: ImGui only knows whether it is down when a frame begins.
+    static void cursor(GLFWwindow* w, double x, double y) {
+        WindowEvents& e = events(w);
+        GlfwWindow& in = window(w);
+        for (std::size_t b = 0; b < in.down_.size(); ++b)
+            if (in.down_[b]) e.drags[b].right += x - in.x_, e.drags[b].down += y - in.y_;
+        in.x_ = x;
+        in.y_ = y;
     }
 };
 
@@ -77,9 +99,10 @@ void GlfwWindow::watch_events() {
     glfwSetKeyCallback(window_, Callbacks::key);
     glfwSetDropCallback(window_, Callbacks::drop);
     glfwSetMouseButtonCallback(window_, Callbacks::button);
+    glfwGetCursorPos(window_, &x_, &y_);
+    glfwSetCursorPosCallback(window_, Callbacks::cursor);
     constexpr auto note = [](GLFWwindow* w, auto...) { Callbacks::events(w); };
     glfwSetCharCallback(window_, note);
-    glfwSetCursorPosCallback(window_, note);
     glfwSetCursorEnterCallback(window_, note);
     glfwSetScrollCallback(window_, note);
     glfwSetWindowFocusCallback(window_, note);

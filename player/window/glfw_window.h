@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 
 #include "player/camera/shots.h"
@@ -26,7 +27,12 @@ class GlfwWindow {
 
     GLFWwindow* window_ = nullptr;
     WindowEvents events_;
-    double clicked_at_ = -1;
+    struct Click {
+        double at = -1e9, x = 0, y = 0;  ///< seconds, pixels
+    };
+    Click clicked_;
+    double x_ = 0, y_ = 0;        ///< of the pointer
+    std::array<bool, 3> down_{};  ///< buttons: left, right, middle
 };
 
 }  // namespace vantage

@@ -21,19 +21,17 @@ void move_by_mouse(Session& s) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantCaptureMouse) return;
     const Navigation before = s.camera;
-    const double right = double(io.MouseDelta.x), down = double(io.MouseDelta.y),
-                 height = std::max(1.0, double(io.DisplaySize.y)),
+    const double height = std::max(1.0, double(io.DisplaySize.y)),
                  fov = s.camera.fov * std::numbers::pi / 180;
-    if (io.MouseDown[0] && io.KeyCtrl) {
-        look(s.camera, -right * fov / height, -down * fov / height);
-    } else if (io.MouseDown[0]) {
+    const auto [left, right, middle] = s.drags;
+    if (io.KeyCtrl) {
+        look(s.camera, -left.right * fov / height, -left.down * fov / height);
+    } else {
         const double radians = std::numbers::pi / std::max(1.0, double(io.DisplaySize.x));
-        orbit(s.camera, right * radians, down * radians);
+        orbit(s.camera, left.right * radians, left.down * radians);
     }
-    if (io.MouseDown[1] || io.MouseDown[2]) {
-        const double pixel = 2 * (s.camera.eye - s.camera.target).norm() * std::tan(fov / 2) / height;
-        fly(s.camera, Eigen::Vector3d(-right, -down, 0) * pixel);
-    }
+    const double pixel = 2 * (s.camera.eye - s.camera.target).norm() * std::tan(fov / 2) / height;
+    fly(s.camera, -pixel * Eigen::Vector3d(right.right + middle.right, right.down + middle.down, 0));
     if (io.MouseWheel != 0) approach(s.camera, std::pow(0.9, double(io.MouseWheel)));
     if (s.camera.eye != before.eye || s.camera.R != before.R) s.flight.reset();  // input interrupts a flight
 }
@@ -58,7 +56,7 @@ void move_by_keys(Session& s, std::span<const KeyPress> tapped) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyCtrl || io.KeyAlt || io.KeySuper) return;
     const auto down = [&](int key) {
-        const auto is = [&](const KeyPress& p) { return p.key == key && !p.modified; };
+        const auto is = [&](const KeyPress& p) { return p.key == key && p.with == KeyPress::With::nothing; };
         return double(ImGui::IsKeyDown(key) || std::ranges::any_of(tapped, is));
     };
     const Eigen::Vector3d step(down(GLFW_KEY_D) - down(GLFW_KEY_A), down(GLFW_KEY_Q) - down(GLFW_KEY_E),
@@ -86,7 +84,7 @@ void fly_on(Session& s, const PlanScene& scene, int by, double now) {
     }
 }
 
-/// Closes what was opened last and can be closed; never the window.
+/// Ends what can be ended: help, a flight, a comparison. Never closes the window.
 void leave(Session& s, double now) {
     if (s.panels.help)
         s.panels.help = false;
@@ -142,15 +140,21 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
 }  // namespace
 
 void apply_input(Session& session, const PlanScene& scene, double now) {
+    using With = KeyPress::With;
     move_by_mouse(session);
     move_lamp(session);
+    const auto quits = [](const KeyPress& p) { return p.with == With::control && p.key == GLFW_KEY_Q; };
+    session.quit |= std::ranges::any_of(session.keys, quits);
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control in use
+    move_by_keys(session, session.keys);
     const std::vector<KeyPress> keys = std::exchange(session.keys, {});
-    move_by_keys(session, keys);
-    for (const KeyPress& p : keys) {
-        session.quit |= p.modified && p.key == GLFW_KEY_Q;
-        if (!p.modified && !session.open_asked) run_shortcut(session, scene, p.key, now);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (keys[i].with == With::nothing && !keys[i].repeated)
+            run_shortcut(session, scene, keys[i].key, now);
+        if (!session.open_asked) continue;
+        session.keys.assign(keys.begin() + std::ptrdiff_t(i) + 1, keys.end());  // for the dialog
+        return;
     }
 }
 

@@ -137,9 +137,10 @@ std::optional<Requested> take_request(GlfwWindow& window, Session& session, cons
         PackageReader package = open_in_window(window, objects.front().package, memory);
         expect_shape(package);
         expect_content(package);
+        for (std::size_t i = 1; i < objects.size(); ++i) open_in_window(window, objects[i].package, memory);
         return Requested{std::move(objects), std::move(package), now};
     } catch (const Error& e) {
-        say(session, e.what(), now);
+        say(session, e.what(), glfwGetTime());  // a server may have taken its time
         return {};
     }
 }
@@ -158,17 +159,29 @@ void save_screenshot(Session& session, const PackageReader& package, int width, 
 /// ImGui needs some frames to react to what has happened.
 constexpr int frames_after_event = 3;
 
-/// Whether a frame is to be drawn. At rest, waits until something happens, or the scene is to be drawn
-/// anyway. `lively`: frames that are still to be drawn after the last event.
-bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, int& lively) {
-    const bool rests = scene.rests() && !keys_in_use(session) && lively == 0;
+/// Whether a frame is to be drawn: always, unless it `may_rest`. At rest, waits until something happens, or
+/// the scene is to be drawn anyway. `lively`: frames that are still to be drawn after the last event.
+bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, bool may_rest, int& lively) {
+    const bool rests = may_rest && scene.rests() && !keys_in_use(session) && lively == 0;
     WindowEvents events = window.events(rests ? std::clamp(scene.wakes_at() - glfwGetTime(), 0.001, 1.0) : 0);
     session.keys = std::move(events.keys);
     session.double_clicked = events.double_clicked;
+    session.drags = events.drags;
     for (const std::string& file : events.dropped)
         (is_scene_file(file) ? session.open : session.dropped) = file;
     lively = events.any ? frames_after_event : std::max(0, lively - 1);
     return !rests || events.any || glfwGetTime() >= scene.wakes_at();
+}
+
+/// ImGui reads which keys are down: those released since the last frame are, for this one.
+void new_frame(const Session& session) {
+    auto& down = ImGui::GetIO().KeysDown;
+    std::vector<int> tapped;
+    for (const KeyPress& p : session.keys)
+        if (p.key >= 0 && p.key < int(std::size(down)) && !std::exchange(down[p.key], true))
+            tapped.push_back(p.key);
+    ImGui::NewFrame();
+    for (const int key : tapped) down[key] = false;
 }
 
 /// Shows one package, requested at `requested_at` seconds, until the window closes or another package is
@@ -176,10 +189,10 @@ bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, 
 std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, ShownScene& scene,
                                       Controls& controls, const ShowOptions& o, double requested_at) {
     GLFWwindow* window = shown_in.get();
-    const bool scripted = o.window.frames > 0 || !o.window.controls.empty();  // needs every frame
+    const bool may_rest = o.window.frames == 0 && o.window.controls.empty();  // scripts count frames
     int lively = frames_after_event;
     for (int frame = 0; !glfwWindowShouldClose(window);) {
-        if (!take_events(shown_in, session, scene, lively) && !scripted) continue;
+        if (!take_events(shown_in, session, scene, may_rest, lively)) continue;
         int width = 0, height = 0;
         glfwGetFramebufferSize(window, &width, &height);
         if (width == 0 || height == 0) {  // minimized
@@ -190,24 +203,26 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
         const double now = glfwGetTime();
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
-        ImGui::NewFrame();
+        new_frame(session);
         controls.begin_frame();
         const bool keys_used = keys_in_use(session);
         apply_input(session, scene.renderer().scene(), now);
         scene.frame(width, height, now, keys_used);
         const bool ends = frame == o.window.frames;
         if (ends && !o.window.screenshot.empty()) save_frame(o.window.screenshot, width, height);
-        if (session.screenshot) {
-            save_screenshot(session, scene.renderer().package(), width, height, now);
-        }
+        if (session.screenshot) save_screenshot(session, scene.renderer().package(), width, height, now);
         session.screenshot = false;
         glfwSwapBuffers(window);
         if (!o.window.controls.empty()) controls.write_places(o.window.controls);
         if (frame == 1 && !o.output.quiet)
             std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * (glfwGetTime() - requested_at));
-        if (auto other = take_request(shown_in, session, o.memory, now)) return other;
+        if (auto other = take_request(shown_in, session, o.memory, now)) {
+            scene.stop_recording(now);
+            return other;
+        }
         if (ends || session.quit) break;
     }
+    scene.stop_recording(glfwGetTime());
     return {};
 }
 

@@ -15,7 +15,8 @@ std::string free_name(const std::string& stem, const char* extension) {
         char number[16];
         std::snprintf(number, sizeof number, "-%04d", n);
         const std::string name = stem + number + extension;
-        if (!std::filesystem::exists(name)) return name;
+        std::error_code unknown;
+        if (!std::filesystem::exists(name, unknown)) return name;
     }
 }
 

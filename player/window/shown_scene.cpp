@@ -65,10 +65,8 @@ void ShownScene::interface(const View& view, double now) {
     if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
     if (s.panels.photos && !renderer_.scene().photos.empty()) strip_.show(controls_, s, renderer_, view, now);
     if (s.panels.help) help_panel(s);
-    const PackageReader& package = renderer_.package();
     open_dialog_.show(controls_, s,
-                      package.remote() ? std::filesystem::current_path()
-                                       : std::filesystem::absolute(package.path()).parent_path());
+                      renderer_.package().remote() ? "." : renderer_.package().path().parent_path());
     drop_dialog(controls_, s);
     message_line(s, now);
 }
@@ -78,10 +76,13 @@ double ShownScene::wakes_at() const {
     if (!session_.message.empty() && session_.message_until > shown_at_) at = session_.message_until;
     if (looks_again()) at = std::min(at, drawn_at_ + look_again_seconds);
     if (ImGui::GetIO().WantTextInput) at = std::min(at, shown_at_ + blink_seconds);
+    if (session_.panels.photos) at = std::min(at, strip_.ranks_at());
+    const auto traffic = renderer_.package().traffic();
+    if (traffic && traffic->bytes_per_second > 0) at = std::min(at, shown_at_ + 1);  // the status panel
     return at;
 }
 
-/// Evenly in time, whatever the pace of the frames.
+/// One position per 1 / positions_per_second, interpolated between frames.
 void ShownScene::record(double now) {
     Session& s = session_;
     if (!s.recording) {
@@ -89,7 +90,7 @@ void ShownScene::record(double now) {
         recording_.reset();
         return;
     }
-    if (!recording_) recording_ = Recording{now, s.camera, now};
+    if (!recording_ || s.recorded.empty()) recording_ = Recording{now, s.camera, now};
     const auto next = [&] { return recording_->begin + double(s.recorded.size()) / positions_per_second; };
     for (double at; (at = next()) <= now;) {
         const double passed = now - recording_->last_at;
@@ -98,6 +99,11 @@ void ShownScene::record(double now) {
     }
     recording_->last = s.camera;
     recording_->last_at = now;
+}
+
+void ShownScene::stop_recording(double now) {
+    session_.recording = false;
+    record(now);
 }
 
 void ShownScene::save_recorded(double now) {
@@ -139,8 +145,9 @@ bool ShownScene::looks_again() const {
 
 bool ShownScene::unchanged(const View& view) const {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool touched =
-        ImGui::IsAnyItemActive() || io.MouseClicked[0] || io.MouseReleased[0] || io.MouseWheel != 0;
+    // A text field stays active while its dialog is open; what is typed there are keys.
+    const bool touched = (ImGui::IsAnyItemActive() && !io.WantTextInput) || io.MouseClicked[0] ||
+                         io.MouseReleased[0] || io.MouseWheel != 0;
     return drawn_ && !touched && last_ && last_->cam_from_origin.R == view.cam_from_origin.R &&
            last_->cam_from_origin.t == view.cam_from_origin.t &&
            last_->intrinsics.width == view.intrinsics.width &&
@@ -152,9 +159,11 @@ bool ShownScene::unchanged(const View& view) const {
 void ShownScene::draw(const View& view, bool still, double now) {
     Session& s = session_;
     if (looks_again() && now > drawn_at_ + look_again_seconds) samples_ = 0;
+    if (s.panels.photos && strip_.lacks_pictures()) samples_ = 0;
     if (still && is_final()) return;
     drawn_at_ = now;
-    // Stays at rest while the tiles for that come: going back would evict them where they do not all fit.
+    // Once at rest, it stays so while tiles come: where not all fit, those for motion and for rest would
+    // evict each other.
     resting_ = still && (resting_ || s.report.settled);
     RenderSettings settings = s.settings;
     settings.lod_bias = resting_ ? 0 : -0.5;
@@ -165,6 +174,10 @@ void ShownScene::draw(const View& view, bool still, double now) {
     const auto start = std::chrono::steady_clock::now();
     s.report = objects_.draw(view, settings, s.photos, sample, now, &next);
     samples_ = resting_ && s.report.settled ? samples_ + 1 : 0;
+    if (s.report.tiles_damaged > 0 && damage_told_ == 0)
+        say(s, "The package is damaged: parts of the picture are missing or blurred (vantage check FILE)",
+            now);
+    damage_told_ = s.report.tiles_damaged;
     drawn_ = true;
     if (gl::current_device().software) glFinish();
     remember_time(std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - start).count());

@@ -21,6 +21,8 @@ class ShownScene {
     /// Draws the view if it has changed or can still improve, and the interface over it. `keys`: a key is
     /// down, or was.
     void frame(int width, int height, double now, bool keys);
+    /// Writes the path that is being recorded, if there is one.
+    void stop_recording(double now);
     /// The picture is final: without input, nothing changes before wakes_at().
     bool rests() const { return is_final() && !session_.flight && !session_.recording; }
     /// When the next frame is due at rest, in seconds.
@@ -53,6 +55,7 @@ class ShownScene {
     LightSettings lit_;
     std::optional<Navigation> before_;
     int samples_ = 0;
+    std::size_t damage_told_ = 0;  ///< tiles, in the last frame
     bool drawn_ = false, resting_ = false;
     double drawn_at_ = 0, shown_at_ = 0;
     struct Recording {

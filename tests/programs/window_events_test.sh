@@ -47,6 +47,8 @@ xdotool key --delay 0 Escape; frames 1; xdotool key --delay 0 F6; frames 3
 there "Cancel" && fail "Esc does not close the dialog"
 xdotool key F1; frames 3; xdotool key Escape; frames 3; xdotool key Escape
 alive "Esc"
+xdotool key --delay 0 o Escape; frames 3
+there "Cancel" && fail "O and Esc leave the dialog open"
 
 # Dragging: what is dragged follows the pointer, half a turn per width of the window.
 step_back
@@ -92,16 +94,27 @@ alive "a path that cannot be written"
 quit
 
 # At rest nothing is drawn: less than 1 % of a processor, also where tiles do not all fit into the memory.
+wakes() {  # the window at rest takes a screenshot when asked to
+  rm -f ./*-0001.png
+  xdotool windowfocus "$(xdotool search --name Vantage | tail -1)"
+  sleep 0.3
+  xdotool key p
+  for _ in $(seq 50); do [ -e ./*-0001.png ] && break; sleep 0.1; done
+  [ -e ./*-0001.png ] || fail "P does nothing at rest"
+  kill $pid
+  wait $pid 2>/dev/null
+}
 rests() {
   "$player" "$@" --fresh >says 2>&1 &
   pid=$!
   sleep 1
   local before after seconds=5
   for _ in $(seq 60); do
+    kill -0 $pid 2>/dev/null || { fail "$* ended: $(cat says)"; return; }
     before=$(awk '{ print $14 + $15 }' /proc/$pid/stat)
     sleep $seconds
     after=$(awk '{ print $14 + $15 }' /proc/$pid/stat)
-    [ $((after - before)) -le $seconds ] && { kill $pid; wait $pid 2>/dev/null; return; }
+    [ $((after - before)) -le $seconds ] && { wakes; return; }
   done
   kill -9 $pid
   fail "$* never rests: $((after - before)) ticks in $seconds s"

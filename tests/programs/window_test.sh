@@ -35,10 +35,13 @@ press "Average"
 press "Best photo"
 press "Lumigraph"
 press "Sharpness" 0.6
-press "Exponent" 0.3
+press "Exponent" 0.3  # is grayed
+press "Average"
+press "Exponent" 0.5
 for box in "Consensus" "Fill holes" "Distance" "Angle" "Angle mask" "Depth mask" "Border mask" "Consensus mask" "Angle by photo" \
   "Field of view" "Corrected" "Freeze weights"; do press "$box"; done
 press "Freeze weights"
+press "Lumigraph"
 press "Choose"; press "nearest"
 press "Per pass" 0.2
 press "Angle limit" 0.4

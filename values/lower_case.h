@@ -1,0 +1,14 @@
+#pragma once
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+namespace vantage {
+
+/// ASCII letters in lower case.
+inline std::string lower_case(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return text;
+}
+
+}  // namespace vantage
