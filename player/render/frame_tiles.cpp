@@ -21,6 +21,7 @@ void FrameTiles::stream(const View& view, std::span<const BandFrame> bands, int 
         for (const PlannedPhoto& p : band.plan->kept())
             store_->need_base(p.photo, coordinates(band.settings));
     }
+    if (settings.wait_for_base) report.uploaded += store_->load(settings.upload_bytes);
     for (const BandFrame& band : bands)
         for (const PlannedPhoto& p : band.plan->plan().photos) {
             if (settings.whole_photos) report.uploaded += store_->load_whole(p.photo);

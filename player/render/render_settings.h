@@ -138,7 +138,8 @@ struct RenderSettings {
     /// triangles that the frame before it showed. The same frames at the same times then give the same
     /// pictures.
     bool wait_for_tiles = false;
-    bool whole_photos = false;  ///< upload each photo whole and at once (for comparison)
+    bool wait_for_base = false;  ///< in this frame, waits for what photos need to be drawn at all
+    bool whole_photos = false;   ///< upload each photo whole and at once (for comparison)
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame
     float background[3] = {0.012f, 0.014f, 0.018f};                      ///< linear
 };
@@ -151,8 +152,7 @@ struct FrameReport {
     std::size_t clusters = 0, photos = 0, passes = 0, draws = 0;
     std::size_t tiles = 0;          ///< needed
     std::size_t tiles_missing = 0;  ///< needed and not resident: coarser ones were shown
-    std::size_t tiles_to_come =
-        0;  ///< that are being fetched: of those missing, as many as there is space for
+    std::size_t tiles_to_come = 0;  ///< and thumbnails: of those missing, as many as there is space for
     std::size_t tiles_damaged = 0;  ///< found of late
     std::size_t tiles_absent = 0;   ///< that a server did not give of late
     std::size_t points = 0;         ///< of the cloud, drawn

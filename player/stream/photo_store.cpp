@@ -13,12 +13,12 @@ namespace {
 
 constexpr unsigned threads = 2;
 
-/// Space for at least four of the largest pieces that pass through the ring.
-std::size_t ring_size(const PackageReader& package, std::uint64_t wanted) {
+/// The bytes of the largest piece that passes through the ring.
+std::size_t largest_piece(const PackageReader& package) {
     std::size_t largest = 2 * tile_bytes;
     for (const package::PhotoRecord& p : package.photos())
         largest = std::max(largest, std::size_t(p.thumbnail_width) * p.thumbnail_height * 4);
-    return std::max<std::size_t>(std::size_t(wanted), 4 * largest);
+    return largest;
 }
 
 std::uint32_t coarsest_masks(const package::PhotoRecord& p) {
@@ -31,7 +31,8 @@ PhotoStore::PhotoStore(const PackageReader& package, std::uint64_t ring_bytes)
     : package_(&package),
       photos_(package.photos()),
       pages_(number_pages(photos_)),
-      stream_(package, ring_size(package, ring_bytes), threads) {}
+      largest_piece_(largest_piece(package)),
+      stream_(package, std::max<std::size_t>(ring_bytes, 4 * largest_piece_), threads) {}
 
 void PhotoStore::fit(std::uint64_t bytes, bool with_coordinates) {
     const ResidencyLayout layout = fit_residency(*package_, pages_, bytes, with_coordinates);
@@ -122,12 +123,16 @@ std::size_t PhotoStore::stream(std::size_t budget) {
     for (std::size_t i = 0; i < photo_resources; ++i) available[i] = residency_->available(Resource(i));
     ordered_.clear();
     to_come_ = 0;
+    std::optional<std::uint32_t>
+        given;  // the photo that gets the next slot for coordinates, which its pieces share
+    const auto has_slot = [&](std::uint32_t photo) { return given == photo || residency_->has_slot(photo); };
     for (const Wanted& w : wanted_) {
         if (residency_->holds(w.request)) continue;
         std::uint32_t& left = available[std::size_t(w.request.resource)];
-        const bool piece = w.request.resource == Resource::coordinates;  // many share one slot
-        if (left == 0 && !piece) continue;
-        left -= !piece;
+        const bool placed = w.request.resource == Resource::coordinates && has_slot(w.request.chunk->photo);
+        if (left == 0 && !placed) continue;
+        left -= !placed;
+        if (w.request.resource == Resource::coordinates) given = w.request.chunk->photo;
         ordered_.push_back(w.request);
         to_come_ += w.urgency != Urgency::prefetch;
     }
@@ -135,14 +140,20 @@ std::size_t PhotoStore::stream(std::size_t budget) {
     return uploaded;
 }
 
-void PhotoStore::load() {
+void PhotoStore::load() { load(SIZE_MAX); }
+
+std::size_t PhotoStore::load(std::size_t budget) {
     sort_wanted();
     ordered_.clear();
     for (const Wanted& w : wanted_) ordered_.push_back(w.request);
     wanted_.clear();
     stream_.want(ordered_);
-    while (stream_.wait()) residency_->upload(stream_, SIZE_MAX);
+    std::size_t uploaded = 0;
+    // A piece may be larger than what is left of the budget.
+    while (budget - uploaded >= largest_piece_ && stream_.wait())
+        uploaded += residency_->upload(stream_, budget - uploaded);
     if (residency_->absent_count() > 0) throw Error(Exit::input, stream_.failure());
+    return uploaded;
 }
 
 std::size_t PhotoStore::load_whole(std::uint32_t photo) {

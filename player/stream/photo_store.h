@@ -53,6 +53,8 @@ class PhotoStore {
     /// Fetches and uploads everything requested since the last call or the start of the frame. Waits. Throws
     /// Error(input) if a server does not give it.
     void load();
+    /// The same, within `budget` bytes. Returns the bytes uploaded.
+    std::size_t load(std::size_t budget);
     /// Uploads a whole photo in this frame, however long it takes. Returns the bytes uploaded.
     std::size_t load_whole(std::uint32_t photo);
 
@@ -96,6 +98,7 @@ class PhotoStore {
     const PackageReader* package_;
     std::span<const package::PhotoRecord> photos_;
     PackagePages pages_;
+    std::size_t largest_piece_;
     TileStream stream_;
     std::unique_ptr<Residency> residency_;
     std::function<const ConsensusMap*(std::uint32_t photo)> weights_;

@@ -62,6 +62,8 @@ class Residency {
     }
     std::optional<std::uint32_t> coordinate_slot(std::uint32_t photo) const;
     bool holds(const StreamRequest& request) const;
+    /// Whether a photo's texture coordinates are here, or arriving.
+    bool has_slot(std::uint32_t photo) const { return slot_pool_.layer_of(photo).has_value(); }
     /// How many more resources of a kind this frame can hold.
     std::uint32_t available(Resource resource) const { return pool_of(resource).available(frame_); }
     /// Whether a resource was damaged or could not be fetched.

@@ -167,6 +167,7 @@ void ShownScene::draw(const View& view, bool still, double now) {
     resting_ = still && (resting_ || s.report.settled);
     RenderSettings settings = s.settings;
     settings.lod_bias = resting_ ? 0 : -0.5;
+    settings.wait_for_base = !drawn_ && !renderer_.package().remote();  // the first picture shows photos
     const Navigation ahead = before_ ? between(*before_, s.camera, 4) : s.camera;
     before_ = s.camera;
     const View next = view_of(ahead, view.intrinsics.width, view.intrinsics.height);

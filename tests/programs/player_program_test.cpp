@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,7 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/synth/synthesize.h"
+#include "player/render/picture.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "tests/one_line.h"
@@ -89,6 +91,28 @@ TEST_F(PlayerProgram, TruncatedPackageIsReportedInOneLine) {
         EXPECT_TRUE(one_line(outcome.message)) << outcome.message;
         EXPECT_TRUE(outcome.picture.empty());
     }
+}
+
+TEST_F(PlayerProgram, TheFirstPictureOfTheWindowShowsPhotos) {
+    if (std::system("command -v xvfb-run >/dev/null") != 0) GTEST_SKIP() << "xvfb-run is not installed";
+    const auto after = [&](int frames) {
+        const fs::path picture = dir / "window.png";
+        const std::string command = "xvfb-run -a " VANTAGE_PLAYER " " + file.string() +
+                                    " -q --fresh --photo 0002 --size 900x700 --frames " +
+                                    std::to_string(frames) + " --screenshot " + picture.string();
+        EXPECT_EQ(std::system(command.c_str()), 0);
+        return read_png(picture);
+    };
+    const Picture first = after(1), later = after(40);
+    double squares = 0;
+    int values = 0;
+    for (int y = 100; y < 500; ++y)
+        for (int x = 320; x < 540; ++x)  // between the panels, which the first picture does not have
+            for (int c = 0; c < 3; ++c, ++values) {
+                const auto at = std::size_t(4 * (y * first.width + x) + c);
+                squares += std::pow(double(first.rgba[at]) - double(later.rgba[at]), 2);
+            }
+    EXPECT_GT(10 * std::log10(255.0 * 255 * values / squares), 20);
 }
 
 TEST_F(PlayerProgram, RejectsInvalidRequests) {
