@@ -189,21 +189,25 @@ Measured bands(const SceneInput& scene) {
     return {double(scene.bands.size()), evidence};
 }
 
-/// Photos of which the size is not known, or 0, do not count.
+/// Photos of which the length is not known, or 0, do not count; reduced ones count with as much less.
 Measured raw_length(const SceneInput& scene) {
     double pixels = 0, bytes = 0;
+    bool reduced = false;
     for (const PhotoInput& p : scene.photos) {
         std::error_code error;
         const auto length = std::filesystem::file_size(p.file, error);
         if (error || length == 0) continue;
-        pixels += double(p.camera.intrinsics.width) * p.camera.intrinsics.height;
-        bytes += double(length);
+        const double kept = double(p.camera.intrinsics.width) * p.camera.intrinsics.height,
+                     decoded = double(p.decoded.width) * p.decoded.height;
+        pixels += kept;
+        bytes += double(length) * (decoded > kept ? kept / decoded : 1);
+        reduced |= decoded > kept;
     }
     if (bytes == 0) return {0, "there are no photos"};
     // A third more for coarser levels; masks and depth, of twice as many bytes, begin at half size.
     const double raw = pixels * 4 * (1 + 1 / 3.0) * 1.5;
-    return {raw / bytes, fmt::format("raw, {:.1f} MB of photos become {:.1f} MB of tiles, masks and depth",
-                                     bytes / 1e6, raw / 1e6)};
+    return {raw / bytes, fmt::format("raw, {:.1f} MB of photos{} become {:.1f} MB of tiles, masks and depth",
+                                     bytes / 1e6, reduced ? " at this size" : "", raw / 1e6)};
 }
 
 /// Triangles with a vertex whose alpha is below 255, and those whose three vertices have alpha 0.

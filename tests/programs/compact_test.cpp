@@ -103,6 +103,10 @@ TEST_F(CompactPackages, AreTheDefaultUnlessPhotosTakeMoreThanRawTiles) {
     PrepareSettings automatic = settings(EffectChoice::automatic);
     make(scan, automatic, dir / "default.vantage");
     EXPECT_TRUE(effect_on(PackageReader(dir / "default.vantage").scene(), Effect::compact));
+    PrepareSettings reduced = automatic;
+    reduced.photo_size = 640;
+    make(scan, reduced, dir / "reduced.vantage");
+    EXPECT_TRUE(effect_on(PackageReader(dir / "reduced.vantage").scene(), Effect::compact));
     std::filesystem::copy(scan, dir / "large", std::filesystem::copy_options::recursive);
     for (const auto& entry : std::filesystem::recursive_directory_iterator(dir / "large"))
         if (entry.path().extension() == ".jpg") {
