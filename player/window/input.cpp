@@ -19,8 +19,9 @@ namespace {
 /// Dragging by the window's width turns by half a turn; what is dragged follows the pointer.
 void move_by_mouse(Session& s) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantCaptureMouse) return;
-    const Navigation before = s.camera;
+    const auto moves = [](const Drag& d) { return d.right != 0 || d.down != 0; };
+    if (io.WantCaptureMouse || (io.MouseWheel == 0 && std::ranges::none_of(s.drags, moves))) return;
+    s.flight.reset();  // input interrupts a flight
     const double height = std::max(1.0, double(io.DisplaySize.y)),
                  fov = s.camera.fov * std::numbers::pi / 180;
     const auto [left, right, middle] = s.drags;
@@ -33,7 +34,6 @@ void move_by_mouse(Session& s) {
     const double pixel = 2 * (s.camera.eye - s.camera.target).norm() * std::tan(fov / 2) / height;
     fly(s.camera, -pixel * Eigen::Vector3d(right.right + middle.right, right.down + middle.down, 0));
     if (io.MouseWheel != 0) approach(s.camera, std::pow(0.9, double(io.MouseWheel)));
-    if (s.camera.eye != before.eye || s.camera.R != before.R) s.flight.reset();  // input interrupts a flight
 }
 
 /// The pointer as the top of a hemisphere over the frame: low at its edge, at the viewer in its middle.

@@ -64,6 +64,18 @@ risen=$(awk '/^[^#]/ { x = $1 - $4; y = $2 - $5; z = $3 - $6; last = atan2(z, sq
 lines=$(grep -vc '^#' one-0001.path)
 [ "$lines" -ge 60 ] || fail "more than two seconds were recorded as $lines positions, expected 30 per second"
 
+# A flight ends at the photo's camera, with the pointer over the scene.
+stands_at() {  # records where the camera stands to the path number $1
+  xdotool key r; frames 3; xdotool key r; frames 3
+  grep -v '^#' "one-000$1.path" | tail -1
+}
+xdotool mousemove 450 200
+for key in n b n; do xdotool key $key; sleep 1.5; frames 3; done
+first=$(stands_at 2)
+for key in b n; do xdotool key $key; sleep 1.5; frames 3; done
+again=$(stands_at 3)
+[ -n "$first" ] && [ "$first" = "$again" ] || fail "flights to the same photo end at $first and at $again"
+
 # The dialog lists folders first, enters them by a double click, and is used by keys alone as well.
 xdotool key o; frames 3
 first=$(awk -F'\t' '$1 ~ /\/$/ || $1 ~ /vantage$/ { print $1 }' places | sed -n 2p)
