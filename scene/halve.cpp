@@ -61,17 +61,20 @@ void halve_row(const std::uint8_t* a, const std::uint8_t* b, int width, int half
 
 }  // namespace
 
-bool is_opaque(const RgbaImage& image) {
-    if (image.opaque) return true;
+bool is_opaque(std::span<const std::byte> rgba) {
     std::uint32_t all = ~0u;
-    for (std::size_t i = 0; i + 4 <= image.rgba.size(); i += 4) {
+    for (std::size_t i = 0; i + 4 <= rgba.size(); i += 4) {
         std::uint32_t texel;
-        std::memcpy(&texel, image.rgba.data() + i, 4);
+        std::memcpy(&texel, &rgba[i], 4);
         all &= texel;
     }
     std::uint8_t bytes[4];
     std::memcpy(bytes, &all, 4);
     return bytes[3] == 255;
+}
+
+bool is_opaque(const RgbaImage& image) {
+    return image.opaque || is_opaque(std::as_bytes(std::span(image.rgba)));
 }
 
 RgbaImage halve(const RgbaImage& image) {

@@ -8,6 +8,7 @@
 #include "codec/jpeg_cells.h"
 #include "codec/jpeg_pixels.h"
 #include "pipeline/pixels/cut_tile.h"
+#include "scene/halve.h"
 
 namespace vantage {
 namespace {
@@ -32,15 +33,9 @@ std::vector<std::byte> cut_inner_part(std::span<const std::byte> texels, const L
     return out;
 }
 
-bool opaque(std::span<const std::byte> texels) {
-    for (std::size_t i = 3; i < texels.size(); i += 4)
-        if (texels[i] != std::byte(255)) return false;
-    return true;
-}
-
 Form form_for(Type type, std::span<const std::byte> texels) {
     if (type == Type::depth) return Form::depth;
-    return type == Type::tiles && opaque(texels) ? Form::jpeg : Form::planes;
+    return type == Type::tiles && is_opaque(texels) ? Form::jpeg : Form::planes;
 }
 
 /// Adds a picture to blocks that share the header of the first.
@@ -88,7 +83,7 @@ bool write_own_jpeg(PackageWriter& writer, std::uint32_t photo, std::span<const 
 
 void write_thumbnail(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> texels,
                      const Level& size) {
-    if (writer.compact(Type::thumbnail, photo) && opaque(texels)) {
+    if (writer.compact(Type::thumbnail, photo) && is_opaque(texels)) {
         CodedBlocks block{.form = Form::jpeg};
         add_jpeg(texels, size.width, size.height, thumbnail_quality, block);
         if (writer.write_coded(Type::thumbnail, photo, 0, block)) return;
@@ -108,7 +103,7 @@ void write_tiles(PackageWriter& writer, package::Type type, std::uint32_t photo,
 RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint32_t level,
                     const RgbaImage& image) {
     const auto texels = std::as_bytes(std::span(image.rgba));
-    if (!writer.compact(Type::tiles, photo, level) || !opaque(texels)) return image;
+    if (!writer.compact(Type::tiles, photo, level) || !is_opaque(texels)) return image;
     const Level size{image.width, image.height};
     RgbaImage out{image.width, image.height, std::vector<std::uint8_t>(image.rgba.size())};
     std::vector<std::byte> decoded;
