@@ -63,6 +63,7 @@ step_back() {
   frames 5
 }
 key() { xdotool keydown "$1"; frames 2; xdotool keyup "$1"; frames 2; }
+
 # Waits for the window of the player that was started with --controls places, and gives it the keyboard.
 find_window() {
   place "Photo 1" >/dev/null || { cat says; fail "no window"; exit 1; }
@@ -70,3 +71,10 @@ find_window() {
   xdotool windowfocus "$window"
   sleep 0.3
 }
+await_exit() {  # expects the player to exit with code 0; await_exit WHAT: what it was told by
+  for _ in $(seq 100); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
+  kill -9 $pid 2>/dev/null && fail "$1 did not quit"
+  wait $pid
+  [ $? = 0 ] || fail "the player failed: $(cat says)"
+}
+remembers() { grep -q "\"$1\": $2" config/vantage/player.json || fail "$1 is not remembered as $2"; }

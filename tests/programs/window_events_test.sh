@@ -17,15 +17,8 @@ start() {  # start FOLDER ARGUMENTS...: the window, with a file of its controls
   find_window
 }
 alive() { sleep 0.3; kill -0 $pid 2>/dev/null || fail "$1 ended the player: $(cat says)"; }
-quit() {
-  xdotool key ctrl+q
-  for _ in $(seq 100); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
-  kill -9 $pid 2>/dev/null && fail "Ctrl+Q did not quit"
-  wait $pid
-  [ $? = 0 ] || fail "the player failed: $(cat says)"
-}
+quit() { xdotool key ctrl+q; await_exit "Ctrl+Q"; }
 title() { xdotool getwindowname "$window"; }
-remembers() { grep -q "\"$1\": $2" config/vantage/player.json || fail "$1 is not remembered as $2"; }
 there() { frames 3; place "$1" >/dev/null; }
 
 # Taps shorter than a frame: all of them act, in order.

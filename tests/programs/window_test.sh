@@ -21,10 +21,7 @@ quit() {  # quits by the menu and expects exit code 0
   xdotool mousemove $(place "Quit")
   frames 2
   xdotool click 1
-  for _ in $(seq 100); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
-  kill -9 $pid 2>/dev/null && fail "the player did not quit"
-  wait $pid
-  [ $? = 0 ] || { cat says; fail "the player failed"; }
+  await_exit "the menu"
 }
 
 find_window
@@ -130,7 +127,6 @@ quit
 
 [ "$(ls one-*.png 2>/dev/null | wc -l)" = 2 ] || fail "expected two screenshots: $(ls)"
 [ "$(ls one-*.path 2>/dev/null | wc -l)" -ge 1 ] || fail "no path was recorded: $(ls)"
-remembers() { grep -q "\"$1\": $2" config/vantage/player.json || fail "$1 is not remembered as $2"; }
 remembers blend 1
 remembers choice 1
 remembers surroundings 1
