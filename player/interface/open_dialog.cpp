@@ -81,7 +81,7 @@ void OpenDialog::entries(Controls& c, Session& s) {
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         const char* label = entries_[i].label.c_str();
         const bool chosen = ImGui::Selectable(label, i == selected_, ImGuiSelectableFlags_DontClosePopups);
-        const bool doubled = s.double_clicked && ImGui::IsItemHovered();
+        const bool doubled = s.input.double_clicked && ImGui::IsItemHovered();
         if (chosen || doubled) select(i);
         if (doubled) {
             accept(s);
@@ -95,9 +95,9 @@ void OpenDialog::entries(Controls& c, Session& s) {
     ImGui::EndChild();
 }
 
-void OpenDialog::show(Controls& c, Session& s, const std::filesystem::path& start) {
+void OpenDialog::show(Controls& c, Session& s) {
     const bool open = ImGui::IsPopupOpen(title);  // maybe since another scene was shown
-    if (s.open_asked || (open && folder_.empty())) list(start);
+    if (s.open_asked || (open && folder_.empty())) list(start_);
     if (std::exchange(s.open_asked, false)) ImGui::OpenPopup(title);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));

@@ -2,6 +2,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "player/interface/controls.h"
@@ -13,7 +14,8 @@ namespace vantage {
 class OpenDialog {
   public:
     /// `start`: the folder that is listed first.
-    void show(Controls& controls, Session& session, const std::filesystem::path& start);
+    explicit OpenDialog(std::filesystem::path start) : start_(std::move(start)) {}
+    void show(Controls& controls, Session& session);
 
   private:
     struct Entry {
@@ -28,7 +30,7 @@ class OpenDialog {
     void move_by_keys(Session& session);
     void accept(Session& session);
 
-    std::filesystem::path folder_;
+    std::filesystem::path start_, folder_;
     std::vector<Entry> entries_;
     std::string trouble_;       ///< why the folder was not listed
     std::size_t selected_ = 0;  ///< entries_.size(): none

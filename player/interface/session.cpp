@@ -13,9 +13,9 @@ void say(Session& s, const std::string& message, double now) {
 
 bool take_key(Session& s, int key) {
     const auto is = [&](const KeyPress& p) { return p.key == key && p.with == KeyPress::With::nothing; };
-    const auto at = std::ranges::find_if(s.keys, is);
-    if (at == s.keys.end()) return false;
-    s.keys.erase(at);
+    const auto at = std::ranges::find_if(s.input.keys, is);
+    if (at == s.input.keys.end()) return false;
+    s.input.keys.erase(at);
     return true;
 }
 

@@ -1,12 +1,10 @@
 #pragma once
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "player/camera/navigation.h"
-#include "player/interface/drag.h"
-#include "player/interface/key_press.h"
+#include "player/interface/user_input.h"
 #include "player/render/frame_statistics.h"
 #include "player/render/render_settings.h"
 
@@ -43,9 +41,7 @@ struct Session {
     bool recording = false;
     std::vector<Navigation> recorded;  ///< one per 1 / positions_per_second seconds
 
-    std::vector<KeyPress> keys;   ///< pressed since the last frame, and not taken yet
-    bool double_clicked = false;  ///< since the last frame, by the left button
-    std::array<Drag, 3> drags{};  ///< since the last frame, by button: left, right, middle
+    UserInput input;  ///< not taken yet
 
     bool open_asked = false;  ///< show the dialog to open another package
     std::string open;         ///< another package or scene file to show, or empty

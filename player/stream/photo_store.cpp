@@ -123,8 +123,8 @@ std::size_t PhotoStore::stream(std::size_t budget) {
     for (std::size_t i = 0; i < photo_resources; ++i) available[i] = residency_->available(Resource(i));
     ordered_.clear();
     to_come_ = 0;
-    std::optional<std::uint32_t>
-        given;  // the photo that gets the next slot for coordinates, which its pieces share
+    // The photo that gets the next slot for coordinates, which its pieces share.
+    std::optional<std::uint32_t> given;
     const auto has_slot = [&](std::uint32_t photo) { return given == photo || residency_->has_slot(photo); };
     for (const Wanted& w : wanted_) {
         if (residency_->holds(w.request)) continue;

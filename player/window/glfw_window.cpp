@@ -40,11 +40,11 @@ struct GlfwWindow::Callbacks {
         WindowEvents& e = events(w);
         if (action == GLFW_RELEASE) return;
         const int with = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
-        e.keys.push_back({key,
-                          with == 0                  ? With::nothing
-                          : with == GLFW_MOD_CONTROL ? With::control
-                                                     : With::other,
-                          action == GLFW_REPEAT});
+        e.input.keys.push_back({key,
+                                with == 0                  ? With::nothing
+                                : with == GLFW_MOD_CONTROL ? With::control
+                                                           : With::other,
+                                action == GLFW_REPEAT});
     }
     static void drop(GLFWwindow* w, int count, const char** files) {
         std::vector<std::string>& dropped = events(w).dropped;
@@ -61,7 +61,7 @@ struct GlfwWindow::Callbacks {
         const Click last = std::exchange(in.clicked_, click);
         if (click.at - last.at > most_seconds || std::hypot(click.x - last.x, click.y - last.y) > most_pixels)
             return;
-        e.double_clicked = true;
+        e.input.double_clicked = true;
         in.clicked_ = {};  // a third click begins anew
     }
     /// The motion while a button was down: ImGui only knows whether it is down when a frame begins.
@@ -69,7 +69,7 @@ struct GlfwWindow::Callbacks {
         WindowEvents& e = events(w);
         GlfwWindow& in = window(w);
         for (std::size_t b = 0; b < in.down_.size(); ++b)
-            if (in.down_[b]) e.drags[b].right += x - in.x_, e.drags[b].down += y - in.y_;
+            if (in.down_[b]) e.input.drags[b].right += x - in.x_, e.input.drags[b].down += y - in.y_;
         in.x_ = x;
         in.y_ = y;
     }

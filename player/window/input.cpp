@@ -20,11 +20,11 @@ namespace {
 void move_by_mouse(Session& s) {
     const ImGuiIO& io = ImGui::GetIO();
     const auto moves = [](const Drag& d) { return d.right != 0 || d.down != 0; };
-    if (io.WantCaptureMouse || (io.MouseWheel == 0 && std::ranges::none_of(s.drags, moves))) return;
+    if (io.WantCaptureMouse || (io.MouseWheel == 0 && std::ranges::none_of(s.input.drags, moves))) return;
     s.flight.reset();  // input interrupts a flight
     const double height = std::max(1.0, double(io.DisplaySize.y)),
                  fov = s.camera.fov * std::numbers::pi / 180;
-    const auto [left, right, middle] = s.drags;
+    const auto [left, right, middle] = s.input.drags;
     if (io.KeyCtrl) {
         look(s.camera, -left.right * fov / height, -left.down * fov / height);
     } else {
@@ -144,23 +144,24 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
     move_by_mouse(session);
     move_lamp(session);
     const auto quits = [](const KeyPress& p) { return p.with == With::control && p.key == GLFW_KEY_Q; };
-    session.quit |= std::ranges::any_of(session.keys, quits);
+    session.quit |= std::ranges::any_of(session.input.keys, quits);
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control in use
-    move_by_keys(session, session.keys);
-    const std::vector<KeyPress> keys = std::exchange(session.keys, {});
+    move_by_keys(session, session.input.keys);
+    const std::vector<KeyPress> keys = std::exchange(session.input.keys, {});
     for (std::size_t i = 0; i < keys.size(); ++i) {
         if (keys[i].with == With::nothing && !keys[i].repeated)
             run_shortcut(session, scene, keys[i].key, now);
         if (!session.open_asked) continue;
-        session.keys.assign(keys.begin() + std::ptrdiff_t(i) + 1, keys.end());  // for the dialog
+        session.input.keys.assign(keys.begin() + std::ptrdiff_t(i) + 1, keys.end());  // for the dialog
         return;
     }
 }
 
 bool keys_in_use(const Session& session) {
     const auto& down = ImGui::GetIO().KeysDown;
-    return !session.keys.empty() || std::any_of(std::begin(down), std::end(down), [](bool d) { return d; });
+    return !session.input.keys.empty() ||
+           std::any_of(std::begin(down), std::end(down), [](bool d) { return d; });
 }
 
 }  // namespace vantage

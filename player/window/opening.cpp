@@ -55,7 +55,7 @@ Result await(GlfwWindow& window, std::future<Result> result, std::stop_source st
              const Ask& progress) {
     while (result.wait_for(std::chrono::milliseconds(30)) != std::future_status::ready) {
         const auto is_escape = [](const KeyPress& p) { return p.key == GLFW_KEY_ESCAPE; };
-        if (std::ranges::any_of(window.events().keys, is_escape) || glfwWindowShouldClose(window.get()))
+        if (std::ranges::any_of(window.events().input.keys, is_escape) || glfwWindowShouldClose(window.get()))
             stop.request_stop();
         draw_progress(window.get(), name, progress());
     }

@@ -18,6 +18,7 @@
 #include "player/camera/shots.h"
 #include "player/window/glfw_window.h"
 #include "player/window/input.h"
+#include "player/window/numbered_file.h"
 #include "player/window/opening.h"
 #include "player/window/remembered.h"
 #include "player/window/screenshot.h"
@@ -145,17 +146,6 @@ std::optional<Requested> take_request(GlfwWindow& window, Session& session, cons
     }
 }
 
-/// Into the current folder, under the package's name and a number.
-void save_screenshot(Session& session, const PackageReader& package, int width, int height, double now) {
-    try {
-        const std::string saved = free_name(package.path().stem().string(), ".png");
-        save_frame(saved, width, height);
-        say(session, "screenshot written to " + saved, now);
-    } catch (const Error& e) {
-        say(session, e.what(), now);
-    }
-}
-
 /// ImGui needs some frames to react to what has happened.
 constexpr int frames_after_event = 3;
 
@@ -164,9 +154,7 @@ constexpr int frames_after_event = 3;
 bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, bool may_rest, int& lively) {
     const bool rests = may_rest && scene.rests() && !keys_in_use(session) && lively == 0;
     WindowEvents events = window.events(rests ? std::clamp(scene.wakes_at() - glfwGetTime(), 0.001, 1.0) : 0);
-    session.keys = std::move(events.keys);
-    session.double_clicked = events.double_clicked;
-    session.drags = events.drags;
+    session.input = std::move(events.input);
     for (const std::string& file : events.dropped)
         (is_scene_file(file) ? session.open : session.dropped) = file;
     lively = events.any ? frames_after_event : std::max(0, lively - 1);
@@ -177,7 +165,7 @@ bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, 
 void new_frame(const Session& session) {
     auto& down = ImGui::GetIO().KeysDown;
     std::vector<int> tapped;
-    for (const KeyPress& p : session.keys)
+    for (const KeyPress& p : session.input.keys)
         if (p.key >= 0 && p.key < int(std::size(down)) && !std::exchange(down[p.key], true))
             tapped.push_back(p.key);
     ImGui::NewFrame();
@@ -210,19 +198,16 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
         scene.frame(width, height, now, keys_used);
         const bool ends = frame == o.window.frames;
         if (ends && !o.window.screenshot.empty()) save_frame(o.window.screenshot, width, height);
-        if (session.screenshot) save_screenshot(session, scene.renderer().package(), width, height, now);
-        session.screenshot = false;
+        if (std::exchange(session.screenshot, false))
+            write_numbered(session, scene.renderer().package().path().stem().string(), ".png", "screenshot",
+                           now, [&](const std::string& to) { save_frame(to, width, height); });
         glfwSwapBuffers(window);
         if (!o.window.controls.empty()) controls.write_places(o.window.controls);
         if (frame == 1 && !o.output.quiet)
             std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * (glfwGetTime() - requested_at));
-        if (auto other = take_request(shown_in, session, o.memory, now)) {
-            scene.stop_recording(now);
-            return other;
-        }
+        if (auto other = take_request(shown_in, session, o.memory, now)) return other;
         if (ends || session.quit) break;
     }
-    scene.stop_recording(glfwGetTime());
     return {};
 }
 
@@ -253,6 +238,7 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
         {
             ShownScene scene(*package, other ? other->objects : objects, o, session, controls);
             next = show_package(window, session, scene, controls, o, requested_at);
+            scene.stop_recording(glfwGetTime());
         }
         damaged |= session.report.tiles_damaged > 0;
         remember(session, *package, remembered);

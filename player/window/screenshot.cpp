@@ -3,22 +3,10 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
 
 #include "player/render/picture.h"
 
 namespace vantage {
-
-std::string free_name(const std::string& stem, const char* extension) {
-    for (int n = 1;; ++n) {
-        char number[16];
-        std::snprintf(number, sizeof number, "-%04d", n);
-        const std::string name = stem + number + extension;
-        std::error_code unknown;
-        if (!std::filesystem::exists(name, unknown)) return name;
-    }
-}
 
 void save_frame(const std::string& file, int width, int height) {
     Picture p{width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4), {}};

@@ -16,8 +16,8 @@
 #include "player/interface/overlays.h"
 #include "player/interface/panels.h"
 #include "player/interface/point_panel.h"
+#include "player/window/numbered_file.h"
 #include "player/window/object_panel.h"
-#include "player/window/screenshot.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -27,7 +27,8 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
     : renderer_(package, memory_budget(o.memory)),
       objects_(renderer_, objects, memory_budget(o.memory)),
       session_(session),
-      controls_(controls) {
+      controls_(controls),
+      open_dialog_(package.remote() ? "." : package.path().parent_path()) {
     session_.photos = photos_in_use(package, o.package);
 }
 
@@ -65,8 +66,7 @@ void ShownScene::interface(const View& view, double now) {
     if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
     if (s.panels.photos && !renderer_.scene().photos.empty()) strip_.show(controls_, s, renderer_, view, now);
     if (s.panels.help) help_panel(s);
-    open_dialog_.show(controls_, s,
-                      renderer_.package().remote() ? "." : renderer_.package().path().parent_path());
+    open_dialog_.show(controls_, s);
     drop_dialog(controls_, s);
     message_line(s, now);
 }
@@ -110,13 +110,9 @@ void ShownScene::save_recorded(double now) {
     Session& s = session_;
     if (s.recorded.empty()) return;
     const PackageReader& package = renderer_.package();
-    try {
-        const std::string file = free_name(package.path().stem().string(), ".path");
-        write_path(file, s.recorded, package);
-        say(s, std::to_string(s.recorded.size()) + " positions written to " + file, now);
-    } catch (const Error& e) {
-        say(s, e.what(), now);
-    }
+    write_numbered(s, package.path().stem().string(), ".path",
+                   std::to_string(s.recorded.size()) + " positions", now,
+                   [&](const std::string& file) { write_path(file, s.recorded, package); });
 }
 
 /// Adds the package that the session asks for, and writes a scene file if it asks for one.
@@ -128,14 +124,12 @@ void ShownScene::change_objects(double now) {
             s.panels.objects = true;
             samples_ = 0;
         }
-        if (std::exchange(s.save_scene, false)) {
-            const std::string file = free_name("scene", ".toml");
-            write_scene_file(file, objects_.objects());
-            say(s, "scene written to " + file, now);
-        }
     } catch (const Error& e) {
         say(s, e.what(), now);
     }
+    if (std::exchange(s.save_scene, false))
+        write_numbered(s, "scene", ".toml", "scene", now,
+                       [&](const std::string& file) { write_scene_file(file, objects_.objects()); });
 }
 
 /// A damaged package may be restored while it is shown, and a server may be reached again.
@@ -172,13 +166,13 @@ void ShownScene::draw(const View& view, bool still, double now) {
     before_ = s.camera;
     const View next = view_of(ahead, view.intrinsics.width, view.intrinsics.height);
     const PixelSample sample = resting_ ? PixelSample{samples_, rest_side} : PixelSample{};
+    const bool sound_so_far = s.report.tiles_damaged == 0;
     const auto start = std::chrono::steady_clock::now();
     s.report = objects_.draw(view, settings, s.photos, sample, now, &next);
     samples_ = resting_ && s.report.settled ? samples_ + 1 : 0;
-    if (s.report.tiles_damaged > 0 && damage_told_ == 0)
+    if (s.report.tiles_damaged > 0 && sound_so_far)
         say(s, "The package is damaged: parts of the picture are missing or blurred (vantage check FILE)",
             now);
-    damage_told_ = s.report.tiles_damaged;
     drawn_ = true;
     if (gl::current_device().software) glFinish();
     remember_time(std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - start).count());

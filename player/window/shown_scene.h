@@ -55,7 +55,6 @@ class ShownScene {
     LightSettings lit_;
     std::optional<Navigation> before_;
     int samples_ = 0;
-    std::size_t damage_told_ = 0;  ///< tiles, in the last frame
     bool drawn_ = false, resting_ = false;
     double drawn_at_ = 0, shown_at_ = 0;
     struct Recording {

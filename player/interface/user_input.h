@@ -1,0 +1,26 @@
+#pragma once
+#include <array>
+#include <vector>
+
+namespace vantage {
+
+/// A key that was pressed.
+struct KeyPress {
+    int key;                                                           ///< GLFW's code
+    enum class With { nothing, control, other } with = With::nothing;  ///< other: also Alt or Super
+    bool repeated = false;                                             ///< because it was held
+};
+
+/// How far the pointer moved while a mouse button was down, in pixels.
+struct Drag {
+    double right = 0, down = 0;
+};
+
+/// What was done with keys and mouse since the last frame.
+struct UserInput {
+    std::vector<KeyPress> keys;   ///< in order, also those that were released again
+    bool double_clicked = false;  ///< by the left button
+    std::array<Drag, 3> drags{};  ///< by button: left, right, middle
+};
+
+}  // namespace vantage

@@ -1,0 +1,34 @@
+#include "player/window/numbered_file.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+std::string free_name(const std::string& stem, const char* extension) {
+    for (int n = 1;; ++n) {
+        char number[16];
+        std::snprintf(number, sizeof number, "-%04d", n);
+        const std::string name = stem + number + extension;
+        std::error_code unknown;
+        if (!std::filesystem::exists(name, unknown)) return name;
+    }
+}
+
+}  // namespace
+
+void write_numbered(Session& session, const std::string& stem, const char* extension, const std::string& what,
+                    double now, const std::function<void(const std::string& file)>& write) {
+    try {
+        const std::string file = free_name(stem, extension);
+        write(file);
+        say(session, what + " written to " + file, now);
+    } catch (const Error& e) {
+        say(session, e.what(), now);
+    }
+}
+
+}  // namespace vantage
