@@ -73,6 +73,7 @@ Navigation between(const Navigation& a, const Navigation& b, double share) {
     n.eye = a.eye + share * (b.eye - a.eye);
     n.target = a.target + share * (b.target - a.target);
     n.fov = a.fov + share * (b.fov - a.fov);
+    n.aspect = a.aspect + share * (b.aspect - a.aspect);
     n.R = Eigen::Quaterniond(a.R).slerp(share, Eigen::Quaterniond(b.R)).toRotationMatrix();
     return n;
 }

@@ -26,8 +26,12 @@ Navigation stand_at(const package::PhotoRecord& photo, const Eigen::Vector3d& up
     const Pose pose = cam_from_origin(photo);
     const double distance =
         photo.seen_distance > 0 ? photo.seen_distance : std::max(1e-6, pose.center().norm());
-    return {pose.center(), pose.center() + distance * pose.direction(), up, pose.R,
-            2 * std::atan(photo.height / (2 * photo.fy)) * 180 / std::numbers::pi};
+    return {pose.center(),
+            pose.center() + distance * pose.direction(),
+            up,
+            pose.R,
+            2 * std::atan(photo.height / (2 * photo.fy)) * 180 / std::numbers::pi,
+            double(photo.width) / photo.height};
 }
 
 Navigation stand_before(const package::SceneRecord& scene, const Eigen::Vector3d& up) {
@@ -40,8 +44,9 @@ Navigation stand_before(const package::SceneRecord& scene, const Eigen::Vector3d
     const Eigen::Vector3d across = up.unitOrthogonal();
     const Eigen::Vector3d eye =
         (across + 0.5 * up).normalized() * radius * margin / std::sin(fov / 2 * std::numbers::pi / 180);
-    return {eye, Eigen::Vector3d::Zero(), up,
-            view_towards(eye, Eigen::Vector3d::Zero(), up, fov, 1, 1).cam_from_origin.R, fov};
+    return {eye, Eigen::Vector3d::Zero(),
+            up,  view_towards(eye, Eigen::Vector3d::Zero(), up, fov, 1, 1).cam_from_origin.R,
+            fov, 1};
 }
 
 Navigation home_of(const PackageReader& package, std::uint32_t photo) {
@@ -77,6 +82,17 @@ View view_of(const Navigation& n, int width, int height) {
     const double f = height / (2 * std::tan(n.fov * std::numbers::pi / 360));
     Pose pose{n.R, -n.R * n.eye};
     return {{width, height, f, f, width / 2.0, height / 2.0}, pose};
+}
+
+View view_of(const Navigation& n, int width, int height, const Area& free) {
+    View view = view_of(n, width, height);
+    const double high = std::max(1.0, free.height), wide = std::max(1.0, free.width);
+    const double fitted = n.aspect > 0 ? std::min(high, wide / n.aspect) : high;
+    Intrinsics& k = view.intrinsics;
+    k.fx = k.fy = fitted / (2 * std::tan(n.fov * std::numbers::pi / 360));
+    k.cx = free.left + wide / 2;
+    k.cy = free.top + high / 2;
+    return view;
 }
 
 }  // namespace vantage

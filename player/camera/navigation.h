@@ -11,6 +11,7 @@ struct Navigation {
     Eigen::Vector3d eye, target, up;
     Eigen::Matrix3d R;  ///< cam_from_origin
     double fov = 45;    ///< vertical, degrees
+    double aspect = 0;  ///< width over height of what `fov` was chosen for, such as a photo; 0: any
 };
 
 /// At the photo's camera, facing its direction; the target is at the distance of the surface it sees.
@@ -33,5 +34,8 @@ void fly(Navigation& n, const Eigen::Vector3d& step);
 void approach(Navigation& n, double factor);
 
 View view_of(const Navigation& n, int width, int height);
+/// The same with the field of view, `fov` high and `aspect` times as wide, fitted into a part of the frame
+/// and centered there. `free` is enlarged to at least one pixel.
+View view_of(const Navigation& n, int width, int height, const Area& free);
 
 }  // namespace vantage

@@ -17,6 +17,11 @@ struct Exposure {
 /// The photo's exposure and lens.
 Exposure exposure_of(const package::PhotoRecord& photo);
 
+/// A rectangle of a frame: its upper left corner and its size, in pixels.
+struct Area {
+    double left = 0, top = 0, width = 0, height = 0;
+};
+
 /// A camera to render from; positions are relative to the package's origin.
 struct View {
     Intrinsics intrinsics;

@@ -85,6 +85,36 @@ bool Controls::combo(const char* name, int* value, const char* const names[], in
     return changed;
 }
 
+ImVec2 Controls::icon_button_size(const char* name, bool with_label) {
+    const float em = ImGui::GetFontSize();
+    return {2.2f * em + (with_label ? ImGui::CalcTextSize(name).x + 0.6f * em : 0), 2.2f * em};
+}
+
+bool Controls::icon_button(const char* name, Icon icon, bool lit, bool with_label) {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 low = ImGui::GetCursorScreenPos(), size = icon_button_size(name, with_label),
+                 high(low.x + size.x, low.y + size.y);
+    const bool pressed = ImGui::InvisibleButton(name, size);
+    note((std::string("Bar ") + name).c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (ImGui::IsItemActive() || ImGui::IsItemHovered() || lit)
+        list.AddRectFilled(low, high,
+                           ImGui::GetColorU32(ImGui::IsItemActive()    ? ImGuiCol_ButtonActive
+                                              : ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered
+                                                                       : ImGuiCol_Header),
+                           ImGui::GetStyle().FrameRounding);
+    const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
+    draw_icon(list, icon, ImVec2(low.x + 1.1f * em, low.y + 1.1f * em), 1.25f * em, color);
+    if (with_label) list.AddText(ImVec2(low.x + 2.1f * em, low.y + 0.6f * em), color, name);
+    return pressed;
+}
+
+void Controls::section(const char* name, bool* open) {
+    ImGui::SetNextItemOpen(*open);
+    *open = ImGui::CollapsingHeader(name);
+    note((std::string("Section ") + name).c_str());
+}
+
 bool Controls::menu_item(const char* name, const char* key, bool selected) {
     const bool pressed = ImGui::MenuItem(name, key, selected);
     note(name);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "player/interface/icons.h"
+
 namespace vantage {
 
 /// ImGui's controls by name. Records the position of each control in a frame, so that scripts can click it.
@@ -28,6 +30,12 @@ class Controls {
     bool slider(const char* name, double* value, double low, double high, const char* format = "%.2f",
                 ImGuiSliderFlags flags = 0);
     bool combo(const char* name, int* value, const char* const names[], int count);
+    /// A button of the bar, with its name beside the icon if `with_label`; lit while it is on. Noted as "Bar"
+    /// and the name.
+    bool icon_button(const char* name, Icon icon, bool lit, bool with_label);
+    static ImVec2 icon_button_size(const char* name, bool with_label);
+    /// The header of a section that can be opened and closed. Noted as "Section" and the name.
+    void section(const char* name, bool* open);
     bool menu_item(const char* name, const char* key, bool selected = false);
     /// Whether the menu is open; if so, ImGui::EndMenu() must follow.
     bool menu(const char* name);

@@ -25,6 +25,8 @@ void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record,
     s.flight = Session::Flight{{s.camera, stand_at(record, s.camera.up)}, now, 0.7};
 }
 
+void fly_home(Session& s, double now) { s.flight = Session::Flight{{s.camera, s.home}, now, 0.7}; }
+
 void replay(Session& s, double now) {
     if (s.recorded.size() < 2) return;
     s.flight = Session::Flight{s.recorded, now, double(s.recorded.size() - 1) / positions_per_second};

@@ -10,12 +10,13 @@
 
 namespace vantage {
 
-/// The panels and overlays that are shown.
+/// The parts of the interface that are shown.
 struct Panels {
-    bool blending = true, status = true, photos = true, frusta = false, radar = false, help = false;
+    bool bar = true, photos = true, frusta = false, radar = false, help = false;
+    bool expert = false;  ///< the menu, and the sidebar with the sections that follow
+    bool picture = true, blending = true, status = false, objects = false;
     bool layers = true;                ///< if the package has layers of its own; else closed until asked for
     bool points = true, bands = true;  ///< only if the package has any
-    bool objects = false;
 };
 
 /// How often positions are recorded.
@@ -25,6 +26,8 @@ inline constexpr double positions_per_second = 30;
 struct Session {
     RenderSettings settings;
     Navigation camera;
+    Navigation home;  ///< where the session began
+    Area free;        ///< the part of the window that the picture is fitted to
     std::vector<std::uint32_t> photos;  ///< allowed for blending
     Panels panels;
 
@@ -49,6 +52,8 @@ struct Session {
     std::string add;          ///< a package to show with the others, or empty
     bool save_scene = false;  ///< write a scene file
     bool screenshot = false, quit = false;
+    bool full_screen = false;
+    float text_scale = 1;
     std::string message;  ///< one line
     double message_until = 0;
 
@@ -66,6 +71,8 @@ bool take_key(Session& session, int key);
 
 /// Starts a flight to a photo's camera, 0.7 seconds long.
 void fly_to(Session& session, std::uint32_t photo, const package::PhotoRecord& record, double now);
+/// Starts a flight to where the session began.
+void fly_home(Session& session, double now);
 /// Starts a flight along the recorded path, as fast as it was recorded.
 void replay(Session& session, double now);
 /// Moves the camera to its position on the flight in progress.

@@ -17,6 +17,25 @@ TEST(Navigation, StandsAtThePhotosCamera) {
     EXPECT_NEAR((n.target - n.eye).norm(), photo.seen_distance, 1e-9);
 }
 
+TEST(Navigation, APhotoFitsIntoAFreeAreaOfAnyShape) {
+    const Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+    package::PhotoRecord photo = photo_at(Eigen::Vector3d(0, 0, -5), R);
+    photo.width = 400, photo.height = 300, photo.fx = photo.fy = 350, photo.cx = 200, photo.cy = 150;
+    const Navigation n = stand_at(photo, {0, -1, 0});
+    for (const Area& free : {Area{0, 0, 800, 600}, Area{300, 20, 500, 480}, Area{0, 30, 600, 1200}}) {
+        const View view = view_of(n, 900, 1400, free);
+        const Eigen::Matrix3d to = pixels_from_pixels(
+            view.intrinsics, R, {{400, 300, 350, 350, 200, 150}, {R, Eigen::Vector3d::Zero()}});
+        const auto at = [&](double x, double y) {
+            return Eigen::Vector2d((to * Eigen::Vector3d(x, y, 1)).hnormalized());
+        };
+        const Eigen::Vector2d low = at(0, 0), high = at(400, 300);
+        EXPECT_NEAR(low.x() - free.left, free.left + free.width - high.x(), 1e-9) << "not centered";
+        EXPECT_NEAR(low.y() - free.top, free.top + free.height - high.y(), 1e-9) << "not centered";
+        EXPECT_NEAR(std::min(low.x() - free.left, low.y() - free.top), 0, 1e-9) << "cropped or too small";
+    }
+}
+
 TEST(Navigation, OrbitKeepsDistanceAndStopsAtThePoles) {
     Random random;
     const View v = random_view(random);

@@ -1,0 +1,65 @@
+#include "player/interface/help_panel.h"
+
+#include <imgui.h>
+
+#include <cctype>
+#include <string>
+
+#include "player/render/blend_table.h"
+
+namespace vantage {
+namespace {
+
+struct Shortcuts {
+    std::string keys, labels;
+};
+
+/// "1 2 3" and "lumigraph, average, best photo".
+Shortcuts blend_shortcuts() {
+    Shortcuts out;
+    int key = 1;
+    for (const BlendRow& row : blend_table()) {
+        std::string label = row.label;
+        label[0] = char(std::tolower(label[0]));
+        out.keys += (key > 1 ? " " : "") + std::to_string(key);
+        out.labels += (key > 1 ? ", " : "") + label;
+        ++key;
+    }
+    return out;
+}
+
+}  // namespace
+
+void help_panel(Session& s) {
+    const Shortcuts blends = blend_shortcuts();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowBgAlpha(1);
+    if (ImGui::Begin("Mouse and keys", &s.panels.help,
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
+        const char* const lines[][2] = {{"drag", "orbit the model"},
+                                        {"drag, right or middle button", "pan"},
+                                        {"Ctrl and drag", "look around"},
+                                        {"wheel", "move closer or away"},
+                                        {"W A S D, Q E", "fly; faster with Shift"},
+                                        {"N, B", "fly to the next or previous photo"},
+                                        {"C", "compare: side by side, wiper, difference"},
+                                        {"V", "show photos, which photo, how many photos"},
+                                        {"X", "show the next band of photos"},
+                                        {blends.keys.c_str(), blends.labels.c_str()},
+                                        {"R, T", "record a path, replay it"},
+                                        {"O", "open another package (or drop it here)"},
+                                        {"P", "screenshot"},
+                                        {"F1 to F10", "help and panels"},
+                                        {"Esc", "close help, stop a flight or a comparison"},
+                                        {"Ctrl+Q", "quit"}};
+        for (const auto& line : lines) {
+            ImGui::TextColored(ImVec4(0.55f, 0.75f, 1, 1), "%s", line[0]);
+            ImGui::SameLine(220);
+            ImGui::TextUnformatted(line[1]);
+        }
+    }
+    ImGui::End();
+}
+
+}  // namespace vantage

@@ -1,0 +1,12 @@
+#pragma once
+#include <imgui.h>
+
+namespace vantage {
+
+/// What the buttons of the bar show.
+enum class Icon { home, photos, compare, light, full_screen, help, expert };
+
+/// Draws an icon around `middle`, `size` pixels wide and high.
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size, ImU32 color);
+
+}  // namespace vantage

@@ -1,0 +1,48 @@
+#include "player/interface/menu_bar.h"
+
+#include <imgui.h>
+
+
+namespace vantage {
+
+void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
+    if (!ImGui::BeginMainMenuBar()) return;
+    if (c.menu("File")) {
+        if (c.menu_item("Open...", "O")) s.open_asked = true;
+        if (c.menu_item("Screenshot", "P")) s.screenshot = true;
+        if (c.menu_item("Quit", "Ctrl+Q")) s.quit = true;
+        ImGui::EndMenu();
+    }
+    if (c.menu("View")) {
+        const auto toggle = [&](const char* name, const char* key, bool& shown) {
+            if (c.menu_item(name, key, shown)) shown = !shown;
+        };
+        toggle("Blending", "F2", s.panels.blending);
+        toggle("Status", "F3", s.panels.status);
+        toggle("Photo strip", "F4", s.panels.photos);
+        toggle("Cameras in the scene", "F5", s.panels.frusta);
+        toggle("Radar", "F6", s.panels.radar);
+        if (!renderer.layers().empty()) toggle("Layers", "F7", s.panels.layers);
+        if (renderer.points()) toggle("Point cloud", "F8", s.panels.points);
+        if (renderer.scene().bands.size() > 1) toggle("Bands", "F9", s.panels.bands);
+        toggle("Objects", "F10", s.panels.objects);
+        ImGui::EndMenu();
+    }
+    if (c.menu("Path")) {
+        if (c.menu_item("Record", "R", s.recording)) {
+            s.recording = !s.recording;
+            if (s.recording) s.recorded.clear();
+        }
+        if (c.menu_item("Replay", "T")) replay(s, now);
+        ImGui::EndMenu();
+    }
+    if (c.menu("Help")) {
+        if (c.menu_item("Mouse and keys", "F1", s.panels.help)) s.panels.help = !s.panels.help;
+        ImGui::EndMenu();
+    }
+    ImGui::TextDisabled("   %s", renderer.package().path().filename().c_str());
+    if (s.recording) ImGui::TextColored(ImVec4(1, 0.4f, 0.35f, 1), "   recording");
+    ImGui::EndMainMenuBar();
+}
+
+}  // namespace vantage

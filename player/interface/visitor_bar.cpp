@@ -1,0 +1,123 @@
+#include "player/interface/visitor_bar.h"
+
+#include <imgui.h>
+
+#include <cstddef>
+#include <iterator>
+
+#include "player/interface/agreeing_photo.h"
+#include "points/point_cloud.h"
+
+namespace vantage {
+namespace {
+
+struct Tool {
+    const char* name;
+    Icon icon;
+    const char* help;
+};
+constexpr Tool tools[] = {
+    {"Home", Icon::home, "Back to the first view (H)"},
+    {"Photos", Icon::photos, "Show or hide the photos; click on one to see what it shows (F4)"},
+    {"Compare", Icon::compare, "Fly to the photo that is closest, and compare the model with it (C)"},
+    {"Light", Icon::light, "Move a lamp over the surface, to see its shape"},
+    {"Full screen", Icon::full_screen, "The whole screen, or a window again (F11)"},
+    {"Help", Icon::help, "What mouse and keys do (F1)"},
+    {"Expert", Icon::expert, "All settings (Tab)"}};
+
+void lights(Controls& c, Session& s) {
+    if (!ImGui::BeginPopup("##lights")) return;
+    LightSettings& l = s.settings.light;
+    const auto choose = [&](const char* name, Light light) {
+        if (c.menu_item(name, nullptr, l.light == light)) l.light = light;
+    };
+    choose("As in the photos", Light::photos);
+    choose("Raking light that follows the pointer", Light::raking);
+    choose("Lamp at the viewer", Light::lamp);
+    if (l.light == Light::raking) s.lamp_follows = true;
+    ImGui::EndPopup();
+}
+
+void toggle_comparison(Session& s, const Renderer& renderer, const View& view, double now) {
+    if (s.settings.compare != Compare::nothing) {
+        s.settings.compare = Compare::nothing;
+        return;
+    }
+    const auto photo = agreeing_photo(renderer.scene(), view, s.settings.bands);
+    if (!photo) return;
+    s.settings.compare = Compare::wiper;
+    s.settings.bands.how = BandView::mix;  // one comparison at a time
+    fly_to(s, *photo, renderer.scene().photos[*photo], now);
+}
+
+void use(const Tool& tool, Session& s, const Renderer& renderer, const View& view, double now) {
+    switch (tool.icon) {
+        case Icon::home:
+            return fly_home(s, now);
+        case Icon::photos:
+            s.panels.photos = !s.panels.photos;
+            return;
+        case Icon::compare:
+            return toggle_comparison(s, renderer, view, now);
+        case Icon::light:
+            return ImGui::OpenPopup("##lights");
+        case Icon::full_screen:
+            s.full_screen = !s.full_screen;
+            return;
+        case Icon::help:
+            s.panels.help = !s.panels.help;
+            return;
+        case Icon::expert:
+            s.panels.expert = !s.panels.expert;
+            return;
+    }
+}
+
+bool is_lit(Icon icon, const Session& s) {
+    return (icon == Icon::photos && s.panels.photos) ||
+           (icon == Icon::compare && s.settings.compare != Compare::nothing) ||
+           (icon == Icon::light && s.settings.light.light != Light::photos) ||
+           (icon == Icon::full_screen && s.full_screen) || (icon == Icon::help && s.panels.help) ||
+           (icon == Icon::expert && s.panels.expert);
+}
+
+bool is_usable(Icon icon, const Renderer& renderer) {
+    if (icon == Icon::photos || icon == Icon::compare) return !renderer.scene().photos.empty();
+    return icon != Icon::light || !points_only(renderer.package().scene());
+}
+
+}  // namespace
+
+void visitor_bar(Controls& c, Session& s, const Renderer& renderer, const View& view, const Area& area,
+                 double now) {
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos(ImVec2(float(area.left), float(area.top)));
+    ImGui::SetNextWindowSize(ImVec2(float(area.width), float(area.height)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.5f * em, 0.35f * em));
+    ImGui::Begin("##bar", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoNav);
+    ImGui::PopStyleVar(2);
+    float labelled = em;
+    for (const Tool& tool : tools) labelled += Controls::icon_button_size(tool.name, true).x + 0.5f * em;
+    const bool labels = labelled < float(area.width);
+    float right = float(area.width) - 0.5f * em;  // the last three are on the right
+    for (std::size_t i = std::size(tools) - 3; i < std::size(tools); ++i)
+        right -= Controls::icon_button_size(tools[i].name, labels).x + 0.5f * em;
+    for (const Tool& tool : tools) {
+        const bool first = &tool == tools;
+        if (tool.icon == Icon::full_screen)
+            ImGui::SameLine(right);
+        else if (!first)
+            ImGui::SameLine(0, 0.5f * em);
+        ImGui::BeginDisabled(!is_usable(tool.icon, renderer));
+        if (c.icon_button(tool.name, tool.icon, is_lit(tool.icon, s), labels)) use(tool, s, renderer, view, now);
+        ImGui::EndDisabled();
+        Controls::explain(tool.help);
+    }
+    lights(c, s);
+    ImGui::End();
+}
+
+}  // namespace vantage
