@@ -4,7 +4,8 @@ namespace vantage {
 
 void add_memory_options(CLI::App& app, MemoryOptions& o) {
     app.add_option("--graphics-memory", o.graphics_mib,
-                   "limit of graphics memory in MiB (default by the size of the frame)")
+                   "limit of graphics memory in MiB (default by the size of the frame); exceeded if a "
+                   "frame needs more")
         ->check(CLI::Range(16u, 1u << 20));
     app.add_option("--memory", o.ring_mib, "MiB of main memory for tiles in flight")
         ->check(CLI::Range(1u, 4096u))

@@ -185,6 +185,7 @@ void Renderer::fit(int width, int height, std::span<const BandFrame> bands) {
             TriangleReadback::bytes(width, height);
         graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
         store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
+        graphics_budget_ = std::max(graphics_budget_, others + store_.residency().layout().bytes());
         targets_ = make_frame_targets(width, height, settings.half_sums);
         if (filling_) filling_->fit(width, height);
         if (points_) points_->fit(targets_, placed);

@@ -88,7 +88,7 @@ class Renderer {
     bool uses(std::uint32_t photo) const { return bands_.uses(photo); }
     bool per_fragment(const RenderSettings& settings) const { return passes_.per_fragment(settings); }
     const PhotoStore& store() const { return store_; }
-    /// Current limit of graphics memory, bytes.
+    /// Current limit of graphics memory, bytes: the budget's, or more if a frame needs more.
     std::uint64_t graphics_budget() const { return graphics_budget_; }
     /// Applies from the next draw().
     void set_budget(const MemoryBudget& budget);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "scene/error.h"
 #include "scene/stored_tile.h"
 #include "scene/tiling.h"
 #include "shaders/contract.h"
@@ -62,12 +61,12 @@ ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& 
     const auto layers = [](double wanted, std::uint32_t most) {
         return std::uint32_t(std::clamp(wanted, 0.0, double(std::min(most, most_layers()))));
     };
-    out.masks = layers(std::floor(unit * 0.6), pages.masks);
-    out.color = layers(std::floor(double(left) / double(tile_bytes) - 2.0 * out.masks), pages.color);
-    if (out.color < std::min(least_tiles, pages.color) || out.masks < std::min(least_tiles, pages.masks))
-        throw Error(Exit::usage, package.path().string() + ": the graphics memory leaves " +
-                                     std::to_string(left >> 20) +
-                                     " MiB for tiles, expected at least 16 (--graphics-memory)");
+    const auto at_least = [least_tiles](std::uint32_t fitting, std::uint32_t most) {
+        return std::max(fitting, std::min(least_tiles, most));
+    };
+    out.masks = at_least(layers(std::floor(unit * 0.6), pages.masks), pages.masks);
+    out.color = at_least(layers(std::floor(double(left) / double(tile_bytes) - 2.0 * out.masks), pages.color),
+                         pages.color);
     return out;
 }
 

@@ -22,7 +22,8 @@ struct ResidencyLayout {
 };
 
 /// Divides `bytes` of graphics memory: first thumbnails and coordinates (if `with_coordinates`), at most an
-/// eighth each, then tiles; never more than the package has. Throws Error(usage) if too few tiles fit.
+/// eighth each, then tiles; never more than the package has, and never fewer than 16 of color and of masks,
+/// even if these do not fit.
 ResidencyLayout fit_residency(const PackageReader& package, const PackagePages& pages, std::uint64_t bytes,
                               bool with_coordinates);
 
