@@ -5,9 +5,11 @@
 
 #include "bands/bands.h"
 #include "cli/exit_codes.h"
+#include "cli/report_exception.h"
 #include "player/commands/commands.h"
 #include "player/commands/offscreen.h"
 #include "player/commands/parse.h"
+#include "player/commands/supervise.h"
 #include "player/options/opened_package.h"
 #include "player/window/run_window.h"
 #include "scene/package_reader.h"
@@ -21,6 +23,20 @@ void list_photos(const PackageReader& package) {
         std::printf("%s  %s%s%ux%u  sees %.1f %% of the vertices%s\n", p.name, bands[p.band].name.c_str(),
                     bands.size() > 1 ? "  " : "", p.width, p.height, 100 * p.visible_vertices,
                     p.flags & package::photo_held_out ? "  held out" : "");
+}
+
+int show(const ShowOptions& options, const std::vector<SceneObject>& objects) {
+    if (!options.window.kiosk) return run_window(options, objects);
+    const auto run = [&](int signs) {
+        ShowOptions watched = options;
+        watched.window.signs = signs;
+        try {
+            return run_window(watched, objects);
+        } catch (...) {
+            return report_exception("vantage-player");
+        }
+    };
+    return supervise(run, kiosk_log());
 }
 
 /// One line per verb.
@@ -74,7 +90,7 @@ int show_command(int argc, char** argv) {
     add_show_options(app, options);
     if (const auto code = parse(app, argc, argv)) return *code;
     const std::vector<SceneObject> objects = named_objects(options.package, options.objects);
-    if (!options.list && !options.pictures.offscreen) return run_window(options, objects);
+    if (!options.list && !options.pictures.offscreen) return show(options, objects);
     const PackageReader package =
         opened_package(objects.front().package, options.memory, options.output.quiet);
     package.meta();  // not needed for showing, but reports damage

@@ -1,4 +1,4 @@
-#include "player/interface/band_panel.h"
+#include "player/interface/band_section.h"
 
 #include <imgui.h>
 
@@ -44,28 +44,21 @@ void second_band(Controls& c, Session& session, const PlanScene& scene) {
 
 }  // namespace
 
-void band_panel(Controls& c, Session& session, const Renderer& renderer) {
+void band_section(Controls& c, Session& session, const Renderer& renderer) {
     const PlanScene& scene = renderer.scene();
-    if (scene.bands.size() < 2) return;
-    const float below = (renderer.layers().empty() ? 256.0f : 480.0f) + (renderer.points() ? 200.0f : 0.0f);
-    ImGui::SetNextWindowPos(ImVec2(ImGui::GetIO().DisplaySize.x - 352, below), ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("Bands", &session.panels.bands, ImGuiWindowFlags_AlwaysAutoResize)) {
-        BandSettings& b = session.settings.bands;
-        ImGui::PushItemWidth(170);
-        std::vector<std::string> names;
-        for (std::uint32_t i = 0; i < scene.bands.size(); ++i) {
-            const auto photos = std::ranges::count(scene.photos, i, &package::PhotoRecord::band);
-            names.push_back(scene.bands[i].name + ": " + std::to_string(photos) +
-                            (photos == 1 ? " photo" : " photos"));
-        }
-        std::vector<const char*> shown;
-        for (const std::string& name : names) shown.push_back(name.c_str());
-        int band = int(std::min<std::size_t>(b.shown, names.size() - 1));
-        if (c.combo("Band", &band, shown.data(), int(shown.size()))) show_band(b, std::uint32_t(band));
-        second_band(c, session, scene);
-        ImGui::PopItemWidth();
+    BandSettings& b = session.settings.bands;
+    std::vector<std::string> names;
+    for (std::uint32_t i = 0; i < scene.bands.size(); ++i) {
+        const auto photos = std::ranges::count(scene.photos, i, &package::PhotoRecord::band);
+        names.push_back(scene.bands[i].name + ": " + std::to_string(photos) +
+                        (photos == 1 ? " photo" : " photos"));
     }
-    ImGui::End();
+    std::vector<const char*> shown;
+    for (const std::string& name : names) shown.push_back(name.c_str());
+    int band = int(std::min<std::size_t>(b.shown, names.size() - 1));
+    if (c.combo("Band", &band, shown.data(), int(shown.size()))) show_band(b, std::uint32_t(band));
+    c.explain("The set of photos that is shown (X: the next one).");
+    second_band(c, session, scene);
 }
 
 bool is_shown(const BandSettings& s, const package::PhotoRecord& photo) {

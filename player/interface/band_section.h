@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// Chooses the bands to show, if the package has several: one, or two mixed, side by side or with a wiper.
-void band_panel(Controls& controls, Session& session, const Renderer& renderer);
+/// Chooses the bands to show of a package with several: one, or two mixed, side by side or with a wiper.
+void band_section(Controls& controls, Session& session, const Renderer& renderer);
 
 /// Whether a photo is of a band that the settings show.
 bool is_shown(const BandSettings& settings, const package::PhotoRecord& photo);

@@ -1,6 +1,7 @@
 #include "player/interface/controls.h"
 
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 
 namespace vantage {
@@ -11,7 +12,8 @@ void Controls::begin_frame() {
 }
 
 void Controls::note(const char* name) {
-    places_.push_back({name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
+    const char* recorded = std::strstr(name, "##");
+    places_.push_back({recorded ? recorded + 2 : name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
 }
 
 void Controls::write_places(const std::filesystem::path& file) const {

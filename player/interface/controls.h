@@ -10,6 +10,7 @@
 namespace vantage {
 
 /// ImGui's controls by name. Records the position of each control in a frame, so that scripts can click it.
+/// Of a name with "##", the part before is shown and the part after is recorded.
 class Controls {
   public:
     /// Forgets the previous frame's positions.

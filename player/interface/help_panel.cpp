@@ -42,6 +42,7 @@ void help_panel(Session& s) {
                                         {"Ctrl and drag", "look around"},
                                         {"wheel", "move closer or away"},
                                         {"W A S D, Q E", "fly; faster with Shift"},
+                                        {"H", "back to the first view"},
                                         {"N, B", "fly to the next or previous photo"},
                                         {"C", "compare: side by side, wiper, difference"},
                                         {"V", "show photos, which photo, how many photos"},
@@ -50,12 +51,14 @@ void help_panel(Session& s) {
                                         {"R, T", "record a path, replay it"},
                                         {"O", "open another package (or drop it here)"},
                                         {"P", "screenshot"},
-                                        {"F1 to F10", "help and panels"},
+                                        {"Tab", "all settings, or only the picture"},
+                                        {"F1 to F12", "help and panels; F11: full screen"},
+                                        {"Ctrl with + or -", "larger or smaller text"},
                                         {"Esc", "close help, stop a flight or a comparison"},
                                         {"Ctrl+Q", "quit"}};
         for (const auto& line : lines) {
             ImGui::TextColored(ImVec4(0.55f, 0.75f, 1, 1), "%s", line[0]);
-            ImGui::SameLine(220);
+            ImGui::SameLine(16 * ImGui::GetFontSize());
             ImGui::TextUnformatted(line[1]);
         }
     }

@@ -50,7 +50,8 @@ void compare(const Pen& p) {
 void light(const Pen& p) {
     p.disk(0, 0, 0.42f);
     for (int i = 0; i < 8; ++i) {
-        const float angle = float(i) * std::numbers::pi_v<float> / 4, x = std::cos(angle), y = std::sin(angle);
+        const float angle = float(i) * std::numbers::pi_v<float> / 4, x = std::cos(angle),
+                    y = std::sin(angle);
         p.line(0.62f * x, 0.62f * y, 0.95f * x, 0.95f * y);
     }
 }

@@ -1,4 +1,4 @@
-#include "player/interface/layer_panel.h"
+#include "player/interface/layer_section.h"
 
 #include <imgui.h>
 
@@ -9,12 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "player/interface/choice.h"
 #include "player/interface/value_at_pixel.h"
 
 namespace vantage {
 namespace {
 
-constexpr float width = 300, bar_height = 14, histogram_height = 44;
+float bar_height() { return ImGui::GetFontSize(); }
+float histogram_height() { return 3 * ImGui::GetFontSize(); }
 
 /// The value under the pointer, from the triangles that the last frames showed.
 std::optional<double> value_under_pointer(const Renderer& renderer, const ValueLayer& layer,
@@ -52,7 +54,8 @@ void legend(const ValueLayer& layer, const LayerSettings& s, std::optional<doubl
     const ColorTable table = color_table(map);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float top = low.y + histogram_height, bottom = top + bar_height;
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float top = low.y + histogram_height(), bottom = top + bar_height();
     const float most = std::max(1.0f, *std::ranges::max_element(layer.counts));
     const double bin = (layer.high - layer.low) / double(layer.counts.size());
     list.PushClipRect(low, ImVec2(low.x + width, bottom), true);
@@ -60,7 +63,7 @@ void legend(const ValueLayer& layer, const LayerSettings& s, std::optional<doubl
         const double from = place(layer.low + double(i) * bin, s, range),
                      to = place(layer.low + double(i + 1) * bin, s, range);
         // The square root lets few values show beside many.
-        const float height = histogram_height * std::sqrt(layer.counts[i] / most);
+        const float height = histogram_height() * std::sqrt(layer.counts[i] / most);
         const auto at = [&](double share) { return low.x + width * float(std::clamp(share, -1.0, 2.0)); };
         list.AddRectFilled(ImVec2(at(from), top - height), ImVec2(std::max(at(to), at(from) + 1), top),
                            IM_COL32(150, 160, 175, 255));
@@ -79,7 +82,7 @@ void legend(const ValueLayer& layer, const LayerSettings& s, std::optional<doubl
         list.AddLine(ImVec2(x, low.y), ImVec2(x, bottom), IM_COL32(255, 255, 255, 255), 2);
     }
     list.PopClipRect();
-    ImGui::Dummy(ImVec2(width, histogram_height + bar_height));
+    ImGui::Dummy(ImVec2(width, histogram_height() + bar_height()));
     char text[32];
     std::snprintf(text, sizeof text, "%.5g", range.low);
     ImGui::TextUnformatted(text);
@@ -113,38 +116,31 @@ void layer_choice(Controls& c, std::span<const ValueLayer> layers, LayerSettings
 
 }  // namespace
 
-void layer_panel(Controls& c, Session& session, const Renderer& renderer, const View& view) {
+void layer_section(Controls& c, Session& session, const Renderer& renderer, const View& view) {
     const std::span<const ValueLayer> layers = renderer.layers();
-    if (layers.empty()) return;
-    ImGui::SetNextWindowPos(ImVec2(ImGui::GetIO().DisplaySize.x - 352, 256), ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("Layers", &session.panels.layers, ImGuiWindowFlags_AlwaysAutoResize)) {
-        LayerSettings& s = session.settings.layer;
-        ImGui::PushItemWidth(190);
-        layer_choice(c, layers, s);
-        if (s.layer >= 0 && std::size_t(s.layer) < layers.size()) {
-            const ValueLayer& layer = layers[std::size_t(s.layer)];
-            const std::optional<double> value = value_under_pointer(renderer, layer, view);
-            legend(layer, s, value);
-            if (const char* unit = unit_of(layer)) ImGui::TextDisabled("%s", unit);
-            if (value)
-                ImGui::Text("under the pointer: %.5g", *value);
-            else
-                ImGui::TextDisabled("under the pointer: no value");
-            static const char* const maps[] = {"automatic", "viridis", "magma", "cividis", "coolwarm"};
-            static_assert(std::size(maps) == std::size_t(ColorMap::count));
-            int map = int(s.map);
-            if (c.combo("Colors", &map, maps, int(std::size(maps)))) s.map = ColorMap(map);
-            c.slider("Over photos", &s.share, 0.0, 1.0);
-            c.slider("Isolines", &s.isolines, 0, 20);
-            if (c.checkbox("Logarithmic", &s.logarithmic)) s.range.reset();
-            range_sliders(c, layer, s);
-            if (layer.without > 0)
-                ImGui::TextDisabled("%.1f %% of the vertices have no value",
-                                    100 * double(layer.without) / double(layer.values.size()));
-        }
-        ImGui::PopItemWidth();
-    }
-    ImGui::End();
+    LayerSettings& s = session.settings.layer;
+    layer_choice(c, layers, s);
+    if (s.layer < 0 || std::size_t(s.layer) >= layers.size()) return;
+    const ValueLayer& layer = layers[std::size_t(s.layer)];
+    const std::optional<double> value = value_under_pointer(renderer, layer, view);
+    legend(layer, s, value);
+    if (const char* unit = unit_of(layer)) ImGui::TextDisabled("%s", unit);
+    if (value)
+        ImGui::Text("under the pointer: %.5g", *value);
+    else
+        ImGui::TextDisabled("under the pointer: no value");
+    static const char* const maps[] = {"automatic", "viridis", "magma", "cividis", "coolwarm"};
+    choice(c, "Colors", s.map, maps);
+    c.slider("Over photos", &s.share, 0.0, 1.0);
+    c.explain("How much of the layer's colors is shown, and how much of the photos.");
+    c.slider("Isolines", &s.isolines, 0, 20);
+    c.explain("Lines of equal value: the number of steps between them.");
+    if (c.checkbox("Logarithmic", &s.logarithmic)) s.range.reset();
+    c.explain("Colors by the logarithm. Values of zero and less have none.");
+    range_sliders(c, layer, s);
+    if (layer.without > 0)
+        ImGui::TextDisabled("%.1f %% of the vertices have no value",
+                            100 * double(layer.without) / double(layer.values.size()));
 }
 
 }  // namespace vantage

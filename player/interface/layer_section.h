@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// Which scalar layer is shown and how, with its legend and the value under the pointer. Nothing for a
-/// package without layers.
-void layer_panel(Controls& controls, Session& session, const Renderer& renderer, const View& view);
+/// Which scalar layer is shown and how, with its legend and the value under the pointer. The
+/// package must have layers.
+void layer_section(Controls& controls, Session& session, const Renderer& renderer, const View& view);
 
 }  // namespace vantage

@@ -1,6 +1,7 @@
 #include "player/interface/layout.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vantage {
 namespace {
@@ -15,16 +16,16 @@ Layout layout_of(const Panels& panels, int width, int height, double em, bool ph
     Layout out;
     double top = 0, bottom = height, left = 0;
     if (panels.bar) {
-        const double high = bar_height * em;
+        const double high = std::round(bar_height * em);
         out.bar = {0, bottom -= high, double(width), high};
     }
     if (panels.photos && photos && height > least_height_with_strip * em) {
-        const double high = strip_height * em;
+        const double high = std::round(strip_height * em);
         out.strip = {0, bottom -= high, double(width), high};
     }
     if (panels.expert) {
-        out.menu = {0, 0, double(width), top = menu_height * em};
-        left = std::min(sidebar_width * em, 0.45 * width);
+        out.menu = {0, 0, double(width), top = std::round(menu_height * em)};
+        left = std::round(std::min(sidebar_width * em, 0.45 * width));
         out.sidebar = {0, top, left, std::max(1.0, bottom - top)};
     }
     out.free = {left, top, std::max(1.0, width - left), std::max(1.0, bottom - top)};

@@ -2,8 +2,39 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
+#include "player/interface/style.h"
 
 namespace vantage {
+namespace {
+
+void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
+    const auto toggle = [&](const char* name, const char* key, bool& shown) {
+        if (c.menu_item(name, key, shown)) shown = !shown;
+    };
+    if (c.menu_item("Home", "H")) fly_home(s, now);
+    ImGui::Separator();
+    toggle("Photo strip", "F4", s.panels.photos);
+    toggle("Cameras in the scene", "F5", s.panels.frusta);
+    toggle("Radar", "F6", s.panels.radar);
+    ImGui::Separator();
+    toggle("Picture", "F12", s.panels.picture);
+    toggle("Blending", "F2", s.panels.blending);
+    toggle("Status", "F3", s.panels.status);
+    if (!renderer.layers().empty()) toggle("Layers", "F7", s.panels.layers);
+    if (renderer.points()) toggle("Point cloud", "F8", s.panels.points);
+    if (renderer.scene().bands.size() > 1) toggle("Bands", "F9", s.panels.bands);
+    toggle("Objects", "F10", s.panels.objects);
+    ImGui::Separator();
+    toggle("Full screen", "F11", s.full_screen);
+    if (c.menu_item("Larger text", "Ctrl++"))
+        s.text_scale = std::min(s.text_scale * text_step, most_text_scale);
+    if (c.menu_item("Smaller text", "Ctrl+-"))
+        s.text_scale = std::max(s.text_scale / text_step, least_text_scale);
+}
+
+}  // namespace
 
 void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
     if (!ImGui::BeginMainMenuBar()) return;
@@ -14,18 +45,7 @@ void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
         ImGui::EndMenu();
     }
     if (c.menu("View")) {
-        const auto toggle = [&](const char* name, const char* key, bool& shown) {
-            if (c.menu_item(name, key, shown)) shown = !shown;
-        };
-        toggle("Blending", "F2", s.panels.blending);
-        toggle("Status", "F3", s.panels.status);
-        toggle("Photo strip", "F4", s.panels.photos);
-        toggle("Cameras in the scene", "F5", s.panels.frusta);
-        toggle("Radar", "F6", s.panels.radar);
-        if (!renderer.layers().empty()) toggle("Layers", "F7", s.panels.layers);
-        if (renderer.points()) toggle("Point cloud", "F8", s.panels.points);
-        if (renderer.scene().bands.size() > 1) toggle("Bands", "F9", s.panels.bands);
-        toggle("Objects", "F10", s.panels.objects);
+        view_menu(c, s, renderer, now);
         ImGui::EndMenu();
     }
     if (c.menu("Path")) {

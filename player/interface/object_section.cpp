@@ -1,4 +1,4 @@
-#include "player/window/object_panel.h"
+#include "player/interface/object_section.h"
 
 #include <imgui.h>
 
@@ -9,44 +9,51 @@
 namespace vantage {
 namespace {
 
+/// "Only##Only NAME"
+std::string of(const SceneObject& object, const std::string& label, const std::string& recorded) {
+    return label + "##" + recorded + " " + object.name;
+}
+
 /// Sliders for where an object stands.
 bool placement_sliders(Controls& c, ObjectSet& objects, std::size_t object, double size) {
-    Placement p = objects.at(object).placement;
-    const std::string of = " of " + objects.at(object).name;
+    const SceneObject& o = objects.at(object);
+    Placement p = o.placement;
     bool changed = false;
     constexpr const char* axes[] = {"x", "y", "z"};
-    for (int axis = 0; axis < 3; ++axis)
-        changed |= c.slider(("Move " + std::string(axes[axis]) + of).c_str(), &p.move[axis], -2 * size,
-                            2 * size, "%.3f");
-    for (int axis = 0; axis < 3; ++axis)
-        changed |=
-            c.slider(("Turn " + std::string(axes[axis]) + of).c_str(), &p.turn[axis], -180, 180, "%.1f");
-    changed |= c.slider(("Scale" + of).c_str(), &p.scale, 0.01, 100, "%.3f", ImGuiSliderFlags_Logarithmic);
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::string move = std::string("Move ") + axes[axis];
+        changed |= c.slider(of(o, move, move + " of").c_str(), &p.move[axis], -2 * size, 2 * size, "%.3f");
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::string turn = std::string("Turn ") + axes[axis];
+        changed |= c.slider(of(o, turn, turn + " of").c_str(), &p.turn[axis], -180, 180, "%.1f deg");
+    }
+    changed |= c.slider(of(o, "Scale", "Scale of").c_str(), &p.scale, 0.01, 100, "%.3f",
+                        ImGuiSliderFlags_Logarithmic);
     if (changed) objects.place(object, p);
     return changed;
 }
 
 bool opacity_slider(Controls& c, ObjectSet& objects, std::size_t object) {
-    double opacity = objects.at(object).opacity;
-    if (!c.slider(("Opacity of " + objects.at(object).name).c_str(), &opacity, 0, 1, "%.2f")) return false;
+    const SceneObject& o = objects.at(object);
+    double opacity = o.opacity;
+    if (!c.slider(of(o, "Opacity", "Opacity of").c_str(), &opacity, 0, 1, "%.2f")) return false;
     objects.set_opacity(object, opacity);
     return true;
 }
 
-/// One object's row. Sets `removed` if it is to be removed.
+/// One object's rows. Sets `removed` if it is to be removed.
 bool object_row(Controls& c, ObjectSet& objects, std::size_t object, double size, bool& removed) {
-    const std::string name = objects.at(object).name;
-    bool shown = objects.at(object).shown, changed = false;
-    if (c.checkbox(name.c_str(), &shown)) objects.show_object(object, shown), changed = true;
-    ImGui::SameLine();
-    if (c.button(("Only " + name).c_str())) objects.show_only(object), changed = true;
-    const std::string position = "Position of " + name;
-    bool* open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID((position + " open").c_str()));
+    const SceneObject o = objects.at(object);
+    bool shown = o.shown, changed = false;
+    if (c.checkbox(o.name.c_str(), &shown)) objects.show_object(object, shown), changed = true;
+    bool* open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(of(o, "open", "open").c_str()));
+    if (c.button(of(o, "Only this", "Only").c_str())) objects.show_only(object), changed = true;
     if (object > 0) {
         ImGui::SameLine();
-        removed = c.button(("Remove " + name).c_str());
+        if (c.button(of(o, "Place", "Position of").c_str())) *open = !*open;
         ImGui::SameLine();
-        if (c.button(position.c_str())) *open = !*open;
+        removed = c.button(of(o, "Remove", "Remove").c_str());
     }
     changed |= opacity_slider(c, objects, object);
     if (object > 0 && *open) changed |= placement_sliders(c, objects, object, size);
@@ -55,22 +62,17 @@ bool object_row(Controls& c, ObjectSet& objects, std::size_t object, double size
 
 }  // namespace
 
-bool object_panel(Controls& c, Session& session, ObjectSet& objects, double size) {
-    ImGui::SetNextWindowPos(ImVec2(ImGui::GetIO().DisplaySize.x - 452, 256), ImGuiCond_FirstUseEver);
+bool object_section(Controls& c, Session& session, ObjectSet& objects, double size) {
     bool changed = false;
     std::size_t remove = 0;
-    if (ImGui::Begin("Objects", &session.panels.objects, ImGuiWindowFlags_AlwaysAutoResize)) {
-        ImGui::PushItemWidth(190);
-        for (std::size_t i = 0; i < objects.size(); ++i) {
-            bool removed = false;
-            changed |= object_row(c, objects, i, size, removed);
-            if (removed) remove = i;
-        }
-        if (objects.size() == 1) ImGui::TextDisabled("Drop a package on the window to add it.");
-        if (c.button("Save scene")) session.save_scene = true;
-        ImGui::PopItemWidth();
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        bool removed = false;
+        changed |= object_row(c, objects, i, size, removed);
+        if (removed) remove = i;
     }
-    ImGui::End();
+    if (objects.size() == 1) ImGui::TextDisabled("Drop a package on the window to add it.");
+    if (c.button("Save scene")) session.save_scene = true;
+    c.explain("Writes a scene file with these packages and where they stand.");
     if (remove > 0) objects.remove(remove), changed = true;
     return changed;
 }

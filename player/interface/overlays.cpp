@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "player/interface/band_panel.h"
+#include "player/interface/band_section.h"
 
 namespace vantage {
 namespace {
@@ -64,9 +64,10 @@ void draw_frusta(const Session& s, const Renderer& renderer, const View& view) {
 }
 
 void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const View& view, double now) {
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(screen.x - 252, screen.y - 412), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(240, 262), ImGuiCond_FirstUseEver);
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos(ImVec2(float(s.free.left + s.free.width) - 18 * em, float(s.free.top) + em),
+                            ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize(ImVec2(17 * em, 18.6f * em));
     if (!ImGui::Begin("Radar", &s.panels.radar, ImGuiWindowFlags_NoResize)) return ImGui::End();
     const PlanScene& scene = renderer.scene();
     const Eigen::Vector3d up = s.camera.up, east = up.unitOrthogonal(), north = up.cross(east);
@@ -75,7 +76,7 @@ void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const
     for (const Pose& pose : scene.poses) reach = std::max(reach, pose.center().norm());
     reach = std::max(reach, eye.norm()) * 1.08;
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float side = 224, scale = side / 2 / float(reach);
+    const float side = 16 * em, scale = side / 2 / float(reach);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto place = [&](const Eigen::Vector3d& p) {
         return ImVec2(low.x + side / 2 + float(p.dot(east)) * scale,

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <string>
 
-#include "player/interface/band_panel.h"
+#include "player/interface/band_section.h"
 #include "player/stream/stream_request.h"
 
 namespace vantage {
@@ -36,15 +36,18 @@ GLuint PhotoStrip::picture(const Residency& residency, std::uint32_t layer) {
     return view;
 }
 
-void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const View& view, double now) {
+void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const View& view, const Area& area,
+                      double now) {
     const PlanScene& scene = renderer.scene();
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    constexpr float height = 64;
-    ImGui::SetNextWindowPos(ImVec2(12, screen.y - height - 40));
-    ImGui::SetNextWindowSize(ImVec2(screen.x - 24, height + 30));
+    const float em = ImGui::GetFontSize(), height = 4.6f * em;
+    ImGui::SetNextWindowPos(ImVec2(float(area.left), float(area.top)));
+    ImGui::SetNextWindowSize(ImVec2(float(area.width), float(area.height)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.5f * em, 0.5f * em));
     ImGui::Begin("##photos", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar(2);
     // Not during a flight, nor under the pointer: a target must not move while it is being clicked.
     if (ranked_at_ < 0 || (now - ranked_at_ > ranking_seconds && !s.flight && !ImGui::IsWindowHovered())) {
         agreements_ = agreements(scene, view);
@@ -59,7 +62,7 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
     std::ranges::stable_sort(order, std::ranges::greater(), [&](auto i) { return agreements_[i]; });
     if (ImGui::IsWindowHovered())
         ImGui::SetScrollX(ImGui::GetScrollX() -
-                          120 * (ImGui::GetIO().MouseWheel + ImGui::GetIO().MouseWheelH));
+                          9 * em * (ImGui::GetIO().MouseWheel + ImGui::GetIO().MouseWheelH));
     for (std::size_t n = 0; n < order.size(); ++n) {
         const package::PhotoRecord& p = scene.photos[order[n]];
         const float width = height * float(p.width) / float(p.height);

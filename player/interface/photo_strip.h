@@ -13,7 +13,8 @@ namespace vantage {
 class PhotoStrip {
   public:
     ~PhotoStrip();
-    void show(Controls& controls, Session& session, Renderer& renderer, const View& view, double now);
+    void show(Controls& controls, Session& session, Renderer& renderer, const View& view, const Area& area,
+              double now);
     /// When photos are due to be ordered again, in seconds.
     double ranks_at() const { return outdated_ ? ranked_at_ + ranking_seconds : HUGE_VAL; }
     /// Whether a thumbnail that is in sight is still to come.

@@ -2,55 +2,75 @@
 
 #include <imgui.h>
 
+#include "player/interface/choice.h"
 #include "points/point_cloud.h"
 
 namespace vantage {
 namespace {
 
 /// Only if the package's exposures were refined.
-void exposure_section(Controls& c, Session& s, const Renderer& renderer) {
+void exposure_controls(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
     const package::SceneRecord& scene = renderer.package().scene();
     if (!effect_on(scene, Effect::exposure) && !effect_on(scene, Effect::falloff)) return;
     c.checkbox("Equal exposure", &r.refined_colors);
-    ImGui::SameLine(150);
+    c.explain("Shows all photos as if they had been exposed alike.");
+    ImGui::SameLine(11 * ImGui::GetFontSize());
     bool own = r.exposure.has_value();
     if (c.checkbox("This photo's", &own)) r.exposure.reset();
     if (own) r.exposure = s.standing_at;
+    c.explain("Shows the model in the exposure of the photo you flew to last.");
 }
 
-void light_section(Controls& c, Session& s) {
+void light_controls(Controls& c, Session& s) {
     LightSettings& l = s.settings.light;
     static const char* const lights[] = {"the photos' own", "lamp at the viewer", "raking light", "normals"};
     choice(c, "Light", l.light, lights);
-    if (l.light == Light::lamp || l.light == Light::raking) c.checkbox("On the photos", &l.on_photos);
+    c.explain("Light on the bare surface shows its shape.");
+    if (l.light == Light::lamp || l.light == Light::raking) {
+        c.checkbox("On the photos", &l.on_photos);
+        c.explain("Darkens the photos by the light, instead of showing the bare surface.");
+    }
     if (l.light != Light::raking) return;
-    ImGui::SameLine(150);
+    ImGui::SameLine(11 * ImGui::GetFontSize());
     c.checkbox("Follows pointer", &s.lamp_follows);
+    c.explain("The lamp is where the pointer is over the picture: low near its edges.");
     if (c.slider("Lamp azimuth", &l.azimuth, 0.0, 360.0, "%.0f deg")) s.lamp_follows = false;
-    if (c.slider("Lamp elevation", &l.elevation, 1.0, 90.0, "%.0f deg")) s.lamp_follows = false;
+    c.explain("0: from the right, 90: from above.");
+    if (c.slider("Lamp height", &l.elevation, 1.0, 90.0, "%.0f deg")) s.lamp_follows = false;
+    c.explain("Over the plane of the picture: the lower, the longer the shadows.");
 }
 
-void show_section(Controls& c, Session& s, const Renderer& renderer) {
+void comparison_controls(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
-    exposure_section(c, s, renderer);
+    ImGui::BeginDisabled(renderer.scene().photos.empty());
+    static const char* const compares[] = {"nothing", "side by side", "wiper", "difference"};
+    choice(c, "Compare", r.compare, compares);
+    ImGui::EndDisabled();
+    c.explain("Compares the model with the photo you flew to last. Drag the line in the picture.");
+    if (r.compare != Compare::nothing) r.bands.how = BandView::mix;  // one comparison at a time
+}
+
+}  // namespace
+
+void picture_section(Controls& c, Session& s, const Renderer& renderer) {
+    RenderSettings& r = s.settings;
     static const char* const shows[] = {"photos", "which photo", "how many photos"};
     choice(c, "Show", r.show, shows);
+    c.explain("The photos, or false colors: the photo that counts most, or how many photos see each point.");
+    exposure_controls(c, s, renderer);
     if (renderer.scene().has_surroundings()) {
         static const char* const surroundings[] = {"shown", "dimmed", "hidden"};
         choice(c, "Surroundings", r.surroundings, surroundings);
+        c.explain("What the photos show beside the mesh.");
     }
     if (renderer.scene().has_transparency()) {
         static const char* const transparent[] = {"exact", "approximate", "hidden"};
         choice(c, "Transparency", r.transparency, transparent);
+        c.explain("Glass: sorted at each pixel, blended by weights (faster), or left out.");
     }
-    if (!points_only(renderer.package().scene())) light_section(c, s);
-    static const char* const compares[] = {"nothing", "side by side", "wiper", "difference"};
-    choice(c, "Compare", r.compare, compares);
-    if (r.compare != Compare::nothing) r.bands.how = BandView::mix;  // one comparison at a time
-    if (r.compare == Compare::wiper) c.slider("Wiper", &r.wiper, 0.0, 1.0);
+    if (!points_only(renderer.package().scene())) light_controls(c, s);
+    comparison_controls(c, s, renderer);
 }
-
-}  // namespace
 
 }  // namespace vantage

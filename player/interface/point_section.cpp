@@ -1,4 +1,4 @@
-#include "player/interface/point_panel.h"
+#include "player/interface/point_section.h"
 
 #include <imgui.h>
 
@@ -54,28 +54,23 @@ void controls(Controls& c, Session& session, const Renderer& renderer) {
                         : p.by == PointSize::pixels ? 16
                                                     : 4;
     c.slider("Point size", &p.size, most / 100, most, "%.3g");
+    c.explain("Diameter of a point.");
     c.slider("Eye-dome shading", &p.eye_dome, 0.0, 3.0);
+    c.explain("Darkens points behind others, so that edges show.");
     double millions = double(p.budget) / 1e6;
     if (c.slider("Million points", &millions, 0.05, 20.0, "%.2f", ImGuiSliderFlags_Logarithmic))
         p.budget = std::uint64_t(millions * 1e6);
+    c.explain("How many points are drawn per frame at most.");
     ImGui::TextDisabled("%zu of %llu points drawn%s", session.report.points,
                         static_cast<unsigned long long>(renderer.points()->cloud().points),
                         renderer.points()->plan().whole ? "" : " (limit reached)");
-    under_pointer(renderer);
 }
 
 }  // namespace
 
-void point_panel(Controls& c, Session& session, const Renderer& renderer) {
-    if (!renderer.points()) return;
-    ImGui::SetNextWindowPos(ImVec2(ImGui::GetIO().DisplaySize.x - 352, session.panels.layers ? 480 : 256),
-                            ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("Point cloud", &session.panels.points, ImGuiWindowFlags_AlwaysAutoResize)) {
-        ImGui::PushItemWidth(190);
-        controls(c, session, renderer);
-        ImGui::PopItemWidth();
-    }
-    ImGui::End();
+void point_section(Controls& c, Session& session, const Renderer& renderer) {
+    controls(c, session, renderer);
+    under_pointer(renderer);
 }
 
 }  // namespace vantage

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// How the point cloud is shown. Nothing for a package without one.
-void point_panel(Controls& controls, Session& session, const Renderer& renderer);
+/// How the point cloud is shown. The package must have one.
+void point_section(Controls& controls, Session& session, const Renderer& renderer);
 
 }  // namespace vantage

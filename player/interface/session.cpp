@@ -27,6 +27,27 @@ void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record,
 
 void fly_home(Session& s, double now) { s.flight = Session::Flight{{s.camera, s.home}, now, 0.7}; }
 
+void note_view(Session& s, double now) {
+    constexpr double pause = 0.5;  // seconds between two movements
+    constexpr std::size_t most = 100;
+    Session::EarlierViews& e = s.earlier;
+    if (s.camera.eye != e.last.eye || s.camera.R != e.last.R) {
+        if (now - e.moved_at > pause && !e.returning) e.views.push_back(e.last);
+        if (e.views.size() > most) e.views.erase(e.views.begin());
+        e.moved_at = now;
+        e.last = s.camera;
+    }
+    e.returning = e.returning && s.flight;
+}
+
+void fly_back(Session& s, double now) {
+    Session::EarlierViews& e = s.earlier;
+    if (e.views.empty()) return say(s, "This is the first view", now);
+    s.flight = Session::Flight{{s.camera, e.views.back()}, now, 0.4};
+    e.views.pop_back();
+    e.returning = true;
+}
+
 void replay(Session& s, double now) {
     if (s.recorded.size() < 2) return;
     s.flight = Session::Flight{s.recorded, now, double(s.recorded.size() - 1) / positions_per_second};

@@ -26,8 +26,8 @@ inline constexpr double positions_per_second = 30;
 struct Session {
     RenderSettings settings;
     Navigation camera;
-    Navigation home;  ///< where the session began
-    Area free;        ///< the part of the window that the picture is fitted to
+    Navigation home;                    ///< where the session began
+    Area free;                          ///< the part of the window that the picture is fitted to
     std::vector<std::uint32_t> photos;  ///< allowed for blending
     Panels panels;
 
@@ -41,10 +41,19 @@ struct Session {
         double start, seconds;
     };
     std::optional<Flight> flight;
+    /// Where the camera was before it moved, oldest first.
+    struct EarlierViews {
+        std::vector<Navigation> views;
+        Navigation last{};  ///< of the last frame
+        double moved_at = 0;
+        bool returning = false;  ///< the flight leads to one of them
+    };
+    EarlierViews earlier;
     bool recording = false;
     std::vector<Navigation> recorded;  ///< one per 1 / positions_per_second seconds
 
-    UserInput input;  ///< not taken yet
+    UserInput input;       ///< not taken yet
+    bool touched = false;  ///< something happened in the window since the last frame
 
     bool open_asked = false;  ///< show the dialog to open another package
     std::string open;         ///< another package or scene file to show, or empty
@@ -53,6 +62,7 @@ struct Session {
     bool save_scene = false;  ///< write a scene file
     bool screenshot = false, quit = false;
     bool full_screen = false;
+    bool kiosk = false;  ///< for the public: nothing can be opened, written, set or quit
     float text_scale = 1;
     std::string message;  ///< one line
     double message_until = 0;
@@ -71,6 +81,10 @@ bool take_key(Session& session, int key);
 
 /// Starts a flight to a photo's camera, 0.7 seconds long.
 void fly_to(Session& session, std::uint32_t photo, const package::PhotoRecord& record, double now);
+/// Remembers the view from which the camera has just started to move.
+void note_view(Session& session, double now);
+/// Starts a flight to the view before the last movement.
+void fly_back(Session& session, double now);
 /// Starts a flight to where the session began.
 void fly_home(Session& session, double now);
 /// Starts a flight along the recorded path, as fast as it was recorded.

@@ -14,7 +14,7 @@ constexpr float MiB = 1024 * 1024;
 void budget_bar(const char* name, double held, double budget) {
     char text[64];
     std::snprintf(text, sizeof text, "%.0f of %.0f MiB", held / double(MiB), budget / double(MiB));
-    ImGui::ProgressBar(float(budget > 0 ? held / budget : 0), ImVec2(-70, 0), text);
+    ImGui::ProgressBar(float(budget > 0 ? held / budget : 0), ImVec2(-4 * ImGui::GetFontSize(), 0), text);
     ImGui::SameLine();
     ImGui::TextUnformatted(name);
 }
@@ -36,33 +36,27 @@ void transfer_lines(const Renderer& renderer) {
 
 }  // namespace
 
-void status_panel(Session& s, const Renderer& renderer, std::uint64_t graphics_budget) {
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(screen.x - 352, 40), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(340, 0), ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("Status", &s.panels.status, ImGuiWindowFlags_AlwaysAutoResize)) {
-        const float highest = *std::ranges::max_element(s.frame_ms);
-        ImGui::PlotLines("##frames", s.frame_ms.data(), int(s.frame_ms.size()), 0, "", 0,
-                         std::max(1.0f, highest * 1.1f), ImVec2(322, 56));
-        const FrameStatistics& f = s.statistics;
-        ImGui::Text("%.1f ms per frame, median %.1f", f.mean, f.median);
-        ImGui::Text("99 %% below %.1f, 99.9 %% below %.1f", f.p99, f.p999);
-        const FrameReport& r = s.report;
-        ImGui::Text("%zu photos in %zu passes, %zu draws", r.photos, r.passes, r.draws);
-        ImGui::Text("%zu tiles, %zu missing; %.1f MiB uploaded", r.tiles, r.tiles_missing,
-                    double(r.uploaded) / double(MiB));
-        if (renderer.scene().has_transparency())
-            ImGui::Text("%zu transparent fragments, %zu approximated", r.fragments, r.fragments_approximated);
-        const Residency& held = renderer.store().residency();
-        ImGui::Text("graphics memory: %.0f of %.0f MiB", double(gl::memory_held()) / double(MiB),
-                    double(graphics_budget) / double(MiB));
-        budget_bar("tiles", double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
-                   double(held.layout().bytes()));
-        transfer_lines(renderer);
-        if (r.tiles_damaged)
-            ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), "%zu damaged tiles not shown", r.tiles_damaged);
-    }
-    ImGui::End();
+void status_section(const Session& s, const Renderer& renderer, std::uint64_t graphics_budget) {
+    const float highest = *std::ranges::max_element(s.frame_ms);
+    ImGui::PlotLines("##frames", s.frame_ms.data(), int(s.frame_ms.size()), 0, "", 0,
+                     std::max(1.0f, highest * 1.1f), ImVec2(-1, 4 * ImGui::GetFontSize()));
+    const FrameStatistics& f = s.statistics;
+    ImGui::Text("%.1f ms per frame, median %.1f", f.mean, f.median);
+    ImGui::Text("99 %% below %.1f, 99.9 %% below %.1f", f.p99, f.p999);
+    const FrameReport& r = s.report;
+    ImGui::Text("%zu photos in %zu passes, %zu draws", r.photos, r.passes, r.draws);
+    ImGui::Text("%zu tiles, %zu to come; %.1f MiB uploaded", r.tiles, r.tiles_to_come,
+                double(r.uploaded) / double(MiB));
+    if (renderer.scene().has_transparency())
+        ImGui::Text("%zu transparent fragments, %zu approximated", r.fragments, r.fragments_approximated);
+    const Residency& held = renderer.store().residency();
+    ImGui::Text("graphics memory: %.0f of %.0f MiB", double(gl::memory_held()) / double(MiB),
+                double(graphics_budget) / double(MiB));
+    budget_bar("tiles", double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
+               double(held.layout().bytes()));
+    transfer_lines(renderer);
+    if (r.tiles_damaged)
+        ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), "%zu damaged tiles not shown", r.tiles_damaged);
 }
 
 }  // namespace vantage

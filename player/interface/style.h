@@ -2,7 +2,8 @@
 
 namespace vantage {
 
-inline constexpr float least_text_scale = 0.75f, most_text_scale = 4;
+/// Limits of the scale of text, and the factor by which the user changes it.
+inline constexpr float least_text_scale = 0.7f, most_text_scale = 4, text_step = 1.125f;
 
 /// Sets ImGui's colors and shapes, and its font to DejaVu Sans if installed. `scale`: of text, and of all
 /// that is measured by it; 1 for 14 pixels.

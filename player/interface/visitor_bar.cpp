@@ -2,8 +2,10 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <span>
 
 #include "player/interface/agreeing_photo.h"
 #include "points/point_cloud.h"
@@ -21,9 +23,18 @@ constexpr Tool tools[] = {
     {"Photos", Icon::photos, "Show or hide the photos; click on one to see what it shows (F4)"},
     {"Compare", Icon::compare, "Fly to the photo that is closest, and compare the model with it (C)"},
     {"Light", Icon::light, "Move a lamp over the surface, to see its shape"},
-    {"Full screen", Icon::full_screen, "The whole screen, or a window again (F11)"},
     {"Help", Icon::help, "What mouse and keys do (F1)"},
+    {"Full screen", Icon::full_screen, "The whole screen, or a window again (F11)"},
     {"Expert", Icon::expert, "All settings (Tab)"}};
+
+constexpr std::size_t tools_on_the_left = 4, tools_of_kiosk = 5;
+
+/// Each with a gap behind it.
+float width_of(std::span<const Tool> shown, bool labels, float gap) {
+    float width = 0;
+    for (const Tool& tool : shown) width += Controls::icon_button_size(tool.name, labels).x + gap;
+    return width;
+}
 
 void lights(Controls& c, Session& s) {
     if (!ImGui::BeginPopup("##lights")) return;
@@ -99,20 +110,19 @@ void visitor_bar(Controls& c, Session& s, const Renderer& renderer, const View& 
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar(2);
-    float labelled = em;
-    for (const Tool& tool : tools) labelled += Controls::icon_button_size(tool.name, true).x + 0.5f * em;
-    const bool labels = labelled < float(area.width);
-    float right = float(area.width) - 0.5f * em;  // the last three are on the right
-    for (std::size_t i = std::size(tools) - 3; i < std::size(tools); ++i)
-        right -= Controls::icon_button_size(tools[i].name, labels).x + 0.5f * em;
-    for (const Tool& tool : tools) {
-        const bool first = &tool == tools;
-        if (tool.icon == Icon::full_screen)
+    const std::span<const Tool> shown = s.kiosk ? std::span(tools).first(tools_of_kiosk) : std::span(tools);
+    const float gap = 0.5f * em;
+    const bool labels = width_of(shown, true, gap) + 2 * gap < float(area.width);
+    const std::size_t on_the_left = std::min(shown.size(), tools_on_the_left);
+    const float right = float(area.width) - width_of(shown.subspan(on_the_left), labels, gap);
+    for (const Tool& tool : shown) {
+        if (&tool == &tools[tools_on_the_left])
             ImGui::SameLine(right);
-        else if (!first)
-            ImGui::SameLine(0, 0.5f * em);
+        else if (&tool != tools)
+            ImGui::SameLine(0, gap);
         ImGui::BeginDisabled(!is_usable(tool.icon, renderer));
-        if (c.icon_button(tool.name, tool.icon, is_lit(tool.icon, s), labels)) use(tool, s, renderer, view, now);
+        if (c.icon_button(tool.name, tool.icon, is_lit(tool.icon, s), labels))
+            use(tool, s, renderer, view, now);
         ImGui::EndDisabled();
         Controls::explain(tool.help);
     }

@@ -10,10 +10,25 @@ void add_window_options(CLI::App& app, WindowOptions& o) {
         ->check(CLI::Range(0, 1 << 30))
         ->group(group);
     app.add_flag("--fresh", o.fresh, "start with default settings, and do not remember any")->group(group);
+    app.add_flag("--kiosk", o.kiosk,
+                 "for the public: full screen, without quitting, opening or settings; restarted if it fails "
+                 "(SIGTERM ends it; log: ~/.local/state/vantage/kiosk.log)")
+        ->group(group);
+    app.add_option("--home-after", o.home_after, "a kiosk returns to the first view after so many seconds")
+        ->check(CLI::Range(1.0, 86400.0))
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--tour", o.tour, "a recorded path that a kiosk flies along until somebody touches it")
+        ->group(group);
+    app.add_option("--text-scale", o.text_scale,
+                   "size of text, relative to 14 pixels (default: by the display)")
+        ->check(CLI::Range(0.7, 4.0))
+        ->group(group);
     app.add_option("--controls", o.controls,
                    "write the position of each control to this file, for scripts: name, x, y, width, height")
         ->group(group);
-    app.add_option("--screenshot", o.screenshot, "save the last frame before closing, as PNG")
+    app.add_option("--screenshot", o.screenshot,
+                   "save the last frame, with all panels, before closing, as PNG")
         ->check([](const std::string& file) {
             return lower_extension(file) == ".png" ? "" : file + ": expected a name that ends with .png";
         })

@@ -6,11 +6,12 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "gl/context.h"
-#include "player/interface/panels.h"
+#include "player/interface/style.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -88,10 +89,63 @@ GlfwWindow::GlfwWindow(FrameSize size, const std::string& title, bool debug) {
     if (debug) gl::watch_errors();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
-    set_style();
+    set_style(text_scale_);
     watch_events();  // first: ImGui calls the callbacks that it finds
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init("#version 450");
+}
+
+namespace {
+
+/// The monitor that shows the middle of the window.
+GLFWmonitor* monitor_of(GLFWwindow* window) {
+    int x = 0, y = 0, width = 0, height = 0, count = 0;
+    glfwGetWindowPos(window, &x, &y);
+    glfwGetWindowSize(window, &width, &height);
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int left = 0, top = 0;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        const int right = x + width / 2 - left, down = y + height / 2 - top;
+        if (mode && right >= 0 && down >= 0 && right < mode->width && down < mode->height) return monitors[i];
+    }
+    return glfwGetPrimaryMonitor();
+}
+
+}  // namespace
+
+void GlfwWindow::fill_screen(bool whole) {
+    if (whole == windowed_.has_value()) return;
+    if (!whole) {
+        const Place p = *std::exchange(windowed_, std::nullopt);
+        return glfwSetWindowMonitor(window_, nullptr, p.x, p.y, p.width, p.height, GLFW_DONT_CARE);
+    }
+    GLFWmonitor* monitor = monitor_of(window_);
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (!mode) return;
+    Place& p = windowed_.emplace();
+    glfwGetWindowPos(window_, &p.x, &p.y);
+    glfwGetWindowSize(window_, &p.width, &p.height);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+float GlfwWindow::fitting_text_scale() const {
+    constexpr float pixels_for_plain_text = 1440;  // height of a screen
+    float scale = 1, down = 1;
+    glfwGetWindowContentScale(window_, &scale, &down);
+    GLFWmonitor* monitor = monitor_of(window_);
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode) scale = std::max(scale, float(mode->height) / pixels_for_plain_text);
+    return std::clamp(scale, 1.0f, most_text_scale);
+}
+
+void GlfwWindow::set_text_scale(float scale) {
+    if (scale == text_scale_) return;
+    text_scale_ = scale;
+    set_style(scale);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 void GlfwWindow::watch_events() {

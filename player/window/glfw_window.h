@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 
 #include "player/camera/shots.h"
@@ -18,6 +19,11 @@ class GlfwWindow {
     GlfwWindow(const GlfwWindow&) = delete;
     GlfwWindow& operator=(const GlfwWindow&) = delete;
     GLFWwindow* get() const { return window_; }
+    /// Covers the whole screen, or is a window again, where it was.
+    void fill_screen(bool whole);
+    /// The scale of text that suits the display, 1 for 14 pixels.
+    float fitting_text_scale() const;
+    void set_text_scale(float scale);
     /// Handles what has happened. `seconds`: waits so long for something to happen; 0: does not wait.
     WindowEvents events(double seconds = 0);
 
@@ -26,6 +32,11 @@ class GlfwWindow {
     void watch_events();
 
     GLFWwindow* window_ = nullptr;
+    float text_scale_ = 1;
+    struct Place {
+        int x, y, width, height;
+    };
+    std::optional<Place> windowed_;  ///< while it covers the screen: where it was
     WindowEvents events_;
     struct Click {
         double at = -1e9, x = 0, y = 0;  ///< seconds, pixels

@@ -10,7 +10,8 @@
 #include <span>
 #include <utility>
 
-#include "player/interface/band_panel.h"
+#include "player/interface/band_section.h"
+#include "player/interface/style.h"
 #include "player/render/blend_table.h"
 
 namespace vantage {
@@ -22,16 +23,16 @@ void move_by_mouse(Session& s) {
     const auto moves = [](const Drag& d) { return d.right != 0 || d.down != 0; };
     if (io.WantCaptureMouse || (io.MouseWheel == 0 && std::ranges::none_of(s.input.drags, moves))) return;
     s.flight.reset();  // input interrupts a flight
-    const double height = std::max(1.0, double(io.DisplaySize.y)),
-                 fov = s.camera.fov * std::numbers::pi / 180;
+    const double focal =
+        view_of(s.camera, int(io.DisplaySize.x), int(io.DisplaySize.y), s.free).intrinsics.fx;
     const auto [left, right, middle] = s.input.drags;
     if (io.KeyCtrl) {
-        look(s.camera, -left.right * fov / height, -left.down * fov / height);
+        look(s.camera, -left.right / focal, -left.down / focal);
     } else {
         const double radians = std::numbers::pi / std::max(1.0, double(io.DisplaySize.x));
         orbit(s.camera, left.right * radians, left.down * radians);
     }
-    const double pixel = 2 * (s.camera.eye - s.camera.target).norm() * std::tan(fov / 2) / height;
+    const double pixel = (s.camera.eye - s.camera.target).norm() / focal;
     fly(s.camera, -pixel * Eigen::Vector3d(right.right + middle.right, right.down + middle.down, 0));
     if (io.MouseWheel != 0) approach(s.camera, std::pow(0.9, double(io.MouseWheel)));
 }
@@ -92,17 +93,46 @@ void leave(Session& s, double now) {
         s.flight.reset();
     else if (s.settings.compare != Compare::nothing)
         s.settings.compare = Compare::nothing;
-    else
+    else if (!s.kiosk)
         say(s, "Ctrl+Q quits", now);
 }
 
-void toggle_panel(Panels& p, int number) {
-    bool* const panels[] = {&p.help,  &p.blending, &p.status, &p.photos, &p.frusta,
-                            &p.radar, &p.layers,   &p.points, &p.bands,  &p.objects};
-    if (number < int(std::size(panels))) *panels[number] = !*panels[number];
+/// F1 and so on. A section of the sidebar is shown with the sidebar.
+void toggle_panel(Session& s, int number) {
+    Panels& p = s.panels;
+    struct Part {
+        bool* shown;
+        bool section = false;
+    };
+    const Part parts[] = {{&p.help},        {&p.blending, true}, {&p.status, true}, {&p.photos},
+                          {&p.frusta},      {&p.radar},          {&p.layers, true}, {&p.points, true},
+                          {&p.bands, true}, {&p.objects, true},  {&s.full_screen},  {&p.picture, true}};
+    if (number >= int(std::size(parts))) return;
+    const auto [shown, section] = parts[number];
+    *shown = (section && !p.expert) || !*shown;
+    p.expert |= section;
+}
+
+void change_text(Session& s, float factor) {
+    s.text_scale = std::clamp(s.text_scale * factor, least_text_scale, most_text_scale);
+}
+
+/// Keys with Ctrl.
+void run_command(Session& s, int key) {
+    if (key == GLFW_KEY_Q) s.quit = !s.kiosk;
+    if (key == GLFW_KEY_EQUAL || key == GLFW_KEY_KP_ADD) change_text(s, text_step);
+    if (key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT) change_text(s, 1 / text_step);
+}
+
+/// Whether a kiosk lets the public use the key.
+bool is_public(int key) {
+    constexpr int keys[] = {GLFW_KEY_N, GLFW_KEY_B,  GLFW_KEY_C,         GLFW_KEY_X,
+                            GLFW_KEY_H, GLFW_KEY_F1, GLFW_KEY_BACKSPACE, GLFW_KEY_ESCAPE};
+    return std::ranges::find(keys, key) != std::end(keys);
 }
 
 void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
+    if (s.kiosk && !is_public(key)) return;
     switch (key) {
         case GLFW_KEY_N:
             return fly_on(s, scene, 1, now);
@@ -127,12 +157,19 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
         case GLFW_KEY_P:
             s.screenshot = true;
             return;
+        case GLFW_KEY_H:
+            return fly_home(s, now);
+        case GLFW_KEY_BACKSPACE:
+            return fly_back(s, now);
+        case GLFW_KEY_TAB:
+            s.panels.expert = !s.panels.expert;
+            return;
         case GLFW_KEY_ESCAPE:
             return leave(s, now);
         default:
             break;
     }
-    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) toggle_panel(s.panels, key - GLFW_KEY_F1);
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) toggle_panel(s, key - GLFW_KEY_F1);
     for (int number = GLFW_KEY_1; const BlendRow& row : blend_table())
         if (key == number++) s.settings.blend = row.blend;
 }
@@ -143,8 +180,8 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
     using With = KeyPress::With;
     move_by_mouse(session);
     move_lamp(session);
-    const auto quits = [](const KeyPress& p) { return p.with == With::control && p.key == GLFW_KEY_Q; };
-    session.quit |= std::ranges::any_of(session.input.keys, quits);
+    for (const KeyPress& p : session.input.keys)
+        if (p.with == With::control) run_command(session, p.key);
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control in use
     move_by_keys(session, session.input.keys);

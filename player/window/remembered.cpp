@@ -15,6 +15,7 @@ void for_fields(R& r, const Field& field) {
     auto& w = s.weights;
     field("width", r.window.width);
     field("height", r.window.height);
+    field("text_scale", r.text_scale);
     field("consensus", s.consensus);
     field("refined_colors", s.refined_colors);
     field("photos", s.photos);
@@ -31,6 +32,8 @@ void for_fields(R& r, const Field& field) {
     field("corrected_directions", w.corrected_directions);
     field("exponent", w.exponent);
     field("sharpness", w.sharpness);
+    field("expert", r.panels.expert);
+    field("panel_picture", r.panels.picture);
     field("panel_blending", r.panels.blending);
     field("panel_status", r.panels.status);
     field("panel_photos", r.panels.photos);
@@ -92,6 +95,7 @@ Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
     // The file may have been edited: clamps to valid ranges.
     r.window.width = std::clamp(r.window.width, 320, 16384);
     r.window.height = std::clamp(r.window.height, 240, 16384);
+    if (r.text_scale != 0) r.text_scale = std::clamp(r.text_scale, 0.7, 4.0);
     r.settings.photos = std::clamp(r.settings.photos, 0, 1 << 20);
     r.settings.photos_per_pass = std::clamp(r.settings.photos_per_pass, 1, most_photos_per_pass);
     r.settings.bands.share = std::clamp(r.settings.bands.share, 0.0, 1.0);

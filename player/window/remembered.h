@@ -13,6 +13,7 @@ std::filesystem::path settings_folder();
 /// What the player remembers between sessions.
 struct Remembered {
     FrameSize window{1280, 720};
+    double text_scale = 0;  ///< 0: by the display
     RenderSettings settings;
     Panels panels;
     std::string band, other_band;  ///< names: numbers differ between packages

@@ -18,7 +18,6 @@
 #include "player/camera/shots.h"
 #include "player/window/glfw_window.h"
 #include "player/window/input.h"
-#include "player/window/numbered_file.h"
 #include "player/window/opening.h"
 #include "player/window/remembered.h"
 #include "player/window/screenshot.h"
@@ -114,8 +113,14 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
             ? std::vector<std::uint32_t>{middle_photo(package.photos(), s.settings.bands.shown)}
             : named_photos(package, o.package.photos);
     s.standing_at = s.settings.compare_photo = named.front();
-    s.camera = home_of(package, s.standing_at);
+    s.camera = s.home = s.earlier.last = home_of(package, s.standing_at);
+    s.panels.expert |= !o.layer.name.empty();
     return s;
+}
+
+float text_scale(const ShowOptions& o, const Remembered& remembered, const GlfwWindow& window) {
+    if (o.window.text_scale > 0) return float(o.window.text_scale);
+    return remembered.text_scale > 0 ? float(remembered.text_scale) : window.fitting_text_scale();
 }
 
 /// A package to show, and when it was requested.
@@ -146,6 +151,12 @@ std::optional<Requested> take_request(GlfwWindow& window, Session& session, cons
     }
 }
 
+/// Tells the supervisor of a kiosk that the window lives.
+void give_sign(int to) {
+    const char sign = '.';
+    [[maybe_unused]] const auto written = ::write(to, &sign, 1);  // a full pipe has signs enough
+}
+
 /// ImGui needs some frames to react to what has happened.
 constexpr int frames_after_event = 3;
 
@@ -156,7 +167,8 @@ bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, 
     WindowEvents events = window.events(rests ? std::clamp(scene.wakes_at() - glfwGetTime(), 0.001, 1.0) : 0);
     session.input = std::move(events.input);
     for (const std::string& file : events.dropped)
-        (is_scene_file(file) ? session.open : session.dropped) = file;
+        if (!session.kiosk) (is_scene_file(file) ? session.open : session.dropped) = file;
+    session.touched = events.any;
     lively = events.any ? frames_after_event : std::max(0, lively - 1);
     return !rests || events.any || glfwGetTime() >= scene.wakes_at();
 }
@@ -179,8 +191,11 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
     GLFWwindow* window = shown_in.get();
     const bool may_rest = o.window.frames == 0 && o.window.controls.empty();  // scripts count frames
     int lively = frames_after_event;
-    for (int frame = 0; !glfwWindowShouldClose(window);) {
+    for (int frame = 0; session.kiosk || !glfwWindowShouldClose(window);) {
+        if (o.window.signs >= 0) give_sign(o.window.signs);
         if (!take_events(shown_in, session, scene, may_rest, lively)) continue;
+        shown_in.fill_screen(session.full_screen);
+        shown_in.set_text_scale(session.text_scale);
         int width = 0, height = 0;
         glfwGetFramebufferSize(window, &width, &height);
         if (width == 0 || height == 0) {  // minimized
@@ -198,9 +213,6 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
         scene.frame(width, height, now, keys_used);
         const bool ends = frame == o.window.frames;
         if (ends && !o.window.screenshot.empty()) save_frame(o.window.screenshot, width, height);
-        if (std::exchange(session.screenshot, false))
-            write_numbered(session, scene.renderer().package().path().stem().string(), ".png", "screenshot",
-                           now, [&](const std::string& to) { save_frame(to, width, height); });
         glfwSwapBuffers(window);
         if (!o.window.controls.empty()) controls.write_places(o.window.controls);
         if (frame == 1 && !o.output.quiet)
@@ -229,6 +241,7 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     if (!first) start(open_in_window(window, file, o.memory));
     Controls controls;
     Session session = start_session(*first, o, remembered);
+    session.text_scale = text_scale(o, remembered, window);
     std::optional<Requested> other, next;
     const PackageReader* package = &*first;
     bool damaged = false;
@@ -251,9 +264,15 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
         any_photo.package.photos.clear();
         any_photo.layer.name.clear();
         any_photo.blending.bands = {};
+        const bool full_screen = session.full_screen;
+        const float scale = session.text_scale;
         session = start_session(*package, any_photo, remembered);
+        session.full_screen = full_screen;
+        session.text_scale = scale;
     }
+    window.fill_screen(false);
     glfwGetWindowSize(window.get(), &remembered.window.width, &remembered.window.height);
+    if (session.text_scale != window.fitting_text_scale()) remembered.text_scale = double(session.text_scale);
     write_settings(folder, remembered);
     return damaged ? int(Exit::damaged) : int(Exit::ok);
 }

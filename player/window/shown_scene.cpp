@@ -11,16 +11,27 @@
 
 #include "gl/context.h"
 #include "player/camera/camera_path.h"
-#include "player/interface/band_panel.h"
-#include "player/interface/layer_panel.h"
+#include "player/interface/comparison.h"
+#include "player/interface/help_panel.h"
+#include "player/interface/menu_bar.h"
+#include "player/interface/message_line.h"
+#include "player/interface/object_section.h"
 #include "player/interface/overlays.h"
-#include "player/interface/panels.h"
-#include "player/interface/point_panel.h"
+#include "player/interface/sidebar.h"
+#include "player/interface/visitor_bar.h"
 #include "player/window/numbered_file.h"
-#include "player/window/object_panel.h"
+#include "player/window/screenshot.h"
 #include "scene/error.h"
 
 namespace vantage {
+
+namespace {
+
+bool same_frame(const Intrinsics& a, const Intrinsics& b) {
+    return a.width == b.width && a.height == b.height && a.fx == b.fx && a.cx == b.cx && a.cy == b.cy;
+}
+
+}  // namespace
 
 ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObject>& objects,
                        const ShowOptions& o, Session& session, Controls& controls)
@@ -28,14 +39,25 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       objects_(renderer_, objects, memory_budget(o.memory)),
       session_(session),
       controls_(controls),
+      memory_limit_(memory_budget(o.memory).graphics),
       open_dialog_(package.remote() ? "." : package.path().parent_path()) {
     session_.photos = photos_in_use(package, o.package);
+    if (!o.window.kiosk) return;
+    std::vector<Navigation> tour;
+    if (!o.window.tour.empty())
+        tour = recorded_stops(o.window.tour, package, (session.home.target - session.home.eye).norm());
+    kiosk_ = make_kiosk(session, std::move(tour), o.window.home_after);
 }
 
 void ShownScene::frame(int width, int height, double now, bool keys) {
     Session& s = session_;
+    if (kiosk_) attend(*kiosk_, s, s.touched, now);
     continue_flight(s, now);
-    const View view = view_of(s.camera, width, height);
+    note_view(s, now);
+    layout_ =
+        layout_of(s.panels, width, height, double(ImGui::GetFontSize()), !renderer_.scene().photos.empty());
+    s.free = picture_area(layout_, s.settings.compare, width);
+    const View view = view_of(s.camera, width, height, s.free);
     shown_at_ = now;
     interface(view, now);
     record(now);
@@ -43,10 +65,14 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     ImGui::Render();
     const bool still = !keys && unchanged(view) && lit_ == s.settings.light;
     if (!still) samples_ = 0;
-    s.settings.points.pick = s.panels.points;
+    s.settings.points.pick = s.panels.expert && s.panels.points;
     draw(view, still, now);
-    if (s.panels.points) renderer_.pick({int(ImGui::GetIO().MousePos.x), int(ImGui::GetIO().MousePos.y)});
+    if (s.settings.points.pick)
+        renderer_.pick({int(ImGui::GetIO().MousePos.x), int(ImGui::GetIO().MousePos.y)});
     objects_.show(view, s.settings, 0, true);
+    if (std::exchange(s.screenshot, false))  // without the interface
+        write_numbered(s, renderer_.package().path().stem().string(), ".png", "screenshot", now,
+                       [&](const std::string& file) { save_frame(file, width, height); });
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     last_ = view;
     lit_ = s.settings.light;
@@ -54,17 +80,18 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
 
 void ShownScene::interface(const View& view, double now) {
     Session& s = session_;
-    menu_bar(controls_, s, renderer_, now);
+    if (s.panels.bar) visitor_bar(controls_, s, renderer_, view, layout_.bar, now);
+    if (!drawn_) return;  // the rest would delay the first picture
     if (s.panels.frusta) draw_frusta(s, renderer_, view);
-    if (!drawn_) return;  // panels would delay the first picture
-    if (s.panels.blending) blending_panel(controls_, s, renderer_);
-    if (s.panels.status) status_panel(s, renderer_, objects_.graphics_budget());
-    if (s.panels.layers) layer_panel(controls_, s, renderer_, view);
-    if (s.panels.points) point_panel(controls_, s, renderer_);
-    if (s.panels.bands) band_panel(controls_, s, renderer_);
-    if (s.panels.objects && object_panel(controls_, s, objects_, renderer_.scene().size)) samples_ = 0;
+    const Intrinsics& frame = view.intrinsics;
+    comparison(controls_, s, renderer_.scene(), {0, 0, double(frame.width), double(frame.height)});
+    false_color_legend(s);
+    if (s.panels.expert) {
+        menu_bar(controls_, s, renderer_, now);
+        if (sidebar(controls_, s, renderer_, objects_, view, layout_.sidebar)) samples_ = 0;
+    }
     if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
-    if (s.panels.photos && !renderer_.scene().photos.empty()) strip_.show(controls_, s, renderer_, view, now);
+    if (layout_.strip.height > 0) strip_.show(controls_, s, renderer_, view, layout_.strip, now);
     if (s.panels.help) help_panel(s);
     open_dialog_.show(controls_, s);
     drop_dialog(controls_, s);
@@ -72,11 +99,11 @@ void ShownScene::interface(const View& view, double now) {
 }
 
 double ShownScene::wakes_at() const {
-    double at = HUGE_VAL;
+    double at = kiosk_ ? attends_at(*kiosk_) : HUGE_VAL;
     if (!session_.message.empty() && session_.message_until > shown_at_) at = session_.message_until;
     if (looks_again()) at = std::min(at, drawn_at_ + look_again_seconds);
     if (ImGui::GetIO().WantTextInput) at = std::min(at, shown_at_ + blink_seconds);
-    if (session_.panels.photos) at = std::min(at, strip_.ranks_at());
+    if (layout_.strip.height > 0) at = std::min(at, strip_.ranks_at());
     const auto traffic = renderer_.package().traffic();
     if (traffic && traffic->bytes_per_second > 0) at = std::min(at, shown_at_ + 1);  // the status panel
     return at;
@@ -144,8 +171,7 @@ bool ShownScene::unchanged(const View& view) const {
                          io.MouseReleased[0] || io.MouseWheel != 0;
     return drawn_ && !touched && last_ && last_->cam_from_origin.R == view.cam_from_origin.R &&
            last_->cam_from_origin.t == view.cam_from_origin.t &&
-           last_->intrinsics.width == view.intrinsics.width &&
-           last_->intrinsics.height == view.intrinsics.height;
+           same_frame(last_->intrinsics, view.intrinsics);
 }
 
 /// While the view moves or tiles are missing, draws one sample per pixel, half a level sharper. After that,
@@ -153,7 +179,7 @@ bool ShownScene::unchanged(const View& view) const {
 void ShownScene::draw(const View& view, bool still, double now) {
     Session& s = session_;
     if (looks_again() && now > drawn_at_ + look_again_seconds) samples_ = 0;
-    if (s.panels.photos && strip_.lacks_pictures()) samples_ = 0;
+    if (layout_.strip.height > 0 && strip_.lacks_pictures()) samples_ = 0;
     if (still && is_final()) return;
     drawn_at_ = now;
     // Once at rest, it stays so while tiles come: where not all fit, those for motion and for rest would
@@ -164,7 +190,7 @@ void ShownScene::draw(const View& view, bool still, double now) {
     settings.wait_for_base = !drawn_ && !renderer_.package().remote();  // the first picture shows photos
     const Navigation ahead = before_ ? between(*before_, s.camera, 4) : s.camera;
     before_ = s.camera;
-    const View next = view_of(ahead, view.intrinsics.width, view.intrinsics.height);
+    const View next = view_of(ahead, view.intrinsics.width, view.intrinsics.height, s.free);
     const PixelSample sample = resting_ ? PixelSample{samples_, rest_side} : PixelSample{};
     const bool sound_so_far = s.report.tiles_damaged == 0;
     const auto start = std::chrono::steady_clock::now();
@@ -173,9 +199,21 @@ void ShownScene::draw(const View& view, bool still, double now) {
     if (s.report.tiles_damaged > 0 && sound_so_far)
         say(s, "The package is damaged: parts of the picture are missing or blurred (vantage check FILE)",
             now);
+    tell_memory(now);
     drawn_ = true;
     if (gl::current_device().software) glFinish();
     remember_time(std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - start).count());
+}
+
+/// Says once that frames of this size need more graphics memory than allowed.
+void ShownScene::tell_memory(double now) {
+    const std::uint64_t used = objects_.graphics_budget();
+    if (memory_limit_ == 0 || used <= memory_limit_) return;
+    say(session_,
+        "Frames of this size need " + std::to_string((used >> 20) + 1) +
+            " MiB of graphics memory, more than --graphics-memory allows",
+        now);
+    memory_limit_ = 0;
 }
 
 void ShownScene::remember_time(float ms) {

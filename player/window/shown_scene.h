@@ -2,12 +2,14 @@
 #include <optional>
 
 #include "player/interface/controls.h"
+#include "player/interface/layout.h"
 #include "player/interface/open_dialog.h"
 #include "player/interface/photo_strip.h"
 #include "player/interface/session.h"
 #include "player/objects/object_set.h"
 #include "player/options/show_options.h"
 #include "player/render/renderer.h"
+#include "player/window/kiosk.h"
 
 namespace vantage {
 
@@ -44,13 +46,16 @@ class ShownScene {
     bool is_final() const { return samples_ >= rest_side * rest_side; }
     void draw(const View& view, bool still, double now);
     void remember_time(float ms);
+    void tell_memory(double now);
 
     Renderer renderer_;
     ObjectSet objects_;
     Session& session_;
     Controls& controls_;
+    std::uint64_t memory_limit_;  ///< asked for, bytes; 0: none, or it has been told that frames need more
     PhotoStrip strip_;
     OpenDialog open_dialog_;
+    Layout layout_;
     std::optional<View> last_;
     LightSettings lit_;
     std::optional<Navigation> before_;
@@ -63,6 +68,7 @@ class ShownScene {
         double last_at;
     };
     std::optional<Recording> recording_;
+    std::optional<Kiosk> kiosk_;
 };
 
 }  // namespace vantage

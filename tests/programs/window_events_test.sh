@@ -86,7 +86,8 @@ xdotool key Return; frames 4
 [ "$(title)" = "two.vantage - Vantage" ] || fail "a file that does not exist replaced the package"
 alive "a file that does not exist"
 quit
-remembers panel_status false
+remembers panel_status true
+remembers expert true
 remembers panel_frusta true
 remembers panel_radar true
 

@@ -28,21 +28,25 @@ find_window
 xdotool mousemove 600 20
 
 step_back
+press "Bar Expert"
+press "Section Picture"
 press "Average"
 press "Best photo"
 press "Lumigraph"
 press "Sharpness" 0.6
-press "Exponent" 0.3  # is grayed
+press "Prefer near" 0.3  # is grayed
 press "Average"
-press "Exponent" 0.5
-for box in "Consensus" "Fill holes" "Distance" "Angle" "Angle mask" "Depth mask" "Border mask" "Consensus mask" "Angle by photo" \
-  "Field of view" "Corrected" "Freeze weights"; do press "$box"; done
+press "Prefer near" 0.5
+for box in "Consensus" "Fill holes" "Near photos" "Similar rays" "Facing photos" "Occlusion" "Soft borders" "Passers-by" "One ray per photo" \
+  "Field of view" "Aim at what is seen" "Freeze weights"; do press "$box"; done
 press "Freeze weights"
 press "Lumigraph"
-press "Choose"; press "nearest"
+press "Choose to"; press "nearest"
 press "Per pass" 0.2
 press "Angle limit" 0.4
 press "Coordinates"; press "per vertex"
+press "Photos" 0.5
+press "Section Blending"; press "Section Picture"
 press "Show"; press "which photo"
 press "Show"; press "how many photos"
 press "Show"; press "photos"
@@ -51,7 +55,10 @@ sleep 1
 press "Compare"; press "side by side"
 press "Compare"; press "difference"
 press "Compare"; press "wiper"
-press "Wiper" 0.3
+at=$(place "Wiper") || fail "the wiper has no handle"
+xdotool mousemove $at; frames 2; xdotool mousedown 1; frames 2; xdotool mousemove_relative 60 0; frames 3; xdotool mouseup 1; frames 2
+moved=$(place "Wiper")
+[ "${moved%% *}" = $((${at%% *} + 60)) ] || fail "the wiper was dragged by 60 pixels from $at to $moved"
 press "Compare"; press "nothing"
 step_back
 press "View"; press "Cameras in the scene"
@@ -60,6 +67,11 @@ press "Radar map" 0.5
 press "View"; press "Status"
 press "View"; press "Blending"
 press "View"; press "Photo strip"
+press "View"; press "Larger text"
+press "View"; press "Smaller text"
+press "View"; press "Home"
+sleep 1
+step_back
 press "Path"; press "Record"
 xdotool mousemove 500 400 mousedown 1 mousemove_relative 60 20; frames 3; xdotool mouseup 1
 xdotool mousemove 500 400 mousedown 3 mousemove_relative 30 0; frames 3; xdotool mouseup 3
@@ -72,9 +84,8 @@ sleep 1
 press "File"; press "Screenshot"
 press "Help"; press "Mouse and keys"
 key F1
-for k in n b c c c c v v v 1 2 3 1 r r t p F2 F3 F4 F5 F6; do key $k; done
+for k in n b c c c c v v v 1 2 3 1 r r t p h BackSpace F2 F3 F4 F5 F6; do key $k; done
 press "File"; press "Open..."; press "Cancel"
-press "Photos" 0.5
 key o; press "cut.vantage"; press "Open"
 sleep 1
 [ "$(xdotool getwindowname "$window")" = "one.vantage - Vantage" ] || fail "a truncated package replaced the open one"
@@ -91,8 +102,9 @@ press "Light"; press "raking light"
 xdotool mousemove 450 200; frames 3; xdotool mousemove 500 300; frames 3
 press "Follows pointer"
 press "Lamp azimuth" 0.2
-press "Lamp elevation" 0.1
+press "Lamp height" 0.1
 press "Light"; press "the photos' own"
+press "Section Picture"
 press "Layer"; press "height"
 press "Colors"; press "magma"
 press "Over photos" 0.5
@@ -108,6 +120,7 @@ press "Eye-dome shading" 0.2
 press "Million points" 0.1
 press "Points"; press "with the model"
 key F8
+press "Section Picture"
 press "Surroundings"; press "dimmed"
 key o; press "three.vantage"; press "Open"
 sleep 1

@@ -1,0 +1,112 @@
+#include "player/interface/comparison.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace vantage {
+namespace {
+
+/// Text on a dark plate in the picture. `share`: of its width that is left of `x`.
+void plate(float x, float y, float share, const std::string& text) {
+    const float em = ImGui::GetFontSize();
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 low(x - share * size.x, y), high(low.x + size.x, y + size.y);
+    list.AddRectFilled(ImVec2(low.x - 0.5f * em, low.y - 0.25f * em),
+                       ImVec2(high.x + 0.5f * em, high.y + 0.25f * em), IM_COL32(20, 23, 28, 220), 0.3f * em);
+    list.AddText(low, IM_COL32_WHITE, text.c_str());
+}
+
+/// A handle as high as the free area, around the line.
+void drag_wiper(Controls& c, Session& s, const Area& frame) {
+    const float em = ImGui::GetFontSize(), x = float(frame.width * s.settings.wiper), top = float(s.free.top),
+                high = float(s.free.height);
+    ImGui::SetNextWindowPos(ImVec2(x - em, top));
+    ImGui::SetNextWindowSize(ImVec2(2 * em, high));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    ImGui::Begin("##wiper", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleVar(2);
+    ImGui::InvisibleButton("##line", ImVec2(2 * em, high));
+    c.note("Wiper");
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsItemActive())
+        s.settings.wiper =
+            std::clamp(double(ImGui::GetIO().MousePos.x) / std::max(1.0, frame.width), 0.0, 1.0);
+    ImGui::End();
+    const ImVec2 middle(x, top + high / 2);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddCircleFilled(middle, 0.9f * em, IM_COL32_WHITE);
+    list.AddTriangleFilled(ImVec2(x - 0.7f * em, middle.y), ImVec2(x - 0.2f * em, middle.y - 0.35f * em),
+                           ImVec2(x - 0.2f * em, middle.y + 0.35f * em), IM_COL32_BLACK);
+    list.AddTriangleFilled(ImVec2(x + 0.7f * em, middle.y), ImVec2(x + 0.2f * em, middle.y + 0.35f * em),
+                           ImVec2(x + 0.2f * em, middle.y - 0.35f * em), IM_COL32_BLACK);
+}
+
+/// The colors of the shader's count_color, sRGB.
+void count_ramp(ImVec2 low, float width, float height) {
+    constexpr float stops[5][3] = {{0.058f, 0, 0.089f},
+                                   {0.042f, 0.084f, 0.258f},
+                                   {0.014f, 0.279f, 0.262f},
+                                   {0.114f, 0.584f, 0.119f},
+                                   {0.983f, 0.799f, 0.019f}};
+    const auto color = [&](int i) {
+        const auto encoded = [](float l) { return 1.055f * std::pow(l, 1 / 2.4f) - 0.055f; };
+        return ImGui::ColorConvertFloat4ToU32(ImVec4(encoded(std::max(stops[i][0], 0.0031f)),
+                                                     encoded(std::max(stops[i][1], 0.0031f)),
+                                                     encoded(std::max(stops[i][2], 0.0031f)), 1));
+    };
+    for (int i = 0; i < 4; ++i)
+        ImGui::GetBackgroundDrawList()->AddRectFilledMultiColor(
+            ImVec2(low.x + width * float(i) / 4, low.y),
+            ImVec2(low.x + width * float(i + 1) / 4, low.y + height), color(i), color(i + 1), color(i + 1),
+            color(i));
+}
+
+}  // namespace
+
+void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& frame) {
+    const RenderSettings& r = s.settings;
+    if (r.compare == Compare::nothing || r.compare_photo >= scene.photos.size()) return;
+    const std::string photo = std::string("photo ") + scene.photos[r.compare_photo].name;
+    const float em = ImGui::GetFontSize(), y = float(s.free.top) + em;
+    const auto both = [&](double line) {
+        const float x = float(line * frame.width);
+        plate(x - 1.5f * em, y, 1, "model");
+        plate(x + 1.5f * em, y, 0, photo);
+    };
+    switch (r.compare) {
+        case Compare::side_by_side:
+            return both(0.5);
+        case Compare::wiper:
+            both(r.wiper);
+            return drag_wiper(c, s, frame);
+        case Compare::difference:
+            return plate(float(s.free.left + s.free.width / 2), y, 0.5f,
+                         "difference from " + photo + ", doubled; black: none");
+        default:
+            return;
+    }
+}
+
+void false_color_legend(const Session& s) {
+    const float em = ImGui::GetFontSize(), x = float(s.free.left) + em,
+                y = float(s.free.top + s.free.height) - 2 * em;
+    if (s.settings.show == Show::sources)
+        plate(x, y, 0, "each color is a photo: the one outlined in that color in the strip");
+    if (s.settings.show != Show::coverage) return;
+    const std::string most = std::to_string(s.report.photos);
+    const std::string before = "photos that show the surface: 0 ";
+    plate(x, y, 0, before + std::string(24, ' ') + " " + most);
+    const float from = x + ImGui::CalcTextSize(before.c_str()).x,
+                width = ImGui::CalcTextSize(std::string(24, ' ').c_str()).x;
+    count_ramp(ImVec2(from, y), width, em);
+}
+
+}  // namespace vantage

@@ -1,0 +1,9 @@
+#pragma once
+#include "player/interface/session.h"
+
+namespace vantage {
+
+/// The session's message, if there is one, at the top of the picture.
+void message_line(const Session& session, double now);
+
+}  // namespace vantage

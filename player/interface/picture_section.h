@@ -1,0 +1,11 @@
+#pragma once
+#include "player/interface/controls.h"
+#include "player/interface/session.h"
+#include "player/render/renderer.h"
+
+namespace vantage {
+
+/// What the picture shows: photos or false colors, exposure, surroundings, glass, light, comparison.
+void picture_section(Controls& controls, Session& session, const Renderer& renderer);
+
+}  // namespace vantage

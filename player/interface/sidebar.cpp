@@ -1,0 +1,59 @@
+#include "player/interface/sidebar.h"
+
+#include <imgui.h>
+
+#include "player/interface/band_section.h"
+#include "player/interface/blending_section.h"
+#include "player/interface/layer_section.h"
+#include "player/interface/object_section.h"
+#include "player/interface/picture_section.h"
+#include "player/interface/point_section.h"
+#include "player/interface/status_section.h"
+
+namespace vantage {
+namespace {
+
+/// A header, and below it the content if it is open.
+template <class Content>
+void section(Controls& c, const char* name, bool& open, const Content& content) {
+    c.section(name, &open);
+    if (!open) return;
+    content();
+    ImGui::Spacing();
+}
+
+bool sections(Controls& c, Session& s, const Renderer& renderer, ObjectSet& objects, const View& view) {
+    bool changed = false;
+    Panels& p = s.panels;
+    section(c, "Picture", p.picture, [&] { picture_section(c, s, renderer); });
+    if (!renderer.layers().empty())
+        section(c, "Layers", p.layers, [&] { layer_section(c, s, renderer, view); });
+    if (renderer.points()) section(c, "Point cloud", p.points, [&] { point_section(c, s, renderer); });
+    if (renderer.scene().bands.size() > 1)
+        section(c, "Bands", p.bands, [&] { band_section(c, s, renderer); });
+    section(c, "Objects", p.objects, [&] { changed = object_section(c, s, objects, renderer.scene().size); });
+    if (!renderer.scene().photos.empty())
+        section(c, "Blending", p.blending, [&] { blending_section(c, s, renderer); });
+    section(c, "Status", p.status, [&] { status_section(s, renderer, objects.graphics_budget()); });
+    return changed;
+}
+
+}  // namespace
+
+bool sidebar(Controls& c, Session& s, const Renderer& renderer, ObjectSet& objects, const View& view,
+             const Area& area) {
+    ImGui::SetNextWindowPos(ImVec2(float(area.left), float(area.top)));
+    ImGui::SetNextWindowSize(ImVec2(float(area.width), float(area.height)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::Begin("##sidebar", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar();
+    ImGui::PushItemWidth(-9.5f * ImGui::GetFontSize());  // names are on the right
+    const bool changed = sections(c, s, renderer, objects, view);
+    ImGui::PopItemWidth();
+    ImGui::End();
+    return changed;
+}
+
+}  // namespace vantage

@@ -1,0 +1,13 @@
+#pragma once
+#include "player/interface/controls.h"
+#include "player/interface/session.h"
+#include "player/objects/object_set.h"
+
+namespace vantage {
+
+/// The expert's sections, each with a header that opens and closes it. Returns whether something in the
+/// picture changed that the session does not tell.
+bool sidebar(Controls& controls, Session& session, const Renderer& renderer, ObjectSet& objects,
+             const View& view, const Area& area);
+
+}  // namespace vantage

@@ -1,0 +1,12 @@
+#pragma once
+#include "player/interface/controls.h"
+#include "player/interface/session.h"
+#include "player/render/renderer.h"
+
+namespace vantage {
+
+/// Times of frames, tiles, memory, and traffic of a package on a server. `graphics_budget`: of all objects,
+/// bytes.
+void status_section(const Session& session, const Renderer& renderer, std::uint64_t graphics_budget);
+
+}  // namespace vantage

@@ -1,0 +1,48 @@
+#include "player/window/kiosk.h"
+
+#include <cmath>
+#include <utility>
+
+namespace vantage {
+
+Kiosk make_kiosk(Session& s, std::vector<Navigation> tour, double home_after) {
+    s.kiosk = s.full_screen = true;
+    s.panels.expert = s.panels.frusta = s.panels.radar = s.panels.help = false;
+    s.panels.bar = true;
+    return {s.settings, s.panels, std::move(tour), home_after};
+}
+
+namespace {
+
+/// Along the tour, or to where it begins.
+void start_tour(Kiosk& k, Session& s, double now) {
+    const bool at_start = s.camera.eye == k.tour.front().eye && s.camera.R == k.tour.front().R;
+    s.flight = at_start ? Session::Flight{k.tour, now, double(k.tour.size() - 1) / positions_per_second}
+                        : Session::Flight{{s.camera, k.tour.front()}, now, 2};
+    k.tours = true;
+}
+
+}  // namespace
+
+void attend(Kiosk& k, Session& s, bool touched, double now) {
+    if (touched) {
+        if (k.tours) s.flight.reset();
+        k.touched_at = now;
+        k.idle = k.tours = false;
+        return;
+    }
+    if (now - k.touched_at < k.home_after) return;
+    if (!std::exchange(k.idle, true)) {
+        s.settings = k.settings;
+        s.panels = k.panels;
+        s.earlier.views.clear();
+        fly_home(s, now);
+    }
+    if (k.tour.size() > 1 && !s.flight) start_tour(k, s, now);
+}
+
+double attends_at(const Kiosk& k) {
+    return k.idle && k.tour.size() < 2 ? HUGE_VAL : k.touched_at + k.home_after;
+}
+
+}  // namespace vantage

@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# Random events for the window: keys, clicks, drags, wheel, sizes, focus, over every face of it. It must neither end, nor hang, nor
+# report an OpenGL error, and come to rest afterwards.
+# usage: window_fuzz.sh VANTAGE PLAYER SOURCE_DIR [EVENTS [SEED]]; exits with 77 if no X server is available
+set -uo pipefail
+source "$(dirname "$0")/window.sh"
+under_xvfb 1280x1024 "$@"
+
+vantage=$1 player=$2 source=$3 events=${4:-300} seed=${5:-1}
+export VANTAGE_DEBUG_GL=1
+"$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage >/dev/null 2>&1 || exit 1
+
+# random_events N SEED: commands for xdotool. Ctrl+Q and O, which end the window or type into a dialog, are left out.
+random_events() {
+  awk -v n="$1" -v seed="$2" -v window="$window" 'BEGIN {
+    srand(seed)
+    keys = split("a b c d e h m n p q r s t v w x 1 2 3 Tab Tab Escape Escape BackSpace Return F1 F2 F3 F4 F5 F6 F7 F8 F9 F10 F12 " \
+                 "ctrl+plus ctrl+minus ctrl+c alt+x shift+w Left Up space Delete", key, " ")
+    for (i = 0; i < n; ++i) {
+      x = int(rand() * 900); y = int(rand() * 700); kind = rand()
+      if (kind < 0.4) print "key --delay " int(rand() * 30) " " key[1 + int(rand() * keys)]
+      else if (kind < 0.6) print "mousemove " x " " y "\nclick " 1 + int(rand() * 3)
+      else if (kind < 0.75) print "mousemove " x " " y "\nmousedown 1\nmousemove " int(rand() * 900) " " int(rand() * 700) "\nmouseup 1"
+      else if (kind < 0.9) print "mousemove " x " " y "\nclick " 4 + int(rand() * 4)
+      else if (kind < 0.93) print "windowsize " window " " 200 + int(rand() * 1000) " " 150 + int(rand() * 800)
+      else if (kind < 0.95) print "windowfocus " window
+      else print "sleep " rand() * 0.05
+    }
+  }'
+}
+
+"$player" one.vantage --fresh --size 900x700 >says 2>&1 &
+pid=$!
+for _ in $(seq 100); do
+  window=$(xdotool search --name "Vantage" 2>/dev/null | tail -1)
+  [ -n "$window" ] && break
+  sleep 0.1
+done
+sleep 1
+xdotool windowfocus "$window"
+for ((done = 0; done < events; done += 100)); do
+  random_events 100 $((seed * 1000 + done)) >commands
+  timeout 120 xdotool commands >/dev/null 2>&1 || fail "events $done to $((done + 100)) of seed $seed were not taken"
+  kill -0 $pid 2>/dev/null || { fail "the player ended after event $done of seed $seed: $(tail -3 says)"; exit 1; }
+done
+
+# It still acts, and comes to rest.
+xdotool windowsize "$window" 500 400 windowfocus "$window"
+for k in Escape Escape Escape; do xdotool key --delay 60 $k; done
+before=$(ls one-*.png 2>/dev/null | wc -l)
+xdotool key --delay 60 p
+for _ in $(seq 100); do [ "$(ls one-*.png 2>/dev/null | wc -l)" -gt "$before" ] && break; sleep 0.1; done
+[ "$(ls one-*.png 2>/dev/null | wc -l)" = $((before + 1)) ] || fail "a tap of P after $events events was lost"
+for _ in $(seq 30); do
+  ticks=$(awk '{ print $14 + $15 }' /proc/$pid/stat)
+  sleep 2
+  [ $(($(awk '{ print $14 + $15 }' /proc/$pid/stat) - ticks)) -le 2 ] && rested=1 && break
+done
+[ -n "${rested:-}" ] || fail "the window does not come to rest after $events events"
+xdotool key --delay 60 ctrl+q
+await_exit "Ctrl+Q"
+[ $failed = 0 ] && echo "$events events are survived"
+exit $failed
