@@ -1,0 +1,22 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+
+#include "player/plan/plan_scene.h"
+
+namespace vantage {
+
+/// How large a pixel of a photo is on a plane through a point that faces the photo.
+struct Footprint {
+    double size;          ///< depth over focal length, in units of the package's mesh
+    std::uint32_t photo;  ///< whose pixels are that small
+};
+
+/// The smallest footprint among the photos that see a point of a triangle (from 0): whose coverage has the
+/// triangle, in whose frame the point is, and between whose camera and the point the mesh has nothing else.
+/// Nothing if no photo sees it.
+std::optional<Footprint> smallest_footprint(const PlanScene& scene, std::uint32_t triangle,
+                                            const Eigen::Vector3d& position);
+
+}  // namespace vantage

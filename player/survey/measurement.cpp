@@ -1,0 +1,261 @@
+#include "player/survey/measurement.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+#include <span>
+
+#include "player/survey/number_text.h"
+
+namespace vantage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
+
+struct Row {
+    const char* name;
+    std::size_t fewest, most;
+};
+constexpr std::array<Row, std::size_t(Measure::count)> rows{{{"point", 1, 1},
+                                                             {"distance", 2, 2},
+                                                             {"polyline", 2, any_number},
+                                                             {"area", 3, any_number},
+                                                             {"angle", 3, 3},
+                                                             {"height", 2, 2}}};
+const Row& row_of(Measure m) { return rows[std::size_t(m)]; }
+
+/// Units of lengths and areas, as they are shown.
+struct Named {
+    const char *length, *area;
+};
+constexpr std::array<Named, std::size_t(Unit::count)> names{
+    {{"units", "units²"}, {"m", "m²"}, {"cm", "cm²"}, {"mm", "mm²"}, {"ft", "ft²"}, {"in", "in²"}}};
+
+/// A quantity and how it changes as each point moves, in input units.
+struct Derived {
+    std::optional<double> value;
+    std::vector<Vector3d> slopes{};
+    std::string note{};
+};
+
+/// Any direction if the vector has none: the slope of a length of 0 is 1 in every direction.
+Vector3d direction(const Vector3d& v) {
+    const double length = v.stableNorm();
+    return length > 0 ? Vector3d(v / length) : Vector3d::UnitX();
+}
+
+std::vector<Vector3d> positions_of(const Measurement& m) {
+    std::vector<Vector3d> out;
+    for (const SurveyPoint& p : m.points) out.push_back(p.position);
+    return out;
+}
+
+Derived chain(std::span<const Vector3d> p) {
+    Derived out{0.0, std::vector<Vector3d>(p.size(), Vector3d::Zero())};
+    for (std::size_t i = 1; i < p.size(); ++i) {
+        const Vector3d step = p[i] - p[i - 1], along = direction(step);
+        *out.value += step.stableNorm();
+        out.slopes[i - 1] -= along;
+        out.slopes[i] += along;
+    }
+    return out;
+}
+
+/// At p[1], radians.
+Derived angle(std::span<const Vector3d> p) {
+    const Vector3d a = p[0] - p[1], b = p[2] - p[1];
+    const double of_a = a.stableNorm(), of_b = b.stableNorm();
+    if (!(of_a > 0) || !(of_b > 0)) return {{}, {}, "no angle: two of its points are equal"};
+    const Vector3d u = a / of_a, v = b / of_b;
+    const double sine = u.cross(v).norm(), cosine = u.dot(v);
+    // Away from the other side; any direction across if the angle is 0 or 180 degrees.
+    Vector3d from_b = u.unitOrthogonal(), from_a = cosine < 0 ? from_b : Vector3d(-from_b);
+    if (sine > 1e-9) from_b = (cosine * u - v) / sine, from_a = (cosine * v - u) / sine;
+    const Vector3d of_first = from_b / of_a, of_last = from_a / of_b;
+    return {std::atan2(sine, cosine), {of_first, -of_first - of_last, of_last}};
+}
+
+Derived height(std::span<const Vector3d> p, const Vector3d& up) { return {up.dot(p[1] - p[0]), {-up, up}}; }
+
+/// The plane from which points are off by the least squares; through their mean.
+struct FittedPlane {
+    Vector3d middle = Vector3d::Zero(), normal, along;  ///< `along`: in the plane; both of length 1
+    double farthest = 0;                                ///< of the points
+};
+
+FittedPlane plane_of(std::span<const Vector3d> points) {
+    FittedPlane out;
+    for (const Vector3d& p : points) out.middle += p / double(points.size());
+    double size = 0;
+    for (const Vector3d& p : points) size = std::max(size, (p - out.middle).cwiseAbs().maxCoeff());
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    for (const Vector3d& p : points) {
+        const Vector3d off = size > 0 ? Vector3d((p - out.middle) / size) : Vector3d::Zero();
+        squares += off * off.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(squares);
+    out.normal = axes.eigenvectors().col(0);
+    out.along = axes.eigenvectors().col(2);
+    for (const Vector3d& p : points)
+        out.farthest = std::max(out.farthest, std::abs(out.normal.dot(p - out.middle)));
+    return out;
+}
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+bool cross_each_other(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+                      const Eigen::Vector2d& d) {
+    const double of_c = cross(b - a, c - a), of_d = cross(b - a, d - a), of_a = cross(d - c, a - c),
+                 of_b = cross(d - c, b - c);
+    return ((of_c > 0 && of_d < 0) || (of_c < 0 && of_d > 0)) &&
+           ((of_a > 0 && of_b < 0) || (of_a < 0 && of_b > 0));
+}
+
+bool crosses_itself(std::span<const Eigen::Vector2d> p) {
+    const std::size_t n = p.size();
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = i + 2; j < n; ++j)
+            if ((j + 1) % n != i && cross_each_other(p[i], p[i + 1], p[j], p[(j + 1) % n])) return true;
+    return false;
+}
+
+/// The plane counts as fixed: a small turn of it changes the area of a plane polygon to second order only.
+Derived area(std::span<const Vector3d> p, double& off_plane) {
+    const FittedPlane plane = plane_of(p);
+    off_plane = plane.farthest;
+    const Vector3d other = plane.normal.cross(plane.along);
+    std::vector<Eigen::Vector2d> flat;
+    for (const Vector3d& v : p)
+        flat.emplace_back(plane.along.dot(v - plane.middle), other.dot(v - plane.middle));
+    if (crosses_itself(flat)) return {{}, {}, "no area: sides of the polygon cross each other"};
+    double twice = 0;
+    const std::size_t n = p.size();
+    for (std::size_t i = 0; i < n; ++i) twice += cross(flat[i], flat[(i + 1) % n]);
+    Derived out{std::abs(twice) / 2};
+    for (std::size_t i = 0; i < n; ++i)
+        out.slopes.push_back((p[(i + 1) % n] - p[(i + n - 1) % n]).cross(plane.normal) *
+                             (twice < 0 ? -0.5 : 0.5));
+    return out;
+}
+
+/// Of independent points; nothing if one of them has no uncertainty.
+std::optional<double> propagated(const Measurement& m, std::span<const Vector3d> slopes) {
+    double squares = 0;
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+        if (!m.points[i].uncertainty) return {};
+        squares += std::pow(*m.points[i].uncertainty, 2) * slopes[i].squaredNorm();
+    }
+    return std::sqrt(squares);
+}
+
+/// `dimension`: 1 for lengths, 2 for areas.
+void scale_by(Measured& m, const Scale& scale, int dimension) {
+    const double factor = std::pow(shown_length(scale), dimension);
+    if (!m.value) return;
+    *m.value *= factor;
+    if (m.uncertainty)
+        m.uncertainty = std::hypot(*m.uncertainty * factor, dimension * *m.value * scale.relative);
+}
+
+std::string length_text(double input_units, const Scale& scale) {
+    return number_text(input_units * shown_length(scale)) + " " +
+           names[std::size_t(shown_unit(scale))].length;
+}
+
+std::string note_of(const Measurement& m, const Scale& scale, const Vector3d& up, double off_plane) {
+    const std::vector<Vector3d> p = positions_of(m);
+    const Vector3d step = p.back() - p.front();
+    switch (m.measure) {
+        case Measure::distance:
+            return "along x " + number_text(step.x() * shown_length(scale)) + ", y " +
+                   number_text(step.y() * shown_length(scale)) + ", z " + length_text(step.z(), scale);
+        case Measure::height:
+            return "horizontal distance " + length_text((step - up * up.dot(step)).stableNorm(), scale);
+        case Measure::polyline:
+            return std::to_string(p.size() - 1) + (p.size() == 2 ? " segment" : " segments");
+        case Measure::area: {
+            std::vector<Vector3d> round = p;
+            round.push_back(p.front());
+            return "on the plane that fits its corners best; they are up to " +
+                   length_text(off_plane, scale) + " away from it; perimeter " +
+                   length_text(*chain(round).value, scale);
+        }
+        default:
+            return {};
+    }
+}
+
+Measured point(const Measurement& m) {
+    const SurveyPoint& p = m.points.front();
+    return {{}, p.uncertainty, "units", coordinates_text(p)};
+}
+
+bool is_finite(const Measured& m) {
+    return (!m.value || std::isfinite(*m.value)) && (!m.uncertainty || std::isfinite(*m.uncertainty));
+}
+
+}  // namespace
+
+const char* name_of(Measure measure) { return row_of(measure).name; }
+
+std::optional<Measure> measure_named(std::string_view name) {
+    const auto at = std::ranges::find(rows, name, [](const Row& r) { return std::string_view(r.name); });
+    if (at == rows.end()) return {};
+    return Measure(at - rows.begin());
+}
+
+std::size_t fewest_points(Measure measure) { return row_of(measure).fewest; }
+std::size_t most_points(Measure measure) { return row_of(measure).most; }
+
+Measured evaluate(const Measurement& m, const Scale& scale, const Vector3d& up) {
+    if (m.points.size() < fewest_points(m.measure)) return {.note = "too few points"};
+    if (m.measure == Measure::point) return point(m);
+    const std::vector<Vector3d> p = positions_of(m);
+    double off_plane = 0;
+    const Derived d = m.measure == Measure::area     ? area(p, off_plane)
+                      : m.measure == Measure::angle  ? angle(p)
+                      : m.measure == Measure::height ? height(p, up)
+                                                     : chain(p);
+    Measured out{d.value, propagated(m, d.slopes), "", d.note};
+    const Named& named = names[std::size_t(shown_unit(scale))];
+    if (m.measure == Measure::angle) {
+        const double degrees = 180 / std::numbers::pi;
+        out.unit = "°";
+        if (out.value) *out.value *= degrees;
+        if (out.uncertainty) *out.uncertainty *= degrees;
+    } else {
+        const bool is_area = m.measure == Measure::area;
+        out.unit = is_area ? named.area : named.length;
+        scale_by(out, scale, is_area ? 2 : 1);
+    }
+    if (!is_finite(out)) return {.note = "no value: the points are too far apart"};
+    if (!out.value) out.uncertainty.reset();
+    if (out.note.empty()) out.note = note_of(m, scale, up, off_plane);
+    return out;
+}
+
+std::string coordinates_text(const SurveyPoint& p) {
+    std::string out;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double v = p.position[axis];
+        out += std::string(axis ? "   " : "") + "xyz"[axis] + " " +
+               (p.uncertainty ? number_text(v, *p.uncertainty) : number_text(v, 10));
+    }
+    return out;
+}
+
+std::string text_of(const Measured& m) {
+    if (!m.value) return m.note;
+    const std::string unit = *m.unit ? std::string(m.unit) == "°" ? m.unit : std::string(" ") + m.unit : "";
+    if (!m.uncertainty) return number_text(*m.value) + unit;
+    return number_text(*m.value, *m.uncertainty) + " ± " + uncertainty_text(*m.uncertainty) + unit;
+}
+
+}  // namespace vantage

@@ -1,0 +1,38 @@
+#include "player/survey/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace vantage {
+namespace {
+
+/// Decimals down to the second significant digit, at most twelve. 0.00996 is written 0.010.
+int decimals_for(double uncertainty) {
+    if (!(uncertainty > 0)) return 6;
+    return int(std::clamp(1 - std::floor(std::log10(uncertainty * 1.005)), 0.0, 12.0));
+}
+
+std::string with_decimals(double value, int decimals) {
+    char text[400];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
+
+}  // namespace
+
+std::string number_text(double value, int digits) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
+std::string number_text(double value, double uncertainty) {
+    return with_decimals(value, decimals_for(uncertainty));
+}
+
+std::string uncertainty_text(double uncertainty) {
+    return with_decimals(uncertainty, decimals_for(uncertainty));
+}
+
+}  // namespace vantage

@@ -1,0 +1,37 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "player/camera/view.h"
+#include "player/plan/plan_scene.h"
+
+namespace vantage {
+
+/// A half line, relative to the package's origin; the direction has any length above 0.
+struct Ray {
+    Eigen::Vector3d from, along;
+};
+/// The ray through a position in the view's picture, in pixels from its upper left corner. `along` has length
+/// 1.
+Ray ray_through(const View& view, const Eigen::Vector2d& pixel);
+
+/// Where a ray meets the mesh.
+struct MeshHit {
+    std::uint32_t triangle;  ///< from 0
+    double distance;         ///< in lengths of the ray's direction
+    Eigen::Vector3d position;
+};
+
+/// The range of a ray that counts, in lengths of its direction.
+struct RayRange {
+    double nearest = 0, farthest = std::numeric_limits<double>::infinity();
+};
+
+/// The first point of the mesh on a ray, from either side; transparent surfaces count, surroundings do not.
+/// Computed in double precision, independently of what is drawn (Moeller and Trumbore 1997), through the tree
+/// of clusters. Nothing for a miss, and for a ray that is not finite or has no direction.
+std::optional<MeshHit> first_hit(const PlanScene& scene, const Ray& ray, RayRange range = {});
+
+}  // namespace vantage

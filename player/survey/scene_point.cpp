@@ -1,0 +1,89 @@
+#include "player/survey/scene_point.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "player/survey/footprint.h"
+#include "player/survey/ray_cast.h"
+
+namespace vantage {
+namespace {
+
+/// A point of one of the meshes, relative to the scene's origin.
+struct Found {
+    const PlacedMesh* mesh;
+    std::uint32_t triangle;
+    double distance;  ///< in lengths of the ray's direction
+    Eigen::Vector3d position;
+};
+
+Eigen::Vector3d in_mesh(const PlacedMesh& m, const Eigen::Vector3d& p) {
+    return m.R.transpose() * (p - m.t) / m.scale;
+}
+Eigen::Vector3d in_scene(const PlacedMesh& m, const Eigen::Vector3d& p) { return m.scale * (m.R * p) + m.t; }
+
+std::optional<Found> nearest(std::span<const PlacedMesh> meshes, const Ray& ray) {
+    std::optional<Found> out;
+    for (const PlacedMesh& m : meshes) {
+        const Ray own{in_mesh(m, ray.from), m.R.transpose() * ray.along / m.scale};
+        const auto hit = first_hit(*m.scene, own);
+        if (hit && (!out || hit->distance < out->distance))
+            out = Found{&m, hit->triangle, hit->distance, ray.from + ray.along * hit->distance};
+    }
+    return out;
+}
+
+/// Nothing is in front of a vertex, as far as single precision tells.
+bool in_sight(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& eye,
+              const Eigen::Vector3d& position) {
+    const auto hit = nearest(meshes, {eye, position - eye});
+    return !hit || hit->distance > 1 - 1e-4;
+}
+
+/// The vertex in sight that is nearest in the picture, among those of the triangles around the pixel.
+std::optional<Found> nearest_vertex(std::span<const PlacedMesh> meshes, const View& view,
+                                    const Eigen::Vector2d& pixel, double reach) {
+    constexpr int around = 8;
+    std::optional<Found> best;
+    const Eigen::Vector3d eye = view.cam_from_origin.center();
+    const auto look = [&](const Eigen::Vector2d& at) {
+        const auto found = nearest(meshes, ray_through(view, at));
+        if (!found) return;
+        const PlanScene& scene = *found->mesh->scene;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint32_t v = scene.indices[3 * std::size_t(found->triangle) + c];
+            const Eigen::Vector3d p = in_scene(*found->mesh, scene.positions[v].cast<double>());
+            const auto shown = project(view.intrinsics, view.cam_from_origin, p);
+            const double off = shown ? (shown->pixel - pixel).norm() : reach;
+            if (off >= reach || !in_sight(meshes, eye, p)) continue;
+            reach = off;
+            best = Found{found->mesh, found->triangle, 0, p};
+        }
+    };
+    look(pixel);
+    for (const double radius : {reach / 2, reach})
+        for (int i = 0; i < around; ++i) {
+            const double turn = 2 * std::numbers::pi * i / around;
+            look(pixel + radius * Eigen::Vector2d(std::cos(turn), std::sin(turn)));
+        }
+    return best;
+}
+
+}  // namespace
+
+std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
+                                       const View& view, const Eigen::Vector2d& pixel, Snapping snapping) {
+    std::optional<Found> found;
+    if (snapping.vertex_pixels > 0) found = nearest_vertex(meshes, view, pixel, snapping.vertex_pixels);
+    if (!found) found = nearest(meshes, ray_through(view, pixel));
+    if (!found || !found->position.allFinite()) return {};
+    const PlacedMesh& m = *found->mesh;
+    SurveyPoint out{found->position + origin};
+    if (const auto pixel_size = smallest_footprint(*m.scene, found->triangle, in_mesh(m, found->position))) {
+        out.uncertainty = pixel_size->size * m.scale;
+        out.photo = m.scene->photos[pixel_size->photo].name;
+    }
+    return out;
+}
+
+}  // namespace vantage

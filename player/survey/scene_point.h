@@ -1,0 +1,33 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+
+#include "player/camera/view.h"
+#include "player/plan/plan_scene.h"
+#include "player/survey/measurement.h"
+
+namespace vantage {
+
+/// A mesh where it stands in the scene: its point p is at scale * R * p + t, relative to the scene's origin.
+struct PlacedMesh {
+    const PlanScene* scene;
+    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d t = Eigen::Vector3d::Zero();
+    double scale = 1;
+};
+
+/// Where points are set.
+struct Snapping {
+    double vertex_pixels =
+        0;  ///< to the nearest vertex in sight that is this near in the picture; 0: on the surface
+};
+
+/// The nearest point of the meshes at a position in the view's picture, in pixels, in coordinates of the
+/// scene's first input, whose origin is `origin`; with the uncertainty that its photos give it. Nothing if
+/// there is no surface.
+std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
+                                       const View& view, const Eigen::Vector2d& pixel,
+                                       Snapping snapping = {});
+
+}  // namespace vantage

@@ -1,0 +1,62 @@
+#include "player/survey/survey.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "player/camera/view.h"
+#include "player/survey/number_text.h"
+
+namespace vantage {
+namespace {
+
+constexpr double near_axis = 10 * std::numbers::pi / 180;  // radians
+constexpr int all_digits = 12;
+
+std::string number_or_nothing(const std::optional<double>& value) {
+    return value ? number_text(*value, all_digits) : "";
+}
+
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return out + '"';
+}
+
+std::string points_text(const Measurement& m) {
+    std::string out;
+    for (const SurveyPoint& p : m.points) {
+        if (!out.empty()) out += "; ";
+        for (int axis = 0; axis < 3; ++axis)
+            out += (axis ? " " : "") + number_text(p.position[axis], all_digits);
+    }
+    return out;
+}
+
+}  // namespace
+
+Eigen::Vector3d survey_up(std::span<const package::PhotoRecord> photos) {
+    const Eigen::Vector3d mean = mean_up(photos);
+    Eigen::Index axis = 0;
+    mean.cwiseAbs().maxCoeff(&axis);
+    if (std::abs(mean[axis]) < std::cos(near_axis)) return mean;
+    return Eigen::Vector3d::Unit(axis) * std::copysign(1.0, mean[axis]);
+}
+
+std::string direction_text(const Eigen::Vector3d& d) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(d[axis]) == 1) return std::string(d[axis] > 0 ? "+" : "-") + "xyz"[axis];
+    return number_text(d.x(), 4) + " " + number_text(d.y(), 4) + " " + number_text(d.z(), 4);
+}
+
+std::string survey_csv(const Survey& s) {
+    std::string out = "name,measure,value,uncertainty,unit,note,points\n";
+    for (const Measurement& m : s.measurements) {
+        const Measured is = evaluate(m, s.scale, s.up);
+        out += quoted(m.name) + "," + name_of(m.measure) + "," + number_or_nothing(is.value) + "," +
+               number_or_nothing(is.uncertainty) + "," + is.unit + "," + quoted(is.note) + "," +
+               quoted(points_text(m)) + "\n";
+    }
+    return out;
+}
+
+}  // namespace vantage

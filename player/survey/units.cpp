@@ -1,0 +1,44 @@
+#include "player/survey/units.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vantage {
+namespace {
+
+struct Row {
+    const char* name;
+    double meters;
+};
+constexpr std::array<Row, std::size_t(Unit::count)> rows{
+    {{"units", 1}, {"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"ft", 0.3048}, {"in", 0.0254}}};
+
+const Row& row_of(Unit unit) { return rows[std::size_t(unit)]; }
+
+}  // namespace
+
+const char* name_of(Unit unit) { return row_of(unit).name; }
+
+std::optional<Unit> unit_named(std::string_view name) {
+    const auto at = std::ranges::find(rows, name, [](const Row& r) { return std::string_view(r.name); });
+    if (at == rows.end()) return {};
+    return Unit(at - rows.begin());
+}
+
+Unit shown_unit(const Scale& s) {
+    return s.unit == Unit::unknown || s.shown == Unit::unknown ? s.unit : s.shown;
+}
+
+double shown_length(const Scale& s) {
+    return s.length * row_of(s.unit).meters / row_of(shown_unit(s)).meters;
+}
+
+std::optional<Scale> scale_from(double measured, double uncertainty, double known, Unit unit) {
+    const double length = known / measured;
+    const bool sound = measured > 0 && known > 0 && unit != Unit::unknown && uncertainty >= 0;
+    if (!sound || !std::isfinite(length) || !(length > 0)) return {};
+    return Scale{length, unit, unit, uncertainty / measured};
+}
+
+}  // namespace vantage
