@@ -61,11 +61,14 @@ void look(Navigation& n, double right, double down) {
     n.target = n.eye + world * (n.target - n.eye);
 }
 
-void orbit(Navigation& n, double right, double down) {
+void orbit_about(Navigation& n, const Eigen::Vector3d& pivot, double right, double down) {
     const Eigen::Matrix3d world = turn(n, right, down);
     n.R = n.R * world.transpose();
-    n.eye = n.target + world * (n.eye - n.target);
+    n.eye = pivot + world * (n.eye - pivot);
+    n.target = pivot + world * (n.target - pivot);
 }
+
+void orbit(Navigation& n, double right, double down) { orbit_about(n, n.target, right, down); }
 
 void fly(Navigation& n, const Eigen::Vector3d& step) {
     const Eigen::Vector3d moved = n.R.transpose() * step;
@@ -76,6 +79,24 @@ void fly(Navigation& n, const Eigen::Vector3d& step) {
 void approach(Navigation& n, double factor) {
     const double distance = (n.eye - n.target).norm();
     if (distance > 0) n.eye = n.target + (n.eye - n.target) * std::clamp(factor, 0.01, 100.0);
+}
+
+void approach_point(Navigation& n, const Eigen::Vector3d& point, double factor, double nearest,
+                    double farthest) {
+    const double distance = (n.eye - point).norm();
+    if (!(distance > 0)) return;
+    // From beyond a limit, only back towards it.
+    const double least = std::min(nearest, distance), most = std::max(farthest, distance),
+                 scale = std::clamp(distance * factor, least, most) / distance;
+    n.eye = point + scale * (n.eye - point);
+    n.target = point + scale * (n.target - point);
+}
+
+Navigation facing(const Navigation& n, const Eigen::Vector3d& point, double distance) {
+    Navigation out = n;
+    out.target = point;
+    out.eye = point - distance * Eigen::Vector3d(n.R.row(2));
+    return out;
 }
 
 View view_of(const Navigation& n, int width, int height) {

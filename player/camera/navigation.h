@@ -26,12 +26,20 @@ Navigation home_of(const PackageReader& package, std::uint32_t photo);
 /// Orbits the target by angles in radians: `right` about up, `down` about the camera's x axis. Stops 3
 /// degrees from the poles.
 void orbit(Navigation& n, double right, double down);
+/// The same about a point other than the target.
+void orbit_about(Navigation& n, const Eigen::Vector3d& pivot, double right, double down);
 /// Turns the camera in place, by the same angles.
 void look(Navigation& n, double right, double down);
 /// Moves eye and target along the camera's axes (x right, y down, z ahead).
 void fly(Navigation& n, const Eigen::Vector3d& step);
 /// Scales the eye's distance from the target by `factor`, clamped to [0.01, 100].
 void approach(Navigation& n, double factor);
+/// Scales the distance of eye and target from a point, which stays where it is in the picture. The eye's ends
+/// in [nearest, farthest].
+void approach_point(Navigation& n, const Eigen::Vector3d& point, double factor, double nearest,
+                    double farthest);
+/// From the same direction, at this distance, with a point in the middle, which becomes the target.
+Navigation facing(const Navigation& n, const Eigen::Vector3d& point, double distance);
 
 View view_of(const Navigation& n, int width, int height);
 /// The same with the field of view, `fov` high and `aspect` times as wide, fitted into a part of the frame

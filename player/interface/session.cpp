@@ -27,6 +27,11 @@ void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record,
 
 void fly_home(Session& s, double now) { s.flight = Session::Flight{{s.camera, s.home}, now, 0.7}; }
 
+void fly_to_point(Session& s, const Eigen::Vector3d& point, double now) {
+    s.flight =
+        Session::Flight{{s.camera, facing(s.camera, point, (s.camera.eye - point).norm() / 2)}, now, 0.5};
+}
+
 void note_view(Session& s, double now) {
     constexpr double pause = 0.5;  // seconds between two movements
     constexpr std::size_t most = 100;

@@ -26,9 +26,10 @@ inline constexpr double positions_per_second = 30;
 struct Session {
     RenderSettings settings;
     Navigation camera;
-    Navigation home;                    ///< where the session began
-    Area free;                          ///< the part of the window that the picture is fitted to
-    std::vector<std::uint32_t> photos;  ///< allowed for blending
+    Navigation home;                       ///< where the session began
+    Area free;                             ///< the part of the window that the picture is fitted to
+    std::optional<Eigen::Vector3d> pivot;  ///< the point under the pointer when it began to drag
+    std::vector<std::uint32_t> photos;     ///< allowed for blending
     Panels panels;
 
     std::uint32_t standing_at = 0;  ///< the photo last flown to
@@ -81,6 +82,8 @@ bool take_key(Session& session, int key);
 
 /// Starts a flight to a photo's camera, 0.7 seconds long.
 void fly_to(Session& session, std::uint32_t photo, const package::PhotoRecord& record, double now);
+/// Starts a flight that ends before a point, at half the distance.
+void fly_to_point(Session& session, const Eigen::Vector3d& point, double now);
 /// Remembers the view from which the camera has just started to move.
 void note_view(Session& session, double now);
 /// Starts a flight to the view before the last movement.

@@ -13,28 +13,63 @@
 #include "player/interface/band_section.h"
 #include "player/interface/style.h"
 #include "player/render/blend_table.h"
+#include "player/survey/ray_cast.h"
 
 namespace vantage {
 namespace {
 
+/// A point under the pointer: of the mesh, or else as far away as the target.
+struct UnderPointer {
+    Eigen::Vector3d point;
+    bool on_mesh;
+};
+
+UnderPointer under_pointer(const View& view, const Navigation& n, const PlanScene& scene,
+                           const Eigen::Vector2d& pixel) {
+    const Ray ray = ray_through(view, pixel);
+    if (const auto hit = first_hit(scene, ray)) return {hit->position, true};
+    return {ray.from + (n.target - n.eye).norm() * ray.along, false};
+}
+
 /// Dragging by the window's width turns by half a turn; what is dragged follows the pointer.
-void move_by_mouse(Session& s) {
+void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vector2d& pointer) {
     const ImGuiIO& io = ImGui::GetIO();
-    const auto moves = [](const Drag& d) { return d.right != 0 || d.down != 0; };
-    if (io.WantCaptureMouse || (io.MouseWheel == 0 && std::ranges::none_of(s.input.drags, moves))) return;
-    s.flight.reset();  // input interrupts a flight
-    const double focal =
-        view_of(s.camera, int(io.DisplaySize.x), int(io.DisplaySize.y), s.free).intrinsics.fx;
     const auto [left, right, middle] = s.input.drags;
+    const double focal = view.intrinsics.fx;
+    if (!s.pivot) {
+        const Eigen::Vector2d moved(left.right + right.right + middle.right,
+                                    left.down + right.down + middle.down);
+        const UnderPointer begin = under_pointer(view, s.camera, scene, pointer - moved);
+        s.pivot = begin.on_mesh ? begin.point : s.camera.target;
+    }
     if (io.KeyCtrl) {
         look(s.camera, -left.right / focal, -left.down / focal);
     } else {
         const double radians = std::numbers::pi / std::max(1.0, double(io.DisplaySize.x));
-        orbit(s.camera, left.right * radians, left.down * radians);
+        orbit_about(s.camera, *s.pivot, left.right * radians, left.down * radians);
     }
-    const double pixel = (s.camera.eye - s.camera.target).norm() / focal;
-    fly(s.camera, -pixel * Eigen::Vector3d(right.right + middle.right, right.down + middle.down, 0));
-    if (io.MouseWheel != 0) approach(s.camera, std::pow(0.9, double(io.MouseWheel)));
+    const double depth = std::abs((*s.pivot - s.camera.eye).dot(s.camera.R.row(2)));
+    fly(s.camera, -depth / focal * Eigen::Vector3d(right.right + middle.right, right.down + middle.down, 0));
+}
+
+void move_by_mouse(Session& s, const PlanScene& scene, double now) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool down = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
+    const auto moves = [](const Drag& d) { return d.right != 0 || d.down != 0; };
+    const bool dragged = std::ranges::any_of(s.input.drags, moves);
+    if (!io.WantCaptureMouse && (dragged || io.MouseWheel != 0 || s.input.double_clicked)) {
+        s.flight.reset();  // input interrupts a flight
+        const View view = view_of(s.camera, int(io.DisplaySize.x), int(io.DisplaySize.y), s.free);
+        const Eigen::Vector2d pointer(io.MousePos.x, io.MousePos.y);
+        if (dragged) drag(s, view, scene, pointer);
+        const UnderPointer at = under_pointer(view, s.camera, scene, pointer);
+        constexpr double nearest = 1e-3, farthest = 30;  // of the scene's size
+        if (io.MouseWheel != 0)
+            approach_point(s.camera, at.point, std::pow(0.9, double(io.MouseWheel)), nearest * scene.size,
+                           farthest * scene.size);
+        if (s.input.double_clicked && at.on_mesh) fly_to_point(s, at.point, now);
+    }
+    if (!down) s.pivot.reset();
 }
 
 /// The pointer as the top of a hemisphere over the frame: low at its edge, at the viewer in its middle.
@@ -178,7 +213,7 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
 
 void apply_input(Session& session, const PlanScene& scene, double now) {
     using With = KeyPress::With;
-    move_by_mouse(session);
+    move_by_mouse(session, scene, now);
     move_lamp(session);
     for (const KeyPress& p : session.input.keys)
         if (p.with == With::control) run_command(session, p.key);

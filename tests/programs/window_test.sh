@@ -158,7 +158,8 @@ for weight in distance angle angle_mask depth_mask border_mask; do remembers $we
 remembers corrected_directions true
 remembers angle_per_photo true
 remembers photos_per_pass [2-7]
-remembers panel_blending true
+remembers panel_blending false
+remembers expert true
 remembers panel_radar false
 remembers width 900
 # A scene of two objects.
@@ -168,6 +169,7 @@ printf '[[object]]\nname = "left"\npackage = "one.vantage"\n[[object]]\nname = "
 pid=$!
 find_window
 step_back
+press "Bar Expert"
 press "View"; press "Objects"
 press "Only right"
 press "left"

@@ -49,3 +49,52 @@ TEST(Navigation, OrbitKeepsDistanceAndStopsAtThePoles) {
         EXPECT_LT(std::abs(n.R.row(2).dot(n.up)), 0.99999) << "beyond a pole, left and right are swapped";
     }
 }
+
+namespace {
+
+/// Where a point is in the picture, pixels.
+Eigen::Vector2d shown_at(const Navigation& n, const Eigen::Vector3d& p) {
+    const View view = view_of(n, 800, 600);
+    const Eigen::Vector3d c = view.cam_from_origin.R * p + view.cam_from_origin.t;
+    return {view.intrinsics.fx * c.x() / c.z() + view.intrinsics.cx,
+            view.intrinsics.fy * c.y() / c.z() + view.intrinsics.cy};
+}
+
+Navigation before_origin() {
+    Navigation n{{0, 0, -5}, {0, 0, 0}, {0, -1, 0}, Eigen::Matrix3d::Identity()};
+    return n;
+}
+
+}  // namespace
+
+TEST(Navigation, ApproachingAPointKeepsItUnderThePointer) {
+    Navigation n = before_origin();
+    const Eigen::Vector3d point(1.2, -0.7, 0.4);
+    const Eigen::Vector2d before = shown_at(n, point);
+    for (int i = 0; i < 100; ++i) {
+        approach_point(n, point, 0.9, 0.1, 100);
+        EXPECT_LT((shown_at(n, point) - before).norm(), 1e-6);
+    }
+    EXPECT_NEAR((n.eye - point).norm(), 0.1, 1e-9) << "came closer than the limit";
+    for (int i = 0; i < 200; ++i) approach_point(n, point, 1 / 0.9, 0.1, 100);
+    EXPECT_NEAR((n.eye - point).norm(), 100, 1e-6) << "went further than the limit";
+}
+
+TEST(Navigation, OrbitingAboutAPointKeepsItsDistance) {
+    Navigation n = before_origin();
+    const Eigen::Vector3d pivot(1, 0.5, 0.3);
+    const double distance = (n.eye - pivot).norm();
+    for (int i = 0; i < 20; ++i) {
+        orbit_about(n, pivot, 0.1, 0.05);
+        EXPECT_NEAR((n.eye - pivot).norm(), distance, 1e-9);
+        EXPECT_NEAR((n.target - n.eye).norm(), 5, 1e-9);
+        EXPECT_LT((n.target - n.eye).normalized().cross(Eigen::Vector3d(n.R.row(2))).norm(), 1e-9);
+    }
+}
+
+TEST(Navigation, FacingAPointPutsItInTheMiddle) {
+    const Eigen::Vector3d point(1.2, -0.7, 0.4);
+    const Navigation n = facing(before_origin(), point, 2);
+    EXPECT_LT((shown_at(n, point) - Eigen::Vector2d(400, 300)).norm(), 1e-9);
+    EXPECT_NEAR((n.eye - point).norm(), 2, 1e-12);
+}
