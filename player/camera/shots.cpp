@@ -38,13 +38,6 @@ std::vector<std::uint32_t> named_photos(const PackageReader& package, const std:
     return out;
 }
 
-std::uint32_t middle_photo(std::span<const package::PhotoRecord> photos, std::uint32_t band) {
-    std::vector<std::uint32_t> own;
-    for (std::uint32_t p = 0; p < photos.size(); ++p)
-        if (photos[p].band == band) own.push_back(p);
-    return own.empty() ? std::uint32_t(photos.size() / 2) : own[own.size() / 2];
-}
-
 Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std::optional<FrameSize> size,
                 double scale) {
     Shot shot{name, view_of_photo(photo, scale), photo.band};

@@ -25,9 +25,6 @@ FrameSize parse_size(const std::string& text);
 /// Error(usage) for an unknown or ambiguous name.
 std::vector<std::uint32_t> named_photos(const PackageReader& package, const std::vector<std::string>& names);
 
-/// The photo in the middle of those of a band; of all if it has none.
-std::uint32_t middle_photo(std::span<const package::PhotoRecord> photos, std::uint32_t band);
-
 /// From the photo's own camera, with its intrinsics at `scale`, or with the whole photo fitted into `size`.
 /// `name`: of the picture.
 Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std::optional<FrameSize> size,

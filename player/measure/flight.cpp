@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "bands/middle_photo.h"
 #include "gl/context.h"
 #include "player/measure/frame_timer.h"
 #include "player/measure/touched_texels.h"

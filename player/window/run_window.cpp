@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "bands/bands.h"
+#include "bands/middle_photo.h"
 #include "player/camera/shots.h"
 #include "player/window/glfw_window.h"
 #include "player/window/input.h"
