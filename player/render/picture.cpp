@@ -1,13 +1,12 @@
 #include "player/render/picture.h"
 
 #include <png.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstring>
-#include <system_error>
 
 #include "gl/context.h"
+#include "output/png_file.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -38,21 +37,7 @@ Picture picture_of(const View& view, const std::function<void(GLuint target)>& s
 }
 
 void write_png(const std::filesystem::path& file, const Picture& picture) {
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = png_uint_32(picture.width);
-    image.height = png_uint_32(picture.height);
-    image.format = PNG_FORMAT_RGBA;
-    const std::filesystem::path part = file.string() + ".part-" + std::to_string(::getpid());
-    const bool written =
-        png_image_write_to_file(&image, part.c_str(), 0, picture.rgba.data(), 0, nullptr) != 0;
-    std::error_code error;
-    if (written) std::filesystem::rename(part, file, error);
-    if (written && !error) return;
-    std::filesystem::remove(part, error);
-    throw Error(Exit::storage,
-                file.string() + ": cannot be written: " +
-                    (written ? std::string("not renamed into place") : std::string(image.message)));
+    write_png(file, picture.width, picture.height, picture.rgba);
 }
 
 Picture read_png(const std::filesystem::path& file) {
