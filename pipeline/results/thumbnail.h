@@ -1,0 +1,12 @@
+#pragma once
+#include "scene/package_reader.h"
+#include "values/rgba_image.h"
+
+namespace vantage {
+
+/// The photo at which the player opens, or of those in the package the next to it, as a picture of at most
+/// `longest` px on the long side, and never larger than the thumbnail in the package. Throws Error(input) if
+/// there is no photo, Error(damaged) if its thumbnail is damaged.
+RgbaImage thumbnail(const PackageReader& package, int longest);
+
+}  // namespace vantage
