@@ -120,14 +120,15 @@ void add_check(CLI::App& app, Run& run) {
         "scans/a)\n"
         "Exit code, the worst of all packages: 3 unreadable, 4 damaged, 5 stale, 9 incomplete, 0 none of "
         "these.\nEach finding has a stable identifier, see --list-findings.");
-    c->add_option("FILES", o->files, "the packages, or their URLs");
+    c->add_option("FILES", o->files, "the packages, or their URLs")->type_name("PACKAGE");
     c->add_flag("--deep", o->depth.deep, "read every tile");
     c->add_option(
-        "--against", o->depth.against,
-        "compare with the input folder; for several packages, with its subfolders of the same names");
+         "--against", o->depth.against,
+         "compare with the input folder; for several packages, with its subfolders of the same names")
+        ->type_name("FOLDER");
     c->add_flag("--rehash", o->rehash, "detect changed inputs by content, not by size and timestamps");
     c->add_flag("--json", o->json, "machine-readable output");
-    c->add_option("--junit", o->junit, "write a JUnit file for CI");
+    c->add_option("--junit", o->junit, "write a JUnit file for CI")->type_name("FILE");
     c->add_flag("--list-findings", o->list_findings, "list everything that can be found, and exit");
     c->callback([o, &run] {
         if (o->files.empty() && !o->list_findings) throw CLI::RequiredError("FILES");

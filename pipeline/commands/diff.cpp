@@ -48,9 +48,10 @@ void add_diff(CLI::App& app, Run& run) {
         "Examples:\n  vantage diff chapel.vantage chapel-new.vantage\n"
         "  vantage diff a.vantage b.vantage -o differences   (with pictures)\n"
         "Exit code: 0 identical, 10 different.");
-    c->add_option("A", o->a, "a package")->required();
-    c->add_option("B", o->b, "the package to compare it with")->required();
-    c->add_option("-o,--output", o->folder, "folder for pictures of the differences and an HTML page");
+    c->add_option("A", o->a, "a package")->type_name("PACKAGE")->required();
+    c->add_option("B", o->b, "the package to compare it with")->type_name("PACKAGE")->required();
+    c->add_option("-o,--output", o->folder, "folder for pictures of the differences and an HTML page")
+        ->type_name("FOLDER");
     add_force(*c, o->force);
     c->add_flag("--json", o->json, "machine-readable output");
     c->callback([o, &run] { run = [o] { return run_diff(*o); }; });

@@ -19,9 +19,9 @@ void add_extract(CLI::App& app, Run& run) {
     CLI::App* c =
         app.add_subcommand("extract", "Write a package's photos, masks, depth and mesh as ordinary files");
     c->footer("Example:\n  vantage extract chapel.vantage -o chapel-files --photo 0003");
-    c->add_option("FILE", o->file, "the package")->required();
-    c->add_option("-o,--output", o->out, "folder to write into")->required();
-    c->add_option("--photo", o->photos, "only these photos")->delimiter(',');
+    c->add_option("FILE", o->file, "the package")->type_name("PACKAGE")->required();
+    c->add_option("-o,--output", o->out, "folder to write into")->type_name("FOLDER")->required();
+    c->add_option("--photo", o->photos, "only these photos")->type_name("PHOTO")->delimiter(',');
     add_force(*c, o->force);
     c->callback([o, &run] {
         run = [o] {

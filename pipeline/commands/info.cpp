@@ -98,7 +98,7 @@ void add_info(CLI::App& app, Run& run) {
     c->footer(
         "Examples:\n  vantage info --json chapel.vantage\n  vantage info "
         "https://example.org/scans/chapel.vantage");
-    c->add_option("FILE", o->file, "the package, or its URL")->required();
+    c->add_option("FILE", o->file, "the package, or its URL")->type_name("PACKAGE")->required();
     c->add_flag("--json", o->json, "machine-readable output");
     c->callback([o, &run] {
         run = [o] {

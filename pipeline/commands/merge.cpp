@@ -41,9 +41,11 @@ void add_merge(CLI::App& app, Run& run) {
         "is\n"
         "byte-for-byte the package of a single run. An interrupted merge continues when it is run again.\n"
         "Example:\n  vantage merge chapel-*.share -o chapel.vantage --remove");
-    c->add_option("SHARES", o->shares, "all shares of one preparation, in any order")->required();
-    c->add_option("-o,--output", o->out, "the package to write")->required();
-    c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();
+    c->add_option("SHARES", o->shares, "all shares of one preparation, in any order")
+        ->type_name("FILE")
+        ->required();
+    c->add_option("-o,--output", o->out, "the package to write")->type_name("FILE")->required();
+    add_progress(*c, o->progress);
     add_force(*c, o->force);
     c->add_flag("--remove", o->remove, "remove the shares when the package is complete");
     c->callback([o, &run] { run = [o] { return run_merge(*o); }; });

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cli/force_option.h"
+#include "cli/known_values.h"
 #include "cli/real_range.h"
 #include "output/output_file.h"
 #include "pipeline/commands/apply_config.h"
@@ -285,28 +286,38 @@ void add_prepare(CLI::App& app, Run& run) {
         "Run again, it continues where it was interrupted and repeats only what a change affects.");
     c->add_option("INPUT", o->input,
                   "folder with a mesh or a point cloud, cameras and photos; or a scene file, NAME.toml, that "
-                  "lists several");
-    c->add_option("--mesh", o->mesh, "mesh file: PLY, OBJ, STL, OFF");
-    c->add_option("--cameras", o->cameras, camera_format_names());
-    c->add_option("--photos", o->photos, "folder of photos");
+                  "lists several")
+        ->type_name("FILE");
+    c->add_option("--mesh", o->mesh, "mesh file: PLY, OBJ, STL, OFF")->type_name("FILE");
+    c->add_option("--cameras", o->cameras, camera_format_names())->type_name("FILE");
+    c->add_option("--photos", o->photos, "folder of photos")->type_name("FOLDER");
     c->add_option(
-        "--deviation-from", o->settings.deviation_from,
-        "measure the mesh's signed distance from this mesh or point cloud, as a scalar layer; may be "
-        "repeated");
+         "--deviation-from", o->settings.deviation_from,
+         "measure the mesh's signed distance from this mesh or point cloud, as a scalar layer; may be "
+         "repeated")
+        ->type_name("FILE");
     c->add_option("--points", o->settings.points,
                   "point cloud to show, with the mesh in the same coordinates or alone: PLY, LAS, OBJ, STL, "
-                  "OFF; may be repeated");
+                  "OFF; may be repeated")
+        ->type_name("FILE");
     c->add_option("--bands", o->settings.bands,
                   "photo sets that are shown one at a time: auto (by folders named visible, infrared, uvf, "
                   "raking, before, ...), folders (each is a band), off, or a TOML file with the patterns of "
                   "each band, such as infrared = [\"ir/*\", \"*_nir.tif\"]")
+        ->type_name("FILE")
+        ->check(known_values({"auto", "folders", "off"}))
         ->capture_default_str();
     c->add_option("-o,--output", o->out, "the package to write; of a scene file: the folder for packages")
+        ->type_name("FILE")
         ->required();
+    c->add_option("--config", o->config,
+                  "preset to use, or a TOML file with settings; the command line overrides them")
+        ->type_name("FILE")
+        ->check(known_values({presets.begin(), presets.end()}));
     c->add_option(
-        "--config", o->config,
-        "settings: a TOML file, or the name of a preset in configs/; the command line overrides them");
-    c->add_option("--distance", o->distance, "border distance: auto, exact, jfa, jfa+1, 1+jfa, jfa^2")
+         "--distance", o->distance,
+         "how the distance from depth borders is computed: exactly, or by a variant of jump flooding")
+        ->check(known_values({"auto", "exact", "jfa", "jfa+1", "1+jfa", "jfa^2"}))
         ->capture_default_str();
     c->add_option("--border-width", o->settings.border_width,
                   "distance at which the border mask reaches 1, in px of a photo 3072 px wide")
@@ -323,8 +334,8 @@ void add_prepare(CLI::App& app, Run& run) {
                   "reduce photos to this long side in px; 0 = full size")
         ->check(CLI::Range(0, 1 << 16))
         ->capture_default_str();
-    c->add_option("--resampling", o->resampling,
-                  "filter for photos with lens distortion: nearest, linear, cubic, lanczos")
+    c->add_option("--resampling", o->resampling, "filter for photos with lens distortion")
+        ->check(known_values({"nearest", "linear", "cubic", "lanczos"}))
         ->capture_default_str();
     c->add_option(
          "--tiles", o->tiles,
@@ -347,9 +358,9 @@ void add_prepare(CLI::App& app, Run& run) {
          "on: left-out photos must confirm what --refine corrects; off: faster, thresholds alone decide")
         ->transform(CLI::CheckedTransformer(std::map<std::string, bool>{{"on", true}, {"off", false}}))
         ->default_str("on");
-    c->add_option(
-         "--render-by", o->render_by,
-         "renderer of the model as seen from the photos: auto (a GPU if there is one), opengl, processor")
+    c->add_option("--render-by", o->render_by,
+                  "renderer of the model as seen from the photos; auto: a GPU if there is one")
+        ->check(known_values({"auto", "opengl", "processor"}))
         ->capture_default_str();
     c->add_option("--cluster-triangles", o->settings.cluster_triangles, "triangles per cluster")
         ->check(CLI::Range(1, 512))
@@ -367,19 +378,24 @@ void add_prepare(CLI::App& app, Run& run) {
             return text;
         });
     c->add_option("--hold-out", o->settings.hold_out, "photos to store as cameras only, without their pixels")
+        ->type_name("PHOTO")
         ->delimiter(',');
     c->add_flag(
         "--explain", o->explain,
         "print why each stage ran, and the cost and loss of each setting as measured by vantage-bench");
     c->add_flag("--strict", o->strict, "stop at the first unusable photo instead of leaving it out");
     c->add_flag("--rehash", o->rehash, "detect changed files by content, not by size and timestamps");
-    c->add_option("--shard", o->share, "i/n: only every n-th photo, for 'vantage merge'");
-    c->add_option("--report", o->report, "file for the HTML report (default: next to the package)");
+    c->add_option("--shard", o->share, "i/n: only every n-th photo, for 'vantage merge'")->type_name("I/N");
+    c->add_option("--report", o->report, "file for the HTML report (default: next to the package)")
+        ->type_name("FILE");
     c->add_flag("--no-report", o->no_report, "do not write a report");
     add_force(*c, o->force);
-    c->add_option("--trace", o->trace, "write a trace of all threads for Perfetto or chrome://tracing");
-    c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();
-    c->add_option("--effect", o->effects, "NAME=on|off|auto, see 'vantage info'");
+    c->add_option("--trace", o->trace, "write a trace of all threads for Perfetto or chrome://tracing")
+        ->type_name("FILE");
+    add_progress(*c, o->progress);
+    c->add_option("--effect", o->effects,
+                  "turn an effect on or off, or let the scene decide; 'vantage info' lists them")
+        ->type_name("NAME=on|off|auto");
     c->callback([o, c, &run] {
         if (!o->config.empty()) apply_config(*c, o->config);
         run = [o] {

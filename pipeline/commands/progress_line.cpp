@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "cli/known_values.h"
 #include "pipeline/commands/stop_signals.h"
 #include "scene/error.h"
 
@@ -43,6 +44,14 @@ std::string json_line(const Progress& p, double seconds) {
 }
 
 }  // namespace
+
+void add_progress(CLI::App& app, std::string& style) {
+    app.add_option(
+           "--progress", style,
+           "how to show progress; auto: a bar on a terminal, lines elsewhere; json: machine-readable lines")
+        ->check(known_values({"auto", "bar", "lines", "json", "none"}))
+        ->capture_default_str();
+}
 
 ProgressStyle progress_style(const std::string& name) {
     if (name == "auto") return ::isatty(STDERR_FILENO) == 1 ? ProgressStyle::bar : ProgressStyle::lines;

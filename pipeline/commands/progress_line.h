@@ -1,4 +1,5 @@
 #pragma once
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <string>
 
@@ -8,6 +9,8 @@ namespace vantage {
 
 /// How progress is shown: a bar that updates in place, plain lines, one JSON object per line, or not at all.
 enum class ProgressStyle { bar, lines, json, none };
+/// Adds --progress: the name of a style.
+void add_progress(CLI::App& app, std::string& style);
 /// "auto" is a bar on a terminal and lines elsewhere. Throws Error(usage).
 ProgressStyle progress_style(const std::string& name);
 

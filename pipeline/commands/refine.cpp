@@ -63,8 +63,8 @@ void add_refine(CLI::App& app, Run& run) {
         "Examples:\n  vantage refine chapel.vantage --exposure off -o as-taken.vantage\n"
         "  vantage refine chapel.vantage --registration on\n"
         "  vantage refine chapel.vantage");
-    c->add_option("FILE", o->file, "the package")->required();
-    c->add_option("-o,--output", o->out, "the package to write (default: replace FILE)");
+    c->add_option("FILE", o->file, "the package")->type_name("PACKAGE")->required();
+    c->add_option("-o,--output", o->out, "the package to write (default: replace FILE)")->type_name("FILE");
     for (const EffectRow& row : effect_table())
         if (from_all_photos(row))
             c->add_option(std::string("--") + row.option,
@@ -73,7 +73,7 @@ void add_refine(CLI::App& app, Run& run) {
                 ->check(CLI::IsMember({"auto", "on", "off"}))
                 ->capture_default_str();
     add_force(*c, o->force);
-    c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();
+    add_progress(*c, o->progress);
     c->callback([o, &run] { run = [o] { return run_refine(*o); }; });
 }
 

@@ -51,8 +51,8 @@ void add_repack(CLI::App& app, Run& run) {
         "raw tiles become JPEG of high quality.\n"
         "Examples:\n  vantage repack chapel.vantage -o small.vantage\n"
         "  vantage repack chapel.vantage -o chapel-raw.vantage --tiles raw");
-    c->add_option("FILE", o->file, "the package")->required();
-    c->add_option("-o,--output", o->out, "the package to write")->required();
+    c->add_option("FILE", o->file, "the package")->type_name("PACKAGE")->required();
+    c->add_option("-o,--output", o->out, "the package to write")->type_name("FILE")->required();
     c->add_option("--tiles", o->tiles,
                   "jpeg: some 10 times shorter, decoded while shown; raw: as they are shown")
         ->check(CLI::IsMember({"raw", "jpeg"}))
@@ -61,7 +61,7 @@ void add_repack(CLI::App& app, Run& run) {
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     add_force(*c, o->force);
-    c->add_option("--progress", o->progress, "auto, bar, lines, json or none")->capture_default_str();
+    add_progress(*c, o->progress);
     c->callback([o, &run] { run = [o] { return run_repack(*o); }; });
 }
 

@@ -19,8 +19,10 @@ void add_synth(CLI::App& app, Run& run) {
     CLI::App* c = app.add_subcommand(
         "synth", "Generate a synthetic scene with known ground truth from a specification");
     c->footer("Example:\n  vantage synth data/demo.toml -o demo-scene");
-    c->add_option("SPEC", o->spec, "TOML specification, such as those in data/")->required();
-    c->add_option("-o,--output", o->out, "folder to write into")->required();
+    c->add_option("SPEC", o->spec, "TOML specification, such as those in data/")
+        ->type_name("FILE")
+        ->required();
+    c->add_option("-o,--output", o->out, "folder to write into")->type_name("FOLDER")->required();
     add_force(*c, o->force);
     c->callback([o, &run] {
         run = [o] {

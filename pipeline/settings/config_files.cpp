@@ -27,8 +27,9 @@ fs::path find_config_file(const std::string& name) {
 fs::path find_preset(const std::string& name) {
     if (fs::is_regular_file(name)) return name;
     if (const auto preset = in_configs(name + ".toml")) return *preset;
-    throw Error(Exit::usage,
-                "--config " + name + ": expected a TOML file or one of preview, default, overnight, ci");
+    std::string known;
+    for (const char* preset : presets) known += (known.empty() ? "" : ", ") + std::string(preset);
+    throw Error(Exit::usage, "--config " + name + ": expected a TOML file or one of " + known);
 }
 
 }  // namespace vantage

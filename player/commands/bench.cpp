@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "cli/known_values.h"
 #include "cli/real_range.h"
 #include "output/output_file.h"
 #include "output/package_inputs.h"
@@ -23,7 +24,9 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
     add_unused_options(app, unused);
     hide(app, {"--quiet"});
     const std::string group = "Bench";
-    app.add_option("--paths", o.paths, "still, orbit, approach, jump, flight, or files of views")
+    app.add_option("--paths", o.paths, "paths to fly: these, or files of views")
+        ->type_name("FILE")
+        ->check(known_values({"still", "orbit", "approach", "jump", "flight"}))
         ->delimiter(',')
         ->capture_default_str()
         ->group(group);

@@ -32,6 +32,7 @@ void add_evaluate_options(CLI::App& app, EvaluateOptions& o, UnusedOptions& unus
         ->group(group);
     app.add_option("--against", o.against,
                    "folder of an earlier evaluation: shows what has changed per photo, and where most")
+        ->type_name("FOLDER")
         ->group(group);
     app.footer(
         "Writes index.html, photos.csv, regions.csv, regions.ply and pictures into the folder given by -o "

@@ -20,6 +20,7 @@ void add_smoothness_options(CLI::App& app, SmoothnessOptions& o) {
            "--path", o.path,
            "file of views to fly along (default: through the photos' cameras, or those of --photo, from "
            "each to the nearest that is left)")
+        ->type_name("FILE")
         ->group(group);
     app.add_option("--step", o.step, "degrees that the camera turns or moves around its target per frame")
         ->check(real_range(0.01, 90.0))

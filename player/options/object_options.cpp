@@ -7,6 +7,7 @@ void add_object_options(CLI::App& app, ObjectOptions& o) {
            "--add", o.added,
            "show this package, too, in the same coordinates; a scene file (NAME.toml, in place of the "
            "package) also moves, turns, scales and fades objects")
+        ->type_name("PACKAGE")
         ->delimiter(',');
 }
 

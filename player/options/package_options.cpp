@@ -8,9 +8,12 @@ namespace vantage {
 
 void add_package_options(CLI::App& app, PackageOptions& o) {
     app.add_option("FILE", o.file, "package: a file, or its URL on a server (http:// or https://)")
+        ->type_name("PACKAGE")
         ->required();
-    app.add_option("--exclude", o.exclude, "photos not to blend")->delimiter(',');
-    app.add_option("--photo", o.photos, "photos to look from or to leave out, or 'all'")->delimiter(',');
+    app.add_option("--exclude", o.exclude, "photos not to blend")->type_name("PHOTO")->delimiter(',');
+    app.add_option("--photo", o.photos, "photos to look from or to leave out, or 'all'")
+        ->type_name("PHOTO")
+        ->delimiter(',');
 }
 
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& o) {

@@ -19,6 +19,7 @@ void add_window_options(CLI::App& app, WindowOptions& o) {
         ->capture_default_str()
         ->group(group);
     app.add_option("--tour", o.tour, "a recorded path that a kiosk flies along until somebody touches it")
+        ->type_name("FILE")
         ->group(group);
     app.add_option("--text-scale", o.text_scale,
                    "size of text, relative to 14 pixels (default: by the display)")
@@ -26,9 +27,11 @@ void add_window_options(CLI::App& app, WindowOptions& o) {
         ->group(group);
     app.add_option("--controls", o.controls,
                    "write the position of each control to this file, for scripts: name, x, y, width, height")
+        ->type_name("FILE")
         ->group(group);
     app.add_option("--screenshot", o.screenshot,
                    "save the last frame, with all panels, before closing, as PNG")
+        ->type_name("FILE")
         ->check([](const std::string& file) {
             return lower_extension(file) == ".png" ? "" : file + ": expected a name that ends with .png";
         })

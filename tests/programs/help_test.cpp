@@ -46,9 +46,11 @@ std::vector<std::string> matches(const std::string& text, const char* pattern) {
     return out;
 }
 
-/// "{off,full}" or "{average->0,best->2} OR {0,2}": the words of the first braces.
+/// "{off,full}" or "{average->0,best->2} OR {0,2}": the words of the first braces. None for
+/// "FILE:{auto,off}", which also takes any file.
 std::set<std::string> choices_in(const std::string& line) {
     std::smatch braces;
+    if (line.find(" FILE:{") != line.npos) return {};
     if (!std::regex_search(line, braces, std::regex(R"((?::| in )\{([^}]*)\})"))) return {};
     const auto words = matches(braces[1], R"(([a-z][a-z0-9+^-]*?)(?:->\d+)?(?:,|$))");
     return {words.begin(), words.end()};
