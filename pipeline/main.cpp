@@ -7,6 +7,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "cli/describe.h"
 #include "cli/exit_codes.h"
 #include "cli/report_exception.h"
 #include "pipeline/commands/commands.h"
@@ -38,6 +39,7 @@ int run(int argc, char** argv) {
         exit_codes_text());
     Run command;
     for (const auto add : all_commands) add(app, command);
+    if (describe_if_asked(app, argc, argv)) return int(Exit::ok);
     try {
         app.parse(argc, argv);
         return command();

@@ -1,4 +1,6 @@
+#include <array>
 #include <csignal>
+#include <string>
 #include <string_view>
 
 #include "cli/report_exception.h"
@@ -7,8 +9,20 @@
 
 namespace {
 
+/// Prints a line for each verb and one for the program.
+void describe(char* program, char* option) {
+    for (const vantage::Verb& v : vantage::verbs) {
+        std::string name = v.name;
+        std::array words{name.data(), option};
+        v.command(int(words.size()), words.data());
+    }
+    std::array words{program, option};
+    vantage::show_command(int(words.size()), words.data());
+}
+
 int run(int argc, char** argv) {
     const std::string_view verb = argc > 1 ? argv[1] : "";
+    if (verb == "--describe") return describe(argv[0], argv[1]), 0;
     for (const vantage::Verb& v : vantage::verbs)
         if (verb == v.name) return v.command(argc - 1, argv + 1);
     return vantage::show_command(argc, argv);

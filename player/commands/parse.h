@@ -4,7 +4,8 @@
 
 namespace vantage {
 
-/// Parses the command line. Returns an exit code if the program should exit: after --help or a usage error.
+/// Parses the command line. Returns an exit code if the program should exit: after --help, --describe or a
+/// usage error.
 std::optional<int> parse(CLI::App& app, int argc, char** argv);
 
 }  // namespace vantage

@@ -1,0 +1,58 @@
+// Writes the manual pages of programs and their completion by bash and zsh, into the folders man1, bash and
+// zsh of FOLDER. Each FILE is what a program prints with --describe: a line for each verb that is a program
+// of its own, and at the end one for the program.
+#include <fstream>
+#include <iostream>
+
+#include "cli/report_exception.h"
+#include "manual/bash_completion.h"
+#include "manual/man_page.h"
+#include "manual/zsh_completion.h"
+#include "output/make_folder.h"
+#include "scene/error.h"
+
+namespace {
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+DescribedCommand read_program(const fs::path& file) {
+    std::ifstream in(file);
+    std::vector<DescribedCommand> lines;
+    for (std::string line; std::getline(in, line);) lines.push_back(from_line(line));
+    if (lines.empty()) throw Error(Exit::input, file.string() + ": describes no program");
+    DescribedCommand program = std::move(lines.back());
+    lines.pop_back();
+    for (DescribedCommand& verb : lines) program.verbs.push_back(std::move(verb));
+    return program;
+}
+
+void write(const fs::path& file, const std::string& text) {
+    make_folder(file.parent_path());
+    if (!(std::ofstream(file) << text).flush())
+        throw Error(Exit::storage, file.string() + ": cannot be written");
+}
+
+int run(int argc, char** argv) {
+    if (argc < 4) throw Error(Exit::usage, "expected VERSION FOLDER FILE...");
+    const fs::path folder = argv[2];
+    std::vector<DescribedCommand> programs;
+    for (int i = 3; i < argc; ++i) programs.push_back(read_program(argv[i]));
+    for (const ManPage& page : man_pages(programs, argv[1]))
+        write(folder / "man1" / (page.name + ".1"), page.text);
+    for (const DescribedCommand& p : programs) {
+        write(folder / "bash" / p.name, bash_completion(p));
+        write(folder / "zsh" / ("_" + p.name), zsh_completion(p));
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (...) {
+        return report_exception("vantage-manual");
+    }
+}
