@@ -112,7 +112,9 @@ int run_check(const CheckOptions& o) {
 
 void add_check(CLI::App& app, Run& run) {
     auto o = std::make_shared<CheckOptions>();
-    CLI::App* c = app.add_subcommand("check", "Check packages for damage, changed inputs and missing photos");
+    CLI::App* c = app.add_subcommand(
+        "check",
+        "Check packages, and the stories beside them, for damage, changed inputs and missing photos");
     c->footer(
         "Examples:\n  vantage check chapel.vantage\n"
         "  vantage check --deep --against scans/chapel chapel.vantage\n"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,6 +23,8 @@
 #include "scene/package_shape.h"
 #include "scene/stored_tile.h"
 #include "scene/tiling.h"
+#include "story/story_file.h"
+#include "story/story_references.h"
 
 namespace vantage {
 namespace {
@@ -158,6 +161,37 @@ void check_against(const PackageReader& reader, const CheckDepth& depth, Issues&
         add(out, finding_of(change.kind), change.text);
 }
 
+/// The box around all vertices and the bounds of the scene, in the input's coordinates.
+Eigen::AlignedBox3d whole_box(const PackageReader& reader) {
+    const package::SceneRecord& scene = reader.scene();
+    const Eigen::Map<const Eigen::Vector3d> origin(scene.origin);
+    Eigen::AlignedBox3d box;
+    box.extend(Eigen::Map<const Eigen::Vector3d>(scene.bounds_min));
+    box.extend(Eigen::Map<const Eigen::Vector3d>(scene.bounds_max));
+    for (const auto& p : reader.records<std::array<float, 3>>(Type::positions))
+        box.extend(origin + Eigen::Vector3d(double(p[0]), double(p[1]), double(p[2])));
+    return box;
+}
+
+/// The story beside the package, if there is one.
+void check_story(const PackageReader& reader, Issues& out) {
+    const std::filesystem::path file = story_file_of(reader.path());
+    std::error_code error;
+    if (file.empty() || !std::filesystem::exists(std::filesystem::symlink_status(file, error))) return;
+    const auto add_all = [&](Finding finding, const std::vector<std::string>& lines) {
+        for (const std::string& line : lines) add(out, finding, file.filename().string() + ": " + line);
+    };
+    try {
+        const auto [story, unknown] = read_story(file);
+        add_all(Finding::story_reference, dangling_references(story));
+        add_all(Finding::story_picture, missing_pictures(story, file.parent_path()));
+        add_all(Finding::story_anchor, anchors_outside(story, whole_box(reader)));
+        add_all(Finding::story_unknown_key, unknown);
+    } catch (const Error& e) {
+        add_all(Finding::story_unreadable, {text_of(e, file)});
+    }
+}
+
 }  // namespace
 
 Exit worst(const Issues& issues) {
@@ -177,6 +211,7 @@ Issues check_package(const std::filesystem::path& file, const CheckDepth& depth)
         if (!depth.against.empty()) check_against(reader, depth, out);
         for (const UnusablePhoto& l : left_out_of(reader))
             add(out, Finding::photo_left_out, l.photo + ": left out: " + l.why);
+        check_story(reader, out);
     } catch (const DamagedPackage& e) {
         add(out, finding_of(e.defect()), text_of(e, file));
     } catch (const Error& e) {

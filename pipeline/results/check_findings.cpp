@@ -60,8 +60,18 @@ constexpr std::array table{
                "an input file of the package no longer exists (only with --against)"},
     FindingRow{Finding::photo_left_out, "photo-left-out", Severity::warning, Exit::incomplete,
                "a photo was left out when the package was prepared"},
+    FindingRow{Finding::story_unreadable, "story-unreadable", Severity::error, Exit::input,
+               "the story beside the package cannot be read, or breaks a rule of its format"},
+    FindingRow{Finding::story_reference, "story-reference", Severity::warning, Exit::incomplete,
+               "the story names a note or a tour that does not exist, or stops at a note without a view"},
+    FindingRow{Finding::story_picture, "story-picture", Severity::warning, Exit::incomplete,
+               "a picture of the story does not exist, or is not a PNG or JPEG file"},
+    FindingRow{Finding::story_anchor, "story-anchor", Severity::warning, Exit::incomplete,
+               "an anchor of the story is outside the model by more than a tenth of its diagonal"},
+    FindingRow{Finding::story_unknown_key, "story-unknown-key", Severity::warning, Exit::incomplete,
+               "the story has a key that is ignored"},
 };
-static_assert(table.size() == std::size_t(Finding::photo_left_out) + 1);
+static_assert(table.size() == std::size_t(Finding::story_unknown_key) + 1);
 static_assert(std::ranges::is_sorted(table, {}, &FindingRow::finding), "rows are in the order of Finding");
 
 }  // namespace
@@ -99,7 +109,9 @@ Finding finding_of(Defect defect) {
 }
 
 const char* kind_name(const FindingRow& row) {
-    return row.finding == Finding::input_unreadable ? "inputs unreadable" : kind_name(row.kind);
+    if (row.finding == Finding::input_unreadable) return "inputs unreadable";
+    if (row.finding < Finding::story_unreadable) return kind_name(row.kind);
+    return row.kind == Exit::input ? "story unreadable" : "story incomplete";
 }
 
 const char* kind_name(Exit kind) {

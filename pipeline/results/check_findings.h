@@ -33,7 +33,12 @@ enum class Finding {
     input_changed,
     input_new,
     input_missing,
-    photo_left_out
+    photo_left_out,
+    story_unreadable,
+    story_reference,
+    story_picture,
+    story_anchor,
+    story_unknown_key
 };
 
 enum class Severity {
@@ -57,7 +62,8 @@ Finding finding_of(Defect defect);
 
 /// "unreadable", "damaged", "stale", "incomplete".
 const char* kind_name(Exit kind);
-/// The same for a finding; "inputs unreadable" if that says nothing about the package.
+/// The same for a finding; "inputs unreadable", "story unreadable" or "story incomplete" if that says nothing
+/// about the package.
 const char* kind_name(const FindingRow& row);
 
 /// The row as a line of the table in docs/check-findings.md.
