@@ -82,14 +82,18 @@ std::vector<Navigation> recorded_stops(const std::string& file, const PackageRea
                                        double distance) {
     std::vector<Navigation> stops;
     const Eigen::Vector3d up = mean_up(package.photos());
-    for (const Shot& shot : read_path(file, package, {1280, 720})) {
-        const View& v = shot.view;
-        stops.push_back({v.cam_from_origin.center(),
-                         v.cam_from_origin.center() + distance * v.cam_from_origin.direction(), up,
-                         v.cam_from_origin.R,
-                         2 * std::atan(v.intrinsics.height / (2 * v.intrinsics.fy)) * 180 / pi});
-    }
+    for (const Shot& shot : read_path(file, package, {1280, 720}))
+        stops.push_back(stand_at(shot.view, up, distance));
     return stops;
+}
+
+std::vector<KeyView> path_keys(const std::string& file, const PackageReader& package, double seconds) {
+    std::vector<KeyView> keys;
+    const Eigen::Vector3d up = mean_up(package.photos());
+    for (const Shot& shot : read_path(file, package, {1280, 720}))
+        keys.push_back(
+            {stand_at(shot.view, up, shot.distance), shot.at.value_or(double(keys.size()) * seconds)});
+    return keys;
 }
 
 CameraPath recorded_path(const std::string& file, const PackageReader& package, int frames) {
@@ -135,7 +139,8 @@ std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double st
 }
 
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,
-                const PackageReader& package, std::span<const std::string> bands) {
+                const PackageReader& package, std::span<const std::string> bands,
+                std::optional<double> per_second) {
     std::ofstream out(file);
     out << "# EX EY EZ TX TY TZ, vertical field of view in degrees\n";
     const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
@@ -145,7 +150,9 @@ void write_path(const std::filesystem::path& file, const std::vector<Navigation>
         char line[256];
         std::snprintf(line, sizeof line, "%.9g %.9g %.9g  %.9g %.9g %.9g  %.4g", e.x(), e.y(), e.z(), t.x(),
                       t.y(), t.z(), n.fov);
-        out << line << (i < bands.size() ? "  band=" + bands[i] : "") << '\n';
+        out << line;
+        if (per_second) out << "  at=" << double(i) / *per_second;
+        out << (i < bands.size() ? "  band=" + bands[i] : "") << '\n';
     }
     if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
 }

@@ -1,9 +1,11 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "player/camera/camera_spline.h"
 #include "player/camera/navigation.h"
 #include "scene/package_reader.h"
 
@@ -23,6 +25,9 @@ CameraPath scripted_path(const std::string& name, const Navigation& start, int f
 /// The views in a file (see read_path), interpolated evenly to `frames` positions. Throws Error(input).
 CameraPath recorded_path(const std::string& file, const PackageReader& package, int frames);
 
+/// The views in a file with their times, see read_path; without times, `seconds` apart. Throws Error(input).
+std::vector<KeyView> path_keys(const std::string& file, const PackageReader& package, double seconds);
+
 /// The views in a file, see read_path; their targets are `distance` away. Throws Error(input).
 std::vector<Navigation> recorded_stops(const std::string& file, const PackageReader& package,
                                        double distance = 1);
@@ -36,10 +41,11 @@ std::vector<Navigation> photo_stops(const PackageReader& package, std::span<cons
 /// than a million frames.
 std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double step);
 
-/// Writes positions in the format of read_path, with a band for each unless `bands` is empty. Throws
-/// Error(storage).
+/// Writes positions in the format of read_path, with a band for each unless `bands` is empty, and with times
+/// if so many of them are met `per_second`. Throws Error(storage).
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,
-                const PackageReader& package, std::span<const std::string> bands = {});
+                const PackageReader& package, std::span<const std::string> bands = {},
+                std::optional<double> per_second = {});
 
 /// Interpolates from `a` (share 0) to `b` (share 1); extrapolates beyond.
 Navigation between(const Navigation& a, const Navigation& b, double share);

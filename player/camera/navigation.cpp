@@ -34,6 +34,12 @@ Navigation stand_at(const package::PhotoRecord& photo, const Eigen::Vector3d& up
             double(photo.width) / photo.height};
 }
 
+Navigation stand_at(const View& v, const Eigen::Vector3d& up, double distance) {
+    const Eigen::Vector3d eye = v.cam_from_origin.center();
+    return {eye, eye + distance * v.cam_from_origin.direction(), up, v.cam_from_origin.R,
+            2 * std::atan(v.intrinsics.height / (2 * v.intrinsics.fy)) * 180 / std::numbers::pi};
+}
+
 Navigation stand_before(const package::SceneRecord& scene, const Eigen::Vector3d& up) {
     constexpr double fov = 45, margin = 1.1;
     const double radius = std::max((Eigen::Map<const Eigen::Vector3d>(scene.bounds_max) -

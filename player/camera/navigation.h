@@ -17,6 +17,9 @@ struct Navigation {
 /// At the photo's camera, facing its direction; the target is at the distance of the surface it sees.
 Navigation stand_at(const package::PhotoRecord& photo, const Eigen::Vector3d& up);
 
+/// At a view, with the target `distance` away on its axis.
+Navigation stand_at(const View& view, const Eigen::Vector3d& up, double distance);
+
 /// In front of the whole model, a little above it, with the target in its middle; for scenes without photos.
 Navigation stand_before(const package::SceneRecord& scene, const Eigen::Vector3d& up);
 

@@ -1,15 +1,19 @@
 #include "player/camera/shots.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "bands/bands.h"
 #include "scene/error.h"
 
 namespace vantage {
+
+constexpr double most_seconds = 1e6;  ///< of a flight
 
 FrameSize parse_size(const std::string& text) {
     FrameSize s;
@@ -49,7 +53,10 @@ Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std:
     return shot;
 }
 
-View parse_view(const std::string& text, const PackageReader& package, FrameSize size) {
+namespace {
+
+/// The numbers of a view, as parse_view() describes them, with the field of view.
+std::array<double, 7> view_numbers(const std::string& text) {
     std::string spaced = text;
     std::replace(spaced.begin(), spaced.end(), ',', ' ');
     std::istringstream in(spaced);
@@ -62,13 +69,8 @@ View parse_view(const std::string& text, const PackageReader& package, FrameSize
     const double fov = v.size() == 7 ? v[6] : 45;
     if (!(fov > 0.01 && fov < 179))
         throw Error(Exit::usage, "view '" + text + "': field of view must be 0.01 to 179 degrees");
-    const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
-    return view_towards(Eigen::Vector3d(v[0], v[1], v[2]) - origin,
-                        Eigen::Vector3d(v[3], v[4], v[5]) - origin, mean_up(package.photos()), fov,
-                        size.width, size.height);
+    return {v[0], v[1], v[2], v[3], v[4], v[5], fov};
 }
-
-namespace {
 
 /// Takes "band=NAME" from the end of a line.
 std::optional<std::uint32_t> take_band(std::string& line, const PackageReader& package) {
@@ -80,7 +82,34 @@ std::optional<std::uint32_t> take_band(std::string& line, const PackageReader& p
     return band_named(package, name);
 }
 
+/// Takes "at=SECONDS" from the end of a line; not less than `earliest`.
+std::optional<double> take_time(std::string& line, double earliest) {
+    const std::size_t at = line.find("at=");
+    if (at == std::string::npos) return {};
+    std::istringstream in(line.substr(at + 3));
+    double seconds = 0;
+    std::string rest;
+    if (!(in >> seconds) || in >> rest || !(seconds >= earliest && seconds <= most_seconds))
+        throw Error(Exit::usage, "'" + line.substr(at) + "': expected at=SECONDS, not before the line above");
+    line.erase(at);
+    return seconds;
+}
+
 }  // namespace
+
+View parse_view(const std::string& text, const PackageReader& package, FrameSize size) {
+    return parse_view_and_distance(text, package, size).first;
+}
+
+std::pair<View, double> parse_view_and_distance(const std::string& text, const PackageReader& package,
+                                                FrameSize size) {
+    const std::array<double, 7> v = view_numbers(text);
+    const Eigen::Vector3d eye(v[0], v[1], v[2]), target(v[3], v[4], v[5]);
+    const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
+    return {
+        view_towards(eye - origin, target - origin, mean_up(package.photos()), v[6], size.width, size.height),
+        (target - eye).norm()};
+}
 
 std::vector<Shot> read_path(const std::string& file, const PackageReader& package, FrameSize size) {
     std::ifstream in(file);
@@ -94,7 +123,12 @@ std::vector<Shot> read_path(const std::string& file, const PackageReader& packag
         std::snprintf(name, sizeof name, "%04zu", shots.size());
         try {
             const std::optional<std::uint32_t> band = take_band(line, package);
-            shots.push_back({name, parse_view(line, package, size), band});
+            const std::optional<double> at = take_time(line, shots.empty() ? 0 : shots.back().at.value_or(0));
+            if (!shots.empty() && at.has_value() != shots.back().at.has_value())
+                throw Error(Exit::usage,
+                            "either every view has at=SECONDS or none, expected the same as above");
+            const auto [view, distance] = parse_view_and_distance(line, package, size);
+            shots.push_back({name, view, band, at, distance});
         } catch (const Error& e) {
             throw Error(Exit::input, file + ":" + std::to_string(number) + ": " + e.what());
         }

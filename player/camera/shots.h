@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "player/camera/view.h"
@@ -13,6 +14,8 @@ struct Shot {
     std::string name;
     View view;
     std::optional<std::uint32_t> band{};  ///< to show; nothing: not said
+    std::optional<double> at{};           ///< seconds after a flight begins; nothing: not said
+    double distance = 1;                  ///< from the eye to what it is looking at
 };
 
 struct FrameSize {
@@ -34,9 +37,13 @@ Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std:
 /// as an optional seventh number (default 45); separated by commas or spaces. Throws Error(usage).
 View parse_view(const std::string& text, const PackageReader& package, FrameSize size);
 
-/// One view per line, as in parse_view, followed by band=NAME if it is to show a band; skips empty lines and
-/// lines that start with #. Named 0000, 0001, ...
-/// Throws Error(input).
+/// The same, and the distance from the eye to the target.
+std::pair<View, double> parse_view_and_distance(const std::string& text, const PackageReader& package,
+                                                FrameSize size);
+
+/// One view per line, as in parse_view, followed by at=SECONDS if it is met at a time of a flight, and by
+/// band=NAME if it is to show a band; skips empty lines and lines that start with #. Named 0000, 0001, ...
+/// Throws Error(input), also if the times are not in order.
 std::vector<Shot> read_path(const std::string& file, const PackageReader& package, FrameSize size);
 
 }  // namespace vantage

@@ -1,0 +1,17 @@
+#pragma once
+#include <vector>
+
+#include "player/camera/navigation.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+
+/// Where a turn around the whole model starts: 20 degrees above its middle, on the side of the photos, with
+/// its bounding sphere just inside a frame of `aspect`, width over height.
+Navigation framed(const PackageReader& package, double aspect);
+
+/// `count` positions around the target of `start`, evenly spaced: once around for an arc of 360 degrees, so
+/// that the first would follow the last; for less, swinging to both sides of `start` and back.
+std::vector<Navigation> turntable(const Navigation& start, int count, double arc = 360);
+
+}  // namespace vantage
