@@ -58,6 +58,31 @@ const StoryView* view_of_stop(const Story& story, const StoryStop& stop) {
     return note && note->view ? &*note->view : nullptr;
 }
 
+void set_text(const Story& story, StoryText& text, const std::string& language, const std::string& words) {
+    if (text.by_language.empty() && (language.empty() || language == story.language)) {
+        text.plain = words;
+        return;
+    }
+    if (text.by_language.empty() && !text.plain.empty()) text.by_language[story.language] = text.plain;
+    text.plain.clear();
+    text.by_language[language.empty() ? story.language : language] = words;
+}
+
+void remove_note(Story& story, std::size_t note) {
+    const std::string id = story.notes[note].id;
+    const auto drop = [&](std::vector<StoryStop>& stops) {
+        std::erase_if(stops, [&](const StoryStop& s) { return !s.view && s.note == id; });
+        return stops.empty();
+    };
+    story.notes.erase(story.notes.begin() + std::ptrdiff_t(note));
+    std::erase_if(story.tours, [&](StoryTour& t) { return drop(t.stops); });
+    if (!story.attract || story.attract->turn > 0) return;
+    const std::string& tour = story.attract->tour;
+    const bool lost =
+        tour.empty() ? drop(story.attract->stops) : !std::ranges::count(story.tours, tour, &StoryTour::id);
+    if (lost) story.attract.reset();
+}
+
 std::string free_note_id(const Story& story) {
     for (std::size_t n = 1;; ++n) {
         std::string id = "note-" + std::to_string(n);

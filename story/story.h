@@ -94,6 +94,13 @@ const StoryTour* tour_of(const Story& story, const std::string& name);
 /// The view of a stop, or of its note; null if the note is missing or has none.
 const StoryView* view_of_stop(const Story& story, const StoryStop& stop);
 
+/// Sets a text in a language. A text for all languages becomes one for the story's own and one for this.
+void set_text(const Story& story, StoryText& text, const std::string& language, const std::string& words);
+
+/// Removes a note, and the stops of tours and of the attract loop at it; tours without stops are removed,
+/// too.
+void remove_note(Story& story, std::size_t note);
+
 /// An id that no note has yet: "note-1", "note-2", ...
 std::string free_note_id(const Story& story);
 

@@ -29,7 +29,9 @@ void check_story(const Story& story) {
     if (story.opening) check_view(*story.opening);
     for (const StoryNote& n : story.notes) {
         if (n.view) check_view(*n.view);
-        if ((n.anchor && !n.anchor->allFinite()) || n.picture.find("..") == 0) std::abort();
+        const auto picture = std::filesystem::path(n.picture).lexically_normal();
+        if (n.anchor && !n.anchor->allFinite()) std::abort();
+        if (picture.is_absolute() || (!picture.empty() && *picture.begin() == "..")) std::abort();
     }
     for (const StoryTour& t : story.tours) check_stops(t.stops);
     if (story.attract) check_stops(story.attract->stops);
