@@ -65,6 +65,8 @@ constexpr Row rows[] = {
     {Product::exr, "an EXR picture", [](std::string_view h) { return h.starts_with("\x76\x2f\x31\x01"); }},
     {Product::jpeg, "a photo written by Vantage",
      [](std::string_view h) { return h.starts_with("\xff\xd8\xff\xfe") && contains(h, jpeg_mark); }},
+    {Product::cameras, "a file of cameras written by Vantage",
+     [](std::string_view h) { return h.starts_with(cameras_mark); }},
     {Product::scene, "a scene file written by Vantage",
      [](std::string_view h) { return h.starts_with(scene_mark); }},
 };

@@ -12,13 +12,16 @@ namespace vantage {
 
 /// What the programs write: each kind replaces only files of the same kind that they have written; PNG and
 /// EXR pictures, any file of their format.
-enum class Product { package, page, trace, junit, ply, csv, plot, png, exr, jpeg, scene };
+enum class Product { package, page, trace, junit, ply, csv, plot, png, exr, jpeg, cameras, scene };
 
 /// A line of the header of a mesh written by these programs.
 inline constexpr const char* ply_mark = "comment written by Vantage\n";
 
 /// In a comment at the beginning of a photo written by these programs.
 inline constexpr std::string_view jpeg_mark = "written by Vantage";
+
+/// The first line of each of COLMAP's text files written by these programs.
+inline constexpr const char* cameras_mark = "# COLMAP model written by Vantage\n";
 
 /// The first line of a scene file written by these programs.
 inline constexpr const char* scene_mark = "# scene written by Vantage\n";

@@ -10,6 +10,7 @@
 #include "output/make_folder.h"
 #include "output/output_file.h"
 #include "output/package_inputs.h"
+#include "pipeline/formats/export/colmap.h"
 #include "pipeline/formats/export/ply.h"
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/package/tile_levels.h"
@@ -25,9 +26,10 @@ namespace {
 using package::Type;
 namespace fs = std::filesystem;
 
-constexpr const char *mesh_name = "mesh.ply", *points_name = "points.ply";
+constexpr const char *mesh_name = "mesh.ply", *points_name = "points.ply", *cameras_name = "sparse",
+                     *photos_name = "photos";
 
-/// The files made from a photo.
+/// The files made from a photo. The masks' name is not one by which `prepare` would find a stencil.
 struct PhotoFiles {
     fs::path photo, masks, depth;
     Product photo_format;
@@ -37,8 +39,9 @@ PhotoFiles files_of(const PackageReader& reader, std::uint32_t photo, const fs::
                     const std::string& stem) {
     const package::DirectoryEntry* finest = reader.find(Type::tiles, photo);
     const bool own = finest && finest->form == package::Form::cells;
-    return {folder / "photos" / (stem + (own ? ".jpg" : ".png")), folder / "masks" / (stem + ".png"),
-            folder / "depth" / (stem + ".exr"), own ? Product::jpeg : Product::png};
+    return {folder / photos_name / (stem + (own ? ".jpg" : ".png")),
+            folder / "masks" / (stem + ".weights.png"), folder / "depth" / (stem + ".exr"),
+            own ? Product::jpeg : Product::png};
 }
 
 /// Per photo, the name of its files, in a folder of its band if there are several.
@@ -105,6 +108,7 @@ void write_photo(const PackageReader& reader, std::uint32_t i, const package::Ph
         image_files().write(file, size.width, size.height, channels, format, join_tiles(reader, *e, size));
     };
     const PhotoFiles files = files_of(reader, i, folder, stem);
+    for (const fs::path& file : {files.photo, files.masks, files.depth}) make_folder(file.parent_path());
     if (files.photo_format == Product::jpeg)
         write_jpeg(reader, *reader.find(Type::tiles, i), level_size(int(p.width), int(p.height), 0),
                    files.photo);
@@ -114,12 +118,30 @@ void write_photo(const PackageReader& reader, std::uint32_t i, const package::Ph
     image(Type::depth, mask_level, files.depth, 1, Sample::f32);
 }
 
+/// The cameras of all photos that are in the folder now, in the input's coordinates: those just written and
+/// those of an earlier call.
+std::vector<NamedCamera> extracted_cameras(const PackageReader& reader, const fs::path& folder,
+                                           const std::vector<std::string>& stems) {
+    const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(reader.scene().origin);
+    std::vector<NamedCamera> out;
+    for (std::uint32_t i = 0; i < stems.size(); ++i) {
+        const package::PhotoRecord& p = reader.photos()[i];
+        const fs::path photo = files_of(reader, i, folder, stems[i]).photo;
+        if (p.levels && fs::exists(photo))
+            out.push_back({photo.lexically_relative(folder / photos_name).generic_string(),
+                           {intrinsics(p), {}, cam_from_origin(p).relative_to(-origin)}});
+    }
+    return out;
+}
+
 void expect_replaceable(const PackageReader& reader, const std::vector<std::uint32_t>& wanted,
                         const std::vector<std::string>& stems, const fs::path& folder, bool force) {
     const Inputs inputs = inputs_of(reader);
     if (!points_only(reader.scene())) output_file(folder / mesh_name, Product::ply, inputs, force);
     if (effect_on(reader.scene(), Effect::points))
         output_file(folder / points_name, Product::ply, inputs, force);
+    for (const char* file : colmap_text_files)
+        if (!wanted.empty()) output_file(folder / cameras_name / file, Product::cameras, inputs, force);
     for (const std::uint32_t i : wanted) {
         const PhotoFiles files = files_of(reader, i, folder, stems[i]);
         output_file(files.photo, files.photo_format, inputs, force);
@@ -138,20 +160,19 @@ void extract(const fs::path& package, const fs::path& folder, const std::vector<
     for (const std::string& n : names) {
         const auto i = reader.photo_index(n);
         if (!i) throw Error(Exit::usage, package.string() + ": has no photo " + n);
+        if (photos[*i].levels == 0)
+            throw Error(Exit::usage, package.string() + ": has no pixels of " + photos[*i].name +
+                                         ", which was held out or could not be read");
         if (!std::ranges::count(wanted, *i)) wanted.push_back(*i);
     }
     if (names.empty())
         for (std::uint32_t i = 0; i < photos.size(); ++i) wanted.push_back(i);
+    std::erase_if(wanted, [&](std::uint32_t i) { return photos[i].levels == 0; });
     const std::vector<Band> bands = read_bands(reader);
     const std::vector<std::string> stems = stems_of(reader, bands);
     expect_replaceable(reader, wanted, stems, folder, force);
-    for (const char* sub : {"photos", "masks", "depth"}) {
-        make_folder(folder / sub);
-        for (const Band& band : bands)
-            if (!band.name.empty()) make_folder(folder / sub / band.name);
-    }
-    for (const std::uint32_t i : wanted)
-        if (photos[i].levels) write_photo(reader, i, photos[i], stems[i], folder);
+    for (const std::uint32_t i : wanted) write_photo(reader, i, photos[i], stems[i], folder);
+    if (!wanted.empty()) write_colmap_text(folder / cameras_name, extracted_cameras(reader, folder, stems));
     if (!points_only(reader.scene())) write_mesh(reader, folder / mesh_name);
     if (const auto cloud = read_point_cloud(reader)) write_points(reader, *cloud, folder / points_name);
 }

@@ -148,8 +148,9 @@ std::vector<NamedCamera> place_cameras(const SynthSpec& spec) {
 }
 
 std::vector<std::filesystem::path> synthesized_files(const SynthSpec& spec) {
-    std::vector<std::filesystem::path> out{"mesh.ply", "sparse/cameras.txt", "sparse/images.txt",
-                                           "truth/sparse/cameras.txt", "truth/sparse/images.txt"};
+    std::vector<std::filesystem::path> out{"mesh.ply"};
+    for (const std::filesystem::path sparse : {"sparse", "truth/sparse"})
+        for (const char* file : colmap_text_files) out.push_back(sparse / file);
     for (const NamedCamera& photo : place_cameras(spec)) {
         out.push_back(std::filesystem::path("images") / photo.photo);
         out.push_back(depth_of(photo));

@@ -13,9 +13,12 @@ struct NamedCamera {
     Camera camera;
 };
 
-/// Writes cameras.txt and images.txt in COLMAP's text format, one camera per photo, to full double precision.
-/// The model is PINHOLE, or OPENCV for a distorting lens. Throws Error(storage), and Error(input) for a lens
-/// that OPENCV cannot express (another model, or more than four terms).
+/// The files of a model in COLMAP's text format.
+inline constexpr const char* colmap_text_files[] = {"cameras.txt", "images.txt", "points3D.txt"};
+
+/// Writes them, one camera per photo and no points, to full double precision. The model is PINHOLE, or OPENCV
+/// for a distorting lens. Throws Error(storage), and Error(input) for a lens that OPENCV cannot express
+/// (another model, or more than four terms).
 void write_colmap_text(const std::filesystem::path& folder, std::span<const NamedCamera> photos);
 
 }  // namespace vantage
