@@ -11,6 +11,10 @@ body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 78rem
 h1 { margin-bottom: .3rem; }
 table { border-collapse: collapse; }
 th, td { padding: .2rem .9rem .2rem 0; text-align: left; border-bottom: 1px solid var(--line); }
+td.n, th.n { text-align: right; } td.n { white-space: nowrap; } th[title] { cursor: help; }
+details.columns { margin: .6rem 0; color: var(--soft); font-size: 13px; } summary { cursor: pointer; }
+details.columns dl { display: grid; grid-template-columns: max-content 1fr; gap: .1rem 1rem; margin: .4rem 0; }
+details.columns dt { color: var(--ink); } details.columns dd { margin: 0; max-width: 50rem; }
 figure { margin: 0; }
 img { display: block; max-width: 100%; height: auto; }
 )";

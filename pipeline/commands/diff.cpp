@@ -33,8 +33,10 @@ int run_diff(const DiffOptions& o) {
     const PackageReader a(o.a), b(o.b);
     if (!o.folder.empty()) expect_replaceable(a, b, o.folder, o.force);
     const std::vector<Difference> all = diff(a, b);
-    if (!o.folder.empty()) write_difference_pictures(a, b, o.folder);
+    const std::filesystem::path page =
+        o.folder.empty() ? std::filesystem::path() : write_difference_page(a, b, all, o.folder);
     o.json ? print_json(all) : print(all);
+    if (!o.json && !page.empty()) fmt::print("{}\n", page.string());
     return int(all.empty() ? Exit::ok : Exit::different);
 }
 
@@ -46,11 +48,11 @@ void add_diff(CLI::App& app, Run& run) {
         app.add_subcommand("diff", "List the differences between two packages, artifact by artifact");
     c->footer(
         "Examples:\n  vantage diff chapel.vantage chapel-new.vantage\n"
-        "  vantage diff a.vantage b.vantage -o differences   (with pictures)\n"
+        "  vantage diff a.vantage b.vantage -o differences   (as a page, with pictures)\n"
         "Exit code: 0 identical, 10 different.");
     c->add_option("A", o->a, "a package")->type_name("PACKAGE")->required();
     c->add_option("B", o->b, "the package to compare it with")->type_name("PACKAGE")->required();
-    c->add_option("-o,--output", o->folder, "folder for pictures of the differences and an HTML page")
+    c->add_option("-o,--output", o->folder, "folder for an HTML page of the differences, with pictures")
         ->type_name("FOLDER");
     add_force(*c, o->force);
     c->add_flag("--json", o->json, "machine-readable output");

@@ -18,13 +18,15 @@ struct Difference {
 /// for both packages are checked first. Throws Error(damaged) if one of them is not sound.
 std::vector<Difference> diff(const PackageReader& a, const PackageReader& b);
 
-/// Whether write_difference_pictures may write into the folder. Throws Error(usage).
+/// Whether write_difference_page may write into the folder. Throws Error(usage).
 void expect_replaceable(const PackageReader& a, const PackageReader& b, const std::filesystem::path& folder,
                         bool force);
 
-/// Writes pictures of the photos that differ (tiles and each mask): A, B and the difference side by side, as
-/// PNG files and an index.html. Throws Error(storage).
-void write_difference_pictures(const PackageReader& a, const PackageReader& b,
-                               const std::filesystem::path& folder);
+/// Writes index.html: what was compared, `all` differences as a table or that there are none, and pictures of
+/// the photos that differ (tiles and each mask), PNG files with A, B and the difference side by side. Returns
+/// the page's path. Throws Error(storage).
+std::filesystem::path write_difference_page(const PackageReader& a, const PackageReader& b,
+                                            const std::vector<Difference>& all,
+                                            const std::filesystem::path& folder);
 
 }  // namespace vantage

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "output/explained_table.h"
 #include "output/make_folder.h"
 #include "output/markup.h"
 #include "output/output_file.h"
@@ -29,7 +30,8 @@ constexpr int longest = 800;  ///< px of a picture on the page
 
 /// Follows page_style.
 constexpr const char* diff_style = R"(
-body { max-width: 90rem; } img { width: 100%; } figure { margin-bottom: 2rem; }
+body { max-width: 90rem; } img { width: 100%; } figure { margin-bottom: 2rem; } td { vertical-align: top; }
+.equal { color: var(--better); } .differ { color: var(--worse); }
 )";
 
 /// The finest level that fits on the page.
@@ -81,19 +83,80 @@ std::optional<Pair> differing(const PackageReader& a, const PackageReader& b, st
     return Pair{size, join_tiles(a, *x, size), join_tiles(b, *y, size)};
 }
 
-void write_page(const fs::path& folder, const PackageReader& a, const PackageReader& b,
-                const std::vector<std::pair<std::string, std::string>>& pictures) {
-    std::ofstream out(folder / page_name);
-    const auto name = [](const PackageReader& p) { return escaped(p.path().filename().string()); };
-    out << "<!doctype html>\n<html lang=en><meta charset=utf-8><title>Differences</title>\n<style>"
-        << page_style << diff_style << "</style>\n<h1>Differences</h1>\n<p>Left: " << name(a)
-        << ", middle: " << name(b) << ", right: the difference, multiplied by " << shown_gain << ".</p>\n";
+/// Picture files and their captions.
+using Pictures = std::vector<std::pair<std::string, std::string>>;
+
+std::string count_of(std::size_t count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+void write_compared(std::ostream& out, const PackageReader& a, const PackageReader& b) {
+    const Column columns[] = {{"", ""},
+                              {"package", "the file, as named on the command line"},
+                              {"size", "of the file, in MB (1000000 bytes)", true},
+                              {"photos", "with and without pixels", true},
+                              {"vertices", "of the mesh, or of the stand-in for points", true},
+                              {"triangles", "of the same", true}};
+    out << explained_table(columns);
+    for (const auto& [letter, package] : {std::pair{'A', &a}, std::pair{'B', &b}})
+        out << fmt::format(
+            "<tr><td>{}<td>{}<td class=n>{:.1f}<td class=n>{}<td class=n>{}<td class=n>{}</tr>\n", letter,
+            escaped(package->path().string()), double(package->size()) / 1e6, package->photos().size(),
+            package->scene().vertices, package->scene().triangles);
+    out << "</table>\n";
+}
+
+void write_differences(std::ostream& out, const std::vector<Difference>& all) {
+    const Column columns[] = {
+        {"in", "a photo, or the part of the package: settings, inputs, model"},
+        {"what",
+         "the setting, or what was made from the photo. Tiles: its pixels; masks: how much it counts where; "
+         "coordinates: where vertices lie in it"},
+        {"difference",
+         "A vs. B. Levels are those of the photo's pyramid: 0 is full size, each further one half of it"}};
+    out << "<h2>Differences</h2>\n" << explained_table(columns);
+    for (const Difference& d : all)
+        out << "<tr><td>" << escaped(d.of) << "<td>" << escaped(d.what) << "<td>" << escaped(d.text)
+            << "</tr>\n";
+    out << "</table>\n";
+}
+
+void write_pictures(std::ostream& out, const Pictures& pictures) {
+    out << "<h2>Pictures</h2>\n";
+    if (pictures.empty()) {
+        out << "<p>None: no photo and no mask differs at the size shown here, " << longest << " px.</p>\n";
+        return;
+    }
+    out << "<p>Left: A. Middle: B. Right: the difference, multiplied by " << shown_gain
+        << "; black where they are equal.</p>\n";
     for (const auto& [caption, file] : pictures)
-        out << "<figure><figcaption>" << escaped(caption) << "</figcaption><img src=\"" << escaped(file)
-            << "\" alt=\"\"></figure>\n";
+        out << "<figure><figcaption>" << escaped(caption) << "</figcaption><img loading=lazy src=\""
+            << escaped(file) << "\" alt=\"" << escaped(caption) << "\"></figure>\n";
+}
+
+fs::path write_page(const fs::path& folder, const PackageReader& a, const PackageReader& b,
+                    const std::vector<Difference>& all, const Pictures& pictures) {
+    const fs::path file = folder / page_name;
+    std::ofstream out(file);
+    const auto name = [](const PackageReader& p) { return escaped(p.path().filename().string()); };
+    const std::string title = name(a) + " and " + name(b);
+    out << "<!doctype html>\n<html lang=en><meta charset=utf-8><title>" << title << "</title>\n<style>"
+        << page_style << diff_style << "</style>\n<h1>" << title << "</h1>\n";
+    if (all.empty())
+        out << "<p class=equal>Identical: settings, inputs, effects, model, and all photos with everything "
+               "that was "
+               "made from them.</p>\n";
+    else
+        out << "<p class=differ>" << count_of(all.size(), "difference") << ", listed below.</p>\n";
+    write_compared(out, a, b);
+    if (!all.empty()) {
+        write_differences(out, all);
+        write_pictures(out, pictures);
+    }
     out << "</html>\n";
     out.flush();
-    if (!out) throw Error(Exit::storage, (folder / page_name).string() + ": cannot write");
+    if (!out) throw Error(Exit::storage, file.string() + ": cannot write");
+    return file;
 }
 
 }  // namespace
@@ -109,9 +172,10 @@ void expect_replaceable(const PackageReader& a, const PackageReader& b, const fs
             output_file(picture_of(folder, stem, artifact), Product::png, inputs, force);
 }
 
-void write_difference_pictures(const PackageReader& a, const PackageReader& b, const fs::path& folder) {
+fs::path write_difference_page(const PackageReader& a, const PackageReader& b,
+                               const std::vector<Difference>& all, const fs::path& folder) {
     make_folder(folder);
-    std::vector<std::pair<std::string, std::string>> pictures;
+    Pictures pictures;
     const auto photos = a.photos();
     const std::vector<std::string> stems = a.photo_stems();
     for (std::uint32_t i = 0; i < photos.size(); ++i) {
@@ -129,7 +193,7 @@ void write_difference_pictures(const PackageReader& a, const PackageReader& b, c
             pictures.push_back({name + ": " + what, file.filename().string()});
         }
     }
-    write_page(folder, a, b, pictures);
+    return write_page(folder, a, b, all, pictures);
 }
 
 }  // namespace vantage
