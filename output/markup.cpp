@@ -12,4 +12,9 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
+std::string sentence(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
+    return escaped(text) + ".";
+}
+
 }  // namespace vantage

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/explained_table.h"
 #include "output/markup.h"
 
 namespace vantage {
@@ -25,9 +26,8 @@ std::string card(const std::array<double, 3>& ln_gain) {
 std::string row(const package::PhotoRecord& photo, const ColorFit& fit, std::size_t i) {
     const auto& g = fit.ln_gain[i];
     if (fit.samples[i] == 0)
-        return fmt::format(
-            "<tr><td>{}<td><td class=n colspan=5>too little surface shared with other photos</tr>\n",
-            escaped(photo.name));
+        return fmt::format("<tr><td>{}<td colspan=6>too little surface shared with other photos</tr>\n",
+                           escaped(photo.name));
     const double stops = -(g[0] + g[1] + g[2]) / 3 / std::log(2.0);
     return fmt::format(
         "<tr><td>{}<td>{}<td class=n>{:+.2f}<td class=n>{:.3f} {:.3f} {:.3f}<td class=n>{:.1f} %<td "
@@ -60,14 +60,20 @@ std::string falloff_curves(const ColorFit& fit) {
 
 std::string colors_part(std::span<const package::PhotoRecord> photos, const ColorRefinement& r) {
     if (!r.fit.shares_surface()) return {};
-    std::string out = "<h2>Exposure</h2>\n<p>" + escaped(r.exposure.evidence) +
-                      (r.exposure.on ? ". All photos are shown at the mean photo's exposure."
-                                     : ". Photos are shown at their own exposure.") +
+    std::string out = "<h2>Exposure</h2>\n<p>" + sentence(r.exposure.evidence) +
+                      (r.exposure.on ? " All photos are shown at the mean photo's exposure."
+                                     : " Photos are shown at their own exposure.") +
                       "</p>\n";
     if (r.falloff.on) out += falloff_curves(r.fit);
-    out +=
-        "<table><tr><th>photo<th>gray card in this and in the mean photo<th class=n>stops<th class=n>gains "
-        "(red, green, blue)<th class=n>difference<th class=n>after gains<th class=n>shared discs</tr>\n";
+    const Column columns[] = {
+        {"photo", ""},
+        {"gray card", "left: how this photo shows a card that the mean photo shows as on the right"},
+        {"stops", "exposure relative to the mean photo; +1: twice as bright", true},
+        {"gains (red, green, blue)", "factors on linear light that match the mean photo", true},
+        {"difference", "from other photos of the same surface: median of linear light, in percent", true},
+        {"after gains", "the same when the gains are applied", true},
+        {"shared discs", "samples of the surface that it shares with other photos", true}};
+    out += explained_table(columns);
     for (std::size_t i = 0; i < photos.size(); ++i)
         if (photos[i].levels) out += row(photos[i], r.fit, i);
     return out + "</table>\n";

@@ -8,6 +8,7 @@
 #include <span>
 #include <thread>
 
+#include "pipeline/report/up_axis.h"
 #include "pipeline/run/for_each_photo.h"
 #include "scene/opaque_part.h"
 #include "values/main_box.h"
@@ -44,28 +45,49 @@ struct Geometry {
 
 /// Parallel projection of the model along an axis, seen from its positive side.
 struct ParallelView {
-    int right, down, depth;  ///< axes of the world
-    float right_sign;
+    Eigen::Matrix3f axes;  ///< rows: right, down and forward in the picture, each an axis of the world
     Eigen::Vector3f center;
     float scale;
     int width, height;
 
     Eigen::Vector3f at(const Eigen::Vector3f& p) const {
-        const Eigen::Vector3f d = p - center;
-        return {float(width) / 2 + right_sign * d[right] * scale, float(height) / 2 - d[down] * scale,
-                -d[depth]};
+        const Eigen::Vector3f d = axes * (p - center);
+        return {float(width) / 2 + d.x() * scale, float(height) / 2 + d.y() * scale, d.z()};
     }
 };
 
-ParallelView look_along(int axis, const Eigen::Vector3f& low, const Eigen::Vector3f& high, int size) {
-    // z points up in the picture; seen along z, y does.
-    const int right = axis == 0 ? 1 : 0, down = axis == 2 ? 1 : 2;
-    const Eigen::Vector3f extent = (high - low).cwiseMax((high - low).maxCoeff() * 1e-3f);
-    const float scale = float(size - 8) / std::max(extent[right], extent[down]);
-    ParallelView p{right, down, axis, axis == 1 ? -1.0f : 1.0f, (low + high) / 2, scale, 0, 0};
-    p.width = std::max(16, int(extent[right] * scale) + 8);
-    p.height = std::max(16, int(extent[down] * scale) + 8);
+ParallelView look_along(int axis, const UpAxis& up, const Eigen::Vector3f& low, const Eigen::Vector3f& high,
+                        int size) {
+    const Eigen::Vector3f forward = -Eigen::Vector3f::Unit(axis);
+    // Seen from above or below, the axis before is at the top: y for z.
+    const Eigen::Vector3f down = axis == up.axis ? (-Eigen::Vector3f::Unit((axis + 2) % 3)).eval()
+                                                 : (-float(up.sign) * Eigen::Vector3f::Unit(up.axis)).eval();
+    ParallelView p{{}, (low + high) / 2, 1, 0, 0};
+    p.axes << down.cross(forward).transpose(), down.transpose(), forward.transpose();
+    const Eigen::Vector3f extent = p.axes.cwiseAbs() * (high - low).cwiseMax((high - low).maxCoeff() * 1e-3f);
+    p.scale = float(size - 8) / std::max(extent.x(), extent.y());
+    p.width = std::max(16, int(extent.x() * p.scale) + 8);
+    p.height = std::max(16, int(extent.y() * p.scale) + 8);
     return p;
+}
+
+/// The sides of the model, above and below last.
+struct Side {
+    int axis;
+    bool opposite;
+    std::string name;
+};
+std::vector<Side> sides(const UpAxis& up) {
+    std::vector<Side> out;
+    for (const bool upright : {true, false})
+        for (int axis = 0; axis < 3; ++axis)
+            for (const bool opposite : {false, true})
+                if ((axis != up.axis) == upright)
+                    out.push_back({axis, opposite, std::string(opposite ? "-" : "+") + "xyz"[axis]});
+    if (up.sign < 0) std::swap(out[4], out[5]);
+    out[4].name = "above (" + out[4].name + ")";
+    out[5].name = "below (" + out[5].name + ")";
+    return out;
 }
 
 /// The nearest triangle of each pixel, and the farthest, which the opposite view shows.
@@ -185,12 +207,13 @@ std::array<double, 5> covered_area(const PackageReader& package, const std::vect
 
 namespace {
 
-std::array<ParallelView, 3> views(const Geometry& g, int size) {
+std::array<ParallelView, 3> views(const Geometry& g, const UpAxis& up, int size) {
     Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
     for (std::size_t t = 0; t < g.indices.size() / 3; ++t)
         if (const auto corners = g.corners(t); !has_stray(corners, g.bounds))
             for (const Eigen::Vector3f& p : corners) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    return {look_along(0, low, high, size), look_along(1, low, high, size), look_along(2, low, high, size)};
+    return {look_along(0, up, low, high, size), look_along(1, up, low, high, size),
+            look_along(2, up, low, high, size)};
 }
 
 /// All triangles in all views, divided among the cores.
@@ -218,13 +241,14 @@ std::vector<CoveragePicture> coverage_pictures(const PackageReader& package,
                                                const std::vector<unsigned>& photos, int size) {
     if (photos.empty()) return {};
     const Geometry g(package);
-    const std::vector<Canvas> canvases = draw(g, views(g, size));
-    std::vector<CoveragePicture> pictures(2 * canvases.size());
+    const UpAxis up = up_axis(package.photos());
+    const std::vector<Canvas> canvases = draw(g, views(g, up, size));
+    const std::vector<Side> all = sides(up);
+    std::vector<CoveragePicture> pictures(all.size());
     for_each_photo(pictures.size(), 0, [&](std::size_t i) {
-        const std::size_t axis = i / 2;
-        const bool opposite = i % 2;
-        pictures[i] = {std::string(opposite ? "-" : "+") + "xyz"[axis],
-                       picture(canvases[axis], opposite, g, photos, int(axis))};
+        const Side& side = all[i];
+        pictures[i] = {side.name,
+                       picture(canvases[std::size_t(side.axis)], side.opposite, g, photos, side.axis)};
     });
     return pictures;
 }

@@ -21,11 +21,12 @@ struct CoverageClass {
 extern const std::array<CoverageClass, 5> coverage_classes;
 
 struct CoveragePicture {
-    std::string from;  ///< the side it is seen from: "+x", "-x", ...
+    std::string from;  ///< the side it is seen from: "+x", "-x", ..., "above (+z)", "below (-z)"
     RgbaImage image;
 };
-/// The model seen along its axes from all six sides, in parallel projection, colored by the number of photos
-/// that see it; `size` is the longer side in pixels.
+/// The model seen along its axes from all six sides, upright (see up_axis), in parallel projection, colored
+/// by the number of photos that see it; `size` is the longer side in pixels. The sides come before above and
+/// below.
 std::vector<CoveragePicture> coverage_pictures(const PackageReader& package,
                                                const std::vector<unsigned>& photos, int size);
 

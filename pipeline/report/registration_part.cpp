@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "output/explained_table.h"
 #include "output/markup.h"
 
 namespace vantage {
@@ -71,13 +72,22 @@ std::string photo_row(const PhotoRecord& photo, const Registration& r, std::size
 }  // namespace
 
 std::string registration_part(std::span<const PhotoRecord> photos, const Registration& r) {
-    std::string out = "<h2>Registration</h2>\n<p>" + escaped(r.decision.evidence) + ".</p>\n";
+    std::string out = "<h2>Registration</h2>\n<p>" + sentence(r.decision.evidence) + "</p>\n";
     for (const std::string& w : r.warnings) out += "<p class=bad>" + escaped(w) + "</p>\n";
     if (r.pairs.empty()) return out;
     out += maps(photos, r.pairs);
-    out +=
-        "<table><tr><th>photo<th class=n>median displacement<th class=n>camera moved by<th class=n>held-out "
-        "corners</tr>\n";
+    const Column columns[] = {
+        {"photo", ""},
+        {"displacement",
+         "how far corners in other photos are from where the cameras predict them, before any camera is "
+         "moved: median, "
+         "px of the photo",
+         true},
+        {"camera moved by", "median motion of the photo's content, in px", true},
+        {"held-out corners",
+         "displacement of corners that had no part in the correction, before and after it: median, px",
+         true}};
+    out += explained_table(columns);
     for (std::size_t i = 0; i < photos.size(); ++i)
         if (photos[i].levels) out += photo_row(photos[i], r, i);
     return out + "</table>\n";

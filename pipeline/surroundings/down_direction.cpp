@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace vantage {
 namespace {
@@ -20,19 +21,25 @@ Eigen::Vector3d turned_toward(const Eigen::Vector3d& direction, const Eigen::Vec
 
 }  // namespace
 
-Eigen::Vector3d down_direction(std::span<const CoarseView> views) {
+Eigen::Vector3d down_direction(std::span<const Pose> poses) {
     Eigen::Matrix3d rows = Eigen::Matrix3d::Zero();
     Eigen::Vector3d columns = Eigen::Vector3d::Zero();
-    for (const CoarseView& v : views) {
-        const Eigen::Vector3d x = v.pose.R.row(0).transpose();
+    for (const Pose& pose : poses) {
+        const Eigen::Vector3d x = pose.R.row(0).transpose();
         rows += x * x.transpose();
-        columns += v.pose.R.row(1).transpose();
+        columns += pose.R.row(1).transpose();
     }
     const SelfAdjointEigenSolver<Eigen::Matrix3d> solver(rows);
     const Eigen::Vector3d mean =
         columns.norm() > 1e-9 ? Eigen::Vector3d(columns.normalized()) : Eigen::Vector3d::UnitY();
     if (solver.eigenvalues()[0] > 0.2 * solver.eigenvalues()[1]) return mean;
     return turned_toward(solver.eigenvectors().col(0), mean);
+}
+
+Eigen::Vector3d down_direction(std::span<const CoarseView> views) {
+    std::vector<Pose> poses;
+    for (const CoarseView& v : views) poses.push_back(v.pose);
+    return down_direction(poses);
 }
 
 std::optional<Eigen::Vector3d> down_direction(std::span<const SurfaceDisc> discs,
