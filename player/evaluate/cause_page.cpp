@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "output/explained_table.h"
 #include "output/markup.h"
 #include "player/evaluate/evaluation_table.h"
 
@@ -32,8 +33,16 @@ std::string cell(double share, bool given = true) {
 
 void write_total(std::ostream& out, const std::vector<CauseTotal>& totals,
                  const std::vector<LeftOut>& results) {
-    out << "<table><tr><th>cause<th>whole frame<th>dB without it<th>colored pixels<th>dB without it<th>most "
-           "in<th></tr>\n";
+    const Column columns[] = {
+        {"cause", "what most likely makes the picture differ from the photo"},
+        {"whole frame", "share of the squared error of all whole frames, after gains"},
+        {"dB without it",
+         "by how much PSNR of the whole frame would rise without this error: mean over the photos"},
+        {"colored pixels", "share of the squared error where other photos color the picture"},
+        {"dB without it", "by how much PSNR there would rise: mean over the photos"},
+        {"most in", "the photo with most of this error"},
+        {"meaning", ""}};
+    out << explained_table(columns);
     for (const CauseTotal& t : totals) {
         const bool colored = !is_hole(t.cause);
         out << "<tr><td>" << swatch(t.cause) << cause_row(t.cause).name << cell(t.share) << "<td>"
@@ -47,11 +56,15 @@ void write_total(std::ostream& out, const std::vector<CauseTotal>& totals,
 /// Holes as shares of the whole frame's error, other causes as shares of the error at colored pixels.
 void write_per_photo(std::ostream& out, const std::vector<CauseTotal>& totals,
                      const std::vector<LeftOut>& results) {
-    out << "<table><tr><th>photo<th>frame, dB";
+    std::vector<Column> columns{{"photo", ""}, {"frame, dB", "PSNR of the whole frame, after gains"}};
     for (const bool holes : {true, false})
         for (const CauseTotal& t : totals)
-            if (is_hole(t.cause) == holes) out << "<th>" << swatch(t.cause) << cause_row(t.cause).name;
-    out << "<th></tr>\n";
+            if (is_hole(t.cause) == holes)
+                columns.push_back({swatch(t.cause) + cause_row(t.cause).name,
+                                   std::string(cause_row(t.cause).meaning) + ": share of the squared error " +
+                                       (holes ? "of the whole frame" : "at colored pixels")});
+    columns.push_back({});
+    out << explained_table(columns);
     for (const LeftOut& r : results) {
         out << "<tr><td>" << escaped(r.name) << "<td>" << text("%.2f", r.frame.psnr_gain);
         for (const bool holes : {true, false})

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <numeric>
 
+#include "output/explained_table.h"
 #include "output/markup.h"
 #include "output/page_style.h"
 #include "player/evaluate/cause_page.h"
@@ -54,7 +55,7 @@ void row(std::ostream& out, const LeftOut& r) {
         {number("%.2f", r.score.psnr), number("%.2f", r.score.psnr_gain), number("%.4f", r.score.ssim),
          number("%.4f", r.score.ssim_gain), number("%.2f", r.frame.psnr_gain),
          number("%.4f", r.frame.ssim_gain), number("%+.2f", r.over_nearest),
-         number("%.1f %%", 100 * r.colored), number("%+.2f", r.stops), number("%+.2f", r.shift[0]),
+         number("%.1f %%", 100 * r.colored), number("%+.2f", r.brightness.stops), number("%+.2f", r.shift[0]),
          number("%+.2f", r.shift[1]), number("%.2f", r.score.sharpness)},
         remarks(r));
 }
@@ -72,6 +73,36 @@ void figure(std::ostream& out, const LeftOut& r) {
     out << "</figure>\n";
 }
 
+const Column photo_columns[] = {
+    {"photo", ""},
+    {"PSNR, dB",
+     "likeness of the picture to the photo where other photos color it: 10 log10(255\u00b2 / mean squared "
+     "difference "
+     "of sRGB codes). Higher is better; 6 dB more: half the difference"},
+    {"after gain", "the same after the factor per channel that fits best, so that exposure does not count"},
+    {"SSIM", "likeness of structure there, at most 1 (Wang et al. 2004)"},
+    {"after gain", "the same after that factor"},
+    {"whole frame, dB", "PSNR after gain over the whole frame as the window shows it, holes included"},
+    {"SSIM", "the same over the whole frame"},
+    {"over nearest, dB", "PSNR gained over showing the nearest photo alone; positive: blending pays"},
+    {"colored", "share of the surface in the photo that other photos show"},
+    {"stops", "typical brightness of the photo relative to the picture: +1 is twice the light, -1 half"},
+    {"right, px", "offset of the photo's content from the picture's, in px of the full size"},
+    {"down, px", "the same downward"},
+    {"sharp",
+     "energy of the finest detail in the picture relative to the photo: 1 is as sharp, less is blurred"},
+    {"remarks", "likely problems"}};
+
+const Column change_columns[] = {
+    {"photo", ""},
+    {"before, dB", "PSNR after gain in the earlier evaluation"},
+    {"now", "the same in this one, in dB"},
+    {"change", "now less before, in dB; positive is better"},
+    {"SSIM", "change of SSIM; positive is better"},
+    {"sharp before", "energy of the finest detail relative to the photo: 1 is as sharp"},
+    {"now", "the same in this evaluation"},
+    {"", ""}};
+
 void crop(std::ostream& out, const std::string& name, const char* kind, const char* where) {
     out << "<figure><figcaption><b>" << name << "</b> " << where
         << "</figcaption><img class=crop loading=lazy alt='" << name << ' ' << kind << "' src='" << name
@@ -83,9 +114,8 @@ void changes(std::ostream& out, const std::vector<LeftOut>& results) {
     const std::vector<std::size_t> order = by_change(results);
     if (order.empty()) return;
     out << "<h2>Against the earlier evaluation</h2>\n<p>After gains, over the pixels that both color; the "
-           "largest loss first. Crops: the photo, before, now.</p>\n<table><tr><th>photo<th>before, "
-           "dB<th>now"
-           "<th>change<th>SSIM<th>sharp before<th>now<th></tr>\n";
+           "largest loss first. Crops: the photo, before, now.</p>\n"
+        << explained_table(change_columns);
     for (const std::size_t i : order) {
         const auto& [before, after, better, worse] = *results[i].change;
         row(out, results[i],
@@ -133,9 +163,7 @@ void write_evaluation_page(const std::filesystem::path& folder, const std::strin
            "The last lines show for each photo: the photo, the picture, their difference after the best gain "
            "(black: none, white: a quarter of the range, gray: nothing shown), and the causes of the "
            "error.</p>\n"
-           "<table><tr><th>photo<th>PSNR, dB<th>after gain<th>SSIM<th>after gain<th>whole frame, "
-           "dB<th>SSIM<th>over nearest, dB<th>colored<th>stops"
-           "<th>right, px<th>down, px<th>sharp<th></tr>\n";
+        << explained_table(photo_columns);
     for (const LeftOut& r : results) row(out, r);
     out << "</table>\n";
     write_causes(out, results);
