@@ -49,8 +49,8 @@ void print_heading(int names) {
 void print_row(const LeftOut& r, int names) {
     std::printf("%-*s %5.2f %5.2f %6.4f %6.4f %5.2f %6.4f %+7.2f %6.1f %+5.2f %+5.2f %+5.2f %5.2f\n", names,
                 r.name.c_str(), r.score.psnr, r.score.psnr_gain, r.score.ssim, r.score.ssim_gain,
-                r.frame.psnr_gain, r.frame.ssim_gain, r.over_nearest, 100 * r.colored, r.stops, r.shift[0],
-                r.shift[1], r.score.sharpness);
+                r.frame.psnr_gain, r.frame.ssim_gain, r.over_nearest, 100 * r.colored, r.brightness.stops,
+                r.shift[0], r.shift[1], r.score.sharpness);
     std::fflush(stdout);
 }
 

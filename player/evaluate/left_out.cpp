@@ -13,6 +13,8 @@ namespace vantage {
 namespace {
 
 constexpr int samples = 2;  ///< per side of a pixel
+/// Gray levels, over all scored pixels, above which an odd photo is worth a remark.
+constexpr double odd_rms = 12;
 
 /// The level's pixels that show a surface, by the photo's own masks.
 std::vector<bool> surface_pixels(const PackageReader& package, std::uint32_t photo, int level,
@@ -124,7 +126,7 @@ void judge_frame(LeftOutPictures& p, std::span<const std::uint32_t> triangles, L
 
 template <class... Args>
 std::string text(const char* format, Args... args) {
-    char out[160];
+    char out[200];
     std::snprintf(out, sizeof out, format, args...);
     return out;
 }
@@ -154,9 +156,7 @@ LeftOut leave_out(Renderer& renderer, RenderSettings settings, std::span<const s
         out.over_nearest = over_nearest(p);
         out.shift = shift_of(p.photo, p.rendered, p.scored);
         for (double& s : out.shift) s *= 1 << level;
-        const auto& g = out.score.gain;
-        out.stops = std::log2(std::max(1e-6, (g[0] + g[1] + g[2]) / 3)) *
-                    2.2;  // stops of linear light, from sRGB codes
+        out.brightness = relative_brightness(p.photo, p.rendered, p.scored);
     }
     p.difference = difference_picture(p.photo, p.rendered, out.score);
     add_regions(renderer.scene(), triangles, p, out.score, regions);
@@ -177,9 +177,15 @@ void remark(std::vector<LeftOut>& results) {
         }
         const double off = std::hypot(r.shift[0], r.shift[1]);
         if (off > 1) r.remarks.push_back(text("offset by %.1f px: its camera, or the mesh", off));
-        if (std::abs(r.stops) > 0.15)
-            r.remarks.push_back(text("%.2f stops %s than the others", std::abs(r.stops),
-                                     r.stops > 0 ? "brighter" : "darker"));
+        if (const double stops = r.brightness.stops; std::abs(stops) > 0.15 && r.brightness.throughout())
+            r.remarks.push_back(
+                text("%.2f stops %s than the others", std::abs(stops), stops > 0 ? "brighter" : "darker"));
+        if (const double odd = r.causes.colored_share(Cause::odd_photo);
+            odd > 0.5 && std::sqrt(r.causes.of(Cause::odd_photo) / (3.0 * double(r.score.pixels))) > odd_rms)
+            r.remarks.push_back(
+                text("the others agree on something else in a part of it (%.0f %% of the error): "
+                     "something in front of it, gloss, or other light",
+                     100 * odd));
         if (r.colored < 0.95)
             r.remarks.push_back(text("the others show %.0f %% of what it sees", 100 * r.colored));
         if (r.remarks.empty() && r.score.ssim < middle - 3 * usual)

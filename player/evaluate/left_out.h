@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "player/evaluate/change.h"
+#include "player/evaluate/relative_brightness.h"
 #include "player/evaluate/whole_frame.h"
 #include "player/evaluate/worst_regions.h"
 #include "player/render/renderer.h"
@@ -22,7 +23,7 @@ struct LeftOut {
     double colored = 0;              ///< share of the photo's pixels on the surface that have a color
     double over_nearest = 0;  ///< dB above the nearest photo alone, gains fitted, over pixels that both color
     std::array<double, 2> shift{0, 0};  ///< photo pixels at full size, see shift_of
-    double stops = 0;                   ///< log2 of the photo's brightness relative to the picture's
+    RelativeBrightness brightness;      ///< of the photo
     std::vector<std::string> remarks;   ///< likely problems
     std::optional<Change> change;       ///< since an earlier evaluation of the same photo
 };

@@ -23,6 +23,7 @@
 #include "player/evaluate/photo_pixels.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
+#include "values/srgb.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
@@ -112,6 +113,10 @@ Cause largest_at_colored(const CauseSquares& s) {
     return most;
 }
 
+bool remarks_on(const LeftOut& r, const std::string& what) {
+    return std::ranges::any_of(r.remarks, [&](const std::string& s) { return s.find(what) != s.npos; });
+}
+
 bool reports_offset(const LeftOut& r) {
     return std::ranges::any_of(r.remarks, [](const std::string& s) { return s.starts_with("offset by"); });
 }
@@ -133,7 +138,7 @@ TEST_F(Evaluate, GoodSceneGetsNoRemarks) {
     for (const LeftOut& r : evaluate()) {
         EXPECT_GT(r.score.psnr_gain, 22) << r.name;
         EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), 0.5) << r.name;
-        EXPECT_LT(std::abs(r.stops), 0.1) << r.name << ": equal exposures";
+        EXPECT_LT(std::abs(r.brightness.stops), 0.1) << r.name << ": equal exposures";
         EXPECT_FALSE(reports_offset(r)) << r.name;
     }
 }
@@ -164,6 +169,28 @@ TEST_F(Evaluate, StrangerInTheLeftOutPhotoMakesItOdd) {
     ASSERT_NE(region, r.worst.end());
     EXPECT_LT(std::abs(region->place.x + region->place.width / 2 - 205), 60) << "at half size";
     EXPECT_LT(std::abs(region->place.y + region->place.height / 2 - 150), 80);
+}
+
+TEST_F(Evaluate, DarkThingInFrontIsNotCalledExposure) {
+    repaint(scene.photos[2].file, [](std::array<std::uint8_t, 3>& color, int x, int) {
+        if (x < 360) color = {20, 40, 15};
+    });
+    const LeftOut r = evaluate()[2];
+    EXPECT_LT(std::abs(r.brightness.stops), 0.15);
+    EXPECT_FALSE(remarks_on(r, "darker"));
+    EXPECT_TRUE(remarks_on(r, "something in front of it"));
+}
+
+TEST_F(Evaluate, DarkerPhotoIsReportedWithItsStops) {
+    repaint(scene.photos[2].file, [](std::array<std::uint8_t, 3>& color, int, int) {
+        for (std::uint8_t& v : color)
+            v = std::uint8_t(
+                std::lround(255 * srgb_from_linear(linear_from_srgb(v / 255.0) * std::exp2(-0.5))));
+    });
+    const LeftOut r = evaluate()[2];
+    EXPECT_NEAR(r.brightness.stops, -0.5, 0.15) << "the others may have been brought to the mean of all";
+    EXPECT_TRUE(remarks_on(r, "stops darker than the others"));
+    EXPECT_FALSE(remarks_on(r, "something in front of it"));
 }
 
 TEST_F(Evaluate, StrangerInAnotherPhotoIsADisagreement) {

@@ -1,0 +1,23 @@
+#pragma once
+#include <vector>
+
+#include "player/render/picture.h"
+
+namespace vantage {
+
+/// The brightness of a photo relative to a picture of its view, in stops of linear light: the median over
+/// cells, and the quartiles. All 0 if no cell can be compared.
+struct RelativeBrightness {
+    double stops = 0, lower = 0, upper = 0;
+
+    /// Whether the whole photo is so much brighter or darker, as by its exposure, and not only a part of it,
+    /// before which something stands or on which a shadow falls: both quartiles are near the median.
+    bool throughout() const;
+};
+
+/// Over cells of which at least half is `scored` (one flag per pixel). Means of cells do not depend on
+/// content that is displaced a little.
+RelativeBrightness relative_brightness(const Picture& photo, const Picture& picture,
+                                       const std::vector<bool>& scored);
+
+}  // namespace vantage
