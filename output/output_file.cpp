@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -41,6 +43,18 @@ bool is_csv(std::string_view head) {
            head.starts_with("frame,degrees,mean,");
 }
 
+/// Six lines, each of them a number.
+bool is_world_file(std::string_view head) {
+    std::istringstream in{std::string(head)};
+    int lines = 0;
+    for (std::string line; std::getline(in, line); ++lines) {
+        char* end = nullptr;
+        std::strtod(line.c_str(), &end);
+        if (line.empty() || *end != 0) return false;
+    }
+    return lines == 6;
+}
+
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != text.npos; }
 
 struct Row {
@@ -69,6 +83,7 @@ constexpr Row rows[] = {
      [](std::string_view h) { return h.starts_with(cameras_mark); }},
     {Product::scene, "a scene file written by Vantage",
      [](std::string_view h) { return h.starts_with(scene_mark); }},
+    {Product::world, "a world file", is_world_file},
 };
 
 const Row& row_of(Product product) { return *std::ranges::find(rows, product, &Row::product); }

@@ -42,6 +42,35 @@ View view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, con
     return view;
 }
 
+View orthographic_view(const Eigen::Vector3d& middle, const Eigen::Vector3d& right,
+                       const Eigen::Vector3d& down, double pixels, double size, int width, int height) {
+    const double depth = orthographic_distance * size;
+    if (!middle.allFinite() || !std::isfinite(pixels * depth) || !(pixels > 0) || !(size > 0))
+        throw Error(Exit::usage, "an orthographic view's position, scale and size must be finite");
+    View view;
+    view.cam_from_origin.R << right.transpose(), down.transpose(), right.cross(down).transpose();
+    view.cam_from_origin.t = Eigen::Vector3d(0, 0, depth) - view.cam_from_origin.R * middle;
+    view.intrinsics = {width, height, pixels * depth, pixels * depth, 0, 0};
+    view.orthographic_depth = depth;
+    return view;
+}
+
+Eigen::Matrix4d clip_from_origin(const View& view, const Eigen::Vector2d& range) {
+    Eigen::Matrix4d cam = Eigen::Matrix4d::Identity();
+    cam.topLeftCorner<3, 3>() = view.cam_from_origin.R;
+    cam.topRightCorner<3, 1>() = view.cam_from_origin.t;
+    Eigen::Matrix4d clip = clip_from_cam(view.intrinsics, range.x(), range.y());
+    if (view.orthographic_depth > 0) {
+        // Factors of 1 / z become factors of 1 / orthographic_depth.
+        const double between = range.y() - range.x();
+        clip.col(3).head<2>() = clip.col(2).head<2>();
+        clip.topLeftCorner<2, 2>() /= view.orthographic_depth;
+        clip.col(2) << 0, 0, -1 / between, 0;
+        clip.col(3).tail<2>() << range.y() / between, 1;
+    }
+    return clip * cam;
+}
+
 Eigen::Vector3d mean_up(std::span<const package::PhotoRecord> photos) {
     if (photos.empty()) return Eigen::Vector3d::UnitZ();
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();

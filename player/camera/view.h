@@ -27,7 +27,23 @@ struct View {
     Intrinsics intrinsics;
     Pose cam_from_origin;
     Exposure exposure{};
+    /// 0: perspective. Otherwise orthographic: points are projected along the camera's axis, and at every
+    /// depth as large as those at this depth are in perspective. The eye is that far away: directions and
+    /// levels of detail, which are computed as in perspective, are then right to 1 / orthographic_distance.
+    double orthographic_depth = 0;
 };
+
+/// How far the eye of an orthographic view is from what it shows, in sizes of that.
+inline constexpr double orthographic_distance = 1e6;
+
+/// An orthographic view with `middle` at pixel (0, 0), `right` and `down` along its rows and columns (of
+/// length 1, at right angles), and `pixels` per unit. `size`: a length that nothing shown exceeds, such as
+/// the diagonal of the model's bounds. Throws Error(usage) if a number is not finite, or not above 0.
+View orthographic_view(const Eigen::Vector3d& middle, const Eigen::Vector3d& right,
+                       const Eigen::Vector3d& down, double pixels, double size, int width, int height);
+
+/// Clip-from-origin matrix of a view for depths from range.x() to range.y(), as clip_from_cam().
+Eigen::Matrix4d clip_from_origin(const View& view, const Eigen::Vector2d& range);
 
 /// The photo's own camera and exposure; the frame is `scale` times the photo's size (rounded, at least one
 /// pixel).

@@ -6,6 +6,7 @@
 #include "player/measure/bench.h"
 #include "player/measure/smoothness.h"
 #include "player/options/show_options.h"
+#include "player/orthophoto/orthophoto.h"
 #include "player/verify/verify.h"
 
 /// The verbs of vantage-player: each parses its command line and runs. They return the exit code and throw
@@ -15,6 +16,7 @@ namespace vantage {
 int show_command(int argc, char** argv);
 int bench_command(int argc, char** argv);
 int evaluate_command(int argc, char** argv);
+int orthophoto_command(int argc, char** argv);
 int smoothness_command(int argc, char** argv);
 int verify_command(int argc, char** argv);
 
@@ -27,6 +29,7 @@ struct Verb {
 inline constexpr Verb verbs[] = {
     {"bench", bench_command, "fly scripted paths and measure every frame"},
     {"evaluate", evaluate_command, "leave out each photo in turn and score the picture that the others give"},
+    {"orthophoto", orthophoto_command, "project the model on a plane and write a picture true to scale"},
     {"smoothness", smoothness_command, "measure how far colors jump from frame to frame along a path"},
     {"verify", verify_command, "compare renderings of packages with stored pictures"},
 };
@@ -34,6 +37,7 @@ inline constexpr Verb verbs[] = {
 void add_show_options(CLI::App& app, ShowOptions& options);
 void add_bench_options(CLI::App& app, BenchOptions& options, UnusedOptions& unused);
 void add_evaluate_options(CLI::App& app, EvaluateOptions& options, UnusedOptions& unused);
+void add_orthophoto_options(CLI::App& app, OrthophotoOptions& options);
 void add_smoothness_options(CLI::App& app, SmoothnessOptions& options);
 void add_verify_options(CLI::App& app, VerifyOptions& options);
 

@@ -78,6 +78,10 @@ Eigen::Vector2d depth_range(std::span<const package::ClusterRecord> clusters,
         nearest = std::min(nearest, z - c.radius);
         farthest = std::max(farthest, z + c.radius);
     }
+    if (view.orthographic_depth > 0 && farthest > 0) {
+        const double margin = 1e-3 * (farthest - nearest) + 1e-12 * farthest;
+        return {nearest - margin, farthest + margin};
+    }
     return clip_range(nearest, farthest, reach);
 }
 

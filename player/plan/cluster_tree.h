@@ -30,7 +30,8 @@ std::vector<std::uint32_t> clusters_in_view(const ClusterTree& tree,
 /// All triangles of the cluster face away from `eye`, by its normal cone.
 bool faces_away(const package::ClusterRecord& cluster, const Eigen::Vector3d& eye);
 
-/// Near and far plane that enclose the clusters' bounding spheres; `reach` as for clip_range.
+/// Near and far plane that enclose the clusters' bounding spheres; `reach` as for clip_range, not used for
+/// orthographic views.
 Eigen::Vector2d depth_range(std::span<const package::ClusterRecord> clusters,
                             std::span<const std::uint32_t> in_view, const View& view,
                             double reach = std::numeric_limits<double>::infinity());

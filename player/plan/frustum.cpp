@@ -8,9 +8,21 @@ namespace {
 
 constexpr double rounding = 1e-12;  // error of a distance from a plane, relative to its terms
 
+/// The sides of an orthographic view are parallel to its axis.
+Frustum beam(const View& view) {
+    const Intrinsics& k = view.intrinsics;
+    const Pose& pose = view.cam_from_origin;
+    const Eigen::Vector3d right = pose.R.row(0), down = pose.R.row(1);
+    const double across = view.orthographic_depth / k.fx, along = view.orthographic_depth / k.fy;
+    return {Plane{right, pose.t.x() + k.cx * across}, Plane{-right, (k.width - k.cx) * across - pose.t.x()},
+            Plane{down, pose.t.y() + k.cy * along}, Plane{-down, (k.height - k.cy) * along - pose.t.y()},
+            Plane{pose.direction(), pose.t.z()}};
+}
+
 }  // namespace
 
 Frustum frustum(const View& view) {
+    if (view.orthographic_depth > 0) return beam(view);
     const Intrinsics& k = view.intrinsics;
     const Pose& pose = view.cam_from_origin;
     const std::array<Eigen::Vector3d, 5> in_camera{

@@ -20,13 +20,6 @@ static_assert(GLuint(Compare::nothing) == shader::compare_nothing &&
 
 constexpr float dimmed_light = 0.2f;  ///< of surroundings that are dimmed
 
-Eigen::Matrix4f clip_matrix(const View& view, const Eigen::Vector2d& range) {
-    Eigen::Matrix4d cam = Eigen::Matrix4d::Identity();
-    cam.topLeftCorner<3, 3>() = view.cam_from_origin.R;
-    cam.topRightCorner<3, 1>() = view.cam_from_origin.t;
-    return (clip_from_cam(view.intrinsics, range.x(), range.y()) * cam).cast<float>();
-}
-
 /// a and b, where depth is a + b / z.
 Eigen::Vector2d terms_of(const View& view, const Eigen::Vector2d& range) {
     const Eigen::Matrix4d clip = clip_from_cam(view.intrinsics, range.x(), range.y());
@@ -79,6 +72,12 @@ void check_view(const View& view) {
                                      ", expected at least 1x1");
     if (!turns || !stands || !lens)
         throw Error(Exit::usage, "a view's position, direction or field of view is not finite");
+}
+
+/// Points and surroundings are drawn for perspective only. Throws Error(usage).
+void expect_perspective(const View& view, bool points, bool surroundings) {
+    if (view.orthographic_depth > 0 && (points || surroundings))
+        throw Error(Exit::usage, "an orthographic view shows neither points nor surroundings");
 }
 
 /// Adds what a second band took.
@@ -206,6 +205,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     check_view(view);
     const std::uint64_t held_before = gl::memory_held();
     const RenderSettings settings = usable(given);
+    expect_perspective(view, shows_points(settings), passes_.shows_surroundings(settings));
     if (!shows_photos(settings)) photos = {};
     if (settings.weights_from) check_view(*settings.weights_from);
     bands_.choose(settings, now);
@@ -330,7 +330,7 @@ DrawnView Renderer::drawn_view(const View& view, const BandFrame& band, int side
             *band.plan,
             side,
             range,
-            clip_matrix(view, range),
+            clip_from_origin(view, range).cast<float>(),
             weights_in_band(settings.weights_from.value_or(view), settings.weights, settings.bands.shown,
                             scene_)};
 }

@@ -64,7 +64,7 @@ class Renderer {
 
     /// The targets of the last draw().
     const FrameTargets& targets() const { return targets_; }
-    /// Of the last draw(), the terms a and b of its depth, a + b / z.
+    /// Of the last draw(), the terms a and b of its depth, a + b / z. Not of an orthographic view.
     Eigen::Vector2d depth_terms() const { return depth_terms_; }
 
     const PackageReader& package() const { return *package_; }

@@ -1,0 +1,58 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "player/options/blending_options.h"
+#include "player/options/light_options.h"
+#include "player/options/memory_options.h"
+#include "player/options/output_options.h"
+#include "player/options/package_options.h"
+#include "player/orthophoto/picture_plane.h"
+#include "player/render/renderer.h"
+
+namespace vantage {
+
+struct OrthophotoOptions {
+    PackageOptions package;
+    OutputOptions output;
+    MemoryOptions memory;
+    BlendingOptions blending;
+    LightOptions light;
+    std::string plane = "top";  ///< see parse_plane
+    std::string extent;         ///< see parse_extent; empty: the model's
+    double resolution = 0;      ///< input units per pixel
+    int samples = 2;            ///< per side of a pixel
+};
+
+/// A rectangle of a plane as a picture.
+struct Orthophoto {
+    PicturePlane plane;
+    Eigen::Vector2d upper_left;  ///< corner, in the plane's coordinates
+    double resolution;           ///< input units per pixel
+    int width, height;
+};
+/// Of at least one pixel. Throws Error(usage) if it were too large for a PNG.
+Orthophoto orthophoto_of(const PicturePlane& plane, const Eigen::AlignedBox2d& extent, double resolution);
+
+/// The parts in which a picture is rendered: as wide as high at most, of a size that is even.
+struct TileSize {
+    int width, height;
+};
+/// Such that a row of tiles takes at most 64 MiB.
+TileSize tile_size_for(int width);
+
+/// Renders the picture, tile by tile, from the top; `row` takes its rows, RGBA, alpha 0 where nothing is.
+/// The tiles' size does not matter for what is drawn. `progress` gets the number of tiles that are done, and
+/// of all. Returns how many tiles of the package were damaged.
+std::size_t draw_orthophoto(Renderer& renderer, const Orthophoto& picture, const RenderSettings& settings,
+                            std::span<const std::uint32_t> photos, int samples, TileSize tile,
+                            const std::function<void(std::span<const std::uint8_t>)>& row,
+                            const std::function<void(std::size_t done, std::size_t all)>& progress);
+
+/// Writes the picture and its world file. Returns the exit code. Throws Error.
+int run_orthophoto(const PackageReader& package, const OrthophotoOptions& options);
+
+}  // namespace vantage
