@@ -18,13 +18,14 @@ namespace {
 /// Appended to page_style.
 constexpr const char* evaluation_style = R"(
 table { margin: 1rem 0 2rem; }
-th, td { padding: .25rem .8rem; text-align: right; white-space: nowrap; }
+th, td { padding: .25rem .6rem; text-align: right; white-space: nowrap; }
+th { white-space: normal; vertical-align: bottom; }
 th:first-child, td:first-child, td:last-child, th:last-child { text-align: left; }
 td:last-child { white-space: normal; }
 figure { margin-bottom: 2rem; } figure div { display: grid; grid-template-columns: repeat(2, 1fr); gap: .5rem; }
 img { width: 100%; background: #ccc; } figcaption { margin: .3rem 0; }
 .rest { display: grid; grid-template-columns: repeat(2, 1fr); gap: 1rem; } .rest figure { margin: 0; }
-img.crop { image-rendering: pixelated; background: none; }
+img.crop { image-rendering: pixelated; }
 img.map { image-rendering: pixelated; }
 .regions { display: grid; grid-template-columns: repeat(auto-fill, minmax(36rem, 1fr)); gap: 1rem; }
 .regions figure { margin: 0; }
@@ -57,7 +58,17 @@ void row(std::ostream& out, const LeftOut& r) {
          number("%.4f", r.frame.ssim_gain), number("%+.2f", r.over_nearest),
          number("%.1f %%", 100 * r.colored), number("%+.2f", r.brightness.stops), number("%+.2f", r.shift[0]),
          number("%+.2f", r.shift[1]), number("%.2f", r.score.sharpness)},
-        remarks(r));
+        "");
+}
+
+/// What is likely wrong, photo by photo, worst first.
+void write_remarks(std::ostream& out, const std::vector<LeftOut>& results) {
+    if (std::ranges::all_of(results, [](const LeftOut& r) { return r.remarks.empty(); })) return;
+    out << "<h2>Remarks</h2>\n<ul>\n";
+    for (const std::size_t i : worst_first(results))
+        if (!results[i].remarks.empty())
+            out << "<li><b>" << escaped(results[i].name) << "</b>: " << remarks(results[i]) << '\n';
+    out << "</ul>\n";
 }
 
 void figure(std::ostream& out, const LeftOut& r) {
@@ -91,7 +102,7 @@ const Column photo_columns[] = {
     {"down, px", "the same downward"},
     {"sharp",
      "energy of the finest detail in the picture relative to the photo: 1 is as sharp, less is blurred"},
-    {"remarks", "likely problems"}};
+    {"", ""}};
 
 const Column change_columns[] = {
     {"photo", ""},
@@ -166,6 +177,7 @@ void write_evaluation_page(const std::filesystem::path& folder, const std::strin
         << explained_table(photo_columns);
     for (const LeftOut& r : results) row(out, r);
     out << "</table>\n";
+    write_remarks(out, results);
     write_causes(out, results);
     changes(out, results);
     out << "<h2>Worst photos</h2>\n";
