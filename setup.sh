@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing (Debian 12, Ubuntu 24.04) and builds into build/: the two programs, or the targets given
-# (all: also tests and benchmarks). Called by demo.sh and test.sh.
+# Installs what is missing (Debian 12, Ubuntu 24.04) and builds into build/: the two programs and their manual, or the
+# targets given (all: also tests and benchmarks). Called by demo.sh and test.sh.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -11,7 +11,7 @@ packages=(g++ cmake ninja-build pkg-config ca-certificates
   libsquish-dev libzstd-dev gnuplot-nox
   libxxhash-dev libcurl4-openssl-dev libutf8proc-dev libeigen3-dev libepoxy-dev libegl-dev libgl-dev libglfw3-dev libimgui-dev
   libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libgtest-dev librapidcheck-dev
-  fonts-dejavu-core xvfb xauth xdotool)
+  fonts-dejavu-core xvfb xauth xdotool bash-completion desktop-file-utils man-db shared-mime-info)
 missing=()
 for p in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$p" 2>/dev/null | grep -q 'ok installed' || missing+=("$p")
@@ -23,5 +23,5 @@ if ((${#missing[@]})); then
   DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 fi
 cmake -S . -B build -G Ninja >/dev/null
-(($#)) || set -- vantage vantage-player
+(($#)) || set -- vantage vantage-player manual
 cmake --build build --target "$@"

@@ -12,7 +12,7 @@ const ImageFiles& load() {
     const std::filesystem::path program =
         std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
     for (const std::filesystem::path& file :
-         {program / "libvantage_images.so", program / "../lib/libvantage_images.so",
+         {program / "libvantage_images.so", program / "../lib/vantage/libvantage_images.so",
           std::filesystem::path(VANTAGE_IMAGES)})
         if (void* library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL))
             if (const void* table = ::dlsym(library, "vantage_image_files"))
