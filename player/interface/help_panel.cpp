@@ -50,6 +50,7 @@ void help_panel(Session& s) {
                                         {"X", "show the next band of photos"},
                                         {blends.keys.c_str(), blends.labels.c_str()},
                                         {"R, T", "record a path, replay it"},
+                                        {"M", "measure"},
                                         {"O", "open another package (or drop it here)"},
                                         {"P", "screenshot"},
                                         {"Tab", "all settings, or only the picture"},

@@ -18,6 +18,7 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
     toggle("Photo strip", "F4", s.panels.photos);
     toggle("Cameras in the scene", "F5", s.panels.frusta);
     toggle("Radar", "F6", s.panels.radar);
+    toggle("Measure", "M", s.panels.measure);
     ImGui::Separator();
     toggle("Picture", "F12", s.panels.picture);
     toggle("Blending", "F2", s.panels.blending);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "player/interface/band_section.h"
+#include "player/interface/scene_line.h"
 
 namespace vantage {
 namespace {
@@ -15,23 +16,6 @@ namespace {
 ImU32 weight_color(double distance, double angle, float alpha) {
     return ImGui::ColorConvertFloat4ToU32(
         ImVec4(float(0.15 + 0.85 * angle), float(0.15 + 0.85 * distance), 0.2f, alpha));
-}
-
-/// A line between two points relative to the origin, clipped in front of the viewer.
-void line(ImDrawList& list, const View& view, Eigen::Vector3d a, Eigen::Vector3d b, ImU32 color,
-          float width) {
-    const Pose& pose = view.cam_from_origin;
-    const Intrinsics& k = view.intrinsics;
-    a = pose.R * a + pose.t;
-    b = pose.R * b + pose.t;
-    const double nearest = 1e-3 * std::max(a.norm(), b.norm());
-    if (a.z() < nearest && b.z() < nearest) return;
-    if (a.z() < nearest) a += (b - a) * ((nearest - a.z()) / (b.z() - a.z()));
-    if (b.z() < nearest) b += (a - b) * ((nearest - b.z()) / (a.z() - b.z()));
-    const auto pixel = [&](const Eigen::Vector3d& p) {
-        return ImVec2(float(k.fx * p.x() / p.z() + k.cx), float(k.fy * p.y() / p.z() + k.cy));
-    };
-    list.AddLine(pixel(a), pixel(b), color, width);
 }
 
 }  // namespace
@@ -57,8 +41,8 @@ void draw_frusta(const Session& s, const Renderer& renderer, const View& view) {
                                      (Eigen::Vector3d((u - k.cx) / k.fx, (v - k.cy) / k.fy, 1) * length);
         }
         for (std::size_t c = 0; c < 4; ++c) {
-            line(list, view, center, corner[c], color, used ? 2.0f : 1.0f);
-            line(list, view, corner[c], corner[(c + 1) % 4], color, used ? 2.0f : 1.0f);
+            scene_line(list, view, center, corner[c], color, used ? 2.0f : 1.0f);
+            scene_line(list, view, corner[c], corner[(c + 1) % 4], color, used ? 2.0f : 1.0f);
         }
     }
 }

@@ -17,6 +17,7 @@ struct Panels {
     bool picture = true, blending = true, status = false, objects = false;
     bool layers = true;                ///< if the package has layers of its own; else closed until asked for
     bool points = true, bands = true;  ///< only if the package has any
+    bool measure = false;              ///< and clicks measure
 };
 
 /// How often positions are recorded.
@@ -53,8 +54,10 @@ struct Session {
     bool recording = false;
     std::vector<Navigation> recorded;  ///< one per 1 / positions_per_second seconds
 
-    UserInput input;       ///< not taken yet
-    bool touched = false;  ///< something happened in the window since the last frame
+    UserInput input;                  ///< not taken yet
+    bool touched = false;             ///< something happened in the window since the last frame
+    std::vector<KeyPress> measuring;  ///< keys for the mode of measuring
+    std::string table;                ///< measurements to write to a file, or empty
 
     bool open_asked = false;  ///< show the dialog to open another package
     std::string open;         ///< another package or scene file to show, or empty

@@ -16,10 +16,17 @@ struct Drag {
     double right = 0, down = 0;
 };
 
+/// The left mouse button, pressed and released again in one place.
+struct Click {
+    double x, y;  ///< pixels from the window's upper left corner
+    bool second;  ///< of a double click
+};
+
 /// What was done with keys and mouse since the last frame.
 struct UserInput {
     std::vector<KeyPress> keys;   ///< in order, also those that were released again
     bool double_clicked = false;  ///< by the left button
+    std::vector<Click> clicks;    ///< in order
     std::array<Drag, 3> drags{};  ///< by button: left, right, middle
 };
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "player/objects/object_view.h"
+#include "points/point_cloud.h"
 #include "remote/remote_package.h"
 #include "scene/error.h"
 
@@ -110,6 +111,19 @@ void ObjectSet::show_only(std::size_t object) {
 std::vector<SceneObject> ObjectSet::objects() const {
     std::vector<SceneObject> out;
     for (std::size_t i = 0; i < size(); ++i) out.push_back(at(i));
+    return out;
+}
+
+std::vector<PlacedMesh> ObjectSet::meshes() const {
+    std::vector<PlacedMesh> out;
+    const auto has_mesh = [](const PackageReader& p) { return !points_only(p.scene()); };
+    if (first_object_.shown && has_mesh(first_.package())) out.push_back({&first_.scene()});
+    for (const auto& o : others_) {
+        if (!o->object.shown || !has_mesh(o->package)) continue;
+        const Placement& p = o->object.placement;
+        out.push_back({&o->renderer->scene(), rotation_of(p),
+                       origin_of(o->package) + p.move - origin_of(first_.package()), p.scale});
+    }
     return out;
 }
 

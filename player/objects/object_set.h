@@ -7,6 +7,7 @@
 #include "objects/scene_file.h"
 #include "player/objects/composition.h"
 #include "player/render/picture.h"
+#include "player/survey/scene_point.h"
 
 namespace vantage {
 
@@ -38,6 +39,8 @@ class ObjectSet {
     void show_only(std::size_t object);
     /// As a scene file lists them.
     std::vector<SceneObject> objects() const;
+    /// The meshes of the objects that are shown, but for stand-ins of scenes of points only.
+    std::vector<PlacedMesh> meshes() const;
     const FrameReport& report(std::size_t object) const;
     /// Of all objects together.
     StreamedSoFar streamed() const;

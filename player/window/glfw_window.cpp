@@ -57,13 +57,18 @@ struct GlfwWindow::Callbacks {
         WindowEvents& e = events(w);
         GlfwWindow& in = window(w);
         if (button < int(in.down_.size())) in.down_[std::size_t(button)] = action == GLFW_PRESS;
-        if (button != GLFW_MOUSE_BUTTON_LEFT || action != GLFW_PRESS) return;
-        const Click click{glfwGetTime(), in.x_, in.y_};
-        const Click last = std::exchange(in.clicked_, click);
-        if (click.at - last.at > most_seconds || std::hypot(click.x - last.x, click.y - last.y) > most_pixels)
+        if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+        LastPress& last = in.pressed_;
+        const bool in_place = std::hypot(in.x_ - last.x, in.y_ - last.y) <= most_pixels;
+        if (action == GLFW_RELEASE) {
+            if (in_place) e.input.clicks.push_back({last.x, last.y, last.second});
             return;
-        e.input.double_clicked = true;
-        in.clicked_ = {};  // a third click begins anew
+        }
+        const double now = glfwGetTime();
+        const bool second =
+            in_place && !last.second && now - last.at <= most_seconds;  // a third click begins anew
+        e.input.double_clicked |= second;
+        last = {now, in.x_, in.y_, second};
     }
     /// The motion while a button was down: ImGui only knows whether it is down when a frame begins.
     static void cursor(GLFWwindow* w, double x, double y) {

@@ -38,10 +38,12 @@ class GlfwWindow {
     };
     std::optional<Place> windowed_;  ///< while it covers the screen: where it was
     WindowEvents events_;
-    struct Click {
+    /// Of the left button.
+    struct LastPress {
         double at = -1e9, x = 0, y = 0;  ///< seconds, pixels
+        bool second = false;             ///< of a double click
     };
-    Click clicked_;
+    LastPress pressed_;
     double x_ = 0, y_ = 0;        ///< of the pointer
     std::array<bool, 3> down_{};  ///< buttons: left, right, middle
 };

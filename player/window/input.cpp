@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "player/interface/band_section.h"
+#include "player/interface/measure_panel.h"
 #include "player/interface/style.h"
 #include "player/render/blend_table.h"
 #include "player/survey/ray_cast.h"
@@ -67,7 +68,7 @@ void move_by_mouse(Session& s, const PlanScene& scene, double now) {
         if (io.MouseWheel != 0)
             approach_point(s.camera, at.point, std::pow(0.9, double(io.MouseWheel)), nearest * scene.size,
                            farthest * scene.size);
-        if (s.input.double_clicked && at.on_mesh) fly_to_point(s, at.point, now);
+        if (s.input.double_clicked && !s.panels.measure && at.on_mesh) fly_to_point(s, at.point, now);
     }
     if (!down) s.pivot.reset();
 }
@@ -186,6 +187,9 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
             return;
         case GLFW_KEY_T:
             return replay(s, now);
+        case GLFW_KEY_M:
+            s.panels.measure = !s.panels.measure;
+            return;
         case GLFW_KEY_O:
             s.open_asked = true;
             return;
@@ -219,6 +223,7 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
         if (p.with == With::control) run_command(session, p.key);
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control in use
+    take_measuring_keys(session);
     move_by_keys(session, session.input.keys);
     const std::vector<KeyPress> keys = std::exchange(session.input.keys, {});
     for (std::size_t i = 0; i < keys.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 
 #include "scene/error.h"
 
@@ -29,6 +30,11 @@ void write_numbered(Session& session, const std::string& stem, const char* exten
     } catch (const Error& e) {
         say(session, e.what(), now);
     }
+}
+
+void write_text(const std::string& file, const std::string& text) {
+    if (std::ofstream out(file, std::ios::binary); (out << text).flush()) return;
+    throw Error(Exit::storage, file + ": cannot be written");
 }
 
 }  // namespace vantage

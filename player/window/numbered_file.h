@@ -11,4 +11,7 @@ namespace vantage {
 void write_numbered(Session& session, const std::string& stem, const char* extension, const std::string& what,
                     double now, const std::function<void(const std::string& file)>& write);
 
+/// Writes a text file. Throws Error(storage).
+void write_text(const std::string& file, const std::string& text);
+
 }  // namespace vantage

@@ -40,7 +40,8 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       session_(session),
       controls_(controls),
       memory_limit_(memory_budget(o.memory).graphics),
-      open_dialog_(package.remote() ? "." : package.path().parent_path()) {
+      open_dialog_(package.remote() ? "." : package.path().parent_path()),
+      measure_(package) {
     session_.photos = photos_in_use(package, o.package);
     if (!o.window.kiosk) return;
     std::vector<Navigation> tour;
@@ -90,6 +91,7 @@ void ShownScene::interface(const View& view, double now) {
         menu_bar(controls_, s, renderer_, now);
         if (sidebar(controls_, s, renderer_, objects_, view, layout_.sidebar)) samples_ = 0;
     }
+    measure_.show(controls_, s, s.panels.measure ? objects_.meshes() : std::vector<PlacedMesh>{}, view, now);
     if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
     if (layout_.strip.height > 0) strip_.show(controls_, s, renderer_, view, layout_.strip, now);
     if (s.panels.help) help_panel(s);
@@ -154,6 +156,9 @@ void ShownScene::change_objects(double now) {
     } catch (const Error& e) {
         say(s, e.what(), now);
     }
+    if (const std::string table = std::exchange(s.table, ""); !table.empty())
+        write_numbered(s, renderer_.package().path().stem().string() + "-measurements", ".csv",
+                       "measurements", now, [&](const std::string& file) { write_text(file, table); });
     if (std::exchange(s.save_scene, false))
         write_numbered(s, "scene", ".toml", "scene", now,
                        [&](const std::string& file) { write_scene_file(file, objects_.objects()); });

@@ -3,6 +3,7 @@
 
 #include "player/interface/controls.h"
 #include "player/interface/layout.h"
+#include "player/interface/measure_panel.h"
 #include "player/interface/open_dialog.h"
 #include "player/interface/photo_strip.h"
 #include "player/interface/session.h"
@@ -56,6 +57,7 @@ class ShownScene {
     PhotoStrip strip_;
     OpenDialog open_dialog_;
     Layout layout_;
+    MeasurePanel measure_;
     std::optional<View> last_;
     LightSettings lit_;
     std::optional<Navigation> before_;

@@ -1,0 +1,65 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "player/interface/controls.h"
+#include "player/interface/session.h"
+#include "player/render/renderer.h"
+#include "player/survey/scene_point.h"
+#include "player/survey/survey_file.h"
+
+namespace vantage {
+
+/// In the mode for measuring, takes the keys that it acts on from the session's input: Enter, Backspace and
+/// Esc; and double clicks, which end a measurement there. Nothing in other modes.
+void take_measuring_keys(Session& session);
+
+/// The mode for measuring: clicks on the model set points; and the panel with the measurements, which are
+/// read from a file beside the package when the mode begins, and written whenever they change.
+class MeasurePanel {
+  public:
+    /// `package` must outlive it.
+    explicit MeasurePanel(const PackageReader& package);
+
+    /// Acts on the session's input, and draws measurements and the panel, while session.panels.measure.
+    /// `meshes`: those that are shown.
+    void show(Controls& controls, Session& session, std::span<const PlacedMesh> meshes, const View& view,
+              double now);
+
+  private:
+    void begin(Session& session, double now);
+    void look_under_pointer(std::span<const PlacedMesh> meshes, const View& view);
+    void take_keys(Session& session, double now);
+    void take_clicks(Session& session, std::span<const PlacedMesh> meshes, const View& view, double now);
+    void add(const SurveyPoint& point, Session& session, double now);
+    void end(Session& session, double now);
+    void changed(Session& session, double now);
+    void draw(const View& view) const;
+    void content(Controls& controls, Session& session, double now);
+    void choice_of_measure(Controls& controls);
+    void under_pointer() const;
+    void scale_section(Controls& controls, Session& session, double now);
+    void list(Controls& controls);
+    void selected_section(Controls& controls, Session& session, double now);
+    void select(std::size_t measurement);
+    std::string free_name(Measure measure) const;
+    Snapping snapping() const;
+
+    const PackageReader* package_;
+    Eigen::Vector3d origin_;
+    SurveyFile file_;
+    Survey survey_;
+    std::vector<Measured> values_;  ///< of the measurements
+    bool active_ = false;
+    Measurement next_{"", Measure::distance, {}};  ///< being measured
+    bool to_vertices_ = false;
+    std::optional<SurveyPoint> under_;
+    std::optional<std::size_t> selected_;
+    std::array<char, 256> name_{};  ///< of the selected one, as edited
+    double known_length_ = 0;       ///< of the selected distance, to set the scale by
+};
+
+}  // namespace vantage

@@ -1,0 +1,129 @@
+#!/usr/bin/env bash
+# Measures known lengths of a synthetic scene in the window, with real mouse and key events through the X server.
+# usage: window_measure_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
+set -uo pipefail
+source "$(dirname "$0")/window.sh"
+under_xvfb 1280x1024 "$@"
+
+vantage=$1 player=$2 source=$3
+"$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage --no-report >/dev/null 2>&1 || exit 1
+camera=$(awk '!/^#/ && NF == 10 { print; n++ } n == 3 { exit }' scene/sparse/images.txt | tail -1)
+photo=$(echo "$camera" | awk '{ print $10 }')
+start() {
+  rm -f places
+  "$player" one.vantage --photo "$photo" --size 900x700 --blended 1 --controls places --fresh >says 2>&1 &
+  pid=$!
+  find_window
+}
+# pixel X Y Z [right down]: where the photo's camera shows a point in the window, moved by some pixels
+pixel() {
+  awk -v x="$1" -v y="$2" -v z="$3" -v right="${4:-0}" -v down="${5:-0}" -v camera="$camera" '
+    !/^#/ && NF > 4 && !done { focal = $6 ? $6 : $5; focal *= 700 / $4; done = 1 }
+    END {
+      split(camera, c, " "); w = c[2]; a = c[3]; b = c[4]; d = c[5]
+      cx = (1 - 2 * (b * b + d * d)) * x + 2 * (a * b - d * w) * y + 2 * (a * d + b * w) * z + c[6]
+      cy = 2 * (a * b + d * w) * x + (1 - 2 * (a * a + d * d)) * y + 2 * (b * d - a * w) * z + c[7]
+      cz = 2 * (a * d - b * w) * x + 2 * (b * d + a * w) * y + (1 - 2 * (a * a + b * b)) * z + c[8]
+      print int(focal * cx / cz + 450 + right + 0.5), int(focal * cy / cz + 350 + down + 0.5)
+    }' scene/sparse/cameras.txt
+}
+point() {  # point X Y Z [right down]: clicks there
+  # shellcheck disable=SC2046
+  xdotool mousemove $(pixel "$@") click 1
+  frames 3
+}
+measures() {  # measures EXPECTED TOLERANCE WHAT: compares the last value that was saved
+  local is
+  is=$(awk -F'[:,]' '/"value"/ { v = $2 } END { print v + 0 }' one.measurements.json 2>/dev/null)
+  awk -v is="${is:-0}" -v wanted="$1" -v off="$2" 'BEGIN { exit !(is - wanted <= off && wanted - is <= off) }' ||
+    fail "$3 is measured as $is, expected $1 within $2"
+}
+count() { grep -c '"measure":' one.measurements.json; }
+type_into() {  # type_into FIELD TEXT
+  press "$1"
+  xdotool key ctrl+a; frames 2
+  xdotool type --delay 40 "$2"; frames 3
+  xdotool key Return; frames 3
+}
+there() { frames 3; place "$1" >/dev/null; }
+
+# An opening of the upper floor: 1.49333 m wide and 2.01 m high. Its corners are vertices of the mesh.
+left=1.92 right=3.41333 low=3.54 high=5.55
+start
+xdotool key F3; frames 3
+xdotool key m
+there "Snap to vertices" || fail "M does not show the panel"
+
+# On the surface: as exact as a pixel of the window, which is 13 mm there.
+point 1.6 0 3.7; point 1.6 0 5.3
+measures 1.6 0.03 "a distance on the wall"
+
+# At vertices, some pixels beside them: as exact as the mesh.
+press "Snap to vertices"
+point $left 0 $low -3 2; point $left 0 $high -4 -2
+measures 2.01 0.0001 "the height of the opening"
+press "Measure"; press "area"
+point $left 0 $low; point $right 0 $low; point $right 0 $high 2 -2; point $left 0 $high
+xdotool key Return; frames 3
+measures 3.0016 0.0005 "the area of the opening"
+press "Measure"; press "angle"
+point $right 0 $low; point $left 0 $low; point $left 0 $high
+measures 90 0.01 "a corner of the opening"
+press "Measure"; press "height"
+point $right 0 $low; point $left 0 $high
+measures 2.01 0.0001 "the height between two corners"
+
+# Backspace takes the last point back, and a double click ends.
+press "Measure"; press "polyline"
+point $left 0 $low; point $left 0 $high; point 1.6 0 4
+xdotool key BackSpace; frames 2
+# shellcheck disable=SC2046
+xdotool mousemove $(pixel $right 0 $high); frames 2
+xdotool click --repeat 2 --delay 80 1; frames 4
+measures 3.50333 0.0005 "a chain of two sides"
+
+# What is no surface sets no point; Esc gives up what is begun, then leaves.
+before=$(count)
+xdotool mousemove 880 60 click 1; frames 3
+point $left 0 $low
+xdotool key Escape; frames 3
+there "Snap to vertices" || fail "Esc leaves while something is being measured"
+xdotool key Return; frames 3
+[ "$(count)" = "$before" ] || fail "Esc does not give up a chain"
+xdotool key Escape
+there "Snap to vertices" && fail "Esc does not leave"
+point $left 0 $low; point $left 0 $high
+[ "$(count)" = "$before" ] || fail "clicks measure outside of the mode"
+
+# Names, scale, the table.
+xdotool key m; frames 3
+press "distance 2"
+type_into "Name" "Door"
+grep -q '"name": "Door"' one.measurements.json || fail "the new name is not saved"
+type_into "Known length" "6.6"
+press "Set scale"
+grep -q '"unit": "m"' one.measurements.json || fail "the scale is not saved"
+press "Shown in"; press "cm"
+measures 1150.35 0.5 "the chain with another scale"
+press "angle 1"; press "Delete"
+[ "$(count)" = $((before - 1)) ] || fail "Delete deletes nothing"
+press "Export table"
+frames 3
+grep -q '^"Door",distance,660' one-measurements-0001.csv || fail "the table has no door of 660 cm: $(cat one-measurements-0001.csv)"
+xdotool key ctrl+q; await_exit "Ctrl+Q"
+
+# They are there again; a damaged file is left alone.
+start
+xdotool key F3 m; frames 3
+there "Door" || fail "measurements are not read"
+xdotool key ctrl+q; await_exit "Ctrl+Q"
+head -c 300 one.measurements.json >cut && cp cut one.measurements.json
+start
+xdotool key F3 m; frames 3
+point 1.6 0 3.7; point 1.6 0 5.3
+kill -0 $pid 2>/dev/null || fail "a damaged file ends the player"
+cmp -s cut one.measurements.json || fail "a damaged file was replaced"
+xdotool key ctrl+q; await_exit "Ctrl+Q"
+
+[ $failed = 0 ] && echo "measures"
+exit $failed
