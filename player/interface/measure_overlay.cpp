@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -46,7 +47,10 @@ Vector3d label_place(Measure measure, const std::vector<Vector3d>& p, const Vect
 
 void draw_label(ImDrawList& list, const ImVec2& at, const std::string& text, ImU32 color) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 low(at.x + 8, at.y - size.y - 6), high(low.x + size.x + 10, low.y + size.y + 4);
+    const ImVec2 frame = ImGui::GetIO().DisplaySize;
+    const ImVec2 low(std::max(0.0f, std::min(at.x + 8, frame.x - size.x - 10)),
+                     std::max(0.0f, at.y - size.y - 6)),
+        high(low.x + size.x + 10, low.y + size.y + 4);
     list.AddRectFilled(low, high, IM_COL32(15, 18, 22, 215), 4);
     list.AddText(ImVec2(low.x + 5, low.y + 2), color, text.c_str());
 }

@@ -11,7 +11,7 @@ camera=$(awk '!/^#/ && NF == 10 { print; n++ } n == 3 { exit }' scene/sparse/ima
 photo=$(echo "$camera" | awk '{ print $10 }')
 start() {
   rm -f places
-  "$player" one.vantage --photo "$photo" --size 900x700 --blended 1 --controls places --fresh >says 2>&1 &
+  "$player" one.vantage --photo "$photo" --size 900x700 --blended 1 --thumbnails --controls places --fresh >says 2>&1 &
   pid=$!
   find_window
 }
@@ -60,10 +60,10 @@ measures 1.6 0.03 "a distance on the wall"
 
 # At vertices, some pixels beside them: as exact as the mesh.
 press "Snap to vertices"
-point $left 0 $low -3 2; point $left 0 $high -4 -2
+point $left 0 $low -2 1; point $left 0 $high -2 -1
 measures 2.01 0.0001 "the height of the opening"
 press "Measure"; press "area"
-point $left 0 $low; point $right 0 $low; point $right 0 $high 2 -2; point $left 0 $high
+point $left 0 $low; point $right 0 $low; point $right 0 $high 2 -1; point $left 0 $high
 xdotool key Return; frames 3
 measures 3.0016 0.0005 "the area of the opening"
 press "Measure"; press "angle"
