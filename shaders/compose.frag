@@ -1,6 +1,7 @@
 // Several objects in one picture: at each pixel, nearer ones over those behind them, in linear light. An object that is not
 // opaque lets those behind its nearest surface through.
 #include "contract.glsl"
+#include "background.glsl"
 
 layout(location = 0) out vec4 shown;
 layout(binding = object_colors_unit) uniform sampler2DArray colors;  // sRGB and coverage
@@ -8,7 +9,9 @@ layout(binding = object_depths_unit) uniform sampler2DArray depths;
 layout(location = objects_uniform) uniform int objects;
 layout(location = compose_flip_uniform) uniform bool flip;
 layout(location = compose_fill_uniform) uniform bool fill;
-layout(location = compose_background_uniform) uniform vec3 background;  // linear
+layout(location = compose_background_uniform) uniform vec3 background;  // linear, at the top
+layout(location = compose_background_bottom_uniform) uniform vec3 background_bottom;
+layout(location = compose_soft_edges_uniform) uniform float soft_edges;
 layout(location = compose_opacity_uniform) uniform float opacity[MOST_OBJECTS];
 
 vec3 decode(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045))); }
@@ -53,8 +56,11 @@ void main() {
         light += through * alpha * decode(c.rgb);
         through *= 1.0 - alpha;
     }
+    float share = edge_share(at, textureSize(colors, 0).xy, soft_edges);
+    light *= share;
+    through = 1.0 - share * (1.0 - through);
     if (fill) {
-        light += through * background;
+        light += through * background_at(background, background_bottom, at.y, textureSize(colors, 0).y);
         through = 0.0;
     }
     float covered = 1.0 - through;

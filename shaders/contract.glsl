@@ -100,6 +100,7 @@ const int shows_transparent_uniform = 24;
 const int veils_holes_uniform = 25;
 
 const int fill_background_uniform = 26;
+const int background_bottom_uniform = 27;
 
 // Several objects in one picture: uniforms of object_depth and of compose; how far away surroundings and what has no
 // surface count, farther than anything.
@@ -109,6 +110,8 @@ const int compose_flip_uniform = 1;
 const int compose_fill_uniform = 2;
 const int compose_background_uniform = 3;
 const int compose_opacity_uniform = 4;  // one for each object, in the order of the layers
+const int compose_background_bottom_uniform = 20;
+const int compose_soft_edges_uniform = 21;
 const float surroundings_away = 1e30f;
 const float nothing_away = 2e30f;
 
@@ -132,6 +135,10 @@ const int bands_uniform = 7;
 const int band_share_uniform = 8;
 const int other_fills_uniform = 9;
 const int veils_uniform = 24;
+const int soft_edges_uniform = 25;
+const int show_background_uniform = 26;
+const int show_background_bottom_uniform = 27;
+const int edges_opaque_uniform = 28;
 
 // Uniforms of average_holes.
 const int average_samples_uniform = 0;

@@ -1,6 +1,7 @@
 // Turns the sums of one sample of each pixel into a color and adds it to the pixel's samples with weight 1. A sample
 // without weight is a hole, whatever its color; with surroundings, holes that are to be filled have a small weight.
 #include "contract.glsl"
+#include "background.glsl"
 
 layout(location = 0) out vec4 accumulated;
 layout(binding = sums_unit) uniform sampler2D sums;
@@ -9,7 +10,8 @@ layout(binding = before_unit) uniform sampler2D before;         // the picture o
 layout(location = progress_uniform) uniform float progress;     // share of these photos; 1: `before` does not count
 layout(location = takes_one_uniform) uniform bool takes_one;    // the sums already hold a color
 layout(location = fill_uniform) uniform bool fill;              // shade holes, and fill the background
-layout(location = background_uniform) uniform vec3 background;  // linear
+layout(location = background_uniform) uniform vec3 background;  // linear, at the top
+layout(location = background_bottom_uniform) uniform vec3 background_bottom;
 layout(location = fill_background_uniform) uniform bool fill_background;  // if `fill`; else the background stays transparent
 layout(location = most_uniform) uniform float most;             // coverage: number of photos with the brightest color; else 0
 layout(location = exposure_uniform) uniform vec3 exposure;      // exposure of the view, relative to the mean photo's
@@ -179,6 +181,7 @@ vec4 mixed(vec4 replaced, vec4 c) {
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 s = texelFetch(sums, at, 0);
+    vec3 behind = background_at(background, background_bottom, at.y, textureSize(sums, 0).y);
     accumulated = vec4(0.0);
     if (s.a > 0.0)
         accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : mean_light(s)), 1.0);
@@ -190,7 +193,7 @@ void main() {
     bool looks = hole && fill;
 #endif
     vec4 bare = looks ? texelFetch(surface, at, 0) : vec4(0.0);
-    if (hole && fill) accumulated = bare.a > 0.0 ? vec4(bare.rgb, 1.0) : fill_background ? vec4(background, 1.0) : vec4(0.0);
+    if (hole && fill) accumulated = bare.a > 0.0 ? vec4(bare.rgb, 1.0) : fill_background ? vec4(behind, 1.0) : vec4(0.0);
 #ifdef LIGHT
     if (bare.a == shows_light) {
         if (!light_on_photos || (hole && fill)) accumulated = vec4(bare.rgb * light_scale, 1.0);
@@ -212,7 +215,7 @@ void main() {
         hole = false;
         bare = vec4(0.0);
     } else if (shows_points && points_alone) {
-        accumulated = fill && fill_background ? vec4(background, 1.0) : vec4(0.0);
+        accumulated = fill && fill_background ? vec4(behind, 1.0) : vec4(0.0);
         hole = !fill;
         bare = vec4(0.0);
     }

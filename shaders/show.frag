@@ -1,6 +1,7 @@
 // Shows the accumulated samples: averaged in linear light, encoded as sRGB, coverage in alpha. Optionally compares them
 // with a photo: side by side, with a wiper, or as a difference.
 #include "photos.glsl"
+#include "background.glsl"
 
 layout(location = 0) out vec4 shown;
 layout(binding = accumulated_unit) uniform sampler2D accumulated;
@@ -10,6 +11,10 @@ layout(location = compare_uniform) uniform uint compare;
 layout(location = wiper_uniform) uniform float wiper;     // share of the width
 layout(location = photo_from_frame_uniform) uniform mat3 photo_from_frame;  // pixels, homogeneous
 layout(location = lod_uniform) uniform float lod;         // of the photo
+layout(location = soft_edges_uniform) uniform float soft_edges;
+layout(location = show_background_uniform) uniform vec3 background;  // linear, at the top
+layout(location = show_background_bottom_uniform) uniform vec3 background_bottom;
+layout(location = edges_opaque_uniform) uniform bool edges_opaque;  // fade into the background, else into nothing
 #ifdef SURROUNDINGS
 layout(binding = filled_unit) uniform sampler2D filled;   // square roots of light at half the size
 layout(location = fills_uniform) uniform bool fills;      // show `filled` in place of holes
@@ -122,6 +127,9 @@ void main() {
 #ifdef TRANSPARENCY
     if (flip && compare == compare_nothing) light.rgb *= light.a;  // a window has black behind what is transparent
 #endif
+    float share = compare == compare_nothing ? edge_share(at, size, soft_edges) : 1.0;
+    if (edges_opaque) light.rgb = mix(background_at(background, background_bottom, at.y, size.y), light.rgb, share);
+    else light.a *= share;
     vec3 color = clamp(encode(clamp(light.rgb, 0.0, 1.0)), 0.0, 1.0);
     float seen = light.a;
     if (compare != compare_nothing) {

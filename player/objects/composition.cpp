@@ -62,7 +62,9 @@ void Composition::show(std::span<const ObjectFrame> frames, const View& view, co
         glUniform1f(shader::compose_opacity_uniform + GLint(i), float(frames[i].opacity));
     glUniform1i(shader::compose_flip_uniform, flip);
     glUniform1i(shader::compose_fill_uniform, settings.fill_holes);
-    glUniform3fv(shader::compose_background_uniform, 1, settings.background);
+    glUniform3fv(shader::compose_background_uniform, 1, settings.background.top.data());
+    glUniform3fv(shader::compose_background_bottom_uniform, 1, settings.background.bottom.data());
+    glUniform1f(shader::compose_soft_edges_uniform, float(settings.background.soft_edges));
     glBindTextureUnit(shader::object_colors_unit, colors_.id());
     glBindTextureUnit(shader::object_depths_unit, depths_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -103,6 +104,15 @@ struct BandSettings {
     bool operator==(const BandSettings&) const = default;
 };
 
+/// What is behind the model if holes are filled.
+struct Background {
+    std::array<float, 3> top{0.012f, 0.014f, 0.018f}, bottom = top;  ///< linear; a gradient between them
+    /// Share of the shorter side over which the picture fades toward its edges, into the background or into
+    /// transparency; not while it is compared.
+    double soft_edges = 0;
+    bool operator==(const Background&) const = default;
+};
+
 /// How a view is rendered.
 struct RenderSettings {
     Blend blend = Blend::lumigraph;
@@ -141,7 +151,7 @@ struct RenderSettings {
     bool wait_for_base = false;  ///< in this frame, waits for what photos need to be drawn at all
     bool whole_photos = false;   ///< upload each photo whole and at once (for comparison)
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame
-    float background[3] = {0.012f, 0.014f, 0.018f};                      ///< linear
+    Background background;
 };
 
 /// The plan settings that follow from these, for one sample per pixel.

@@ -438,7 +438,8 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     }
     if (!before && passes_.shows_layer(settings))
         glUniform1f(shader::layer_share_uniform, float(settings.layer.share));
-    glUniform3fv(shader::background_uniform, 1, settings.background);
+    glUniform3fv(shader::background_uniform, 1, settings.background.top.data());
+    glUniform3fv(shader::background_bottom_uniform, 1, settings.background.bottom.data());
     glUniform1i(shader::fill_background_uniform, settings.fill_background);
     glUniform1f(shader::most_uniform, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
     expose(frame.drawn);
@@ -553,6 +554,10 @@ void Renderer::show(const View& view, const RenderSettings& given, GLuint target
     glUseProgram(show_program_.id());
     glUniform1f(shader::samples_uniform, float(std::max(samples_, 1.0)));
     glUniform1i(shader::flip_uniform, flip);
+    glUniform1f(shader::soft_edges_uniform, float(settings.background.soft_edges));
+    glUniform3fv(shader::show_background_uniform, 1, settings.background.top.data());
+    glUniform3fv(shader::show_background_bottom_uniform, 1, settings.background.bottom.data());
+    glUniform1i(shader::edges_opaque_uniform, settings.fill_holes && settings.fill_background);
     if (scene_.has_surroundings()) {
         glUniform1i(shader::fills_uniform, fills);
         glBindTextureUnit(shader::filled_unit, filling_->filled().id());
