@@ -57,6 +57,10 @@ bool is_world_file(std::string_view head) {
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != text.npos; }
 
+bool is_video(std::string_view head) {
+    return head.starts_with("\x1a\x45\xdf\xa3") || (head.size() > 8 && head.substr(4, 4) == "ftyp");
+}
+
 struct Row {
     Product product;
     const char* name;  ///< in messages
@@ -84,6 +88,7 @@ constexpr Row rows[] = {
     {Product::scene, "a scene file written by Vantage",
      [](std::string_view h) { return h.starts_with(scene_mark); }},
     {Product::world, "a world file", is_world_file},
+    {Product::video, "an MP4 or WebM video", is_video},
 };
 
 const Row& row_of(Product product) { return *std::ranges::find(rows, product, &Row::product); }

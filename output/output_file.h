@@ -11,8 +11,23 @@
 namespace vantage {
 
 /// What the programs write: each kind replaces only files of the same kind that they have written; PNG and
-/// EXR pictures and world files, any file of their format.
-enum class Product { package, page, trace, junit, ply, csv, plot, png, exr, jpeg, cameras, scene, world };
+/// EXR pictures, world files and videos, any file of their format.
+enum class Product {
+    package,
+    page,
+    trace,
+    junit,
+    ply,
+    csv,
+    plot,
+    png,
+    exr,
+    jpeg,
+    cameras,
+    scene,
+    world,
+    video
+};
 
 /// A line of the header of a mesh written by these programs.
 inline constexpr const char* ply_mark = "comment written by Vantage\n";

@@ -6,8 +6,8 @@
 
 namespace vantage {
 
-/// Where a turn around the whole model starts: 20 degrees above its middle, on the side of the photos, with
-/// its bounding sphere just inside a frame of `aspect`, width over height.
+/// Where a turn around the whole model starts: 20 degrees above its middle, on the side of the photos, at a
+/// distance from which it stays inside a frame of `aspect`, width over height, whichever way it is turned.
 Navigation framed(const PackageReader& package, double aspect);
 
 /// `count` positions around the target of `start`, evenly spaced: once around for an arc of 360 degrees, so

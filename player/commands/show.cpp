@@ -11,6 +11,8 @@
 #include "player/commands/parse.h"
 #include "player/commands/supervise.h"
 #include "player/options/opened_package.h"
+#include "player/video/flight_frames.h"
+#include "player/video/run_video.h"
 #include "player/window/run_window.h"
 #include "scene/package_reader.h"
 
@@ -64,6 +66,7 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
     add_light_options(app, o.light);
     add_point_options(app, o.points);
     add_picture_options(app, o.pictures);
+    add_video_options(app, o.video);
     add_window_options(app, o.window);
     app.footer(
         "Examples:\n"
@@ -75,6 +78,9 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
         "map.png\n"
         "  vantage-player chapel.vantage --offscreen --photo 0003 --light raking --lamp 200,10 -o "
         "relief.png\n"
+        "  vantage-player chapel.vantage --turntable -o chapel.mp4\n"
+        "  vantage-player chapel.vantage --tour short --size 1920x1080 -o tour.webm\n"
+        "  vantage-player chapel.vantage --path chapel-0001.path --frame-rate 25 -o frames\n"
         "  vantage-player chapel.vantage --add altar.vantage --add scanner.vantage\n"
         "  vantage-player church.toml\n"
         "  vantage-player panel.vantage --offscreen --photo 0003 --band visible --band-mix infrared=0.5 -o "
@@ -90,12 +96,13 @@ int show_command(int argc, char** argv) {
     add_show_options(app, options);
     if (const auto code = parse(app, argc, argv)) return *code;
     const std::vector<SceneObject> objects = named_objects(options.package, options.objects);
-    if (!options.list && !options.pictures.offscreen) return show(options, objects);
+    const bool video = wants_video(options);
+    if (!options.list && !options.pictures.offscreen && !video) return show(options, objects);
     const PackageReader package =
         opened_package(objects.front().package, options.memory, options.output.quiet);
     package.meta();  // not needed for showing, but reports damage
     if (options.list) return list_photos(package), 0;
-    return run_offscreen(package, options, objects);
+    return video ? run_video(package, options, objects) : run_offscreen(package, options, objects);
 }
 
 }  // namespace vantage

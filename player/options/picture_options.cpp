@@ -10,7 +10,9 @@ void add_picture_options(CLI::App& app, PictureOptions& o) {
     app.add_option("--view", o.view,
                    "view from EX,EY,EZ to TX,TY,TZ, optionally with the vertical field of view in degrees")
         ->group(group);
-    app.add_option("--path", o.path, "file of views, one per line, as for --view")
+    app.add_option("--path", o.path,
+                   "file of views, one per line, as for --view; without --offscreen, a video along them, "
+                   "each at its at=SECONDS, or 3 seconds apart")
         ->type_name("FILE")
         ->group(group);
     app.add_option("--scale", o.scale, "size of the picture relative to the photo's")

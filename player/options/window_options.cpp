@@ -18,7 +18,7 @@ void add_window_options(CLI::App& app, WindowOptions& o) {
         ->check(CLI::Range(1.0, 86400.0))
         ->capture_default_str()
         ->group(group);
-    app.add_option("--tour", o.tour, "a recorded path that a kiosk flies along until somebody touches it")
+    app.add_option("--attract", o.tour, "a recorded path that a kiosk flies along until somebody touches it")
         ->type_name("FILE")
         ->group(group);
     app.add_option("--text-scale", o.text_scale,

@@ -1,0 +1,17 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace vantage {
+
+/// A video without a display. Its way is --turntable, --tour or PictureOptions::path.
+struct VideoOptions {
+    bool turntable = false;
+    double arc = 360;        ///< degrees, of the turntable
+    std::string tour;        ///< id or title; empty: none
+    double seconds = 0;      ///< 0: as long as the tour or path; a turntable, 12
+    double frame_rate = 30;  ///< per second
+};
+void add_video_options(CLI::App& app, VideoOptions& options);
+
+}  // namespace vantage

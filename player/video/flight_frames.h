@@ -1,0 +1,25 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "player/camera/navigation.h"
+#include "player/camera/shots.h"
+#include "player/options/show_options.h"
+#include "scene/package_reader.h"
+#include "story/story.h"
+
+namespace vantage {
+
+/// Whether the options ask for a video: a turntable, a tour, or a path that is flown along.
+bool wants_video(const ShowOptions& options);
+
+/// The story beside the package or scene file; empty if there is none. Throws Error(input).
+Story story_beside(const std::filesystem::path& package);
+
+/// The positions of the frames of the video that the options ask for, of this size. Throws Error(usage) for
+/// two ways at once, a tour that the story does not have, or more than a million frames, and Error(input) for
+/// a path or a story that cannot be read.
+std::vector<Navigation> flight_frames(const PackageReader& package, const ShowOptions& options,
+                                      const Story& story, FrameSize size);
+
+}  // namespace vantage

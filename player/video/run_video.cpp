@@ -1,0 +1,198 @@
+#include "player/video/run_video.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include "gl/context.h"
+#include "output/make_folder.h"
+#include "output/output_file.h"
+#include "output/package_inputs.h"
+#include "player/objects/object_set.h"
+#include "player/render/picture.h"
+#include "player/story/story_background.h"
+#include "player/video/flight_frames.h"
+#include "player/video/frame_files.h"
+#include "player/video/stop_request.h"
+#include "player/video/video_encoder.h"
+#include "scene/error.h"
+#include "story/story_file.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+FrameSize frame_size(const ShowOptions& o) {
+    return o.output.size.empty() ? FrameSize{1280, 720} : parse_size(o.output.size);
+}
+
+/// Where frames go: one file, or one for each of them.
+struct Output {
+    fs::path video;  ///< empty: `frames`
+    std::vector<fs::path> frames;
+};
+
+/// Throws Error(usage) if a file must not be replaced, or no output is given.
+Output output_of(const PackageReader& package, const ShowOptions& o, std::size_t count) {
+    const fs::path out = o.output.file;
+    if (out.empty()) throw Error(Exit::usage, "a video needs -o: FILE.mp4, FILE.webm or a folder");
+    Inputs inputs = inputs_of(package);
+    if (!o.pictures.path.empty()) inputs.files.emplace_back(o.pictures.path);
+    if (const fs::path story = story_file_of(o.package.file); !story.empty()) inputs.files.push_back(story);
+    if (is_video_file(out)) return {output_file(out, Product::video, inputs, o.output.force), {}};
+    const std::string name = fs::path(o.package.file).stem().string();
+    return {{}, frame_files(out, name, count, inputs, o.output.force)};
+}
+
+/// Pictures of frames, one after the other.
+class Frames {
+  public:
+    Frames(const PackageReader& package, const ShowOptions& o, const std::vector<SceneObject>& objects,
+           const Story& story)
+        : context_(o.window.debug_gl),
+          renderer_(package, memory_budget(o.memory)),
+          objects_(renderer_, objects, memory_budget(o.memory)),
+          photos_(photos_in_use(package, o.package)),
+          side_(o.pictures.samples ? o.pictures.samples : 2) {
+        settings_ = render_settings(package, o.blending, Purpose::pictures);
+        settings_.fill_holes = o.blending.holes != "transparent";
+        settings_.layer = layer_settings(package, o.layer);
+        settings_.light = light_settings(o.light);
+        settings_.points = o.points;
+        if (story.background) settings_.background = background_of(*story.background);
+        // Of few photos, which ones changes from frame to frame: they fade, as in the window.
+        settings_.complete = settings_.photos == 0;
+        settings_.wait_for_tiles = !settings_.complete;
+    }
+    /// `now`: seconds since the first frame.
+    Picture picture(const View& view, double now) {
+        if (settings_.wait_for_tiles && !settled_) settle(view, now);
+        settled_ = true;
+        FrameReport report;
+        for (int i = 0; i < side_ * side_; ++i)
+            report = objects_.draw(view, settings_, photos_, {i, side_}, now);
+        Picture p = picture_of(view, [&](GLuint to) { objects_.show(view, settings_, to, false); });
+        p.report = report;
+        return p;
+    }
+
+  private:
+    /// Draws the first frame until nothing fades.
+    void settle(const View& view, double now) {
+        constexpr int most = 60;
+        for (int i = 0; i < most; ++i)
+            if (objects_.draw(view, settings_, photos_, {}, now + (i - most) / 30.0).settled && i > 1) return;
+    }
+
+    gl::HeadlessContext context_;
+    Renderer renderer_;
+    ObjectSet objects_;
+    std::vector<std::uint32_t> photos_;
+    RenderSettings settings_;
+    int side_;
+    bool settled_ = false;
+};
+
+/// One line that is replaced on a terminal; elsewhere, one every ten seconds.
+class FrameProgress {
+  public:
+    FrameProgress(std::size_t count, bool quiet) : count_(count), quiet_(quiet) {}
+    ~FrameProgress() {
+        if (shown_ && terminal_) std::fputc('\n', stderr);
+    }
+    void show(std::size_t done) {
+        const double passed = seconds_since(start_);
+        if (quiet_ || (!terminal_ && passed < next_)) return;
+        next_ = passed + 10;
+        const double left = passed / double(done) * double(count_ - done);
+        std::fprintf(stderr, "%sframe %zu of %zu, %.0f s left   %s", terminal_ ? "\r" : "", done, count_,
+                     left, terminal_ ? "" : "\n");
+        shown_ = true;
+    }
+    double seconds() const { return seconds_since(start_); }
+
+  private:
+    std::size_t count_;
+    bool quiet_, terminal_ = ::isatty(STDERR_FILENO) == 1, shown_ = false;
+    Clock::time_point start_ = Clock::now();
+    double next_ = 10;
+};
+
+/// Renders all frames to the output. Returns how many tiles were damaged.
+std::size_t write_frames(Frames& frames, const std::vector<Navigation>& flight, const Output& output,
+                         VideoEncoder* encoder, const ShowOptions& o, FrameProgress& progress) {
+    const FrameSize size = frame_size(o);
+    const std::atomic<bool>& stop = stop_requested();
+    std::size_t damaged = 0;
+    for (std::size_t i = 0; i < flight.size(); ++i) {
+        const Picture picture =
+            frames.picture(view_of(flight[i], size.width, size.height), double(i) / o.video.frame_rate);
+        damaged = std::max(damaged, picture.report.tiles_damaged);
+        if (stop && !encoder)
+            throw Error(Exit::interrupted, o.output.file + ": interrupted after " + std::to_string(i) +
+                                               " of " + std::to_string(flight.size()) +
+                                               " frames, which are complete");
+        if (encoder)
+            encoder->write(picture, stop);
+        else
+            write_png(output.frames[i], picture);
+        progress.show(i + 1);
+    }
+    if (encoder) encoder->finish(stop);
+    return damaged;
+}
+
+void print_result(const ShowOptions& o, std::size_t count, bool frames, double seconds) {
+    const FrameSize size = frame_size(o);
+    std::printf("%s  %dx%d  %zu frames  %.2f s at %g per second  rendered in %.1f s\n", o.output.file.c_str(),
+                size.width, size.height, count, double(count) / o.video.frame_rate, o.video.frame_rate,
+                seconds);
+    const std::string name = fs::path(o.package.file).stem().string();
+    if (const std::size_t more = frames ? frames_beyond(o.output.file, name, count) : 0)
+        std::fprintf(stderr, "vantage-player: %s: has %zu more frames, of a longer video\n",
+                     o.output.file.c_str(), more);
+}
+
+}  // namespace
+
+int run_video(const PackageReader& package, const ShowOptions& o, const std::vector<SceneObject>& objects) {
+    const FrameSize size = frame_size(o);
+    const Story story = story_beside(o.package.file);
+    const std::vector<Navigation> flight = flight_frames(package, o, story, size);
+    const Output output = output_of(package, o, flight.size());
+    const bool to_folder = output.video.empty();
+    const fs::path& any = to_folder ? output.frames.front() : output.video;
+    if (any.has_parent_path()) make_folder(any.parent_path());
+    stop_requested();
+    std::optional<VideoEncoder> encoder;
+    const bool transparent = o.blending.holes == "transparent";
+    if (!to_folder)
+        encoder.emplace(output.video, VideoFormat{size.width, size.height, o.video.frame_rate, transparent});
+    Frames frames(package, o, objects, story);
+    std::size_t damaged = 0;
+    double seconds = 0;
+    {
+        FrameProgress progress(flight.size(), o.output.quiet);
+        damaged = write_frames(frames, flight, output, encoder ? &*encoder : nullptr, o, progress);
+        seconds = progress.seconds();
+    }
+    if (!o.output.quiet) print_result(o, flight.size(), to_folder, seconds);
+    if (!damaged) return int(Exit::ok);
+    std::fprintf(stderr,
+                 "vantage-player: %s: %zu tiles have a checksum mismatch and were not shown (see vantage "
+                 "check --deep)\n",
+                 package.path().c_str(), damaged);
+    return int(Exit::damaged);
+}
+
+}  // namespace vantage
