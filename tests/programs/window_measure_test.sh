@@ -18,13 +18,18 @@ start() {
 # pixel X Y Z [right down]: where the photo's camera shows a point in the window, moved by some pixels
 pixel() {
   awk -v x="$1" -v y="$2" -v z="$3" -v right="${4:-0}" -v down="${5:-0}" -v camera="$camera" '
-    !/^#/ && NF > 4 && !done { focal = $6 ? $6 : $5; focal *= 700 / $4; done = 1 }
+    # Bar and strip leave 900x564 pixels to the photo.
+    !/^#/ && NF > 4 && !done {
+      high = 900 * $4 / $3
+      focal = ($6 ? $6 : $5) * (high < 564 ? high : 564) / $4
+      done = 1
+    }
     END {
       split(camera, c, " "); w = c[2]; a = c[3]; b = c[4]; d = c[5]
       cx = (1 - 2 * (b * b + d * d)) * x + 2 * (a * b - d * w) * y + 2 * (a * d + b * w) * z + c[6]
       cy = 2 * (a * b + d * w) * x + (1 - 2 * (a * a + d * d)) * y + 2 * (b * d - a * w) * z + c[7]
       cz = 2 * (a * d - b * w) * x + 2 * (b * d + a * w) * y + (1 - 2 * (a * a + b * b)) * z + c[8]
-      print int(focal * cx / cz + 450 + right + 0.5), int(focal * cy / cz + 350 + down + 0.5)
+      print int(focal * cx / cz + 450 + right + 0.5), int(focal * cy / cz + 282 + down + 0.5)
     }' scene/sparse/cameras.txt
 }
 point() {  # point X Y Z [right down]: clicks there
@@ -50,7 +55,6 @@ there() { frames 3; place "$1" >/dev/null; }
 # An opening of the upper floor: 1.49333 m wide and 2.01 m high. Its corners are vertices of the mesh.
 left=1.92 right=3.41333 low=3.54 high=5.55
 start
-xdotool key F3; frames 3
 xdotool key m
 there "Snap to vertices" || fail "M does not show the panel"
 
@@ -114,12 +118,12 @@ xdotool key ctrl+q; await_exit "Ctrl+Q"
 
 # They are there again; a damaged file is left alone.
 start
-xdotool key F3 m; frames 3
+xdotool key m; frames 3
 there "Door" || fail "measurements are not read"
 xdotool key ctrl+q; await_exit "Ctrl+Q"
 head -c 300 one.measurements.json >cut && cp cut one.measurements.json
 start
-xdotool key F3 m; frames 3
+xdotool key m; frames 3
 point 1.6 0 3.7; point 1.6 0 5.3
 kill -0 $pid 2>/dev/null || fail "a damaged file ends the player"
 cmp -s cut one.measurements.json || fail "a damaged file was replaced"
