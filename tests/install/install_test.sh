@@ -56,9 +56,10 @@ expect_documented() {  # COMMAND...
 for program in vantage vantage-player; do
   expect_documented $program
   [ "$(verbs $program | wc -l)" -ge 4 ] || fail "--help of $program lists no verbs"
+  offered=$(candidates $program '')
   for verb in $(verbs $program); do
     expect_documented $program $verb
-    candidates $program '' | grep -qx $verb || fail "completion of $program does not offer $verb"
+    grep -qx $verb <<<"$offered" || fail "completion of $program does not offer $verb"
   done
 done
 contains "$(page vantage-prepare)" "vantage prepare chapel -o look.vantage --config preview" "examples"
@@ -114,7 +115,7 @@ call=$(sed -n 's/^Exec=//p' "$prefix/share/thumbnailers/vantage.thumbnailer")
 call=${call//%i/"'a package of ours.vantage'"} call=${call//%o/thumbnail} call=${call//%s/96}
 eval "$call"
 [ "$(od -An -tx1 -N8 thumbnail | tr -d ' ')" = 89504e470d0a1a0a ] || fail "the thumbnail is not a PNG"
-size=$(od -An -tu1 -j16 -N8 thumbnail | awk '{w = $3 * 256 + $4; h = $7 * 256 + $8; print w > h ? w : h}')
+size=$(od -An -tu1 -j16 -N8 thumbnail | awk '{w = $3 * 256 + $4; h = $7 * 256 + $8; print (w > h ? w : h)}')
 [ "$size" = 96 ] || fail "the thumbnail's long side is $size px, expected 96"
 
 # The documents' links to each other and to pictures lead to files.
