@@ -51,6 +51,8 @@ void help_panel(Session& s) {
                                         {blends.keys.c_str(), blends.labels.c_str()},
                                         {"R, T", "record a path, replay it"},
                                         {"M", "measure"},
+                                        {"J", "show or hide notes and tours"},
+                                        {"Ctrl+E", "edit notes and tours"},
                                         {"O", "open another package (or drop it here)"},
                                         {"P", "screenshot"},
                                         {"Tab", "all settings, or only the picture"},

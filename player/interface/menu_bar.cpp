@@ -19,6 +19,8 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
     toggle("Cameras in the scene", "F5", s.panels.frusta);
     toggle("Radar", "F6", s.panels.radar);
     toggle("Measure", "M", s.panels.measure);
+    toggle("Notes and tours", "J", s.panels.story);
+    toggle("Edit the story", "Ctrl+E", s.panels.story_editor);
     ImGui::Separator();
     toggle("Picture", "F12", s.panels.picture);
     toggle("Blending", "F2", s.panels.blending);

@@ -60,6 +60,11 @@ void replay(Session& s, double now) {
 
 void continue_flight(Session& s, double now) {
     if (!s.flight) return;
+    if (s.flight->along) {
+        s.camera = s.flight->along->at(now - s.flight->start);
+        if (now - s.flight->start >= s.flight->seconds) s.flight.reset();
+        return;
+    }
     const auto& stops = s.flight->stops;
     double share = std::clamp((now - s.flight->start) / s.flight->seconds, 0.0, 1.0);
     if (stops.size() == 2) share = share * share * (3 - 2 * share);  // accelerates and decelerates smoothly

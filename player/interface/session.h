@@ -1,8 +1,10 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "player/camera/camera_spline.h"
 #include "player/camera/navigation.h"
 #include "player/interface/user_input.h"
 #include "player/render/frame_statistics.h"
@@ -18,6 +20,7 @@ struct Panels {
     bool layers = true;                ///< if the package has layers of its own; else closed until asked for
     bool points = true, bands = true;  ///< only if the package has any
     bool measure = false;              ///< and clicks measure
+    bool story = true, story_editor = false;  ///< notes and tours, if there are any; editing them
 };
 
 /// How often positions are recorded.
@@ -37,10 +40,11 @@ struct Session {
     bool freeze = false;            ///< weights are frozen
     bool lamp_follows = true;       ///< the raking light follows the pointer
 
-    /// A flight in progress: to a photo, or along a recorded path.
+    /// A flight in progress: to a photo, along a recorded path, or along a curve with times of its own.
     struct Flight {
         std::vector<Navigation> stops;
         double start, seconds;
+        std::shared_ptr<const CameraSpline> along{};
     };
     std::optional<Flight> flight;
     /// Where the camera was before it moved, oldest first.

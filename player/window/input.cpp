@@ -156,6 +156,7 @@ void change_text(Session& s, float factor) {
 /// Keys with Ctrl.
 void run_command(Session& s, int key) {
     if (key == GLFW_KEY_Q) s.quit = !s.kiosk;
+    if (key == GLFW_KEY_E && !s.kiosk) s.panels.story_editor = !s.panels.story_editor;
     if (key == GLFW_KEY_EQUAL || key == GLFW_KEY_KP_ADD) change_text(s, text_step);
     if (key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT) change_text(s, 1 / text_step);
 }
@@ -192,6 +193,9 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
             return;
         case GLFW_KEY_O:
             s.open_asked = true;
+            return;
+        case GLFW_KEY_J:
+            s.panels.story = !s.panels.story;
             return;
         case GLFW_KEY_P:
             s.screenshot = true;

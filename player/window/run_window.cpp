@@ -126,6 +126,7 @@ float text_scale(const ShowOptions& o, const Remembered& remembered, const GlfwW
 
 /// A package to show, and when it was requested.
 struct Requested {
+    std::string file;  ///< a package or a scene file
     std::vector<SceneObject> objects;
     PackageReader package;  ///< of the first one
     double at;              ///< seconds
@@ -145,7 +146,7 @@ std::optional<Requested> take_request(GlfwWindow& window, Session& session, cons
         expect_shape(package);
         expect_content(package);
         for (std::size_t i = 1; i < objects.size(); ++i) open_in_window(window, objects[i].package, memory);
-        return Requested{std::move(objects), std::move(package), now};
+        return Requested{file, std::move(objects), std::move(package), now};
     } catch (const Error& e) {
         say(session, e.what(), glfwGetTime());  // a server may have taken its time
         return {};
@@ -250,7 +251,9 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     for (;;) {
         glfwSetWindowTitle(window.get(), (package->path().filename().string() + " - Vantage").c_str());
         {
-            ShownScene scene(*package, other ? other->objects : objects, o, session, controls);
+            ShowOptions options = o;
+            if (other) options.package.file = other->file;
+            ShownScene scene(*package, other ? other->objects : objects, options, session, controls);
             next = show_package(window, session, scene, controls, o, requested_at);
             scene.stop_recording(glfwGetTime());
         }

@@ -18,7 +18,9 @@
 #include "player/interface/object_section.h"
 #include "player/interface/overlays.h"
 #include "player/interface/sidebar.h"
+#include "player/interface/surface_at_pixel.h"
 #include "player/interface/visitor_bar.h"
+#include "player/story/story_background.h"
 #include "player/window/numbered_file.h"
 #include "player/window/screenshot.h"
 #include "scene/error.h"
@@ -41,8 +43,13 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       controls_(controls),
       memory_limit_(memory_budget(o.memory).graphics),
       open_dialog_(package.remote() ? "." : package.path().parent_path()),
-      measure_(package) {
+      measure_(package),
+      told_(told_story(o.package.file, input_axes(package), system_language())) {
     session_.photos = photos_in_use(package, o.package);
+    if (const auto opening = opening_of(told_); opening && o.package.photos.empty())
+        session_.camera = session_.home = session_.earlier.last = *opening;
+    session_.settings.background =
+        told_.story.background ? background_of(*told_.story.background) : Background{};
     if (!o.window.kiosk) return;
     std::vector<Navigation> tour;
     if (!o.window.tour.empty())
@@ -54,6 +61,7 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     Session& s = session_;
     if (kiosk_) attend(*kiosk_, s, s.touched, now);
     continue_flight(s, now);
+    continue_tour(told_, s, now);
     note_view(s, now);
     layout_ =
         layout_of(s.panels, width, height, double(ImGui::GetFontSize()), !renderer_.scene().photos.empty());
@@ -94,10 +102,28 @@ void ShownScene::interface(const View& view, double now) {
     measure_.show(controls_, s, s.panels.measure ? objects_.meshes() : std::vector<PlacedMesh>{}, view, now);
     if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
     if (layout_.strip.height > 0) strip_.show(controls_, s, renderer_, view, layout_.strip, now);
+    tell(view, now);
     if (s.panels.help) help_panel(s);
     open_dialog_.show(controls_, s);
     drop_dialog(controls_, s);
     message_line(s, now);
+}
+
+/// Notes, their cards and tours, over the picture of `view`.
+void ShownScene::tell(const View& view, double now) {
+    Session& s = session_;
+    const SeenTriangles seen = renderer_.seen();
+    const SurfaceAt surface = [&](const Eigen::Vector2d& pixel) {
+        return surface_at_pixel(renderer_.scene(), seen, pixel);
+    };
+    if (s.panels.story_editor)
+        story_editor_.show(controls_, told_, s, view, surface, &s.panels.story_editor, now);
+    if (!s.panels.story) return;
+    if (told_.any() || !told_.trouble.empty()) story_panel(controls_, told_, s, &s.panels.story, now);
+    const auto clicked = draw_note_markers(controls_, note_markers(told_.story, told_.axes, view, surface),
+                                           told_.story, told_.language, told_.open);
+    if (clicked) open_note(told_, s, *clicked, now);
+    note_card(controls_, told_, note_picture_, s, now);
 }
 
 double ShownScene::wakes_at() const {
@@ -139,9 +165,9 @@ void ShownScene::save_recorded(double now) {
     Session& s = session_;
     if (s.recorded.empty()) return;
     const PackageReader& package = renderer_.package();
-    write_numbered(s, package.path().stem().string(), ".path",
-                   std::to_string(s.recorded.size()) + " positions", now,
-                   [&](const std::string& file) { write_path(file, s.recorded, package); });
+    write_numbered(
+        s, package.path().stem().string(), ".path", std::to_string(s.recorded.size()) + " positions", now,
+        [&](const std::string& file) { write_path(file, s.recorded, package, {}, positions_per_second); });
 }
 
 /// Adds the package that the session asks for, and writes a scene file if it asks for one.

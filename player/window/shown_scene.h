@@ -7,6 +7,9 @@
 #include "player/interface/open_dialog.h"
 #include "player/interface/photo_strip.h"
 #include "player/interface/session.h"
+#include "player/interface/story_editor.h"
+#include "player/interface/story_panel.h"
+#include "player/interface/told_story.h"
 #include "player/objects/object_set.h"
 #include "player/options/show_options.h"
 #include "player/render/renderer.h"
@@ -38,6 +41,7 @@ class ShownScene {
     static constexpr double blink_seconds = 0.3;  ///< of a text field's cursor
 
     void interface(const View& view, double now);
+    void tell(const View& view, double now);
     void record(double now);
     void save_recorded(double now);
     void change_objects(double now);
@@ -58,6 +62,9 @@ class ShownScene {
     OpenDialog open_dialog_;
     Layout layout_;
     MeasurePanel measure_;
+    ToldStory told_;
+    NotePicture note_picture_;
+    StoryEditor story_editor_;
     std::optional<View> last_;
     LightSettings lit_;
     std::optional<Navigation> before_;

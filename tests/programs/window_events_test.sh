@@ -60,7 +60,7 @@ lines=$(grep -vc '^#' one-0001.path)
 # A flight ends at the photo's camera, with the pointer over the scene.
 stands_at() {  # records where the camera stands to the path number $1
   xdotool key r; frames 3; xdotool key r; frames 3
-  grep -v '^#' "one-000$1.path" | tail -1
+  grep -v '^#' "one-000$1.path" | tail -1 | sed "s, at=.*,,"
 }
 xdotool mousemove 450 200
 for key in n b n; do xdotool key $key; sleep 1.5; frames 3; done

@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "gl/object.h"
+#include "player/render/picture.h"
+
+namespace vantage {
+
+/// Reads a PNG or JPEG file of at most 64 MiB and 40 megapixels. Throws Error(input) naming the file.
+Picture read_note_picture(const std::filesystem::path& file);
+
+/// Reduces a picture by whole factors until neither side exceeds `most` pixels.
+Picture reduced_picture(Picture picture, int most);
+
+/// The picture of the note whose card is open, as a texture. Belongs to the OpenGL thread.
+class NotePicture {
+  public:
+    /// Loads the file if it is not the one that was loaded last. Without a file, or if it cannot be read,
+    /// there is no picture.
+    void load(const std::filesystem::path& file);
+    /// 0: there is none.
+    GLuint texture() const { return texture_.id(); }
+    int width() const { return width_; }
+    int height() const { return height_; }
+    /// Why it was not read; empty if it was.
+    const std::string& trouble() const { return trouble_; }
+
+  private:
+    std::filesystem::path file_;
+    std::string trouble_;
+    gl::Texture texture_;
+    int width_ = 0, height_ = 0;
+};
+
+}  // namespace vantage

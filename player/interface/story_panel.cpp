@@ -1,0 +1,106 @@
+#include "player/interface/story_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace vantage {
+namespace {
+
+std::string label_of(const ToldStory& told, std::size_t note) {
+    const StoryNote& n = told.story.notes[note];
+    const std::string& title = text_in(told.story, n.title, told.language);
+    return std::to_string(note + 1) + "  " + (title.empty() ? n.id : title);
+}
+
+void language_choice(Controls& c, ToldStory& told) {
+    const std::vector<std::string> languages = languages_of(told.story);
+    if (languages.size() < 2) return;
+    std::vector<const char*> names;
+    int chosen = 0;
+    for (const std::string& l : languages) {
+        if (l == told.language || (l == told.story.language && !std::ranges::count(languages, told.language)))
+            chosen = int(names.size());
+        names.push_back(l.c_str());
+    }
+    if (c.combo("Language", &chosen, names.data(), int(names.size())))
+        told.language = languages[std::size_t(chosen)];
+}
+
+void tour_buttons(Controls& c, ToldStory& told, Session& s, double now) {
+    for (std::size_t i = 0; i < told.story.tours.size(); ++i) {
+        const StoryTour& tour = told.story.tours[i];
+        const std::string& title = text_in(told.story, tour.title, told.language);
+        const std::string name = title.empty() ? tour.id : title;
+        const bool plays = told.playing && told.playing->tour == i;
+        ImGui::PushID(int(i));
+        if (c.button(((plays ? "Stop " : "Play ") + name).c_str())) {
+            if (plays)
+                s.flight.reset();
+            else
+                play_tour(told, s, i, now);
+        }
+        ImGui::PopID();
+    }
+}
+
+}  // namespace
+
+void story_panel(Controls& c, ToldStory& told, Session& s, bool* shown, double now) {
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos(ImVec2(float(s.free.left + s.free.width) - 12, float(s.free.top) + 12),
+                            ImGuiCond_Appearing, ImVec2(1, 0));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(16 * em, 4 * em),
+                                        ImVec2(23 * em, std::max(8 * em, 0.6f * float(s.free.height))));
+    const std::string& title = text_in(told.story, told.story.title, told.language);
+    if (!ImGui::Begin(((title.empty() ? "Story" : title) + "###story").c_str(), shown,
+                      ImGuiWindowFlags_AlwaysAutoResize))
+        return ImGui::End();
+    language_choice(c, told);
+    for (std::size_t i = 0; i < told.story.notes.size(); ++i) {
+        ImGui::PushID(int(i));
+        if (ImGui::Selectable(label_of(told, i).c_str(), told.open == i)) open_note(told, s, i, now);
+        c.note(("List " + std::to_string(i + 1)).c_str());
+        ImGui::PopID();
+    }
+    tour_buttons(c, told, s, now);
+    if (!told.trouble.empty()) ImGui::TextWrapped("%s", told.trouble.c_str());
+    ImGui::End();
+}
+
+void note_card(Controls& c, ToldStory& told, NotePicture& picture, Session& s, double now) {
+    if (!told.open || *told.open >= told.story.notes.size()) return;
+    const std::size_t at = *told.open, count = told.story.notes.size();
+    const StoryNote& note = told.story.notes[at];
+    picture.load(note.picture.empty() ? std::filesystem::path() : told.file.parent_path() / note.picture);
+    const float em = ImGui::GetFontSize(), high = float(s.free.height),
+                width = std::min(27 * em, float(s.free.width) - 24);
+    ImGui::SetNextWindowPos(ImVec2(float(s.free.left) + 12, float(s.free.top) + 12), ImGuiCond_Appearing);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 6 * em), ImVec2(width, std::max(8 * em, 0.9f * high)));
+    bool shown = true;
+    if (ImGui::Begin((label_of(told, at) + "###card").c_str(), &shown, ImGuiWindowFlags_AlwaysAutoResize)) {
+        if (picture.texture()) {
+            const float across = width - 2 * ImGui::GetStyle().WindowPadding.x,
+                        scale = std::min(1.0f, std::min(across / float(picture.width()),
+                                                        0.4f * high / float(picture.height())));
+            ImGui::Image(ImTextureID(std::uintptr_t(picture.texture())),
+                         ImVec2(scale * float(picture.width()), scale * float(picture.height())));
+            c.note("Picture of the note");
+        } else if (!picture.trouble().empty()) {
+            ImGui::TextWrapped("%s", picture.trouble().c_str());
+        }
+        ImGui::PushTextWrapPos(width - ImGui::GetStyle().WindowPadding.x);
+        ImGui::TextUnformatted(text_in(told.story, note.text, told.language).c_str());
+        ImGui::PopTextWrapPos();
+        if (count > 1 && c.button("Previous note")) open_note(told, s, (at + count - 1) % count, now);
+        if (count > 1) ImGui::SameLine();
+        if (count > 1 && c.button("Next note")) open_note(told, s, (at + 1) % count, now);
+    }
+    ImGui::End();
+    if (!shown) told.open.reset();
+}
+
+}  // namespace vantage

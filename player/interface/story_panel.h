@@ -1,0 +1,16 @@
+#pragma once
+#include "player/interface/controls.h"
+#include "player/interface/note_picture.h"
+#include "player/interface/session.h"
+#include "player/interface/told_story.h"
+
+namespace vantage {
+
+/// The story's title, its notes and tours, and its languages if there are several. A click on a note flies
+/// there, on a tour plays it.
+void story_panel(Controls& controls, ToldStory& told, Session& session, bool* shown, double now);
+
+/// The note whose card is open: title, text and picture, with the previous and the next note.
+void note_card(Controls& controls, ToldStory& told, NotePicture& picture, Session& session, double now);
+
+}  // namespace vantage
