@@ -89,8 +89,7 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
     look_under_pointer(meshes, view);
     draw(view);
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos(ImVec2(float(s.free.left + s.free.width) - em, float(s.free.top) + em),
-                            ImGuiCond_Appearing, ImVec2(1, 0));
+    ImGui::SetNextWindowPos(ImVec2(float(s.free.left) + em, float(s.free.top) + em), ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0),
                                         ImVec2(FLT_MAX, std::max(11 * em, float(s.free.height) - 2 * em)));
     if (ImGui::Begin("Measure", &s.panels.measure, ImGuiWindowFlags_AlwaysAutoResize)) {
