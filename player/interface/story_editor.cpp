@@ -113,7 +113,7 @@ void StoryEditor::show(Controls& c, ToldStory& told, Session& s, const View& vie
                        bool* shown, double now) {
     ImGui::SetNextWindowPos(
         ImVec2(float(s.free.left + s.free.width) - 12, float(s.free.top + s.free.height) - 12),
-        ImGuiCond_Appearing, ImVec2(1, 1));
+        ImGuiCond_Always, ImVec2(1, 1));
     if (!ImGui::Begin("Edit the story", shown, ImGuiWindowFlags_AlwaysAutoResize)) return ImGui::End();
     const bool fixed = told.file.empty() || !told.trouble.empty();
     if (fixed)
