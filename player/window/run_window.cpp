@@ -175,13 +175,17 @@ bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, 
     return !rests || events.any || glfwGetTime() >= scene.wakes_at();
 }
 
-/// ImGui reads which keys are down: those released since the last frame are, for this one.
+/// ImGui reads which keys are down: those released since the last frame are, for this one; also Ctrl, which
+/// the caller releases after the frame, if it was not down before.
 void new_frame(const Session& session) {
-    auto& down = ImGui::GetIO().KeysDown;
+    ImGuiIO& io = ImGui::GetIO();
+    auto& down = io.KeysDown;
     std::vector<int> tapped;
-    for (const KeyPress& p : session.input.keys)
+    for (const KeyPress& p : session.input.keys) {
+        io.KeyCtrl |= p.with == KeyPress::With::control;
         if (p.key >= 0 && p.key < int(std::size(down)) && !std::exchange(down[p.key], true))
             tapped.push_back(p.key);
+    }
     ImGui::NewFrame();
     for (const int key : tapped) down[key] = false;
 }
@@ -208,11 +212,13 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
         const double now = glfwGetTime();
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
+        const bool control_held = ImGui::GetIO().KeyCtrl;
         new_frame(session);
         controls.begin_frame();
         const bool keys_used = keys_in_use(session);
         apply_input(session, scene.renderer().scene(), now);
         scene.frame(width, height, now, keys_used);
+        ImGui::GetIO().KeyCtrl = control_held;
         const bool ends = frame == o.window.frames;
         if (ends && !o.window.screenshot.empty()) save_frame(o.window.screenshot, width, height);
         glfwSwapBuffers(window);
