@@ -14,7 +14,7 @@ void add_verify_options(CLI::App& app, VerifyOptions& o) {
         ->type_name("FOLDER")
         ->required();
     app.add_flag("--update", o.update, "store the pictures, and views if there are none");
-    app.add_option("--size", o.size, "of the pictures, in pixels")
+    app.add_option("--size", o.size, "size of the pictures, in pixels")
         ->type_name("WIDTHxHEIGHT")
         ->capture_default_str();
     app.add_option("--tolerance", o.tolerance, "gray levels by which a pixel may differ")

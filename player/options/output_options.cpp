@@ -6,7 +6,7 @@ namespace vantage {
 
 void add_output_options(CLI::App& app, OutputOptions& o) {
     app.add_option("--size", o.size,
-                   "of the window or the pictures, in pixels (default 1280x720, or the photo's size)")
+                   "size of the window or the pictures, in pixels (default 1280x720, or the photo's size)")
         ->type_name("WIDTHxHEIGHT");
     app.add_option("-o,--output", o.file, "file, or folder for several files")->type_name("FILE");
     add_force(app, o.force);
