@@ -27,19 +27,24 @@ as_visitor 'cp chapel.vantage chapel; xdg-mime query filetype chapel' | grep -qx
 [ "$(as_visitor "xdg-mime query default $type")" = vantage-player.desktop ] || fail "nothing opens $type"
 
 step "double click"
+# The window has its title before its first picture.
 cat >/home/visitor/open.sh <<'OPEN'
-xdg-open chapel.vantage &
-for _ in $(seq 60); do
+xdg-open chapel.vantage 2>said &
+for _ in $(seq 120); do
   sleep 1
-  if xdotool search --name '^chapel.vantage - Vantage$' >/dev/null 2>&1; then shown=yes; break; fi
+  if grep -q 'first picture' said; then drawn=yes; break; fi
 done
-[ "${shown:-}" ] || exit 1
+[ "${drawn:-}" ] || { cat said; exit 1; }
+xdotool search --name '^chapel.vantage - Vantage$' >/dev/null || exit 1
 sleep 5
 scrot -o /tmp/screenshot.png
 xdotool key --clearmodifiers ctrl+q
 wait
+cat said
 OPEN
 as_visitor 'xvfb-run -a -s "-screen 0 1280x720x24" bash open.sh' || fail "xdg-open shows no window"
+# A photographed object does not compress well; an empty window does, to some 10 kB.
+[ "$(stat -c %s /tmp/screenshot.png)" -gt 50000 ] || fail "the window shows nothing, see /tmp/screenshot.png"
 
 step "manual"
 for page in vantage 'vantage prepare' vantage-player vantage-player-bench; do
@@ -51,7 +56,7 @@ as_visitor 'man -k vantage' | grep -c '^vantage' | sed 's/$/ pages found by man 
 
 step "completion"
 echo '. /usr/share/bash-completion/bash_completion' >/home/visitor/rc
-(sleep 2; printf 'vantage thumb\tcha\t.\t -o typed.png --si\t64\n'; sleep 2; printf 'exit\n') |
+(sleep 2; printf 'vantage thumb\tcha\t -o typed.png --si\t64\n'; sleep 2; printf 'exit\n') |
   as_visitor 'TERM=dumb script -qec "bash --rcfile rc -i" /dev/null' >/tmp/typed || true
 [ -s /home/visitor/typed.png ] || { cat /tmp/typed; fail "completion of a typed command"; }
 grep -a 'vantage thumbnail' /tmp/typed | head -n 1
