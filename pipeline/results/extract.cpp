@@ -172,7 +172,10 @@ void extract(const fs::path& package, const fs::path& folder, const std::vector<
     const std::vector<std::string> stems = stems_of(reader, bands);
     expect_replaceable(reader, wanted, stems, folder, force);
     for (const std::uint32_t i : wanted) write_photo(reader, i, photos[i], stems[i], folder);
-    if (!wanted.empty()) write_colmap_text(folder / cameras_name, extracted_cameras(reader, folder, stems));
+    // The comment tells them apart from inputs written by synth, which are never replaced.
+    if (!wanted.empty())
+        write_colmap_text(folder / cameras_name, extracted_cameras(reader, folder, stems),
+                          "# Cameras of the extracted photos\n");
     if (!points_only(reader.scene())) write_mesh(reader, folder / mesh_name);
     if (const auto cloud = read_point_cloud(reader)) write_points(reader, *cloud, folder / points_name);
 }

@@ -21,7 +21,7 @@ there() { frames 3; place "$1" >/dev/null; }
 gone() { frames 3; awk -F'\t' -v n="$1" '$1 == n { found = 1 } END { exit found }' places; }
 say_of() { python3 -c "import json; s = json.load(open('one.story.json')); print($1)"; }
 stands_at() {  # where the camera stands, by a recording; stands_at NUMBER
-  xdotool mousemove 500 300; xdotool key r; frames 3; xdotool key r; frames 3
+  xdotool mousemove 450 300; xdotool key r; frames 3; xdotool key r; frames 3
   grep -v '^#' "one-000$1.path" | tail -1
 }
 near() {  # near "X Y Z ..." X Y Z: within 0.01
@@ -30,6 +30,8 @@ near() {  # near "X Y Z ..." X Y Z: within 0.01
 
 # A curator writes the first note and the opening view in the window.
 start
+for _ in $(seq 12); do xdotool mousemove 450 300 click 5; done  # from farther away, frames are fast in software
+frames 5
 xdotool key ctrl+e
 there "Add a note here" || fail "Ctrl+E does not open the editor"
 press "Set the opening view"
@@ -52,7 +54,7 @@ eye=$(say_of "'%s %s %s' % tuple(s['opening']['eye'])")
 near "$opening" $eye || fail "the opening view was saved at $eye, the camera stands at $opening"
 
 # Another note from elsewhere, and a tour of both.
-xdotool mousemove 500 300; frames 2; xdotool mousedown 1; frames 2; xdotool mousemove_relative 60 0; frames 3; xdotool mouseup 1; frames 3
+xdotool mousemove 450 300; frames 2; xdotool mousedown 3; frames 2; xdotool mousemove_relative 60 0; frames 3; xdotool mouseup 3; frames 3
 press "Add a note here"
 press "Title of the note"
 xdotool type --delay 40 "Door"; frames 3
@@ -87,7 +89,7 @@ press "Play All notes"
 there "Stop All notes" || fail "the tour does not play"
 sleep 4; frames 3
 there "Picture of the note" || fail "the tour does not show the card where it stays"
-xdotool mousemove 500 300; xdotool key Escape
+xdotool mousemove 450 300; xdotool key Escape
 there "Play All notes" || fail "Esc does not end the tour"
 xdotool key j
 gone "List 1" || fail "J does not hide the notes"

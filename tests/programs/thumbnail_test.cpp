@@ -94,7 +94,7 @@ TEST_F(Thumbnail, OfADamagedFileIsOneLineAndAnExitCode) {
     expect_failure(thumbnail(), Exit::damaged, "an empty file");
     write(sound);
     expect_failure(thumbnail("", (dir / "none.vantage").string()), Exit::input, "no file");
-    expect_failure(thumbnail("--size 0"), Exit::usage, "no pixels");
+    EXPECT_EQ(thumbnail("--size 0").code, int(Exit::usage));
     EXPECT_EQ(thumbnail().code, 0);
 }
 

@@ -33,14 +33,15 @@ std::string image_line(std::size_t id, const NamedCamera& photo) {
 
 }  // namespace
 
-void write_colmap_text(const std::filesystem::path& folder, std::span<const NamedCamera> photos) {
+void write_colmap_text(const std::filesystem::path& folder, std::span<const NamedCamera> photos,
+                       const std::string& comment) {
     make_folder(folder);
     std::ofstream cameras(folder / colmap_text_files[0]), images(folder / colmap_text_files[1]),
         points(folder / colmap_text_files[2]);
-    cameras << cameras_mark << "# CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]\n";
-    images << cameras_mark
+    cameras << cameras_mark << comment << "# CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]\n";
+    images << cameras_mark << comment
            << "# IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, then the image's points (none)\n";
-    points << cameras_mark << "# POINT3D_ID X Y Z R G B ERROR TRACK[] (no points)\n";
+    points << cameras_mark << comment << "# POINT3D_ID X Y Z R G B ERROR TRACK[] (no points)\n";
     for (std::size_t i = 0; i < photos.size(); ++i) {
         cameras << camera_line(i + 1, photos[i]);
         images << image_line(i + 1, photos[i]);

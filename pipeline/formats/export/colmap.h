@@ -18,7 +18,8 @@ inline constexpr const char* colmap_text_files[] = {"cameras.txt", "images.txt",
 
 /// Writes them, one camera per photo and no points, to full double precision. The model is PINHOLE, or OPENCV
 /// for a distorting lens. Throws Error(storage), and Error(input) for a lens that OPENCV cannot express
-/// (another model, or more than four terms).
-void write_colmap_text(const std::filesystem::path& folder, std::span<const NamedCamera> photos);
+/// (another model, or more than four terms). `comment`: lines that begin with #, for the head of each file.
+void write_colmap_text(const std::filesystem::path& folder, std::span<const NamedCamera> photos,
+                       const std::string& comment = "");
 
 }  // namespace vantage
