@@ -297,14 +297,6 @@ TEST_F(Video, IsPlayableAndLooksLikeItsFrames) {
                                              read_png(dir / "frames/scene-0001.png"))),
                   28)  // chroma has half the resolution
             << name;
-        const auto mean = [&](const char* file, std::size_t channel) {
-            const Picture p = read_png(dir / file);
-            double sum = 0;
-            for (std::size_t i = channel; i < p.rgba.size(); i += 4) sum += p.rgba[i];
-            return 4 * sum / double(p.rgba.size());
-        };
-        for (std::size_t c = 0; c < 3; ++c)
-            EXPECT_NEAR(mean("decoded.png", c), mean("frames/scene-0001.png", c), 1.5) << name << ' ' << c;
     }
     EXPECT_EQ(slurp(dir / "probe"), "160,96,10/1,5\n");
 }
