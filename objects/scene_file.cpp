@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <set>
 #include <sstream>
 
 #include "output/output_file.h"
 #include "scene/error.h"
+#include "scene/replace_file.h"
 #include "values/is_url.h"
 
 namespace vantage {
@@ -194,15 +194,8 @@ std::string scene_file_text(const std::vector<SceneObject>& objects, const fs::p
 
 void write_scene_file(const fs::path& file, const std::vector<SceneObject>& objects) {
     const fs::path folder = fs::absolute(file).parent_path();
-    const fs::path part = file.string() + ".part";
-    std::ofstream out(part);
-    out << scene_file_text(objects, folder);
-    out.close();
-    std::error_code error;
-    if (out) fs::rename(part, file, error);
-    if (out && !error) return;
-    fs::remove(part, error);
-    throw Error(Exit::storage, file.string() + ": cannot be written");
+    if (!replace_file(file, scene_file_text(objects, folder)))
+        throw Error(Exit::storage, file.string() + ": cannot be written");
 }
 
 }  // namespace vantage

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "scene/error.h"
-#include "scene/flush_to_disk.h"
+#include "scene/replace_file.h"
 #include "story/located_json.h"
 #include "values/is_url.h"
 #include "values/lower_extension.h"
@@ -325,16 +325,7 @@ void write_story(const fs::path& file, const Story& story) {
     } catch (const std::exception& e) {  // also of texts that are not UTF-8
         throw Error(Exit::usage, file.string() + ": cannot be saved: " + e.what());
     }
-    const fs::path part = file.string() + ".part";
-    std::ofstream out(part, std::ios::binary);
-    out << text;
-    out.close();
-    if (out) flush_to_disk(part);
-    std::error_code error;
-    if (out) fs::rename(part, file, error);
-    if (out && !error) return flush_to_disk(file.parent_path());
-    fs::remove(part, error);
-    throw Error(Exit::storage, file.string() + ": cannot be written");
+    if (!replace_file(file, text)) throw Error(Exit::storage, file.string() + ": cannot be written");
 }
 
 }  // namespace vantage

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 #include "gl/context.h"
 #include "output/make_folder.h"
@@ -17,6 +16,7 @@
 #include "player/survey/survey.h"
 #include "points/point_cloud.h"
 #include "scene/error.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 namespace {
@@ -76,15 +76,8 @@ Files output_files(const PackageReader& package, const OrthophotoOptions& o) {
 }
 
 void write_world_file(const std::filesystem::path& file, const Orthophoto& o) {
-    const std::filesystem::path part = file.string() + ".part-" + std::to_string(::getpid());
-    bool written = false;
-    if (std::ofstream out(part); out)
-        written = bool((out << world_file_text(o.upper_left, o.resolution)).flush());
-    std::error_code error;
-    if (written) std::filesystem::rename(part, file, error);
-    if (written && !error) return;
-    std::filesystem::remove(part, error);
-    throw Error(Exit::storage, file.string() + ": cannot be written");
+    if (!replace_file(file, world_file_text(o.upper_left, o.resolution)))
+        throw Error(Exit::storage, file.string() + ": cannot be written");
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "player/survey/survey_file.h"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -9,7 +7,7 @@
 #include <system_error>
 
 #include "scene/error.h"
-#include "scene/flush_to_disk.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 namespace {
@@ -175,16 +173,8 @@ void write_survey(SurveyFile& file, const Survey& survey) {
                                        ": is not as it was left, so that it is not replaced; "
                                        "move it away to save measurements");
     const std::string text = survey_text(survey);
-    const std::filesystem::path part = file.path.string() + ".part-" + std::to_string(::getpid());
-    std::error_code error;
-    bool written = false;
-    if (std::ofstream out(part, std::ios::binary); out) written = bool((out << text).flush());
-    if (written) flush_to_disk(part);
-    if (written) std::filesystem::rename(part, file.path, error);
-    if (!written || error) {
-        std::filesystem::remove(part, error);
+    if (!replace_file(file.path, text))
         throw Error(Exit::storage, file.path.string() + ": cannot be written; measurements are not saved");
-    }
     file.content = text;
 }
 
