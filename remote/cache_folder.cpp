@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <vector>
 
 #include "remote/small_file.h"
 #include "remote/storage_error.h"
+#include "values/xdg_folder.h"
 
 namespace vantage {
 
@@ -87,11 +87,8 @@ Usage usage_of(const fs::path& folder) {
 }  // namespace
 
 fs::path default_remote_cache() {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    const char* home = std::getenv("HOME");
-    if (cache && *cache) return fs::path(cache) / "vantage" / "remote";
-    if (home && *home) return fs::path(home) / ".cache" / "vantage" / "remote";
-    return {};
+    const fs::path folder = xdg_folder("XDG_CACHE_HOME", ".cache");
+    return folder.empty() ? folder : folder / "remote";
 }
 
 CacheFolder::CacheFolder(fs::path root) : root_(std::move(root)) {

@@ -6,13 +6,13 @@
 #include <unistd.h>
 
 #include <charconv>
-#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <utility>
 
 #include "pipeline/run/read_file.h"
 #include "scene/error.h"
+#include "values/xdg_folder.h"
 
 namespace vantage {
 namespace {
@@ -49,11 +49,8 @@ bool timestamps_are_reliable(const fs::path& file) {
 }  // namespace
 
 fs::path default_identity_cache() {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    const char* home = std::getenv("HOME");
-    if (cache && *cache) return fs::path(cache) / "vantage" / "identities";
-    if (home && *home) return fs::path(home) / ".cache" / "vantage" / "identities";
-    return {};
+    const fs::path folder = xdg_folder("XDG_CACHE_HOME", ".cache");
+    return folder.empty() ? folder : folder / "identities";
 }
 
 IdentityCache::IdentityCache(fs::path cache, bool rehash) : cache_(std::move(cache)), rehash_(rehash) {

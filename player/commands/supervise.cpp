@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "scene/error.h"
+#include "values/xdg_folder.h"
 
 namespace vantage {
 namespace {
@@ -116,11 +117,8 @@ int supervise(const std::function<int(int signs)>& run, const std::filesystem::p
 }
 
 std::filesystem::path kiosk_log() {
-    if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state)
-        return std::filesystem::path(state) / "vantage" / "kiosk.log";
-    const char* home = std::getenv("HOME");
-    return home && *home ? std::filesystem::path(home) / ".local" / "state" / "vantage" / "kiosk.log"
-                         : std::filesystem::path();
+    const std::filesystem::path folder = xdg_folder("XDG_STATE_HOME", ".local/state");
+    return folder.empty() ? folder : folder / "kiosk.log";
 }
 
 }  // namespace vantage

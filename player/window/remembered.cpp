@@ -1,9 +1,10 @@
 #include "player/window/remembered.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "values/xdg_folder.h"
 
 namespace vantage {
 namespace {
@@ -79,12 +80,7 @@ void read_enum(const nlohmann::json& j, const char* name, Enum& value) {
 
 }  // namespace
 
-std::filesystem::path settings_folder() {
-    if (const char* config = std::getenv("XDG_CONFIG_HOME"); config && *config)
-        return std::filesystem::path(config) / "vantage";
-    const char* home = std::getenv("HOME");
-    return home && *home ? std::filesystem::path(home) / ".config" / "vantage" : std::filesystem::path();
-}
+std::filesystem::path settings_folder() { return xdg_folder("XDG_CONFIG_HOME", ".config"); }
 
 Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
     std::ifstream in(folder / "player.json");
