@@ -2,15 +2,10 @@
 
 #include <algorithm>
 
+#include "manual/joined.h"
+
 namespace vantage {
 namespace {
-
-/// Words that bash takes as they are: names, values, or patterns of them.
-std::string joined(const std::vector<std::string>& words, const char* between) {
-    std::string out;
-    for (const std::string& w : words) out += (out.empty() ? "" : between) + w;
-    return out;
-}
 
 /// What completes a value: the kind of file, or nothing to complete.
 std::string kind_of(const DescribedOption& o) {

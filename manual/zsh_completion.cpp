@@ -2,14 +2,10 @@
 
 #include <algorithm>
 
+#include "manual/joined.h"
+
 namespace vantage {
 namespace {
-
-std::string joined(const std::vector<std::string>& words, const char* between) {
-    std::string out;
-    for (const std::string& w : words) out += (out.empty() ? "" : between) + w;
-    return out;
-}
 
 /// In single quotes, for _arguments, to which brackets and colons have a meaning.
 std::string escaped(const std::string& text) {

@@ -14,6 +14,7 @@
 #include "output/package_inputs.h"
 #include "player/camera/shots.h"
 #include "player/objects/object_set.h"
+#include "player/options/damaged_tiles.h"
 #include "player/render/picture.h"
 #include "scene/error.h"
 #include "shaders/contract.h"
@@ -122,12 +123,7 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
                 file.c_str(), r.fragments_approximated, r.fragments, shader::most_sorted_fragments);
         std::fflush(stdout);
     }
-    if (!damaged) return int(Exit::ok);
-    std::fprintf(stderr,
-                 "vantage-player: %s: %zu tiles have a checksum mismatch and were not shown (see vantage "
-                 "check --deep)\n",
-                 package.path().c_str(), damaged);
-    return int(Exit::damaged);
+    return exit_for_damaged_tiles(package, damaged);
 }
 
 }  // namespace vantage

@@ -13,6 +13,7 @@
 #include "output/output_file.h"
 #include "output/package_inputs.h"
 #include "player/objects/object_set.h"
+#include "player/options/damaged_tiles.h"
 #include "player/render/picture.h"
 #include "player/story/story_background.h"
 #include "player/video/flight_frames.h"
@@ -187,12 +188,7 @@ int run_video(const PackageReader& package, const ShowOptions& o, const std::vec
         seconds = progress.seconds();
     }
     if (!o.output.quiet) print_result(o, flight.size(), to_folder, seconds);
-    if (!damaged) return int(Exit::ok);
-    std::fprintf(stderr,
-                 "vantage-player: %s: %zu tiles have a checksum mismatch and were not shown (see vantage "
-                 "check --deep)\n",
-                 package.path().c_str(), damaged);
-    return int(Exit::damaged);
+    return exit_for_damaged_tiles(package, damaged);
 }
 
 }  // namespace vantage
