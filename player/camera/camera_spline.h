@@ -29,7 +29,7 @@ class CameraSpline {
 
   private:
     static constexpr int dimensions = 9;
-    using Place = Eigen::Matrix<double, dimensions, 1>;  ///< see place_of() in the source
+    using Place = Eigen::Matrix<double, dimensions, 1>;  ///< its parts are named in the source
     struct Knot {
         double seconds;
         Place place, speed;  ///< speed: per second

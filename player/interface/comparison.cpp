@@ -3,8 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
+
+#include "values/srgb.h"
 
 namespace vantage {
 namespace {
@@ -57,10 +58,8 @@ void count_ramp(ImVec2 low, float width, float height) {
                                    {0.114f, 0.584f, 0.119f},
                                    {0.983f, 0.799f, 0.019f}};
     const auto color = [&](int i) {
-        const auto encoded = [](float l) { return 1.055f * std::pow(l, 1 / 2.4f) - 0.055f; };
-        return ImGui::ColorConvertFloat4ToU32(ImVec4(encoded(std::max(stops[i][0], 0.0031f)),
-                                                     encoded(std::max(stops[i][1], 0.0031f)),
-                                                     encoded(std::max(stops[i][2], 0.0031f)), 1));
+        const auto encoded = [&](int c) { return float(srgb_from_linear(double(stops[i][c]))); };
+        return ImGui::ColorConvertFloat4ToU32(ImVec4(encoded(0), encoded(1), encoded(2), 1));
     };
     for (int i = 0; i < 4; ++i)
         ImGui::GetBackgroundDrawList()->AddRectFilledMultiColor(

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "player/interface/choice.h"
+#include "player/interface/seen_triangle.h"
 #include "player/interface/value_at_pixel.h"
 
 namespace vantage {
@@ -23,15 +24,9 @@ std::optional<double> value_under_pointer(const Renderer& renderer, const ValueL
                                           const View& view) {
     const ImGuiIO& io = ImGui::GetIO();
     const SeenTriangles seen = renderer.seen();
-    const Intrinsics& k = seen.view.intrinsics;
-    if (io.WantCaptureMouse || seen.triangles.empty() || k.width != view.intrinsics.width) return {};
+    if (io.WantCaptureMouse || seen.view.intrinsics.width != view.intrinsics.width) return {};
     const Eigen::Vector2d at(io.MousePos.x, io.MousePos.y);
-    if (!(at.x() >= 0 && at.y() >= 0 && at.x() < k.width && at.y() < k.height)) return {};
-    const std::size_t across = std::size_t(std::max(1, k.width / TriangleReadback::step)),
-                      down = seen.triangles.size() / across;
-    const std::size_t x = std::min(across - 1, std::size_t(at.x() * double(across) / k.width)),
-                      y = std::min(down - 1, std::size_t(at.y() * double(down) / k.height));
-    const std::uint32_t triangle = seen.triangles[y * across + x];
+    const std::uint32_t triangle = seen_triangle(seen, at);
     if (triangle == 0) return {};
     return value_at_pixel(renderer.scene(), layer.values, triangle - 1, seen.view, at);
 }

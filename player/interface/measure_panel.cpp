@@ -71,6 +71,10 @@ void MeasurePanel::begin(Session& s, double now) {
         say(s, e.what(), now);
     }
     selected_.reset();
+    evaluate_all();
+}
+
+void MeasurePanel::evaluate_all() {
     values_.clear();
     for (const Measurement& m : survey_.measurements)
         values_.push_back(evaluate(m, survey_.scale, survey_.up));
@@ -154,9 +158,7 @@ void MeasurePanel::end(Session& s, double now) {
 }
 
 void MeasurePanel::changed(Session& s, double now) {
-    values_.clear();
-    for (const Measurement& m : survey_.measurements)
-        values_.push_back(evaluate(m, survey_.scale, survey_.up));
+    evaluate_all();
     try {
         write_survey(file_, survey_);
     } catch (const Error& e) {

@@ -36,6 +36,7 @@ class MeasurePanel {
     void take_clicks(Session& session, std::span<const PlacedMesh> meshes, const View& view, double now);
     void add(const SurveyPoint& point, Session& session, double now);
     void end(Session& session, double now);
+    void evaluate_all();
     void changed(Session& session, double now);
     void draw(const View& view) const;
     void content(Controls& controls, Session& session, double now);

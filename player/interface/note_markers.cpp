@@ -38,13 +38,10 @@ std::vector<NoteMarker> note_markers(const Story& story, const InputAxes& axes, 
     std::vector<NoteMarker> out;
     for (std::size_t i = 0; i < story.notes.size(); ++i) {
         if (!story.notes[i].anchor) continue;
-        const Eigen::Vector3d p = *story.notes[i].anchor - axes.origin,
-                              seen = view.cam_from_origin.R * p + view.cam_from_origin.t;
-        if (!(seen.z() > 0)) continue;
-        const Eigen::Vector2d at(k.fx * seen.x() / seen.z() + k.cx, k.fy * seen.y() / seen.z() + k.cy);
-        if (!(at.x() >= 0 && at.y() >= 0 && at.x() < k.width && at.y() < k.height)) continue;
-        const auto front = surface(at);
-        out.push_back({i, at, seen.z(), front && depth_of(*front) < nearer * seen.z()});
+        const auto shown = project(k, view.cam_from_origin, *story.notes[i].anchor - axes.origin);
+        if (!shown || !in_frame(k, shown->pixel)) continue;
+        const auto front = surface(shown->pixel);
+        out.push_back({i, shown->pixel, shown->z, front && depth_of(*front) < nearer * shown->z});
     }
     std::ranges::stable_sort(out, std::ranges::greater(), &NoteMarker::depth);
     return out;

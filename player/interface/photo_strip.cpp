@@ -9,6 +9,7 @@
 #include <string>
 
 #include "player/interface/band_section.h"
+#include "player/interface/docked.h"
 #include "player/stream/stream_request.h"
 
 namespace vantage {
@@ -40,14 +41,9 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
                       double now) {
     const PlanScene& scene = renderer.scene();
     const float em = ImGui::GetFontSize(), height = 4.6f * em;
-    ImGui::SetNextWindowPos(ImVec2(float(area.left), float(area.top)));
-    ImGui::SetNextWindowSize(ImVec2(float(area.width), float(area.height)));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.5f * em, 0.5f * em));
-    ImGui::Begin("##photos", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::PopStyleVar(2);
+    begin_docked("##photos", area, ImVec2(0.5f * em, 0.5f * em),
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_HorizontalScrollbar |
+                     ImGuiWindowFlags_NoScrollWithMouse);
     // Not during a flight, nor under the pointer: a target must not move while it is being clicked.
     if (ranked_at_ < 0 || (now - ranked_at_ > ranking_seconds && !s.flight && !ImGui::IsWindowHovered())) {
         agreements_ = agreements(scene, view);

@@ -4,6 +4,7 @@
 
 #include "player/interface/band_section.h"
 #include "player/interface/blending_section.h"
+#include "player/interface/docked.h"
 #include "player/interface/layer_section.h"
 #include "player/interface/object_section.h"
 #include "player/interface/picture_section.h"
@@ -42,13 +43,8 @@ bool sections(Controls& c, Session& s, const Renderer& renderer, ObjectSet& obje
 
 bool sidebar(Controls& c, Session& s, const Renderer& renderer, ObjectSet& objects, const View& view,
              const Area& area) {
-    ImGui::SetNextWindowPos(ImVec2(float(area.left), float(area.top)));
-    ImGui::SetNextWindowSize(ImVec2(float(area.width), float(area.height)));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-    ImGui::Begin("##sidebar", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PopStyleVar();
+    begin_docked("##sidebar", area, ImGui::GetStyle().WindowPadding,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse);
     ImGui::PushItemWidth(-9.5f * ImGui::GetFontSize());  // names are on the right
     const bool changed = sections(c, s, renderer, objects, view);
     ImGui::PopItemWidth();

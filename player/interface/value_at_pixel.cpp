@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "player/survey/ray_cast.h"
+
 namespace vantage {
 
 std::optional<double> value_at_pixel(const PlanScene& scene, std::span<const float> values,
@@ -17,16 +19,13 @@ std::optional<double> value_at_pixel(const PlanScene& scene, std::span<const flo
         corner[std::size_t(c)] = scene.positions[v].cast<double>();
         value[c] = double(values[v]);
     }
-    const Intrinsics& k = view.intrinsics;
-    const Eigen::Vector3d eye = view.cam_from_origin.center(),
-                          ray = view.cam_from_origin.R.transpose() *
-                                Eigen::Vector3d((pixel.x() - k.cx) / k.fx, (pixel.y() - k.cy) / k.fy, 1),
-                          a = corner[1] - corner[0], b = corner[2] - corner[0], across = ray.cross(b);
+    const Ray ray = ray_through(view, pixel);
+    const Eigen::Vector3d a = corner[1] - corner[0], b = corner[2] - corner[0], across = ray.along.cross(b);
     const double volume = a.dot(across);
-    if (std::abs(volume) <= 1e-12 * ray.norm() * a.norm() * b.norm()) return {};
+    if (std::abs(volume) <= 1e-12 * a.norm() * b.norm()) return {};
     // Moeller and Trumbore 1997.
-    const Eigen::Vector3d from = eye - corner[0];
-    const double u = from.dot(across) / volume, v = ray.dot(from.cross(a)) / volume;
+    const Eigen::Vector3d from = ray.from - corner[0];
+    const double u = from.dot(across) / volume, v = ray.along.dot(from.cross(a)) / volume;
     const Eigen::Vector3d share = Eigen::Vector3d(1 - u - v, u, v).cwiseMax(0);
     return share.dot(value) / share.sum();
 }

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "player/interface/agreeing_photo.h"
+#include "player/interface/docked.h"
 #include "points/point_cloud.h"
 
 namespace vantage {
@@ -102,14 +103,8 @@ bool is_usable(Icon icon, const Renderer& renderer) {
 void visitor_bar(Controls& c, Session& s, const Renderer& renderer, const View& view, const Area& area,
                  double now) {
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos(ImVec2(float(area.left), float(area.top)));
-    ImGui::SetNextWindowSize(ImVec2(float(area.width), float(area.height)));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.5f * em, 0.35f * em));
-    ImGui::Begin("##bar", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoNav);
-    ImGui::PopStyleVar(2);
+    begin_docked("##bar", area, ImVec2(0.5f * em, 0.35f * em),
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoNav);
     const std::span<const Tool> shown = s.kiosk ? std::span(tools).first(tools_of_kiosk) : std::span(tools);
     const float gap = 0.5f * em;
     const bool labels = width_of(shown, true, gap) + 2 * gap < float(area.width);

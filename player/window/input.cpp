@@ -53,24 +53,30 @@ void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vec
     fly(s.camera, -depth / focal * Eigen::Vector3d(right.right + middle.right, right.down + middle.down, 0));
 }
 
+/// The wheel moves closer to what is under the pointer, or away; a double click flies there.
+void move_to_pointer(Session& s, const View& view, const PlanScene& scene, const Eigen::Vector2d& pointer,
+                     double now) {
+    constexpr double nearest = 1e-3, farthest = 30;  // of the scene's size
+    const double wheel = double(ImGui::GetIO().MouseWheel);
+    const UnderPointer at = under_pointer(view, s.camera, scene, pointer);
+    if (wheel != 0)
+        approach_point(s.camera, at.point, std::pow(0.9, wheel), nearest * scene.size, farthest * scene.size);
+    if (s.input.double_clicked && !s.panels.measure && at.on_mesh) fly_to_point(s, at.point, now);
+}
+
 void move_by_mouse(Session& s, const PlanScene& scene, double now) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool down = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
     const auto moves = [](const Drag& d) { return d.right != 0 || d.down != 0; };
-    const bool dragged = std::ranges::any_of(s.input.drags, moves);
-    if (!io.WantCaptureMouse && (dragged || io.MouseWheel != 0 || s.input.double_clicked)) {
+    const bool dragged = std::ranges::any_of(s.input.drags, moves),
+               points = io.MouseWheel != 0 || s.input.double_clicked;
+    if (!io.WantCaptureMouse && (dragged || points)) {
         s.flight.reset();  // input interrupts a flight
         const View view = view_of(s.camera, int(io.DisplaySize.x), int(io.DisplaySize.y), s.free);
         const Eigen::Vector2d pointer(io.MousePos.x, io.MousePos.y);
         if (dragged) drag(s, view, scene, pointer);
-        const UnderPointer at = under_pointer(view, s.camera, scene, pointer);
-        constexpr double nearest = 1e-3, farthest = 30;  // of the scene's size
-        if (io.MouseWheel != 0)
-            approach_point(s.camera, at.point, std::pow(0.9, double(io.MouseWheel)), nearest * scene.size,
-                           farthest * scene.size);
-        if (s.input.double_clicked && !s.panels.measure && at.on_mesh) fly_to_point(s, at.point, now);
+        if (points) move_to_pointer(s, view, scene, pointer, now);
     }
-    if (!down) s.pivot.reset();
+    if (!io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) s.pivot.reset();
 }
 
 /// The pointer as the top of a hemisphere over the frame: low at its edge, at the viewer in its middle.
