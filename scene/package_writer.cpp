@@ -218,7 +218,9 @@ void PackageWriter::State::publish_in_place(std::span<const DirectoryEntry> pres
 void PackageWriter::State::publish_together(std::span<DirectoryEntry> present) {
     PartFile together(file.file(), packing_of(file.file()));
     together.resize(0);
-    together.write(0, std::as_bytes(std::span(package::part_magic)));  // recognized as ours after a crash
+    // Before anything else is there, so that after a power cut, too, it is recognized as ours.
+    together.write(0, std::as_bytes(std::span(package::part_magic)));
+    together.flush();
     std::uint64_t at = slot(present.size());
     for (DirectoryEntry& e : present) {
         const std::uint64_t from = e.offset;
