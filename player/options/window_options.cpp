@@ -1,5 +1,6 @@
 #include "player/options/window_options.h"
 
+#include "cli/real_range.h"
 #include "values/lower_extension.h"
 
 namespace vantage {
@@ -15,7 +16,7 @@ void add_window_options(CLI::App& app, WindowOptions& o) {
                  "(SIGTERM ends it; log: ~/.local/state/vantage/kiosk.log)")
         ->group(group);
     app.add_option("--home-after", o.home_after, "a kiosk returns to the first view after so many seconds")
-        ->check(CLI::Range(1.0, 86400.0))
+        ->check(real_range(1, 86400))
         ->capture_default_str()
         ->group(group);
     app.add_option("--attract", o.tour, "a recorded path that a kiosk flies along until somebody touches it")
@@ -23,7 +24,7 @@ void add_window_options(CLI::App& app, WindowOptions& o) {
         ->group(group);
     app.add_option("--text-scale", o.text_scale,
                    "size of text, relative to 14 pixels (default: by the display)")
-        ->check(CLI::Range(0.7, 4.0))
+        ->check(real_range(0.7, 4))
         ->group(group);
     app.add_option("--controls", o.controls,
                    "write the position of each control to this file, for scripts: name, x, y, width, height")
