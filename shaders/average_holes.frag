@@ -4,11 +4,12 @@
 
 layout(location = 0) out vec4 averaged;
 layout(binding = finer_unit) uniform sampler2D finer;
+layout(location = frame_size_uniform) uniform ivec2 size;       // of `finer`, as far as it is used
 layout(location = average_samples_uniform) uniform float samples;  // of the frame's pixels; 0: `finer` is a level
 
 void main() {
     const float tent[4] = float[](0.25, 0.75, 0.75, 0.25);
-    ivec2 first = 2 * ivec2(gl_FragCoord.xy) - 1, size = textureSize(finer, 0);
+    ivec2 first = 2 * ivec2(gl_FragCoord.xy) - 1;
     vec4 sum = vec4(0.0);
     float inside = 0.0;
     for (int i = 0; i < 16; ++i) {

@@ -6,6 +6,7 @@
 layout(location = 0) out vec4 shown;
 layout(binding = object_colors_unit) uniform sampler2DArray colors;  // sRGB and coverage
 layout(binding = object_depths_unit) uniform sampler2DArray depths;
+layout(location = frame_size_uniform) uniform ivec2 frame_size;
 layout(location = objects_uniform) uniform int objects;
 layout(location = compose_flip_uniform) uniform bool flip;
 layout(location = compose_fill_uniform) uniform bool fill;
@@ -22,7 +23,7 @@ float distance_of(ivec2 at, int object) {
     float own = texelFetch(depths, ivec3(at, object), 0).r;
     if (own > 0.0) return own;
     float nearest = nothing_away;
-    ivec2 last = textureSize(depths, 0).xy - 1;
+    ivec2 last = frame_size - 1;
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             float z = texelFetch(depths, ivec3(clamp(at + ivec2(x, y), ivec2(0), last), object), 0).r;
@@ -33,7 +34,7 @@ float distance_of(ivec2 at, int object) {
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    if (flip) at.y = textureSize(colors, 0).y - 1 - at.y;
+    if (flip) at.y = frame_size.y - 1 - at.y;
     float away[MOST_OBJECTS];
     int order[MOST_OBJECTS];
     int count = 0;
@@ -56,11 +57,11 @@ void main() {
         light += through * alpha * decode(c.rgb);
         through *= 1.0 - alpha;
     }
-    float share = edge_share(at, textureSize(colors, 0).xy, soft_edges);
+    float share = edge_share(at, frame_size, soft_edges);
     light *= share;
     through = 1.0 - share * (1.0 - through);
     if (fill) {
-        light += through * background_at(background, background_bottom, at.y, textureSize(colors, 0).y);
+        light += through * background_at(background, background_bottom, at.y, frame_size.y);
         through = 0.0;
     }
     float covered = 1.0 - through;

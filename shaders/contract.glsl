@@ -77,6 +77,10 @@ const int own_light_scale_uniform = 29;
 const int frame_uniform = 1;  // blend on points
 const int frame_axes_uniform = 14;
 
+// Of resolve, show, average_holes, fill_holes and compose: pixels of the frame, or texels of the level, that is read. Its
+// texture may be larger.
+const int frame_size_uniform = 29;
+
 // Uniforms of resolve.
 const int takes_one_uniform = 0;
 const int fill_uniform = 1;

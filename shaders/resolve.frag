@@ -16,6 +16,7 @@ layout(location = fill_background_uniform) uniform bool fill_background;  // if 
 layout(location = most_uniform) uniform float most;             // coverage: number of photos with the brightest color; else 0
 layout(location = exposure_uniform) uniform vec3 exposure;      // exposure of the view, relative to the mean photo's
 layout(location = falloff_uniform) uniform vec3 falloff;        // of the view's lens: ln, times r^2, r^4, r^6
+layout(location = frame_size_uniform) uniform ivec2 frame_size;
 layout(location = lens_uniform) uniform vec3 lens;              // principal point, pixels; 2 / diagonal, 1/pixels
 
 // Dark blue through green to yellow, after viridis (van der Walt and Smith 2015), in linear light.
@@ -52,7 +53,7 @@ layout(location = eye_dome_uniform) uniform vec4 eye_dome;  // depth is x + y / 
 
 // log2 of the depth; background and surroundings count as infinitely far.
 float log_depth(ivec2 at) {
-    ivec2 inside = clamp(at, ivec2(0), textureSize(depth, 0) - 1);
+    ivec2 inside = clamp(at, ivec2(0), frame_size - 1);
     float d = texelFetch(depth, inside, 0).r;
     return d < 1e-12 ? 100.0 : log2(max(eye_dome.y / max(d - eye_dome.x, 1e-30), 1e-30));
 }
@@ -181,7 +182,7 @@ vec4 mixed(vec4 replaced, vec4 c) {
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 s = texelFetch(sums, at, 0);
-    vec3 behind = background_at(background, background_bottom, at.y, textureSize(sums, 0).y);
+    vec3 behind = background_at(background, background_bottom, at.y, frame_size.y);
     accumulated = vec4(0.0);
     if (s.a > 0.0)
         accumulated = vec4(most > 0.0 ? count_color(s.a / most) : exposed(takes_one ? s.rgb : mean_light(s)), 1.0);

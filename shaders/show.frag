@@ -5,6 +5,7 @@
 
 layout(location = 0) out vec4 shown;
 layout(binding = accumulated_unit) uniform sampler2D accumulated;
+layout(location = frame_size_uniform) uniform ivec2 frame_size;
 layout(location = samples_uniform) uniform float samples;
 layout(location = flip_uniform) uniform bool flip;        // for a window, whose first row is at the bottom
 layout(location = compare_uniform) uniform uint compare;
@@ -48,7 +49,8 @@ vec4 shown_color(vec4 a, ivec2 at, bool fills) {
 #ifdef SURROUNDINGS
     float share = a.a / samples;
     if (fills && a.a > 0.0 && share < 0.999) {
-        vec3 around = texture(filled, (vec2(at) + 0.5) / (2.0 * vec2(textureSize(filled, 0)))).rgb;
+        vec2 texel = min((vec2(at) + 0.5) / 2.0, vec2((frame_size + 1) / 2) - 0.5);
+        vec3 around = texture(filled, texel / vec2(textureSize(filled, 0))).rgb;
 #ifdef TRANSPARENCY
         vec4 v = veil_of(at, share);
         around = sqrt(max(v.rgb + (1.0 - v.a) * around * around, 0.0));
@@ -97,9 +99,9 @@ bool on_divider(int x, int width) {
 }
 
 vec4 band_color(ivec2 at, bool fills) {
-    ivec2 size = textureSize(accumulated, 0);
-    bool second = on_other_side(at.x, size.x);
-    if (bands == bands_side_by_side) at.x = at.x % max(size.x / 2, 1) + size.x / 4;  // the middle half of each
+    int width = frame_size.x;
+    bool second = on_other_side(at.x, width);
+    if (bands == bands_side_by_side) at.x = at.x % max(width / 2, 1) + width / 4;  // the middle half of each
     if (bands != bands_mixed && second) return shown_color(texelFetch(other, at, 0), at, other_fills);
     vec4 first = shown_color(texelFetch(accumulated, at, 0), at, fills);
     if (bands != bands_mixed || band_share <= 0.0) return first;
@@ -109,7 +111,7 @@ vec4 band_color(ivec2 at, bool fills) {
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    ivec2 size = textureSize(accumulated, 0);
+    ivec2 size = frame_size;
     if (flip) at.y = size.y - 1 - at.y;
     bool photo_side = compare == compare_wiper && float(at.x) >= wiper * float(size.x);
     if (compare == compare_side_by_side) {  // the middle half of each

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "player/camera/frame_size.h"
 #include "player/camera/view.h"
 #include "scene/package_reader.h"
 
@@ -18,9 +19,6 @@ struct Shot {
     double distance = 1;                  ///< from the eye to what it is looking at
 };
 
-struct FrameSize {
-    int width = 0, height = 0;
-};
 /// "1280x720". Throws Error(usage).
 FrameSize parse_size(const std::string& text);
 

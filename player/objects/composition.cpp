@@ -17,9 +17,10 @@ gl::Program full_frame(const char* label, const char* fragment_shader,
 
 }  // namespace
 
-void Composition::fit(int width, int height, std::size_t objects) {
-    if (width == width_ && height == height_ && objects == layers_.size()) return;
-    width_ = width, height_ = height;
+void Composition::fit(FrameSize room, std::size_t objects) {
+    if (room == room_ && objects == layers_.size()) return;
+    room_ = room;
+    const auto [width, height] = room;
     layers_.clear();
     colors_ = {}, depths_ = {};
     colors_ = gl::make_texture_array("objects", GL_RGBA8, width, height, int(objects), GL_NEAREST);
@@ -34,7 +35,7 @@ void Composition::fit(int width, int height, std::size_t objects) {
 
 void Composition::copy_depth(const ObjectFrame& frame, const Layer& layer) {
     glBindFramebuffer(GL_FRAMEBUFFER, layer.depth.id());
-    glViewport(0, 0, width_, height_);
+    glViewport(0, 0, frame_.width, frame_.height);
     glUseProgram(depth_program_.id());
     const Eigen::Vector2d terms = frame.renderer->depth_terms();
     glUniform3f(shader::depth_terms_uniform, float(terms.x()), float(terms.y()), float(frame.scale));
@@ -44,7 +45,9 @@ void Composition::copy_depth(const ObjectFrame& frame, const Layer& layer) {
 
 void Composition::show(std::span<const ObjectFrame> frames, const View& view, const RenderSettings& settings,
                        GLuint target, bool flip) {
-    fit(view.intrinsics.width, view.intrinsics.height, std::max<std::size_t>(1, frames.size()));
+    frame_ = {view.intrinsics.width, view.intrinsics.height};
+    fit({std::max(frame_.width, settings.room.width), std::max(frame_.height, settings.room.height)},
+        std::max<std::size_t>(1, frames.size()));
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const ObjectFrame& f = frames[i];
         f.renderer->show(f.view, f.settings, layers_[i].color.id(), false);
@@ -55,8 +58,9 @@ void Composition::show(std::span<const ObjectFrame> frames, const View& view, co
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(no_vertices_.id());
     glBindFramebuffer(GL_FRAMEBUFFER, target);
-    glViewport(0, 0, width_, height_);
+    glViewport(0, 0, frame_.width, frame_.height);
     glUseProgram(compose_program_.id());
+    glUniform2i(shader::frame_size_uniform, frame_.width, frame_.height);
     glUniform1i(shader::objects_uniform, GLint(frames.size()));
     for (std::size_t i = 0; i < frames.size(); ++i)
         glUniform1f(shader::compose_opacity_uniform + GLint(i), float(frames[i].opacity));

@@ -30,10 +30,10 @@ class Composition {
     struct Layer {
         gl::Framebuffer color, depth;
     };
-    void fit(int width, int height, std::size_t objects);
+    void fit(FrameSize room, std::size_t objects);
     void copy_depth(const ObjectFrame& frame, const Layer& layer);
 
-    int width_ = 0, height_ = 0;
+    FrameSize room_, frame_;
     gl::Texture colors_, depths_;
     std::vector<Layer> layers_;
     gl::Program depth_program_, compose_program_;

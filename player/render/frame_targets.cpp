@@ -7,13 +7,15 @@
 
 namespace vantage {
 
-FrameTargets make_frame_targets(int width, int height, bool half_sums) {
+FrameTargets make_frame_targets(FrameSize room, bool half_sums) {
+    const auto [width, height] = room;
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     if (width < 1 || height < 1 || width > most || height > most)
         throw Error(Exit::usage, "a picture of " + std::to_string(width) + "x" + std::to_string(height) +
                                      ", expected 1 to " + std::to_string(most) + " along each side");
     FrameTargets t;
+    t.room = room;
     t.width = width;
     t.height = height;
     t.half_sums = half_sums;
@@ -35,7 +37,7 @@ FrameTargets make_frame_targets(int width, int height, bool half_sums) {
 
 void FrameTargets::add_other() {
     if (other) return;
-    other = gl::make_texture_2d("frame samples of another band", GL_RGBA32F, width, height);
+    other = gl::make_texture_2d("frame samples of another band", GL_RGBA32F, room.width, room.height);
     other_target = gl::make_framebuffer("frame samples of another band", std::array{other.id()}, 0);
     const std::array<float, 4> zero{};
     glClearNamedFramebufferfv(other_target.id(), GL_COLOR, 0, zero.data());

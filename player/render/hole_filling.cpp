@@ -37,7 +37,7 @@ void HoleFilling::fit(int width, int height) {
     for (const auto& [w, h] : level_sizes(width, height)) {
         gl::Texture texture = gl::make_texture_2d("filled holes", GL_RGBA32F, w, h, GL_LINEAR);
         gl::Framebuffer target = gl::make_framebuffer("filled holes", std::array{texture.id()}, 0);
-        levels_.push_back({w, h, std::move(texture), std::move(target)});
+        levels_.push_back({std::move(texture), std::move(target)});
     }
 }
 
@@ -52,27 +52,31 @@ float HoleFilling::hole_weight(int width, int height) {
     return 1 / std::max(side * side, 1.0f);
 }
 
-void HoleFilling::fill(const gl::Texture& accumulated, double samples) {
+void HoleFilling::fill(const gl::Texture& accumulated, int width, int height, double samples) {
+    const auto sizes = level_sizes(width, height);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glBindVertexArray(no_vertices_.id());
-    const auto draw_to = [](const Level& level) {
-        glBindFramebuffer(GL_FRAMEBUFFER, level.target.id());
-        glViewport(0, 0, level.width, level.height);
+    const auto draw_to = [&](std::size_t level) {
+        glBindFramebuffer(GL_FRAMEBUFFER, levels_[level].target.id());
+        glViewport(0, 0, sizes[level].first, sizes[level].second);
         glDrawArrays(GL_TRIANGLES, 0, 3);
     };
     glUseProgram(average_program_.id());
-    for (std::size_t i = 0; i < levels_.size(); ++i) {
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const auto [w, h] = i == 0 ? std::pair(width, height) : sizes[i - 1];
+        glUniform2i(shader::frame_size_uniform, w, h);
         glUniform1f(shader::average_samples_uniform, i == 0 ? float(samples) : 0.0f);
         glBindTextureUnit(shader::finer_unit, i == 0 ? accumulated.id() : levels_[i - 1].texture.id());
-        draw_to(levels_[i]);
+        draw_to(i);
     }
     glUseProgram(fill_program_.id());
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-    for (std::size_t i = levels_.size() - 1; i-- > 0;) {
+    for (std::size_t i = sizes.size() - 1; i-- > 0;) {
+        glUniform2i(shader::frame_size_uniform, sizes[i + 1].first, sizes[i + 1].second);
         glBindTextureUnit(shader::coarser_unit, levels_[i + 1].texture.id());
-        draw_to(levels_[i]);
+        draw_to(i);
     }
     glDisable(GL_BLEND);
 }

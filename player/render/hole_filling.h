@@ -15,21 +15,19 @@ class HoleFilling {
   public:
     HoleFilling();
 
-    /// For frames of this size.
+    /// For frames of at most this size.
     void fit(int width, int height);
     static std::uint64_t bytes(int width, int height);
     /// The weight of a hole's own color: it counts as much as what surrounds it at an eighth of the frame.
     static float hole_weight(int width, int height);
 
-    /// Fills the pyramid from the samples accumulated in a texture of the frame's size, `samples` per pixel.
-    void fill(const gl::Texture& accumulated, double samples);
-    void fill(const FrameTargets& frame, double samples) { fill(frame.accumulated, samples); }
-    /// Square roots of light at half the frame's size, without holes.
+    /// Fills the pyramid from the samples accumulated for a frame of this size, `samples` per pixel.
+    void fill(const gl::Texture& accumulated, int width, int height, double samples);
+    /// Square roots of light at half the frame's size, without holes; from the texture's first texel.
     const gl::Texture& filled() const { return levels_.front().texture; }
 
   private:
     struct Level {
-        int width, height;
         gl::Texture texture;
         gl::Framebuffer target;
     };

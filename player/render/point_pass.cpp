@@ -83,15 +83,15 @@ PointPass::PointPass(const PackageReader& package, PointCloud cloud, std::uint64
 }
 
 void PointPass::fit(const FrameTargets& targets, bool placed) {
-    width_ = targets.width, height_ = targets.height;
+    const auto [width, height] = targets.room;
     release();
-    picture_ = gl::make_texture_2d("frame points", GL_RGBA16F, width_, height_);
+    picture_ = gl::make_texture_2d("frame points", GL_RGBA16F, width, height);
     if (!placed) {
         target_ = gl::make_framebuffer("frame points", std::array{picture_.id()}, targets.depth.id());
         return;
     }
-    places_ = gl::make_texture_2d("points' places", GL_RG32F, width_, height_);
-    numbers_ = gl::make_texture_2d("points' numbers", GL_R32UI, width_, height_);
+    places_ = gl::make_texture_2d("points' places", GL_RG32F, width, height);
+    numbers_ = gl::make_texture_2d("points' numbers", GL_R32UI, width, height);
     target_ = gl::make_framebuffer("frame points", std::array{picture_.id(), places_.id(), numbers_.id()},
                                    targets.depth.id());
     if (!placed_program_) placed_program_ = make_point_program({"PLACED"});
@@ -143,7 +143,7 @@ std::size_t PointPass::draw(const View& view, const Eigen::Matrix4f& clip_from_o
     const float farthest = 0;
     if (settings.alone) glClearNamedFramebufferfv(target_.id(), GL_DEPTH, 0, &farthest);
     glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
-    glViewport(0, 0, width_, height_);
+    glViewport(0, 0, view.intrinsics.width, view.intrinsics.height);
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);

@@ -20,8 +20,8 @@ class PointPass {
     PointPass(const PackageReader& package, PointCloud cloud, std::uint64_t bytes);
 
     void release() { target_ = {}, picture_ = {}, places_ = {}, numbers_ = {}; }
-    /// Creates the target for a frame, with the depth of the model's; `placed`: and with places() and
-    /// numbers().
+    /// Creates the target for frames of at most the targets' room, with the depth of the model's; `placed`:
+    /// and with places() and numbers().
     void fit(const FrameTargets& targets, bool placed);
     static std::uint64_t bytes(int width, int height, bool placed) {
         return std::uint64_t(width) * std::uint64_t(height) * (placed ? 20 : 8);
@@ -69,7 +69,6 @@ class PointPass {
     gl::VertexArray vertices_;
     gl::Texture picture_, places_, numbers_;
     gl::Framebuffer target_;
-    int width_ = 0, height_ = 0;
 };
 
 }  // namespace vantage

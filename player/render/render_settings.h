@@ -7,6 +7,7 @@
 
 #include "layers/color_map.h"
 #include "layers/value_layer.h"
+#include "player/camera/frame_size.h"
 #include "player/camera/view.h"
 #include "player/plan/plan_settings.h"
 #include "player/plan/point_plan.h"
@@ -152,6 +153,7 @@ struct RenderSettings {
     bool whole_photos = false;   ///< upload each photo whole and at once (for comparison)
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame
     Background background;
+    FrameSize room;  ///< frames up to this size, or the view's, need no new render targets
 };
 
 /// The plan settings that follow from these, for one sample per pixel.

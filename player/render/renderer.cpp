@@ -31,6 +31,18 @@ void bind_target(const gl::Framebuffer& framebuffer, int width, int height) {
     glViewport(0, 0, width, height);
 }
 
+/// While it lives, nothing is cleared or drawn outside of the frame: its targets may be much larger.
+class DrawnRegion {
+  public:
+    explicit DrawnRegion(const FrameTargets& targets) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, 0, targets.width, targets.height);
+    }
+    ~DrawnRegion() { glDisable(GL_SCISSOR_TEST); }
+    DrawnRegion(const DrawnRegion&) = delete;
+    DrawnRegion& operator=(const DrawnRegion&) = delete;
+};
+
 /// 1 where photos were taken, 0 farther from all of them than they are spread: in between, one may have left
 /// the surroundings in one direction while still inside in others.
 double nearness_to_photos(const PlanScene& scene, const Eigen::Vector3d& eye) {
@@ -159,16 +171,19 @@ bool Renderer::photos_on_points(const RenderSettings& settings) const {
             (color == PointColor::automatic && points_only(package_->scene())));
 }
 
-/// Creates the frame's targets, and fits the tiles into the rest of the budget.
-void Renderer::fit(int width, int height, std::span<const BandFrame> bands) {
+/// Creates targets with room for the frame, and fits the tiles into the rest of the budget.
+void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
     const RenderSettings& settings = bands.front().settings;
+    const FrameSize room{std::max(frame.width, settings.room.width),
+                         std::max(frame.height, settings.room.height)};
+    const auto [width, height] = room;
     const bool coordinates =
         std::ranges::any_of(bands, [&](const BandFrame& b) { return !per_fragment(b.settings); });
     const bool placed = points_ && (photos_on_points(settings) || settings.points.pick);
-    const bool fits =
-        targets_.width == width && targets_.height == height && targets_.half_sums == settings.half_sums &&
-        (store_.has_coordinates() || !coordinates) && (!points_ || points_->placed() || !placed) &&
-        (!transparent_ || transparent_->mode() == settings.transparency);
+    const bool fits = targets_.room == room && targets_.half_sums == settings.half_sums &&
+                      (store_.has_coordinates() || !coordinates) &&
+                      (!points_ || points_->placed() || !placed) &&
+                      (!transparent_ || transparent_->mode() == settings.transparency);
     if (!fits) {
         targets_ = {};
         readback_.release();
@@ -185,11 +200,12 @@ void Renderer::fit(int width, int height, std::span<const BandFrame> bands) {
         graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
         store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
         graphics_budget_ = std::max(graphics_budget_, others + store_.residency().layout().bytes());
-        targets_ = make_frame_targets(width, height, settings.half_sums);
+        targets_ = make_frame_targets(room, settings.half_sums);
         if (filling_) filling_->fit(width, height);
         if (points_) points_->fit(targets_, placed);
         if (transparent_) transparent_->fit(targets_, settings.transparency);
     }
+    targets_.width = frame.width, targets_.height = frame.height;
     if (bands.size() > 1) targets_.add_other();
 }
 
@@ -211,7 +227,8 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     bands_.choose(settings, now);
     const std::vector<BandFrame> bands = bands_.frames(settings, photos);
     if (passes_.load_layer(settings)) targets_ = {};  // the budget has to be divided again
-    fit(view.intrinsics.width, view.intrinsics.height, bands);
+    fit({view.intrinsics.width, view.intrinsics.height}, bands);
+    const DrawnRegion region(targets_);
     store_.begin_frame(now, !settings.complete && !settings.wait_for_tiles);
     if (!settings.complete) readback_.update(settings.wait_for_tiles);
     for (const BandFrame& band : bands) plan_band(view, band, sample);
@@ -418,6 +435,7 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     glUniform1i(shader::takes_one_uniform, takes_one(settings.blend) && !counts);
     glUniform1i(shader::fill_uniform, !before && settings.fill_holes);
     glUniform1f(shader::progress_uniform, float(progress));
+    glUniform2i(shader::frame_size_uniform, targets_.width, targets_.height);
     if (scene_.has_surroundings()) {
         const bool dims = !before && settings.surroundings == ShowSurroundings::dimmed;
         glUniform1f(shader::surroundings_light_uniform, dims ? dimmed_light : 1.0f);
@@ -458,10 +476,10 @@ bool Renderer::shows_transparent(const RenderSettings& settings) const {
 }
 
 void Renderer::draw_transparent(Frame& frame) {
-    transparent_->collect([&] {
+    transparent_->collect({targets_.width, targets_.height}, [&] {
         frame.report.draws += passes_.draw_transparent(
             frame.drawn,
-            {transparent_->mode() == Transparency::exact, targets_.width, transparent_->capacity()});
+            {transparent_->mode() == Transparency::exact, transparent_->row(), transparent_->capacity()});
     });
 }
 
@@ -535,8 +553,8 @@ void Renderer::expose(const DrawnView& drawn) const {
 std::vector<std::uint32_t> Renderer::triangles() const {
     std::vector<std::uint32_t> out(std::size_t(targets_.width) * std::size_t(targets_.height));
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glGetTextureImage(targets_.triangles.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, GLsizei(out.size() * 4),
-                      out.data());
+    glGetTextureSubImage(targets_.triangles.id(), 0, 0, 0, 0, targets_.width, targets_.height, 1,
+                         GL_RED_INTEGER, GL_UNSIGNED_INT, GLsizei(out.size() * 4), out.data());
     return out;
 }
 
@@ -546,12 +564,15 @@ void Renderer::show(const View& view, const RenderSettings& given, GLuint target
     const bool other_fills =
         bands_.shown().second && fills_holes(settings_of_band(settings, *bands_.shown().second, scene_));
     const gl::Texture& clean = veils() ? transparent_->clean() : targets_.accumulated;
-    if (fills || other_fills) filling_->fill(fills ? clean : targets_.other, std::max(samples_, 1.0));
+    if (fills || other_fills)
+        filling_->fill(fills ? clean : targets_.other, targets_.width, targets_.height,
+                       std::max(samples_, 1.0));
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, view.intrinsics.width, view.intrinsics.height);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     glUseProgram(show_program_.id());
+    glUniform2i(shader::frame_size_uniform, targets_.width, targets_.height);
     glUniform1f(shader::samples_uniform, float(std::max(samples_, 1.0)));
     glUniform1i(shader::flip_uniform, flip);
     glUniform1f(shader::soft_edges_uniform, float(settings.background.soft_edges));

@@ -108,7 +108,7 @@ class Renderer {
     };
 
     RenderSettings usable(RenderSettings settings) const;
-    void fit(int width, int height, std::span<const BandFrame> bands);
+    void fit(FrameSize frame, std::span<const BandFrame> bands);
     void find_seen(const View& view, const BandFrame& band, PixelSample sample);
     void plan_band(const View& view, const BandFrame& band, PixelSample sample);
     void draw_band(Frame& frame);

@@ -43,32 +43,33 @@ std::uint64_t TransparentPass::bytes(int width, int height, Transparency mode) c
 void TransparentPass::fit(const FrameTargets& targets, Transparency mode) {
     release();
     mode_ = mode;
-    width_ = targets.width, height_ = targets.height;
+    room_ = targets.room;
+    const auto [width, height] = room_;
     if (mode == Transparency::off) return;
-    sums_ = gl::make_texture_2d("transparent sums", GL_RGBA32F, width_, height_);
-    transmitted_ = gl::make_texture_2d("transmitted light", GL_R32F, width_, height_);
+    sums_ = gl::make_texture_2d("transparent sums", GL_RGBA32F, width, height);
+    transmitted_ = gl::make_texture_2d("transmitted light", GL_R32F, width, height);
     target_ = gl::make_framebuffer("transparent surfaces", std::array{sums_.id(), transmitted_.id()},
                                    targets.depth.id());
     if (veils_) {
-        veil_ = gl::make_texture_2d("frame veil", GL_RGBA16F, width_, height_);
-        clean_ = gl::make_texture_2d("frame clean", GL_RGBA32F, width_, height_);
+        veil_ = gl::make_texture_2d("frame veil", GL_RGBA16F, width, height);
+        clean_ = gl::make_texture_2d("frame clean", GL_RGBA32F, width, height);
         veiled_target_ = gl::make_framebuffer(
             "frame samples and veil", std::array{targets.accumulated.id(), veil_.id(), clean_.id()}, 0);
     }
     if (mode == Transparency::approximate) return;
-    capacity_ = capacity_for(width_, height_);
-    heads_ = gl::make_buffer("fragment heads", head_bytes(width_, height_));
+    capacity_ = capacity_for(width, height);
+    heads_ = gl::make_buffer("fragment heads", head_bytes(width, height));
     fragments_ = gl::make_buffer("fragments", fragment_bytes * capacity_);
     counts_.allocate("fragment counts", counters);
 }
 
-void TransparentPass::collect(const std::function<void()>& draw) {
+void TransparentPass::collect(FrameSize frame, const std::function<void()>& draw) {
     const std::array<float, 4> nothing{}, everything{1, 1, 1, 1};
     glClearNamedFramebufferfv(target_.id(), GL_COLOR, 0, nothing.data());
     glClearNamedFramebufferfv(target_.id(), GL_COLOR, 1, everything.data());
     if (heads_) glClearNamedBufferData(heads_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
-    glViewport(0, 0, width_, height_);
+    glViewport(0, 0, frame.width, frame.height);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_GEQUAL);

@@ -28,7 +28,8 @@ class TransparentPass {
     /// `list_bytes`: of graphics memory for lists. `veils`: holes may be filled behind transparent surfaces.
     TransparentPass(std::uint64_t list_bytes, bool veils) : list_bytes_(list_bytes), veils_(veils) {}
     void release();
-    /// Creates the buffers for a frame, with the depth of the model's. Nothing if the mode is off.
+    /// Creates the buffers for frames of at most the targets' room, with the depth of the model's. Nothing if
+    /// the mode is off.
     void fit(const FrameTargets& targets, Transparency mode);
     std::uint64_t bytes(int width, int height, Transparency mode) const;
     /// The mode that fit() was called with.
@@ -36,9 +37,12 @@ class TransparentPass {
     /// How many fragments the lists hold.
     std::uint32_t capacity() const { return capacity_; }
 
+    /// Pixels from the first of a row to that of the next one, in the lists' heads.
+    int row() const { return room_.width; }
+
     /// Calls `draw` with targets and lists that are empty and bound, and whatever is behind the frame's depth
     /// rejected.
-    void collect(const std::function<void()>& draw);
+    void collect(FrameSize frame, const std::function<void()>& draw);
     /// Makes what was collected the input of resolve.
     void bind() const;
     /// Starts reading back how many fragments there were, after resolve. Does nothing while an earlier count
@@ -60,7 +64,7 @@ class TransparentPass {
     std::uint64_t list_bytes_;
     bool veils_;
     Transparency mode_ = Transparency::off;
-    int width_ = 0, height_ = 0;
+    FrameSize room_;
     std::uint32_t capacity_ = 0;
     gl::Texture sums_, transmitted_, veil_, clean_;
     gl::Framebuffer target_, veiled_target_;

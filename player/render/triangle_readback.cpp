@@ -9,37 +9,39 @@ void TriangleReadback::release() {
     small_target_ = {};
     small_ = {};
     pixels_.release();
-    width_ = height_ = 0;
+    room_ = {};
 }
 
 void TriangleReadback::capture(const FrameTargets& targets, const View& view) {
     if (pixels_.pending()) return;
-    const int width = std::max(1, targets.width / step), height = std::max(1, targets.height / step);
-    if (width != width_ || height != height_) {
-        small_ = gl::make_texture_2d("seen triangles", GL_R32UI, width, height);
+    const auto smaller = [](int pixels) { return std::max(1, pixels / step); };
+    if (const FrameSize room{smaller(targets.room.width), smaller(targets.room.height)}; room != room_) {
+        small_ = gl::make_texture_2d("seen triangles", GL_R32UI, room.width, room.height);
         small_target_ = gl::make_framebuffer("seen triangles", std::array{small_.id()}, 0);
-        pixels_.allocate("seen triangles", std::size_t(width) * std::size_t(height));
-        width_ = width;
-        height_ = height;
+        pixels_.allocate("seen triangles", std::size_t(room.width) * std::size_t(room.height));
+        room_ = room;
     }
     if (!pixels_) return;
+    const int width = smaller(targets.width), height = smaller(targets.height);
+    captured_pixels_ = std::size_t(width) * std::size_t(height);
     glNamedFramebufferReadBuffer(targets.surface_target.id(), GL_COLOR_ATTACHMENT1);
     glBlitNamedFramebuffer(targets.surface_target.id(), small_target_.id(), 0, 0, targets.width,
-                           targets.height, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+                           targets.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, pixels_.id());
-    glGetTextureImage(small_.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, GLsizei(width_) * height_ * 4,
-                      nullptr);
+    glGetTextureSubImage(small_.id(), 0, 0, 0, 0, width, height, 1, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                         GLsizei(4 * captured_pixels_), nullptr);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     pixels_.begin();
     captured_ = view;
 }
 
 bool TriangleReadback::update(bool wait) {
-    const auto arrived = pixels_.take(wait);
-    if (!arrived) return false;
+    const auto all = pixels_.take(wait);
+    if (!all) return false;
+    const auto arrived = all->first(captured_pixels_);
     view_ = captured_;
-    if (std::ranges::equal(*arrived, triangles_)) return false;
-    triangles_.assign(arrived->begin(), arrived->end());
+    if (std::ranges::equal(arrived, triangles_)) return false;
+    triangles_.assign(arrived.begin(), arrived.end());
     ++version_;
     return true;
 }

@@ -30,7 +30,8 @@ class TriangleReadback {
     SeenTriangles seen() const { return {triangles_, view_, version_}; }
 
   private:
-    int width_ = 0, height_ = 0;
+    FrameSize room_;  ///< of `small_`
+    std::size_t captured_pixels_ = 0;
     gl::Texture small_;
     gl::Framebuffer small_target_;
     gl::Readback pixels_;

@@ -318,7 +318,7 @@ namespace {
 
 /// The weighted mean of `colors`, with one pass each, summed as resolve sums the output of blend.frag.
 double summed(const std::vector<double>& weights, const std::vector<double>& colors, bool half) {
-    FrameTargets t = make_frame_targets(1, 1, half);
+    FrameTargets t = make_frame_targets({1, 1}, half);
     const std::array<float, 4> zero{};
     glClearNamedFramebufferfv(t.sums_target[0].id(), GL_COLOR, 0, zero.data());
     const gl::Texture one = gl::make_texture_2d("a pass", GL_RGBA32F, 1, 1);
@@ -332,6 +332,7 @@ double summed(const std::vector<double>& weights, const std::vector<double>& col
     glUseProgram(add.id());
     glUniform1i(shader::takes_one_uniform, GL_FALSE);
     glUniform1f(shader::most_uniform, 0);
+    glUniform2i(shader::frame_size_uniform, 1, 1);
     glUniform3f(shader::falloff_uniform, 0, 0, 0);
     glUniform3f(shader::lens_uniform, 0, 0, 0);
     glUniform1f(shader::progress_uniform, 1);

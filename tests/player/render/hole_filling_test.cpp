@@ -21,7 +21,7 @@ struct Color {
 std::vector<float> filled(int width, int height, const std::function<Color(int x, int y)>& drawn,
                           float samples = 1) {
     const gl::HeadlessContext context;
-    const FrameTargets frame = make_frame_targets(width, height, false);
+    const FrameTargets frame = make_frame_targets({width, height}, false);
     std::vector<float> texels;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -31,7 +31,7 @@ std::vector<float> filled(int width, int height, const std::function<Color(int x
     glTextureSubImage2D(frame.accumulated.id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, texels.data());
     HoleFilling filling;
     filling.fit(width, height);
-    filling.fill(frame.accumulated, samples);
+    filling.fill(frame.accumulated, width, height, samples);
     const int w = (width + 1) / 2, h = (height + 1) / 2;
     std::vector<float> out(std::size_t(w) * std::size_t(h));
     glGetTextureImage(filling.filled().id(), 0, GL_RED, GL_FLOAT, GLsizei(4 * out.size()), out.data());
