@@ -11,6 +11,8 @@ layout(location = frame_axes_uniform) uniform mat3 axes;     // right, down and 
 vec3 surface_position = vec3(0.0), surface_normal = vec3(0.0), quiet_color = vec3(0.0);
 float apart = 0.0;                                           // of neighboring points
 const uint draw_photos = ~surroundings_bit;
+#elif defined(BY_TRIANGLE)
+#include "visible_triangle.glsl"
 #else
 in vec3 surface_position;
 in vec3 surface_normal;
@@ -239,8 +241,15 @@ void main() {
     apart = place.y;
     vec3 along_x = axes[0] * (place.x / frame.x), along_y = axes[1] * (place.x / frame.y);
 #else
+#ifdef BY_TRIANGLE
+    uint triangle = visible_triangle(ivec2(gl_FragCoord.xy));
+    if (triangle == 0u) discard;
+    vec3 along_x, along_y, facing;
+    read_surface(triangle - 1u, along_x, along_y, facing);
+#else
     vec3 along_x = dFdx(surface_position), along_y = dFdy(surface_position);
     vec3 facing = cross(along_x, along_y);  // the triangle's normal, towards the viewer
+#endif
     if (dot(facing, eye - surface_position) < 0.0) facing = -facing;
 #endif
 #ifdef CONSENSUS

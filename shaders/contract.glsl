@@ -20,6 +20,15 @@ const int fragments_buffer = 3;
 const int coordinates_buffer = 4;
 const int touched_buffer = 5;
 const int point_sizes_buffer = 6;
+// Of the model, read pixel by pixel: vertices of triangles, three each; positions and normals, three floats each; colors, four
+// bytes each; the cluster of each triangle; the photos' bits of each cluster.
+const int indices_buffer = 7;
+const int positions_buffer = 8;
+const int normals_buffer = 9;
+const int colors_buffer = 10;
+const int triangle_clusters_buffer = 11;
+const int cluster_photos_buffer = 12;
+const int blend_buffers = 9;  // that a blending program reads, at most
 
 // Texture units. Units 0 to 3 hold the photos; 4 and 5 hold the other inputs of a program.
 const int color_tiles_unit = 0;
@@ -36,7 +45,8 @@ const int points_unit = 7;
 const int depth_unit = 8;
 const int transparent_sums_unit = 12;
 const int transmitted_unit = 13;
-const int places_unit = 6;  // blend on points
+const int places_unit = 6;  // blend on points, or behind them
+const int triangles_unit = 7;  // blend
 const int accumulated_unit = 4;  // show
 const int filled_unit = 5;
 const int other_unit = 6;
@@ -77,7 +87,7 @@ const int own_light_scale_uniform = 29;
 const int frame_uniform = 1;  // blend on points
 const int frame_axes_uniform = 14;
 
-// Of resolve, show, average_holes, fill_holes and compose: pixels of the frame, or texels of the level, that is read. Its
+// Of blend, resolve, show, average_holes, fill_holes and compose: pixels of the frame, or texels of the level, that is read. Its
 // texture may be larger.
 const int frame_size_uniform = 29;
 

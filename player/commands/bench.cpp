@@ -33,7 +33,8 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
     app.add_option(
            "--modes", o.modes,
            "stream: within the upload budget of each frame; resident: everything loaded beforehand; whole: "
-           "each photo uploaded whole when it is chosen")
+           "each photo uploaded whole when it is chosen; adaptive: as stream, in motion as in a window "
+           "(--fps)")
         ->delimiter(',')
         ->check(CLI::IsMember({"stream", "resident", "whole"}))
         ->capture_default_str()
@@ -66,6 +67,7 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
                                                 {"leaves", PointCulling::leaves},
                                                 {"none", PointCulling::none}}))
         ->group("");
+    app.add_flag("!--by-model", o.blending.render.by_triangle)->group("");  // to measure what that is worth
     app.add_flag("--warm", o.warm, "keep the package in the page cache")->group(group);
     app.footer(
         "Writes frames.csv, summary.json and a plot per path into the folder given by -o (default bench).\n"

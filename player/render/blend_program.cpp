@@ -22,10 +22,12 @@ gl::Program make_blend_program(const BlendVariant& v, const package::SceneRecord
     if (!v.trilinear) defines.emplace_back("BILINEAR");
     if (v.anisotropy > 1) defines.push_back("TAPS " + std::to_string(v.anisotropy));
     if (v.on_points) defines.emplace_back("ON_POINTS");
-    return gl::make_program(
-        "blend",
-        {{GL_VERTEX_SHADER, v.on_points ? "resolve.vert" : "blend.vert"}, {GL_FRAGMENT_SHADER, "blend.frag"}},
-        defines);
+    if (v.by_triangle) defines.emplace_back("BY_TRIANGLE");
+    if (v.behind_points) defines.emplace_back("BEHIND_POINTS");
+    return gl::make_program("blend",
+                            {{GL_VERTEX_SHADER, v.on_points || v.by_triangle ? "resolve.vert" : "blend.vert"},
+                             {GL_FRAGMENT_SHADER, "blend.frag"}},
+                            defines);
 }
 
 }  // namespace vantage

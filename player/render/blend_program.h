@@ -17,9 +17,11 @@ struct BlendVariant {
     bool trilinear;
     int anisotropy;
     bool refined_colors;
-    bool surroundings;       ///< shown; implies per_fragment
-    EffectSet effects = 0;   ///< of the photos' band, if the scene has several
-    bool on_points = false;  ///< on the points of a frame, not on the model; implies per_fragment
+    bool surroundings;           ///< shown; implies per_fragment
+    EffectSet effects = 0;       ///< of the photos' band, if the scene has several
+    bool on_points = false;      ///< on the points of a frame, not on the model; implies per_fragment
+    bool by_triangle = false;    ///< on the triangles that the frame shows; implies per_fragment
+    bool behind_points = false;  ///< by_triangle: points may be in front
 
     auto operator<=>(const BlendVariant&) const = default;
 };

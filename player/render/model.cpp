@@ -49,6 +49,27 @@ std::vector<std::array<std::uint8_t, 4>> colors_of(const PackageReader& package,
     return out;
 }
 
+/// Whether blending programs can read all of the model.
+bool can_be_read(const Model& m, const PlanScene& scene) {
+    GLint bindings = 0, blocks = 0;
+    GLint64 most = 0;
+    glGetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &bindings);
+    glGetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    const std::size_t largest = std::max(scene.indices.size() * 4, scene.positions.size() * 12);
+    return m.indices && bindings > shader::cluster_photos_buffer && blocks >= shader::blend_buffers &&
+           largest <= std::size_t(most);
+}
+
+std::vector<std::uint32_t> clusters_of_triangles(const PlanScene& scene) {
+    std::vector<std::uint32_t> out(scene.triangles, 0);
+    for (std::uint32_t c = 0; c < scene.clusters.size(); ++c) {
+        const package::ClusterRecord& cluster = scene.clusters[c];
+        std::fill_n(out.begin() + cluster.first_triangle, cluster.triangles, c);
+    }
+    return out;
+}
+
 /// A value and whether there is one.
 using Value = std::array<float, 2>;
 
@@ -74,6 +95,9 @@ Model load_model(const PackageReader& package, const PlanScene& scene) {
         package.forget(std::as_bytes(normals));
     }
     m.indices = buffer_of("indices", scene.indices);
+    if (can_be_read(m, scene))
+        m.triangle_clusters =
+            buffer_of("triangles' clusters", std::span<const std::uint32_t>(clusters_of_triangles(scene)));
     m.vertices = gl::make_vertex_array("model");
     gl::attach_floats(m.vertices, shader::position_attribute, m.positions, 3, 12);
     gl::attach_floats(m.vertices, shader::normal_attribute, m.normals, 3, 12);

@@ -13,7 +13,8 @@ namespace vantage {
 /// attribute `draw` is one DrawRecord per draw, selected by base instance from a buffer that each pass binds.
 struct Model {
     gl::Buffer positions, normals, colors, indices;
-    gl::Buffer values;  ///< of the scalar layer shown last, once one was
+    gl::Buffer triangle_clusters;  ///< of each triangle, if photos can be blended by_triangle
+    gl::Buffer values;             ///< of the scalar layer shown last, once one was
     gl::VertexArray vertices;
     std::uint32_t vertex_count = 0;  ///< of the mesh
 };

@@ -58,7 +58,7 @@ std::size_t pass_bytes(const PackagePages& pages, std::size_t clusters) {
     for (const PhotoPages& p : pages.photos)
         largest = std::max<std::size_t>(largest, p.color_count + p.mask_count);
     return std::size_t(most_photos_per_pass) * (sizeof(PhotoBlock) + 4 * largest) +
-           clusters * (sizeof(DrawCommand) + sizeof(DrawRecord)) + 4096;
+           clusters * (sizeof(DrawCommand) + sizeof(DrawRecord) + 4) + 4096;
 }
 
 std::vector<std::string> surface_defines(const PackageReader& package, const PlanScene& scene) {
@@ -298,9 +298,12 @@ std::size_t ModelPasses::draw_run(std::span<const std::uint32_t> clusters, std::
     return draws;
 }
 
-const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bool consensus,
-                                              bool on_points) {
-    const bool fragment = on_points || per_fragment(settings);
+bool ModelPasses::by_triangle(const RenderSettings& settings) const {
+    return settings.by_triangle && model_.triangle_clusters && per_fragment(settings);
+}
+
+const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bool consensus, BlendOn on) {
+    const bool fragment = on != BlendOn::model || per_fragment(settings);
     const Blend blend = settings.show == Show::coverage ? Blend::average : settings.blend;
     // Only programs for per-vertex coordinates depend on the number of photos, through their vertex outputs.
     const int photos = fragment ? most_photos_per_pass : settings.photos_per_pass;
@@ -314,7 +317,9 @@ const gl::Program& ModelPasses::blend_program(const RenderSettings& settings, bo
                                .refined_colors = settings.refined_colors,
                                .surroundings = shows_surroundings(settings),
                                .effects = scene_->bands.at(settings.bands.shown).effects,
-                               .on_points = on_points};
+                               .on_points = on == BlendOn::points,
+                               .by_triangle = on == BlendOn::frame || on == BlendOn::frame_behind_points,
+                               .behind_points = on == BlendOn::frame_behind_points};
     gl::Program& program = blend_programs_[variant];
     if (program) return program;
     package::SceneRecord scene = package_->scene();
@@ -339,9 +344,13 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
         glBindTextureUnit(shader::best_so_far_unit, targets.sums[1 - into].id());
     }
     if (consensus) glBindTextureUnit(shader::first_sums_unit, targets.sums[1 - into].id());
+    const bool frame_wise = by_triangle(settings);
     if (!points.alone) {
-        glUseProgram(blend_program(settings, consensus, false).id());
-        set_uniforms(pass, drawn, false);
+        const BlendOn on = !frame_wise     ? BlendOn::model
+                           : points.places ? BlendOn::frame_behind_points
+                                           : BlendOn::frame;
+        glUseProgram(blend_program(settings, consensus, on).id());
+        set_uniforms(pass, drawn, on);
     }
     std::vector<std::uint32_t> photos;
     // The best color so far is copied from target to target, so every cluster is drawn.
@@ -353,18 +362,46 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
     }
     ring_.begin();
     bind_photos(photos, drawn.weights);
-    std::size_t draws = points.alone ? 0 : draw_clusters(drawn.plan.plan().clusters);
+    std::size_t draws = 0;
+    if (!points.alone && frame_wise) draw_on_frame(targets, points), ++draws;
+    if (!points.alone && !frame_wise) draws += draw_clusters(drawn.plan.plan().clusters);
     if (points.places) draw_on_points(pass, drawn, points, consensus), ++draws;
     ring_.end();
     return draws;
+}
+
+/// Blends photos on the triangles that the frame shows.
+void ModelPasses::draw_on_frame(const FrameTargets& targets, const PointSurface& points) {
+    const FrameRing::Space photos = ring_.take(4 * cluster_photos_.size());
+    const std::size_t mesh = std::min<std::size_t>(scene_->first_surrounding, cluster_photos_.size());
+    for (std::uint32_t& bits : std::span(cluster_photos_).subspan(mesh))
+        if (bits) bits |= shader::surroundings_bit;
+    std::memcpy(photos.memory, cluster_photos_.data(), std::size_t(photos.bytes));
+    const auto bind = [](int binding, const gl::Buffer& buffer) {
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(binding), buffer.id());
+    };
+    bind(shader::indices_buffer, model_.indices);
+    bind(shader::positions_buffer, model_.positions);
+    bind(shader::normals_buffer, model_.normals);
+    if (model_.colors) bind(shader::colors_buffer, model_.colors);
+    bind(shader::triangle_clusters_buffer, model_.triangle_clusters);
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::cluster_photos_buffer, ring_.buffer(), photos.offset,
+                      photos.bytes);
+    glUniform2i(shader::frame_size_uniform, targets.width, targets.height);
+    glBindTextureUnit(shader::triangles_unit, targets.triangles.id());
+    if (points.places) glBindTextureUnit(shader::places_unit, points.places);
+    glDisable(GL_DEPTH_TEST);
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_DEPTH_TEST);
 }
 
 /// Blends the same photos where the frame shows points. What is behind points failed the test of depth.
 void ModelPasses::draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                                  const PointSurface& points, bool consensus) {
     glDisable(GL_DEPTH_TEST);
-    glUseProgram(blend_program(drawn.settings, consensus, true).id());
-    set_uniforms(pass, drawn, true);
+    glUseProgram(blend_program(drawn.settings, consensus, BlendOn::points).id());
+    set_uniforms(pass, drawn, BlendOn::points);
     const Intrinsics& k = drawn.view.intrinsics;
     glUniform4f(shader::frame_uniform, float(k.fx), float(k.fy), float(k.cx), float(k.cy));
     const Eigen::Matrix3f axes = drawn.view.cam_from_origin.R.transpose().cast<float>();
@@ -376,9 +413,9 @@ void ModelPasses::draw_on_points(std::span<const PlannedPhoto* const> pass, cons
 }
 
 void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
-                               bool on_points) {
+                               BlendOn on) {
     const RenderSettings& settings = drawn.settings;
-    if (!on_points)
+    if (on != BlendOn::points)
         glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
     glUniform1ui(shader::pass_count_uniform, GLuint(pass.size()));
     uniform(shader::eye_uniform, drawn.view.cam_from_origin.center());
@@ -400,7 +437,7 @@ void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
         glUniform2ui(shader::first_layers_uniform, layout.color, layout.color + layout.masks);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shader::touched_buffer, trace_);
     }
-    if (on_points || per_fragment(settings)) return;
+    if (on != BlendOn::model || per_fragment(settings)) return;
     std::vector<std::uint32_t> slots;
     for (const PlannedPhoto* p : pass)
         slots.push_back(store_->residency().coordinate_slot(p->photo).value_or(0));

@@ -93,12 +93,18 @@ class ModelPasses {
     void set_surface(const DrawnView& drawn);
     void set_light(const DrawnView& drawn);
     void set_layer(const LayerSettings& settings);
-    void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn, bool on_points);
+    /// What a program blends photos on: the model, drawn again; the triangles that the frame shows, where no
+    /// points are in front of them; points.
+    enum class BlendOn { model, frame, frame_behind_points, points };
+    /// Whether photos are blended once per pixel of the frame.
+    bool by_triangle(const RenderSettings& settings) const;
+    void draw_on_frame(const FrameTargets& targets, const PointSurface& points);
+    void set_uniforms(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn, BlendOn on);
     void draw_on_points(std::span<const PlannedPhoto* const> pass, const DrawnView& drawn,
                         const PointSurface& points, bool consensus);
     /// Writes the photos and their pages into the ring, and binds them.
     void bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights);
-    const gl::Program& blend_program(const RenderSettings& settings, bool consensus, bool on_points);
+    const gl::Program& blend_program(const RenderSettings& settings, bool consensus, BlendOn on);
 
     const PackageReader* package_;
     const PlanScene* scene_;

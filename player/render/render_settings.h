@@ -129,6 +129,7 @@ struct RenderSettings {
     double lod_bias = 0;          ///< levels; below 0 is sharper
     bool trilinear = true;        ///< between two levels; otherwise the nearest level
     int anisotropy = 1;           ///< taps along the longer side of a sample's footprint, 1 to 16
+    bool by_triangle = true;      ///< photos are blended once per pixel, not once per triangle and pixel
     bool half_sums = false;       ///< sums of a pass in half floats: half the bandwidth
     bool thumbnails = false;      ///< nothing finer than thumbnails
     Show show = Show::colors;

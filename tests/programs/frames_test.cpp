@@ -1,0 +1,97 @@
+// Photos blended pixel by pixel, or on the model drawn again: they look the same.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "gl/context.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/run/progress.h"
+#include "pipeline/synth/synthesize.h"
+#include "player/render/picture.h"
+#include "tests/temporary_folder.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A small building in a garden, whose package has surroundings.
+class Frames : public TemporaryFolder {
+  protected:
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
+        spec.building.width = 7, spec.building.height = 4.5, spec.building.bays = 3;
+        spec.garden = {.radius = 30, .hill = 8, .railing = 0.04};
+        spec.object.triangles = 3000;
+        spec.photos.width = 400, spec.photos.height = 300, spec.photos.fov = 75;
+        spec.photos.samples = 1;
+        synthesize(spec, dir / "scene", {});
+        PrepareSettings settings;
+        settings.effects[Effect::surroundings] = EffectChoice::on;
+        settings.effects[Effect::per_fragment] = EffectChoice::on;
+        prepare(read_scene(discover(dir / "scene")), settings, file, [](const Progress&) {});
+    }
+    static std::vector<std::uint32_t> all(const PackageReader& package) {
+        std::vector<std::uint32_t> photos(package.photos().size());
+        std::iota(photos.begin(), photos.end(), 0u);
+        return photos;
+    }
+    /// A photo's own; between photos; and so near that triangles reach behind the viewer.
+    static std::vector<View> views(const PackageReader& package) {
+        std::vector<View> out;
+        for (const double ahead : {0.0, 1.5, 4.0}) {
+            View view = view_of_photo(package.photos()[1], 0.8);
+            view.cam_from_origin.t -= Eigen::Vector3d(0.1 * ahead, 0.2 * ahead, ahead);
+            out.push_back(view);
+        }
+        return out;
+    }
+    fs::path file = dir / "scene.vantage";
+};
+
+struct Difference {
+    int most = 0;
+    double share_above_one = 0;
+};
+Difference difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    Difference d;
+    std::size_t above = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const int off = std::abs(int(a[i]) - int(b.at(i)));
+        d.most = std::max(d.most, off);
+        above += off > 1;
+    }
+    d.share_above_one = double(above) / double(std::max<std::size_t>(1, a.size()));
+    return d;
+}
+
+}  // namespace
+
+TEST_F(Frames, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    for (const View& view : views(package))
+        for (const Blend blend : {Blend::lumigraph, Blend::average, Blend::best})
+            for (const bool consensus : {false, true}) {
+                RenderSettings settings;
+                settings.blend = blend;
+                settings.consensus = consensus;
+                settings.photos_per_pass = 3;  // so that there are several passes
+                settings.fill_holes = true;
+                const Picture by_pixel = take_picture(renderer, view, settings, all(package), 1);
+                settings.by_triangle = false;
+                const Picture by_model = take_picture(renderer, view, settings, all(package), 1);
+                EXPECT_LT(by_pixel.report.draws, by_model.report.draws) << "they were drawn in the same way";
+                const Difference d = difference(by_pixel.rgba, by_model.rgba);
+                // Which photo is best may be a matter of the last digit.
+                EXPECT_LT(d.share_above_one, blend == Blend::best ? 1e-3 : 3e-4) << "blend " << int(blend);
+                if (blend != Blend::best) {
+                    EXPECT_LE(d.most, 8) << "blend " << int(blend);
+                }
+            }
+}
