@@ -1,3 +1,5 @@
+#include <malloc.h>
+
 #include <array>
 #include <csignal>
 #include <string>
@@ -31,6 +33,9 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    // A software renderer allocates each draw's vertices: given back to the kernel every time, they cost as
+    // much as drawing a small frame.
+    mallopt(M_TRIM_THRESHOLD, 128 << 20);
     std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit fails with a message
     vantage::name_lost_packages("vantage-player");
     try {
