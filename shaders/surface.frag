@@ -2,8 +2,10 @@
 // Surroundings have their quiet color, what has a value in the scalar layer that is shown its color in the color map.
 #include "contract.glsl"
 
+#ifndef FLAT
 in vec3 surface_position;
 in vec3 surface_normal;
+#endif
 #if defined(VERTEX_COLORS) || defined(SURROUNDINGS)
 in vec4 surface_color;
 #endif
@@ -87,8 +89,12 @@ void main() {
 }
 #else
 void main() {
+#ifdef FLAT
+    const float light = 0.4;
+#else
     vec3 n = normalize(surface_normal), v = normalize(eye - surface_position);
     float light = 0.12 + 0.35 * abs(dot(n, v));
+#endif
     vec3 base = vec3(1.0);
 #ifdef VERTEX_COLORS
     base = pow(max(surface_color.rgb, vec3(0.0)), vec3(2.2));  // interpolated black may be slightly negative

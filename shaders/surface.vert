@@ -1,4 +1,5 @@
-// The bare model: depth for the blending passes, and plain shading for holes.
+// The bare model: depth and triangles for the blending passes, and plain shading for holes. FLAT: an even gray, for frames in
+// motion.
 #include "contract.glsl"
 
 layout(location = position_attribute) in vec3 position;
@@ -13,8 +14,10 @@ out vec4 surface_color;
 layout(location = value_attribute) in vec2 value;
 out vec2 surface_value;
 #endif
+#ifndef FLAT
 out vec3 surface_position;
 out vec3 surface_normal;
+#endif
 flat out uint draw_first;
 #ifdef SURROUNDINGS
 flat out uint draw_bits;
@@ -22,8 +25,10 @@ flat out uint draw_bits;
 invariant gl_Position;
 
 void main() {
+#ifndef FLAT
     surface_position = position;
     surface_normal = normal;
+#endif
     draw_first = of_draw.x;
 #ifdef SURROUNDINGS
     draw_bits = of_draw.y;

@@ -24,6 +24,7 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
     add_unused_options(app, unused);
     hide(app, {"--quiet"});
     const std::string group = "Bench";
+    app.get_option("--fps")->group(group);  // not unused here
     app.add_option("--paths", o.paths, "paths to fly: these, or files of views")
         ->type_name("FILE")
         ->check(known_values({"still", "orbit", "approach", "jump", "flight"}))
@@ -36,7 +37,7 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
            "each photo uploaded whole when it is chosen; adaptive: as stream, in motion as in a window "
            "(--fps)")
         ->delimiter(',')
-        ->check(CLI::IsMember({"stream", "resident", "whole"}))
+        ->check(CLI::IsMember({"stream", "resident", "whole", "adaptive"}))
         ->capture_default_str()
         ->group(group);
     app.add_option("--path-frames", o.frames, "frames per path")
@@ -75,6 +76,7 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
         "  vantage-player bench chapel.vantage\n"
         "  vantage-player bench chapel.vantage --paths orbit --modes stream,resident --repeats 5 -o orbit\n"
         "  vantage-player bench church.toml --paths orbit\n"
+        "  vantage-player bench chapel.vantage --paths orbit --modes stream,adaptive --fps 15\n"
         "  vantage-player bench https://museum.org/chapel.vantage --paths still --modes stream "
         "--until-exact\n"
         "  vantage-player bench chapel.vantage --paths flight --modes stream --minutes 10 --graphics-memory "
@@ -105,6 +107,7 @@ int bench_command(int argc, char** argv) {
     add_bench_options(app, options, unused);
     if (const auto code = parse(app, argc, argv)) return *code;
     if (unused.pictures.offscreen) options.purpose = Purpose::pictures;
+    options.fps = unused.window.fps;
     if (!options.output.file.empty()) options.folder = options.output.file;
     options.scene = named_objects(options.package, options.objects);
     const PackageReader package =

@@ -8,6 +8,7 @@
 #include "player/camera/navigation.h"
 #include "player/interface/user_input.h"
 #include "player/render/frame_statistics.h"
+#include "player/render/pace.h"
 #include "player/render/render_settings.h"
 
 namespace vantage {
@@ -76,6 +77,7 @@ struct Session {
     double message_until = 0;
 
     FrameReport report;
+    Pace pace;  ///< of the frame drawn last
     std::vector<float> frame_ms =
         std::vector<float>(240, 0.0f);  ///< of the last 240 frames drawn, newest last
     FrameStatistics statistics;

@@ -43,6 +43,9 @@ void status_section(const Session& s, const Renderer& renderer, std::uint64_t gr
     const FrameStatistics& f = s.statistics;
     ImGui::Text("%.1f ms per frame, median %.1f", f.mean, f.median);
     ImGui::Text("99 %% below %.1f, 99.9 %% below %.1f", f.p99, f.p999);
+    if (s.pace.scale < 1)
+        ImGui::Text("in motion: %.0f %% of the resolution%s", 100 * s.pace.scale,
+                    s.pace.swift ? ", fewer photos" : "");
     const FrameReport& r = s.report;
     ImGui::Text("%zu photos in %zu passes, %zu draws", r.photos, r.passes, r.draws);
     ImGui::Text("%zu tiles, %zu to come; %.1f MiB uploaded", r.tiles, r.tiles_to_come,

@@ -8,7 +8,10 @@
 #include "gl/context.h"
 #include "player/measure/frame_timer.h"
 #include "player/measure/touched_texels.h"
+#include "player/objects/enlargement.h"
 #include "player/objects/object_set.h"
+#include "player/options/frame_goal.h"
+#include "player/render/pace.h"
 
 namespace vantage {
 namespace {
@@ -21,6 +24,18 @@ void preload(ObjectSet& objects, const CameraPath& path, FrameSize size, RenderS
     settings.complete = true;
     for (const Navigation& n : path.frames)
         objects.draw(view_of(n, size.width, size.height), settings, photos, {}, 0);
+}
+
+/// Milliseconds that a frame takes in which a view rests.
+double time_at_rest(ObjectSet& objects, const View& view, const RenderSettings& settings,
+                    const std::vector<std::uint32_t>& photos, FrameTimer& timer) {
+    double ms = 0;
+    for (int i = 0; i < 3; ++i) {
+        timer.begin();
+        objects.draw(view, settings, photos, {}, i * frame_seconds);
+        ms = timer.end();
+    }
+    return ms;
 }
 
 /// Whether a frame is one of `pictures`, evenly spread over `frames`.
@@ -98,14 +113,23 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
     for (const SceneObject& object : o.scene)
         if (!o.warm) drop_from_page_cache(object.package);
     const std::vector<std::uint32_t> photos = photos_in_use(package, o.package);
-    const RenderSettings settings = flight_settings(package, o, mode);
+    RenderSettings settings = flight_settings(package, o, mode);
     const FrameSize size = target.size;
+    settings.room = size;
     Renderer renderer(package, memory_budget(o.memory));
     ObjectSet objects(renderer, o.scene, memory_budget(o.memory));
     if (mode == "resident") preload(objects, path, size, settings, photos);
     Flight flight{path.name, mode, repeat, {}};
     flight.frames.reserve(path.frames.size());
     FrameTimer timer(gl::current_device().software);
+    Enlargement enlargement;
+    enlargement.fit(size);
+    const double goal = mode == "adaptive" ? frame_goal(o.fps) : 0;
+    Pace pace;
+    if (goal > 0) {
+        const View first = view_of(path.frames[0], size.width, size.height);
+        pace = first_pace(time_at_rest(objects, first, settings, photos, timer), goal);
+    }
     const auto begin = Clock::now();
     const std::chrono::duration<double, std::ratio<60>> minutes(o.minutes);
     const int frames = int(path.frames.size()), jump = path.name == "jump" ? frames / 2 : -1;
@@ -115,14 +139,18 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
         if (o.minutes > 0 && Clock::now() - begin > minutes) break;
         if (i == stays_from) before = objects.streamed();
         const double now = 1 + i * frame_seconds;
-        const View view = view_of(path.frames[std::size_t(i)], size.width, size.height);
-        const std::optional<View> next = expected_view(path, i, jump, size);
+        const View view = scaled(view_of(path.frames[std::size_t(i)], size.width, size.height), pace.scale);
+        std::optional<View> next = expected_view(path, i, jump, size);
+        if (next) next = scaled(*next, pace.scale);
+        settings.swift = pace.swift;
         timer.begin();
         const FrameReport report = objects.draw(view, settings, photos, {}, now, next ? &*next : nullptr);
-        objects.show(view, settings, target.framebuffer.id(), false);
+        enlargement.show(objects, view, settings, size, target.framebuffer.id(), false);
         const double ms = timer.end();
         gl::check("drawing a frame");
-        flight.frames.push_back({ms, report, gl::memory_held(), memory_without(flight.frames.size())});
+        flight.frames.push_back(
+            {ms, pace.scale, report, gl::memory_held(), memory_without(flight.frames.size())});
+        pace = next_pace(pace, ms, goal);
         if (repeat == 0 && pictured(i, frames, o.pictures)) {
             char number[16];
             std::snprintf(number, sizeof number, "-%05d.png", i);

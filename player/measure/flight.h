@@ -29,6 +29,7 @@ struct FlightOptions {
     PointSettings points;
     Purpose purpose = Purpose::window;
     int frames = 120;
+    double fps = -1;           ///< of the mode "adaptive", see frame_goal()
     double minutes = 0;        ///< instead of `frames`
     bool until_exact = false;  ///< end a path whose view stays the same when its picture is exact
     bool warm = false;         ///< keep the package in the page cache
@@ -38,6 +39,7 @@ struct FlightOptions {
 
 struct FrameRecord {
     double ms;
+    double scale;  ///< share of the frame's width and height at which it was drawn
     FrameReport report;
     std::uint64_t graphics;  ///< bytes of OpenGL objects
     ProcessMemory process;
@@ -73,7 +75,8 @@ CameraPath path_named(const std::string& name, const PackageReader& package, con
 
 /// Flies a path over the scene's objects, of which `package` is the first, with fresh renderers. `mode`:
 /// "stream", within the upload budget; "resident", everything loaded beforehand; "whole", each photo uploaded
-/// whole when it is chosen. Throws Error.
+/// whole when it is chosen; "adaptive", as a window moves: within the upload budget, and at the pace that
+/// keeps the frames per second asked for. Throws Error.
 Flight fly(const PackageReader& package, const FlightOptions& options, const CameraPath& path,
            const std::string& mode, int repeat, const FlightTarget& target);
 

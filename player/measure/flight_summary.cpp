@@ -11,7 +11,7 @@
 namespace vantage {
 
 nlohmann::json summarize(const std::vector<const Flight*>& flights, std::size_t upload_budget) {
-    std::vector<double> all, medians, ratios;
+    std::vector<double> all, medians, ratios, scales;
     std::uint64_t uploaded = 0, over = 0, graphics = 0, process = 0, missing = 0;
     StreamedSoFar streamed;
     for (const Flight* f : flights) {
@@ -27,6 +27,7 @@ nlohmann::json summarize(const std::vector<const Flight*>& flights, std::size_t 
             graphics = std::max(graphics, r.graphics);
             process = std::max(process, r.process.resident);
             missing += r.report.tiles_missing > 0;
+            scales.push_back(r.scale);
         }
     }
     const FrameStatistics s = frame_statistics(all);
@@ -37,6 +38,7 @@ nlohmann::json summarize(const std::vector<const Flight*>& flights, std::size_t 
         {"repeats", flights.size()},
         {"frames", all.size()},
         {"ms", {{"mean", s.mean}, {"median", s.median}, {"p99", s.p99}, {"p999", s.p999}, {"max", s.max}}},
+        {"scale", {{"median", frame_statistics(scales).median}, {"least", std::ranges::min(scales)}}},
         {"median_spread", low > 0 ? high / low : 0},
         {"p999_over_median", frame_statistics(ratios).median},
         {"frames_with_tiles_missing", missing},
@@ -71,6 +73,8 @@ void print_summary(const nlohmann::json& s) {
         double(s["bytes_read"].get<std::uint64_t>()) / 1048576,
         s["reading_and_decoding_seconds"].get<double>(),
         double(s["uploaded_bytes_a_frame_max"].get<std::uint64_t>()) / 1048576);
+    if (s["mode"] == "adaptive")
+        std::printf("  at %.0f %% of the resolution (median)", 100 * s["scale"]["median"].get<double>());
     if (s.contains("read_over_touched"))
         std::printf("  exact after %d frames, %.2f s, %.2f bytes read per byte touched",
                     s["frames_to_exact"].get<int>(), s["seconds_to_exact"].get<double>(),
@@ -81,13 +85,14 @@ void print_summary(const nlohmann::json& s) {
 
 void write_frames(const std::filesystem::path& file, const std::vector<Flight>& flights) {
     std::ofstream out(file);
-    out << "path,mode,repeat,frame,ms,uploaded_bytes,tiles,tiles_missing,tiles_damaged,photos,passes,draws,"
+    out << "path,mode,repeat,frame,ms,scale,uploaded_bytes,tiles,tiles_missing,tiles_damaged,photos,passes,"
+           "draws,"
            "graphics_bytes,process_bytes,anonymous_bytes\n";
     for (const Flight& f : flights)
         for (std::size_t i = 0; i < f.frames.size(); ++i) {
             const FrameRecord& r = f.frames[i];
-            out << f.path << ',' << f.mode << ',' << f.repeat << ',' << i << ',' << r.ms << ','
-                << r.report.uploaded << ',' << r.report.tiles << ',' << r.report.tiles_missing << ','
+            out << f.path << ',' << f.mode << ',' << f.repeat << ',' << i << ',' << r.ms << ',' << r.scale
+                << ',' << r.report.uploaded << ',' << r.report.tiles << ',' << r.report.tiles_missing << ','
                 << r.report.tiles_damaged << ',' << r.report.photos << ',' << r.report.passes << ','
                 << r.report.draws << ',' << r.graphics << ',' << r.process.resident << ','
                 << r.process.anonymous << '\n';

@@ -1,6 +1,7 @@
 #include "player/options/window_options.h"
 
 #include "cli/real_range.h"
+#include "player/options/frame_goal.h"
 #include "values/lower_extension.h"
 
 namespace vantage {
@@ -10,6 +11,7 @@ void add_window_options(CLI::App& app, WindowOptions& o) {
     app.add_option("--frames", o.frames, "close after this many frames")
         ->check(CLI::Range(0, 1 << 30))
         ->group(group);
+    add_fps_option(app, o.fps, group);
     app.add_flag("--fresh", o.fresh, "start with default settings, and do not remember any")->group(group);
     app.add_flag("--kiosk", o.kiosk,
                  "for the public: full screen, without quitting, opening or settings; restarted if it fails "

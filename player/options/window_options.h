@@ -8,6 +8,7 @@ namespace vantage {
 
 struct WindowOptions {
     int frames = 0;         ///< 0: until the window is closed
+    double fps = -1;        ///< see frame_goal()
     double text_scale = 0;  ///< 0: by the display
     bool kiosk = false;
     double home_after = 60;  ///< seconds

@@ -49,10 +49,10 @@ bool same_side(const package::ClusterRecord& c, bool away, const Eigen::Vector3d
 
 /// Assigns each cluster to the chosen photos that see it. With `worth`, omits photos whose weight relative to
 /// a photo that sees the whole cluster is below 1/1024, less than one color code: they would show only where
-/// the other photo's masks are 0.
+/// the other photo's masks are 0. A swift plan has only photos that weigh much.
 void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
                      std::vector<PlannedPhoto>& photos) {
-    const double least = settings.worth > 0 ? 1.0 / 1024 : 0;
+    const double least = !(settings.worth > 0) ? 0 : settings.swift ? 0.3 : 1.0 / 1024;
     const std::size_t words = package::visible_words(s.scene.triangles);
     std::vector<Eigen::Vector3d> centers;
     for (const PlannedPhoto& p : photos) centers.push_back(s.scene.poses[p.photo].center());
@@ -102,7 +102,7 @@ Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& set
         const bool by_points = settings.worth > 0 && !surface.triangles.empty();
         p.needs = by_points ? needs_of_points(surface, p, settings.worth)
                             : needs_of_clusters(surface, p, true, settings.samples);
-        p.later = needs_of_clusters(surface, p, false, settings.samples);
+        if (!settings.swift) p.later = needs_of_clusters(surface, p, false, settings.samples);
     }
     std::erase_if(plan.photos, [](const PlannedPhoto& p) { return p.clusters.empty(); });
     plan.clusters = std::move(surface.clusters);

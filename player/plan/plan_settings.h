@@ -22,6 +22,9 @@ struct PlanSettings {
     bool tiles = true;         ///< list the tiles needed; otherwise use only thumbnails
     bool surroundings = true;  ///< shown, if the package has them
     bool complete = true;  ///< wait for everything that the picture needs; otherwise photos fade in and out
+    /// For frames in motion that take too long: each surface gets only the photos that matter most there, and
+    /// photos are exchanged at once.
+    bool swift = false;
     bool operator==(const PlanSettings&) const = default;
 };
 

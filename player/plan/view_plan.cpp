@@ -91,7 +91,8 @@ void ViewPlan::plan_drawn(const View& view, const PlanSettings& settings,
 }
 
 void ViewPlan::fade(const PlanSettings& settings, double now, const std::vector<bool>& ready) {
-    const double step = settings.complete ? 1 : std::clamp((now - last_) / fade_seconds, 0.0, 1.0);
+    const double step =
+        settings.complete || settings.swift ? 1 : std::clamp((now - last_) / fade_seconds, 0.0, 1.0);
     last_ = now;
     std::vector<bool> wanted(drawn_.size(), false);
     for (const PlannedPhoto& p : plan_.photos) wanted[p.photo] = settings.complete || ready[p.photo];

@@ -187,7 +187,8 @@ const gl::Program& ModelPasses::transparent_program(const RenderSettings& settin
 }
 
 const gl::Program& ModelPasses::surface_program(const RenderSettings& settings) {
-    const std::vector<std::string> asked = asked_defines(settings);
+    std::vector<std::string> asked = asked_defines(settings);
+    if (settings.swift && asked.empty()) asked.emplace_back("FLAT");
     if (asked.empty()) return surface_program_;
     gl::Program& program = other_surface_programs_[asked];
     if (!program) {

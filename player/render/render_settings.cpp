@@ -11,7 +11,8 @@ namespace vantage {
 PlanSettings plan_settings(const RenderSettings& s) {
     PlanSettings p;
     p.choice = s.choice;
-    p.photos = s.photos;
+    p.photos = s.swift && s.photos > 0 ? 1 : s.photos;
+    p.swift = s.swift;
     p.tiles = !s.thumbnails;
     p.surroundings = s.surroundings != ShowSurroundings::off;
     p.complete = s.complete;

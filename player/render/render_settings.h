@@ -151,6 +151,7 @@ struct RenderSettings {
     /// pictures.
     bool wait_for_tiles = false;
     bool wait_for_base = false;  ///< in this frame, waits for what photos need to be drawn at all
+    bool swift = false;          ///< see PlanSettings::swift
     bool whole_photos = false;   ///< upload each photo whole and at once (for comparison)
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame
     Background background;

@@ -241,7 +241,8 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     Frame frame{drawn_view(point, bands.front(), sample.side), sample, now, report};
     frame.report.clusters = bands_.plan_of_first().clusters.size();
     frame.report.uncovered = bands_.plan_of_first().uncovered;
-    if (!settings.complete) tiles_.stream(point, bands, sample.side, next, frame.report);
+    const View* ahead = settings.swift ? nullptr : next;
+    if (!settings.complete) tiles_.stream(point, bands, sample.side, ahead, frame.report);
     for (const BandFrame& band : bands)
         band.plan->fade(plan_settings(band.settings), now,
                         tiles_.ready_photos(band.settings, band.plan->plan()));

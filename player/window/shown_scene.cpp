@@ -20,6 +20,7 @@
 #include "player/interface/sidebar.h"
 #include "player/interface/surface_at_pixel.h"
 #include "player/interface/visitor_bar.h"
+#include "player/options/frame_goal.h"
 #include "player/story/story_background.h"
 #include "player/window/numbered_file.h"
 #include "player/window/screenshot.h"
@@ -29,8 +30,15 @@ namespace vantage {
 
 namespace {
 
-bool same_frame(const Intrinsics& a, const Intrinsics& b) {
-    return a.width == b.width && a.height == b.height && a.fx == b.fx && a.cx == b.cx && a.cy == b.cy;
+bool same_view(const View& a, const View& b) {
+    const Intrinsics &k = a.intrinsics, &l = b.intrinsics;
+    return k.width == l.width && k.height == l.height && k.fx == l.fx && k.cx == l.cx && k.cy == l.cy &&
+           a.cam_from_origin.R == b.cam_from_origin.R && a.cam_from_origin.t == b.cam_from_origin.t;
+}
+
+/// A pixel of a frame in another one that shows the same.
+Eigen::Vector2d pixel_in(const Intrinsics& to, const Intrinsics& from, const Eigen::Vector2d& pixel) {
+    return {pixel.x() * to.width / from.width, pixel.y() * to.height / from.height};
 }
 
 }  // namespace
@@ -44,7 +52,9 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       memory_limit_(memory_budget(o.memory).graphics),
       open_dialog_(package.remote() ? "." : package.path().parent_path()),
       measure_(package),
-      told_(told_story(o.package.file, input_axes(package), system_language())) {
+      told_(told_story(o.package.file, input_axes(package), system_language())),
+      clock_(gl::current_device().software),
+      goal_ms_(frame_goal(o.window.fps)) {
     session_.photos = photos_in_use(package, o.package);
     if (const auto opening = opening_of(told_); opening && o.package.photos.empty())
         session_.camera = session_.home = session_.earlier.last = *opening;
@@ -75,14 +85,18 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     const bool still = !keys && unchanged(view) && lit_ == s.settings.light;
     if (!still) samples_ = 0;
     s.settings.points.pick = s.panels.expert && s.panels.points;
+    s.settings.room = {width, height};
+    if (goal_ms_ > 0) enlargement_.fit(s.settings.room);
+    clock_.begin();
     draw(view, still, now);
-    if (s.settings.points.pick)
-        renderer_.pick({int(ImGui::GetIO().MousePos.x), int(ImGui::GetIO().MousePos.y)});
-    objects_.show(view, s.settings, 0, true);
+    if (s.settings.points.pick) pick(view);
+    enlargement_.show(objects_, *drawn_view_, s.settings, s.settings.room, 0, true);
     if (std::exchange(s.screenshot, false))  // without the interface
         write_numbered(s, renderer_.package().path().stem().string(), ".png", "screenshot", now,
                        [&](const std::string& file) { save_frame(file, width, height); });
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    clock_.end(drawn_at_ == now ? std::optional(s.pace) : std::nullopt);
+    keep_pace();
     last_ = view;
     lit_ = s.settings.light;
 }
@@ -114,7 +128,8 @@ void ShownScene::tell(const View& view, double now) {
     Session& s = session_;
     const SeenTriangles seen = renderer_.seen();
     const SurfaceAt surface = [&](const Eigen::Vector2d& pixel) {
-        return surface_at_pixel(renderer_.scene(), seen, pixel);
+        return surface_at_pixel(renderer_.scene(), seen,
+                                pixel_in(seen.view.intrinsics, view.intrinsics, pixel));
     };
     if (s.panels.story_editor)
         story_editor_.show(controls_, told_, s, view, surface, &s.panels.story_editor, now);
@@ -200,40 +215,70 @@ bool ShownScene::unchanged(const View& view) const {
     // A text field stays active while its dialog is open; what is typed there are keys.
     const bool touched = (ImGui::IsAnyItemActive() && !io.WantTextInput) || io.MouseClicked[0] ||
                          io.MouseReleased[0] || io.MouseWheel != 0;
-    return drawn_ && !touched && last_ && last_->cam_from_origin.R == view.cam_from_origin.R &&
-           last_->cam_from_origin.t == view.cam_from_origin.t &&
-           same_frame(last_->intrinsics, view.intrinsics);
+    return drawn_ && !touched && last_ && same_view(*last_, view);
 }
 
-/// While the view moves or tiles are missing, draws one sample per pixel, half a level sharper. After that,
-/// accumulates the samples of each pixel, one per frame, and stops when the picture is final.
+/// The point under the pointer.
+void ShownScene::pick(const View& view) {
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    renderer_.pick(
+        pixel_in(drawn_view_->intrinsics, view.intrinsics, {double(at.x), double(at.y)}).cast<int>());
+}
+
+/// While the view moves or tiles are missing, draws one sample per pixel, half a level sharper; at a pace
+/// that keeps the goal while it moves. After that, accumulates the samples of each pixel, one per frame, and
+/// stops when the picture is final.
 void ShownScene::draw(const View& view, bool still, double now) {
     Session& s = session_;
     if (looks_again() && now > drawn_at_ + look_again_seconds) samples_ = 0;
     if (layout_.strip.height > 0 && strip_.lacks_pictures()) samples_ = 0;
     if (still && is_final()) return;
+    if (in_motion(view)) moved_at_ = now;
+    // A coarse frame is refined when the motion has ended, not between two movements of the mouse.
+    const bool moves = drawn_ && now < moved_at_ + still_seconds && !s.screenshot;
+    s.pace = moves ? pace_ : Pace{};
     drawn_at_ = now;
     // Once at rest, it stays so while tiles come: where not all fit, those for motion and for rest would
     // evict each other.
-    resting_ = still && (resting_ || s.report.settled);
+    resting_ = still && !moves && (resting_ || s.report.settled);
     RenderSettings settings = s.settings;
+    settings.swift = s.pace.swift;
     settings.lod_bias = resting_ ? 0 : -0.5;
     settings.wait_for_base = !drawn_ && !renderer_.package().remote();  // the first picture shows photos
     const Navigation ahead = before_ ? between(*before_, s.camera, 4) : s.camera;
     before_ = s.camera;
-    const View next = view_of(ahead, view.intrinsics.width, view.intrinsics.height, s.free);
+    const View next =
+        scaled(view_of(ahead, view.intrinsics.width, view.intrinsics.height, s.free), s.pace.scale);
     const PixelSample sample = resting_ ? PixelSample{samples_, rest_side} : PixelSample{};
     const bool sound_so_far = s.report.tiles_damaged == 0;
-    const auto start = std::chrono::steady_clock::now();
-    s.report = objects_.draw(view, settings, s.photos, sample, now, &next);
+    drawn_view_ = scaled(view, s.pace.scale);
+    s.report = objects_.draw(*drawn_view_, settings, s.photos, sample, now, &next);
     samples_ = resting_ && s.report.settled ? samples_ + 1 : 0;
     if (s.report.tiles_damaged > 0 && sound_so_far)
         say(s, "The package is damaged: parts of the picture are missing or blurred (vantage check FILE)",
             now);
     tell_memory(now);
     drawn_ = true;
-    if (gl::current_device().software) glFinish();
-    remember_time(std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - start).count());
+}
+
+/// Whether the view differs from the last one, or a control is being dragged.
+bool ShownScene::in_motion(const View& view) const {
+    const bool dragged = ImGui::IsMouseDragging(0) && ImGui::IsAnyItemActive();
+    return dragged || (last_ && !same_view(*last_, view));
+}
+
+/// Notes how long the frames took that are finished by now, and sets the pace of those to come.
+void ShownScene::keep_pace() {
+    const auto frame = clock_.take();
+    if (!frame) return;
+    remember_time(float(frame->ms));
+    if (frame->pace != Pace{}) {
+        pace_ = next_pace(frame->pace, frame->ms, goal_ms_);
+        return;
+    }
+    // Frames at rest are slower than those in motion: if they are fast enough, so are these.
+    const Pace first = first_pace(frame->ms, goal_ms_);
+    if (pace_ == Pace{} || first.scale > pace_.scale) pace_ = first;
 }
 
 /// Says once that frames of this size need more graphics memory than allowed.

@@ -10,8 +10,10 @@
 #include "player/interface/story_editor.h"
 #include "player/interface/story_panel.h"
 #include "player/interface/told_story.h"
+#include "player/objects/enlargement.h"
 #include "player/objects/object_set.h"
 #include "player/options/show_options.h"
+#include "player/render/frame_clock.h"
 #include "player/render/renderer.h"
 #include "player/window/kiosk.h"
 
@@ -36,7 +38,8 @@ class ShownScene {
     Renderer& renderer() { return renderer_; }
 
   private:
-    static constexpr int rest_side = 2;  ///< samples per side of a pixel at rest
+    static constexpr int rest_side = 2;            ///< samples per side of a pixel at rest
+    static constexpr double still_seconds = 0.25;  ///< without motion, before a coarse frame is refined
     static constexpr double look_again_seconds = Residency::retry_seconds + 1;
     static constexpr double blink_seconds = 0.3;  ///< of a text field's cursor
 
@@ -50,6 +53,9 @@ class ShownScene {
     /// The picture has all its samples.
     bool is_final() const { return samples_ >= rest_side * rest_side; }
     void draw(const View& view, bool still, double now);
+    void pick(const View& view);
+    bool in_motion(const View& view) const;
+    void keep_pace();
     void remember_time(float ms);
     void tell_memory(double now);
 
@@ -65,12 +71,16 @@ class ShownScene {
     ToldStory told_;
     NotePicture note_picture_;
     StoryEditor story_editor_;
-    std::optional<View> last_;
+    FrameClock clock_;
+    Enlargement enlargement_;
+    double goal_ms_;  ///< of a frame in motion; 0: none, frames are always drawn at full size
+    Pace pace_;       ///< of the next frame in motion
+    std::optional<View> last_, drawn_view_;
     LightSettings lit_;
     std::optional<Navigation> before_;
     int samples_ = 0;
     bool drawn_ = false, resting_ = false;
-    double drawn_at_ = 0, shown_at_ = 0;
+    double drawn_at_ = 0, shown_at_ = 0, moved_at_ = 0;
     struct Recording {
         double begin;
         Navigation last;  ///< of the last frame

@@ -1,4 +1,5 @@
-// Photos blended pixel by pixel, or on the model drawn again: they look the same.
+// Frames drawn in other ways than a picture: photos blended pixel by pixel or on the model drawn again, and
+// frames smaller than their render targets. They show the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +11,9 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/synth/synthesize.h"
+#include "player/objects/enlargement.h"
+#include "player/objects/object_set.h"
+#include "player/render/pace.h"
 #include "player/render/picture.h"
 #include "tests/temporary_folder.h"
 
@@ -94,4 +98,53 @@ TEST_F(Frames, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
                     EXPECT_LE(d.most, 8) << "blend " << int(blend);
                 }
             }
+}
+
+TEST_F(Frames, SmallerThanTheirTargetsLookAsWithTargetsOfTheirOwn) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    Renderer own(package, MemoryBudget{}), roomy(package, MemoryBudget{});
+    RenderSettings settings;
+    settings.fill_holes = true;
+    settings.background = {{0.1f, 0.2f, 0.4f}, {0.4f, 0.3f, 0.2f}, 0.1};
+    for (const View& view : views(package)) {
+        RenderSettings in_room = settings;
+        in_room.room = {view.intrinsics.width, view.intrinsics.height};
+        // The larger frame before it leaves its pixels beside those of the smaller one.
+        take_picture(roomy, view, in_room, all(package), 1);
+        const View small = scaled(view, 0.37);
+        EXPECT_EQ(take_picture(roomy, small, in_room, all(package), 2).rgba,
+                  take_picture(own, small, settings, all(package), 2).rgba);
+        EXPECT_EQ(roomy.targets().room, in_room.room) << "no new targets";
+    }
+}
+
+TEST_F(Frames, SmallerOnesAreShownEnlarged) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    ObjectSet objects(renderer, {{"scene", file, {}, true}}, MemoryBudget{});
+    Enlargement enlargement;
+    const View view = views(package).front();
+    const FrameSize size{view.intrinsics.width, view.intrinsics.height};
+    enlargement.fit(size);
+    RenderSettings settings;
+    settings.fill_holes = true;
+    settings.room = size;
+    const auto shown = [&](double scale) {
+        const View drawn = scaled(view, scale);
+        objects.draw(drawn, settings, all(package), {}, 0);
+        return picture_of(
+            view, [&](GLuint target) { enlargement.show(objects, drawn, settings, size, target, false); });
+    };
+    const Picture whole = shown(1), half = shown(0.5), tiny = shown(0.1);
+    const auto mean_off = [&](const Picture& p) {
+        double sum = 0;
+        for (std::size_t i = 0; i < p.rgba.size(); ++i) sum += std::abs(int(p.rgba[i]) - int(whole.rgba[i]));
+        return sum / double(p.rgba.size());
+    };
+    EXPECT_GT(mean_off(half), 0);
+    EXPECT_LT(mean_off(half), 8);
+    EXPECT_LT(mean_off(half), mean_off(tiny));
+    EXPECT_LT(mean_off(tiny), 30) << "in the right place";
 }

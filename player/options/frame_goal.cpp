@@ -1,0 +1,22 @@
+#include "player/options/frame_goal.h"
+
+#include "cli/real_range.h"
+#include "gl/context.h"
+
+namespace vantage {
+
+void add_fps_option(CLI::App& app, double& fps, const std::string& group) {
+    app.add_option(
+           "--fps", fps,
+           "frames per second to keep in motion, by a lower resolution and fewer photos; 0: always in "
+           "full (default 30, 15 with a software renderer)")
+        ->check(real_range(0, 1000))
+        ->group(group);
+}
+
+double frame_goal(double fps) {
+    if (fps < 0) fps = gl::current_device().software ? 15 : 30;
+    return fps > 0 ? 1000 / fps : 0;
+}
+
+}  // namespace vantage

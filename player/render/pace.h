@@ -1,0 +1,28 @@
+#pragma once
+#include "player/camera/frame_size.h"
+#include "player/camera/view.h"
+
+namespace vantage {
+
+/// How frames in motion are drawn so that they take no longer than they may.
+struct Pace {
+    double scale = 1;    ///< of the frame's width and height, least_scale to 1
+    bool swift = false;  ///< see RenderSettings::swift
+    bool operator==(const Pace&) const = default;
+};
+/// Coarser frames would hardly be faster: what remains is the time for the triangles.
+inline constexpr double least_scale = 0.15;
+
+/// The pace of the next frame, after one at `pace` that took `ms`, of which `goal_ms` are allowed. Slows down
+/// at once, and quickens by at most a fifth of the pixels per frame. Without a time or a goal above 0, the
+/// same pace.
+Pace next_pace(Pace pace, double ms, double goal_ms);
+
+/// The pace at which a motion begins, if a frame at rest takes `ms`. Cautious: it cannot be known how much of
+/// the time is for the frame's pixels.
+Pace first_pace(double ms, double goal_ms);
+
+/// A view as it is drawn at a share of its width and height.
+View scaled(const View& view, double share);
+
+}  // namespace vantage
