@@ -55,6 +55,7 @@ const int object_colors_unit = 4;  // compose
 const int object_depths_unit = 5;
 const int finer_unit = 4;    // average_holes
 const int coarser_unit = 4;  // fill_holes
+const int small_unit = 4;    // enlarge
 
 // Uniforms of surface and blend.
 const int clip_from_origin_uniform = 0;
@@ -87,7 +88,7 @@ const int own_light_scale_uniform = 29;
 const int frame_uniform = 1;  // blend on points
 const int frame_axes_uniform = 14;
 
-// Of blend, resolve, show, average_holes, fill_holes and compose: pixels of the frame, or texels of the level, that is read. Its
+// Of blend, resolve, show, average_holes, fill_holes, compose and enlarge: pixels of the frame, or texels of the level, that is read. Its
 // texture may be larger.
 const int frame_size_uniform = 29;
 
@@ -153,6 +154,9 @@ const int soft_edges_uniform = 25;
 const int show_background_uniform = 26;
 const int show_background_bottom_uniform = 27;
 const int edges_opaque_uniform = 28;
+
+// Uniform of enlarge.
+const int enlarged_size_uniform = 0;
 
 // Uniforms of average_holes.
 const int average_samples_uniform = 0;

@@ -3,13 +3,14 @@
 #include <array>
 
 #include "gl/context.h"
+#include "shaders/contract.h"
 
 namespace vantage {
 
 void Enlargement::fit(FrameSize room) {
     if (room == room_) return;
     room_ = room;
-    picture_ = gl::make_texture_2d("frame in motion", GL_RGBA8, room.width, room.height);
+    picture_ = gl::make_texture_2d("frame in motion", GL_RGBA8, room.width, room.height, GL_LINEAR);
     target_ = gl::make_framebuffer("frame in motion", std::array{picture_.id()}, 0);
 }
 
@@ -18,10 +19,21 @@ void Enlargement::show(ObjectSet& objects, const View& drawn, const RenderSettin
     const int width = drawn.intrinsics.width, height = drawn.intrinsics.height;
     if (width == size.width && height == size.height) return objects.show(drawn, settings, target, flip);
     objects.show(drawn, settings, target_.id(), flip);
-    glBlitNamedFramebuffer(target_.id(), target, 0, 0, width, height, 0, 0, size.width, size.height,
-                           GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    if (!program_) {
+        program_ = gl::make_program(
+            "enlarge", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "enlarge.frag"}});
+        no_vertices_ = gl::make_vertex_array("no vertices");
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, size.width, size.height);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(program_.id());
+    glUniform2i(shader::frame_size_uniform, width, height);
+    glUniform2i(shader::enlarged_size_uniform, size.width, size.height);
+    glBindTextureUnit(shader::small_unit, picture_.id());
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
     gl::check("enlarging a frame");
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "gl/program.h"
 #include "player/objects/object_set.h"
 
 namespace vantage {
@@ -17,6 +18,8 @@ class Enlargement {
     FrameSize room_;
     gl::Texture picture_;
     gl::Framebuffer target_;
+    gl::Program program_;
+    gl::VertexArray no_vertices_;
 };
 
 }  // namespace vantage

@@ -24,7 +24,7 @@ class PhotoStore {
     /// Allocates at most `bytes` of graphics memory. Evicts everything if the allocation changes; it is kept
     /// while it is within the budget and more than half of it. Throws Error(usage) if `bytes` is too little.
     void fit(std::uint64_t bytes, bool with_coordinates);
-    std::uint64_t bytes() const { return residency_ ? residency_->layout().bytes() : 0; }
+    std::uint64_t bytes() const { return residency_ ? residency_->bytes() : 0; }
     bool has_coordinates() const { return residency_ && residency_->layout().coordinates > 0; }
 
     /// Shows masks with other consensus weights than those stored: `weights` gives a photo's map, see

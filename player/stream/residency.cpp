@@ -80,19 +80,22 @@ Residency::Residency(const PackageReader& package, const PackagePages& pages, co
       slot_pool_(layout.coordinates, std::uint32_t(package.photos().size())),
       color_arrivals_(layout.color, 0),
       mask_arrivals_(layout.masks, 0),
+      color_("color tiles", GL_SRGB8_ALPHA8, GL_LINEAR, layout.color),
+      masks_("mask tiles", GL_RGBA8, GL_LINEAR, layout.masks),
+      depths_("depth tiles", GL_R32F, GL_NEAREST, layout.masks),
       slots_(layout.coordinates) {
-    const auto tiles = [](const char* label, GLenum format, std::uint32_t layers, GLenum filter) {
-        return gl::make_texture_array(label, format, tile_size, tile_size, int(std::max(1u, layers)), filter);
-    };
-    color_ = tiles("color tiles", GL_SRGB8_ALPHA8, layout.color, GL_LINEAR);
-    masks_ = tiles("mask tiles", GL_RGBA8, layout.masks, GL_LINEAR);
-    depths_ = tiles("depth tiles", GL_R32F, layout.masks, GL_NEAREST);
     thumbnails_ = gl::make_texture_array("thumbnails", GL_SRGB8_ALPHA8, layout.thumbnail_width,
                                          layout.thumbnail_height, int(layout.thumbnails), GL_LINEAR);
     coordinates_ =
         gl::make_buffer("texture coordinates",
                         std::max<std::size_t>(8, std::size_t(layout.coordinates) * layout.vertices * 8),
                         nullptr, GL_DYNAMIC_STORAGE_BIT);
+}
+
+std::uint64_t Residency::bytes() const {
+    ResidencyLayout held = layout_;
+    held.color = color_.layers(), held.masks = masks_.layers();
+    return held.bytes();
 }
 
 void Residency::begin_frame(double now, bool fade) {
@@ -227,7 +230,7 @@ bool Residency::store(const StreamRequest& r, std::uintptr_t source, GLuint unpa
         return true;
     }
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, unpack_buffer);
-    const auto tile = [&](const gl::Texture& to, std::uint32_t layer, GLenum layout, GLenum type,
+    const auto tile = [&](const auto& to, std::uint32_t layer, GLenum layout, GLenum type,
                           std::uintptr_t from) {
         glTextureSubImage3D(to.id(), 0, 0, 0, GLint(layer), tile_size, tile_size, 1, layout, type,
                             reinterpret_cast<const void*>(from));
@@ -246,8 +249,11 @@ bool Residency::store(const StreamRequest& r, std::uintptr_t source, GLuint unpa
     if (!layer) return false;
     (is_color ? color_arrivals_ : mask_arrivals_)[*layer] = last_arrival_ = now_;
     if (is_color) {
+        color_.make_room(*layer);
         tile(color_, *layer, GL_RGBA, GL_UNSIGNED_BYTE, source);
     } else {
+        masks_.make_room(*layer);
+        depths_.make_room(*layer);
         tile(masks_, *layer, GL_RGBA, GL_UNSIGNED_BYTE, source);
         tile(depths_, *layer, GL_RED, GL_FLOAT, source + tile_bytes);
     }

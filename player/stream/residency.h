@@ -6,6 +6,7 @@
 #include "gl/object.h"
 #include "player/stream/layer_pool.h"
 #include "player/stream/photo_pages.h"
+#include "player/stream/tile_array.h"
 #include "player/stream/tile_stream.h"
 
 namespace vantage {
@@ -76,6 +77,8 @@ class Residency {
     bool settled() const { return now_ < last_arrival_ || now_ >= last_arrival_ + fade_seconds; }
 
     const ResidencyLayout& layout() const { return layout_; }
+    /// Graphics memory held, bytes: less than layout().bytes() until many tiles have arrived.
+    std::uint64_t bytes() const;
     std::uint32_t color_held() const { return color_pool_.held(); }
     std::uint32_t masks_held() const { return mask_pool_.held(); }
     GLuint colors() const { return color_.id(); }
@@ -103,7 +106,8 @@ class Residency {
     const PackagePages* pages_;
     LayerPool color_pool_, mask_pool_, thumbnail_pool_, slot_pool_;
     std::vector<double> color_arrivals_, mask_arrivals_;  ///< per layer, seconds
-    gl::Texture color_, masks_, depths_, thumbnails_;
+    TileArray color_, masks_, depths_;
+    gl::Texture thumbnails_;
     gl::Buffer coordinates_;
     struct Slot {
         std::uint32_t photo = 0xffffffffu;

@@ -41,6 +41,11 @@ Eigen::Vector2d pixel_in(const Intrinsics& to, const Intrinsics& from, const Eig
     return {pixel.x() * to.width / from.width, pixel.y() * to.height / from.height};
 }
 
+/// The first picture is made of thumbnails: in software, it need not wait for the pixels between theirs.
+Pace pace_of_first_picture(double goal) {
+    return goal > 0 && gl::current_device().software ? Pace{0.25, true} : Pace{};
+}
+
 }  // namespace
 
 ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObject>& objects,
@@ -54,7 +59,8 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       measure_(package),
       told_(told_story(o.package.file, input_axes(package), system_language())),
       clock_(gl::current_device().software),
-      goal_ms_(frame_goal(o.window.fps)) {
+      goal_ms_(frame_goal(o.window.fps)),
+      pace_(pace_of_first_picture(goal_ms_)) {
     session_.photos = photos_in_use(package, o.package);
     if (const auto opening = opening_of(told_); opening && o.package.photos.empty())
         session_.camera = session_.home = session_.earlier.last = *opening;
@@ -235,8 +241,8 @@ void ShownScene::draw(const View& view, bool still, double now) {
     if (still && is_final()) return;
     if (in_motion(view)) moved_at_ = now;
     // A coarse frame is refined when the motion has ended, not between two movements of the mouse.
-    const bool moves = drawn_ && now < moved_at_ + still_seconds && !s.screenshot;
-    s.pace = moves ? pace_ : Pace{};
+    const bool moves = now < moved_at_ + still_seconds && !s.screenshot;
+    s.pace = moves || !drawn_ ? pace_ : Pace{};
     drawn_at_ = now;
     // Once at rest, it stays so while tiles come: where not all fit, those for motion and for rest would
     // evict each other.

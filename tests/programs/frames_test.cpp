@@ -147,4 +147,15 @@ TEST_F(Frames, SmallerOnesAreShownEnlarged) {
     EXPECT_LT(mean_off(half), 8);
     EXPECT_LT(mean_off(half), mean_off(tiny));
     EXPECT_LT(mean_off(tiny), 30) << "in the right place";
+    // The last rows and columns show no more of what larger frames left beside the picture.
+    const auto edge_off = [&](const Picture& p) {
+        double sum = 0;
+        for (int x = 0; x < p.width; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const auto at = std::size_t(((p.height - 1) * p.width + x) * 4 + c);
+                sum += std::abs(int(p.rgba[at]) - int(whole.rgba[at]));
+            }
+        return sum / (3.0 * p.width);
+    };
+    EXPECT_LT(edge_off(half), 12);
 }

@@ -1,0 +1,38 @@
+#include "player/stream/tile_array.h"
+
+#include <utility>
+
+#include "shaders/contract.h"
+
+namespace vantage {
+
+using shader::tile_texels;
+
+namespace {
+
+constexpr std::uint32_t first_layers = 16;
+
+}  // namespace
+
+TileArray::TileArray(const char* label, GLenum format, GLenum filter, std::uint32_t layers)
+    : label_(label),
+      format_(format),
+      filter_(filter),
+      all_(std::max(1u, layers)),
+      layers_(std::min(all_, first_layers)),
+      texture_(made(layers_)) {}
+
+gl::Texture TileArray::made(std::uint32_t layers) const {
+    return gl::make_texture_array(label_, format_, tile_texels, tile_texels, int(layers), filter_);
+}
+
+void TileArray::make_room(std::uint32_t layer) {
+    if (layer < layers_) return;
+    gl::Texture larger = made(all_);
+    glCopyImageSubData(texture_.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, larger.id(), GL_TEXTURE_2D_ARRAY, 0, 0,
+                       0, 0, tile_texels, tile_texels, GLsizei(layers_));
+    texture_ = std::move(larger);
+    layers_ = all_;
+}
+
+}  // namespace vantage
