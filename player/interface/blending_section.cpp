@@ -5,19 +5,17 @@
 #include <algorithm>
 
 #include "player/interface/choice.h"
+#include "player/interface/columns.h"
 #include "player/render/blend_table.h"
 #include "scene/package_shape.h"
 
 namespace vantage {
 namespace {
 
-/// Where the second of two controls on a line begins.
-float second_column() { return 11 * ImGui::GetFontSize(); }
-
 void blend_controls(Controls& c, RenderSettings& r) {
     int blend = int(r.blend);
     for (const BlendRow& row : blend_table()) {
-        if (&row != &blend_table().front()) ImGui::SameLine();
+        if (&row != &blend_table().front()) behind_the_last(row.label);
         c.radio(row.label, &blend, int(row.blend));
         c.explain(row.help);
     }
@@ -31,7 +29,7 @@ void blend_controls(Controls& c, RenderSettings& r) {
     c.explain("How strongly near photos are preferred. For Average.");
     c.checkbox("Consensus", &r.consensus);
     c.explain("Leaves out colors that differ from those of most photos.");
-    ImGui::SameLine(second_column());
+    in_second_column("Fill holes");
     c.checkbox("Fill holes", &r.fill_holes);
     c.explain("Continues colors into surface that no photo sees.");
 }
@@ -41,7 +39,7 @@ void weights_of_average(Controls& c, WeightSettings& w, bool average) {
     c.checkbox("Near photos", &w.distance);
     ImGui::EndDisabled();
     c.explain("Prefers photos taken close to your position. For Average.");
-    ImGui::SameLine(second_column());
+    in_second_column("Facing photos");
     ImGui::BeginDisabled(!average);
     c.checkbox("Facing photos", &w.angle_mask);
     ImGui::EndDisabled();
@@ -53,24 +51,24 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
     weights_of_average(c, w, s.settings.blend == Blend::average);
     c.checkbox("Similar rays", &w.angle);
     c.explain("Prefers photos whose rays are close to yours.");
-    ImGui::SameLine(second_column());
+    in_second_column("One ray per photo");
     c.checkbox("One ray per photo", &w.angle_per_photo);
     c.explain("Compares one ray per photo, instead of one for each point.");
     c.checkbox("Occlusion", &w.depth_mask);
     c.explain("Leaves out what is hidden from a photo.");
-    ImGui::SameLine(second_column());
+    in_second_column("Soft borders");
     c.checkbox("Soft borders", &w.border_mask);
     c.explain("Fades photos out towards their edges and towards silhouettes.");
     ImGui::BeginDisabled(!effect_on(renderer.package().scene(), Effect::consensus));
     c.checkbox("Passers-by", &w.consensus_mask);
     ImGui::EndDisabled();
     c.explain("Gives little weight to a photo where prepare found that it disagrees with the others.");
-    ImGui::SameLine(second_column());
+    in_second_column("Field of view");
     c.checkbox("Field of view", &w.fov_normalization);
     c.explain("Compares distances as if all photos had your field of view.");
     c.checkbox("Aim at what is seen", &w.corrected_directions);
     c.explain("A photo's direction is that to the middle of what it sees, not that of its lens.");
-    ImGui::SameLine(second_column());
+    in_second_column("Freeze weights");
     if (c.checkbox("Freeze weights", &s.freeze)) {
         s.settings.weights_from.reset();
         if (s.freeze) s.settings.weights_from = view_of(s.camera, 1280, 720);

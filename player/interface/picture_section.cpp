@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "player/interface/choice.h"
+#include "player/interface/columns.h"
 #include "points/point_cloud.h"
 
 namespace vantage {
@@ -15,7 +16,7 @@ void exposure_controls(Controls& c, Session& s, const Renderer& renderer) {
     if (!effect_on(scene, Effect::exposure) && !effect_on(scene, Effect::falloff)) return;
     c.checkbox("Equal exposure", &r.refined_colors);
     c.explain("Shows all photos as if they had been exposed alike.");
-    ImGui::SameLine(11 * ImGui::GetFontSize());
+    in_second_column("This photo's");
     bool own = r.exposure.has_value();
     if (c.checkbox("This photo's", &own)) r.exposure.reset();
     if (own) r.exposure = s.standing_at;
@@ -32,7 +33,7 @@ void light_controls(Controls& c, Session& s) {
         c.explain("Darkens the photos by the light, instead of showing the bare surface.");
     }
     if (l.light != Light::raking) return;
-    ImGui::SameLine(11 * ImGui::GetFontSize());
+    in_second_column("Follows pointer");
     c.checkbox("Follows pointer", &s.lamp_follows);
     c.explain("The lamp is where the pointer is over the picture: low near its edges.");
     if (c.slider("Lamp azimuth", &l.azimuth, 0.0, 360.0, "%.0f deg")) s.lamp_follows = false;

@@ -4,6 +4,7 @@
 
 #include "player/interface/band_section.h"
 #include "player/interface/blending_section.h"
+#include "player/interface/columns.h"
 #include "player/interface/docked.h"
 #include "player/interface/layer_section.h"
 #include "player/interface/object_section.h"
@@ -45,7 +46,7 @@ bool sidebar(Controls& c, Session& s, const Renderer& renderer, ObjectSet& objec
              const Area& area) {
     begin_docked("##sidebar", area, ImGui::GetStyle().WindowPadding,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse);
-    ImGui::PushItemWidth(-9.5f * ImGui::GetFontSize());  // names are on the right
+    ImGui::PushItemWidth(width_beside_names());
     const bool changed = sections(c, s, renderer, objects, view);
     ImGui::PopItemWidth();
     ImGui::End();
