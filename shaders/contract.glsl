@@ -78,6 +78,7 @@ const int isolines_uniform = 15;
 const int lamp_uniform = 2;  // surface
 const int light_uniform = 3;
 const int camera_rows_uniform = 4;
+const int section_plane_uniform = 5;
 const int pass_slots_uniform = 16;  // an array, PASS_PHOTOS long
 const int nearness_uniform = 24;    // surface, of what is transparent
 const int frame_width_uniform = 25;

@@ -19,6 +19,10 @@ out vec3 surface_position;
 out vec3 surface_normal;
 #endif
 flat out uint draw_first;
+#ifdef SECTION
+layout(location = section_plane_uniform) uniform vec4 section_plane;  // negative in front of it
+out float gl_ClipDistance[1];
+#endif
 #ifdef SURROUNDINGS
 flat out uint draw_bits;
 #endif
@@ -38,6 +42,10 @@ void main() {
 #endif
 #ifdef SCALAR_LAYER
     surface_value = value;
+#endif
+#ifdef SECTION
+    gl_ClipDistance[0] =
+        (of_draw.y & surroundings_bit) != 0u ? 1.0 : dot(section_plane, vec4(position, 1.0));
 #endif
     gl_Position = clip_from_origin * vec4(position, 1.0);
 }

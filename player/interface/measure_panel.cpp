@@ -87,6 +87,7 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
         next_.points.clear();
         return;
     }
+    section_ = s.settings.section;
     if (!active_) begin(s, now);
     take_keys(s, now);
     take_clicks(s, meshes, view, now);
@@ -104,7 +105,7 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
     ImGui::End();
 }
 
-Snapping MeasurePanel::snapping() const { return {to_vertices_ ? vertex_pixels : 0}; }
+Snapping MeasurePanel::snapping() const { return {section_, to_vertices_ ? vertex_pixels : 0}; }
 
 void MeasurePanel::look_under_pointer(std::span<const PlacedMesh> meshes, const View& view) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -263,10 +264,11 @@ void MeasurePanel::list(Controls& c) {
         const Measurement& m = survey_.measurements[i];
         ImGui::PushID(int(i));
         const std::string label = m.name.empty() ? "(no name)" : m.name;
-        if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), selected_ == i, 0, ImVec2(130, 0)))
+        if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), selected_ == i, 0,
+                              ImVec2(9.3f * ImGui::GetFontSize(), 0)))
             select(i);
         c.note(label.c_str());
-        ImGui::SameLine(150);
+        ImGui::SameLine(10.7f * ImGui::GetFontSize());
         ImGui::TextUnformatted(text_of(values_[i]).c_str());
         ImGui::PopID();
     }

@@ -47,6 +47,7 @@ class MeasurePanel {
     void selected_section(Controls& controls, Session& session, double now);
     void select(std::size_t measurement);
     std::string free_name(Measure measure) const;
+    std::optional<SectionPlane> section_;  ///< of the model as it is shown
     Snapping snapping() const;
 
     const PackageReader* package_;

@@ -17,11 +17,27 @@ namespace vantage {
 struct Panels {
     bool bar = true, photos = true, frusta = false, radar = false, help = false;
     bool expert = false;  ///< the menu, and the sidebar with the sections that follow
-    bool picture = true, blending = true, status = false, objects = false;
+    bool picture = true, cut = false, blending = true, status = false, objects = false;
     bool layers = true;                ///< if the package has layers of its own; else closed until asked for
     bool points = true, bands = true;  ///< only if the package has any
     bool measure = false;              ///< and clicks measure
     bool story = true, story_editor = false;  ///< notes and tours, if there are any; editing them
+};
+
+/// How the model is cut.
+struct Cut {
+    enum class Across {
+        facing,
+        x,
+        y,
+        z,
+        count
+    };  ///< along the view when it was chosen; an axis of the input
+    bool on = false, other_side = false;
+    Across across = Across::facing;
+    Eigen::Vector3d facing = -Eigen::Vector3d::UnitZ();  ///< toward the viewer, of length 1
+    double share = 0.5;                                  ///< of the model's extent across the plane, 0 to 1
+    bool saves = false;                                  ///< a drawing is to be written
 };
 
 /// How often positions are recorded.
@@ -39,7 +55,8 @@ struct Session {
 
     std::uint32_t standing_at = 0;  ///< the photo last flown to
     bool freeze = false;            ///< weights are frozen
-    bool lamp_follows = true;       ///< the raking light follows the pointer
+    Cut cut;
+    bool lamp_follows = true;  ///< the raking light follows the pointer
 
     /// A flight in progress: to a photo, along a recorded path, or along a curve with times of its own.
     struct Flight {

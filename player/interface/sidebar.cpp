@@ -5,12 +5,14 @@
 #include "player/interface/band_section.h"
 #include "player/interface/blending_section.h"
 #include "player/interface/columns.h"
+#include "player/interface/cut_section.h"
 #include "player/interface/docked.h"
 #include "player/interface/layer_section.h"
 #include "player/interface/object_section.h"
 #include "player/interface/picture_section.h"
 #include "player/interface/point_section.h"
 #include "player/interface/status_section.h"
+#include "points/point_cloud.h"
 
 namespace vantage {
 namespace {
@@ -28,6 +30,11 @@ bool sections(Controls& c, Session& s, const Renderer& renderer, ObjectSet& obje
     bool changed = false;
     Panels& p = s.panels;
     section(c, "Picture", p.picture, [&] { picture_section(c, s, renderer); });
+    if (!points_only(renderer.package().scene()))
+        section(c, "Cut", p.cut, [&] {
+            cut_section(c, s, renderer.scene(),
+                        Eigen::Map<const Eigen::Vector3d>(renderer.package().scene().origin));
+        });
     if (!renderer.layers().empty())
         section(c, "Layers", p.layers, [&] { layer_section(c, s, renderer, view); });
     if (renderer.points()) section(c, "Point cloud", p.points, [&] { point_section(c, s, renderer); });

@@ -1,6 +1,7 @@
 #pragma once
 #include "objects/placement.h"
 #include "player/camera/view.h"
+#include "player/plan/section_plane.h"
 
 namespace vantage {
 
@@ -10,5 +11,9 @@ namespace vantage {
 /// object's photos.
 View view_of_object(const View& view, const Eigen::Vector3d& scene_origin,
                     const Eigen::Vector3d& object_origin, const Placement& placement);
+
+/// A plane of the scene as one of the object.
+SectionPlane plane_of_object(const SectionPlane& plane, const Eigen::Vector3d& scene_origin,
+                             const Eigen::Vector3d& object_origin, const Placement& placement);
 
 }  // namespace vantage

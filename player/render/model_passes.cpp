@@ -139,14 +139,21 @@ void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targe
     cluster_photos_.assign(scene_->clusters.size(), 1);
     draw_clusters(drawn.plan.plan().clusters);
     ring_.end();
+    glDisable(GL_CLIP_DISTANCE0);
 }
 
-/// The uniforms of a surface program.
+/// The uniforms of a surface program; the section that it is drawn with, if there is one.
 void ModelPasses::set_surface(const DrawnView& drawn) {
     glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
     uniform(shader::surface_eye_uniform, drawn.view.cam_from_origin.center());
     if (drawn.settings.light.light != Light::photos) set_light(drawn);
     if (shows_layer(drawn.settings)) set_layer(drawn.settings.layer);
+    if (!drawn.settings.section) return;
+    const SectionPlane& cut = *drawn.settings.section;
+    const Eigen::Vector4f plane =
+        Eigen::Vector4d(-cut.normal.x(), -cut.normal.y(), -cut.normal.z(), cut.offset).cast<float>();
+    glUniform4fv(shader::section_plane_uniform, 1, plane.data());
+    glEnable(GL_CLIP_DISTANCE0);
 }
 
 std::size_t ModelPasses::draw_transparent(const DrawnView& drawn, const TransparentTarget& target) {
@@ -171,12 +178,14 @@ std::size_t ModelPasses::draw_transparent(const DrawnView& drawn, const Transpar
     cluster_photos_.assign(scene_->clusters.size(), 1);
     const std::size_t draws = draw_run(drawn.plan.plan().transparent, 0);
     ring_.end();
+    glDisable(GL_CLIP_DISTANCE0);
     return draws;
 }
 
 const gl::Program& ModelPasses::transparent_program(const RenderSettings& settings, bool lists) {
     std::vector<std::string> asked = asked_defines(settings);
     if (lists) asked.emplace_back("FRAGMENT_LISTS");
+    if (settings.section) asked.emplace_back("SECTION");
     gl::Program& program = transparent_programs_[asked];
     if (program) return program;
     std::vector<std::string> defines = surface_defines(*package_, *scene_);
@@ -189,6 +198,7 @@ const gl::Program& ModelPasses::transparent_program(const RenderSettings& settin
 const gl::Program& ModelPasses::surface_program(const RenderSettings& settings) {
     std::vector<std::string> asked = asked_defines(settings);
     if (settings.swift && asked.empty()) asked.emplace_back("FLAT");
+    if (settings.section) asked.emplace_back("SECTION");
     if (asked.empty()) return surface_program_;
     gl::Program& program = other_surface_programs_[asked];
     if (!program) {

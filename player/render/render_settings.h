@@ -11,6 +11,7 @@
 #include "player/camera/view.h"
 #include "player/plan/plan_settings.h"
 #include "player/plan/point_plan.h"
+#include "player/plan/section_plane.h"
 #include "player/plan/weights.h"
 
 namespace vantage {
@@ -154,6 +155,7 @@ struct RenderSettings {
     bool swift = false;          ///< see PlanSettings::swift
     bool whole_photos = false;   ///< upload each photo whole and at once (for comparison)
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame
+    std::optional<SectionPlane> section;  ///< cuts the model, not points and surroundings
     Background background;
     FrameSize room;  ///< frames up to this size, or the view's, need no new render targets
 };

@@ -5,6 +5,7 @@
 
 #include "player/survey/footprint.h"
 #include "player/survey/ray_cast.h"
+#include "player/survey/section.h"
 
 namespace vantage {
 namespace {
@@ -22,11 +23,13 @@ Eigen::Vector3d in_mesh(const PlacedMesh& m, const Eigen::Vector3d& p) {
 }
 Eigen::Vector3d in_scene(const PlacedMesh& m, const Eigen::Vector3d& p) { return m.scale * (m.R * p) + m.t; }
 
-std::optional<Found> nearest(std::span<const PlacedMesh> meshes, const Ray& ray) {
+std::optional<Found> nearest(std::span<const PlacedMesh> meshes, const Ray& ray,
+                             const std::optional<SectionPlane>& section) {
     std::optional<Found> out;
+    const RayRange range = section ? behind(*section, ray) : RayRange{};
     for (const PlacedMesh& m : meshes) {
         const Ray own{in_mesh(m, ray.from), m.R.transpose() * ray.along / m.scale};
-        const auto hit = first_hit(*m.scene, own);
+        const auto hit = first_hit(*m.scene, own, range);
         if (hit && (!out || hit->distance < out->distance))
             out = Found{&m, hit->triangle, hit->distance, ray.from + ray.along * hit->distance};
     }
@@ -34,20 +37,21 @@ std::optional<Found> nearest(std::span<const PlacedMesh> meshes, const Ray& ray)
 }
 
 /// Nothing is in front of a vertex, as far as single precision tells.
-bool in_sight(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& eye,
-              const Eigen::Vector3d& position) {
-    const auto hit = nearest(meshes, {eye, position - eye});
+bool in_sight(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& eye, const Eigen::Vector3d& position,
+              const std::optional<SectionPlane>& section) {
+    const auto hit = nearest(meshes, {eye, position - eye}, section);
     return !hit || hit->distance > 1 - 1e-4;
 }
 
 /// The vertex in sight that is nearest in the picture, among those of the triangles around the pixel.
 std::optional<Found> nearest_vertex(std::span<const PlacedMesh> meshes, const View& view,
-                                    const Eigen::Vector2d& pixel, double reach) {
+                                    const Eigen::Vector2d& pixel, const Snapping& snapping) {
     constexpr int around = 8;
+    double reach = snapping.vertex_pixels;
     std::optional<Found> best;
     const Eigen::Vector3d eye = view.cam_from_origin.center();
     const auto look = [&](const Eigen::Vector2d& at) {
-        const auto found = nearest(meshes, ray_through(view, at));
+        const auto found = nearest(meshes, ray_through(view, at), snapping.section);
         if (!found) return;
         const PlanScene& scene = *found->mesh->scene;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -55,7 +59,8 @@ std::optional<Found> nearest_vertex(std::span<const PlacedMesh> meshes, const Vi
             const Eigen::Vector3d p = in_scene(*found->mesh, scene.positions[v].cast<double>());
             const auto shown = project(view.intrinsics, view.cam_from_origin, p);
             const double off = shown ? (shown->pixel - pixel).norm() : reach;
-            if (off >= reach || !in_sight(meshes, eye, p)) continue;
+            const bool cut_away = snapping.section && snapping.section->before(p) > 0;
+            if (off >= reach || cut_away || !in_sight(meshes, eye, p, snapping.section)) continue;
             reach = off;
             best = Found{found->mesh, found->triangle, 0, p};
         }
@@ -74,8 +79,8 @@ std::optional<Found> nearest_vertex(std::span<const PlacedMesh> meshes, const Vi
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
                                        const View& view, const Eigen::Vector2d& pixel, Snapping snapping) {
     std::optional<Found> found;
-    if (snapping.vertex_pixels > 0) found = nearest_vertex(meshes, view, pixel, snapping.vertex_pixels);
-    if (!found) found = nearest(meshes, ray_through(view, pixel));
+    if (snapping.vertex_pixels > 0) found = nearest_vertex(meshes, view, pixel, snapping);
+    if (!found) found = nearest(meshes, ray_through(view, pixel), snapping.section);
     if (!found || !found->position.allFinite()) return {};
     const PlacedMesh& m = *found->mesh;
     SurveyPoint out{found->position + origin};

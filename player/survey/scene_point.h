@@ -5,6 +5,7 @@
 
 #include "player/camera/view.h"
 #include "player/plan/plan_scene.h"
+#include "player/plan/section_plane.h"
 #include "player/survey/measurement.h"
 
 namespace vantage {
@@ -19,6 +20,7 @@ struct PlacedMesh {
 
 /// Where points are set.
 struct Snapping {
+    std::optional<SectionPlane> section{};  ///< of the scene: nothing before it counts
     double vertex_pixels =
         0;  ///< to the nearest vertex in sight that is this near in the picture; 0: on the surface
 };

@@ -14,7 +14,7 @@
 #include "player/interface/measure_panel.h"
 #include "player/interface/style.h"
 #include "player/render/blend_table.h"
-#include "player/survey/ray_cast.h"
+#include "player/survey/section.h"
 
 namespace vantage {
 namespace {
@@ -25,11 +25,12 @@ struct UnderPointer {
     bool on_mesh;
 };
 
-UnderPointer under_pointer(const View& view, const Navigation& n, const PlanScene& scene,
+UnderPointer under_pointer(const View& view, const Session& s, const PlanScene& scene,
                            const Eigen::Vector2d& pixel) {
     const Ray ray = ray_through(view, pixel);
-    if (const auto hit = first_hit(scene, ray)) return {hit->position, true};
-    return {ray.from + (n.target - n.eye).norm() * ray.along, false};
+    const RayRange range = s.settings.section ? behind(*s.settings.section, ray) : RayRange{};
+    if (const auto hit = first_hit(scene, ray, range)) return {hit->position, true};
+    return {ray.from + (s.camera.target - s.camera.eye).norm() * ray.along, false};
 }
 
 /// Dragging by the window's width turns by half a turn; what is dragged follows the pointer.
@@ -40,7 +41,7 @@ void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vec
     if (!s.pivot) {
         const Eigen::Vector2d moved(left.right + right.right + middle.right,
                                     left.down + right.down + middle.down);
-        const UnderPointer begin = under_pointer(view, s.camera, scene, pointer - moved);
+        const UnderPointer begin = under_pointer(view, s, scene, pointer - moved);
         s.pivot = begin.on_mesh ? begin.point : s.camera.target;
     }
     if (io.KeyCtrl) {
@@ -58,7 +59,7 @@ void move_to_pointer(Session& s, const View& view, const PlanScene& scene, const
                      double now) {
     constexpr double nearest = 1e-3, farthest = 30;  // of the scene's size
     const double wheel = double(ImGui::GetIO().MouseWheel);
-    const UnderPointer at = under_pointer(view, s.camera, scene, pointer);
+    const UnderPointer at = under_pointer(view, s, scene, pointer);
     if (wheel != 0)
         approach_point(s.camera, at.point, std::pow(0.9, wheel), nearest * scene.size, farthest * scene.size);
     if (s.input.double_clicked && !s.panels.measure && at.on_mesh) fly_to_point(s, at.point, now);

@@ -35,6 +35,7 @@ void for_fields(R& r, const Field& field) {
     field("sharpness", w.sharpness);
     field("expert", r.panels.expert);
     field("panel_picture", r.panels.picture);
+    field("panel_cut", r.panels.cut);
     field("panel_blending", r.panels.blending);
     field("panel_status", r.panels.status);
     field("panel_photos", r.panels.photos);

@@ -88,7 +88,8 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     record(now);
     change_objects(now);
     ImGui::Render();
-    const bool still = !keys && unchanged(view) && lit_ == s.settings.light;
+    s.settings.section = section_of(s.cut, renderer_.scene());
+    const bool still = !keys && unchanged(view) && lit_ == s.settings.light && cut_ == s.settings.section;
     if (!still) samples_ = 0;
     s.settings.points.pick = s.panels.expert && s.panels.points;
     s.settings.room = {width, height};
@@ -105,6 +106,7 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     keep_pace();
     last_ = view;
     lit_ = s.settings.light;
+    cut_ = s.settings.section;
 }
 
 void ShownScene::interface(const View& view, double now) {
@@ -120,6 +122,7 @@ void ShownScene::interface(const View& view, double now) {
         if (sidebar(controls_, s, renderer_, objects_, view, layout_.sidebar)) samples_ = 0;
     }
     measure_.show(controls_, s, s.panels.measure ? objects_.meshes() : std::vector<PlacedMesh>{}, view, now);
+    show_cut(view, now);
     if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
     if (layout_.strip.height > 0) strip_.show(controls_, s, renderer_, view, layout_.strip, now);
     tell(view, now);
@@ -127,6 +130,20 @@ void ShownScene::interface(const View& view, double now) {
     open_dialog_.show(controls_, s);
     drop_dialog(controls_, s);
     message_line(s, now);
+}
+
+/// The lines in which the model is cut, and a drawing of them if one is asked for.
+void ShownScene::show_cut(const View& view, double now) {
+    Session& s = session_;
+    const auto plane = section_of(s.cut, renderer_.scene());
+    cut_lines_.show(plane ? objects_.meshes() : std::vector<PlacedMesh>{}, plane, view);
+    if (!std::exchange(s.cut.saves, false)) return;
+    const PackageReader& package = renderer_.package();
+    const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
+    write_numbered(s, package.path().stem().string() + "-cut", ".dxf",
+                   std::to_string(cut_lines_.lines().size()) + " lines", now, [&](const std::string& file) {
+                       write_text(file, section_dxf(cut_lines_.lines(), origin));
+                   });
 }
 
 /// Notes, their cards and tours, over the picture of `view`.

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "player/interface/controls.h"
+#include "player/interface/cut_section.h"
 #include "player/interface/layout.h"
 #include "player/interface/measure_panel.h"
 #include "player/interface/open_dialog.h"
@@ -48,6 +49,7 @@ class ShownScene {
     void record(double now);
     void save_recorded(double now);
     void change_objects(double now);
+    void show_cut(const View& view, double now);
     bool unchanged(const View& view) const;
     bool looks_again() const;
     /// The picture has all its samples.
@@ -68,6 +70,7 @@ class ShownScene {
     OpenDialog open_dialog_;
     Layout layout_;
     MeasurePanel measure_;
+    CutLines cut_lines_;
     ToldStory told_;
     NotePicture note_picture_;
     StoryEditor story_editor_;
@@ -76,7 +79,8 @@ class ShownScene {
     double goal_ms_;  ///< of a frame in motion; 0: none, frames are always drawn at full size
     Pace pace_;       ///< of the next frame in motion
     std::optional<View> last_, drawn_view_;
-    LightSettings lit_;
+    LightSettings lit_;                ///< of the last frame, as is the section
+    std::optional<SectionPlane> cut_;
     std::optional<Navigation> before_;
     int samples_ = 0;
     bool drawn_ = false, resting_ = false;

@@ -15,6 +15,7 @@
 #include "player/objects/object_set.h"
 #include "player/render/pace.h"
 #include "player/render/picture.h"
+#include "player/survey/section.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -92,12 +93,43 @@ TEST_F(Frames, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
                 const Picture by_model = take_picture(renderer, view, settings, all(package), 1);
                 EXPECT_LT(by_pixel.report.draws, by_model.report.draws) << "they were drawn in the same way";
                 const Difference d = difference(by_pixel.rgba, by_model.rgba);
-                // Which photo is best may be a matter of the last digit.
-                EXPECT_LT(d.share_above_one, blend == Blend::best ? 1e-3 : 3e-4) << "blend " << int(blend);
+                // Where surfaces are seen at a grazing angle, derivatives are not differences of neighbors;
+                // and which photo is best may be a matter of the last digit.
+                EXPECT_LT(d.share_above_one, 2e-3) << "blend " << int(blend);
                 if (blend != Blend::best) {
-                    EXPECT_LE(d.most, 8) << "blend " << int(blend);
+                    EXPECT_LE(d.most, 24) << "blend " << int(blend);
                 }
             }
+}
+
+TEST_F(Frames, ASectionTakesAwayWhatIsBeforeIt) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    const View view = views(package).front();
+    RenderSettings settings;
+    settings.section = SectionPlane{-view.cam_from_origin.direction(),
+                                    -view.cam_from_origin.direction().dot(Eigen::Vector3d::Zero())};
+    take_picture(renderer, view, settings, all(package), 1);
+    const std::vector<std::uint32_t> cut = renderer.triangles();
+    settings.section.reset();
+    take_picture(renderer, view, settings, all(package), 1);
+    const std::vector<std::uint32_t> whole = renderer.triangles();
+    const PlanScene& scene = renderer.scene();
+    const std::uint32_t of_mesh = scene.clusters[scene.first_surrounding].first_triangle;
+    const SectionPlane plane{-view.cam_from_origin.direction(), 0};
+    std::size_t changed = 0, wrong = 0;
+    for (int y = 0; y < view.intrinsics.height; ++y)
+        for (int x = 0; x < view.intrinsics.width; ++x) {
+            const auto at = std::size_t(y * view.intrinsics.width + x);
+            const Ray ray = ray_through(view, {x + 0.5, y + 0.5});
+            const auto hit = first_hit(scene, ray, behind(plane, ray));
+            const std::uint32_t shown = cut[at] > of_mesh ? 0 : cut[at];
+            wrong += shown != (hit ? hit->triangle + 1 : 0);
+            changed += cut[at] != whole[at];
+        }
+    EXPECT_GT(changed, cut.size() / 50) << "something is cut away";
+    EXPECT_LT(wrong, cut.size() / 200) << "but for edges";
 }
 
 TEST_F(Frames, SmallerThanTheirTargetsLookAsWithTargetsOfTheirOwn) {

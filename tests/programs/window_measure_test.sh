@@ -114,6 +114,19 @@ press "angle 1"; press "Delete"
 press "Export table"
 frames 3
 grep -q '^"Door",distance,660' one-measurements-0001.csv || fail "the table has no door of 660 cm: $(cat one-measurements-0001.csv)"
+
+# A level cut, as a drawing: all of it at one height, and as long as the walls.
+xdotool key m; frames 3
+xdotool key Tab; frames 3
+press "Section Cut"
+press "Cut the model"
+press "Across"; press "z"
+press "Write the cut"
+frames 3
+awk '
+  NR % 2 { code = $1; next }
+  code == 30 || code == 31 { if (n++ == 0) height = $1; off += $1 - height > 1e-6 || height - $1 > 1e-6 }
+  END { exit !(n > 20 && off == 0 && height > 1 && height < 6) }' one-cut-0001.dxf || fail "the cut is not level: $(head -c 400 one-cut-0001.dxf)"
 xdotool key ctrl+q; await_exit "Ctrl+Q"
 
 # They are there again; a damaged file is left alone.

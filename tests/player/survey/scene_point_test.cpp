@@ -54,12 +54,12 @@ TEST(ScenePoint, SnapsToVerticesInSight) {
     const Eigen::Vector2d at = pixel_of(view, corner);
     for (const auto& off :
          {Eigen::Vector2d(0, 0), Eigen::Vector2d(5, 4), Eigen::Vector2d(-6, -6), Eigen::Vector2d(3, -7)}) {
-        const auto snapped = scene_point(meshes, Vector3d::Zero(), view, at + off, {10});
+        const auto snapped = scene_point(meshes, Vector3d::Zero(), view, at + off, {{}, 10});
         ASSERT_TRUE(snapped) << off.transpose();
         EXPECT_LT((snapped->position - corner).norm(), 1e-6) << off.transpose();
     }
-    EXPECT_FALSE(scene_point(meshes, Vector3d::Zero(), view, at + Eigen::Vector2d(15, 15), {10}));
-    const auto behind = scene_point(meshes, Vector3d::Zero(), view, pixel_of(view, hidden), {2});
+    EXPECT_FALSE(scene_point(meshes, Vector3d::Zero(), view, at + Eigen::Vector2d(15, 15), {{}, 10}));
+    const auto behind = scene_point(meshes, Vector3d::Zero(), view, pixel_of(view, hidden), {{}, 2});
     ASSERT_TRUE(behind);
     EXPECT_NEAR(behind->position.z(), 0, 1e-9) << "on the surface in front of the hidden vertex";
     const auto unsnapped = scene_point(meshes, Vector3d::Zero(), view, at - Eigen::Vector2d(5, 5));

@@ -1,0 +1,17 @@
+#pragma once
+#include <Eigen/Core>
+
+namespace vantage {
+
+/// Cuts the model: what is on the side to which the plane's normal points is not shown. The point p is on the
+/// plane if normal . p = offset, relative to the package's origin.
+struct SectionPlane {
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of length 1
+    double offset = 0;
+
+    /// How far in front of the plane a point is, on the side that is cut away.
+    double before(const Eigen::Vector3d& p) const { return normal.dot(p) - offset; }
+    bool operator==(const SectionPlane& o) const { return normal == o.normal && offset == o.offset; }
+};
+
+}  // namespace vantage

@@ -1,0 +1,32 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "player/plan/section_plane.h"
+#include "player/survey/ray_cast.h"
+#include "player/survey/scene_point.h"
+
+namespace vantage {
+
+/// Where the plane cuts the surface: one line for each triangle that it cuts, relative to the scene's origin.
+/// A corner on the plane counts as behind it, so that a line through a corner has no gap. Surroundings are
+/// not cut.
+using SectionLine = std::array<Eigen::Vector3d, 2>;
+std::vector<SectionLine> section_lines(std::span<const PlacedMesh> meshes, const SectionPlane& plane);
+
+/// The length of all lines.
+double section_length(std::span<const SectionLine> lines);
+
+/// A drawing (DXF, release 12) of the lines in coordinates of the input, whose origin is `origin`.
+std::string section_dxf(std::span<const SectionLine> lines, const Eigen::Vector3d& origin);
+
+/// The part of a ray behind the plane; empty (nearest > farthest) if there is none.
+RayRange behind(const SectionPlane& plane, const Ray& ray);
+
+/// The lowest and the highest value of normal . p on the mesh, within the bounds of its clusters.
+std::array<double, 2> extent_along(const PlanScene& scene, const Eigen::Vector3d& normal);
+
+}  // namespace vantage
