@@ -44,7 +44,7 @@ void help_panel(Session& s) {
                                         {"double click", "look at what is under the pointer"},
                                         {"W A S D, Q E", "fly; faster with Shift"},
                                         {"H, Backspace", "back to the first view; to the view before"},
-                                        {"N, B", "fly to the next or previous photo"},
+                                        {"N, B", "fly to the photo on the right, on the left"},
                                         {"C", "compare: side by side, wiper, difference"},
                                         {"V", "show photos, which photo, how many photos"},
                                         {"X", "show the next band of photos"},

@@ -9,7 +9,9 @@
 #include <numbers>
 #include <span>
 #include <utility>
+#include <vector>
 
+#include "player/camera/photos_around.h"
 #include "player/interface/band_section.h"
 #include "player/interface/measure_panel.h"
 #include "player/interface/style.h"
@@ -118,11 +120,12 @@ void next(Enum& value) {
     value = Enum((int(value) + 1) % int(Enum::count));
 }
 
-/// Flies to the next photo with pixels, or the previous one (`by` -1).
+/// Flies to the next photo with pixels on the right, or on the left (`by` -1).
 void fly_on(Session& s, const PlanScene& scene, int by, double now) {
-    const int count = int(scene.photos.size());
+    const std::vector<std::uint32_t> order = photos_around(scene.photos, mean_up(scene.photos));
+    const int count = int(order.size()), here = int(std::ranges::find(order, s.standing_at) - order.begin());
     for (int i = 1; i <= count; ++i) {
-        const auto photo = std::uint32_t((int(s.standing_at) + by * i % count + count) % count);
+        const std::uint32_t photo = order[std::size_t((here + by * i % count + count) % count)];
         if (scene.photos[photo].levels && is_shown(s.settings.bands, scene.photos[photo]))
             return fly_to(s, photo, scene.photos[photo], now);
     }
