@@ -56,9 +56,16 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
     for (std::uint32_t i = 0; i < scene.photos.size(); ++i)
         if (scene.photos[i].levels && is_shown(s.settings.bands, scene.photos[i])) order.push_back(i);
     std::ranges::stable_sort(order, std::ranges::greater(), [&](auto i) { return agreements_[i]; });
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 pressed = io.MouseClickedPos[0];
+    const bool pressed_here = pressed.x >= float(area.left) && pressed.x < float(area.left + area.width) &&
+                              pressed.y >= float(area.top) && pressed.y < float(area.top + area.height);
+    if (pressed_here && ImGui::IsMouseDragging(0, drag_pixels))
+        ImGui::SetScrollX(ImGui::GetScrollX() - io.MouseDelta.x);
+    // A press that has moved is no click, also where frames are longer than it.
+    const bool was_dragged = io.MouseDragMaxDistanceSqr[0] > drag_pixels * drag_pixels;
     if (ImGui::IsWindowHovered())
-        ImGui::SetScrollX(ImGui::GetScrollX() -
-                          9 * em * (ImGui::GetIO().MouseWheel + ImGui::GetIO().MouseWheelH));
+        ImGui::SetScrollX(ImGui::GetScrollX() - 9 * em * (io.MouseWheel + io.MouseWheelH));
     for (std::size_t n = 0; n < order.size(); ++n) {
         const package::PhotoRecord& p = scene.photos[order[n]];
         const float width = height * float(p.width) / float(p.height);
@@ -92,7 +99,7 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
             ImGui::SetTooltip("%s, %s%s%ux%u, agreement %.0f %%", p.name, scene.bands[p.band].name.c_str(),
                               scene.bands.size() > 1 ? ", " : "", p.width, p.height,
                               100 * agreements_[order[n]]);
-        if (clicked) fly_to(s, order[n], p, now);
+        if (clicked && !was_dragged) fly_to(s, order[n], p, now);
     }
     ImGui::End();
 }

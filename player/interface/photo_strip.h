@@ -9,7 +9,7 @@
 namespace vantage {
 
 /// The photos' thumbnails along the lower edge, by decreasing agreement with the view. A click
-/// flies to that photo.
+/// flies to that photo; wheel and drag scroll.
 class PhotoStrip {
   public:
     ~PhotoStrip();
@@ -22,6 +22,7 @@ class PhotoStrip {
 
   private:
     static constexpr double ranking_seconds = 0.5;
+    static constexpr float drag_pixels = 6;
     GLuint picture(const Residency& residency, std::uint32_t layer);
     void forget();
 

@@ -69,6 +69,22 @@ for key in b n; do xdotool key $key; sleep 1.5; frames 3; done
 again=$(stands_at 3)
 [ -n "$first" ] && [ "$first" = "$again" ] || fail "flights to the same photo end at $first and at $again"
 
+# Dragging the strip scrolls it, and flies nowhere.
+xdotool windowsize --sync "$window" 300 700
+frames 5
+before=$(place "Photo 3")
+# shellcheck disable=SC2046
+xdotool mousemove $(place "Photo 2"); frames 2
+xdotool mousedown 1; frames 2; xdotool mousemove_relative -- -60 0; frames 3; xdotool mouseup 1; frames 3
+after=$(place "Photo 3")
+moved=$((${after% *} - ${before% *}))
+[ "$moved" -le -56 ] && [ "$moved" -ge -64 ] || fail "dragging the strip by -60 pixels moves it by $moved"
+xdotool windowsize --sync "$window" 900 700
+frames 5
+xdotool mousemove 450 200
+again=$(stands_at 4)
+[ "$first" = "$again" ] || fail "dragging the strip flies from $first to $again"
+
 # The dialog lists folders first, enters them by a double click, and is used by keys alone as well.
 xdotool key o; frames 3
 first=$(awk -F'\t' '$1 ~ /\/$/ || $1 ~ /vantage$/ { print $1 }' places | sed -n 2p)
