@@ -17,11 +17,15 @@ void add_window_options(CLI::App& app, WindowOptions& o) {
                  "for the public: full screen, without quitting, opening or settings; restarted if it fails "
                  "(SIGTERM ends it; log: ~/.local/state/vantage/kiosk.log)")
         ->group(group);
-    app.add_option("--home-after", o.home_after, "a kiosk returns to the first view after so many seconds")
+    app.add_option("--home-after", o.home_after,
+                   "a kiosk returns to the first view after so many seconds (default: as the story says, or "
+                   "60)")
         ->check(real_range(1, 86400))
-        ->capture_default_str()
         ->group(group);
-    app.add_option("--attract", o.tour, "a recorded path that a kiosk flies along until somebody touches it")
+    app.add_option(
+           "--attract", o.tour,
+           "a recorded path that a kiosk flies along until somebody touches it (default: as the story "
+           "says)")
         ->type_name("FILE")
         ->group(group);
     app.add_option("--text-scale", o.text_scale,

@@ -11,10 +11,10 @@ struct WindowOptions {
     double fps = -1;        ///< see frame_goal()
     double text_scale = 0;  ///< 0: by the display
     bool kiosk = false;
-    double home_after = 60;  ///< seconds
-    std::string tour;        ///< file of a path, for a kiosk
-    int signs = -1;          ///< file descriptor for signs of life; -1: none
-    bool fresh = false;      ///< neither read nor write remembered settings
+    double home_after = 0;  ///< seconds; 0: as the story says, or 60
+    std::string tour;       ///< file of a path, for a kiosk
+    int signs = -1;         ///< file descriptor for signs of life; -1: none
+    bool fresh = false;     ///< neither read nor write remembered settings
     gl::Debug debug_gl = gl::debug_from_environment();
     std::string controls;    ///< file for the positions of the controls
     std::string screenshot;  ///< file for the last frame

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-Kiosk make_kiosk(Session& s, std::vector<Navigation> tour, double home_after) {
+Kiosk make_kiosk(Session& s, std::optional<AttractLoop> tour, double home_after) {
     s.kiosk = s.full_screen = true;
     s.panels.expert = s.panels.frusta = s.panels.radar = s.panels.help = false;
     s.panels.bar = true;
@@ -16,9 +16,11 @@ namespace {
 
 /// Along the tour, or to where it begins.
 void start_tour(Kiosk& k, Session& s, double now) {
-    const bool at_start = s.camera.eye == k.tour.front().eye && s.camera.R == k.tour.front().R;
-    s.flight = at_start ? Session::Flight{k.tour, now, double(k.tour.size() - 1) / positions_per_second}
-                        : Session::Flight{{s.camera, k.tour.front()}, now, 2};
+    const Navigation begin = k.tour->begin();
+    const bool at_start = s.camera.eye == begin.eye && s.camera.R == begin.R;
+    s.flight = at_start ? Session::Flight{k.tour->along ? std::vector{begin} : k.tour->positions, now,
+                                          k.tour->seconds, k.tour->along}
+                        : Session::Flight{{s.camera, begin}, now, 2};
     k.tours = true;
 }
 
@@ -38,11 +40,9 @@ void attend(Kiosk& k, Session& s, bool touched, double now) {
         s.earlier.views.clear();
         fly_home(s, now);
     }
-    if (k.tour.size() > 1 && !s.flight) start_tour(k, s, now);
+    if (k.tour && !s.flight) start_tour(k, s, now);
 }
 
-double attends_at(const Kiosk& k) {
-    return k.idle && k.tour.size() < 2 ? HUGE_VAL : k.touched_at + k.home_after;
-}
+double attends_at(const Kiosk& k) { return k.idle && !k.tour ? HUGE_VAL : k.touched_at + k.home_after; }
 
 }  // namespace vantage

@@ -1,7 +1,8 @@
 #pragma once
-#include <vector>
+#include <optional>
 
 #include "player/interface/session.h"
+#include "player/story/attract_loop.h"
 
 namespace vantage {
 
@@ -10,15 +11,15 @@ namespace vantage {
 struct Kiosk {
     RenderSettings settings;  ///< those of the start
     Panels panels;
-    std::vector<Navigation> tour;  ///< flown while nobody touches it, again and again; may be empty
-    double home_after = 60;        ///< seconds
-    double touched_at = 0;         ///< seconds
-    bool idle = true;              ///< has returned to the start since then
-    bool tours = false;            ///< the flight in progress is the tour, or leads to it
+    std::optional<AttractLoop> tour;  ///< flown while nobody touches it, again and again
+    double home_after = 60;           ///< seconds
+    double touched_at = 0;            ///< seconds
+    bool idle = true;                 ///< has returned to the start since then
+    bool tours = false;               ///< the flight in progress is the tour, or leads to it
 };
 
 /// A kiosk that returns to the session's current settings. Takes away what the public must not reach.
-Kiosk make_kiosk(Session& session, std::vector<Navigation> tour, double home_after);
+Kiosk make_kiosk(Session& session, std::optional<AttractLoop> tour, double home_after);
 
 /// Ends a tour when somebody touches the window; returns to the start, and tours, when nobody does.
 void attend(Kiosk& kiosk, Session& session, bool touched, double now);

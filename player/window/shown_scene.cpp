@@ -67,10 +67,25 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
     session_.settings.background =
         told_.story.background ? background_of(*told_.story.background) : Background{};
     if (!o.window.kiosk) return;
-    std::vector<Navigation> tour;
-    if (!o.window.tour.empty())
-        tour = recorded_stops(o.window.tour, package, (session.home.target - session.home.eye).norm());
-    kiosk_ = make_kiosk(session, std::move(tour), o.window.home_after);
+    const StoryAttract told = told_.story.attract.value_or(StoryAttract{});
+    const double home_after = o.window.home_after > 0 ? o.window.home_after : told.after;
+    kiosk_ = make_kiosk(session, kiosk_tour(package, o.window.tour), home_after);
+}
+
+/// Along the path of the command line, or else as the story says.
+std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
+                                                  const std::string& path) const {
+    if (path.empty()) try {
+            return attract_loop(told_.story, session_.home, told_.axes, told_.file.string());
+        } catch (const Error& e) {  // the rest of the story can be shown
+            say(session_, e.what(), 0);
+            return {};
+        }
+    std::vector<Navigation> stops =
+        recorded_stops(path, package, (session_.home.target - session_.home.eye).norm());
+    if (stops.size() < 2) return {};
+    const double seconds = double(stops.size() - 1) / positions_per_second;
+    return AttractLoop{std::move(stops), {}, seconds};
 }
 
 void ShownScene::frame(int width, int height, double now, bool keys) {

@@ -44,6 +44,7 @@ class ShownScene {
     static constexpr double look_again_seconds = Residency::retry_seconds + 1;
     static constexpr double blink_seconds = 0.3;  ///< of a text field's cursor
 
+    std::optional<AttractLoop> kiosk_tour(const PackageReader& package, const std::string& path) const;
     void interface(const View& view, double now);
     void tell(const View& view, double now);
     void record(double now);
@@ -79,7 +80,7 @@ class ShownScene {
     double goal_ms_;  ///< of a frame in motion; 0: none, frames are always drawn at full size
     Pace pace_;       ///< of the next frame in motion
     std::optional<View> last_, drawn_view_;
-    LightSettings lit_;                ///< of the last frame, as is the section
+    LightSettings lit_;  ///< of the last frame, as is the section
     std::optional<SectionPlane> cut_;
     std::optional<Navigation> before_;
     int samples_ = 0;
