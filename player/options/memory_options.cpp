@@ -10,7 +10,9 @@ void add_memory_options(CLI::App& app, MemoryOptions& o) {
     app.add_option("--memory", o.ring_mib, "MiB of main memory for tiles in flight")
         ->check(CLI::Range(1u, 4096u))
         ->capture_default_str();
-    app.add_option("--upload", o.upload_kib, "KiB uploaded per frame, at most (window and bench)")
+    app.add_option("--upload", o.upload_kib,
+                   "KiB uploaded per frame, at most (window and bench); at rest in a window, per thirtieth "
+                   "of a second")
         ->check(CLI::Range(256u, 1u << 22))
         ->capture_default_str();
     app.add_option("--cache-size", o.cache_mib, "MiB on the disk for packages from servers, at most")

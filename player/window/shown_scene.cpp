@@ -41,6 +41,12 @@ Eigen::Vector2d pixel_in(const Intrinsics& to, const Intrinsics& from, const Eig
     return {pixel.x() * to.width / from.width, pixel.y() * to.height / from.height};
 }
 
+/// Where a frame takes longer than a thirtieth of a second, it may upload as much as those that it replaces:
+/// that makes it hardly longer, and the picture is there sooner.
+std::size_t upload_of_frame(std::size_t bytes, double ms) {
+    return std::size_t(double(bytes) * std::clamp(ms * 30 / 1000, 1.0, 16.0));
+}
+
 /// The first picture is made of thumbnails: in software, it need not wait for the pixels between theirs.
 Pace pace_of_first_picture(double goal) {
     return goal > 0 && gl::current_device().software ? Pace{0.25, true} : Pace{};
@@ -282,6 +288,7 @@ void ShownScene::draw(const View& view, bool still, double now) {
     RenderSettings settings = s.settings;
     settings.swift = s.pace.swift;
     settings.lod_bias = resting_ ? 0 : -0.5;
+    if (!moves) settings.upload_bytes = upload_of_frame(settings.upload_bytes, frame_ms_);
     settings.wait_for_base = !drawn_ && !renderer_.package().remote();  // the first picture shows photos
     const Navigation ahead = before_ ? between(*before_, s.camera, 4) : s.camera;
     before_ = s.camera;
@@ -310,6 +317,7 @@ void ShownScene::keep_pace() {
     const auto frame = clock_.take();
     if (!frame) return;
     remember_time(float(frame->ms));
+    frame_ms_ = frame->ms;
     if (frame->pace != Pace{}) {
         pace_ = next_pace(frame->pace, frame->ms, goal_ms_);
         return;

@@ -77,8 +77,9 @@ class ShownScene {
     StoryEditor story_editor_;
     FrameClock clock_;
     Enlargement enlargement_;
-    double goal_ms_;  ///< of a frame in motion; 0: none, frames are always drawn at full size
-    Pace pace_;       ///< of the next frame in motion
+    double goal_ms_;       ///< of a frame in motion; 0: none, frames are always drawn at full size
+    Pace pace_;            ///< of the next frame in motion
+    double frame_ms_ = 0;  ///< of the last frame that was measured
     std::optional<View> last_, drawn_view_;
     LightSettings lit_;  ///< of the last frame, as is the section
     std::optional<SectionPlane> cut_;
