@@ -44,19 +44,18 @@ void FrameTiles::stream(const View& view, std::span<const BandFrame> bands, int 
                 report.tiles_missing += store_->missing(p.photo, p.needs);
         return;
     }
-    if (report.tiles_missing == 0) prefetch(bands, side, next);
+    if (report.tiles_missing == 0 && next) prefetch(bands, side, *next);
     // Points have taken their part of the frame's budget.
-    report.uploaded +=
-        store_->stream(settings.upload_bytes - std::min(settings.upload_bytes, report.uploaded));
+    const std::size_t left = settings.upload_bytes - std::min(settings.upload_bytes, report.uploaded);
+    report.uploaded += settings.wait_for_uploads ? store_->await(left) : store_->stream(left);
     report.tiles_to_come += store_->to_come();
 }
 
-void FrameTiles::prefetch(std::span<const BandFrame> bands, int side, const View* next) {
+void FrameTiles::prefetch(std::span<const BandFrame> bands, int side, const View& next) {
     for (const BandFrame& band : bands)
         for (const PlannedPhoto& p : band.plan->plan().photos) store_->prefetch(p.photo, p.later);
     for (const BandFrame& band : bands) {
-        if (!next) continue;
-        for (const PlannedPhoto& p : band.plan->ahead(*next, plan_settings(band.settings), side).photos)
+        for (const PlannedPhoto& p : band.plan->ahead(next, plan_settings(band.settings), side).photos)
             store_->prefetch(p.photo, p.needs);
     }
 }

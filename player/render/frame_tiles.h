@@ -37,7 +37,7 @@ class FrameTiles {
   private:
     bool coordinates(const RenderSettings& settings) const { return !passes_->per_fragment(settings); }
     TileNeeds comparison_needs(const View& view, const RenderSettings& settings) const;
-    void prefetch(std::span<const BandFrame> bands, int side, const View* next);
+    void prefetch(std::span<const BandFrame> bands, int side, const View& next);
 
     const PlanScene* scene_;
     PhotoStore* store_;

@@ -151,9 +151,10 @@ struct RenderSettings {
     /// triangles that the frame before it showed. The same frames at the same times then give the same
     /// pictures.
     bool wait_for_tiles = false;
-    bool wait_for_base = false;  ///< in this frame, waits for what photos need to be drawn at all
-    bool swift = false;          ///< see PlanSettings::swift
-    bool whole_photos = false;   ///< upload each photo whole and at once (for comparison)
+    bool wait_for_base = false;     ///< in this frame, waits for what photos need to be drawn at all
+    bool swift = false;             ///< see PlanSettings::swift
+    bool wait_for_uploads = false;  ///< waits for tiles until upload_bytes are uploaded
+    bool whole_photos = false;      ///< upload each photo whole and at once (for comparison)
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame
     std::optional<SectionPlane> section;  ///< cuts the model, not points and surroundings
     Background background;

@@ -140,6 +140,13 @@ std::size_t PhotoStore::stream(std::size_t budget) {
     return uploaded;
 }
 
+std::size_t PhotoStore::await(std::size_t budget) {
+    std::size_t uploaded = stream(budget);
+    while (budget - uploaded >= largest_piece_ && stream_.wait())
+        uploaded += residency_->upload(stream_, budget - uploaded);
+    return uploaded + stream(budget - uploaded);
+}
+
 void PhotoStore::load() { load(SIZE_MAX); }
 
 std::size_t PhotoStore::load(std::size_t budget) {

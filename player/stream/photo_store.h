@@ -48,6 +48,8 @@ class PhotoStore {
     /// Uploads at most `budget` bytes of what has been fetched, or one larger piece, and fetches what this
     /// frame has requested. Returns the bytes uploaded.
     std::size_t stream(std::size_t budget);
+    /// The same, but waits for what it requests, until the budget is used.
+    std::size_t await(std::size_t budget);
     /// How many resources that this frame needs are being fetched.
     std::size_t to_come() const { return to_come_; }
     /// Fetches and uploads everything requested since the last call or the start of the frame. Waits. Throws

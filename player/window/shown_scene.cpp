@@ -289,6 +289,7 @@ void ShownScene::draw(const View& view, bool still, double now) {
     settings.swift = s.pace.swift;
     settings.lod_bias = resting_ ? 0 : -0.5;
     if (!moves) settings.upload_bytes = upload_of_frame(settings.upload_bytes, frame_ms_);
+    settings.wait_for_uploads = !moves && frame_ms_ > slow_ms && !renderer_.package().remote();
     settings.wait_for_base = !drawn_ && !renderer_.package().remote();  // the first picture shows photos
     const Navigation ahead = before_ ? between(*before_, s.camera, 4) : s.camera;
     before_ = s.camera;
@@ -297,7 +298,8 @@ void ShownScene::draw(const View& view, bool still, double now) {
     const PixelSample sample = resting_ ? PixelSample{samples_, rest_side} : PixelSample{};
     const bool sound_so_far = s.report.tiles_damaged == 0;
     drawn_view_ = scaled(view, s.pace.scale);
-    s.report = objects_.draw(*drawn_view_, settings, s.photos, sample, now, &next);
+    // What is prefetched would begin the picture's samples again.
+    s.report = objects_.draw(*drawn_view_, settings, s.photos, sample, now, resting_ ? nullptr : &next);
     samples_ = resting_ && s.report.settled ? samples_ + 1 : 0;
     if (s.report.tiles_damaged > 0 && sound_so_far)
         say(s, "The package is damaged: parts of the picture are missing or blurred (vantage check FILE)",

@@ -41,6 +41,7 @@ class ShownScene {
   private:
     static constexpr int rest_side = 2;            ///< samples per side of a pixel at rest
     static constexpr double still_seconds = 0.25;  ///< without motion, before a coarse frame is refined
+    static constexpr double slow_ms = 100;         ///< a frame that takes longer may wait for tiles
     static constexpr double look_again_seconds = Residency::retry_seconds + 1;
     static constexpr double blink_seconds = 0.3;  ///< of a text field's cursor
 
