@@ -26,13 +26,17 @@ void preload(ObjectSet& objects, const CameraPath& path, FrameSize size, RenderS
         objects.draw(view_of(n, size.width, size.height), settings, photos, {}, 0);
 }
 
-/// Milliseconds that a frame takes in which a view rests.
-double time_at_rest(ObjectSet& objects, const View& view, const RenderSettings& settings,
-                    const std::vector<std::uint32_t>& photos, FrameTimer& timer) {
+/// Milliseconds that a frame takes in which a view rests; after a coarse one, as a window's first picture is.
+double time_at_rest(ObjectSet& objects, Enlargement& enlargement, const View& view, RenderSettings settings,
+                    const std::vector<std::uint32_t>& photos, FrameTimer& timer, const FlightTarget& target) {
+    const Pace coarse{0.25, true};
     double ms = 0;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 4; ++i) {
+        const View drawn = i == 0 ? scaled(view, coarse.scale) : view;
+        settings.swift = i == 0;
         timer.begin();
-        objects.draw(view, settings, photos, {}, i * frame_seconds);
+        objects.draw(drawn, settings, photos, {}, i * frame_seconds);
+        enlargement.show(objects, drawn, settings, target.size, target.framebuffer.id(), false);
         ms = timer.end();
     }
     return ms;
@@ -128,7 +132,7 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
     Pace pace;
     if (goal > 0) {
         const View first = view_of(path.frames[0], size.width, size.height);
-        pace = first_pace(time_at_rest(objects, first, settings, photos, timer), goal);
+        pace = first_pace(time_at_rest(objects, enlargement, first, settings, photos, timer, target), goal);
     }
     const auto begin = Clock::now();
     const std::chrono::duration<double, std::ratio<60>> minutes(o.minutes);
