@@ -68,7 +68,9 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
                                                 {"leaves", PointCulling::leaves},
                                                 {"none", PointCulling::none}}))
         ->group("");
-    app.add_flag("!--by-model", o.blending.render.by_triangle)->group("");  // to measure what that is worth
+    app.add_flag("!--by-model", o.blending.render.by_triangle,
+                 "blend photos on the model drawn again for each pass, not once per pixel (to compare)")
+        ->group(group);
     app.add_flag("--warm", o.warm, "keep the package in the page cache")->group(group);
     app.footer(
         "Writes frames.csv, summary.json and a plot per path into the folder given by -o (default bench).\n"
