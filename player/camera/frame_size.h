@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 
 namespace vantage {
 
@@ -7,5 +8,10 @@ struct FrameSize {
     int width = 0, height = 0;
     bool operator==(const FrameSize&) const = default;
 };
+
+/// What has room for both.
+inline FrameSize room_for(FrameSize a, FrameSize b) {
+    return {std::max(a.width, b.width), std::max(a.height, b.height)};
+}
 
 }  // namespace vantage

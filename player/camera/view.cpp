@@ -19,6 +19,13 @@ Exposure exposure_of(const package::PhotoRecord& photo) {
     return e;
 }
 
+bool same_view(const View& a, const View& b) {
+    const Intrinsics &k = a.intrinsics, &l = b.intrinsics;
+    return k.width == l.width && k.height == l.height && k.fx == l.fx && k.fy == l.fy && k.cx == l.cx &&
+           k.cy == l.cy && a.cam_from_origin.R == b.cam_from_origin.R &&
+           a.cam_from_origin.t == b.cam_from_origin.t;
+}
+
 View view_of_photo(const package::PhotoRecord& photo, double scale) {
     const auto size = [&](std::uint32_t n) { return std::max(1, int(std::lround(n * scale))); };
     return {intrinsics(photo).scaled(size(photo.width), size(photo.height)), cam_from_origin(photo),

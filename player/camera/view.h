@@ -33,6 +33,9 @@ struct View {
     double orthographic_depth = 0;
 };
 
+/// Whether two views show the same, apart from their exposure.
+bool same_view(const View& a, const View& b);
+
 /// How far the eye of an orthographic view is from what it shows, in sizes of that.
 inline constexpr double orthographic_distance = 1e6;
 

@@ -9,29 +9,33 @@
 namespace vantage {
 namespace {
 
-Eigen::Vector3d normal_of(const Cut& cut) {
-    using Across = Cut::Across;
-    const Eigen::Vector3d normal = cut.across == Across::x   ? Eigen::Vector3d::UnitX()
-                                   : cut.across == Across::y ? Eigen::Vector3d::UnitY()
-                                   : cut.across == Across::z ? Eigen::Vector3d::UnitZ()
-                                                             : cut.facing;
-    return cut.other_side ? Eigen::Vector3d(-normal) : normal;
+/// Of length 1: the plane lies across it.
+Eigen::Vector3d axis_of(const Cut& cut) {
+    switch (cut.across) {
+        case Cut::Across::x:
+            return Eigen::Vector3d::UnitX();
+        case Cut::Across::y:
+            return Eigen::Vector3d::UnitY();
+        case Cut::Across::z:
+            return Eigen::Vector3d::UnitZ();
+        default:
+            return cut.facing;
+    }
 }
 
 }  // namespace
 
 std::optional<SectionPlane> section_of(const Cut& cut, const PlanScene& scene) {
     if (!cut.on || scene.triangles == 0) return {};
-    const Eigen::Vector3d normal = normal_of(cut);
-    const auto [low, high] = extent_along(scene, normal);
-    const double share = cut.other_side ? 1 - cut.share : cut.share;
-    return SectionPlane{normal, low + share * (high - low)};
+    const Eigen::Vector3d axis = axis_of(cut);
+    const auto [low, high] = extent_along(scene, axis);
+    const double side = cut.other_side ? -1 : 1;
+    return SectionPlane{side * axis, side * (low + cut.share * (high - low))};
 }
 
 void cut_section(Controls& c, Session& s, const PlanScene& scene, const Eigen::Vector3d& origin) {
     Cut& cut = s.cut;
-    if (c.checkbox("Cut the model", &cut.on) && cut.on && cut.across == Cut::Across::facing)
-        cut.facing = -s.camera.R.row(2).transpose();
+    bool begins = c.checkbox("Cut the model", &cut.on) && cut.on;
     c.explain("Takes away what is in front of a plane, and draws where the plane cuts the model.");
     in_second_column("Other side");
     c.checkbox("Other side", &cut.other_side);
@@ -41,13 +45,11 @@ void cut_section(Controls& c, Session& s, const PlanScene& scene, const Eigen::V
     const Cut::Across before = cut.across;
     choice(c, "Across", cut.across, across);
     c.explain("The plane faces you as you stand now, or lies across an axis of the model's coordinates.");
-    if (cut.across != before && cut.across == Cut::Across::facing)
-        cut.facing = -s.camera.R.row(2).transpose();
-    Cut upright = cut;
-    upright.other_side = false;
-    const Eigen::Vector3d normal = normal_of(upright);
-    const auto [low, high] = extent_along(scene, normal);
-    const double from = normal.dot(origin);
+    begins |= cut.across != before;
+    if (begins && cut.across == Cut::Across::facing) cut.facing = -s.camera.R.row(2).transpose();
+    const Eigen::Vector3d axis = axis_of(cut);
+    const auto [low, high] = extent_along(scene, axis);
+    const double from = axis.dot(origin);
     double at = from + low + cut.share * (high - low);
     if (c.slider("Cut at", &at, from + low, from + high, "%.3f") && high > low)
         cut.share = std::clamp((at - from - low) / (high - low), 0.0, 1.0);

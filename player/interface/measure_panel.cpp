@@ -87,11 +87,10 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
         next_.points.clear();
         return;
     }
-    section_ = s.settings.section;
     if (!active_) begin(s, now);
     take_keys(s, now);
     take_clicks(s, meshes, view, now);
-    look_under_pointer(meshes, view);
+    look_under_pointer(s, meshes, view);
     draw(view);
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImVec2(float(s.free.left) + em, float(s.free.top) + em), ImGuiCond_Appearing);
@@ -105,14 +104,17 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
     ImGui::End();
 }
 
-Snapping MeasurePanel::snapping() const { return {section_, to_vertices_ ? vertex_pixels : 0}; }
+Snapping MeasurePanel::snapping(const Session& s) const {
+    return {s.settings.section, to_vertices_ ? vertex_pixels : 0};
+}
 
-void MeasurePanel::look_under_pointer(std::span<const PlacedMesh> meshes, const View& view) {
+void MeasurePanel::look_under_pointer(const Session& s, std::span<const PlacedMesh> meshes,
+                                      const View& view) {
     const ImGuiIO& io = ImGui::GetIO();
     const Eigen::Vector2d at(double(io.MousePos.x), double(io.MousePos.y));
     under_.reset();
     if (!io.WantCaptureMouse && in_frame(view.intrinsics, at))
-        under_ = scene_point(meshes, origin_, view, at, snapping());
+        under_ = scene_point(meshes, origin_, view, at, snapping(s));
 }
 
 /// Backspace removes the last point. Esc gives up what is being measured, then leaves.
@@ -136,7 +138,7 @@ void MeasurePanel::take_clicks(Session& s, std::span<const PlacedMesh> meshes, c
             end(s, now);
             continue;
         }
-        const auto point = scene_point(meshes, origin_, view, {click.x, click.y}, snapping());
+        const auto point = scene_point(meshes, origin_, view, {click.x, click.y}, snapping(s));
         if (point)
             add(*point, s, now);
         else

@@ -31,7 +31,7 @@ class MeasurePanel {
 
   private:
     void begin(Session& session, double now);
-    void look_under_pointer(std::span<const PlacedMesh> meshes, const View& view);
+    void look_under_pointer(const Session& session, std::span<const PlacedMesh> meshes, const View& view);
     void take_keys(Session& session, double now);
     void take_clicks(Session& session, std::span<const PlacedMesh> meshes, const View& view, double now);
     void add(const SurveyPoint& point, Session& session, double now);
@@ -47,8 +47,7 @@ class MeasurePanel {
     void selected_section(Controls& controls, Session& session, double now);
     void select(std::size_t measurement);
     std::string free_name(Measure measure) const;
-    std::optional<SectionPlane> section_;  ///< of the model as it is shown
-    Snapping snapping() const;
+    Snapping snapping(const Session& session) const;
 
     const PackageReader* package_;
     Eigen::Vector3d origin_;

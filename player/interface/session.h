@@ -26,13 +26,8 @@ struct Panels {
 
 /// How the model is cut.
 struct Cut {
-    enum class Across {
-        facing,
-        x,
-        y,
-        z,
-        count
-    };  ///< along the view when it was chosen; an axis of the input
+    /// The view as it was when this was chosen; an axis of the input.
+    enum class Across { facing, x, y, z, count };
     bool on = false, other_side = false;
     Across across = Across::facing;
     Eigen::Vector3d facing = -Eigen::Vector3d::UnitZ();  ///< toward the viewer, of length 1
@@ -55,8 +50,8 @@ struct Session {
 
     std::uint32_t standing_at = 0;  ///< the photo last flown to
     bool freeze = false;            ///< weights are frozen
+    bool lamp_follows = true;       ///< the raking light follows the pointer
     Cut cut;
-    bool lamp_follows = true;  ///< the raking light follows the pointer
 
     /// A flight in progress: to a photo, along a recorded path, or along a curve with times of its own.
     struct Flight {

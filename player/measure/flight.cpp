@@ -29,11 +29,10 @@ void preload(ObjectSet& objects, const CameraPath& path, FrameSize size, RenderS
 /// Milliseconds that a frame takes in which a view rests; after a coarse one, as a window's first picture is.
 double time_at_rest(ObjectSet& objects, Enlargement& enlargement, const View& view, RenderSettings settings,
                     const std::vector<std::uint32_t>& photos, FrameTimer& timer, const FlightTarget& target) {
-    const Pace coarse{0.25, true};
     double ms = 0;
     for (int i = 0; i < 4; ++i) {
-        const View drawn = i == 0 ? scaled(view, coarse.scale) : view;
-        settings.swift = i == 0;
+        const View drawn = i == 0 ? scaled(view, coarse_pace.scale) : view;
+        settings.swift = i == 0 && coarse_pace.swift;
         timer.begin();
         objects.draw(drawn, settings, photos, {}, i * frame_seconds);
         enlargement.show(objects, drawn, settings, target.size, target.framebuffer.id(), false);

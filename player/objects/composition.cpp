@@ -4,19 +4,10 @@
 #include <string>
 
 #include "gl/context.h"
+#include "player/render/full_frame_program.h"
 #include "shaders/contract.h"
 
 namespace vantage {
-namespace {
-
-gl::Program full_frame(const char* label, const char* fragment_shader,
-                       const std::vector<std::string>& defines) {
-    return gl::make_program(
-        label, {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, fragment_shader}}, defines);
-}
-
-}  // namespace
-
 void Composition::fit(FrameSize room, std::size_t objects) {
     if (room == room_ && objects == layers_.size()) return;
     room_ = room;
@@ -28,8 +19,9 @@ void Composition::fit(FrameSize room, std::size_t objects) {
     for (int i = 0; i < int(objects); ++i)
         layers_.push_back({gl::make_layer_framebuffer("color of an object", colors_, i),
                            gl::make_layer_framebuffer("depth of an object", depths_, i)});
-    depth_program_ = full_frame("object depth", "object_depth.frag", {});
-    compose_program_ = full_frame("compose", "compose.frag", {"MOST_OBJECTS " + std::to_string(objects)});
+    depth_program_ = full_frame_program("object depth", "object_depth.frag");
+    compose_program_ =
+        full_frame_program("compose", "compose.frag", {"MOST_OBJECTS " + std::to_string(objects)});
     if (!no_vertices_) no_vertices_ = gl::make_vertex_array("no vertices");
 }
 
@@ -46,8 +38,7 @@ void Composition::copy_depth(const ObjectFrame& frame, const Layer& layer) {
 void Composition::show(std::span<const ObjectFrame> frames, const View& view, const RenderSettings& settings,
                        GLuint target, bool flip) {
     frame_ = {view.intrinsics.width, view.intrinsics.height};
-    fit({std::max(frame_.width, settings.room.width), std::max(frame_.height, settings.room.height)},
-        std::max<std::size_t>(1, frames.size()));
+    fit(room_for(frame_, settings.room), std::max<std::size_t>(1, frames.size()));
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const ObjectFrame& f = frames[i];
         f.renderer->show(f.view, f.settings, layers_[i].color.id(), false);

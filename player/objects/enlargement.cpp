@@ -3,6 +3,7 @@
 #include <array>
 
 #include "gl/context.h"
+#include "player/render/full_frame_program.h"
 #include "shaders/contract.h"
 
 namespace vantage {
@@ -20,8 +21,7 @@ void Enlargement::show(ObjectSet& objects, const View& drawn, const RenderSettin
     if (width == size.width && height == size.height) return objects.show(drawn, settings, target, flip);
     objects.show(drawn, settings, target_.id(), flip);
     if (!program_) {
-        program_ = gl::make_program(
-            "enlarge", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "enlarge.frag"}});
+        program_ = full_frame_program("enlarge", "enlarge.frag");
         no_vertices_ = gl::make_vertex_array("no vertices");
     }
     glBindFramebuffer(GL_FRAMEBUFFER, target);

@@ -16,8 +16,7 @@ View view_of_object(const View& view, const Eigen::Vector3d& scene_origin,
 SectionPlane plane_of_object(const SectionPlane& plane, const Eigen::Vector3d& scene_origin,
                              const Eigen::Vector3d& object_origin, const Placement& placement) {
     const Eigen::Vector3d middle = object_origin + placement.move - scene_origin;
-    return {rotation_of(placement).transpose() * plane.normal,
-            (plane.offset - plane.normal.dot(middle)) / placement.scale};
+    return plane_in(plane, rotation_of(placement), middle, placement.scale);
 }
 
 }  // namespace vantage

@@ -14,4 +14,10 @@ struct SectionPlane {
     bool operator==(const SectionPlane& o) const { return normal == o.normal && offset == o.offset; }
 };
 
+/// The same plane in the coordinates of what is placed in the scene: its point p is at scale * R * p + t.
+inline SectionPlane plane_in(const SectionPlane& plane, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
+                             double scale) {
+    return {R.transpose() * plane.normal, -plane.before(t) / scale};
+}
+
 }  // namespace vantage

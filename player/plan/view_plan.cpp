@@ -9,13 +9,6 @@ namespace {
 
 constexpr double fade_seconds = 0.3;
 
-bool same(const View& a, const View& b) {
-    const Intrinsics &k = a.intrinsics, &l = b.intrinsics;
-    return k.width == l.width && k.height == l.height && k.fx == l.fx && k.fy == l.fy && k.cx == l.cx &&
-           k.cy == l.cy && a.cam_from_origin.R == b.cam_from_origin.R &&
-           a.cam_from_origin.t == b.cam_from_origin.t;
-}
-
 PlanSettings with_side(PlanSettings settings, int side) {
     settings.samples *= side;
     return settings;
@@ -48,10 +41,10 @@ std::vector<std::uint32_t> photos_of(const std::vector<PlannedPhoto>& planned) {
 
 void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos,
                       int side, const SeenTriangles& seen) {
-    const bool same_view = made_for_ && same(made_for_->view, view),
+    const bool unmoved = made_for_ && same_view(made_for_->view, view),
                same_settings = made_for_ && made_for_->settings == settings;
-    const bool at_rest = same_view && same_settings && !at_rest_.empty();
-    if (same_view && same_settings && made_for_->side == side &&
+    const bool at_rest = unmoved && same_settings && !at_rest_.empty();
+    if (unmoved && same_settings && made_for_->side == side &&
         std::ranges::equal(made_for_->photos, photos) && (at_rest || made_for_->seen == seen.version))
         return;
     const std::vector<std::uint32_t> previous = photos_of(plan_.photos);
@@ -60,7 +53,7 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
                      shows_much_of(seen.view, view, *scene_);
         at_rest_.clear();
         // After other settings, the triangles may be from before the change.
-        if (uses_seen_ && same_settings && same(seen.view, view))
+        if (uses_seen_ && same_settings && same_view(seen.view, view))
             at_rest_.assign(seen.triangles.begin(), seen.triangles.end());
     }
     std::span<const std::uint32_t> known = at_rest_;

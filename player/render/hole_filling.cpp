@@ -4,25 +4,23 @@
 #include <array>
 #include <utility>
 
+#include "player/render/full_frame_program.h"
 #include "shaders/contract.h"
 
 namespace vantage {
 namespace {
 
-/// From half the frame's size down to one texel.
-std::vector<std::pair<int, int>> level_sizes(int width, int height) {
-    std::vector<std::pair<int, int>> out;
-    do {
-        width = (width + 1) / 2;
-        height = (height + 1) / 2;
-        out.emplace_back(width, height);
-    } while (width > 1 || height > 1);
-    return out;
+/// Level 0 has half the frame's size.
+FrameSize level_size(FrameSize frame, std::size_t level) {
+    const auto halved = [&](int n) { return ((n - 1) >> (level + 1)) + 1; };
+    return {halved(frame.width), halved(frame.height)};
 }
 
-gl::Program full_frame_program(const char* label, const char* fragment_shader) {
-    return gl::make_program(label,
-                            {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, fragment_shader}});
+/// Down to one texel.
+std::size_t level_count(FrameSize frame) {
+    std::size_t n = 1;
+    while (level_size(frame, n - 1) != FrameSize{1, 1}) ++n;
+    return n;
 }
 
 }  // namespace
@@ -34,7 +32,8 @@ HoleFilling::HoleFilling()
 
 void HoleFilling::fit(int width, int height) {
     levels_.clear();
-    for (const auto& [w, h] : level_sizes(width, height)) {
+    for (std::size_t i = 0; i < level_count({width, height}); ++i) {
+        const auto [w, h] = level_size({width, height}, i);
         gl::Texture texture = gl::make_texture_2d("filled holes", GL_RGBA32F, w, h, GL_LINEAR);
         gl::Framebuffer target = gl::make_framebuffer("filled holes", std::array{texture.id()}, 0);
         levels_.push_back({std::move(texture), std::move(target)});
@@ -43,7 +42,10 @@ void HoleFilling::fit(int width, int height) {
 
 std::uint64_t HoleFilling::bytes(int width, int height) {
     std::uint64_t out = 0;
-    for (const auto& [w, h] : level_sizes(width, height)) out += 16 * std::uint64_t(w) * std::uint64_t(h);
+    for (std::size_t i = 0; i < level_count({width, height}); ++i) {
+        const auto [w, h] = level_size({width, height}, i);
+        out += 16 * std::uint64_t(w) * std::uint64_t(h);
+    }
     return out;
 }
 
@@ -53,19 +55,21 @@ float HoleFilling::hole_weight(int width, int height) {
 }
 
 void HoleFilling::fill(const gl::Texture& accumulated, int width, int height, double samples) {
-    const auto sizes = level_sizes(width, height);
+    const FrameSize frame{width, height};
+    const std::size_t levels = level_count(frame);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glBindVertexArray(no_vertices_.id());
     const auto draw_to = [&](std::size_t level) {
         glBindFramebuffer(GL_FRAMEBUFFER, levels_[level].target.id());
-        glViewport(0, 0, sizes[level].first, sizes[level].second);
+        const auto [w, h] = level_size(frame, level);
+        glViewport(0, 0, w, h);
         glDrawArrays(GL_TRIANGLES, 0, 3);
     };
     glUseProgram(average_program_.id());
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-        const auto [w, h] = i == 0 ? std::pair(width, height) : sizes[i - 1];
-        glUniform2i(shader::frame_size_uniform, w, h);
+    for (std::size_t i = 0; i < levels; ++i) {
+        const FrameSize finer = i == 0 ? frame : level_size(frame, i - 1);
+        glUniform2i(shader::frame_size_uniform, finer.width, finer.height);
         glUniform1f(shader::average_samples_uniform, i == 0 ? float(samples) : 0.0f);
         glBindTextureUnit(shader::finer_unit, i == 0 ? accumulated.id() : levels_[i - 1].texture.id());
         draw_to(i);
@@ -73,8 +77,9 @@ void HoleFilling::fill(const gl::Texture& accumulated, int width, int height, do
     glUseProgram(fill_program_.id());
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-    for (std::size_t i = sizes.size() - 1; i-- > 0;) {
-        glUniform2i(shader::frame_size_uniform, sizes[i + 1].first, sizes[i + 1].second);
+    for (std::size_t i = levels - 1; i-- > 0;) {
+        const FrameSize coarser = level_size(frame, i + 1);
+        glUniform2i(shader::frame_size_uniform, coarser.width, coarser.height);
         glBindTextureUnit(shader::coarser_unit, levels_[i + 1].texture.id());
         draw_to(i);
     }

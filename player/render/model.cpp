@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -61,13 +62,11 @@ bool can_be_read(const Model& m, const PlanScene& scene) {
            largest <= std::size_t(most);
 }
 
-std::vector<std::uint32_t> clusters_of_triangles(const PlanScene& scene) {
-    std::vector<std::uint32_t> out(scene.triangles, 0);
-    for (std::uint32_t c = 0; c < scene.clusters.size(); ++c) {
-        const package::ClusterRecord& cluster = scene.clusters[c];
-        std::fill_n(out.begin() + cluster.first_triangle, cluster.triangles, c);
-    }
-    return out;
+/// The cluster of each triangle of the model.
+std::vector<std::uint32_t> clusters_of_all(const PlanScene& scene) {
+    std::vector<std::uint32_t> triangles(scene.triangles);
+    std::iota(triangles.begin(), triangles.end(), 1u);
+    return clusters_of(scene, triangles);
 }
 
 /// A value and whether there is one.
@@ -97,7 +96,7 @@ Model load_model(const PackageReader& package, const PlanScene& scene) {
     m.indices = buffer_of("indices", scene.indices);
     if (can_be_read(m, scene))
         m.triangle_clusters =
-            buffer_of("triangles' clusters", std::span<const std::uint32_t>(clusters_of_triangles(scene)));
+            buffer_of("triangles' clusters", std::span<const std::uint32_t>(clusters_of_all(scene)));
     m.vertices = gl::make_vertex_array("model");
     gl::attach_floats(m.vertices, shader::position_attribute, m.positions, 3, 12);
     gl::attach_floats(m.vertices, shader::normal_attribute, m.normals, 3, 12);

@@ -13,6 +13,9 @@ struct Pace {
 /// Coarser frames would hardly be faster: what remains is the time for the triangles.
 inline constexpr double least_scale = 0.15;
 
+/// Of a first picture, which is made of thumbnails.
+inline constexpr Pace coarse_pace{0.25, true};
+
 /// The pace of the next frame, after one at `pace` that took `ms`, of which `goal_ms` are allowed. Slows down
 /// at once, and quickens by at most a fifth of the pixels per frame. Without a time or a goal above 0, the
 /// same pace.

@@ -7,6 +7,7 @@
 
 #include "gl/context.h"
 #include "player/render/blend_table.h"
+#include "player/render/full_frame_program.h"
 #include "scene/error.h"
 #include "scene/tiling.h"
 
@@ -105,8 +106,7 @@ gl::Program make_show_program(const PackageReader& package, const PlanScene& sce
     std::vector<std::string> defines = surroundings_defines(scene);
     if (scene.has_transparency()) defines.emplace_back("TRANSPARENCY");
     for (std::string& d : shader_defines("show", package.scene().effects)) defines.push_back(std::move(d));
-    return gl::make_program("show", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "show.frag"}},
-                            defines);
+    return full_frame_program("show", "show.frag", defines);
 }
 
 }  // namespace
@@ -142,8 +142,7 @@ gl::Program Renderer::make_resolve_program(const std::vector<std::string>& asked
     for (std::string& d : shader_defines("resolve", package_->scene().effects))
         defines.push_back(std::move(d));
     defines.insert(defines.end(), asked.begin(), asked.end());
-    return gl::make_program(
-        "resolve", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "resolve.frag"}}, defines);
+    return full_frame_program("resolve", "resolve.frag", defines);
 }
 
 const gl::Program& Renderer::resolve_program(const RenderSettings& settings) {
@@ -174,8 +173,7 @@ bool Renderer::photos_on_points(const RenderSettings& settings) const {
 /// Creates targets with room for the frame, and fits the tiles into the rest of the budget.
 void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
     const RenderSettings& settings = bands.front().settings;
-    const FrameSize room{std::max(frame.width, settings.room.width),
-                         std::max(frame.height, settings.room.height)};
+    const FrameSize room = room_for(frame, settings.room);
     const auto [width, height] = room;
     const bool coordinates =
         std::ranges::any_of(bands, [&](const BandFrame& b) { return !per_fragment(b.settings); });

@@ -230,7 +230,7 @@ bool Residency::store(const StreamRequest& r, std::uintptr_t source, GLuint unpa
         return true;
     }
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, unpack_buffer);
-    const auto tile = [&](const auto& to, std::uint32_t layer, GLenum layout, GLenum type,
+    const auto tile = [&](const TileArray& to, std::uint32_t layer, GLenum layout, GLenum type,
                           std::uintptr_t from) {
         glTextureSubImage3D(to.id(), 0, 0, 0, GLint(layer), tile_size, tile_size, 1, layout, type,
                             reinterpret_cast<const void*>(from));

@@ -6,11 +6,6 @@
 namespace vantage {
 namespace {
 
-/// The plane in the coordinates of a mesh.
-SectionPlane in_mesh(const PlacedMesh& m, const SectionPlane& plane) {
-    return {m.R.transpose() * plane.normal, (plane.offset - plane.normal.dot(m.t)) / m.scale};
-}
-
 /// Adds the line in which the plane cuts a triangle, if it does.
 void cut(const std::array<Eigen::Vector3d, 3>& corner, const SectionPlane& plane, const PlacedMesh& m,
          std::vector<SectionLine>& out) {
@@ -30,7 +25,7 @@ void cut(const std::array<Eigen::Vector3d, 3>& corner, const SectionPlane& plane
 
 void cut_mesh(const PlacedMesh& m, const SectionPlane& of_scene, std::vector<SectionLine>& out) {
     const PlanScene& scene = *m.scene;
-    const SectionPlane plane = in_mesh(m, of_scene);
+    const SectionPlane plane = plane_in(of_scene, m.R, m.t, m.scale);
     const std::size_t clusters = std::min<std::size_t>(scene.first_surrounding, scene.clusters.size());
     for (const package::ClusterRecord& c : std::span(scene.clusters).first(clusters)) {
         const Eigen::Vector3d center(c.center[0], c.center[1], c.center[2]);
@@ -51,12 +46,6 @@ std::vector<SectionLine> section_lines(std::span<const PlacedMesh> meshes, const
     std::vector<SectionLine> out;
     for (const PlacedMesh& m : meshes) cut_mesh(m, plane, out);
     return out;
-}
-
-double section_length(std::span<const SectionLine> lines) {
-    double sum = 0;
-    for (const auto& [a, b] : lines) sum += (b - a).norm();
-    return sum;
 }
 
 std::string section_dxf(std::span<const SectionLine> lines, const Eigen::Vector3d& origin) {

@@ -17,9 +17,6 @@ namespace vantage {
 using SectionLine = std::array<Eigen::Vector3d, 2>;
 std::vector<SectionLine> section_lines(std::span<const PlacedMesh> meshes, const SectionPlane& plane);
 
-/// The length of all lines.
-double section_length(std::span<const SectionLine> lines);
-
 /// A drawing (DXF, release 12) of the lines in coordinates of the input, whose origin is `origin`.
 std::string section_dxf(std::span<const SectionLine> lines, const Eigen::Vector3d& origin);
 

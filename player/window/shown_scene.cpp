@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -30,12 +29,6 @@ namespace vantage {
 
 namespace {
 
-bool same_view(const View& a, const View& b) {
-    const Intrinsics &k = a.intrinsics, &l = b.intrinsics;
-    return k.width == l.width && k.height == l.height && k.fx == l.fx && k.cx == l.cx && k.cy == l.cy &&
-           a.cam_from_origin.R == b.cam_from_origin.R && a.cam_from_origin.t == b.cam_from_origin.t;
-}
-
 /// A pixel of a frame in another one that shows the same.
 Eigen::Vector2d pixel_in(const Intrinsics& to, const Intrinsics& from, const Eigen::Vector2d& pixel) {
     return {pixel.x() * to.width / from.width, pixel.y() * to.height / from.height};
@@ -49,7 +42,7 @@ std::size_t upload_of_frame(std::size_t bytes, double ms) {
 
 /// The first picture is made of thumbnails: in software, it need not wait for the pixels between theirs.
 Pace pace_of_first_picture(double goal) {
-    return goal > 0 && gl::current_device().software ? Pace{0.25, true} : Pace{};
+    return goal > 0 && gl::current_device().software ? coarse_pace : Pace{};
 }
 
 }  // namespace
@@ -109,7 +102,6 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     record(now);
     change_objects(now);
     ImGui::Render();
-    s.settings.section = section_of(s.cut, renderer_.scene());
     const bool still = !keys && unchanged(view) && lit_ == s.settings.light && cut_ == s.settings.section;
     if (!still) samples_ = 0;
     s.settings.points.pick = s.panels.expert && s.panels.points;
@@ -142,8 +134,8 @@ void ShownScene::interface(const View& view, double now) {
         menu_bar(controls_, s, renderer_, now);
         if (sidebar(controls_, s, renderer_, objects_, view, layout_.sidebar)) samples_ = 0;
     }
-    measure_.show(controls_, s, s.panels.measure ? objects_.meshes() : std::vector<PlacedMesh>{}, view, now);
     show_cut(view, now);
+    measure_.show(controls_, s, s.panels.measure ? objects_.meshes() : std::vector<PlacedMesh>{}, view, now);
     if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
     if (layout_.strip.height > 0) strip_.show(controls_, s, renderer_, view, layout_.strip, now);
     tell(view, now);
@@ -153,10 +145,10 @@ void ShownScene::interface(const View& view, double now) {
     message_line(s, now);
 }
 
-/// The lines in which the model is cut, and a drawing of them if one is asked for.
+/// Cuts the model as the session says: the lines of the cut, and a drawing of them if one is asked for.
 void ShownScene::show_cut(const View& view, double now) {
     Session& s = session_;
-    const auto plane = section_of(s.cut, renderer_.scene());
+    const auto& plane = s.settings.section = section_of(s.cut, renderer_.scene());
     cut_lines_.show(plane ? objects_.meshes() : std::vector<PlacedMesh>{}, plane, view);
     if (!std::exchange(s.cut.saves, false)) return;
     const PackageReader& package = renderer_.package();

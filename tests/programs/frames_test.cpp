@@ -16,6 +16,7 @@
 #include "player/render/pace.h"
 #include "player/render/picture.h"
 #include "player/survey/section.h"
+#include "tests/programs/garden_spec.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -28,13 +29,7 @@ class Frames : public TemporaryFolder {
   protected:
     void SetUp() override {
         TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
-        spec.building.width = 7, spec.building.height = 4.5, spec.building.bays = 3;
-        spec.garden = {.radius = 30, .hill = 8, .railing = 0.04};
-        spec.object.triangles = 3000;
-        spec.photos.width = 400, spec.photos.height = 300, spec.photos.fov = 75;
-        spec.photos.samples = 1;
-        synthesize(spec, dir / "scene", {});
+        synthesize(garden_spec(3000, 400, 300), dir / "scene", {});
         PrepareSettings settings;
         settings.effects[Effect::surroundings] = EffectChoice::on;
         settings.effects[Effect::per_fragment] = EffectChoice::on;
@@ -108,8 +103,8 @@ TEST_F(Frames, ASectionTakesAwayWhatIsBeforeIt) {
     Renderer renderer(package, MemoryBudget{});
     const View view = views(package).front();
     RenderSettings settings;
-    settings.section = SectionPlane{-view.cam_from_origin.direction(),
-                                    -view.cam_from_origin.direction().dot(Eigen::Vector3d::Zero())};
+    const SectionPlane plane{-view.cam_from_origin.direction(), 0};
+    settings.section = plane;
     take_picture(renderer, view, settings, all(package), 1);
     const std::vector<std::uint32_t> cut = renderer.triangles();
     settings.section.reset();
@@ -117,7 +112,6 @@ TEST_F(Frames, ASectionTakesAwayWhatIsBeforeIt) {
     const std::vector<std::uint32_t> whole = renderer.triangles();
     const PlanScene& scene = renderer.scene();
     const std::uint32_t of_mesh = scene.clusters[scene.first_surrounding].first_triangle;
-    const SectionPlane plane{-view.cam_from_origin.direction(), 0};
     std::size_t changed = 0, wrong = 0;
     for (int y = 0; y < view.intrinsics.height; ++y)
         for (int x = 0; x < view.intrinsics.width; ++x) {

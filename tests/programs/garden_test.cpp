@@ -15,6 +15,7 @@
 #include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
 #include "scene/surroundings.h"
+#include "tests/programs/garden_spec.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -23,15 +24,10 @@ namespace {
 
 class Garden : public TemporaryFolder {
   protected:
-    /// A lawn and a hill around a small building, its photos, and its package.
+    /// Its photos, and its package.
     void SetUp() override {
         TemporaryFolder::SetUp();
-        spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
-        spec.building.width = 7, spec.building.height = 4.5, spec.building.bays = 3;
-        spec.garden = {.radius = 30, .hill = 8, .railing = 0.04};
-        spec.object.triangles = 4000;
-        spec.photos.width = 600, spec.photos.height = 450, spec.photos.fov = 75;
-        spec.photos.samples = 1;
+        spec = garden_spec(4000, 600, 450);
         synthesize(spec, dir / "scene", {});
         cameras = place_cameras(spec);
     }

@@ -140,8 +140,9 @@ TEST_F(Video, TurntableFramesTheWholeModel) {
                     const bool edge = x == 0 || y == 0 || x == p.width - 1 || y == p.height - 1;
                     EXPECT_FALSE(shown && edge) << name << ' ' << size << ": cut at " << x << ' ' << y;
                 }
-            const bool from_photos = name == "scene-0001.png";
-            EXPECT_GE(seen, from_photos ? p.width * p.height / 20 : 0) << size;
+            if (name == "scene-0001.png") {
+                EXPECT_GT(seen, p.width * p.height / 20) << size;  // from the photos' side
+            }
         }
     }
 }

@@ -31,6 +31,13 @@ MeshScene box(const Vector3d& half) {
     return m;
 }
 
+/// The length of all lines.
+double length_of(const std::vector<SectionLine>& lines) {
+    double sum = 0;
+    for (const auto& [a, b] : lines) sum += (b - a).norm();
+    return sum;
+}
+
 /// Each end of a line is the end of another one.
 bool is_closed(const std::vector<SectionLine>& lines) {
     std::map<std::tuple<long, long, long>, int> ends;
@@ -49,7 +56,7 @@ TEST(Section, OfABoxIsItsOutline) {
     const PlacedMesh mesh{&m.scene};
     for (const double at : {-0.7, 0.0, 0.999}) {
         const auto lines = section_lines({&mesh, 1}, {Vector3d::UnitZ(), at});
-        EXPECT_NEAR(section_length(lines), 20, 1e-9);
+        EXPECT_NEAR(length_of(lines), 20, 1e-9);
         EXPECT_TRUE(is_closed(lines));
         for (const SectionLine& line : lines)
             for (const Vector3d& p : line) EXPECT_NEAR(p.z(), at, 1e-12);
@@ -77,7 +84,7 @@ TEST(Section, FollowsMeshesThatArePlaced) {
     mesh.t = {10, 20, 30};
     mesh.scale = 2;
     const auto lines = section_lines({&mesh, 1}, {Vector3d::UnitZ(), 30.5});
-    EXPECT_NEAR(section_length(lines), 16, 1e-6);
+    EXPECT_NEAR(length_of(lines), 16, 1e-6);
     for (const SectionLine& line : lines) EXPECT_NEAR(line[0].z(), 30.5, 1e-9);
     EXPECT_TRUE(section_lines({&mesh, 1}, {Vector3d::UnitZ(), 0}).empty());
 }
