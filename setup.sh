@@ -9,9 +9,9 @@ packages=(g++ cmake ninja-build pkg-config ca-certificates
   libopenimageio-dev openimageio-tools libopenmesh-dev libmeshoptimizer-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libturbojpeg0-dev libjpeg-dev libpng-dev libpugixml-dev libembree-dev libtomlplusplus-dev
   libsquish-dev libzstd-dev gnuplot-nox
-  libxxhash-dev libcurl4-openssl-dev libutf8proc-dev libeigen3-dev libepoxy-dev libegl-dev libgl-dev libglfw3-dev libimgui-dev
+  libxxhash-dev libcurl4-openssl-dev libutf8proc-dev libeigen3-dev libepoxy-dev libegl-dev libgl-dev libglfw3-dev libxcb-xinput-dev libimgui-dev
   libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libgtest-dev librapidcheck-dev
-  fonts-dejavu-core xvfb xauth xdotool bash-completion desktop-file-utils man-db shared-mime-info)
+  fonts-dejavu-core xvfb xauth xserver-xorg-core xserver-xorg-video-dummy xdotool python3-xlib bash-completion desktop-file-utils man-db shared-mime-info)
 missing=()
 for p in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$p" 2>/dev/null | grep -q 'ok installed' || missing+=("$p")

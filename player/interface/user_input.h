@@ -1,6 +1,9 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
+
+#include "player/camera/pinch.h"
 
 namespace vantage {
 
@@ -22,12 +25,23 @@ struct Click {
     bool second;  ///< of a double click
 };
 
-/// What was done with keys and mouse since the last frame.
+/// A finger on the screen that acts as the pointer with its left button, or the middle between two that
+/// pinch.
+struct FingerPointer {
+    double x, y;  ///< pixels from the window's upper left corner
+    bool down;
+    bool there;  ///< else it was lifted, and points at nothing
+};
+
+/// What was done with keys, mouse and fingers since the last frame.
 struct UserInput {
-    std::vector<KeyPress> keys;   ///< in order, also those that were released again
-    bool double_clicked = false;  ///< by the left button
-    std::vector<Click> clicks;    ///< in order
-    std::array<Drag, 3> drags{};  ///< by button: left, right, middle
+    std::vector<KeyPress> keys;           ///< in order, also those that were released again
+    bool double_clicked = false;          ///< by the left button
+    std::vector<Click> clicks;            ///< in order
+    std::array<Drag, 3> drags{};          ///< by button: left, right, middle
+    std::optional<FingerPointer> finger;  ///< if fingers were used last, and not the mouse
+    std::optional<Pinch> pinch;           ///< while two fingers are down
+    bool pinch_begins = false;
 };
 
 }  // namespace vantage

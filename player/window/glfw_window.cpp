@@ -51,34 +51,19 @@ struct GlfwWindow::Callbacks {
         std::vector<std::string>& dropped = events(w).dropped;
         dropped.insert(dropped.end(), files, files + count);
     }
-    /// Double clicks are found here: where a frame is longer than two clicks, ImGui sees one.
+    /// The window's, which the mouse uses from now on.
+    static Pointer& mouse(GLFWwindow* w) {
+        window(w).fingers_.leave_to_mouse();
+        glfwSetInputMode(w, GLFW_CURSOR, GLFW_CURSOR_NORMAL);
+        return window(w).mouse_;
+    }
     static void button(GLFWwindow* w, int button, int action, int) {
-        constexpr double most_seconds = 0.4, most_pixels = 5;
-        WindowEvents& e = events(w);
-        GlfwWindow& in = window(w);
-        if (button < int(in.down_.size())) in.down_[std::size_t(button)] = action == GLFW_PRESS;
-        if (button != GLFW_MOUSE_BUTTON_LEFT) return;
-        LastPress& last = in.pressed_;
-        const bool in_place = std::hypot(in.x_ - last.x, in.y_ - last.y) <= most_pixels;
-        if (action == GLFW_RELEASE) {
-            if (in_place) e.input.clicks.push_back({last.x, last.y, last.second});
-            return;
-        }
-        const double now = glfwGetTime();
-        const bool second =
-            in_place && !last.second && now - last.at <= most_seconds;  // a third click begins anew
-        e.input.double_clicked |= second;
-        last = {now, in.x_, in.y_, second};
+        if (action == GLFW_PRESS)
+            press(mouse(w), std::size_t(button), glfwGetTime(), events(w).input);
+        else
+            release(mouse(w), std::size_t(button), events(w).input);
     }
-    /// The motion while a button was down: ImGui only knows whether it is down when a frame begins.
-    static void cursor(GLFWwindow* w, double x, double y) {
-        WindowEvents& e = events(w);
-        GlfwWindow& in = window(w);
-        for (std::size_t b = 0; b < in.down_.size(); ++b)
-            if (in.down_[b]) e.input.drags[b].right += x - in.x_, e.input.drags[b].down += y - in.y_;
-        in.x_ = x;
-        in.y_ = y;
-    }
+    static void cursor(GLFWwindow* w, double x, double y) { move(mouse(w), x, y, events(w).input); }
 };
 
 GlfwWindow::GlfwWindow(FrameSize size, const std::string& title, bool debug) {
@@ -95,6 +80,7 @@ GlfwWindow::GlfwWindow(FrameSize size, const std::string& title, bool debug) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     set_style(text_scale_);
+    touch_screen_.emplace(window_);
     watch_events();  // first: ImGui calls the callbacks that it finds
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init("#version 450");
@@ -158,7 +144,7 @@ void GlfwWindow::watch_events() {
     glfwSetKeyCallback(window_, Callbacks::key);
     glfwSetDropCallback(window_, Callbacks::drop);
     glfwSetMouseButtonCallback(window_, Callbacks::button);
-    glfwGetCursorPos(window_, &x_, &y_);
+    glfwGetCursorPos(window_, &mouse_.x, &mouse_.y);
     glfwSetCursorPosCallback(window_, Callbacks::cursor);
     constexpr auto note = [](GLFWwindow* w, auto...) { Callbacks::events(w); };
     glfwSetCharCallback(window_, note);
@@ -172,14 +158,27 @@ void GlfwWindow::watch_events() {
 }
 
 WindowEvents GlfwWindow::events(double seconds) {
+    mouse_.late = glfwGetTime() - looked_at_;
     if (seconds > 0)
         glfwWaitEventsTimeout(seconds);
     else
         glfwPollEvents();
+    take_touches();
+    looked_at_ = glfwGetTime();
     return std::exchange(events_, {});
 }
 
+void GlfwWindow::take_touches() {
+    const std::vector<TouchEvent> touches = touch_screen_->take();
+    for (const TouchEvent& t : touches)
+        fingers_.take(t, double(text_scale_), glfwGetTime(), mouse_.late, events_.input);
+    events_.any |= !touches.empty() || fingers_.unreported();
+    if (!touches.empty()) glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);
+    fingers_.report(events_.input);
+}
+
 GlfwWindow::~GlfwWindow() {
+    touch_screen_.reset();
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();

@@ -1,9 +1,11 @@
 #pragma once
-#include <array>
 #include <optional>
 #include <string>
 
 #include "player/camera/shots.h"
+#include "player/window/fingers.h"
+#include "player/window/pointer.h"
+#include "player/window/touch_screen.h"
 #include "player/window/window_events.h"
 
 struct GLFWwindow;
@@ -30,6 +32,7 @@ class GlfwWindow {
   private:
     struct Callbacks;
     void watch_events();
+    void take_touches();
 
     GLFWwindow* window_ = nullptr;
     float text_scale_ = 1;
@@ -38,14 +41,10 @@ class GlfwWindow {
     };
     std::optional<Place> windowed_;  ///< while it covers the screen: where it was
     WindowEvents events_;
-    /// Of the left button.
-    struct LastPress {
-        double at = -1e9, x = 0, y = 0;  ///< seconds, pixels
-        bool second = false;             ///< of a double click
-    };
-    LastPress pressed_;
-    double x_ = 0, y_ = 0;        ///< of the pointer
-    std::array<bool, 3> down_{};  ///< buttons: left, right, middle
+    double looked_at_ = 0;  ///< for events, seconds
+    Pointer mouse_;
+    Fingers fingers_;
+    std::optional<TouchScreen> touch_screen_;
 };
 
 }  // namespace vantage

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "player/camera/photos_around.h"
+#include "player/camera/pinch.h"
 #include "player/interface/band_section.h"
 #include "player/interface/measure_panel.h"
 #include "player/interface/style.h"
@@ -20,6 +21,9 @@
 
 namespace vantage {
 namespace {
+
+/// How far the eye may be from what it approaches or leaves, as a share of the scene's size.
+constexpr double nearest = 1e-3, farthest = 30;
 
 /// A point under the pointer: of the mesh, or else as far away as the target.
 struct UnderPointer {
@@ -59,7 +63,6 @@ void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vec
 /// The wheel moves closer to what is under the pointer, or away; a double click flies there.
 void move_to_pointer(Session& s, const View& view, const PlanScene& scene, const Eigen::Vector2d& pointer,
                      double now) {
-    constexpr double nearest = 1e-3, farthest = 30;  // of the scene's size
     const double wheel = double(ImGui::GetIO().MouseWheel);
     const UnderPointer at = under_pointer(view, s, scene, pointer);
     if (wheel != 0)
@@ -67,19 +70,27 @@ void move_to_pointer(Session& s, const View& view, const PlanScene& scene, const
     if (s.input.double_clicked && !s.panels.measure && at.on_mesh) fly_to_point(s, at.point, now);
 }
 
-void move_by_mouse(Session& s, const PlanScene& scene, double now) {
+/// What is under two fingers follows them.
+void pinch(Session& s, const View& view, const PlanScene& scene) {
+    const Pinch& p = *s.input.pinch;
+    if (s.input.pinch_begins || !s.pivot) s.pivot = under_pointer(view, s, scene, p.center - p.moved).point;
+    follow_pinch(s.camera, p, *s.pivot, view.intrinsics.fx, nearest * scene.size, farthest * scene.size);
+}
+
+void move_by_pointer(Session& s, const PlanScene& scene, double now) {
     const ImGuiIO& io = ImGui::GetIO();
     const auto moves = [](const Drag& d) { return d.right != 0 || d.down != 0; };
-    const bool dragged = std::ranges::any_of(s.input.drags, moves),
+    const bool dragged = std::ranges::any_of(s.input.drags, moves), pinched = s.input.pinch.has_value(),
                points = io.MouseWheel != 0 || s.input.double_clicked;
-    if (!io.WantCaptureMouse && (dragged || points)) {
+    if (!io.WantCaptureMouse && (dragged || pinched || points)) {
         s.flight.reset();  // input interrupts a flight
         const View view = view_of(s.camera, int(io.DisplaySize.x), int(io.DisplaySize.y), s.free);
         const Eigen::Vector2d pointer(io.MousePos.x, io.MousePos.y);
         if (dragged) drag(s, view, scene, pointer);
+        if (pinched) pinch(s, view, scene);
         if (points) move_to_pointer(s, view, scene, pointer, now);
     }
-    if (!io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) s.pivot.reset();
+    if (!pinched && !io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) s.pivot.reset();
 }
 
 /// The pointer as the top of a hemisphere over the frame: low at its edge, at the viewer in its middle.
@@ -231,7 +242,7 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
 
 void apply_input(Session& session, const PlanScene& scene, double now) {
     using With = KeyPress::With;
-    move_by_mouse(session, scene, now);
+    move_by_pointer(session, scene, now);
     move_lamp(session);
     for (const KeyPress& p : session.input.keys)
         if (p.with == With::control) run_command(session, p.key);

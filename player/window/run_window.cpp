@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -176,9 +177,13 @@ bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, 
 }
 
 /// ImGui reads which keys are down: those released since the last frame are, for this one; also Ctrl, which
-/// the caller releases after the frame, if it was not down before.
+/// the caller releases after the frame, if it was not down before. It takes a finger for the mouse.
 void new_frame(const Session& session) {
     ImGuiIO& io = ImGui::GetIO();
+    if (const auto& finger = session.input.finger) {
+        io.MousePos = finger->there ? ImVec2(float(finger->x), float(finger->y)) : ImVec2(-FLT_MAX, -FLT_MAX);
+        io.MouseDown[0] = finger->down;
+    }
     auto& down = io.KeysDown;
     std::vector<int> tapped;
     for (const KeyPress& p : session.input.keys) {

@@ -19,6 +19,93 @@ under_xvfb() {
   export XDG_CONFIG_HOME=$dir/config
 }
 
+# The same under Xorg with a touch screen, for finger(). Needs its drivers "dummy" and "inputtest", besides xdotool.
+# under_touch_screen WIDTHxHEIGHT "$@"
+under_touch_screen() {
+  screen=$1
+  shift
+  if [ -z "${VANTAGE_WINDOW_TEST:-}" ]; then
+    has_touch_screen || { echo "skipped: Xorg with the drivers dummy and inputtest is not installed"; exit 77; }
+    export VANTAGE_WINDOW_TEST=$(mktemp -d)
+    start_xorg "$VANTAGE_WINDOW_TEST" "$screen" || { echo "skipped: Xorg does not start"; rm -rf "$VANTAGE_WINDOW_TEST"; exit 77; }
+    trap 'kill $xorg; rm -rf "$VANTAGE_WINDOW_TEST"' EXIT
+    "$0" "$@"
+    exit $?
+  fi
+  dir=$VANTAGE_WINDOW_TEST
+  cd "$dir" || exit 1
+  export XDG_CONFIG_HOME=$dir/config
+  [ -S touch ] && coproc TOUCH { exec python3 "$source_of_tests/touch_device.py" touch "$screen" 2>&1; }
+}
+source_of_tests=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+has_touch_screen() {
+  local modules=/usr/lib/xorg/modules
+  [ -x /usr/lib/xorg/Xorg ] && [ -f $modules/input/inputtest_drv.so ] && [ -f $modules/drivers/dummy_drv.so ] &&
+    command -v xdotool >/dev/null
+}
+# start_xorg FOLDER WIDTHxHEIGHT: sets DISPLAY and xorg, its process
+start_xorg() {
+  local folder=$1 wide=${2%x*} high=${2#*x}
+  cat >"$folder/xorg.conf" <<END
+Section "ServerFlags"
+  Option "AutoAddDevices" "false"
+  Option "AutoEnableDevices" "false"
+EndSection
+Section "Device"
+  Identifier "card"
+  Driver "dummy"
+  VideoRam 256000
+EndSection
+Section "Monitor"
+  Identifier "monitor"
+  HorizSync 1-1000
+  VertRefresh 1-1000
+  Modeline "$2" 108 $wide $((wide + 48)) $((wide + 160)) $((wide + 408)) $high $((high + 1)) $((high + 4)) $((high + 42))
+EndSection
+Section "Screen"
+  Identifier "screen"
+  Device "card"
+  Monitor "monitor"
+  DefaultDepth 24
+  SubSection "Display"
+    Depth 24
+    Modes "$2"
+    Virtual $wide $high
+  EndSubSection
+EndSection
+Section "InputDevice"
+  Identifier "touch"
+  Driver "inputtest"
+  Option "SocketPath" "$folder/touch"
+  Option "DeviceType" "Touch"
+  Option "TouchCount" "10"
+EndSection
+Section "ServerLayout"
+  Identifier "layout"
+  Screen "screen"
+  InputDevice "touch" "SendCoreEvents"
+EndSection
+END
+  /usr/lib/xorg/Xorg -displayfd 3 -config "$folder/xorg.conf" -logfile "$folder/xorg.log" -noreset -nolisten tcp -novtswitch \
+    -sharevts 3>"$folder/display" >/dev/null 2>&1 &
+  xorg=$!
+  for _ in $(seq 100); do
+    [ -s "$folder/display" ] && [ -S "$folder/touch" ] && export DISPLAY=:$(cat "$folder/display") && return
+    kill -0 $xorg 2>/dev/null || return 1
+    sleep 0.1
+  done
+  kill $xorg
+  return 1
+}
+# finger GESTURE...: of touch_device.py; waits until it is made
+finger() {
+  local answer
+  echo "$*" >&"${TOUCH[1]}"
+  read -r -t 60 answer <&"${TOUCH[0]}" && [ "$answer" = done ] || { fail "no finger: ${answer:-}"; exit 1; }
+}
+# With the libraries of the system's Python.
+screenshot() { /usr/bin/python3 "$source_of_tests/screenshot.py" "$1" || exit 1; }
+
 failed=0
 fail() { echo "FAILED: $*"; failed=1; }
 

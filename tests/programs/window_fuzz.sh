@@ -1,14 +1,19 @@
 #!/usr/bin/env bash
-# Random events for the window: keys, clicks, drags, wheel, sizes, focus, over every face of it. It must neither end, nor hang, nor
-# report an OpenGL error, and come to rest afterwards.
+# Random events for the window: keys, clicks, drags, wheel, fingers, files dropped on it, sizes, focus, over every face of it. It must
+# neither end, nor hang, nor report an OpenGL error, and come to rest afterwards.
 # usage: window_fuzz.sh VANTAGE PLAYER SOURCE_DIR [EVENTS [SEED]]; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"
-under_xvfb 1280x1024 "$@"
+has_touch_screen && under_touch_screen 1280x1024 "$@" || under_xvfb 1280x1024 "$@"  # without fingers
 
 vantage=$1 player=$2 source=$3 events=${4:-300} seed=${5:-1}
 export VANTAGE_DEBUG_GL=1
 "$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage >/dev/null 2>&1 || exit 1
+
+printf 'no package' >junk.vantage
+head -c 5000 one.vantage >cut.vantage
+printf '[[object]]\npackage = "one.vantage"\n' >scene.toml
+dropped=(one.vantage junk.vantage cut.vantage scene.toml missing.vantage scene)
 
 # random_events N SEED: commands for xdotool. Ctrl+Q and O, which end the window or type into a dialog, are left out.
 random_events() {
@@ -40,7 +45,11 @@ sleep 1
 xdotool windowfocus "$window"
 for ((done = 0; done < events; done += 100)); do
   random_events 100 $((seed * 1000 + done)) >commands
+  [ -z "${TOUCH_PID:-}" ] || echo "random $((seed * 1000 + done)) 60" >&"${TOUCH[1]}"
   timeout 120 xdotool commands >/dev/null 2>&1 || fail "events $done to $((done + 100)) of seed $seed were not taken"
+  [ -z "${TOUCH_PID:-}" ] || { read -r -t 60 answer <&"${TOUCH[0]}" && [ "$answer" = done ]; } || fail "no fingers after event $done of seed $seed"
+  /usr/bin/python3 "$source_of_tests/drop_files.py" "$window" "${dropped[$(((seed + done / 100) % ${#dropped[@]}))]}" ||
+    fail "no files are taken after event $done of seed $seed"
   kill -0 $pid 2>/dev/null || { fail "the player ended after event $done of seed $seed: $(tail -3 says)"; exit 1; }
 done
 

@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# A visitor at a kiosk, who only touches: looks around, finds a dormer of the roof, looks closer, compares it with the photo, goes home.
+# usage: visitor_test.sh VANTAGE PLAYER SOURCE_DIR FIND_PICTURE [WIDTHxHEIGHT [FOLDER for screenshots]]
+# Exits with 77 if there is no X server with a touch screen, or no photos (VANTAGE_DATASETS).
+set -uo pipefail
+source "$(dirname "$0")/window.sh"
+size=${5:-1280x1024} pictures=${6:-}
+[ -d "${VANTAGE_DATASETS:-}/sceaux-small" ] || { echo "skipped: VANTAGE_DATASETS has no sceaux-small"; exit 77; }
+under_touch_screen "$size" "$@"
+
+vantage=$1 player=$2 find_picture=$4
+set=$VANTAGE_DATASETS/sceaux-small
+"$vantage" prepare "$set" -o sceaux.vantage --no-report >/dev/null 2>&1 || { fail "prepare"; exit 1; }
+wide=${size%x*} high=${size#*x}
+
+# shot NAME: a screenshot, as NAME.ppm, once the picture rests: two in a row are the same
+shot() {
+  screenshot "$1.ppm"
+  for _ in $(seq 60); do
+    sleep 0.7
+    mv "$1.ppm" earlier.ppm
+    screenshot "$1.ppm"
+    cmp -s "$1.ppm" earlier.ppm && break
+  done
+  [ -z "$pictures" ] || cp "$1.ppm" "$pictures/$1-$size.ppm"
+}
+# look NAME: sets x, y, times and likeness of the dormer in the screenshot
+look() {
+  shot "$1"
+  read -r x y times likeness <<<"$("$find_picture" "$1.ppm" "$set/images/00003.jpg" 323 193 54 60)"
+  echo "$1: the dormer is at $x, $y, $times times the photo's size, similar by $likeness"
+  is "$likeness > 0.5" || fail "$1: the dormer is not to be seen"
+}
+is() { awk "BEGIN { exit !($1) }"; }
+# A finger on a control; its place from the file of the controls.
+touch_control() {
+  local at
+  at=$(place "$1") || { fail "there is no '$1'"; return; }
+  # shellcheck disable=SC2086
+  finger tap $at
+}
+
+"$player" sceaux.vantage --kiosk --home-after 3600 --photo 00003 --fresh --controls places >says 2>&1 &
+pid=$!
+for _ in $(seq 200); do grep -qs "^Bar Home	" places && break; sleep 0.1; done
+sleep 3  # until it covers the screen
+look home
+home=($x $y $times)
+
+# Around the building by one finger, to the right and back.
+finger drag $((wide / 2)) $((high / 3)) $((wide / 2 + wide / 8)) $((high / 3))
+shot around
+cmp -s home.ppm around.ppm && fail "one finger does not turn the model"
+finger drag $((wide / 2 + wide / 8)) $((high / 3)) $((wide / 2)) $((high / 3))
+look back
+is "sqrt(($x - ${home[0]})^2 + ($y - ${home[1]})^2) < 0.03 * $wide" || fail "dragging back does not lead back"
+
+# Two taps on the dormer bring it to the middle, two fingers closer still.
+finger double "$x" "$y"
+look closer
+is "$times > 1.7 * ${home[2]}" || fail "two taps do not bring the dormer closer"
+is "($x - $wide / 2)^2 < (0.1 * $wide)^2" || fail "two taps do not bring the dormer to the middle"
+before=($x $y $times)
+finger pinch "$x" "$y" $((high / 6)) $((high / 4)) 0
+look pinched
+is "$times > 1.3 * ${before[2]} && $times < 1.7 * ${before[2]}" || fail "fingers that spread by half enlarge by $times / ${before[2]}"
+is "sqrt(($x - ${before[0]})^2 + ($y - ${before[1]})^2) < 0.05 * $wide" || fail "what was between the fingers did not stay there"
+before=($x $y)
+finger pan "$x" "$y" $((x + wide / 10)) $((y + high / 20))
+look panned
+is "($x - ${before[0]} - $wide / 10)^2 + ($y - ${before[1]} - $high / 20)^2 < (0.03 * $wide)^2" || fail "two fingers do not move the picture with them"
+
+# Compared with the photo: the line between both follows the finger.
+touch_control "Bar Compare"
+shot compared
+place Wiper >/dev/null || fail "Compare shows no line to drag"
+at=$(place Wiper)
+# shellcheck disable=SC2086
+finger drag $at $((wide / 4)) "${at#* }"
+shot wiped
+cmp -s compared.ppm wiped.ppm && fail "the line does not follow the finger"
+[ "$(place Wiper)" != "$at" ] || fail "the line is still at $at"
+touch_control "Bar Compare"
+
+# Home again, as it was.
+touch_control "Bar Home"
+look home-again
+is "sqrt(($x - ${home[0]})^2 + ($y - ${home[1]})^2) < 0.01 * $wide && ($times / ${home[2]} - 1)^2 < 0.01" || fail "Home leads elsewhere"
+
+# What the public must not do, fingers cannot do either.
+grep -q "^Bar Expert	" places && fail "a kiosk offers the expert's panels"
+kill -0 $pid 2>/dev/null || fail "the kiosk ended: $(cat says)"
+kill $pid
+[ $failed = 0 ] && echo "the visitor has seen it"
+exit $failed
