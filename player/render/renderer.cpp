@@ -227,7 +227,9 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     if (passes_.load_layer(settings)) targets_ = {};  // the budget has to be divided again
     fit({view.intrinsics.width, view.intrinsics.height}, bands);
     const DrawnRegion region(targets_);
-    store_.begin_frame(now, !settings.complete && !settings.wait_for_tiles);
+    // What a frame waits for, it shows.
+    const bool fades = !settings.complete && !settings.wait_for_tiles && !settings.wait_for_uploads;
+    store_.begin_frame(now, fades);
     if (!settings.complete) readback_.update(settings.wait_for_tiles);
     for (const BandFrame& band : bands) plan_band(view, band, sample);
     FrameReport report;

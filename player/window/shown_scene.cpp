@@ -37,7 +37,7 @@ Eigen::Vector2d pixel_in(const Intrinsics& to, const Intrinsics& from, const Eig
 /// Where a frame takes longer than a thirtieth of a second, it may upload as much as those that it replaces:
 /// that makes it hardly longer, and the picture is there sooner.
 std::size_t upload_of_frame(std::size_t bytes, double ms) {
-    return std::size_t(double(bytes) * std::clamp(ms * 30 / 1000, 1.0, 16.0));
+    return std::size_t(double(bytes) * std::clamp(ms * 30 / 1000, 1.0, 64.0));
 }
 
 /// The first picture is made of thumbnails: in software, it need not wait for the pixels between theirs.
@@ -269,14 +269,20 @@ void ShownScene::draw(const View& view, bool still, double now) {
     if (looks_again() && now > drawn_at_ + look_again_seconds) samples_ = 0;
     if (layout_.strip.height > 0 && strip_.lacks_pictures()) samples_ = 0;
     if (still && is_final()) return;
+    if (!still) changed_at_ = now;
     if (in_motion(view)) moved_at_ = now;
     // A coarse frame is refined when the motion has ended, not between two movements of the mouse.
     const bool moves = now < moved_at_ + still_seconds && !s.screenshot;
+    const bool complete = drawn_ && s.pace == Pace{} && s.report.settled;
+    if (still && !moves && !resting_ && complete && lacks_time(now)) {
+        samples_ = rest_side * rest_side;
+        return;
+    }
     s.pace = moves || !drawn_ ? pace_ : Pace{};
     drawn_at_ = now;
     // Once at rest, it stays so while tiles come: where not all fit, those for motion and for rest would
     // evict each other.
-    resting_ = still && !moves && (resting_ || s.report.settled);
+    resting_ = still && !moves && (resting_ || complete);
     RenderSettings settings = s.settings;
     settings.swift = s.pace.swift;
     settings.lod_bias = resting_ ? 0 : -0.5;
@@ -290,14 +296,21 @@ void ShownScene::draw(const View& view, bool still, double now) {
     const PixelSample sample = resting_ ? PixelSample{samples_, rest_side} : PixelSample{};
     const bool sound_so_far = s.report.tiles_damaged == 0;
     drawn_view_ = scaled(view, s.pace.scale);
-    // What is prefetched would begin the picture's samples again.
-    s.report = objects_.draw(*drawn_view_, settings, s.photos, sample, now, resting_ ? nullptr : &next);
+    // For a picture at rest, nothing is prefetched: it would begin the samples again, or let them wait.
+    s.report = objects_.draw(*drawn_view_, settings, s.photos, sample, now, moves ? &next : nullptr);
     samples_ = resting_ && s.report.settled ? samples_ + 1 : 0;
     if (s.report.tiles_damaged > 0 && sound_so_far)
         say(s, "The package is damaged: parts of the picture are missing or blurred (vantage check FILE)",
             now);
     tell_memory(now);
     drawn_ = true;
+}
+
+/// Whether the samples of a picture at rest would keep the processor busy for too long: on a large screen, in
+/// software, the picture stays as it is.
+bool ShownScene::lacks_time(double now) const {
+    constexpr double samples = 3;  // they take less time than the frame before, which also loaded tiles
+    return now + samples * frame_ms_ / 1000 > changed_at_ + rest_seconds;
 }
 
 /// Whether the view differs from the last one, or a control is being dragged.

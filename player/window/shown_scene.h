@@ -40,6 +40,7 @@ class ShownScene {
 
   private:
     static constexpr int rest_side = 2;            ///< samples per side of a pixel at rest
+    static constexpr double rest_seconds = 10;     ///< after a change, the picture is final
     static constexpr double still_seconds = 0.25;  ///< without motion, before a coarse frame is refined
     static constexpr double slow_ms = 100;         ///< a frame that takes longer may wait for tiles
     static constexpr double look_again_seconds = Residency::retry_seconds + 1;
@@ -58,6 +59,7 @@ class ShownScene {
     bool is_final() const { return samples_ >= rest_side * rest_side; }
     void draw(const View& view, bool still, double now);
     void pick(const View& view);
+    bool lacks_time(double now) const;
     bool in_motion(const View& view) const;
     void keep_pace();
     void remember_time(float ms);
@@ -87,7 +89,7 @@ class ShownScene {
     std::optional<Navigation> before_;
     int samples_ = 0;
     bool drawn_ = false, resting_ = false;
-    double drawn_at_ = 0, shown_at_ = 0, moved_at_ = 0;
+    double drawn_at_ = 0, shown_at_ = 0, moved_at_ = 0, changed_at_ = 0;
     struct Recording {
         double begin;
         Navigation last;  ///< of the last frame
