@@ -17,7 +17,7 @@ namespace vantage {
 struct Panels {
     bool bar = true, photos = true, frusta = false, radar = false, help = false;
     bool expert = false;  ///< the menu, and the sidebar with the sections that follow
-    bool picture = true, cut = false, blending = true, status = false, objects = false;
+    bool picture = true, cut = false, orthophoto = false, blending = true, status = false, objects = false;
     bool layers = true;                ///< if the package has layers of its own; else closed until asked for
     bool points = true, bands = true;  ///< only if the package has any
     bool measure = false;              ///< and clicks measure
@@ -33,6 +33,13 @@ struct Cut {
     Eigen::Vector3d facing = -Eigen::Vector3d::UnitZ();  ///< toward the viewer, of length 1
     double share = 0.5;                                  ///< of the model's extent across the plane, 0 to 1
     bool saves = false;                                  ///< a drawing is to be written
+};
+
+/// An orthophoto to be written.
+struct OrthophotoRequest {
+    enum class Plane { top, front, back, left, right, facing, count } plane = Plane::front;
+    double pixel = 0;    ///< its size in the input's unit; 0: not chosen yet
+    bool asked = false;  ///< it is to be written
 };
 
 /// How often positions are recorded.
@@ -52,6 +59,7 @@ struct Session {
     bool freeze = false;            ///< weights are frozen
     bool lamp_follows = true;       ///< the raking light follows the pointer
     Cut cut;
+    OrthophotoRequest orthophoto;
 
     /// A flight in progress: to a photo, along a recorded path, or along a curve with times of its own.
     struct Flight {

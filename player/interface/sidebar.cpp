@@ -9,6 +9,7 @@
 #include "player/interface/docked.h"
 #include "player/interface/layer_section.h"
 #include "player/interface/object_section.h"
+#include "player/interface/orthophoto_section.h"
 #include "player/interface/picture_section.h"
 #include "player/interface/point_section.h"
 #include "player/interface/status_section.h"
@@ -30,11 +31,13 @@ bool sections(Controls& c, Session& s, const Renderer& renderer, ObjectSet& obje
     bool changed = false;
     Panels& p = s.panels;
     section(c, "Picture", p.picture, [&] { picture_section(c, s, renderer); });
-    if (!points_only(renderer.package().scene()))
+    const PackageReader& package = renderer.package();
+    if (!points_only(package.scene())) {
         section(c, "Cut", p.cut, [&] {
-            cut_section(c, s, renderer.scene(),
-                        Eigen::Map<const Eigen::Vector3d>(renderer.package().scene().origin));
+            cut_section(c, s, renderer.scene(), Eigen::Map<const Eigen::Vector3d>(package.scene().origin));
         });
+        section(c, "Orthophoto", p.orthophoto, [&] { orthophoto_section(c, s, package); });
+    }
     if (!renderer.layers().empty())
         section(c, "Layers", p.layers, [&] { layer_section(c, s, renderer, view); });
     if (renderer.points()) section(c, "Point cloud", p.points, [&] { point_section(c, s, renderer); });

@@ -10,7 +10,7 @@
 #include "player/options/memory_options.h"
 #include "player/options/output_options.h"
 #include "player/options/package_options.h"
-#include "player/orthophoto/picture_plane.h"
+#include "player/survey/picture_plane.h"
 #include "player/render/renderer.h"
 
 namespace vantage {

@@ -7,7 +7,6 @@
 #include "scene/error.h"
 
 namespace vantage {
-namespace {
 
 std::string free_name(const std::string& stem, const char* extension) {
     for (int n = 1;; ++n) {
@@ -18,8 +17,6 @@ std::string free_name(const std::string& stem, const char* extension) {
         if (!std::filesystem::exists(name, unknown)) return name;
     }
 }
-
-}  // namespace
 
 void write_numbered(Session& session, const std::string& stem, const char* extension, const std::string& what,
                     double now, const std::function<void(const std::string& file)>& write) {

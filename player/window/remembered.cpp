@@ -36,6 +36,7 @@ void for_fields(R& r, const Field& field) {
     field("expert", r.panels.expert);
     field("panel_picture", r.panels.picture);
     field("panel_cut", r.panels.cut);
+    field("panel_orthophoto", r.panels.orthophoto);
     field("panel_blending", r.panels.blending);
     field("panel_status", r.panels.status);
     field("panel_photos", r.panels.photos);

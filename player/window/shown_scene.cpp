@@ -101,6 +101,7 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     interface(view, now);
     record(now);
     change_objects(now);
+    orthophotos_.attend(s, renderer_.package(), now);
     ImGui::Render();
     const bool still = !keys && unchanged(view) && lit_ == s.settings.light && cut_ == s.settings.section;
     if (!still) samples_ = 0;
@@ -180,6 +181,7 @@ void ShownScene::tell(const View& view, double now) {
 double ShownScene::wakes_at() const {
     double at = kiosk_ ? attends_at(*kiosk_) : HUGE_VAL;
     if (!session_.message.empty() && session_.message_until > shown_at_) at = session_.message_until;
+    if (orthophotos_.writes()) at = std::min(at, shown_at_ + 0.5);
     if (looks_again()) at = std::min(at, drawn_at_ + look_again_seconds);
     if (ImGui::GetIO().WantTextInput) at = std::min(at, shown_at_ + blink_seconds);
     if (layout_.strip.height > 0) at = std::min(at, strip_.ranks_at());

@@ -17,6 +17,7 @@
 #include "player/render/frame_clock.h"
 #include "player/render/renderer.h"
 #include "player/window/kiosk.h"
+#include "player/window/orthophoto_writer.h"
 
 namespace vantage {
 
@@ -97,6 +98,7 @@ class ShownScene {
     };
     std::optional<Recording> recording_;
     std::optional<Kiosk> kiosk_;
+    OrthophotoWriter orthophotos_;
 };
 
 }  // namespace vantage

@@ -127,6 +127,16 @@ awk '
   NR % 2 { code = $1; next }
   code == 30 || code == 31 { if (n++ == 0) height = $1; off += $1 - height > 1e-6 || height - $1 > 1e-6 }
   END { exit !(n > 20 && off == 0 && height > 1 && height < 6) }' one-cut-0001.dxf || fail "the cut is not level: $(head -c 400 one-cut-0001.dxf)"
+# An orthophoto while the window is used: that of the command, which tests compare with the surface pixel by pixel.
+press "Section Cut"
+press "Section Orthophoto"
+press "Seen from"; press "front"
+type_into "Size of a pixel" "0.05"
+press "Write the orthophoto"
+for _ in $(seq 300); do [ -f one-orthophoto-0001.pgw ] && break; sleep 0.2; done
+"$player" orthophoto one.vantage --plane front --resolution 0.05 -o expected.png >/dev/null || fail "the command orthophoto failed"
+cmp -s one-orthophoto-0001.png expected.png || fail "the window's orthophoto is not that of the command"
+cmp -s one-orthophoto-0001.pgw expected.pgw || fail "the window's orthophoto has another place: $(cat one-orthophoto-0001.pgw)"
 xdotool key ctrl+q; await_exit "Ctrl+Q"
 
 # They are there again; a damaged file is left alone.

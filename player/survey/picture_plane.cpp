@@ -1,4 +1,4 @@
-#include "player/orthophoto/picture_plane.h"
+#include "player/survey/picture_plane.h"
 
 #include <algorithm>
 #include <array>

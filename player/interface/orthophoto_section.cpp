@@ -1,0 +1,65 @@
+#include "player/interface/orthophoto_section.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "player/interface/choice.h"
+#include "player/survey/picture_plane.h"
+#include "player/survey/survey.h"
+
+namespace vantage {
+namespace {
+
+constexpr double most_pixels = 30000;  // a side: about a gigapixel
+
+/// 1, 2 or 5 times a power of ten, such that a side has 2000 to 5000 pixels.
+double fitting_pixel(double longer_side) {
+    const double wanted = std::max(longer_side / 5000, 1e-12),
+                 power = std::pow(10, std::floor(std::log10(wanted)));
+    for (const double digit : {1.0, 2.0, 5.0})
+        if (digit * power >= wanted) return digit * power;
+    return 10 * power;
+}
+
+/// The rectangle that the model covers on the plane, in the input's unit.
+Eigen::Vector2d size_on(const std::string& plane, const PackageReader& package) {
+    return extent_on(parse_plane(plane, survey_up(package.photos())), package.scene()).sizes();
+}
+
+}  // namespace
+
+std::string plane_option(OrthophotoRequest::Plane plane, const Navigation& camera) {
+    static const char* const names[] = {"top", "front", "back", "left", "right"};
+    if (plane != OrthophotoRequest::Plane::facing) return names[int(plane)];
+    const Eigen::Vector3d normal = -camera.R.row(2).transpose(), up = -camera.R.row(1).transpose();
+    char text[256];
+    std::snprintf(text, sizeof text, "0,0,0,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g", normal.x(), normal.y(),
+                  normal.z(), up.x(), up.y(), up.z());
+    return text;
+}
+
+void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {
+    OrthophotoRequest& o = s.orthophoto;
+    static const char* const planes[] = {"top", "front", "back", "left", "right", "my view"};
+    const auto before = o.plane;
+    choice(c, "Seen from", o.plane, planes);
+    Controls::explain("The side of the model that the picture shows, at right angles and true to scale.");
+    const Eigen::Vector2d size = size_on(plane_option(o.plane, s.camera), package);
+    if (o.pixel <= 0 || o.plane != before) o.pixel = fitting_pixel(size.maxCoeff());
+    ImGui::InputDouble("Size of a pixel", &o.pixel, 0, 0, "%.6g");
+    c.note("Size of a pixel");
+    Controls::explain("In the model's unit.");
+    const double least = std::max(size.maxCoeff() / most_pixels, 1e-12);
+    o.pixel = std::isfinite(o.pixel) ? std::clamp(o.pixel, least, std::max(least, size.maxCoeff())) : least;
+    const Eigen::Vector2d pixels = (size / o.pixel).array().ceil().max(1);
+    ImGui::Text("%.0f x %.0f pixels", pixels.x(), pixels.y());
+    if (c.button("Write the orthophoto")) o.asked = true;
+    Controls::explain(
+        "Writes a picture (PNG) and its place on the plane (a world file) into the current folder, while the "
+        "window can be used.");
+}
+
+}  // namespace vantage

@@ -1,0 +1,43 @@
+#include "player/window/orthophoto_writer.h"
+
+#include <cstdio>
+#include <utility>
+
+#include "bands/bands.h"
+#include "player/interface/orthophoto_section.h"
+#include "player/window/numbered_file.h"
+#include "scene/error.h"
+
+namespace vantage {
+
+void OrthophotoWriter::attend(Session& s, const PackageReader& package, double now) {
+    if (!program_) {
+        if (std::exchange(s.orthophoto.asked, false)) start(s, package, now);
+        return;
+    }
+    const auto ended = program_->ended();
+    if (!ended) return;
+    program_.reset();
+    say(s, ended->well ? "orthophoto written to " + file_ : file_ + ": " + ended->says, now);
+}
+
+void OrthophotoWriter::start(Session& s, const PackageReader& package, double now) {
+    char pixel[32];
+    std::snprintf(pixel, sizeof pixel, "%.12g", s.orthophoto.pixel);
+    file_ = free_name(package.path().stem().string() + "-orthophoto", ".png");
+    std::vector<std::string> arguments = {"orthophoto",   package.path().string(),
+                                          "--plane",      plane_option(s.orthophoto.plane, s.camera),
+                                          "--resolution", pixel,
+                                          "-o",           file_,
+                                          "--quiet"};
+    if (const std::vector<Band> bands = read_bands(package); bands.size() > 1)
+        arguments.insert(arguments.end(), {"--band", bands[s.settings.bands.shown].name});
+    try {
+        program_.emplace(std::move(arguments));
+        say(s, "the orthophoto is being written to " + file_, now);
+    } catch (const Error& e) {
+        say(s, e.what(), now);
+    }
+}
+
+}  // namespace vantage

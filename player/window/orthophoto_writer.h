@@ -1,0 +1,22 @@
+#pragma once
+#include <optional>
+
+#include "player/interface/session.h"
+#include "player/window/own_program.h"
+
+namespace vantage {
+
+/// Writes the orthophotos that a session asks for, one at a time, while the window can be used.
+class OrthophotoWriter {
+  public:
+    /// Starts what is asked for, and says when it is done.
+    void attend(Session& session, const PackageReader& package, double now);
+    bool writes() const { return program_.has_value(); }
+
+  private:
+    void start(Session& session, const PackageReader& package, double now);
+    std::optional<OwnProgram> program_;
+    std::string file_;
+};
+
+}  // namespace vantage
