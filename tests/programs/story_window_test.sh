@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Stories in the window: notes on the surface, their cards, tours, the opening view, and editing; by mouse and keys alone.
+# A curator's work: an opening view, five notes with pictures, a tour, by mouse and keys alone; then what visitors see of it in the
+# window, in a kiosk and in a video.
 # usage: story_window_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"
@@ -53,18 +54,23 @@ press "Save the story"
 eye=$(say_of "'%s %s %s' % tuple(s['opening']['eye'])")
 near "$opening" $eye || fail "the opening view was saved at $eye, the camera stands at $opening"
 
-# Another note from elsewhere, and a tour of both.
-xdotool mousemove 450 300; frames 2; xdotool mousedown 3; frames 2; xdotool mousemove_relative 60 0; frames 3; xdotool mouseup 3; frames 3
-press "Add a note here"
-press "Title of the note"
-xdotool type --delay 40 "Door"; frames 3
+# More notes from elsewhere, and a tour of all.
+add_note() {  # add_note TITLE: from farther to the left
+  xdotool mousemove 450 300; frames 2; xdotool mousedown 3; frames 2; xdotool mousemove_relative 20 0; frames 3; xdotool mouseup 3; frames 3
+  press "Add a note here"
+  press "Title of the note"
+  xdotool type --delay 40 "$1"; frames 3
+  press "Picture file of the note"
+  xdotool type --delay 40 "$picture"; frames 3
+}
+for title in Door Roof Gate Stairs; do add_note $title; done
 press "Make a tour of all notes"
 press "Save the story"
-[ "$(say_of "[n['title'] for n in s['notes']]")" = "['Clock tower', 'Door']" ] || fail "the notes are $(cat one.story.json)"
-[ "$(say_of "[t['note'] for t in s['tours'][0]['stops']]")" = "['note-1', 'note-2']" ] || fail "the tour is $(cat one.story.json)"
+[ "$(say_of "' '.join(n['title'] for n in s['notes'])")" = "Clock tower Door Roof Gate Stairs" ] || fail "the notes are $(cat one.story.json)"
+[ "$(say_of "[t['note'] for t in s['tours'][0]['stops']]")" = "['note-1', 'note-2', 'note-3', 'note-4', 'note-5']" ] || fail "the tour is $(cat one.story.json)"
 press "Move up"
 press "Save the story"
-[ "$(say_of "[n['title'] for n in s['notes']]")" = "['Door', 'Clock tower']" ] || fail "Move up leaves $(cat one.story.json)"
+[ "$(say_of "' '.join(n['title'] for n in s['notes'])")" = "Clock tower Door Roof Stairs Gate" ] || fail "Move up leaves $(cat one.story.json)"
 quit
 
 # A visitor opens the package: at the opening view; a click on a note's disc flies to it and opens its card.
@@ -79,8 +85,8 @@ second=$(say_of "'%s %s %s' % tuple(s['notes'][1]['view']['eye'])")
 near "$(stands_at 3)" $second || fail "a click on a note flies to $(tail -1 one-0003.path), expected $second"
 press "Next note"
 sleep 2; frames 5
-first=$(say_of "'%s %s %s' % tuple(s['notes'][0]['view']['eye'])")
-near "$(stands_at 4)" $first || fail "the next note is looked at from $(tail -1 one-0004.path), expected $first"
+third=$(say_of "'%s %s %s' % tuple(s['notes'][2]['view']['eye'])")
+near "$(stands_at 4)" $third || fail "the next note is looked at from $(tail -1 one-0004.path), expected $third"
 xdotool key h; sleep 1.5; frames 5
 near "$(stands_at 5)" $eye || fail "H flies to $(tail -1 one-0005.path), expected $eye"
 
@@ -105,6 +111,29 @@ press "Set its view"
 press "Save the story"
 grep -q Gate one.story.json || fail "a story that was changed by another program was replaced"
 quit
+
+# A kiosk shows the notes, and lets nobody edit them.
+cp one.story.json kept
+rm -f places
+"$player" one.vantage --kiosk --fresh --controls places >says 2>&1 &
+pid=$!
+find_window
+there "Note 2" || fail "a kiosk shows no notes"
+press "Note 2"
+sleep 2; frames 5
+there "Picture of the note" || fail "a kiosk opens no card"
+xdotool key ctrl+e
+there "Save the story" && fail "a kiosk lets the public edit the story"
+kill $pid
+wait $pid
+cmp -s one.story.json kept || fail "a kiosk changed the story"
+
+# A video of the tour begins at its first note, as a picture from that view shows it.
+"$player" one.vantage --tour "All notes" --seconds 4 --frame-rate 1 --size 320x240 --holes transparent -o frames >says 2>&1 || fail "no video: $(cat says)"
+view=$(say_of "','.join(str(x) for x in [*s['notes'][0]['view']['eye'], *s['notes'][0]['view']['target'], s['notes'][0]['view']['fov']])")
+"$player" one.vantage --offscreen --view "$view" --size 320x240 --holes transparent -o picture.png >says 2>&1 || fail "no picture: $(cat says)"
+off=$(idiff -a -fail 0.02 -failpercent 1 -warn 1 frames/one-0001.png picture.png 2>&1) || fail "the tour's first frame is not the first note's view: $off"
+[ "$(ls frames | wc -l)" -ge 4 ] || fail "the video has $(ls frames | wc -l) frames"
 
 [ $failed = 0 ] && echo "stories are told"
 exit $failed
