@@ -26,7 +26,7 @@ void follow_pinch(Navigation& n, const Pinch& p, const Eigen::Vector3d& point, d
                   double farthest) {
     const double depth = std::abs((point - n.eye).dot(n.R.row(2)));
     fly(n, -depth / focal * Eigen::Vector3d(p.moved.x(), p.moved.y(), 0));
-    if (p.spread > 0) approach_point(n, point, 1 / p.spread, nearest, farthest);
+    if (p.spread > 0 && p.spread != 1) approach_point(n, point, 1 / p.spread, nearest, farthest);
     const Eigen::Vector3d sight = point - n.eye;
     if (p.turned == 0 || !(sight.norm() > 0)) return;
     // The world turns with the fingers, clockwise about the line that leads away from the eye.

@@ -57,7 +57,8 @@ bool can_be_read(const Model& m, const PlanScene& scene) {
     glGetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &bindings);
     glGetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-    const std::size_t largest = std::max(scene.indices.size() * 4, scene.positions.size() * 12);
+    const std::size_t largest =
+        std::max((scene.indices.size() + 3 * m.coarse_room) * 4, scene.positions.size() * 12);
     return m.indices && bindings > shader::cluster_photos_buffer && blocks >= shader::blend_buffers &&
            largest <= std::size_t(most);
 }
@@ -77,6 +78,21 @@ gl::Buffer buffer_of(const char* name, std::span<const T> values) {
     return gl::make_buffer(name, values.size_bytes(), values.data());
 }
 
+/// With room behind the values, for as many as `more`.
+gl::Buffer buffer_of(const char* name, std::span<const std::uint32_t> values, std::size_t more) {
+    if (more == 0) return buffer_of(name, values);
+    gl::Buffer out =
+        gl::make_buffer(name, values.size_bytes() + more * sizeof values[0], nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferSubData(out.id(), 0, GLsizeiptr(values.size_bytes()), values.data());
+    return out;
+}
+
+template <class T>
+void write_behind(const gl::Buffer& buffer, std::size_t values, const std::vector<T>& more) {
+    glNamedBufferSubData(buffer.id(), GLintptr(values * sizeof(T)), GLsizeiptr(more.size() * sizeof(T)),
+                         more.data());
+}
+
 }  // namespace
 
 Model load_model(const PackageReader& package, const PlanScene& scene) {
@@ -93,10 +109,10 @@ Model load_model(const PackageReader& package, const PlanScene& scene) {
         m.normals = buffer_of("normals", normals);
         package.forget(std::as_bytes(normals));
     }
-    m.indices = buffer_of("indices", scene.indices);
+    m.coarse_room = coarse_triangles(scene);
+    m.indices = buffer_of("indices", scene.indices, 3 * m.coarse_room);
     if (can_be_read(m, scene))
-        m.triangle_clusters =
-            buffer_of("triangles' clusters", std::span<const std::uint32_t>(clusters_of_all(scene)));
+        m.triangle_clusters = buffer_of("triangles' clusters", clusters_of_all(scene), m.coarse_room);
     m.vertices = gl::make_vertex_array("model");
     gl::attach_floats(m.vertices, shader::position_attribute, m.positions, 3, 12);
     gl::attach_floats(m.vertices, shader::normal_attribute, m.normals, 3, 12);
@@ -115,6 +131,16 @@ Model load_model(const PackageReader& package, const PlanScene& scene) {
     glVertexArrayAttribBinding(m.vertices.id(), color_attribute, color_attribute);
     glEnableVertexArrayAttrib(m.vertices.id(), color_attribute);
     return m;
+}
+
+bool add_coarse_mesh(Model& model, const PlanScene& scene, const CoarseMesh& mesh) {
+    if (!model.triangle_clusters || mesh.stands_for.size() > model.coarse_room) return false;
+    std::vector<std::uint32_t> clusters = mesh.stands_for;
+    for (std::uint32_t& number : clusters) ++number;  // from 1
+    clusters = clusters_of(scene, clusters);
+    write_behind(model.indices, scene.indices.size(), mesh.indices);
+    write_behind(model.triangle_clusters, scene.triangles, clusters);
+    return true;
 }
 
 void show_values(Model& model, const PlanScene& scene, std::span<const float> values) {

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "gl/object.h"
+#include "player/plan/coarse_mesh.h"
 #include "player/plan/plan_scene.h"
 #include "scene/package_reader.h"
 
@@ -17,10 +18,15 @@ struct Model {
     gl::Buffer values;             ///< of the scalar layer shown last, once one was
     gl::VertexArray vertices;
     std::uint32_t vertex_count = 0;  ///< of the mesh
+    std::size_t coarse_room =
+        0;  ///< triangles that indices and triangle_clusters have room for, behind the scene's
 };
 
 /// Makes a layer's values, one per vertex of the mesh, the attribute `value`.
 void show_values(Model& model, const PlanScene& scene, std::span<const float> values);
+
+/// Puts a coarse mesh of the scene behind its triangles. False if there is no room for it.
+bool add_coarse_mesh(Model& model, const PlanScene& scene, const CoarseMesh& mesh);
 
 /// Throws Error(damaged) for a checksum mismatch or a triangle with a vertex out of range.
 Model load_model(const PackageReader& package, const PlanScene& scene);

@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "player/plan/visible_surface.h"
 #include "player/render/blend_table.h"
 #include "points/point_cloud.h"
 #include "scene/package_shape.h"
@@ -137,9 +138,51 @@ void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targe
     set_surface(drawn);
     ring_.begin();
     cluster_photos_.assign(scene_->clusters.size(), 1);
-    draw_clusters(drawn.plan.plan().clusters);
+    std::span<const std::uint32_t> clusters = drawn.plan.plan().clusters;
+    if (suits_coarse(drawn)) {
+        draw_coarse();
+        clusters = clusters.subspan(
+            std::size_t(std::ranges::lower_bound(clusters, scene_->first_surrounding) - clusters.begin()));
+    }
+    draw_clusters(clusters);
     ring_.end();
     glDisable(GL_CLIP_DISTANCE0);
+}
+
+void ModelPasses::use_coarse(CoarseMesh mesh) {
+    if (add_coarse_mesh(model_, *scene_, mesh)) coarse_ = std::move(mesh);
+}
+
+/// The distance within which a tenth of the mesh's clusters in view are, scene units.
+double ModelPasses::nearness(const DrawnView& drawn) const {
+    const Eigen::Vector3d eye = drawn.view.cam_from_origin.center();
+    std::vector<double> distances;
+    for (const std::uint32_t c : drawn.plan.plan().clusters)
+        if (c < scene_->first_surrounding) distances.push_back((center(scene_->clusters[c]) - eye).norm());
+    if (distances.empty()) return 0;
+    const auto tenth = distances.begin() + std::ptrdiff_t(distances.size() / 10);
+    std::ranges::nth_element(distances, tenth);
+    return *tenth;
+}
+
+bool ModelPasses::suits_coarse(const DrawnView& drawn) const {
+    constexpr double most_pixels = 1;  // of the frame, which is enlarged
+    if (!drawn.settings.swift || coarse_.indices.empty() || !by_triangle(drawn.settings) ||
+        drawn.view.orthographic_depth > 0)
+        return false;
+    return coarse_.error * drawn.view.intrinsics.fx <= most_pixels * nearness(drawn);
+}
+
+/// All of it, in one draw: it is small.
+void ModelPasses::draw_coarse() {
+    const FrameRing::Space records = ring_.take(sizeof(DrawRecord));
+    const DrawRecord record{std::uint32_t(scene_->triangles), 1};
+    std::memcpy(records.memory, &record, sizeof record);
+    glVertexArrayVertexBuffer(model_.vertices.id(), shader::draw_attribute, ring_.buffer(), records.offset,
+                              sizeof(DrawRecord));
+    glBindVertexArray(model_.vertices.id());
+    glDrawElements(GL_TRIANGLES, GLsizei(coarse_.indices.size()), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(scene_->indices.size() * sizeof(std::uint32_t)));
 }
 
 /// The uniforms of a surface program; the section that it is drawn with, if there is one.

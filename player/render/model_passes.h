@@ -68,7 +68,10 @@ class ModelPasses {
     /// Whether the scene has surroundings and the settings show them.
     bool shows_surroundings(const RenderSettings& settings) const;
     bool per_fragment(const RenderSettings& settings) const;
-    /// Depth, plain shading and the triangles' numbers.
+    /// Swift frames may be drawn with this mesh from now on.
+    void use_coarse(CoarseMesh mesh);
+    const CoarseMesh& coarse() const { return coarse_; }
+    /// Depth, plain shading and the triangles' numbers; those of the coarse mesh follow the scene's.
     void draw_surface(const DrawnView& drawn, const FrameTargets& targets);
     /// The transparent surfaces, into the lists or sums of a TransparentPass. Returns the number of draws.
     std::size_t draw_transparent(const DrawnView& drawn, const TransparentTarget& target);
@@ -88,6 +91,10 @@ class ModelPasses {
     /// Draws the given clusters that have bits in cluster_photos_, in one call. Returns the number of draws.
     std::size_t draw_clusters(std::span<const std::uint32_t> clusters);
     std::size_t draw_run(std::span<const std::uint32_t> clusters, std::uint32_t bits);
+    /// The coarse mesh is fine enough for the view.
+    bool suits_coarse(const DrawnView& drawn) const;
+    double nearness(const DrawnView& drawn) const;
+    void draw_coarse();
     const gl::Program& surface_program(const RenderSettings& settings);
     const gl::Program& transparent_program(const RenderSettings& settings, bool lists);
     void set_surface(const DrawnView& drawn);
@@ -112,6 +119,7 @@ class ModelPasses {
     std::vector<ValueLayer> layers_;
     std::vector<std::vector<float>> measured_;  ///< per layer; empty if it is stored or was not shown
     Model model_;
+    CoarseMesh coarse_;
     int loaded_layer_ = -1;  ///< whose values the model has
     std::vector<PhotoBlock> blocks_;
     FrameRing ring_;

@@ -207,6 +207,16 @@ void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
     if (bands.size() > 1) targets_.add_other();
 }
 
+void Renderer::coarsen(bool wait) {
+    if (coarse_triangles(scene_) == 0) return;
+    if (!coarsening_) coarsening_.emplace(scene_);
+    if (auto mesh = coarsening_->take(wait)) passes_.use_coarse(std::move(*mesh));
+}
+
+bool Renderer::take_seen(bool wait) {
+    return readback_.update(wait, scene_.triangles, passes_.coarse().stands_for);
+}
+
 void Renderer::plan_band(const View& view, const BandFrame& band, PixelSample sample) {
     const RenderSettings& settings = band.settings;
     if (settings.complete && settings.photos > 0 && sample.index == 0) find_seen(view, band, sample);
@@ -230,7 +240,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     // What a frame waits for, it shows.
     const bool fades = !settings.complete && !settings.wait_for_tiles && !settings.wait_for_uploads;
     store_.begin_frame(now, fades);
-    if (!settings.complete) readback_.update(settings.wait_for_tiles);
+    if (!settings.complete) take_seen(settings.wait_for_tiles);
     for (const BandFrame& band : bands) plan_band(view, band, sample);
     FrameReport report;
     if (shows_points(settings)) {
@@ -262,6 +272,7 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     r.tiles_absent = store_.residency().absent_count() + (points_ ? points_->absent() : 0);
     r.settled =
         r.tiles_to_come == 0 && r.nodes_missing == 0 && bands_.settled() && store_.residency().settled();
+    if (settings.swift ? !settings.wait_for_base : r.settled && !settings.complete) coarsen(false);
     held_ += gl::memory_held() - held_before;
     gl::check("rendering a view");
     return r;
@@ -376,9 +387,9 @@ Eigen::Vector2d Renderer::depth_range_of(const View& view, const RenderSettings&
 void Renderer::find_seen(const View& view, const BandFrame& band, PixelSample sample) {
     band.plan->update(view, plan_settings(band.settings), band.photos, sample.side, readback_.seen());
     passes_.draw_surface(drawn_view(view, band, sample.side), targets_);
-    readback_.update(true);
+    take_seen(true);
     readback_.capture(targets_, view);
-    readback_.update(true);
+    take_seen(true);
 }
 
 void Renderer::draw_passes(Pass photos, Frame& frame, bool consensus, int& into) {

@@ -11,6 +11,7 @@
 #include "player/camera/view.h"
 #include "player/plan/plan.h"
 #include "player/render/band_plans.h"
+#include "player/render/coarsening.h"
 #include "player/render/frame_targets.h"
 #include "player/render/frame_tiles.h"
 #include "player/render/hole_filling.h"
@@ -92,6 +93,9 @@ class Renderer {
     std::uint64_t graphics_budget() const { return graphics_budget_; }
     /// Applies from the next draw().
     void set_budget(const MemoryBudget& budget);
+    /// Makes the coarse mesh for swift frames on another thread, and uses it from when it is made; `wait`:
+    /// now. draw() calls it when there is time.
+    void coarsen(bool wait);
     /// Graphics memory that this renderer holds, bytes.
     std::uint64_t held() const { return held_; }
     /// Requests this photo's thumbnail with the next frame, for panels.
@@ -110,6 +114,7 @@ class Renderer {
     RenderSettings usable(RenderSettings settings) const;
     void fit(FrameSize frame, std::span<const BandFrame> bands);
     void find_seen(const View& view, const BandFrame& band, PixelSample sample);
+    bool take_seen(bool wait);
     void plan_band(const View& view, const BandFrame& band, PixelSample sample);
     void draw_band(Frame& frame);
     DrawnView drawn_view(const View& view, const BandFrame& band, int side) const;
@@ -151,6 +156,7 @@ class Renderer {
     std::optional<TransparentPass> transparent_;  ///< if some of the mesh is not opaque
     FragmentCount fragments_;                     ///< of the picture
     TriangleReadback readback_;
+    std::optional<Coarsening> coarsening_;
     Eigen::Vector2d depth_terms_ = Eigen::Vector2d::Zero();
     PointPicking picking_;
     gl::Program resolve_program_, show_program_;

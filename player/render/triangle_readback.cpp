@@ -35,13 +35,17 @@ void TriangleReadback::capture(const FrameTargets& targets, const View& view) {
     captured_ = view;
 }
 
-bool TriangleReadback::update(bool wait) {
+bool TriangleReadback::update(bool wait, std::size_t triangles, std::span<const std::uint32_t> stands_for) {
     const auto all = pixels_.take(wait);
     if (!all) return false;
     const auto arrived = all->first(captured_pixels_);
+    arrived_.assign(arrived.begin(), arrived.end());
+    for (std::uint32_t& number : arrived_)
+        if (number > triangles && number - triangles <= stands_for.size())
+            number = stands_for[number - triangles - 1] + 1;
     view_ = captured_;
-    if (std::ranges::equal(arrived, triangles_)) return false;
-    triangles_.assign(arrived.begin(), arrived.end());
+    if (arrived_ == triangles_) return false;
+    std::swap(arrived_, triangles_);
     ++version_;
     return true;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gl/object.h"
@@ -25,7 +26,9 @@ class TriangleReadback {
     /// Starts reading what `targets` show of `view`. Does nothing while an earlier frame is in flight.
     void capture(const FrameTargets& targets, const View& view);
     /// Takes the triangles that have arrived; `wait` waits for those in flight. True if they have changed.
-    bool update(bool wait);
+    /// Beyond `triangles` of the scene, they are numbers of a coarse mesh: those that its triangles stand for
+    /// are taken.
+    bool update(bool wait, std::size_t triangles, std::span<const std::uint32_t> stands_for);
 
     SeenTriangles seen() const { return {triangles_, view_, version_}; }
 
@@ -36,7 +39,7 @@ class TriangleReadback {
     gl::Framebuffer small_target_;
     gl::Readback pixels_;
     View view_{}, captured_{};
-    std::vector<std::uint32_t> triangles_;
+    std::vector<std::uint32_t> triangles_, arrived_;
     std::uint64_t version_ = 0;
 };
 

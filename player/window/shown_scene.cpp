@@ -190,23 +190,26 @@ double ShownScene::wakes_at() const {
     return at;
 }
 
-/// One position per 1 / positions_per_second, interpolated between frames.
+/// One position per 1 / positions_per_second, interpolated between frames. At rest, there were none because
+/// the camera stood still.
 void ShownScene::record(double now) {
     Session& s = session_;
-    if (!s.recording) {
-        if (recording_) save_recorded(now);
-        recording_.reset();
-        return;
+    if (!recording_ || (s.recording && s.recorded.empty())) {
+        if (!s.recording) return;
+        recording_ = Recording{now, s.camera, now};
     }
-    if (!recording_ || s.recorded.empty()) recording_ = Recording{now, s.camera, now};
+    if (is_final()) recording_->last_at = std::max(recording_->last_at, now - 1 / positions_per_second);
     const auto next = [&] { return recording_->begin + double(s.recorded.size()) / positions_per_second; };
     for (double at; (at = next()) <= now;) {
         const double passed = now - recording_->last_at;
-        s.recorded.push_back(
-            passed > 0 ? between(recording_->last, s.camera, (at - recording_->last_at) / passed) : s.camera);
+        const double share = passed > 0 ? std::clamp((at - recording_->last_at) / passed, 0.0, 1.0) : 1;
+        s.recorded.push_back(between(recording_->last, s.camera, share));
     }
     recording_->last = s.camera;
     recording_->last_at = now;
+    if (s.recording) return;
+    save_recorded(now);
+    recording_.reset();
 }
 
 void ShownScene::stop_recording(double now) {

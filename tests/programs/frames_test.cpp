@@ -97,6 +97,40 @@ TEST_F(Frames, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
             }
 }
 
+TEST_F(Frames, ACoarseMeshInMotionLooksLikeTheMesh) {
+    const fs::path fine = dir / "fine.vantage";
+    synthesize(garden_spec(60000, 400, 300), dir / "fine", {});
+    PrepareSettings prepared;
+    prepared.effects[Effect::surroundings] = EffectChoice::on;
+    prepared.effects[Effect::per_fragment] = EffectChoice::on;
+    prepare(read_scene(discover(dir / "fine")), prepared, fine, [](const Progress&) {});
+    const PackageReader package(fine);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    RenderSettings settings;
+    settings.photos = 4;
+    settings.swift = true;
+    settings.fill_holes = true;
+    const View view = scaled(view_of_photo(package.photos()[1], 0.8), 0.5);
+    const Picture of_mesh = take_picture(renderer, view, settings, all(package), 1);
+    renderer.coarsen(true);
+    const Picture coarse = take_picture(renderer, view, settings, all(package), 1);
+    EXPECT_NE(coarse.rgba, of_mesh.rgba) << "the mesh was drawn";
+    double squares = 0;
+    for (std::size_t i = 0; i < coarse.rgba.size(); ++i)
+        squares += std::pow(int(coarse.rgba[i]) - int(of_mesh.rgba[i]), 2);
+    EXPECT_GT(10 * std::log10(255 * 255 / (squares / double(coarse.rgba.size()))), 30);
+    // What is under a pixel is known as a triangle of the mesh.
+    const auto triangles = renderer.seen().triangles;
+    ASSERT_FALSE(triangles.empty());
+    EXPECT_LE(std::ranges::max(triangles), renderer.scene().triangles);
+    // At rest, the mesh is drawn again.
+    settings.swift = false;
+    const Picture at_rest = take_picture(renderer, view, settings, all(package), 1);
+    Renderer other(package, MemoryBudget{});
+    EXPECT_EQ(at_rest.rgba, take_picture(other, view, settings, all(package), 1).rgba);
+}
+
 TEST_F(Frames, ASectionTakesAwayWhatIsBeforeIt) {
     const PackageReader package(file);
     const gl::HeadlessContext context;

@@ -1,0 +1,22 @@
+#pragma once
+#include <future>
+#include <optional>
+#include <thread>
+
+#include "player/plan/coarse_mesh.h"
+
+namespace vantage {
+
+/// Makes a scene's coarse mesh on a thread of its own. The scene must outlive it.
+class Coarsening {
+  public:
+    explicit Coarsening(const PlanScene& scene);
+    /// The mesh, once, when it is made; `wait` waits for it.
+    std::optional<CoarseMesh> take(bool wait);
+
+  private:
+    std::future<CoarseMesh> made_;
+    std::jthread thread_;
+};
+
+}  // namespace vantage
