@@ -138,6 +138,15 @@ std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double st
     return frames;
 }
 
+std::string view_text(const Navigation& n, const PackageReader& package) {
+    const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
+    const Eigen::Vector3d e = n.eye + origin, t = n.target + origin;
+    char text[256];
+    std::snprintf(text, sizeof text, "%.10g,%.10g,%.10g,%.10g,%.10g,%.10g,%.6g", e.x(), e.y(), e.z(), t.x(),
+                  t.y(), t.z(), n.fov);
+    return text;
+}
+
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,
                 const PackageReader& package, std::span<const std::string> bands,
                 std::optional<double> per_second) {

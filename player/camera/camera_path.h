@@ -41,6 +41,9 @@ std::vector<Navigation> photo_stops(const PackageReader& package, std::span<cons
 /// than a million frames.
 std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double step);
 
+/// A position as parse_view() takes it, with commas.
+std::string view_text(const Navigation& position, const PackageReader& package);
+
 /// Writes positions in the format of read_path, with a band for each unless `bands` is empty, and with times
 /// if so many of them are met `per_second`. Throws Error(storage).
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,

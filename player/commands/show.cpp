@@ -14,6 +14,7 @@
 #include "player/video/flight_frames.h"
 #include "player/video/run_video.h"
 #include "player/window/run_window.h"
+#include "scene/error.h"
 #include "scene/package_reader.h"
 
 namespace vantage {
@@ -56,6 +57,9 @@ std::string verbs_text() {
 
 void add_show_options(CLI::App& app, ShowOptions& o) {
     add_package_options(app, o.package);
+    app.get_option("FILE")->required(false)->description(
+        "package: a file, or its URL on a server (http:// or https://); without one, a window that lists "
+        "those opened before");
     add_object_options(app, o.objects);
     app.add_flag("--list", o.list, "list the photos and exit");
     add_output_options(app, o.output);
@@ -70,6 +74,7 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
     add_window_options(app, o.window);
     app.footer(
         "Examples:\n"
+        "  vantage-player\n"
         "  vantage-player chapel.vantage\n"
         "  vantage-player chapel.vantage --offscreen --photo 0003 -o 0003.png\n"
         "  vantage-player chapel.vantage --offscreen --photo all --scale 0.5 --blend best -o pictures\n"
@@ -95,8 +100,14 @@ int show_command(int argc, char** argv) {
     ShowOptions options;
     add_show_options(app, options);
     if (const auto code = parse(app, argc, argv)) return *code;
-    const std::vector<SceneObject> objects = named_objects(options.package, options.objects);
     const bool video = wants_video(options);
+    if (options.package.file.empty()) {
+        if (options.list || options.pictures.offscreen || video || options.window.kiosk ||
+            !options.objects.added.empty())
+            throw Error(Exit::usage, "expected a package: vantage-player FILE");
+        return run_window(options, {});
+    }
+    const std::vector<SceneObject> objects = named_objects(options.package, options.objects);
     if (!options.list && !options.pictures.offscreen && !video) return show(options, objects);
     const PackageReader package =
         opened_package(objects.front().package, options.memory, options.output.quiet);

@@ -63,6 +63,7 @@ void help_panel(Session& s) {
                           {"Ctrl+E", "edit notes and tours"},
                           {"O", "open another package (or drop it here)"},
                           {"P", "screenshot"},
+                          {"Ctrl+C, Ctrl+V", "copy the view as a command line, fly to a copied one"},
                           {"Tab", "all settings, or only the picture"},
                           {"F1 to F12", "help and panels; F11: full screen"},
                           {"Ctrl with + or -", "larger or smaller text"},

@@ -44,6 +44,9 @@ void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
     if (c.menu("File")) {
         if (c.menu_item("Open...", "O")) s.open_asked = true;
         if (c.menu_item("Screenshot", "P")) s.screenshot = true;
+        if (c.menu_item("Copy view", "Ctrl+C")) s.copies_view = true;
+        if (c.menu_item("Paste view", "Ctrl+V"))
+            if (const char* text = ImGui::GetClipboardText()) s.pasted = text;
         if (c.menu_item("Quit", "Ctrl+Q")) s.quit = true;
         ImGui::EndMenu();
     }

@@ -90,6 +90,8 @@ struct Session {
     std::string add;          ///< a package to show with the others, or empty
     bool save_scene = false;  ///< write a scene file
     bool screenshot = false, quit = false;
+    bool copies_view = false;  ///< the view is to be copied as a command line
+    std::string pasted;        ///< text with a view to fly to, or empty
     bool full_screen = false;
     bool kiosk = false;  ///< for the public: nothing can be opened, written, set or quit
     float text_scale = 1;

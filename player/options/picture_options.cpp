@@ -8,7 +8,8 @@ void add_picture_options(CLI::App& app, PictureOptions& o) {
     const std::string group = "Pictures without a display";
     app.add_flag("--offscreen", o.offscreen, "render to PNG instead of opening a window")->group(group);
     app.add_option("--view", o.view,
-                   "view from EX,EY,EZ to TX,TY,TZ, optionally with the vertical field of view in degrees")
+                   "view from EX,EY,EZ to TX,TY,TZ, optionally with the vertical field of view in degrees; "
+                   "of a window, the first one")
         ->group(group);
     app.add_option("--path", o.path,
                    "file of views, one per line, as for --view; without --offscreen, a video along them, "

@@ -178,6 +178,10 @@ void change_text(Session& s, float factor) {
 void run_command(Session& s, int key) {
     if (key == GLFW_KEY_Q) s.quit = !s.kiosk;
     if (key == GLFW_KEY_E && !s.kiosk) s.panels.story_editor = !s.panels.story_editor;
+    if (!ImGui::GetIO().WantTextInput && !s.kiosk) {  // else they are of a text field
+        s.copies_view |= key == GLFW_KEY_C;
+        if (const char* text = key == GLFW_KEY_V ? ImGui::GetClipboardText() : nullptr) s.pasted = text;
+    }
     if (key == GLFW_KEY_EQUAL || key == GLFW_KEY_KP_ADD) change_text(s, text_step);
     if (key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT) change_text(s, 1 / text_step);
 }

@@ -33,7 +33,7 @@ void OrthophotoWriter::start(Session& s, const PackageReader& package, double no
     if (const std::vector<Band> bands = read_bands(package); bands.size() > 1)
         arguments.insert(arguments.end(), {"--band", bands[s.settings.bands.shown].name});
     try {
-        program_.emplace(std::move(arguments));
+        program_.emplace(own_program, std::move(arguments));
         say(s, "the orthophoto is being written to " + file_, now);
     } catch (const Error& e) {
         say(s, e.what(), now);

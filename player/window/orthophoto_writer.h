@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "player/interface/session.h"
-#include "player/window/own_program.h"
+#include "player/window/child_program.h"
 
 namespace vantage {
 
@@ -15,7 +15,7 @@ class OrthophotoWriter {
 
   private:
     void start(Session& session, const PackageReader& package, double now);
-    std::optional<OwnProgram> program_;
+    std::optional<ChildProgram> program_;
     std::string file_;
 };
 

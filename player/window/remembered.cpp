@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "values/is_url.h"
 #include "values/xdg_folder.h"
 
 namespace vantage {
@@ -47,6 +48,7 @@ void for_fields(R& r, const Field& field) {
     field("panel_bands", r.panels.bands);
     field("band", r.band);
     field("other_band", r.other_band);
+    field("recent", r.recent);
     field("band_share", s.bands.share);
     field("band_wiper", s.bands.wiper);
 }
@@ -66,10 +68,14 @@ template <class T>
 void read(const nlohmann::json& j, const char* name, T& value) {
     const auto it = j.find(name);
     if (it == j.end()) return;
-    if (std::is_same_v<T, std::string> ? it->is_string()
-        : std::is_same_v<T, bool>      ? it->is_boolean()
-        : std::is_integral_v<T>        ? it->is_number_integer()
-                                       : it->is_number())
+    if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+        value.clear();
+        for (const auto& text : *it)
+            if (text.is_string()) value.push_back(text);
+    } else if (std::is_same_v<T, std::string> ? it->is_string()
+               : std::is_same_v<T, bool>      ? it->is_boolean()
+               : std::is_integral_v<T>        ? it->is_number_integer()
+                                              : it->is_number())
         value = it->get<T>();
 }
 
@@ -102,6 +108,16 @@ Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
     r.settings.weights.sharpness = std::clamp(r.settings.weights.sharpness, 0.005, 3.0);
     r.settings.weights.exponent = std::clamp(r.settings.weights.exponent, 0.0, 64.0);
     return r;
+}
+
+void remember_opened(Remembered& r, const std::string& file) {
+    constexpr std::size_t most = 8;
+    std::error_code error;
+    const std::string path = is_url(file) ? file : std::filesystem::absolute(file, error).string();
+    if (path.empty()) return;
+    std::erase(r.recent, path);
+    r.recent.insert(r.recent.begin(), path);
+    if (r.recent.size() > most) r.recent.resize(most);
 }
 
 void write_settings(const std::filesystem::path& folder, const Remembered& r) {

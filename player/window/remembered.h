@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "player/camera/shots.h"
 #include "player/interface/session.h"
@@ -16,10 +18,13 @@ struct Remembered {
     double text_scale = 0;  ///< 0: by the display
     RenderSettings settings;
     Panels panels;
-    std::string band, other_band;  ///< names: numbers differ between packages
+    std::string band, other_band;     ///< names: numbers differ between packages
+    std::vector<std::string> recent;  ///< packages and scene files that were opened, the last one first
 };
 /// The settings in the folder's player.json; missing or invalid ones are taken from `otherwise`.
 Remembered read_settings(const std::filesystem::path& folder, Remembered otherwise);
+/// Notes that a package or scene file was opened.
+void remember_opened(Remembered& remembered, const std::string& file);
 /// Writes player.json. Ignores errors: the window works without remembered settings.
 void write_settings(const std::filesystem::path& folder, const Remembered& remembered);
 

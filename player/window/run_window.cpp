@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cfloat>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -20,10 +19,12 @@
 #include "player/camera/shots.h"
 #include "player/window/glfw_window.h"
 #include "player/window/input.h"
+#include "player/window/new_frame.h"
 #include "player/window/opening.h"
 #include "player/window/remembered.h"
 #include "player/window/screenshot.h"
 #include "player/window/shown_scene.h"
+#include "player/window/start_page.h"
 #include "points/point_cloud.h"
 #include "scene/error.h"
 #include "scene/package_shape.h"
@@ -115,7 +116,12 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
             ? std::vector<std::uint32_t>{middle_photo(package.photos(), s.settings.bands.shown)}
             : named_photos(package, o.package.photos);
     s.standing_at = s.settings.compare_photo = named.front();
-    s.camera = s.home = s.earlier.last = home_of(package, s.standing_at);
+    s.camera = home_of(package, s.standing_at);
+    if (!o.pictures.view.empty()) {
+        const auto [view, distance] = parse_view_and_distance(o.pictures.view, package, {1280, 720});
+        s.camera = stand_at(view, s.camera.up, distance);
+    }
+    s.home = s.earlier.last = s.camera;
     s.panels.expert |= !o.layer.name.empty();
     return s;
 }
@@ -133,25 +139,44 @@ struct Requested {
     double at;              ///< seconds
 };
 
+/// Opens a package, or the first one of a scene file. Throws Error.
+Requested open_requested(GlfwWindow& window, const std::string& file, const MemoryOptions& memory,
+                         double now) {
+    std::vector<SceneObject> objects =
+        is_scene_file(file)
+            ? read_scene_file(file, SceneUse::show)
+            : std::vector{SceneObject{std::filesystem::path(file).stem().string(), file, {}, true}};
+    PackageReader package = open_in_window(window, objects.front().package, memory);
+    expect_shape(package);
+    expect_content(package);
+    for (std::size_t i = 1; i < objects.size(); ++i) open_in_window(window, objects[i].package, memory);
+    return Requested{file, std::move(objects), std::move(package), now};
+}
+
 /// Opens the package that the session asks for; empty, with a message, if it cannot be shown.
 std::optional<Requested> take_request(GlfwWindow& window, Session& session, const MemoryOptions& memory,
                                       double now) {
     const std::string file = std::exchange(session.open, "");
     if (file.empty()) return {};
     try {
-        std::vector<SceneObject> objects =
-            is_scene_file(file)
-                ? read_scene_file(file, SceneUse::show)
-                : std::vector{SceneObject{std::filesystem::path(file).stem().string(), file, {}, true}};
-        PackageReader package = open_in_window(window, objects.front().package, memory);
-        expect_shape(package);
-        expect_content(package);
-        for (std::size_t i = 1; i < objects.size(); ++i) open_in_window(window, objects[i].package, memory);
-        return Requested{file, std::move(objects), std::move(package), now};
+        return open_requested(window, file, memory, now);
     } catch (const Error& e) {
         say(session, e.what(), glfwGetTime());  // a server may have taken its time
         return {};
     }
+}
+
+/// Lets the user choose a package; empty if the window was closed.
+std::optional<Requested> ask_for_package(GlfwWindow& window, Controls& controls, const ShowOptions& o,
+                                         std::span<const std::string> recent) {
+    glfwSetWindowTitle(window.get(), "Vantage");
+    for (std::string trouble;;) try {
+            const std::string file = start_page(window, controls, recent, trouble, o.window.controls);
+            if (file.empty()) return {};
+            return open_requested(window, file, o.memory, glfwGetTime());
+        } catch (const Error& e) {
+            trouble = e.what();
+        }
 }
 
 /// Tells the supervisor of a kiosk that the window lives.
@@ -174,25 +199,6 @@ bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, 
     session.touched = events.any;
     lively = events.any ? frames_after_event : std::max(0, lively - 1);
     return !rests || events.any || glfwGetTime() >= scene.wakes_at();
-}
-
-/// ImGui reads which keys are down: those released since the last frame are, for this one; also Ctrl, which
-/// the caller releases after the frame, if it was not down before. It takes a finger for the mouse.
-void new_frame(const Session& session) {
-    ImGuiIO& io = ImGui::GetIO();
-    if (const auto& finger = session.input.finger) {
-        io.MousePos = finger->there ? ImVec2(float(finger->x), float(finger->y)) : ImVec2(-FLT_MAX, -FLT_MAX);
-        io.MouseDown[0] = finger->down;
-    }
-    auto& down = io.KeysDown;
-    std::vector<int> tapped;
-    for (const KeyPress& p : session.input.keys) {
-        io.KeyCtrl |= p.with == KeyPress::With::control;
-        if (p.key >= 0 && p.key < int(std::size(down)) && !std::exchange(down[p.key], true))
-            tapped.push_back(p.key);
-    }
-    ImGui::NewFrame();
-    for (const int key : tapped) down[key] = false;
 }
 
 /// Shows one package, requested at `requested_at` seconds, until the window closes or another package is
@@ -240,7 +246,6 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
 
 int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     const std::filesystem::path folder = o.window.fresh ? std::filesystem::path() : settings_folder();
-    const std::filesystem::path& file = objects.front().package;
     std::optional<PackageReader> first;
     Remembered remembered = remembered_window(o, folder);
     const auto start = [&](PackageReader package) {
@@ -248,23 +253,33 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
         remembered = start_settings(*first, o, folder);
     };
     // What is wrong with a file or an option is said without a window.
-    if (!is_url(file.native())) start(PackageReader(file));
+    if (!objects.empty() && !is_url(objects.front().package.native()))
+        start(PackageReader(objects.front().package));
     GlfwWindow window(o.output.size.empty() ? remembered.window : parse_size(o.output.size), "Vantage",
                       o.window.debug_gl == gl::Debug::on);
-    if (!first) start(open_in_window(window, file, o.memory));
     Controls controls;
-    Session session = start_session(*first, o, remembered);
-    session.text_scale = text_scale(o, remembered, window);
     std::optional<Requested> other, next;
-    const PackageReader* package = &*first;
-    bool damaged = false;
     double requested_at = glfwGetTime() - process_seconds();
+    if (objects.empty()) {
+        window.set_text_scale(text_scale(o, remembered, window));
+        other = ask_for_package(window, controls, o, remembered.recent);
+        if (!other) return int(Exit::ok);
+        remembered = start_settings(other->package, o, folder);
+        requested_at = other->at;
+    } else if (!first) {
+        start(open_in_window(window, objects.front().package, o.memory));
+    }
+    const PackageReader* package = other ? &other->package : &*first;
+    Session session = start_session(*package, o, remembered);
+    session.text_scale = text_scale(o, remembered, window);
+    bool damaged = false;
     for (;;) {
         glfwSetWindowTitle(window.get(), (package->path().filename().string() + " - Vantage").c_str());
         {
             ShowOptions options = o;
             if (other) options.package.file = other->file;
             ShownScene scene(*package, other ? other->objects : objects, options, session, controls);
+            remember_opened(remembered, options.package.file);
             next = show_package(window, session, scene, controls, o, requested_at);
             scene.stop_recording(glfwGetTime());
         }
@@ -277,6 +292,7 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
         remembered.settings.exposure.reset();  // refers to a photo of the previous package
         ShowOptions any_photo = o;
         any_photo.package.photos.clear();
+        any_photo.pictures.view.clear();
         any_photo.layer.name.clear();
         any_photo.blending.bands = {};
         const bool full_screen = session.full_screen;

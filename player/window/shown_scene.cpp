@@ -23,6 +23,7 @@
 #include "player/story/story_background.h"
 #include "player/window/numbered_file.h"
 #include "player/window/screenshot.h"
+#include "player/window/view_clipboard.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -40,6 +41,11 @@ std::size_t upload_of_frame(std::size_t bytes, double ms) {
     return std::size_t(double(bytes) * std::clamp(ms * 30 / 1000, 1.0, 64.0));
 }
 
+/// Where other packages are likely to be.
+std::filesystem::path package_folder(const PackageReader& package) {
+    return package.remote() ? std::filesystem::path(".") : package.path().parent_path();
+}
+
 /// The first picture is made of thumbnails: in software, it need not wait for the pixels between theirs.
 Pace pace_of_first_picture(double goal) {
     return goal > 0 && gl::current_device().software ? coarse_pace : Pace{};
@@ -54,14 +60,15 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       session_(session),
       controls_(controls),
       memory_limit_(memory_budget(o.memory).graphics),
-      open_dialog_(package.remote() ? "." : package.path().parent_path()),
+      open_dialog_(package_folder(package)),
       measure_(package),
       told_(told_story(o.package.file, input_axes(package), system_language())),
       clock_(gl::current_device().software),
       goal_ms_(frame_goal(o.window.fps)),
       pace_(pace_of_first_picture(goal_ms_)) {
     session_.photos = photos_in_use(package, o.package);
-    if (const auto opening = opening_of(told_); opening && o.package.photos.empty())
+    const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();
+    if (const auto opening = opening_of(told_); opening && !view_given)
         session_.camera = session_.home = session_.earlier.last = *opening;
     session_.settings.background =
         told_.story.background ? background_of(*told_.story.background) : Background{};
@@ -90,6 +97,7 @@ std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
 void ShownScene::frame(int width, int height, double now, bool keys) {
     Session& s = session_;
     if (kiosk_) attend(*kiosk_, s, s.touched, now);
+    use_clipboard(s, renderer_.package(), now);
     continue_flight(s, now);
     continue_tour(told_, s, now);
     note_view(s, now);
@@ -141,6 +149,7 @@ void ShownScene::interface(const View& view, double now) {
     if (layout_.strip.height > 0) strip_.show(controls_, s, renderer_, view, layout_.strip, now);
     tell(view, now);
     if (s.panels.help) help_panel(s);
+    chooser_.attend(s, package_folder(renderer_.package()), now);
     open_dialog_.show(controls_, s);
     drop_dialog(controls_, s);
     message_line(s, now);
@@ -181,7 +190,7 @@ void ShownScene::tell(const View& view, double now) {
 double ShownScene::wakes_at() const {
     double at = kiosk_ ? attends_at(*kiosk_) : HUGE_VAL;
     if (!session_.message.empty() && session_.message_until > shown_at_) at = session_.message_until;
-    if (orthophotos_.writes()) at = std::min(at, shown_at_ + 0.5);
+    if (orthophotos_.writes() || chooser_.asks()) at = std::min(at, shown_at_ + 0.5);
     if (looks_again()) at = std::min(at, drawn_at_ + look_again_seconds);
     if (ImGui::GetIO().WantTextInput) at = std::min(at, shown_at_ + blink_seconds);
     if (layout_.strip.height > 0) at = std::min(at, strip_.ranks_at());

@@ -18,6 +18,7 @@
 #include "player/render/renderer.h"
 #include "player/window/kiosk.h"
 #include "player/window/orthophoto_writer.h"
+#include "player/window/system_chooser.h"
 
 namespace vantage {
 
@@ -99,6 +100,7 @@ class ShownScene {
     std::optional<Recording> recording_;
     std::optional<Kiosk> kiosk_;
     OrthophotoWriter orthophotos_;
+    SystemChooser chooser_;
 };
 
 }  // namespace vantage

@@ -107,6 +107,62 @@ remembers expert true
 remembers panel_frusta true
 remembers panel_radar true
 
+# Without a package: one is dropped on the window, then it is among those opened before.
+start_page() {  # start_page [NAME=VALUE...]: the window without a package
+  rm -f places
+  env "$@" "$player" --size 900x700 --controls "$dir/places" >says 2>&1 &
+  pid=$!
+  for _ in $(seq 200); do grep -qs "^Open a package" places && break; sleep 0.1; done
+  window=$(xdotool search --name Vantage | tail -1)
+  xdotool windowfocus "$window"
+  sleep 0.3
+}
+opens() {  # opens NAME: waits until the window shows that package
+  for _ in $(seq 100); do [ "$(title)" = "$1 - Vantage" ] && break; sleep 0.1; done
+  [ "$(title)" = "$1 - Vantage" ] || fail "expected $1, the window shows $(title)"
+}
+start_page
+cp one.vantage three.vantage
+head -c 3000 one.vantage >cut.vantage
+/usr/bin/python3 "$source_of_tests/drop_files.py" "$window" cut.vantage || fail "the start page takes no files"
+alive "a truncated package on the start page"
+/usr/bin/python3 "$source_of_tests/drop_files.py" "$window" three.vantage || fail "the start page takes no files"
+opens three.vantage
+quit
+start_page
+press "$dir/three.vantage"
+opens three.vantage
+quit
+start_page
+xdotool key o
+there "Cancel" || fail "O does not open the dialog on the start page"
+xdotool key Escape; frames 3
+xdotool key ctrl+q; await_exit "Ctrl+Q on the start page"
+
+# The desktop's own dialog, where there is one.
+mkdir bin
+printf '#!/bin/sh\necho "%s"\n' "$dir/folder/two.vantage" >bin/zenity && chmod +x bin/zenity
+start_page PATH="$dir/bin:$PATH" XDG_CURRENT_DESKTOP=GNOME
+xdotool key o
+opens two.vantage
+quit
+
+# A view from the command line; copied as one, and pasted after the camera has moved.
+start . one.vantage --view 1,-9,3,1,0,3,40
+stands_now() {  # as stands_at, of the newest path
+  xdotool key r; frames 3; xdotool key r; frames 3
+  grep -v "^#" "$(ls one-*.path | tail -1)" | tail -1 | sed "s, at=.*,,"
+}
+given=$(stands_now)
+[ "$(echo "$given" | awk '{ print $1, $2, $3, $7 }')" = "1 -9 3 40" ] || fail "--view opens the window at $given"
+xdotool key ctrl+c; frames 3
+xdotool key n; sleep 1.5; frames 3
+[ "$(stands_now)" != "$given" ] || fail "N does not move the camera"
+xdotool key ctrl+v; sleep 1.5; frames 3
+pasted=$(stands_now)
+[ "$pasted" = "$given" ] || fail "pasting the view leads to $pasted, expected $given"
+quit
+
 # Where nothing can be written, that is said, and the window stays.
 start /proc "$dir/one.vantage"
 xdotool key p; frames 3

@@ -1,0 +1,103 @@
+#include "player/window/start_page.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <epoxy/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "player/interface/open_dialog.h"
+#include "player/window/new_frame.h"
+#include "player/window/system_chooser.h"
+
+namespace vantage {
+namespace {
+
+/// The packages by name, with their folders; sets `s.open` to the one that is clicked.
+void recent_packages(Controls& c, Session& s, std::span<const std::string> recent) {
+    if (recent.empty()) return;
+    ImGui::TextDisabled("Opened before");
+    for (const std::string& file : recent) {
+        const std::filesystem::path path = file;
+        if (c.button((path.filename().string() + "##" + file).c_str())) s.open = file;
+        ImGui::SameLine();
+        ImGui::TextDisabled("%s", path.parent_path().c_str());
+    }
+    ImGui::Spacing();
+}
+
+void page(Controls& c, Session& s, std::span<const std::string> recent, const std::string& trouble) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    ImGui::Begin("##start", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::SetWindowFontScale(1.6f);
+    ImGui::TextUnformatted("Vantage");
+    ImGui::SetWindowFontScale(1);
+    ImGui::TextUnformatted("Shows a scanned object through its own photographs.");
+    ImGui::Spacing();
+    recent_packages(c, s, recent);
+    if (c.button("Open a package...")) s.open_asked = true;
+    ImGui::SameLine();
+    ImGui::TextUnformatted("or drop one here");
+    ImGui::TextDisabled("Packages are made by: vantage prepare SCAN -o NAME.vantage");
+    if (!trouble.empty()) {
+        ImGui::PushTextWrapPos(40 * ImGui::GetFontSize());
+        ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), "%s", trouble.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::End();
+}
+
+/// O opens, Ctrl+Q quits; not while a dialog has the keyboard.
+void take_keys(Session& s) {
+    for (const KeyPress& p : s.input.keys) s.quit |= p.key == GLFW_KEY_Q && p.with == KeyPress::With::control;
+    if (!ImGui::GetIO().WantTextInput && take_key(s, GLFW_KEY_O)) s.open_asked = true;
+}
+
+void draw(GLFWwindow* window) {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window, &width, &height);
+    ImGui::Render();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, width, height);
+    glClearColor(0.05f, 0.05f, 0.06f, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    glfwSwapBuffers(window);
+}
+
+}  // namespace
+
+std::string start_page(GlfwWindow& window, Controls& c, std::span<const std::string> recent,
+                       const std::string& trouble, const std::string& places) {
+    constexpr double blink_seconds = 0.3;  // of a text field's cursor
+    Session s;
+    OpenDialog dialog(".");
+    SystemChooser chooser;
+    for (int lively = 3; s.open.empty() && !s.quit && !glfwWindowShouldClose(window.get());) {
+        WindowEvents events = window.events(lively > 0 ? 0 : blink_seconds);
+        lively = events.any || !places.empty() ? 3 : std::max(0, lively - 1);
+        s.input = std::move(events.input);
+        if (!events.dropped.empty()) s.open = events.dropped.back();
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui_ImplGlfw_NewFrame();
+        new_frame(s);
+        c.begin_frame();
+        take_keys(s);
+        page(c, s, recent, s.message.empty() ? trouble : s.message);
+        chooser.attend(s, std::filesystem::current_path(), glfwGetTime());
+        dialog.show(c, s);
+        draw(window.get());
+        if (!places.empty()) c.write_places(places);
+    }
+    return s.open;
+}
+
+}  // namespace vantage

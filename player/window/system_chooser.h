@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "player/interface/session.h"
+#include "player/window/child_program.h"
+
+namespace vantage {
+
+/// The desktop's own dialog to choose a package, in a desktop session that has zenity or kdialog.
+class SystemChooser {
+  public:
+    /// Asks in place of the window's own dialog, if the session asks for a file and there is such a dialog;
+    /// and has the session open what was chosen. `folder`: where it begins.
+    void attend(Session& session, const std::filesystem::path& folder, double now);
+    bool asks() const { return program_.has_value(); }
+
+  private:
+    void ask(const std::string& program, const std::filesystem::path& folder);
+    std::optional<ChildProgram> program_;
+};
+
+}  // namespace vantage
