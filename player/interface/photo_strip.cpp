@@ -10,6 +10,7 @@
 
 #include "player/interface/band_section.h"
 #include "player/interface/docked.h"
+#include "player/interface/photo_list_section.h"
 #include "player/stream/stream_request.h"
 
 namespace vantage {
@@ -35,6 +36,22 @@ GLuint PhotoStrip::picture(const Residency& residency, std::uint32_t layer) {
         glTextureParameteri(view, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     }
     return view;
+}
+
+void PhotoStrip::tooltip(Renderer& renderer, std::uint32_t photo) {
+    const package::PhotoRecord& p = renderer.scene().photos[photo];
+    const Residency& residency = renderer.store().residency();
+    if (p.levels) renderer.want_thumbnail(photo);
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(p.name);
+    if (const auto layer = residency.thumbnail_layer(photo); layer && p.levels) {
+        const float height = 9 * ImGui::GetFontSize();
+        const ImVec2 share(float(p.thumbnail_width) / float(residency.layout().thumbnail_width),
+                           float(p.thumbnail_height) / float(residency.layout().thumbnail_height));
+        ImGui::Image(ImTextureID(std::uintptr_t(picture(residency, *layer))),
+                     ImVec2(height * float(p.width) / float(p.height), height), ImVec2(0, 0), share);
+    }
+    ImGui::EndTooltip();
 }
 
 void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const View& view, const Area& area,
@@ -90,6 +107,8 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
             const StreamRequest request = thumbnail_request(renderer.package(), order[n]);
             lacks_ |= residency.available(Resource::thumbnail) > 0 && !residency.failed(request);
         }
+        if (shows_listed_point(s, order[n]))
+            list.AddRect(ImVec2(at.x + 3, at.y + 3), ImVec2(end.x - 3, end.y - 3), IM_COL32_WHITE, 0, 0, 2);
         const bool used = renderer.uses(order[n]);
         const FalseColor c = false_color(order[n]);
         if (used || hovered)

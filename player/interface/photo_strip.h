@@ -15,6 +15,8 @@ class PhotoStrip {
     ~PhotoStrip();
     void show(Controls& controls, Session& session, Renderer& renderer, const View& view, const Area& area,
               double now);
+    /// A photo's name and thumbnail beside the pointer.
+    void tooltip(Renderer& renderer, std::uint32_t photo);
     /// When photos are due to be ordered again, in seconds.
     double ranks_at() const { return outdated_ ? ranked_at_ + ranking_seconds : HUGE_VAL; }
     /// Whether a thumbnail that is in sight is still to come.

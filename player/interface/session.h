@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "player/render/frame_statistics.h"
 #include "player/render/pace.h"
 #include "player/render/render_settings.h"
+#include "player/survey/footprint.h"
 
 namespace vantage {
 
@@ -17,7 +19,8 @@ namespace vantage {
 struct Panels {
     bool bar = true, photos = true, frusta = false, radar = false, help = false;
     bool expert = false;  ///< the menu, and the sidebar with the sections that follow
-    bool picture = true, cut = false, orthophoto = false, blending = true, status = false, objects = false;
+    bool picture = true, photo_list = false, cut = false, orthophoto = false, blending = true, status = false,
+         objects = false;
     bool layers = true;                ///< if the package has layers of its own; else closed until asked for
     bool points = true, bands = true;  ///< only if the package has any
     bool measure = false;              ///< and clicks measure
@@ -60,6 +63,14 @@ struct Session {
     bool lamp_follows = true;       ///< the raking light follows the pointer
     Cut cut;
     OrthophotoRequest orthophoto;
+    /// The list of all photos.
+    struct PhotoList {
+        std::array<char, 100> filter{};  ///< part of a name
+        bool by_point = false;           ///< lists those that show a point that is clicked
+        std::optional<Eigen::Vector3d> point;
+        std::vector<Footprint> showing;  ///< the photos that show it
+    };
+    PhotoList photo_list;
 
     /// A flight in progress: to a photo, along a recorded path, or along a curve with times of its own.
     struct Flight {

@@ -10,6 +10,7 @@
 #include "player/interface/layer_section.h"
 #include "player/interface/object_section.h"
 #include "player/interface/orthophoto_section.h"
+#include "player/interface/photo_list_section.h"
 #include "player/interface/picture_section.h"
 #include "player/interface/point_section.h"
 #include "player/interface/status_section.h"
@@ -27,10 +28,13 @@ void section(Controls& c, const char* name, bool& open, const Content& content) 
     ImGui::Spacing();
 }
 
-bool sections(Controls& c, Session& s, const Renderer& renderer, ObjectSet& objects, const View& view) {
+bool sections(Controls& c, Session& s, const Renderer& renderer, ObjectSet& objects, const View& view,
+              double now) {
     bool changed = false;
     Panels& p = s.panels;
     section(c, "Picture", p.picture, [&] { picture_section(c, s, renderer); });
+    if (!renderer.scene().photos.empty())
+        section(c, "Photos", p.photo_list, [&] { photo_list_section(c, s, renderer, now); });
     const PackageReader& package = renderer.package();
     if (!points_only(package.scene())) {
         section(c, "Cut", p.cut, [&] {
@@ -53,11 +57,11 @@ bool sections(Controls& c, Session& s, const Renderer& renderer, ObjectSet& obje
 }  // namespace
 
 bool sidebar(Controls& c, Session& s, const Renderer& renderer, ObjectSet& objects, const View& view,
-             const Area& area) {
+             const Area& area, double now) {
     begin_docked("##sidebar", area, ImGui::GetStyle().WindowPadding,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse);
     ImGui::PushItemWidth(width_beside_names());
-    const bool changed = sections(c, s, renderer, objects, view);
+    const bool changed = sections(c, s, renderer, objects, view, now);
     ImGui::PopItemWidth();
     ImGui::End();
     return changed;

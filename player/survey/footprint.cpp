@@ -19,20 +19,34 @@ bool is_hidden(const PlanScene& scene, std::uint32_t photo, const Eigen::Vector3
     return first_hit(scene, {eye, position - eye}, {0, free_share}).has_value();
 }
 
-}  // namespace
-
-std::optional<Footprint> smallest_footprint(const PlanScene& scene, std::uint32_t triangle,
-                                            const Eigen::Vector3d& position) {
-    std::vector<Footprint> candidates;
+/// As far as the coverage and the frames tell, the smallest first.
+std::vector<Footprint> likely_footprints(const PlanScene& scene, std::uint32_t triangle,
+                                         const Eigen::Vector3d& position) {
+    std::vector<Footprint> out;
     for (std::uint32_t p = 0; p < scene.photos.size(); ++p) {
         if (triangle >= scene.triangles || scene.visible[p].empty() || !sees(scene, p, triangle)) continue;
         const Intrinsics& k = scene.intrinsics[p];
         const auto at = project(k, scene.poses[p], position);
-        if (at && in_frame(k, at->pixel)) candidates.push_back({at->z / std::sqrt(k.fx * k.fy), p});
+        if (at && in_frame(k, at->pixel)) out.push_back({at->z / std::sqrt(k.fx * k.fy), p});
     }
-    std::ranges::stable_sort(candidates, {}, &Footprint::size);
-    for (const Footprint& f : candidates)
-        if (std::isfinite(f.size) && !is_hidden(scene, f.photo, position)) return f;
+    std::erase_if(out, [](const Footprint& f) { return !std::isfinite(f.size); });
+    std::ranges::stable_sort(out, {}, &Footprint::size);
+    return out;
+}
+
+}  // namespace
+
+std::vector<Footprint> footprints(const PlanScene& scene, std::uint32_t triangle,
+                                  const Eigen::Vector3d& position) {
+    std::vector<Footprint> out = likely_footprints(scene, triangle, position);
+    std::erase_if(out, [&](const Footprint& f) { return is_hidden(scene, f.photo, position); });
+    return out;
+}
+
+std::optional<Footprint> smallest_footprint(const PlanScene& scene, std::uint32_t triangle,
+                                            const Eigen::Vector3d& position) {
+    for (const Footprint& f : likely_footprints(scene, triangle, position))
+        if (!is_hidden(scene, f.photo, position)) return f;
     return {};
 }
 

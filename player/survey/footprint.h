@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "player/plan/plan_scene.h"
 
@@ -13,9 +14,11 @@ struct Footprint {
     std::uint32_t photo;  ///< whose pixels are that small
 };
 
-/// The smallest footprint among the photos that see a point of a triangle (from 0): whose coverage has the
+/// Those of the photos that see a point of a triangle (from 0), the smallest first: whose coverage has the
 /// triangle, in whose frame the point is, and between whose camera and the point the mesh has nothing else.
-/// Nothing if no photo sees it.
+std::vector<Footprint> footprints(const PlanScene& scene, std::uint32_t triangle,
+                                  const Eigen::Vector3d& position);
+/// The first of them. Nothing if no photo sees it.
 std::optional<Footprint> smallest_footprint(const PlanScene& scene, std::uint32_t triangle,
                                             const Eigen::Vector3d& position);
 

@@ -36,6 +36,7 @@ void for_fields(R& r, const Field& field) {
     field("sharpness", w.sharpness);
     field("expert", r.panels.expert);
     field("panel_picture", r.panels.picture);
+    field("panel_photo_list", r.panels.photo_list);
     field("panel_cut", r.panels.cut);
     field("panel_orthophoto", r.panels.orthophoto);
     field("panel_blending", r.panels.blending);

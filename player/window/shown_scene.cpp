@@ -11,11 +11,13 @@
 #include "gl/context.h"
 #include "player/camera/camera_path.h"
 #include "player/interface/comparison.h"
+#include "player/interface/frusta.h"
 #include "player/interface/help_panel.h"
 #include "player/interface/menu_bar.h"
 #include "player/interface/message_line.h"
 #include "player/interface/object_section.h"
-#include "player/interface/overlays.h"
+#include "player/interface/photo_list_section.h"
+#include "player/interface/radar_panel.h"
 #include "player/interface/sidebar.h"
 #include "player/interface/surface_at_pixel.h"
 #include "player/interface/visitor_bar.h"
@@ -135,13 +137,14 @@ void ShownScene::interface(const View& view, double now) {
     Session& s = session_;
     if (s.panels.bar) visitor_bar(controls_, s, renderer_, view, layout_.bar, now);
     if (!drawn_) return;  // the rest would delay the first picture
-    if (s.panels.frusta) draw_frusta(s, renderer_, view);
+    if (s.panels.frusta) frusta(s, renderer_, strip_, view, now);
+    pick_listed_point(s, renderer_.scene(), view);
     const Intrinsics& frame = view.intrinsics;
     comparison(controls_, s, renderer_.scene(), {0, 0, double(frame.width), double(frame.height)});
     false_color_legend(s);
     if (s.panels.expert) {
         menu_bar(controls_, s, renderer_, now);
-        if (sidebar(controls_, s, renderer_, objects_, view, layout_.sidebar)) samples_ = 0;
+        if (sidebar(controls_, s, renderer_, objects_, view, layout_.sidebar, now)) samples_ = 0;
     }
     show_cut(view, now);
     measure_.show(controls_, s, s.panels.measure ? objects_.meshes() : std::vector<PlacedMesh>{}, view, now);

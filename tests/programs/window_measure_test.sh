@@ -127,6 +127,25 @@ awk '
   NR % 2 { code = $1; next }
   code == 30 || code == 31 { if (n++ == 0) height = $1; off += $1 - height > 1e-6 || height - $1 > 1e-6 }
   END { exit !(n > 20 && off == 0 && height > 1 && height < 6) }' one-cut-0001.dxf || fail "the cut is not level: $(head -c 400 one-cut-0001.dxf)"
+# Photos by name, and those that show a point, the sharpest first.
+press "Section Picture"; press "Section Blending"; press "Section Photos"
+listed() { frames 3; awk -F'\t' '$1 ~ /^Fly to / { print substr($1, 8) }' places | paste -sd' '; }
+type_into "Name contains" "${photo%.*}"
+[ "$(listed)" = "$photo" ] || fail "of photos named $photo, $(listed) are listed"
+type_into "Name contains" ""
+xdotool key BackSpace; frames 3
+all=$(listed)
+press "Of a point"
+xdotool mousemove 600 282 click 1; frames 4
+[ -n "$(listed)" ] || fail "no photo shows the middle of the picture"
+press "Use only these"; press "Fly to $(listed | cut -d' ' -f1)"
+sleep 1.5; frames 3
+xdotool mousemove 880 60 click 1; frames 3  # beside the model: the point stays
+press "Use $(listed | cut -d' ' -f1)"
+press "Use all"; press "Of a point"
+[ "$(listed)" = "$all" ] || fail "without a point, $(listed) are listed instead of $all"
+press "Section Photos"
+
 # An orthophoto while the window is used: that of the command, which tests compare with the surface pixel by pixel.
 press "Section Cut"
 press "Section Orthophoto"

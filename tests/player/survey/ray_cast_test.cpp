@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -124,6 +125,11 @@ TEST(Footprint, IsThatOfTheFinestPhotoThatSeesThePoint) {
     ASSERT_TRUE(on_front);
     EXPECT_EQ(on_front->photo, 0u);
     EXPECT_NEAR(on_front->size, 7 / 2000.0, 1e-12);
+    const std::vector<Footprint> all = footprints(m.scene, 0, {0, 0, 0});
+    ASSERT_FALSE(all.empty());
+    EXPECT_EQ(all.front().photo, seen->photo);
+    EXPECT_TRUE(std::ranges::is_sorted(all, {}, &Footprint::size));
+    EXPECT_TRUE(footprints(m.scene, 0, {100, 100, 0}).empty());
     EXPECT_FALSE(smallest_footprint(m.scene, 0, {100, 100, 0})) << "in no photo's frame";
     EXPECT_FALSE(smallest_footprint(m.scene, 12345, {0, 0, 0}));
 }

@@ -1,4 +1,4 @@
-#include "player/interface/overlays.h"
+#include "player/interface/radar_panel.h"
 
 #include <imgui.h>
 
@@ -8,44 +8,9 @@
 #include <cmath>
 
 #include "player/interface/band_section.h"
-#include "player/interface/scene_line.h"
+#include "player/interface/weight_color.h"
 
 namespace vantage {
-namespace {
-
-ImU32 weight_color(double distance, double angle, float alpha) {
-    return ImGui::ColorConvertFloat4ToU32(
-        ImVec4(float(0.15 + 0.85 * angle), float(0.15 + 0.85 * distance), 0.2f, alpha));
-}
-
-}  // namespace
-
-void draw_frusta(const Session& s, const Renderer& renderer, const View& view) {
-    const PlanScene& scene = renderer.scene();
-    const ViewWeights weights = view_weights(view, scene.photos, s.settings.weights);
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const double length = 0.06 * scene.size;
-    for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
-        if (!is_shown(s.settings.bands, scene.photos[i])) continue;
-        const Intrinsics& k = scene.intrinsics[i];
-        const Pose& pose = scene.poses[i];
-        const Eigen::Vector3d center = pose.center();
-        if ((center - view.cam_from_origin.center()).norm() < 0.02 * length)
-            continue;  // the viewer is at this camera
-        const bool used = renderer.uses(i);
-        const ImU32 color = weight_color(weights.distance[i], weights.angle[i], used ? 1.0f : 0.45f);
-        std::array<Eigen::Vector3d, 4> corner;
-        for (std::size_t c = 0; c < 4; ++c) {
-            const double u = c == 1 || c == 2 ? k.width : 0, v = c >= 2 ? k.height : 0;
-            corner[c] = center + pose.R.transpose() *
-                                     (Eigen::Vector3d((u - k.cx) / k.fx, (v - k.cy) / k.fy, 1) * length);
-        }
-        for (std::size_t c = 0; c < 4; ++c) {
-            scene_line(list, view, center, corner[c], color, used ? 2.0f : 1.0f);
-            scene_line(list, view, corner[c], corner[(c + 1) % 4], color, used ? 2.0f : 1.0f);
-        }
-    }
-}
 
 void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const View& view, double now) {
     const float em = ImGui::GetFontSize();

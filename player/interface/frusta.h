@@ -1,0 +1,13 @@
+#pragma once
+#include "player/interface/photo_strip.h"
+#include "player/interface/session.h"
+#include "player/render/renderer.h"
+
+namespace vantage {
+
+/// The photos' frusta over the scene: the nearer, the greener; the more similar in direction, the redder [M];
+/// brighter and thicker if in use; white if they show the point of the list of photos. The one under the
+/// pointer shows its name and picture; a click flies to it.
+void frusta(Session& session, Renderer& renderer, PhotoStrip& strip, const View& view, double now);
+
+}  // namespace vantage

@@ -1,0 +1,126 @@
+#include "player/interface/photo_list_section.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "player/interface/band_section.h"
+#include "player/survey/ray_cast.h"
+#include "values/lower_case.h"
+
+namespace vantage {
+namespace {
+
+/// Those that the filter and the point leave, in the order in which they are listed.
+std::vector<std::uint32_t> listed(const Session& s, const PlanScene& scene) {
+    std::vector<std::uint32_t> out;
+    const std::string filter = lower_case(s.photo_list.filter.data());
+    const auto passes = [&](std::uint32_t p) {
+        return is_shown(s.settings.bands, scene.photos[p]) &&
+               lower_case(scene.photos[p].name).find(filter) != std::string::npos;
+    };
+    if (s.photo_list.by_point && s.photo_list.point) {
+        for (const Footprint& f : s.photo_list.showing)
+            if (passes(f.photo)) out.push_back(f.photo);
+        return out;
+    }
+    for (std::uint32_t p = 0; p < scene.photos.size(); ++p)
+        if (passes(p)) out.push_back(p);
+    return out;
+}
+
+void use(Session& s, std::uint32_t photo, bool used) {
+    std::erase(s.photos, photo);
+    if (used) s.photos.insert(std::ranges::upper_bound(s.photos, photo), photo);
+}
+
+/// What there is to know of it: at the point, or as a whole.
+std::string remark(const Session& s, const package::PhotoRecord& photo, std::uint32_t number) {
+    char text[96] = "";
+    const auto at = std::ranges::find(s.photo_list.showing, number, &Footprint::photo);
+    if (!photo.levels) return "left out";
+    if (s.photo_list.by_point && s.photo_list.point && at != s.photo_list.showing.end())
+        std::snprintf(text, sizeof text, "pixels of %.3g", at->size);
+    else
+        std::snprintf(text, sizeof text, "sees %.0f %%, %+.1f stops", 100 * photo.visible_vertices,
+                      -std::log2(std::max(photo.gain[1], 1e-9)));
+    return text;
+}
+
+void row(Controls& c, Session& s, const PlanScene& scene, std::uint32_t photo, double now) {
+    const package::PhotoRecord& p = scene.photos[photo];
+    const std::string name = p.name;
+    bool used = std::ranges::binary_search(s.photos, photo);
+    ImGui::BeginDisabled(!p.levels);
+    if (c.checkbox(("##Use " + name).c_str(), &used)) use(s, photo, used);
+    Controls::explain("Use this photo.");
+    ImGui::SameLine();
+    if (c.button((name + "##Fly to " + name).c_str())) fly_to(s, photo, p, now);
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", remark(s, p, photo).c_str());
+}
+
+void point_line(const Session& s) {
+    const Session::PhotoList& list = s.photo_list;
+    if (!list.by_point) return;
+    if (!list.point)
+        ImGui::TextUnformatted("Click on the model.");
+    else
+        ImGui::Text("%zu photos show the point", list.showing.size());
+}
+
+}  // namespace
+
+void photo_list_section(Controls& c, Session& s, const Renderer& renderer, double now) {
+    const PlanScene& scene = renderer.scene();
+    Session::PhotoList& list = s.photo_list;
+    ImGui::InputText("Name contains", list.filter.data(), list.filter.size());
+    c.note("Name contains");
+    c.checkbox("Of a point", &list.by_point);
+    Controls::explain(
+        "Lists the photos that show the point you click on the model, those with the finest pixels first.");
+    if (!list.by_point) list.point.reset();
+    point_line(s);
+    const std::vector<std::uint32_t> photos = listed(s, scene);
+    if (c.button("Use only these")) s.photos = photos, std::ranges::sort(s.photos);
+    std::erase_if(s.photos, [&](std::uint32_t p) { return !scene.photos[p].levels; });
+    ImGui::SameLine();
+    if (c.button("Use all")) {
+        s.photos.clear();
+        for (std::uint32_t p = 0; p < scene.photos.size(); ++p)
+            if (scene.photos[p].levels) s.photos.push_back(p);
+    }
+    ImGui::BeginChild("##photos", ImVec2(0, 12 * ImGui::GetFontSize()), true);
+    ImGuiListClipper clipper;
+    clipper.Begin(int(photos.size()));
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            row(c, s, scene, photos[std::size_t(i)], now);
+    ImGui::EndChild();
+}
+
+void pick_listed_point(Session& s, const PlanScene& scene, const View& view) {
+    Session::PhotoList& list = s.photo_list;
+    if (!list.by_point || !s.panels.expert || !s.panels.photo_list) return;
+    if (!s.panels.measure && !ImGui::GetIO().WantCaptureMouse)
+        for (const Click& click : s.input.clicks)
+            if (const auto hit = first_hit(scene, ray_through(view, {click.x, click.y}))) {
+                list.point = hit->position;
+                list.showing = footprints(scene, hit->triangle, hit->position);
+            }
+    const auto at = list.point ? project(view.intrinsics, view.cam_from_origin, *list.point) : std::nullopt;
+    if (!at) return;
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const ImVec2 middle(float(at->pixel.x()), float(at->pixel.y()));
+    draw.AddCircle(middle, 7, IM_COL32_BLACK, 0, 4);
+    draw.AddCircle(middle, 7, IM_COL32_WHITE, 0, 2);
+}
+
+bool shows_listed_point(const Session& s, std::uint32_t photo) {
+    return s.photo_list.point && std::ranges::count(s.photo_list.showing, photo, &Footprint::photo) > 0;
+}
+
+}  // namespace vantage
