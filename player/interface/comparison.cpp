@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "player/interface/agreeing_photo.h"
 #include "values/srgb.h"
 
 namespace vantage {
@@ -92,6 +93,18 @@ void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& fra
         default:
             return;
     }
+}
+
+void toggle_comparison(Session& s, const PlanScene& scene, const View& view, double now) {
+    if (s.settings.compare != Compare::nothing) {
+        s.settings.compare = Compare::nothing;
+        return;
+    }
+    const auto photo = agreeing_photo(scene, view, s.settings.bands);
+    if (!photo) return;
+    s.settings.compare = Compare::wiper;
+    s.settings.bands.how = BandView::mix;  // one comparison at a time
+    fly_to(s, *photo, scene.photos[*photo], now);
 }
 
 void false_color_legend(const Session& s) {

@@ -9,6 +9,9 @@ namespace vantage {
 /// whole window, pixels.
 void comparison(Controls& controls, Session& session, const PlanScene& scene, const Area& frame);
 
+/// Flies to the photo that agrees best with the view, and compares the model with it; or ends the comparison.
+void toggle_comparison(Session& session, const PlanScene& scene, const View& view, double now);
+
 /// What the false colors of the picture mean.
 void false_color_legend(const Session& session);
 

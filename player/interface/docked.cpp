@@ -1,5 +1,7 @@
 #include "player/interface/docked.h"
 
+#include <algorithm>
+
 namespace vantage {
 
 void begin_docked(const char* name, const Area& area, ImVec2 padding, ImGuiWindowFlags flags) {
@@ -9,6 +11,12 @@ void begin_docked(const char* name, const Area& area, ImVec2 padding, ImGuiWindo
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | flags);
     ImGui::PopStyleVar(2);
+}
+
+void keep_within(const Area& area) {
+    const ImVec2 at = ImGui::GetWindowPos(),
+                 inside(std::max(at.x, float(area.left)), std::max(at.y, float(area.top)));
+    if (inside.x != at.x || inside.y != at.y) ImGui::SetWindowPos(inside);
 }
 
 }  // namespace vantage

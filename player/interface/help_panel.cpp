@@ -53,7 +53,7 @@ void help_panel(Session& s) {
                           {"W A S D, Q E", "fly; faster with Shift"},
                           {"H, Backspace", "back to the first view; to the view before", true},
                           {"N, B", "fly to the photo on the right, on the left", true},
-                          {"C", "compare: side by side, wiper, difference", true},
+                          {"C", "compare with the closest photo; drag the line between them", true},
                           {"V", "show photos, which photo, how many photos"},
                           {"X", "show the next band of photos", true},
                           {blends.keys.c_str(), blends.labels.c_str()},

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "player/interface/docked.h"
 #include "player/interface/measure_overlay.h"
 #include "player/survey/number_text.h"
 #include "scene/error.h"
@@ -97,6 +98,7 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
     ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0),
                                         ImVec2(FLT_MAX, std::max(11 * em, float(s.free.height) - 2 * em)));
     if (ImGui::Begin("Measure", &s.panels.measure, ImGuiWindowFlags_AlwaysAutoResize)) {
+        keep_within(s.free);
         ImGui::PushItemWidth(11 * em);
         content(c, s, now);
         ImGui::PopItemWidth();

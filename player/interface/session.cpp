@@ -25,7 +25,10 @@ void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record,
     s.flight = Session::Flight{{s.camera, stand_at(record, s.camera.up)}, now, 0.7};
 }
 
-void fly_home(Session& s, double now) { s.flight = Session::Flight{{s.camera, s.home}, now, 0.7}; }
+void fly_home(Session& s, double now) {
+    s.settings.compare = Compare::nothing;
+    s.flight = Session::Flight{{s.camera, s.home}, now, 0.7};
+}
 
 void fly_to_point(Session& s, const Eigen::Vector3d& point, double now) {
     s.flight =

@@ -130,7 +130,7 @@ void fly_to_point(Session& session, const Eigen::Vector3d& point, double now);
 void note_view(Session& session, double now);
 /// Starts a flight to the view before the last movement.
 void fly_back(Session& session, double now);
-/// Starts a flight to where the session began.
+/// Ends a comparison, and starts a flight to where the session began.
 void fly_home(Session& session, double now);
 /// Starts a flight along the recorded path, as fast as it was recorded.
 void replay(Session& session, double now);

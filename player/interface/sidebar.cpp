@@ -24,7 +24,9 @@ template <class Content>
 void section(Controls& c, const char* name, bool& open, const Content& content) {
     c.section(name, &open);
     if (!open) return;
+    ImGui::PushID(name);  // a control may be named like another section
     content();
+    ImGui::PopID();
     ImGui::Spacing();
 }
 

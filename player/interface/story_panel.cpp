@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "player/interface/docked.h"
+
 namespace vantage {
 namespace {
 
@@ -59,6 +61,7 @@ void story_panel(Controls& c, ToldStory& told, Session& s, bool* shown, double n
     if (!ImGui::Begin(((title.empty() ? "Story" : title) + "###story").c_str(), shown,
                       ImGuiWindowFlags_AlwaysAutoResize))
         return ImGui::End();
+    keep_within(s.free);
     language_choice(c, told);
     for (std::size_t i = 0; i < told.story.notes.size(); ++i) {
         ImGui::PushID(int(i));
@@ -82,6 +85,7 @@ void note_card(Controls& c, ToldStory& told, NotePicture& picture, Session& s, d
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 6 * em), ImVec2(width, std::max(8 * em, 0.9f * high)));
     bool shown = true;
     if (ImGui::Begin((label_of(told, at) + "###card").c_str(), &shown, ImGuiWindowFlags_AlwaysAutoResize)) {
+        keep_within(s.free);
         if (picture.texture()) {
             const float across = width - 2 * ImGui::GetStyle().WindowPadding.x,
                         scale = std::min(1.0f, std::min(across / float(picture.width()),

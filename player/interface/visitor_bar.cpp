@@ -7,7 +7,7 @@
 #include <iterator>
 #include <span>
 
-#include "player/interface/agreeing_photo.h"
+#include "player/interface/comparison.h"
 #include "player/interface/docked.h"
 #include "points/point_cloud.h"
 
@@ -50,18 +50,6 @@ void lights(Controls& c, Session& s) {
     ImGui::EndPopup();
 }
 
-void toggle_comparison(Session& s, const Renderer& renderer, const View& view, double now) {
-    if (s.settings.compare != Compare::nothing) {
-        s.settings.compare = Compare::nothing;
-        return;
-    }
-    const auto photo = agreeing_photo(renderer.scene(), view, s.settings.bands);
-    if (!photo) return;
-    s.settings.compare = Compare::wiper;
-    s.settings.bands.how = BandView::mix;  // one comparison at a time
-    fly_to(s, *photo, renderer.scene().photos[*photo], now);
-}
-
 void use(const Tool& tool, Session& s, const Renderer& renderer, const View& view, double now) {
     switch (tool.icon) {
         case Icon::home:
@@ -70,7 +58,7 @@ void use(const Tool& tool, Session& s, const Renderer& renderer, const View& vie
             s.panels.photos = !s.panels.photos;
             return;
         case Icon::compare:
-            return toggle_comparison(s, renderer, view, now);
+            return toggle_comparison(s, renderer.scene(), view, now);
         case Icon::light:
             return ImGui::OpenPopup("##lights");
         case Icon::full_screen:

@@ -14,6 +14,7 @@
 #include "player/camera/photos_around.h"
 #include "player/camera/pinch.h"
 #include "player/interface/band_section.h"
+#include "player/interface/comparison.h"
 #include "player/interface/measure_panel.h"
 #include "player/interface/style.h"
 #include "player/render/blend_table.h"
@@ -200,9 +201,10 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
             return fly_on(s, scene, 1, now);
         case GLFW_KEY_B:
             return fly_on(s, scene, -1, now);
-        case GLFW_KEY_C:
-            s.settings.bands.how = BandView::mix;
-            return next(s.settings.compare);
+        case GLFW_KEY_C: {
+            const ImVec2 frame = ImGui::GetIO().DisplaySize;
+            return toggle_comparison(s, scene, view_of(s.camera, int(frame.x), int(frame.y), s.free), now);
+        }
         case GLFW_KEY_X:
             return show_next_band(s, scene.bands.size());
         case GLFW_KEY_V:
