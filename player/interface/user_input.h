@@ -25,12 +25,12 @@ struct Click {
     bool second;  ///< of a double click
 };
 
-/// A finger on the screen that acts as the pointer with its left button, or the middle between two that
-/// pinch.
-struct FingerPointer {
-    double x, y;  ///< pixels from the window's upper left corner
-    bool down;
-    bool there;  ///< else it was lifted, and points at nothing
+/// Where the pointer is for a frame: the mouse as it was when a button was pressed or released; a finger that
+/// acts as the left button; the middle between two that pinch.
+struct PointerState {
+    double x, y;               ///< pixels from the window's upper left corner
+    std::array<bool, 3> down;  ///< buttons: left, right, middle
+    bool there = true;         ///< else it was lifted, and points at nothing
 };
 
 /// What was done with keys, mouse and fingers since the last frame.
@@ -39,7 +39,7 @@ struct UserInput {
     bool double_clicked = false;          ///< by the left button
     std::vector<Click> clicks;            ///< in order
     std::array<Drag, 3> drags{};          ///< by button: left, right, middle
-    std::optional<FingerPointer> finger;  ///< if fingers were used last, and not the mouse
+    std::optional<PointerState> pointer;  ///< if not where the mouse is by now
     std::optional<Pinch> pinch;           ///< while two fingers are down
     bool pinch_begins = false;
 };

@@ -75,10 +75,10 @@ void Fingers::end(std::uint32_t id, UserInput& input) {
 }
 
 void Fingers::report(UserInput& input) {
-    if (last_used_) input.finger = pointer(acts_, acts_);
+    if (last_used_) input.pointer = pointer(acts_, acts_);
     const bool begins = !to_show_.empty() && to_show_.front().begins;
     if (!to_show_.empty()) {
-        input.finger = to_show_.front().pointer;
+        input.pointer = to_show_.front().pointer;
         to_show_.pop_front();
     }
     if (!begins) {  // first, what it drags is to be found under the pointer
@@ -87,7 +87,7 @@ void Fingers::report(UserInput& input) {
         input.drags[0].down += by.down;
     }
     if (!pinch_) return;
-    input.finger = FingerPointer{pinch_->center.x(), pinch_->center.y(), false, true};
+    input.pointer = PointerState{pinch_->center.x(), pinch_->center.y(), {}};
     input.pinch_begins = std::exchange(begins_, false);
     input.pinch = std::exchange(pinch_, pinches() ? std::optional(Pinch{pinch_->center}) : std::nullopt);
 }

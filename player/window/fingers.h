@@ -40,14 +40,16 @@ class Fingers {
     void drag_to(const Eigen::Vector2d& at);
     void end(std::uint32_t finger, UserInput& input);
     bool pinches() const { return !acts_ && down_.size() >= 2; }
-    FingerPointer pointer(bool down, bool there) const { return {pointer_.x, pointer_.y, down, there}; }
+    PointerState pointer(bool down, bool there) const {
+        return {pointer_.x, pointer_.y, {down, false, false}, there};
+    }
 
     std::vector<Finger> down_;  ///< in the order in which they came
     Pointer pointer_;           ///< of the first one
     bool acts_ = false;         ///< it acts as the left button
     bool drags_ = false;        ///< and has left the place where it came down
     struct Shown {
-        FingerPointer pointer;
+        PointerState pointer;
         bool begins = false;  ///< the finger has just come down
     };
     std::deque<Shown> to_show_;   ///< by frames to come

@@ -58,12 +58,23 @@ struct GlfwWindow::Callbacks {
         return window(w).mouse_;
     }
     static void button(GLFWwindow* w, int button, int action, int) {
-        if (action == GLFW_PRESS)
-            press(mouse(w), std::size_t(button), glfwGetTime(), events(w).input);
-        else
-            release(mouse(w), std::size_t(button), events(w).input);
+        Pointer& m = mouse(w);
+        const auto show = [&](bool pressed) {
+            window(w).mouse_frames_.push_back({{m.x, m.y, m.down}, pressed});
+        };
+        if (action == GLFW_PRESS) {
+            press(m, std::size_t(button), glfwGetTime(), events(w).input);
+            return show(true);
+        }
+        if (std::hypot(m.x - m.last.x, m.y - m.last.y) > m.click_reach)
+            show(false);  // what was dragged follows
+        release(m, std::size_t(button), events(w).input);
+        show(false);
     }
-    static void cursor(GLFWwindow* w, double x, double y) { move(mouse(w), x, y, events(w).input); }
+    static void cursor(GLFWwindow* w, double x, double y) {
+        events(w);
+        move(mouse(w), x, y, window(w).moved_);
+    }
 };
 
 GlfwWindow::GlfwWindow(FrameSize size, const std::string& title, bool debug) {
@@ -164,6 +175,7 @@ WindowEvents GlfwWindow::events(double seconds) {
     else
         glfwPollEvents();
     take_touches();
+    report_mouse();
     looked_at_ = glfwGetTime();
     return std::exchange(events_, {});
 }
@@ -175,6 +187,24 @@ void GlfwWindow::take_touches() {
     events_.any |= !touches.empty() || fingers_.unreported();
     if (!touches.empty()) glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);
     fingers_.report(events_.input);
+}
+
+/// Where a button was pressed comes first, and then what was dragged from there.
+void GlfwWindow::report_mouse() {
+    UserInput& input = events_.input;
+    bool pressed = false;
+    if (!mouse_frames_.empty()) {
+        input.pointer = mouse_frames_.front().state;
+        pressed = mouse_frames_.front().press;
+        mouse_frames_.pop_front();
+    }
+    events_.any |= pressed || !mouse_frames_.empty();
+    if (pressed) return;
+    for (std::size_t b = 0; b < input.drags.size(); ++b) {
+        input.drags[b].right += moved_.drags[b].right;
+        input.drags[b].down += moved_.drags[b].down;
+    }
+    moved_ = {};
 }
 
 GlfwWindow::~GlfwWindow() {

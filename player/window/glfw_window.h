@@ -1,4 +1,5 @@
 #pragma once
+#include <deque>
 #include <optional>
 #include <string>
 
@@ -33,6 +34,7 @@ class GlfwWindow {
     struct Callbacks;
     void watch_events();
     void take_touches();
+    void report_mouse();
 
     GLFWwindow* window_ = nullptr;
     float text_scale_ = 1;
@@ -43,6 +45,12 @@ class GlfwWindow {
     WindowEvents events_;
     double looked_at_ = 0;  ///< for events, seconds
     Pointer mouse_;
+    struct MouseFrame {
+        PointerState state;
+        bool press;  ///< a button has just been pressed
+    };
+    std::deque<MouseFrame> mouse_frames_;  ///< by frames to come: one may be longer than a click
+    UserInput moved_;                      ///< drags that are not reported yet
     Fingers fingers_;
     std::optional<TouchScreen> touch_screen_;
 };

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cfloat>
 #include <iterator>
 #include <utility>
@@ -11,9 +12,9 @@ namespace vantage {
 
 void new_frame(const Session& session) {
     ImGuiIO& io = ImGui::GetIO();
-    if (const auto& finger = session.input.finger) {
-        io.MousePos = finger->there ? ImVec2(float(finger->x), float(finger->y)) : ImVec2(-FLT_MAX, -FLT_MAX);
-        io.MouseDown[0] = finger->down;
+    if (const auto& p = session.input.pointer) {
+        io.MousePos = p->there ? ImVec2(float(p->x), float(p->y)) : ImVec2(-FLT_MAX, -FLT_MAX);
+        std::ranges::copy(p->down, io.MouseDown);
     }
     auto& down = io.KeysDown;
     std::vector<int> tapped;

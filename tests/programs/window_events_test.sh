@@ -28,8 +28,17 @@ xdotool key --delay 60 F3 F5 F6 F6
 frames 4
 xdotool key --delay 60 ctrl+c ctrl+c
 there "Wiper" && fail "Ctrl+C compares"
-xdotool key --delay 60 c c
-there "Wiper" || fail "two taps of C do not show the wiper"
+xdotool key --delay 60 c c c
+there "Wiper" || fail "three taps of C do not show the wiper"
+
+# A click quicker than a frame, with the pointer elsewhere by the end of it.
+at=$(place "Bar Expert")
+# shellcheck disable=SC2086
+xdotool mousemove $at mousedown 1 mouseup 1 mousemove 450 200
+there "Section Picture" && fail "a click on Expert quicker than a frame is lost"  # F3 has opened the sidebar
+# shellcheck disable=SC2086
+xdotool mousemove $at mousedown 1 mouseup 1 mousemove 450 200
+there "Section Picture" || fail "another click on Expert quicker than a frame is lost"
 
 # Esc closes what is open, and nothing else.
 xdotool key Escape; frames 3

@@ -31,11 +31,11 @@ TEST(Fingers, ATapIsAClickThatTheInterfaceSees) {
     const UserInput first = w.frame(), second = w.frame(), third = w.frame();
     ASSERT_EQ(first.clicks.size(), 1u);
     EXPECT_EQ(first.clicks[0].x, 100);
-    ASSERT_TRUE(first.finger && second.finger && third.finger);
-    EXPECT_TRUE(first.finger->down);
-    EXPECT_FALSE(second.finger->down);
-    EXPECT_TRUE(second.finger->there);  // a button is released on itself
-    EXPECT_FALSE(third.finger->there);  // and nothing stays lit under a finger that is gone
+    ASSERT_TRUE(first.pointer && second.pointer && third.pointer);
+    EXPECT_TRUE(first.pointer->down[0]);
+    EXPECT_FALSE(second.pointer->down[0]);
+    EXPECT_TRUE(second.pointer->there);  // a button is released on itself
+    EXPECT_FALSE(third.pointer->there);  // and nothing stays lit under a finger that is gone
 }
 
 TEST(Fingers, TwoTapsNearEachOtherAreADoubleClick) {
@@ -66,14 +66,14 @@ TEST(Fingers, ADragQuickerThanAFrameBeginsWhereItCameDown) {
     w.touch(What::end, 1, 220, 80);
     const UserInput first = w.frame(), second = w.frame(), third = w.frame();
     EXPECT_TRUE(first.clicks.empty());
-    EXPECT_TRUE(first.finger->down);
-    EXPECT_EQ(first.finger->x, 100);
+    EXPECT_TRUE(first.pointer->down[0]);
+    EXPECT_EQ(first.pointer->x, 100);
     EXPECT_EQ(first.drags[0].right, 0);
-    EXPECT_TRUE(second.finger->down);
-    EXPECT_EQ(second.finger->x, 220);
+    EXPECT_TRUE(second.pointer->down[0]);
+    EXPECT_EQ(second.pointer->x, 220);
     EXPECT_EQ(second.drags[0].right, 100);
     EXPECT_EQ(second.drags[0].down, 30);
-    EXPECT_FALSE(third.finger->down);
+    EXPECT_FALSE(third.pointer->down[0]);
 }
 
 TEST(Fingers, ASecondFingerMakesItAPinchAndNoClick) {
@@ -86,7 +86,7 @@ TEST(Fingers, ASecondFingerMakesItAPinchAndNoClick) {
     EXPECT_TRUE(f.pinch_begins);
     EXPECT_EQ(f.pinch->spread, 2);
     EXPECT_EQ(f.pinch->center, Eigen::Vector2d(200, 100));
-    EXPECT_FALSE(f.finger->down);
+    EXPECT_FALSE(f.pointer->down[0]);
     f = w.frame();
     ASSERT_TRUE(f.pinch);  // both are still down
     EXPECT_FALSE(f.pinch_begins);
@@ -149,7 +149,7 @@ TEST(Fingers, TheMouseTakesOver) {
     w.tap(100, 100, 0);
     w.frame(), w.frame(), w.frame();
     w.fingers.leave_to_mouse();
-    EXPECT_FALSE(w.frame().finger);
+    EXPECT_FALSE(w.frame().pointer);
 }
 
 }  // namespace
