@@ -45,6 +45,7 @@ const int points_unit = 7;
 const int depth_unit = 8;
 const int transparent_sums_unit = 12;
 const int transmitted_unit = 13;
+const int wire_unit = 14;
 const int places_unit = 6;  // blend on points, or behind them
 const int triangles_unit = 7;  // blend
 const int accumulated_unit = 4;  // show

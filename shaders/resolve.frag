@@ -179,6 +179,19 @@ vec4 mixed(vec4 replaced, vec4 c) {
     return vec4(root * root, 1.0);
 }
 
+#ifdef WIREFRAME
+layout(binding = wire_unit) uniform usampler2D triangles;
+
+// Whether another triangle is right of the pixel's or below it.
+bool at_edge(ivec2 at) {
+    uint own = texelFetch(triangles, at, 0).r;
+    ivec2 last = frame_size - 1;
+    uint right = texelFetch(triangles, min(at + ivec2(1, 0), last), 0).r,
+         below = texelFetch(triangles, min(at + ivec2(0, 1), last), 0).r;
+    return own != 0u && (right != own || below != own);
+}
+#endif
+
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 s = texelFetch(sums, at, 0);
@@ -206,6 +219,13 @@ void main() {
     if (bare.a == shows_value && layer_share > 0.0) {
         vec3 root = mix(sqrt(max(accumulated.rgb, 0.0)), sqrt(bare.rgb), hole ? 1.0 : layer_share);
         accumulated = vec4(root * root, 1.0);
+        hole = false;
+    }
+#endif
+#ifdef WIREFRAME
+    const vec3 wire = vec3(1.0, 0.35, 0.05);
+    if (at_edge(at) && bare.a != shows_surroundings) {
+        accumulated = vec4(mix(accumulated.rgb, wire, 0.7), 1.0);
         hole = false;
     }
 #endif

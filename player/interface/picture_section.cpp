@@ -70,7 +70,11 @@ void picture_section(Controls& c, Session& s, const Renderer& renderer) {
         choice(c, "Transparency", r.transparency, transparent);
         c.explain("Glass: sorted at each pixel, blended by weights (faster), or left out.");
     }
-    if (!points_only(renderer.package().scene())) light_controls(c, s);
+    if (!points_only(renderer.package().scene())) {
+        light_controls(c, s);
+        c.checkbox("Triangles", &r.light.wireframe);
+        c.explain("Draws the borders of the mesh's triangles over the picture.");
+    }
     comparison_controls(c, s, renderer);
 }
 

@@ -28,6 +28,8 @@ void add_light_options(CLI::App& app, LightOptions& o) {
         ->expected(2)
         ->group(group)
         ->needs(light);
+    app.add_flag("--wireframe", o.shown.wireframe, "the borders of the mesh's triangles, over the picture")
+        ->group(group);
     app.add_flag("--light-on-photos", o.shown.on_photos, "light times the photos, instead of on gray")
         ->group(group)
         ->needs(light);

@@ -167,8 +167,8 @@ double ModelPasses::nearness(const DrawnView& drawn) const {
 
 bool ModelPasses::suits_coarse(const DrawnView& drawn) const {
     constexpr double most_pixels = 1;  // of the frame, which is enlarged
-    if (!drawn.settings.swift || coarse_.indices.empty() || !by_triangle(drawn.settings) ||
-        drawn.view.orthographic_depth > 0)
+    if (!drawn.settings.swift || drawn.settings.light.wireframe || coarse_.indices.empty() ||
+        !by_triangle(drawn.settings) || drawn.view.orthographic_depth > 0)
         return false;
     return coarse_.error * drawn.view.intrinsics.fx <= most_pixels * nearness(drawn);
 }

@@ -51,6 +51,7 @@ struct LightSettings {
     double azimuth = 135;    ///< degrees, of the raking light: 0 from the right of the frame, 90 from above
     double elevation = 15;   ///< degrees over the picture's plane, 1 to 90
     bool on_photos = false;  ///< times the photos; does not apply to normals
+    bool wireframe = false;  ///< the borders of the triangles that are seen, over the picture
     bool operator==(const LightSettings&) const = default;
 };
 

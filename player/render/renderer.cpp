@@ -147,6 +147,7 @@ gl::Program Renderer::make_resolve_program(const std::vector<std::string>& asked
 
 const gl::Program& Renderer::resolve_program(const RenderSettings& settings) {
     std::vector<std::string> asked = passes_.asked_defines(settings);
+    if (settings.light.wireframe) asked.emplace_back("WIREFRAME");
     if (transparent_ && transparent_->mode() == Transparency::exact) asked.emplace_back("FRAGMENT_LISTS");
     if (asked.empty()) return resolve_program_;
     gl::Program& program = other_resolve_programs_[asked];
@@ -437,6 +438,7 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     const double progress = before ? 1 : frame.drawn.plan.progress();
     // The picture that is being replaced is lit, and gets its layer, with the one that replaces it.
     glUseProgram((before ? resolve_program_ : resolve_program(settings)).id());
+    if (!before && settings.light.wireframe) glBindTextureUnit(shader::wire_unit, targets_.triangles.id());
     const bool lit = !before && settings.light.light != Light::photos;
     if (lit) {
         const bool normals = settings.light.light == Light::normals;

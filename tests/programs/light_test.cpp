@@ -145,6 +145,32 @@ TEST_F(LightOnGeometry, ALampAtTheViewerShowsWhatFacesItBrightest) {
     EXPECT_LT(double(wrong), 0.002 * double(flat.size()));
 }
 
+TEST_F(LightOnGeometry, TheWireframeIsWhereTrianglesMeet) {
+    const PackageReader package(dir / "scene.vantage");
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    RenderSettings settings;
+    const Picture without = taken(renderer, settings);
+    settings.light.wireframe = true;
+    const Picture with = taken(renderer, settings);
+    const std::vector<std::uint32_t> triangles = renderer.triangles();
+    const auto width = std::size_t(with.width);
+    std::size_t borders = 0, wrong = 0;
+    for (std::size_t y = 0; y + 1 < std::size_t(with.height); ++y)
+        for (std::size_t x = 0; x + 1 < width; ++x) {
+            const std::size_t i = y * width + x;
+            const bool border = triangles[i] != 0 &&
+                                (triangles[i] != triangles[i + 1] || triangles[i] != triangles[i + width]);
+            const bool changed = !std::equal(&with.rgba[4 * i], &with.rgba[4 * i + 4], &without.rgba[4 * i]);
+            borders += border;
+            wrong += border != changed;
+        }
+    EXPECT_GT(borders, 1000u);
+    EXPECT_EQ(wrong, 0u);
+    settings.light.wireframe = false;
+    EXPECT_EQ(taken(renderer, settings).rgba, without.rgba);
+}
+
 TEST_F(LightOnGeometry, ThePhotosAreAsBeforeWhenItIsOffAgain) {
     const PackageReader package(dir / "scene.vantage");
     const gl::HeadlessContext context;
