@@ -40,19 +40,35 @@ Navigation stand_at(const View& v, const Eigen::Vector3d& up, double distance) {
             2 * std::atan(v.intrinsics.height / (2 * v.intrinsics.fy)) * 180 / std::numbers::pi};
 }
 
+namespace {
+
+constexpr double fov_of_all = 45;  // degrees
+
+/// From which all of the model is seen, with a margin.
+double distance_to_all(const package::SceneRecord& scene) {
+    constexpr double margin = 1.1;
+    const Eigen::Map<const Eigen::Vector3d> low(scene.bounds_min), high(scene.bounds_max);
+    const double radius = std::max((high - low).norm() / 2, 1e-6);
+    return radius * margin / std::sin(fov_of_all / 2 * std::numbers::pi / 180);
+}
+
+}  // namespace
+
 Navigation stand_before(const package::SceneRecord& scene, const Eigen::Vector3d& up) {
-    constexpr double fov = 45, margin = 1.1;
-    const double radius = std::max((Eigen::Map<const Eigen::Vector3d>(scene.bounds_max) -
-                                    Eigen::Map<const Eigen::Vector3d>(scene.bounds_min))
-                                           .norm() /
-                                       2,
-                                   1e-6);
-    const Eigen::Vector3d across = up.unitOrthogonal();
-    const Eigen::Vector3d eye =
-        (across + 0.5 * up).normalized() * radius * margin / std::sin(fov / 2 * std::numbers::pi / 180);
-    return {eye, Eigen::Vector3d::Zero(),
-            up,  view_towards(eye, Eigen::Vector3d::Zero(), up, fov, 1, 1).cam_from_origin.R,
-            fov, 1};
+    const Eigen::Vector3d across = up.unitOrthogonal(),
+                          eye = (across + 0.5 * up).normalized() * distance_to_all(scene);
+    return {eye,        Eigen::Vector3d::Zero(),
+            up,         view_towards(eye, Eigen::Vector3d::Zero(), up, fov_of_all, 1, 1).cam_from_origin.R,
+            fov_of_all, 1};
+}
+
+Navigation stand_beside(const package::SceneRecord& scene, const Eigen::Vector3d& right,
+                        const Eigen::Vector3d& picture_up, const Eigen::Vector3d& up) {
+    const Eigen::Vector3d toward = right.cross(picture_up);
+    Navigation n{{}, bounds_from_origin(scene).center(), up, {}, fov_of_all, 1};
+    n.eye = n.target + toward * distance_to_all(scene);
+    n.R << right.transpose(), -picture_up.transpose(), -toward.transpose();
+    return n;
 }
 
 Navigation home_of(const PackageReader& package, std::uint32_t photo) {

@@ -23,6 +23,11 @@ Navigation stand_at(const View& view, const Eigen::Vector3d& up, double distance
 /// In front of the whole model, a little above it, with the target in its middle; for scenes without photos.
 Navigation stand_before(const package::SceneRecord& scene, const Eigen::Vector3d& up);
 
+/// In front of the whole model, in the direction in which a picture with these axes (of length 1, at right
+/// angles) is seen; `up`: of the scene.
+Navigation stand_beside(const package::SceneRecord& scene, const Eigen::Vector3d& right,
+                        const Eigen::Vector3d& picture_up, const Eigen::Vector3d& up);
+
 /// At the photo's camera, or before the model if the package has no photos.
 Navigation home_of(const PackageReader& package, std::uint32_t photo);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "player/interface/side_views.h"
 #include "player/interface/style.h"
 
 namespace vantage {
@@ -14,6 +15,7 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
         if (c.menu_item(name, key, shown)) shown = !shown;
     };
     if (c.menu_item("Home", "H")) fly_home(s, now);
+    side_views_menu(c, s, renderer.package(), now);
     ImGui::Separator();
     toggle("Photo strip", "F4", s.panels.photos);
     toggle("Cameras in the scene", "F5", s.panels.frusta);
@@ -23,6 +25,9 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
     toggle("Edit the story", "Ctrl+E", s.panels.story_editor);
     ImGui::Separator();
     toggle("Picture", "F12", s.panels.picture);
+    toggle("List of photos", "", s.panels.photo_list);
+    toggle("Cut", "", s.panels.cut);
+    toggle("Orthophoto", "", s.panels.orthophoto);
     toggle("Blending", "F2", s.panels.blending);
     toggle("Status", "F3", s.panels.status);
     if (!renderer.layers().empty()) toggle("Layers", "F7", s.panels.layers);
