@@ -90,6 +90,14 @@ is "sqrt(($x - ${home[0]})^2 + ($y - ${home[1]})^2) < 0.01 * $wide && ($times / 
 # What the public must not do, fingers cannot do either.
 grep -q "^Bar Expert	" places && fail "a kiosk offers the expert's panels"
 kill -0 $pid 2>/dev/null || fail "the kiosk ended: $(cat says)"
+
+# A kiosk that fails is started again; SIGTERM ends it.
+rm -f places
+pkill -KILL -P $pid
+for _ in $(seq 100); do grep -qs "^Bar Home	" places && break; sleep 0.2; done
+grep -qs "^Bar Home	" places || fail "a kiosk that was killed is not started again"
 kill $pid
+for _ in $(seq 50); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
+kill -0 $pid 2>/dev/null && fail "SIGTERM does not end the kiosk"
 [ $failed = 0 ] && echo "the visitor has seen it"
 exit $failed
