@@ -127,6 +127,7 @@ frames() {  # frames N: waits until N more frames are drawn
   for _ in $(seq 3000); do  # a minute: the processor may be busy with other tests
     now=$(frame)
     [ $((${now:-0} - ${from:-0})) -ge "$1" ] && return
+    [ -z "${pid:-}" ] || kill -0 "$pid" 2>/dev/null || { fail "the player has ended: $(cat says)"; exit 1; }
     sleep 0.02
   done
   fail "no frames were drawn"
