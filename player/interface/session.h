@@ -43,6 +43,7 @@ struct OrthophotoRequest {
     enum class Plane { top, front, back, left, right, facing, count } plane = Plane::front;
     double pixel = 0;    ///< its size in the input's unit; 0: not chosen yet
     bool asked = false;  ///< it is to be written
+    bool writing = false;
 };
 
 /// How often positions are recorded.

@@ -18,6 +18,7 @@ void OrthophotoWriter::attend(Session& s, const PackageReader& package, double n
     const auto ended = program_->ended();
     if (!ended) return;
     program_.reset();
+    s.orthophoto.writing = false;
     say(s, ended->well ? "orthophoto written to " + file_ : file_ + ": " + ended->says, now);
 }
 
@@ -34,6 +35,7 @@ void OrthophotoWriter::start(Session& s, const PackageReader& package, double no
         arguments.insert(arguments.end(), {"--band", bands[s.settings.bands.shown].name});
     try {
         program_.emplace(own_program, std::move(arguments));
+        s.orthophoto.writing = true;
         say(s, "the orthophoto is being written to " + file_, now);
     } catch (const Error& e) {
         say(s, e.what(), now);
