@@ -93,10 +93,13 @@ layout(std430, binding = fragment_heads_buffer) buffer Heads {
 };
 layout(std430, binding = fragments_buffer) readonly buffer Fragments { TransparentFragment fragments[]; };
 
-// Nearer ones first; at equal depth that of the triangle with the lower number.
+const float one_plane = 2e-6;  // share of their depth by which fragments of triangles in one plane may differ
+
+// Nearer ones first; of triangles in one plane, whose depths may differ by rounding, the one with the lower number.
 bool nearer(uint a, uint b) {
     float of_a = fragments[a].depth, of_b = fragments[b].depth;
-    return of_a > of_b || (of_a == of_b && fragments[a].triangle < fragments[b].triangle);
+    if (abs(of_a - of_b) > one_plane * max(of_a, of_b)) return of_a > of_b;
+    return fragments[a].triangle < fragments[b].triangle;
 }
 
 // Color and alpha.
