@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <numeric>
 #include <set>
@@ -151,7 +152,9 @@ TEST_F(Streaming, LimitThatAFrameCannotKeepIsExceededAndSaid) {
     Renderer renderer(package, {limit, std::uint64_t(1) << 20});
     const View view = view_of(stand_at(package.photos()[2], {0, 0, 1}), 400, 300);
     FrameReport report;
-    for (int frame = 0; frame < 60 && !report.settled; ++frame) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int frame = 0; !report.settled && std::chrono::steady_clock::now() - start < std::chrono::minutes(1);
+         ++frame) {
         report = renderer.draw(view, streamed(), all(package), {}, frame / 30.0);
         ASSERT_GT(renderer.graphics_budget(), limit);
         ASSERT_LE(gl::memory_held(), renderer.graphics_budget());
