@@ -23,6 +23,7 @@ there() { frames 3; place "$1" >/dev/null; }
 
 # Taps shorter than a frame: all of them act, in order.
 start . one.vantage
+there "Section Picture" && fail "the sidebar is open at the start"
 xdotool mousemove 500 400 click 4
 xdotool key --delay 60 F3 F5 F6 F6
 frames 4
@@ -30,6 +31,11 @@ xdotool key --delay 60 ctrl+c ctrl+c
 there "Wiper" && fail "Ctrl+C compares"
 xdotool key --delay 60 c c c
 there "Wiper" || fail "three taps of C do not show the wiper"
+xdotool key --delay 0 Tab c F5
+there "Section Picture" && fail "a tap of Tab is lost if two other keys follow within a frame"
+there "Wiper" && fail "a tap of C is lost between two other keys within a frame"
+xdotool key --delay 0 Tab c F5
+there "Section Picture" || fail "a tap of Tab does not open the sidebar again"
 
 # A click quicker than a frame, with the pointer elsewhere by the end of it.
 at=$(place "Bar Expert")
