@@ -13,15 +13,17 @@ set=$VANTAGE_DATASETS/sceaux-small
 "$vantage" prepare "$set" -o sceaux.vantage --no-report >/dev/null 2>&1 || { fail "prepare"; exit 1; }
 wide=${size%x*} high=${size#*x}
 
-# shot NAME: a screenshot, as NAME.ppm, once the picture rests: two in a row are the same
+# shot NAME: a screenshot, as NAME.ppm, once the player rests
+ticks() { awk '{ print $14 + $15 }' "/proc/$pid/stat"; }  # of the processor, 100 per second
 shot() {
-  screenshot "$1.ppm"
-  for _ in $(seq 60); do
+  local before quiet=0
+  for _ in $(seq 60); do  # until nothing has been drawn for a while: X may pass events on late
+    before=$(ticks)
     sleep 0.7
-    mv "$1.ppm" earlier.ppm
-    screenshot "$1.ppm"
-    cmp -s "$1.ppm" earlier.ppm && break
+    quiet=$(($(ticks) - before > 3 ? 0 : quiet + 1))
+    [ $quiet -lt 3 ] || break
   done
+  screenshot "$1.ppm"
   [ -z "$pictures" ] || cp "$1.ppm" "$pictures/$1-$size.ppm"
 }
 # look NAME: sets x, y, times and likeness of the dormer in the screenshot
