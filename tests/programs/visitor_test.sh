@@ -14,7 +14,6 @@ set=$VANTAGE_DATASETS/sceaux-small
 wide=${size%x*} high=${size#*x}
 
 # shot NAME: a screenshot, as NAME.ppm, once the player rests
-ticks() { awk '{ print $14 + $15 }' "/proc/$pid/stat"; }  # of the processor, 100 per second
 shot() {
   local before quiet=0
   for _ in $(seq 60); do  # until nothing has been drawn for a while: X may pass events on late

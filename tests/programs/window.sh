@@ -121,6 +121,7 @@ place() {
   return 1
 }
 frame() { awk -F'\t' '$1 == "frame" { print $2; exit }' places 2>/dev/null; }
+ticks() { awk '{ print $14 + $15 }' "/proc/$pid/stat"; }  # processor time of the player, in hundredths of a second
 frames() {  # frames N: waits until N more frames are drawn
   local from now
   from=$(frame)

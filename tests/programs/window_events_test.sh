@@ -204,9 +204,9 @@ rests() {
   local before after seconds=5
   for _ in $(seq 60); do
     kill -0 $pid 2>/dev/null || { fail "$* ended: $(cat says)"; return; }
-    before=$(awk '{ print $14 + $15 }' /proc/$pid/stat)
+    before=$(ticks)
     sleep $seconds
-    after=$(awk '{ print $14 + $15 }' /proc/$pid/stat)
+    after=$(ticks)
     [ $((after - before)) -le $seconds ] && { wakes; return; }
   done
   kill -9 $pid

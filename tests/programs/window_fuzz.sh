@@ -61,9 +61,9 @@ xdotool key --delay 60 p
 for _ in $(seq 100); do [ "$(ls one-*.png 2>/dev/null | wc -l)" -gt "$before" ] && break; sleep 0.1; done
 [ "$(ls one-*.png 2>/dev/null | wc -l)" = $((before + 1)) ] || fail "a tap of P after $events events was lost"
 for _ in $(seq 30); do
-  ticks=$(awk '{ print $14 + $15 }' /proc/$pid/stat)
+  before=$(ticks)
   sleep 2
-  [ $(($(awk '{ print $14 + $15 }' /proc/$pid/stat) - ticks)) -le 2 ] && rested=1 && break
+  [ $(($(ticks) - before)) -le 2 ] && rested=1 && break
 done
 [ -n "${rested:-}" ] || fail "the window does not come to rest after $events events"
 xdotool key --delay 60 ctrl+q

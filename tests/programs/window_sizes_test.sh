@@ -35,10 +35,15 @@ shot() {  # shot FACE WIDTH HEIGHT: looks at the window as it is
   [ -z "$pictures" ] || { frames 3; import -window "$window" "$pictures/$1-$2x$3.png"; }
 }
 
+start() {  # start OPTIONS...: the window
+  rm -f places
+  "$player" one.vantage --fresh --size 800x600 --blended 1 --thumbnails --controls places "$@" >says 2>&1 &
+  pid=$!
+  find_window
+}
+
 # On a screen of 2160 lines, text is 1.5 times as large if nothing else is asked for.
-"$player" one.vantage --fresh --size 800x600 --blended 1 --thumbnails --controls places >says 2>&1 &
-pid=$!
-find_window
+start
 frames 3
 high=$(awk -F'\t' '$1 == "Bar Help" { print int($5) }' places)
 [ "${high:-0}" -ge 44 ] || fail "on a screen of 2160 lines, buttons are ${high:-0} pixels high, expected 46"
@@ -46,10 +51,7 @@ xdotool key ctrl+q
 await_exit "Ctrl+Q"
 
 for scale in 1 1.5; do
-  rm -f places
-  "$player" one.vantage --fresh --size 800x600 --blended 1 --thumbnails --text-scale $scale --controls places >says 2>&1 &
-  pid=$!
-  find_window
+  start --text-scale $scale
   for size in "800 600" "600 1000" "1920 1080" "3840 2160"; do
     # shellcheck disable=SC2086
     xdotool windowsize --sync "$window" $size
