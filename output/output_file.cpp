@@ -80,6 +80,8 @@ constexpr Row rows[] = {
     {Product::plot, "a plot written by Vantage",
      [](std::string_view h) { return h.starts_with("<svg ") && contains(h, "font-family='sans-serif'"); }},
     {Product::png, "a PNG picture", [](std::string_view h) { return h.starts_with("\x89PNG\r\n\x1a\n"); }},
+    {Product::tiff, "a TIFF picture",
+     [](std::string_view h) { return h.starts_with(std::string_view("II*\0", 4)) || h.starts_with("II+"); }},
     {Product::exr, "an EXR picture", [](std::string_view h) { return h.starts_with("\x76\x2f\x31\x01"); }},
     {Product::jpeg, "a photo written by Vantage",
      [](std::string_view h) { return h.starts_with("\xff\xd8\xff\xfe") && contains(h, jpeg_mark); }},

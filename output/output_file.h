@@ -21,6 +21,7 @@ enum class Product {
     csv,
     plot,
     png,
+    tiff,
     exr,
     jpeg,
     cameras,

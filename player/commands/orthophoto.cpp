@@ -33,14 +33,14 @@ void add_orthophoto_options(CLI::App& app, OrthophotoOptions& o) {
         ->capture_default_str()
         ->group(group);
     app.footer(
-        "Writes a PNG picture, transparent where nothing is, and beside it a world file (.pgw) with its "
-        "place on "
-        "the plane.\n"
+        "Writes a picture, transparent where nothing is: a GeoTIFF (.tif), or a PNG and beside it a world "
+        "file\n"
+        "(.pgw). Both tell its place on the plane.\n"
         "With z up, top has the model's x to the right and y upwards, and front is seen along y. The plane's "
         "coordinates\n"
         "begin at the model's origin, or at the point that is given.\n"
         "Examples:\n"
-        "  vantage-player orthophoto chapel.vantage --resolution 0.005 -o plan.png\n"
+        "  vantage-player orthophoto chapel.vantage --resolution 0.005 -o plan.tif\n"
         "  vantage-player orthophoto chapel.vantage --plane front --resolution 0.002 --extent -3,0,3,5 -o "
         "door.png\n"
         "  vantage-player orthophoto chapel.vantage --plane 0,0,0,1,-1,0 --resolution 0.01 --light raking -o "

@@ -56,12 +56,13 @@ void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {
     o.pixel = std::isfinite(o.pixel) ? std::clamp(o.pixel, least, std::max(least, size.maxCoeff())) : least;
     const Eigen::Vector2d pixels = (size / o.pixel).array().ceil().max(1);
     ImGui::Text("%.0f x %.0f pixels", pixels.x(), pixels.y());
+    static const char* const files[] = {"PNG and world file", "GeoTIFF"};
+    choice(c, "Written as", o.file, files);
+    Controls::explain("Both tell where the picture is on the plane.");
     ImGui::BeginDisabled(o.writing);
     if (c.button("Write the orthophoto")) o.asked = true;
     ImGui::EndDisabled();
-    Controls::explain(
-        "Writes a picture (PNG) and its place on the plane (a world file) into the current folder, while the "
-        "window can be used.");
+    Controls::explain("Writes the picture into the current folder, while the window can be used.");
     if (o.writing) ImGui::TextUnformatted("being written...");
 }
 

@@ -41,7 +41,8 @@ struct Cut {
 /// An orthophoto to be written.
 struct OrthophotoRequest {
     enum class Plane { top, front, back, left, right, facing, count } plane = Plane::front;
-    double pixel = 0;    ///< its size in the input's unit; 0: not chosen yet
+    double pixel = 0;  ///< its size in the input's unit; 0: not chosen yet
+    enum class File { png, tiff, count } file = File::png;
     bool asked = false;  ///< it is to be written
     bool writing = false;
 };

@@ -12,6 +12,7 @@
 #include "output/output_file.h"
 #include "output/package_inputs.h"
 #include "player/orthophoto/png_rows.h"
+#include "player/orthophoto/tiff_rows.h"
 #include "player/render/picture.h"
 #include "player/survey/survey.h"
 #include "points/point_cloud.h"
@@ -59,20 +60,23 @@ RenderSettings orthophoto_settings(const PackageReader& package, const Orthophot
 }
 
 struct Files {
-    std::filesystem::path picture, world;
+    std::filesystem::path picture, world;  ///< a TIFF needs no world file
+    bool tiff;
 };
 
-/// Both, with links followed. Throws Error(usage) if one must not be replaced.
+/// With links followed. Throws Error(usage) if one must not be replaced.
 Files output_files(const PackageReader& package, const OrthophotoOptions& o) {
     std::filesystem::path file = o.output.file;
     if (file.empty()) file = package.path().stem().string() + "-orthophoto.png";
-    if (file.extension() != ".png")
-        throw Error(Exit::usage, file.string() + ": expected a name that ends with .png");
     const Inputs inputs = inputs_of(package);
+    if (file.extension() == ".tif" || file.extension() == ".tiff")
+        return {output_file(file, Product::tiff, inputs, o.output.force), {}, true};
+    if (file.extension() != ".png")
+        throw Error(Exit::usage, file.string() + ": expected a name that ends with .png or .tif");
     std::filesystem::path world = file;
     world.replace_extension(".pgw");
     return {output_file(file, Product::png, inputs, o.output.force),
-            output_file(world, Product::world, inputs, o.output.force)};
+            output_file(world, Product::world, inputs, o.output.force), false};
 }
 
 void write_world_file(const std::filesystem::path& file, const Orthophoto& o) {
@@ -140,17 +144,24 @@ int run_orthophoto(const PackageReader& package, const OrthophotoOptions& o) {
     const gl::HeadlessContext context;
     Renderer renderer(package, memory_budget(o.memory));
     if (files.picture.has_parent_path()) make_folder(files.picture.parent_path());
-    PngRows png(files.picture, picture.width, picture.height);
     const bool shows = !o.output.quiet && ::isatty(STDERR_FILENO);
     const auto progress = [&](std::size_t done, std::size_t all) {
         if (shows) std::fprintf(stderr, "\rorthophoto  %zu of %zu tiles  ", done, all);
     };
-    const std::size_t damaged = draw_orthophoto(
-        renderer, picture, settings, photos_in_use(package, o.package), o.samples,
-        tile_size_for(picture.width), [&](std::span<const std::uint8_t> row) { png.add(row); }, progress);
-    if (shows) std::fprintf(stderr, "\r\033[K");
-    png.finish();
-    write_world_file(files.world, picture);
+    std::size_t damaged = 0;
+    const auto write = [&](auto&& file) {
+        damaged = draw_orthophoto(
+            renderer, picture, settings, photos_in_use(package, o.package), o.samples,
+            tile_size_for(picture.width), [&](std::span<const std::uint8_t> row) { file.add(row); },
+            progress);
+        if (shows) std::fprintf(stderr, "\r\033[K");
+        file.finish();
+    };
+    if (files.tiff)
+        write(TiffRows(files.picture, picture.width, picture.height, picture.upper_left, picture.resolution));
+    else
+        write(PngRows(files.picture, picture.width, picture.height));
+    if (!files.tiff) write_world_file(files.world, picture);
     if (!o.output.quiet)
         std::printf("%s  %dx%d, %g units per pixel, upper left corner %.10g, %.10g%s\n",
                     files.picture.c_str(), picture.width, picture.height, picture.resolution,

@@ -25,7 +25,8 @@ void OrthophotoWriter::attend(Session& s, const PackageReader& package, double n
 void OrthophotoWriter::start(Session& s, const PackageReader& package, double now) {
     char pixel[32];
     std::snprintf(pixel, sizeof pixel, "%.12g", s.orthophoto.pixel);
-    file_ = free_name(package.path().stem().string() + "-orthophoto", ".png");
+    file_ = free_name(package.path().stem().string() + "-orthophoto",
+                      s.orthophoto.file == OrthophotoRequest::File::tiff ? ".tif" : ".png");
     std::vector<std::string> arguments = {"orthophoto",   package.path().string(),
                                           "--plane",      plane_option(s.orthophoto.plane, s.camera),
                                           "--resolution", pixel,

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <tiffio.h>
 
 #include <algorithm>
 #include <cmath>
@@ -233,6 +234,43 @@ TEST_F(OrthophotoProgram, WritesWhereItIs) {
     EXPECT_NEAR(v[4], -8 + 0.05, 1e-5);
     EXPECT_NEAR(v[5], 4.4 - 0.05, 1e-5);
     EXPECT_EQ(pixel(p, 2, 2)[3], 0) << "nothing beside the building's back";
+}
+
+TEST_F(OrthophotoProgram, AsGeoTiffIsTheSamePictureAndTellsItsPlace) {
+    const Picture expected = picture("--resolution 0.1");
+    const fs::path file = dir / "o.tif";
+    ASSERT_EQ(run("--resolution 0.1 -o " + file.string()), 0) << says();
+    EXPECT_FALSE(fs::exists(dir / "o.tfw"));
+    TIFFSetWarningHandler(nullptr);  // libtiff does not know GeoTIFF's tags
+    const std::unique_ptr<TIFF, void (*)(TIFF*)> tiff(TIFFOpen(file.c_str(), "r"), TIFFClose);
+    ASSERT_TRUE(tiff);
+    std::uint32_t w = 0, h = 0;
+    TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &w);
+    TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &h);
+    ASSERT_EQ(int(w), expected.width);
+    ASSERT_EQ(int(h), expected.height);
+    std::vector<std::uint8_t> row(4 * std::size_t(w));
+    for (std::uint32_t y = 0; y < h; ++y) {
+        ASSERT_EQ(TIFFReadScanline(tiff.get(), row.data(), y), 1);
+        ASSERT_TRUE(std::equal(row.begin(), row.end(),
+                               expected.rgba.begin() + std::ptrdiff_t(y) * std::ptrdiff_t(row.size())))
+            << y;
+    }
+    const auto numbers = [&](std::uint32_t tag) {
+        std::uint32_t count = 0;
+        const double* values = nullptr;
+        TIFFGetField(tiff.get(), tag, &count, &values);
+        return std::vector<double>(values, values + (values ? count : 0));
+    };
+    EXPECT_EQ(numbers(33550), (std::vector<double>{0.1, 0.1, 0})) << "the size of a pixel";
+    const std::vector<double> tie = numbers(33922);  // column and row of a point, and where it is
+    ASSERT_EQ(tie.size(), 6u);
+    EXPECT_EQ(tie[0], 0);
+    EXPECT_EQ(tie[1], 0);
+    EXPECT_NEAR(tie[3], -8, 1e-5);
+    EXPECT_NEAR(tie[4], 4.4, 1e-5);
+    EXPECT_NE(run("--resolution 0.1 -o /proc/x.tif"), 0);
+    EXPECT_EQ(std::ranges::count(says(), '\n'), 1) << says();
 }
 
 TEST_F(OrthophotoProgram, RefusesWhatCannotBeInOneLine) {

@@ -1,0 +1,34 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+namespace vantage {
+
+/// A TIFF picture that is written row by row, as PngRows, with its place on the plane in GeoTIFF's tags (OGC
+/// 19-008r4, user-defined model, pixels are areas): RGBA, 8 bits, deflated; a BigTIFF where it could exceed 4
+/// GiB.
+class TiffRows {
+  public:
+    /// `upper_left`: corner of the picture, in the plane's coordinates; `resolution`: units per pixel. Throws
+    /// Error(storage) if the file cannot be written.
+    TiffRows(const std::filesystem::path& file, int width, int height, const Eigen::Vector2d& upper_left,
+             double resolution);
+    ~TiffRows();
+    TiffRows(const TiffRows&) = delete;
+    TiffRows& operator=(const TiffRows&) = delete;
+
+    /// The next row, four bytes per pixel. Throws Error(storage).
+    void add(std::span<const std::uint8_t> row);
+    /// After the last row. Throws Error(storage).
+    void finish();
+
+  private:
+    struct State;
+    [[noreturn]] void fail() const;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace vantage
