@@ -79,7 +79,6 @@ const int isolines_uniform = 15;
 const int lamp_uniform = 2;  // surface
 const int light_uniform = 3;
 const int camera_rows_uniform = 4;
-const int section_plane_uniform = 5;
 const int pass_slots_uniform = 16;  // an array, PASS_PHOTOS long
 const int nearness_uniform = 24;    // surface, of what is transparent
 const int frame_width_uniform = 25;
@@ -87,6 +86,7 @@ const int capacity_uniform = 26;
 const int own_layer_share_uniform = 27;
 const int own_light_on_photos_uniform = 28;
 const int own_light_scale_uniform = 29;
+const int section_planes_uniform = 30;  // surface, an array, SECTION long
 const int frame_uniform = 1;  // blend on points
 const int frame_axes_uniform = 14;
 

@@ -20,8 +20,8 @@ out vec3 surface_normal;
 #endif
 flat out uint draw_first;
 #ifdef SECTION
-layout(location = section_plane_uniform) uniform vec4 section_plane;  // negative in front of it
-out float gl_ClipDistance[1];
+layout(location = section_planes_uniform) uniform vec4 section_planes[SECTION];  // negative in front of them
+out float gl_ClipDistance[SECTION];
 #endif
 #ifdef SURROUNDINGS
 flat out uint draw_bits;
@@ -44,8 +44,9 @@ void main() {
     surface_value = value;
 #endif
 #ifdef SECTION
-    gl_ClipDistance[0] =
-        (of_draw.y & surroundings_bit) != 0u ? 1.0 : dot(section_plane, vec4(position, 1.0));
+    for (int i = 0; i < SECTION; ++i)
+        gl_ClipDistance[i] =
+            (of_draw.y & surroundings_bit) != 0u ? 1.0 : dot(section_planes[i], vec4(position, 1.0));
 #endif
     gl_Position = clip_from_origin * vec4(position, 1.0);
 }

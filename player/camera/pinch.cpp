@@ -22,17 +22,18 @@ Pinch then(const Pinch& first, const Pinch& second) {
             first.turned + second.turned};
 }
 
-void follow_pinch(Navigation& n, const Pinch& p, const Eigen::Vector3d& point, double focal, double nearest,
-                  double farthest) {
-    const double depth = std::abs((point - n.eye).dot(n.R.row(2)));
-    fly(n, -depth / focal * Eigen::Vector3d(p.moved.x(), p.moved.y(), 0));
+void follow_pinch(Navigation& n, const Pinch& p, const Eigen::Vector3d& point, const View& view,
+                  double nearest, double farthest) {
+    const double pixel = std::abs(depth_in(view, point)) / view.intrinsics.fx;
+    fly(n, -pixel * Eigen::Vector3d(p.moved.x(), p.moved.y(), 0));
     if (p.spread > 0 && p.spread != 1) approach_point(n, point, 1 / p.spread, nearest, farthest);
-    const Eigen::Vector3d sight = point - n.eye;
+    const Eigen::Vector3d axis = n.R.row(2), sight = view.orthographic_depth > 0 ? axis : point - n.eye;
     if (p.turned == 0 || !(sight.norm() > 0)) return;
     // The world turns with the fingers, clockwise about the line that leads away from the eye.
     const Eigen::Matrix3d world = Eigen::AngleAxisd(p.turned, sight.normalized()).toRotationMatrix();
     n.R = n.R * world;
-    n.target = n.eye + world.transpose() * (n.target - n.eye);
+    n.eye = point + world.transpose() * (n.eye - point);
+    n.target = point + world.transpose() * (n.target - point);
 }
 
 }  // namespace vantage

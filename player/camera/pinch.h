@@ -22,8 +22,8 @@ Pinch pinch_between(const FingerPair& before, const FingerPair& now);
 Pinch then(const Pinch& first, const Pinch& second);
 
 /// Moves the camera so that a point, which was under the fingers' center before, follows them: to the side,
-/// closer or away as approach_point() does, and around the line of sight.
-void follow_pinch(Navigation& n, const Pinch& pinch, const Eigen::Vector3d& point, double focal,
+/// closer or away as approach_point() does, and around the line of sight. `view`: what was shown from there.
+void follow_pinch(Navigation& n, const Pinch& pinch, const Eigen::Vector3d& point, const View& view,
                   double nearest, double farthest);
 
 }  // namespace vantage

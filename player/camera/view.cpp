@@ -23,7 +23,7 @@ bool same_view(const View& a, const View& b) {
     const Intrinsics &k = a.intrinsics, &l = b.intrinsics;
     return k.width == l.width && k.height == l.height && k.fx == l.fx && k.fy == l.fy && k.cx == l.cx &&
            k.cy == l.cy && a.cam_from_origin.R == b.cam_from_origin.R &&
-           a.cam_from_origin.t == b.cam_from_origin.t;
+           a.cam_from_origin.t == b.cam_from_origin.t && a.orthographic_depth == b.orthographic_depth;
 }
 
 View view_of_photo(const package::PhotoRecord& photo, double scale) {
@@ -60,6 +60,25 @@ View orthographic_view(const Eigen::Vector3d& middle, const Eigen::Vector3d& rig
     view.intrinsics = {width, height, pixels * depth, pixels * depth, 0, 0};
     view.orthographic_depth = depth;
     return view;
+}
+
+View orthographic(View view, double depth, double size) {
+    const double far = orthographic_distance * size;
+    if (!(depth > 0) || !(size > 0) || !std::isfinite(far / depth))
+        throw Error(Exit::usage, "an orthographic view's position, scale and size must be finite");
+    view.cam_from_origin.t.z() += far - depth;
+    view.intrinsics.fx *= far / depth;
+    view.intrinsics.fy *= far / depth;
+    view.orthographic_depth = far;
+    return view;
+}
+
+double scale_at(const View& view, double z) {
+    return view.orthographic_depth > 0 ? view.orthographic_depth / orthographic_distance : z;
+}
+
+double depth_in(const View& view, const Eigen::Vector3d& point) {
+    return view.cam_from_origin.R.row(2).dot(point) + view.cam_from_origin.t.z();
 }
 
 Eigen::Matrix4d clip_from_origin(const View& view, const Eigen::Vector2d& range) {

@@ -45,6 +45,17 @@ inline constexpr double orthographic_distance = 1e6;
 View orthographic_view(const Eigen::Vector3d& middle, const Eigen::Vector3d& right,
                        const Eigen::Vector3d& down, double pixels, double size, int width, int height);
 
+/// The orthographic view that shows what is `depth` in front of a perspective view's eye as that does. `size`
+/// and errors: as above.
+View orthographic(View perspective, double depth, double size);
+
+/// A length that what an orthographic view shows does not exceed by much, or a perspective view's depth `z`:
+/// what tolerances are shares of.
+double scale_at(const View& view, double z);
+
+/// How far a point is in front of a view's eye, along its axis.
+double depth_in(const View& view, const Eigen::Vector3d& point);
+
 /// Clip-from-origin matrix of a view for depths from range.x() to range.y(), as clip_from_cam().
 Eigen::Matrix4d clip_from_origin(const View& view, const Eigen::Vector2d& range);
 

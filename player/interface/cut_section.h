@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// The plane that the session cuts the model with; nothing if it does not.
-std::optional<SectionPlane> section_of(const Cut& cut, const PlanScene& scene);
+/// The planes that the session cuts the model with: none, one, or those of a box.
+std::vector<SectionPlane> sections_of(const Cut& cut, const PlanScene& scene);
 
 /// The section of the sidebar: where the model is cut.
 void cut_section(Controls& controls, Session& session, const PlanScene& scene, const Eigen::Vector3d& origin);
@@ -16,12 +16,13 @@ void cut_section(Controls& controls, Session& session, const PlanScene& scene, c
 /// The lines of the cut over the picture.
 class CutLines {
   public:
-    /// Draws them over `view`; finds them again if the plane or the meshes have changed.
-    void show(std::span<const PlacedMesh> meshes, const std::optional<SectionPlane>& plane, const View& view);
+    /// Draws them over `view`, and the edges of a box; finds them again if the planes or the meshes have
+    /// changed.
+    void show(std::span<const PlacedMesh> meshes, std::span<const SectionPlane> planes, const View& view);
     const std::vector<SectionLine>& lines() const { return lines_; }
 
   private:
-    std::optional<SectionPlane> plane_;
+    std::vector<SectionPlane> planes_;
     std::size_t meshes_ = 0;
     std::vector<SectionLine> lines_;
 };

@@ -107,7 +107,7 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
 }
 
 Snapping MeasurePanel::snapping(const Session& s) const {
-    return {s.settings.section, to_vertices_ ? vertex_pixels : 0};
+    return {s.settings.sections, to_vertices_ ? vertex_pixels : 0};
 }
 
 void MeasurePanel::look_under_pointer(const Session& s, std::span<const PlacedMesh> meshes,

@@ -30,18 +30,16 @@ void draw_marker(const NoteMarker& m, const std::string& title, bool open, bool 
 
 std::vector<NoteMarker> note_markers(const Story& story, const InputAxes& axes, const View& view,
                                      const SurfaceAt& surface) {
-    constexpr double nearer = 0.99;
+    constexpr double nearer = 0.01;
     const Intrinsics& k = view.intrinsics;
-    const auto depth_of = [&](const Eigen::Vector3d& p) {
-        return (view.cam_from_origin.R.row(2) * p + view.cam_from_origin.t.row(2)).value();
-    };
     std::vector<NoteMarker> out;
     for (std::size_t i = 0; i < story.notes.size(); ++i) {
         if (!story.notes[i].anchor) continue;
         const auto shown = project(k, view.cam_from_origin, *story.notes[i].anchor - axes.origin);
         if (!shown || !in_frame(k, shown->pixel)) continue;
         const auto front = surface(shown->pixel);
-        out.push_back({i, shown->pixel, shown->z, front && depth_of(*front) < nearer * shown->z});
+        out.push_back({i, shown->pixel, shown->z,
+                       front && depth_in(view, *front) < shown->z - nearer * scale_at(view, shown->z)});
     }
     std::ranges::stable_sort(out, std::ranges::greater(), &NoteMarker::depth);
     return out;

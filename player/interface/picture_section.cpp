@@ -76,6 +76,10 @@ void picture_section(Controls& c, Session& s, const Renderer& renderer) {
         c.explain("Draws the borders of the mesh's triangles over the picture.");
     }
     comparison_controls(c, s, renderer);
+    c.checkbox("Orthographic", &s.orthographic);
+    c.explain("Without perspective: what is farther away looks as large.");
+    c.slider("Flying speed", &s.flying_speed, 0.1, 10.0, "%.1f", ImGuiSliderFlags_Logarithmic);
+    c.explain("Of the keys W A S D, Q and E; Shift is four times as fast.");
 }
 
 }  // namespace vantage

@@ -3,8 +3,16 @@
 #include <algorithm>
 
 #include "player/camera/camera_path.h"
+#include "player/plan/plan_scene.h"
 
 namespace vantage {
+
+View shown_view(const Navigation& camera, const Session& s, const PlanScene& scene, int width, int height) {
+    const View view = view_of(camera, width, height, s.free);
+    const double distance = (camera.target - camera.eye).norm();
+    if (!s.orthographic || !(distance > 0)) return view;
+    return orthographic(view, distance, std::max(scene.size, distance));
+}
 
 void say(Session& s, const std::string& message, double now) {
     s.message = message;
@@ -22,6 +30,7 @@ bool take_key(Session& s, int key) {
 void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record, double now) {
     s.standing_at = photo;
     s.settings.compare_photo = photo;
+    s.orthographic = false;  // no photo is
     s.flight = Session::Flight{{s.camera, stand_at(record, s.camera.up)}, now, 0.7};
 }
 

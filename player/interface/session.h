@@ -29,6 +29,9 @@ struct Panels {
 
 /// How the model is cut.
 struct Cut {
+    enum class By { plane, box, count } by = By::plane;
+    /// Along the input's axes, as shares of the model's extent: what is kept.
+    std::array<double, 3> low{0, 0, 0}, high{1, 1, 1};
     /// The view as it was when this was chosen; an axis of the input.
     enum class Across { facing, x, y, z, count };
     bool on = false, other_side = false;
@@ -56,6 +59,8 @@ struct Session {
     Navigation camera;
     Navigation home;                       ///< where the session began
     Area free;                             ///< the part of the window that the picture is fitted to
+    bool orthographic = false;             ///< instead of perspective
+    double flying_speed = 1;               ///< of the keys, in usual speeds
     std::optional<Eigen::Vector3d> pivot;  ///< the point under the pointer when it began to drag
     std::vector<std::uint32_t> photos;     ///< allowed for blending
     Panels panels;
@@ -117,6 +122,11 @@ struct Session {
         std::vector<float>(240, 0.0f);  ///< of the last 240 frames drawn, newest last
     FrameStatistics statistics;
 };
+
+/// What is seen from a camera in a frame of this size: in the free part of it, orthographically if the
+/// session says so. What is as far away as the camera's target is then as large as in perspective.
+View shown_view(const Navigation& camera, const Session& session, const PlanScene& scene, int width,
+                int height);
 
 /// Shows a message for 6 seconds.
 void say(Session& session, const std::string& message, double now);

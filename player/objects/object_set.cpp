@@ -180,7 +180,7 @@ FrameReport ObjectSet::draw(const View& view, const RenderSettings& settings,
     for (const auto& o : others_) {
         if (!o->object.shown) continue;
         of_others.weights_from = settings.weights_from;
-        of_others.section = settings.section;
+        of_others.sections = settings.sections;
         of_others.upload_bytes = upload_share();
         divide_budget();  // what the objects before it hold may have changed
         all = joined(all, draw_other(*o, view, of_others, sample, now, next));
@@ -195,9 +195,8 @@ FrameReport ObjectSet::draw_other(Other& o, const View& view, RenderSettings& se
     };
     o.view = seen_by(view);
     if (settings.weights_from) settings.weights_from = seen_by(*settings.weights_from);
-    if (settings.section)
-        settings.section = plane_of_object(*settings.section, origin_of(first_.package()),
-                                           origin_of(o.package), o.object.placement);
+    for (SectionPlane& plane : settings.sections)
+        plane = plane_of_object(plane, origin_of(first_.package()), origin_of(o.package), o.object.placement);
     std::optional<View> ahead;
     if (next) ahead = seen_by(*next);
     return o.report = o.renderer->draw(o.view, settings, o.photos, sample, now, ahead ? &*ahead : nullptr);

@@ -10,6 +10,7 @@ View view_of_object(const View& view, const Eigen::Vector3d& scene_origin,
     out.cam_from_origin.R = camera.R * rotation_of(placement);
     const Eigen::Vector3d middle = object_origin + placement.move - scene_origin;
     out.cam_from_origin.t = (camera.R * middle + camera.t) / placement.scale;
+    out.orthographic_depth = view.orthographic_depth / placement.scale;
     return out;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+#include <span>
 
 namespace vantage {
 
@@ -13,6 +16,14 @@ struct SectionPlane {
     double before(const Eigen::Vector3d& p) const { return normal.dot(p) - offset; }
     bool operator==(const SectionPlane& o) const { return normal == o.normal && offset == o.offset; }
 };
+
+/// How many planes can cut the model: those of a box.
+inline constexpr std::size_t most_sections = 6;
+
+/// Whether a point is before one of the planes.
+inline bool is_cut_away(std::span<const SectionPlane> planes, const Eigen::Vector3d& p) {
+    return std::ranges::any_of(planes, [&](const SectionPlane& plane) { return plane.before(p) > 0; });
+}
 
 /// The same plane in the coordinates of what is placed in the scene: its point p is at scale * R * p + t.
 inline SectionPlane plane_in(const SectionPlane& plane, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,

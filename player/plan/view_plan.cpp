@@ -14,11 +14,16 @@ PlanSettings with_side(PlanSettings settings, int side) {
     return settings;
 }
 
+/// The eye, or the middle of an orthographic picture, whose eye is far away.
+Eigen::Vector3d place_of(const View& view) {
+    return view.cam_from_origin.center() + view.orthographic_depth * view.cam_from_origin.direction();
+}
+
 /// Whether the surface seen from `before` is a good guess for `now`: turned by at most 20 degrees, moved by
 /// at most a tenth of the model's diagonal.
 bool shows_much_of(const View& before, const View& now, const PlanScene& scene) {
     const double turned = before.cam_from_origin.direction().dot(now.cam_from_origin.direction());
-    const double moved = (before.cam_from_origin.center() - now.cam_from_origin.center()).norm();
+    const double moved = (place_of(before) - place_of(now)).norm();
     return turned > std::cos(std::numbers::pi / 9) && moved < 0.1 * scene.size;
 }
 

@@ -76,6 +76,27 @@ gl::Program make_surface_program(const std::vector<std::string>& defines) {
 /// Depth of the surroundings, behind everything of the mesh: a power of two keeps the precision of floats.
 constexpr float surroundings_depth = 0x1p-60f;
 
+void set_sections(std::span<const SectionPlane> sections) {
+    std::array<Eigen::Vector4f, most_sections> planes;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const SectionPlane& cut = sections[i];
+        planes[i] =
+            Eigen::Vector4d(-cut.normal.x(), -cut.normal.y(), -cut.normal.z(), cut.offset).cast<float>();
+        glEnable(GL_CLIP_DISTANCE0 + GLenum(i));
+    }
+    if (!sections.empty())
+        glUniform4fv(shader::section_planes_uniform, GLsizei(sections.size()), planes.front().data());
+}
+
+void end_sections(std::span<const SectionPlane> sections) {
+    for (std::size_t i = 0; i < sections.size(); ++i) glDisable(GL_CLIP_DISTANCE0 + GLenum(i));
+}
+
+/// A program clips by as many planes as there are.
+std::string section_define(const RenderSettings& settings) {
+    return "SECTION " + std::to_string(settings.sections.size());
+}
+
 }  // namespace
 
 std::vector<std::string> surroundings_defines(const PlanScene& scene) {
@@ -146,7 +167,7 @@ void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targe
     }
     draw_clusters(clusters);
     ring_.end();
-    glDisable(GL_CLIP_DISTANCE0);
+    end_sections(drawn.settings.sections);
 }
 
 void ModelPasses::use_coarse(CoarseMesh mesh) {
@@ -185,18 +206,13 @@ void ModelPasses::draw_coarse() {
                    reinterpret_cast<const void*>(scene_->indices.size() * sizeof(std::uint32_t)));
 }
 
-/// The uniforms of a surface program; the section that it is drawn with, if there is one.
+/// The uniforms of a surface program; the sections that it is drawn with.
 void ModelPasses::set_surface(const DrawnView& drawn) {
     glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
     uniform(shader::surface_eye_uniform, drawn.view.cam_from_origin.center());
     if (drawn.settings.light.light != Light::photos) set_light(drawn);
     if (shows_layer(drawn.settings)) set_layer(drawn.settings.layer);
-    if (!drawn.settings.section) return;
-    const SectionPlane& cut = *drawn.settings.section;
-    const Eigen::Vector4f plane =
-        Eigen::Vector4d(-cut.normal.x(), -cut.normal.y(), -cut.normal.z(), cut.offset).cast<float>();
-    glUniform4fv(shader::section_plane_uniform, 1, plane.data());
-    glEnable(GL_CLIP_DISTANCE0);
+    set_sections(drawn.settings.sections);
 }
 
 std::size_t ModelPasses::draw_transparent(const DrawnView& drawn, const TransparentTarget& target) {
@@ -221,14 +237,14 @@ std::size_t ModelPasses::draw_transparent(const DrawnView& drawn, const Transpar
     cluster_photos_.assign(scene_->clusters.size(), 1);
     const std::size_t draws = draw_run(drawn.plan.plan().transparent, 0);
     ring_.end();
-    glDisable(GL_CLIP_DISTANCE0);
+    end_sections(drawn.settings.sections);
     return draws;
 }
 
 const gl::Program& ModelPasses::transparent_program(const RenderSettings& settings, bool lists) {
     std::vector<std::string> asked = asked_defines(settings);
     if (lists) asked.emplace_back("FRAGMENT_LISTS");
-    if (settings.section) asked.emplace_back("SECTION");
+    if (!settings.sections.empty()) asked.push_back(section_define(settings));
     gl::Program& program = transparent_programs_[asked];
     if (program) return program;
     std::vector<std::string> defines = surface_defines(*package_, *scene_);
@@ -241,7 +257,7 @@ const gl::Program& ModelPasses::transparent_program(const RenderSettings& settin
 const gl::Program& ModelPasses::surface_program(const RenderSettings& settings) {
     std::vector<std::string> asked = asked_defines(settings);
     if (settings.swift && asked.empty()) asked.emplace_back("FLAT");
-    if (settings.section) asked.emplace_back("SECTION");
+    if (!settings.sections.empty()) asked.push_back(section_define(settings));
     if (asked.empty()) return surface_program_;
     gl::Program& program = other_surface_programs_[asked];
     if (!program) {

@@ -157,7 +157,8 @@ struct RenderSettings {
     bool wait_for_uploads = false;  ///< waits for tiles until upload_bytes are uploaded
     bool whole_photos = false;      ///< upload each photo whole and at once (for comparison)
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame
-    std::optional<SectionPlane> section;  ///< cuts the model, not points and surroundings
+    std::vector<SectionPlane>
+        sections;  ///< at most most_sections; cut the model, not points and surroundings
     Background background;
     FrameSize room;  ///< frames up to this size, or the view's, need no new render targets
 };

@@ -24,9 +24,9 @@ Eigen::Vector3d in_mesh(const PlacedMesh& m, const Eigen::Vector3d& p) {
 Eigen::Vector3d in_scene(const PlacedMesh& m, const Eigen::Vector3d& p) { return m.scale * (m.R * p) + m.t; }
 
 std::optional<Found> nearest(std::span<const PlacedMesh> meshes, const Ray& ray,
-                             const std::optional<SectionPlane>& section) {
+                             std::span<const SectionPlane> sections) {
     std::optional<Found> out;
-    const RayRange range = section ? behind(*section, ray) : RayRange{};
+    const RayRange range = behind(sections, ray);
     for (const PlacedMesh& m : meshes) {
         const Ray own{in_mesh(m, ray.from), m.R.transpose() * ray.along / m.scale};
         const auto hit = first_hit(*m.scene, own, range);
@@ -37,10 +37,12 @@ std::optional<Found> nearest(std::span<const PlacedMesh> meshes, const Ray& ray,
 }
 
 /// Nothing is in front of a vertex, as far as single precision tells.
-bool in_sight(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& eye, const Eigen::Vector3d& position,
-              const std::optional<SectionPlane>& section) {
-    const auto hit = nearest(meshes, {eye, position - eye}, section);
-    return !hit || hit->distance > 1 - 1e-4;
+bool in_sight(std::span<const PlacedMesh> meshes, const View& view, const Eigen::Vector3d& position,
+              std::span<const SectionPlane> sections) {
+    const Ray ray{view.cam_from_origin.center(), position - view.cam_from_origin.center()};
+    const auto hit = nearest(meshes, ray, sections);
+    const double length = ray.along.norm();
+    return !hit || length * (1 - hit->distance) < 1e-4 * scale_at(view, length);
 }
 
 /// The vertex in sight that is nearest in the picture, among those of the triangles around the pixel.
@@ -49,9 +51,8 @@ std::optional<Found> nearest_vertex(std::span<const PlacedMesh> meshes, const Vi
     constexpr int around = 8;
     double reach = snapping.vertex_pixels;
     std::optional<Found> best;
-    const Eigen::Vector3d eye = view.cam_from_origin.center();
     const auto look = [&](const Eigen::Vector2d& at) {
-        const auto found = nearest(meshes, ray_through(view, at), snapping.section);
+        const auto found = nearest(meshes, ray_through(view, at), snapping.sections);
         if (!found) return;
         const PlanScene& scene = *found->mesh->scene;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -59,8 +60,8 @@ std::optional<Found> nearest_vertex(std::span<const PlacedMesh> meshes, const Vi
             const Eigen::Vector3d p = in_scene(*found->mesh, scene.positions[v].cast<double>());
             const auto shown = project(view.intrinsics, view.cam_from_origin, p);
             const double off = shown ? (shown->pixel - pixel).norm() : reach;
-            const bool cut_away = snapping.section && snapping.section->before(p) > 0;
-            if (off >= reach || cut_away || !in_sight(meshes, eye, p, snapping.section)) continue;
+            const bool cut_away = is_cut_away(snapping.sections, p);
+            if (off >= reach || cut_away || !in_sight(meshes, view, p, snapping.sections)) continue;
             reach = off;
             best = Found{found->mesh, found->triangle, 0, p};
         }
@@ -80,7 +81,7 @@ std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const
                                        const View& view, const Eigen::Vector2d& pixel, Snapping snapping) {
     std::optional<Found> found;
     if (snapping.vertex_pixels > 0) found = nearest_vertex(meshes, view, pixel, snapping);
-    if (!found) found = nearest(meshes, ray_through(view, pixel), snapping.section);
+    if (!found) found = nearest(meshes, ray_through(view, pixel), snapping.sections);
     if (!found || !found->position.allFinite()) return {};
     const PlacedMesh& m = *found->mesh;
     SurveyPoint out{found->position + origin};

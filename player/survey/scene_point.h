@@ -20,7 +20,7 @@ struct PlacedMesh {
 
 /// Where points are set.
 struct Snapping {
-    std::optional<SectionPlane> section{};  ///< of the scene: nothing before it counts
+    std::span<const SectionPlane> sections{};  ///< of the scene: nothing before them counts
     double vertex_pixels =
         0;  ///< to the nearest vertex in sight that is this near in the picture; 0: on the surface
 };

@@ -40,11 +40,33 @@ void cut_mesh(const PlacedMesh& m, const SectionPlane& of_scene, std::vector<Sec
     }
 }
 
+std::span<const std::uint32_t> vertices_of(const PlanScene& scene, const package::ClusterRecord& c) {
+    return std::span(scene.indices).subspan(3 * std::size_t(c.first_triangle), 3 * std::size_t(c.triangles));
+}
+
+/// To what is behind the planes; false if that is nothing.
+bool shorten(SectionLine& line, std::span<const SectionPlane> planes) {
+    const Ray along{line[0], line[1] - line[0]};
+    const RayRange range = behind(planes, along);
+    const double to = std::min(1.0, range.farthest);
+    if (range.nearest > to) return false;
+    line = {along.from + range.nearest * along.along, along.from + to * along.along};
+    return true;
+}
+
 }  // namespace
 
-std::vector<SectionLine> section_lines(std::span<const PlacedMesh> meshes, const SectionPlane& plane) {
+std::vector<SectionLine> section_lines(std::span<const PlacedMesh> meshes,
+                                       std::span<const SectionPlane> planes) {
     std::vector<SectionLine> out;
-    for (const PlacedMesh& m : meshes) cut_mesh(m, plane, out);
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        std::vector<SectionPlane> others(planes.begin(), planes.end());
+        others.erase(others.begin() + std::ptrdiff_t(i));
+        std::vector<SectionLine> lines;
+        for (const PlacedMesh& m : meshes) cut_mesh(m, planes[i], lines);
+        for (SectionLine& line : lines)
+            if (shorten(line, others)) out.push_back(line);
+    }
     return out;
 }
 
@@ -63,12 +85,14 @@ std::string section_dxf(std::span<const SectionLine> lines, const Eigen::Vector3
     return out + "0\nENDSEC\n0\nEOF\n";
 }
 
-RayRange behind(const SectionPlane& plane, const Ray& ray) {
+RayRange behind(std::span<const SectionPlane> planes, const Ray& ray) {
     RayRange range;
-    const double before = plane.before(ray.from), speed = plane.normal.dot(ray.along);
-    if (speed > 0) range.farthest = -before / speed;
-    if (speed < 0) range.nearest = std::max(0.0, before / -speed);
-    if (speed == 0 && before > 0) range.farthest = -1;
+    for (const SectionPlane& plane : planes) {
+        const double before = plane.before(ray.from), speed = plane.normal.dot(ray.along);
+        if (speed > 0) range.farthest = std::min(range.farthest, -before / speed);
+        if (speed < 0) range.nearest = std::max(range.nearest, before / -speed);
+        if (speed == 0 && before > 0) range.farthest = -1;
+    }
     return range;
 }
 
@@ -78,8 +102,13 @@ std::array<double, 2> extent_along(const PlanScene& scene, const Eigen::Vector3d
     const std::size_t clusters = std::min<std::size_t>(scene.first_surrounding, scene.clusters.size());
     for (const package::ClusterRecord& c : std::span(scene.clusters).first(clusters)) {
         const double at = normal.dot(Eigen::Vector3d(c.center[0], c.center[1], c.center[2]));
-        out[0] = std::min(out[0], at - double(c.radius));
-        out[1] = std::max(out[1], at + double(c.radius));
+        const double reach = double(c.radius) * (1 + 1e-5);
+        if (at - reach >= out[0] && at + reach <= out[1]) continue;
+        for (const std::uint32_t v : vertices_of(scene, c)) {
+            if (v >= scene.positions.size()) return {0, 0};  // the file was overwritten
+            const double value = normal.dot(scene.positions[v].cast<double>());
+            out = {std::min(out[0], value), std::max(out[1], value)};
+        }
     }
     return out[0] <= out[1] ? out : std::array{0.0, 0.0};
 }

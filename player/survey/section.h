@@ -11,19 +11,20 @@
 
 namespace vantage {
 
-/// Where the plane cuts the surface: one line for each triangle that it cuts, relative to the scene's origin.
-/// A corner on the plane counts as behind it, so that a line through a corner has no gap. Surroundings are
-/// not cut.
+/// Where planes cut the surface that is behind all others of them: one line for each triangle that a plane
+/// cuts, relative to the scene's origin. A corner on a plane counts as behind it, so that a line through a
+/// corner has no gap. Surroundings are not cut.
 using SectionLine = std::array<Eigen::Vector3d, 2>;
-std::vector<SectionLine> section_lines(std::span<const PlacedMesh> meshes, const SectionPlane& plane);
+std::vector<SectionLine> section_lines(std::span<const PlacedMesh> meshes,
+                                       std::span<const SectionPlane> planes);
 
 /// A drawing (DXF, release 12) of the lines in coordinates of the input, whose origin is `origin`.
 std::string section_dxf(std::span<const SectionLine> lines, const Eigen::Vector3d& origin);
 
-/// The part of a ray behind the plane; empty (nearest > farthest) if there is none.
-RayRange behind(const SectionPlane& plane, const Ray& ray);
+/// The part of a ray behind all planes; empty (nearest > farthest) if there is none.
+RayRange behind(std::span<const SectionPlane> planes, const Ray& ray);
 
-/// The lowest and the highest value of normal . p on the mesh, within the bounds of its clusters.
+/// The lowest and the highest value of normal . p of the mesh's vertices; surroundings have no part in it.
 std::array<double, 2> extent_along(const PlanScene& scene, const Eigen::Vector3d& normal);
 
 }  // namespace vantage

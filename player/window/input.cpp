@@ -35,29 +35,29 @@ struct UnderPointer {
 UnderPointer under_pointer(const View& view, const Session& s, const PlanScene& scene,
                            const Eigen::Vector2d& pixel) {
     const Ray ray = ray_through(view, pixel);
-    const RayRange range = s.settings.section ? behind(*s.settings.section, ray) : RayRange{};
-    if (const auto hit = first_hit(scene, ray, range)) return {hit->position, true};
-    return {ray.from + (s.camera.target - s.camera.eye).norm() * ray.along, false};
+    if (const auto hit = first_hit(scene, ray, behind(s.settings.sections, ray)))
+        return {hit->position, true};
+    return {ray.from + depth_in(view, s.camera.target) * ray.along, false};
 }
 
 /// Dragging by the window's width turns by half a turn; what is dragged follows the pointer.
 void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vector2d& pointer) {
     const ImGuiIO& io = ImGui::GetIO();
     const auto [left, right, middle] = s.input.drags;
-    const double focal = view.intrinsics.fx;
     if (!s.pivot) {
         const Eigen::Vector2d moved(left.right + right.right + middle.right,
                                     left.down + right.down + middle.down);
         const UnderPointer begin = under_pointer(view, s, scene, pointer - moved);
         s.pivot = begin.on_mesh ? begin.point : s.camera.target;
     }
-    if (io.KeyCtrl) {
+    const double focal = view.intrinsics.fx;
+    if (io.KeyCtrl && !s.orthographic) {
         look(s.camera, -left.right / focal, -left.down / focal);
     } else {
         const double radians = std::numbers::pi / std::max(1.0, double(io.DisplaySize.x));
         orbit_about(s.camera, *s.pivot, left.right * radians, left.down * radians);
     }
-    const double depth = std::abs((*s.pivot - s.camera.eye).dot(s.camera.R.row(2)));
+    const double depth = std::abs(depth_in(view, *s.pivot));
     fly(s.camera, -depth / focal * Eigen::Vector3d(right.right + middle.right, right.down + middle.down, 0));
 }
 
@@ -75,7 +75,7 @@ void move_to_pointer(Session& s, const View& view, const PlanScene& scene, const
 void pinch(Session& s, const View& view, const PlanScene& scene) {
     const Pinch& p = *s.input.pinch;
     if (s.input.pinch_begins || !s.pivot) s.pivot = under_pointer(view, s, scene, p.center - p.moved).point;
-    follow_pinch(s.camera, p, *s.pivot, view.intrinsics.fx, nearest * scene.size, farthest * scene.size);
+    follow_pinch(s.camera, p, *s.pivot, view, nearest * scene.size, farthest * scene.size);
 }
 
 void move_by_pointer(Session& s, const PlanScene& scene, double now) {
@@ -85,7 +85,7 @@ void move_by_pointer(Session& s, const PlanScene& scene, double now) {
                points = io.MouseWheel != 0 || s.input.double_clicked;
     if (!io.WantCaptureMouse && (dragged || pinched || points)) {
         s.flight.reset();  // input interrupts a flight
-        const View view = view_of(s.camera, int(io.DisplaySize.x), int(io.DisplaySize.y), s.free);
+        const View view = shown_view(s.camera, s, scene, int(io.DisplaySize.x), int(io.DisplaySize.y));
         const Eigen::Vector2d pointer(io.MousePos.x, io.MousePos.y);
         if (dragged) drag(s, view, scene, pointer);
         if (pinched) pinch(s, view, scene);
@@ -117,14 +117,16 @@ void move_by_keys(Session& s, std::span<const KeyPress> tapped) {
         const auto is = [&](const KeyPress& p) { return p.key == key && p.with == KeyPress::With::nothing; };
         return double(ImGui::IsKeyDown(key) || std::ranges::any_of(tapped, is));
     };
-    const Eigen::Vector3d step(down(GLFW_KEY_D) - down(GLFW_KEY_A), down(GLFW_KEY_Q) - down(GLFW_KEY_E),
-                               down(GLFW_KEY_W) - down(GLFW_KEY_S));
-    const double pace =
-        (io.KeyShift ? 2.0 : 0.5) * (s.camera.eye - s.camera.target).norm() * std::min(io.DeltaTime, 0.1f);
-    if (step.norm() > 0) {
-        s.flight.reset();
-        fly(s.camera, step * pace);
+    Eigen::Vector3d step(down(GLFW_KEY_D) - down(GLFW_KEY_A), down(GLFW_KEY_Q) - down(GLFW_KEY_E),
+                         down(GLFW_KEY_W) - down(GLFW_KEY_S));
+    if (!(step.norm() > 0)) return;
+    s.flight.reset();
+    step *= (io.KeyShift ? 2.0 : 0.5) * s.flying_speed * std::min(io.DeltaTime, 0.1f);
+    if (s.orthographic) {  // ahead, nothing would change
+        approach(s.camera, std::exp(-step.z()));
+        step.z() = 0;
     }
+    fly(s.camera, step * (s.camera.eye - s.camera.target).norm());
 }
 
 template <class Enum>

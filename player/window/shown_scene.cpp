@@ -106,14 +106,15 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     layout_ =
         layout_of(s.panels, width, height, double(ImGui::GetFontSize()), !renderer_.scene().photos.empty());
     s.free = picture_area(layout_, s.settings.compare, width);
-    const View view = view_of(s.camera, width, height, s.free);
+    choose_projection(now);
+    const View view = shown_view(s.camera, s, renderer_.scene(), width, height);
     shown_at_ = now;
     interface(view, now);
     record(now);
     change_objects(now);
     orthophotos_.attend(s, renderer_.package(), now);
     ImGui::Render();
-    const bool still = !keys && unchanged(view) && lit_ == s.settings.light && cut_ == s.settings.section;
+    const bool still = !keys && unchanged(view) && lit_ == s.settings.light && cut_ == s.settings.sections;
     if (!still) samples_ = 0;
     s.settings.points.pick = s.panels.expert && s.panels.points;
     s.settings.room = {width, height};
@@ -121,7 +122,7 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     clock_.begin();
     draw(view, still, now);
     if (s.settings.points.pick) pick(view);
-    enlargement_.show(objects_, *drawn_view_, s.settings, s.settings.room, 0, true);
+    enlargement_.show(objects_, *drawn_view_, shown_settings(), s.settings.room, 0, true);
     if (std::exchange(s.screenshot, false))  // without the interface
         write_numbered(s, renderer_.package().path().stem().string(), ".png", "screenshot", now,
                        [&](const std::string& file) { save_frame(file, width, height); });
@@ -130,7 +131,26 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     keep_pace();
     last_ = view;
     lit_ = s.settings.light;
-    cut_ = s.settings.section;
+    cut_ = s.settings.sections;
+}
+
+/// What an orthographic view cannot show ends it.
+void ShownScene::choose_projection(double now) {
+    Session& s = session_;
+    const bool points = renderer_.points() && s.settings.points.show;
+    if (!s.orthographic || (!points && s.settings.compare == Compare::nothing && objects_.size() == 1))
+        return;
+    s.orthographic = false;
+    say(s, "In perspective again: points, several objects and comparisons are not shown orthographically",
+        now);
+}
+
+/// Those of the session. An orthographic view leaves out surroundings, and so does a cut, which they would
+/// fill with what it takes away.
+RenderSettings ShownScene::shown_settings() const {
+    RenderSettings settings = session_.settings;
+    if (session_.orthographic || !settings.sections.empty()) settings.surroundings = ShowSurroundings::off;
+    return settings;
 }
 
 void ShownScene::interface(const View& view, double now) {
@@ -148,7 +168,8 @@ void ShownScene::interface(const View& view, double now) {
     }
     show_cut(view, now);
     measure_.show(controls_, s, s.panels.measure ? objects_.meshes() : std::vector<PlacedMesh>{}, view, now);
-    if (s.panels.radar) radar_panel(controls_, s, renderer_, view, now);
+    if (s.panels.radar)
+        radar_panel(controls_, s, renderer_, view_of(s.camera, frame.width, frame.height), now);
     if (layout_.strip.height > 0) strip_.show(controls_, s, renderer_, view, layout_.strip, now);
     tell(view, now);
     if (s.panels.help) help_panel(s);
@@ -161,8 +182,8 @@ void ShownScene::interface(const View& view, double now) {
 /// Cuts the model as the session says: the lines of the cut, and a drawing of them if one is asked for.
 void ShownScene::show_cut(const View& view, double now) {
     Session& s = session_;
-    const auto& plane = s.settings.section = section_of(s.cut, renderer_.scene());
-    cut_lines_.show(plane ? objects_.meshes() : std::vector<PlacedMesh>{}, plane, view);
+    const auto& planes = s.settings.sections = sections_of(s.cut, renderer_.scene());
+    cut_lines_.show(planes.empty() ? std::vector<PlacedMesh>{} : objects_.meshes(), planes, view);
     if (!std::exchange(s.cut.saves, false)) return;
     const PackageReader& package = renderer_.package();
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
@@ -300,7 +321,7 @@ void ShownScene::draw(const View& view, bool still, double now) {
     // Once at rest, it stays so while tiles come: where not all fit, those for motion and for rest would
     // evict each other.
     resting_ = still && !moves && (resting_ || complete);
-    RenderSettings settings = s.settings;
+    RenderSettings settings = shown_settings();
     settings.swift = s.pace.swift;
     settings.lod_bias = resting_ ? 0 : -0.5;
     if (!moves) settings.upload_bytes = upload_of_frame(settings.upload_bytes, frame_ms_);
@@ -308,8 +329,8 @@ void ShownScene::draw(const View& view, bool still, double now) {
     settings.wait_for_base = !drawn_ && !renderer_.package().remote();  // the first picture shows photos
     const Navigation ahead = before_ ? between(*before_, s.camera, 4) : s.camera;
     before_ = s.camera;
-    const View next =
-        scaled(view_of(ahead, view.intrinsics.width, view.intrinsics.height, s.free), s.pace.scale);
+    const View next = scaled(
+        shown_view(ahead, s, renderer_.scene(), view.intrinsics.width, view.intrinsics.height), s.pace.scale);
     const PixelSample sample = resting_ ? PixelSample{samples_, rest_side} : PixelSample{};
     const bool sound_so_far = s.report.tiles_damaged == 0;
     drawn_view_ = scaled(view, s.pace.scale);

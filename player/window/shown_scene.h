@@ -49,6 +49,8 @@ class ShownScene {
     static constexpr double blink_seconds = 0.3;  ///< of a text field's cursor
 
     std::optional<AttractLoop> kiosk_tour(const PackageReader& package, const std::string& path) const;
+    void choose_projection(double now);
+    RenderSettings shown_settings() const;
     void interface(const View& view, double now);
     void tell(const View& view, double now);
     void record(double now);
@@ -86,8 +88,8 @@ class ShownScene {
     Pace pace_;            ///< of the next frame in motion
     double frame_ms_ = 0;  ///< of the last frame that was measured
     std::optional<View> last_, drawn_view_;
-    LightSettings lit_;  ///< of the last frame, as is the section
-    std::optional<SectionPlane> cut_;
+    LightSettings lit_;  ///< of the last frame, as are the sections
+    std::vector<SectionPlane> cut_;
     std::optional<Navigation> before_;
     int samples_ = 0;
     bool drawn_ = false, resting_ = false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "gl/context.h"
 #include "pipeline/input/discover.h"
@@ -69,6 +70,33 @@ Difference difference(const std::vector<std::uint8_t>& a, const std::vector<std:
     d.share_above_one = double(above_one) / double(std::max<std::size_t>(1, a.size()));
     d.share_above_24 = double(above_24) / double(std::max<std::size_t>(1, a.size()));
     return d;
+}
+
+/// Compares what a picture with sections shows with rays that end at them.
+void expect_cut(const PackageReader& package, const View& view, std::vector<SectionPlane> sections,
+                std::span<const std::uint32_t> photos) {
+    Renderer renderer(package, MemoryBudget{});
+    RenderSettings settings;
+    settings.sections = std::move(sections);
+    take_picture(renderer, view, settings, photos, 1);
+    const std::vector<std::uint32_t> cut = renderer.triangles();
+    const std::vector<SectionPlane> planes = std::exchange(settings.sections, {});
+    take_picture(renderer, view, settings, photos, 1);
+    const std::vector<std::uint32_t> whole = renderer.triangles();
+    const PlanScene& scene = renderer.scene();
+    const std::uint32_t of_mesh = scene.clusters[scene.first_surrounding].first_triangle;
+    std::size_t changed = 0, wrong = 0;
+    for (int y = 0; y < view.intrinsics.height; ++y)
+        for (int x = 0; x < view.intrinsics.width; ++x) {
+            const auto at = std::size_t(y * view.intrinsics.width + x);
+            const Ray ray = ray_through(view, {x + 0.5, y + 0.5});
+            const auto hit = first_hit(scene, ray, behind(planes, ray));
+            const std::uint32_t shown = cut[at] > of_mesh ? 0 : cut[at];
+            wrong += shown != (hit ? hit->triangle + 1 : 0);
+            changed += cut[at] != whole[at];
+        }
+    EXPECT_GT(changed, cut.size() / 50) << "something is cut away";
+    EXPECT_LT(wrong, cut.size() / 200) << "but for edges";
 }
 
 }  // namespace
@@ -139,30 +167,21 @@ TEST_F(Frames, ACoarseMeshInMotionLooksLikeTheMesh) {
 TEST_F(Frames, ASectionTakesAwayWhatIsBeforeIt) {
     const PackageReader package(file);
     const gl::HeadlessContext context;
-    Renderer renderer(package, MemoryBudget{});
     const View view = views(package).front();
-    RenderSettings settings;
-    const SectionPlane plane{-view.cam_from_origin.direction(), 0};
-    settings.section = plane;
-    take_picture(renderer, view, settings, all(package), 1);
-    const std::vector<std::uint32_t> cut = renderer.triangles();
-    settings.section.reset();
-    take_picture(renderer, view, settings, all(package), 1);
-    const std::vector<std::uint32_t> whole = renderer.triangles();
-    const PlanScene& scene = renderer.scene();
-    const std::uint32_t of_mesh = scene.clusters[scene.first_surrounding].first_triangle;
-    std::size_t changed = 0, wrong = 0;
-    for (int y = 0; y < view.intrinsics.height; ++y)
-        for (int x = 0; x < view.intrinsics.width; ++x) {
-            const auto at = std::size_t(y * view.intrinsics.width + x);
-            const Ray ray = ray_through(view, {x + 0.5, y + 0.5});
-            const auto hit = first_hit(scene, ray, behind(plane, ray));
-            const std::uint32_t shown = cut[at] > of_mesh ? 0 : cut[at];
-            wrong += shown != (hit ? hit->triangle + 1 : 0);
-            changed += cut[at] != whole[at];
-        }
-    EXPECT_GT(changed, cut.size() / 50) << "something is cut away";
-    EXPECT_LT(wrong, cut.size() / 200) << "but for edges";
+    expect_cut(package, view, {{-view.cam_from_origin.direction(), 0}}, all(package));
+}
+
+TEST_F(Frames, OfABoxOnlyWhatIsInsideIsLeft) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context;
+    const Eigen::AlignedBox3d bounds = bounds_from_origin(package.scene());
+    std::vector<SectionPlane> box;
+    for (int i = 0; i < 3; ++i) {
+        const double middle = bounds.center()[i], half = 0.3 * bounds.sizes()[i];
+        box.push_back({-Eigen::Vector3d::Unit(i), -(middle - half)});
+        box.push_back({Eigen::Vector3d::Unit(i), middle + half});
+    }
+    for (const View& view : views(package)) expect_cut(package, view, box, all(package));
 }
 
 TEST_F(Frames, SmallerThanTheirTargetsLookAsWithTargetsOfTheirOwn) {

@@ -9,9 +9,9 @@ vantage=$1 player=$2 source=$3
 "$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage --no-report >/dev/null 2>&1 || exit 1
 camera=$(awk '!/^#/ && NF == 10 { print; n++ } n == 3 { exit }' scene/sparse/images.txt | tail -1)
 photo=$(echo "$camera" | awk '{ print $10 }')
-start() {
+start() {  # start [PACKAGE]
   rm -f places
-  "$player" one.vantage --photo "$photo" --size 900x700 --blended 1 --thumbnails --controls places --fresh >says 2>&1 &
+  "$player" "${1:-one.vantage}" --photo "$photo" --size 900x700 --blended 1 --thumbnails --controls places --fresh >says 2>&1 &
   pid=$!
   find_window
 }
@@ -127,6 +127,21 @@ awk '
   NR % 2 { code = $1; next }
   code == 30 || code == 31 { if (n++ == 0) height = $1; off += $1 - height > 1e-6 || height - $1 > 1e-6 }
   END { exit !(n > 20 && off == 0 && height > 1 && height < 6) }' one-cut-0001.dxf || fail "the cut is not level: $(head -c 400 one-cut-0001.dxf)"
+# A box: nothing beside it is left, and its sides are drawn where they cut the walls.
+press "Cut by"; press "a box"
+press "x from" 0.3
+press "Write the cut"
+frames 3
+awk '
+  NR % 2 { code = $1; next }
+  code == 10 { from = $1 }
+  code == 11 { n++; low = n == 1 || from < low ? from : low; low = $1 < low ? $1 : low; at[n] = from == $1 ? $1 : "" }
+  END {
+    for (i = 1; i <= n; ++i) side += at[i] != "" && at[i] - low < 1e-6
+    exit !(side > 10 && low > -8 && low < 0)
+  }' one-cut-0002.dxf || fail "the box does not cut at its side: $(head -c 400 one-cut-0002.dxf)"
+press "All of it"
+press "Cut the model"
 # Photos by name, and those that show a point, the sharpest first.
 press "Section Picture"; press "Section Blending"; press "Section Photos"
 listed() { frames 3; awk -F'\t' '$1 ~ /^Fly to / { print substr($1, 8) }' places | paste -sd' '; }
@@ -156,6 +171,33 @@ for _ in $(seq 300); do [ -f one-orthophoto-0001.pgw ] && break; sleep 0.2; done
 "$player" orthophoto one.vantage --plane front --resolution 0.05 -o expected.png >/dev/null || fail "the command orthophoto failed"
 cmp -s one-orthophoto-0001.png expected.png || fail "the window's orthophoto is not that of the command"
 cmp -s one-orthophoto-0001.pgw expected.pgw || fail "the window's orthophoto has another place: $(cat one-orthophoto-0001.pgw)"
+xdotool key ctrl+q; await_exit "Ctrl+Q"
+
+# Orthographically, 200 pixels are as long on the roof as on the ground, 7 m below.
+cp one.vantage flat.vantage
+start flat.vantage
+xdotool key Tab; frames 3
+press "View"; press "From the top"
+sleep 1.5
+press "Orthographic"
+xdotool key Tab; frames 3
+xdotool key m; frames 3
+length() {  # length ROW: that of 200 pixels in this row, beside the middle of the picture
+  for column in 350 550; do xdotool mousemove $column "$1" click 1; frames 3; done
+  awk -F'[:,]' '/"value"/ { v = $2 } END { print v + 0 }' flat.measurements.json
+}
+ground=$(length 350)
+# The middle is 1.8 m before the facade; the roof's ridge runs 2.2 m behind it.
+ridge=$(awk -v l="$ground" 'BEGIN { print int(282 - 3.6 * 200 / l) }')
+roof=$(length "$ridge")
+awk -v a="$ground" -v b="$roof" 'BEGIN { exit !(a > 1 && b / a > 0.998 && b / a < 1.002) }' ||
+  fail "200 pixels are $ground on the ground and $roof on the roof"
+xdotool mousemove 450 "$ridge" click --repeat 3 4; frames 5
+closer=$(length "$ridge")
+awk -v a="$roof" -v b="$closer" 'BEGIN { exit !(b / a > 0.727 && b / a < 0.731) }' ||
+  fail "three turns of the wheel change 200 pixels from $roof to $closer, expected 0.9^3 of it"
+xdotool key c; frames 3
+there "Wiper" || fail "an orthographic view cannot be compared with a photo"
 xdotool key ctrl+q; await_exit "Ctrl+Q"
 
 # They are there again; a damaged file is left alone.

@@ -56,6 +56,31 @@ TEST(OrthographicView, ProjectsAtRightAngles) {
     }
 }
 
+TEST(OrthographicView, ShowsWhatIsAtItsDepthAsPerspectiveDoes) {
+    Random random;
+    for (int i = 0; i < 100; ++i) {
+        View view{{640, 480, random(100, 2000), random(100, 2000), random(0, 640), random(0, 480)}, {}};
+        view.cam_from_origin.R =
+            Eigen::AngleAxisd(random(0, 3), random.vector(1).normalized()).toRotationMatrix();
+        view.cam_from_origin.t = random.vector(10);
+        const double depth = random(0.1, 10);
+        const View seen = orthographic(view, depth, 20);
+        const Eigen::Vector3d in_camera(random(-3, 3), random(-3, 3), depth),
+            point = view.cam_from_origin.R.transpose() * (in_camera - view.cam_from_origin.t),
+            farther = point + random(0, 5) * view.cam_from_origin.direction();
+        const auto expected = project(view.intrinsics, view.cam_from_origin, point);
+        for (const Eigen::Vector3d& p : {point, farther}) {
+            const Eigen::Vector4d at =
+                clip_from_origin(seen, {seen.orthographic_depth - 30, seen.orthographic_depth + 30}) *
+                p.homogeneous();
+            EXPECT_NEAR((at.x() / at.w() + 1) / 2 * 640, expected->pixel.x(), 1e-5);
+            EXPECT_NEAR((at.y() / at.w() + 1) / 2 * 480, expected->pixel.y(), 1e-5);
+        }
+    }
+    EXPECT_THROW(orthographic({}, 0, 1), Error);
+    EXPECT_THROW(orthographic({}, 1, 0), Error);
+}
+
 TEST(OrthographicView, FindsEveryClusterInIt) {
     Random random;
     std::vector<package::ClusterRecord> clusters;

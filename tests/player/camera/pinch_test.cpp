@@ -37,12 +37,38 @@ Eigen::Vector3d on_wall(const Navigation& n, const Eigen::Vector2d& pixel) {
     return n.eye - ray * (n.eye.y() / ray.y());
 }
 
+/// The same points under fingers that pinch an orthographic picture.
+void expect_under_fingers_orthographically(const FingerPair& before, const FingerPair& now) {
+    Navigation n = before_a_wall();
+    const double size = 20;
+    const auto seen = [&] {
+        return orthographic(view_of(n, width, height), (n.target - n.eye).norm(), size);
+    };
+    // Not on the wall: the camera's target is no nearer or farther than others.
+    const auto shown = [&](const Eigen::Vector2d& pixel, double y) {
+        const double scale = seen().orthographic_depth / seen().intrinsics.fx;
+        return Eigen::Vector3d(1 + scale * (pixel.x() - width / 2.0), y,
+                               2 - scale * (pixel.y() - height / 2.0));
+    };
+    const auto pixel = [&](const Eigen::Vector3d& point) {
+        const Eigen::Vector4d clip = clip_from_origin(seen(), {1, 1e9}) * point.homogeneous();
+        return Eigen::Vector2d((clip.x() / clip.w() + 1) / 2 * width, (clip.y() / clip.w() + 1) / 2 * height);
+    };
+    const Eigen::Vector3d first = shown(before[0], 3), second = shown(before[1], -1),
+                          middle = shown((before[0] + before[1]) / 2, 1);
+    ASSERT_LT((pixel(first) - before[0]).norm(), 1e-3);
+    follow_pinch(n, pinch_between(before, now), middle, seen(), 0.01, 1000);
+    EXPECT_LT((pixel(middle) - (now[0] + now[1]) / 2).norm(), 1e-3);
+    EXPECT_LT((pixel(first) - now[0]).norm(), 1e-3);
+    EXPECT_LT((pixel(second) - now[1]).norm(), 1e-3);
+}
+
 void expect_under_fingers(const FingerPair& before, const FingerPair& now, double within) {
     Navigation n = before_a_wall();
     const FingerPair touched = before;
     const Eigen::Vector3d first = on_wall(n, touched[0]), second = on_wall(n, touched[1]),
                           middle = on_wall(n, (touched[0] + touched[1]) / 2);
-    follow_pinch(n, pinch_between(before, now), middle, view_of(n, width, height).intrinsics.fx, 0.01, 1000);
+    follow_pinch(n, pinch_between(before, now), middle, view_of(n, width, height), 0.01, 1000);
     EXPECT_LT((pixel_of(n, middle) - (now[0] + now[1]) / 2).norm(), 1e-6);
     EXPECT_LT((pixel_of(n, first) - now[0]).norm(), within);
     EXPECT_LT((pixel_of(n, second) - now[1]).norm(), within);
@@ -55,6 +81,12 @@ TEST(Pinch, WhatIsUnderTheFingersFollowsThem) {
                          1e-6);  // a quarter turn clockwise
     // Beside the middle of the picture, turning tilts the wall: near, not exactly.
     expect_under_fingers({{{520, 330}, {620, 350}}}, {{{500, 300}, {600, 360}}}, 4);
+}
+
+TEST(Pinch, OrthographicallyAllThatIsUnderTheFingersFollowsThem) {
+    expect_under_fingers_orthographically({{{350, 300}, {450, 300}}}, {{{390, 270}, {490, 270}}});
+    expect_under_fingers_orthographically({{{520, 330}, {620, 350}}}, {{{450, 330}, {690, 350}}});
+    expect_under_fingers_orthographically({{{520, 330}, {620, 350}}}, {{{500, 300}, {600, 360}}});
 }
 
 TEST(Pinch, FingersInOnePlaceNeitherSpreadNorTurn) {

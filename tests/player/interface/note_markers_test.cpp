@@ -45,17 +45,19 @@ TEST(NoteMarkers, AreWhereTheAnchorsProject) {
 
 TEST(NoteMarkers, AreHiddenByANearerSurfaceOnly) {
     const Story story = story_with({{1000, 2000, 3000}});
-    const auto hidden_by = [&](double y) {
-        const auto surface = [&](const Vector2d& at) {
-            EXPECT_LT((at - Vector2d(200, 150)).norm(), 1e-9);
-            return std::optional(Vector3d(0, y, 0));
+    for (const View& from : {view(), orthographic(view(), 10, 10)}) {
+        const auto hidden_by = [&](double y) {
+            const auto surface = [&](const Vector2d& at) {
+                EXPECT_LT((at - Vector2d(200, 150)).norm(), 1e-6);
+                return std::optional(Vector3d(0, y, 0));
+            };
+            return note_markers(story, axes, from, surface).at(0).hidden;
         };
-        return note_markers(story, axes, view(), surface).at(0).hidden;
-    };
-    EXPECT_FALSE(hidden_by(0)) << "its own surface";
-    EXPECT_FALSE(hidden_by(-0.05));
-    EXPECT_TRUE(hidden_by(-0.2));
-    EXPECT_FALSE(hidden_by(5)) << "a surface behind it";
+        EXPECT_FALSE(hidden_by(0)) << "its own surface";
+        EXPECT_FALSE(hidden_by(-0.05));
+        EXPECT_TRUE(hidden_by(-0.2));
+        EXPECT_FALSE(hidden_by(5)) << "a surface behind it";
+    }
 }
 
 TEST(SurfaceAtPixel, IsOnTheTriangleThatIsSeenThere) {

@@ -55,14 +55,14 @@ TEST(Section, OfABoxIsItsOutline) {
     const MeshScene m = box({2, 3, 1});
     const PlacedMesh mesh{&m.scene};
     for (const double at : {-0.7, 0.0, 0.999}) {
-        const auto lines = section_lines({&mesh, 1}, {Vector3d::UnitZ(), at});
+        const auto lines = section_lines({&mesh, 1}, std::array{SectionPlane{Vector3d::UnitZ(), at}});
         EXPECT_NEAR(length_of(lines), 20, 1e-9);
         EXPECT_TRUE(is_closed(lines));
         for (const SectionLine& line : lines)
             for (const Vector3d& p : line) EXPECT_NEAR(p.z(), at, 1e-12);
     }
-    EXPECT_TRUE(section_lines({&mesh, 1}, {Vector3d::UnitZ(), 1.001}).empty());
-    EXPECT_TRUE(section_lines({&mesh, 1}, {Vector3d::UnitZ(), std::nan("")}).empty());
+    EXPECT_TRUE(section_lines({&mesh, 1}, std::array{SectionPlane{Vector3d::UnitZ(), 1.001}}).empty());
+    EXPECT_TRUE(section_lines({&mesh, 1}, std::array{SectionPlane{Vector3d::UnitZ(), std::nan("")}}).empty());
 }
 
 TEST(Section, ThroughCornersAndEdgesHasNoGap) {
@@ -71,10 +71,37 @@ TEST(Section, ThroughCornersAndEdgesHasNoGap) {
     // Along diagonals of the sides, and through three corners.
     for (const Vector3d& normal : {Vector3d(1, 1, 0), Vector3d(1, -1, 0), Vector3d(1, 1, 1)})
         for (const double offset : {0.0, 1.0 / normal.norm()}) {
-            const auto lines = section_lines({&mesh, 1}, {normal.normalized(), offset});
+            const auto lines =
+                section_lines({&mesh, 1}, std::array{SectionPlane{normal.normalized(), offset}});
             EXPECT_FALSE(lines.empty());
             EXPECT_TRUE(is_closed(lines)) << normal.transpose() << ", " << offset;
         }
+}
+
+TEST(Section, LinesOfABoxEndAtItsEdges) {
+    const MeshScene m = box({1, 1, 1});
+    const PlacedMesh mesh{&m.scene};
+    std::vector<SectionPlane> planes;
+    for (const int axis : {0, 1, 2})
+        for (const double side : {-1.0, 1.0})
+            planes.push_back({side * Vector3d::Unit(axis), axis == 2 ? 5 : 0.5});
+    // Four walls cut a square out of top and bottom.
+    const auto lines = section_lines({&mesh, 1}, planes);
+    EXPECT_NEAR(length_of(lines), 8, 1e-9);
+    EXPECT_TRUE(is_closed(lines));
+    for (const SectionLine& line : lines)
+        for (const Vector3d& p : line) EXPECT_NEAR(p.head<2>().cwiseAbs().maxCoeff(), 0.5, 1e-12);
+    planes[0].offset = planes[1].offset = -0.1;  // inside out
+    EXPECT_TRUE(section_lines({&mesh, 1}, planes).empty());
+}
+
+TEST(Section, ExtentIsThatOfTheVertices) {
+    const MeshScene m = box({2, 3, 1});
+    EXPECT_EQ(extent_along(m.scene, Vector3d::UnitY()), (std::array{-3.0, 3.0}));
+    const auto [low, high] = extent_along(m.scene, Vector3d(1, 1, 0).normalized());
+    EXPECT_NEAR(low, -5 / std::sqrt(2), 1e-12);
+    EXPECT_NEAR(high, 5 / std::sqrt(2), 1e-12);
+    EXPECT_EQ(extent_along({}, Vector3d::UnitX()), (std::array{0.0, 0.0}));
 }
 
 TEST(Section, FollowsMeshesThatArePlaced) {
@@ -83,16 +110,16 @@ TEST(Section, FollowsMeshesThatArePlaced) {
     mesh.R = Eigen::AngleAxisd(0.3, Vector3d::UnitZ()).toRotationMatrix();
     mesh.t = {10, 20, 30};
     mesh.scale = 2;
-    const auto lines = section_lines({&mesh, 1}, {Vector3d::UnitZ(), 30.5});
+    const auto lines = section_lines({&mesh, 1}, std::array{SectionPlane{Vector3d::UnitZ(), 30.5}});
     EXPECT_NEAR(length_of(lines), 16, 1e-6);
     for (const SectionLine& line : lines) EXPECT_NEAR(line[0].z(), 30.5, 1e-9);
-    EXPECT_TRUE(section_lines({&mesh, 1}, {Vector3d::UnitZ(), 0}).empty());
+    EXPECT_TRUE(section_lines({&mesh, 1}, std::array{SectionPlane{Vector3d::UnitZ(), 0}}).empty());
 }
 
 TEST(Section, DrawingHasTheInputsCoordinatesToTheMillimeter) {
     const MeshScene m = box({1, 1, 1});
     const PlacedMesh mesh{&m.scene};
-    const auto lines = section_lines({&mesh, 1}, {Vector3d::UnitZ(), 0.25});
+    const auto lines = section_lines({&mesh, 1}, std::array{SectionPlane{Vector3d::UnitZ(), 0.25}});
     std::istringstream dxf(section_dxf(lines, {500000.125, 5400000.5, 100}));
     std::string code, value;
     std::size_t drawn = 0;
@@ -110,7 +137,7 @@ TEST(Section, DrawingHasTheInputsCoordinatesToTheMillimeter) {
 }
 
 TEST(Section, RaysEndAtThePlane) {
-    const SectionPlane plane{Vector3d::UnitX(), 2};
+    const std::array plane{SectionPlane{Vector3d::UnitX(), 2}};
     const RayRange toward = behind(plane, {{0, 0, 0}, {1, 0, 0}}),
                    from = behind(plane, {{5, 0, 0}, {-1, 0, 0}}),
                    never = behind(plane, {{5, 0, 0}, {1, 0, 0}}),
