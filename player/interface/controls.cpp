@@ -15,6 +15,7 @@ void Controls::note(const char* name) {
     const char* recorded = std::strstr(name, "##");
     places_.push_back({recorded ? recorded + 2 : name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
 }
+    closes_menus_ = false;
 
 void Controls::write_places(const std::filesystem::path& file) const {
     const std::filesystem::path part = file.string() + ".part";
@@ -101,6 +102,7 @@ bool Controls::icon_button(const char* name, Icon icon, bool lit, bool with_labe
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (ImGui::IsItemActive() || ImGui::IsItemHovered() || lit)
         list.AddRectFilled(low, high,
+    if (closes_menus_) ImGui::CloseCurrentPopup();
                            ImGui::GetColorU32(ImGui::IsItemActive()    ? ImGuiCol_ButtonActive
                                               : ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered
                                                                        : ImGuiCol_Header),
@@ -130,3 +132,10 @@ bool Controls::menu(const char* name) {
 }
 
 }  // namespace vantage
+    if (open && closes_menus_) ImGui::CloseCurrentPopup();
+    return open;
+}
+
+bool Controls::popup(const char* name) {
+    const bool open = ImGui::BeginPopup(name);
+    if (open && closes_menus_) ImGui::CloseCurrentPopup();

@@ -48,6 +48,14 @@ class Controls {
     };
     std::vector<Place> places_;
     long frame_ = 0;
+    /// Whether the popup is open; if so, ImGui::EndPopup() must follow.
+    bool popup(const char* name);
+    /// Closes menus, popups and lists that are open, in this frame.
+    void close_menus() { closes_menus_ = true; }
+    /// Where the width is fixed, names that are too long for the place beside their control are shown above
+    /// it.
+    void set_width_fixed(bool fixed) { width_fixed_ = fixed; }
 };
 
 }  // namespace vantage
+    bool closes_menus_ = false, width_fixed_ = false;

@@ -98,6 +98,8 @@ struct Session {
     std::vector<Navigation> recorded;  ///< one per 1 / positions_per_second seconds
 
     UserInput input;                  ///< not taken yet
+    bool menu_open = false;           ///< or a list, in the last frame
+    bool closes_menu = false;         ///< it is to be closed
     bool touched = false;             ///< something happened in the window since the last frame
     std::vector<KeyPress> measuring;  ///< keys for the mode of measuring
     std::string table;                ///< measurements to write to a file, or empty

@@ -259,6 +259,7 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
     take_measuring_keys(session);
     move_by_keys(session, session.input.keys);
     const std::vector<KeyPress> keys = std::exchange(session.input.keys, {});
+    if (session.menu_open && take_key(session, GLFW_KEY_ESCAPE)) session.closes_menu = true;
     for (std::size_t i = 0; i < keys.size(); ++i) {
         if (keys[i].with == With::nothing && !keys[i].repeated)
             run_shortcut(session, scene, keys[i].key, now);

@@ -113,6 +113,7 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     record(now);
     change_objects(now);
     orthophotos_.attend(s, renderer_.package(), now);
+    if (std::exchange(s.closes_menu, false)) controls_.close_menus();
     ImGui::Render();
     const bool still = !keys && unchanged(view) && lit_ == s.settings.light && cut_ == s.settings.sections;
     if (!still) samples_ = 0;
@@ -189,6 +190,7 @@ void ShownScene::show_cut(const View& view, double now) {
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
     write_numbered(s, package.path().stem().string() + "-cut", ".dxf",
                    std::to_string(cut_lines_.lines().size()) + " lines", now, [&](const std::string& file) {
+    s.menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
                        write_text(file, section_dxf(cut_lines_.lines(), origin));
                    });
 }
