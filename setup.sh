@@ -11,7 +11,7 @@ packages=(g++ cmake ninja-build pkg-config ca-certificates
   libsquish-dev libzstd-dev gnuplot-nox
   libxxhash-dev libcurl4-openssl-dev libutf8proc-dev libeigen3-dev libepoxy-dev libegl-dev libgl-dev libglfw3-dev libxcb-xinput-dev libimgui-dev
   libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libgtest-dev librapidcheck-dev
-  fonts-dejavu-core xvfb xauth xserver-xorg-core xserver-xorg-video-dummy xdotool python3-xlib bash-completion desktop-file-utils man-db shared-mime-info)
+  fonts-dejavu-core xvfb xauth xserver-xorg-core xserver-xorg-video-dummy xdotool python3-xlib gettext bash-completion desktop-file-utils man-db shared-mime-info)
 missing=()
 for p in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$p" 2>/dev/null | grep -q 'ok installed' || missing+=("$p")

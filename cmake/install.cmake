@@ -10,6 +10,7 @@ install(FILES desktop/vantage.thumbnailer DESTINATION share/thumbnailers COMPONE
 install(DIRECTORY ${manual}/man1 DESTINATION share/man COMPONENT vantage PATTERN vantage-player* EXCLUDE)
 
 install(TARGETS vantage-player RUNTIME DESTINATION bin COMPONENT vantage-player)
+install(DIRECTORY ${CMAKE_BINARY_DIR}/share/locale DESTINATION share COMPONENT vantage-player)
 install(FILES desktop/vantage-player.desktop DESTINATION share/applications COMPONENT vantage-player)
 install(FILES desktop/vantage.svg DESTINATION share/icons/hicolor/scalable/apps COMPONENT vantage-player)
 install(FILES desktop/vantage.xml DESTINATION share/mime/packages COMPONENT vantage-player)

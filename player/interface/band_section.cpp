@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "values/formatted.h"
+#include "values/translation.h"
+
 namespace vantage {
 namespace {
 
@@ -19,7 +22,7 @@ void show_band(BandSettings& b, std::uint32_t band) {
 /// The second band, and how it is shown.
 void second_band(Controls& c, Session& session, const PlanScene& scene) {
     BandSettings& b = session.settings.bands;
-    std::vector<const char*> names{"none"};
+    std::vector<const char*> names{tr("none")};
     std::vector<std::uint32_t> bands;
     int chosen = 0;
     for (std::uint32_t i = 0; i < scene.bands.size(); ++i) {
@@ -31,10 +34,10 @@ void second_band(Controls& c, Session& session, const PlanScene& scene) {
     if (c.combo("Second band", &chosen, names.data(), int(names.size())))
         b.other = chosen > 0 ? std::optional(bands[std::size_t(chosen) - 1]) : std::nullopt;
     if (!b.other) return;
-    static const char* const hows[] = {"cross-fade", "beside each other", "divided"};
+    static const char* const hows[] = {marked("cross-fade"), marked("beside each other"), marked("divided")};
     static_assert(std::size(hows) == std::size_t(BandView::count));
     int how = int(b.how);
-    if (c.combo("Together", &how, hows, int(std::size(hows)))) {
+    if (c.choice("Together", &how, hows, int(std::size(hows)))) {
         b.how = BandView(how);
         if (b.how != BandView::mix) session.settings.compare = Compare::nothing;
     }
@@ -50,8 +53,9 @@ void band_section(Controls& c, Session& session, const Renderer& renderer) {
     std::vector<std::string> names;
     for (std::uint32_t i = 0; i < scene.bands.size(); ++i) {
         const auto photos = std::ranges::count(scene.photos, i, &package::PhotoRecord::band);
-        names.push_back(scene.bands[i].name + ": " + std::to_string(photos) +
-                        (photos == 1 ? " photo" : " photos"));
+        const auto count = std::size_t(photos);
+        names.push_back(scene.bands[i].name + ": " +
+                        formatted(tr_count("%zu photo", "%zu photos", count), count));
     }
     std::vector<const char*> shown;
     for (const std::string& name : names) shown.push_back(name.c_str());

@@ -8,6 +8,7 @@
 #include "player/interface/columns.h"
 #include "player/render/blend_table.h"
 #include "scene/package_shape.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -77,7 +78,8 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
 }
 
 void photo_controls(Controls& c, RenderSettings& r, const Renderer& renderer) {
-    static const char* const choices[] = {"cover the view", "nearest", "direction", "direction and normals"};
+    static const char* const choices[] = {marked("cover the view"), marked("nearest"), marked("direction"),
+                                          marked("direction and normals")};
     choice(c, "Choose to", r.choice, choices);
     c.explain("Which photos are blended: those that cover the view together, or the first ones of an order.");
     c.slider("Photos", &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));
@@ -86,7 +88,8 @@ void photo_controls(Controls& c, RenderSettings& r, const Renderer& renderer) {
     c.explain("How many photos are drawn at once. Does not change the picture.");
     c.slider("Angle limit", &r.angle_limit, 10.0, 180.0, "%.0f deg");
     c.explain("Leaves out photos that look in a direction further than this from yours.");
-    static const char* const coordinates[] = {"as the scene asks", "per vertex", "per fragment"};
+    static const char* const coordinates[] = {marked("as the scene asks"), marked("per vertex"),
+                                              marked("per fragment")};
     ImGui::BeginDisabled(!has_coordinates(renderer.package()));
     choice(c, "Coordinates", r.coordinates, coordinates);
     ImGui::EndDisabled();
@@ -97,9 +100,9 @@ void photo_controls(Controls& c, RenderSettings& r, const Renderer& renderer) {
 
 void blending_section(Controls& c, Session& s, const Renderer& renderer) {
     blend_controls(c, s.settings);
-    ImGui::TextDisabled("What counts");
+    ImGui::TextDisabled("%s", tr("What counts"));
     weight_controls(c, s, renderer);
-    ImGui::TextDisabled("Which photos");
+    ImGui::TextDisabled("%s", tr("Which photos"));
     photo_controls(c, s.settings, renderer);
 }
 

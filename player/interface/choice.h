@@ -3,12 +3,12 @@
 
 namespace vantage {
 
-/// A list of the values of an enum that ends with `count`, by their names.
+/// A list of the values of an enum that ends with `count`, by texts for them.
 template <class Enum, int count>
-void choice(Controls& c, const char* name, Enum& value, const char* const (&names)[count]) {
+void choice(Controls& c, const char* name, Enum& value, const char* const (&texts)[count]) {
     static_assert(count == int(Enum::count));
     int index = int(value);
-    if (c.combo(name, &index, names, count)) value = Enum(index);
+    if (c.choice(name, &index, texts, count)) value = Enum(index);
 }
 
 }  // namespace vantage

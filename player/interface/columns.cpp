@@ -4,13 +4,15 @@
 
 #include <algorithm>
 
+#include "values/translation.h"
+
 namespace vantage {
 namespace {
 
 /// Whether a check box of this name ends inside the window if it begins there.
 bool fits(const char* name, float begin) {
     const float wide = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
-                       ImGui::CalcTextSize(name, nullptr, true).x;
+                       ImGui::CalcTextSize(tr(name), nullptr, true).x;
     return begin + wide <= ImGui::GetContentRegionMax().x;
 }
 
@@ -18,7 +20,8 @@ bool fits(const char* name, float begin) {
 
 void in_second_column(const char* name) {
     const float column = 11 * ImGui::GetFontSize();
-    if (fits(name, column)) ImGui::SameLine(column);
+    const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+    if (end <= column && fits(name, column)) ImGui::SameLine(column);
 }
 
 void behind_the_last(const char* name) {

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "player/interface/agreeing_photo.h"
+#include "values/formatted.h"
 #include "values/srgb.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -74,11 +76,11 @@ void count_ramp(ImVec2 low, float width, float height) {
 void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& frame) {
     const RenderSettings& r = s.settings;
     if (r.compare == Compare::nothing || r.compare_photo >= scene.photos.size()) return;
-    const std::string photo = std::string("photo ") + scene.photos[r.compare_photo].name;
+    const std::string photo = formatted(tr("photo %s"), scene.photos[r.compare_photo].name);
     const float em = ImGui::GetFontSize(), y = float(s.free.top) + em;
     const auto both = [&](double line) {
         const float x = float(line * frame.width);
-        plate(x - 1.5f * em, y, 1, "model");
+        plate(x - 1.5f * em, y, 1, tr("model"));
         plate(x + 1.5f * em, y, 0, photo);
     };
     switch (r.compare) {
@@ -89,7 +91,8 @@ void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& fra
             return drag_wiper(c, s, frame);
         case Compare::difference:
             return plate(float(s.free.left + s.free.width / 2), y, 0.5f,
-                         "difference from " + photo + ", doubled; black: none");
+                         formatted(tr("difference from photo %s, doubled; black: none"),
+                                   scene.photos[r.compare_photo].name));
         default:
             return;
     }
@@ -111,10 +114,10 @@ void false_color_legend(const Session& s) {
     const float em = ImGui::GetFontSize(), x = float(s.free.left) + em,
                 y = float(s.free.top + s.free.height) - 2 * em;
     if (s.settings.show == Show::sources)
-        plate(x, y, 0, "each color is a photo: the one outlined in that color in the strip");
+        plate(x, y, 0, tr("each color is a photo: the one outlined in that color in the strip"));
     if (s.settings.show != Show::coverage) return;
     const std::string most = std::to_string(s.report.photos);
-    const std::string before = "photos that show the surface: 0 ";
+    const std::string before = tr("photos that show the surface: 0 ");
     plate(x, y, 0, before + std::string(24, ' ') + " " + most);
     const float from = x + ImGui::CalcTextSize(before.c_str()).x,
                 width = ImGui::CalcTextSize(std::string(24, ' ').c_str()).x;

@@ -9,8 +9,13 @@
 
 namespace vantage {
 
-/// ImGui's controls by name. Records the position of each control in a frame, so that scripts can click it.
-/// Of a name with "##", the part before is shown and the part after is recorded.
+/// The name of a control or a window in the user's language, as ImGui takes it: what it knows the control by
+/// remains the English name.
+std::string shown_name(const char* name);
+
+/// ImGui's controls by name. Names are English: translations are shown, and scripts click controls by the
+/// recorded positions of the names, whatever the language. Of a name with "##", the part before is shown as
+/// it is, and the part after is recorded.
 class Controls {
   public:
     /// Forgets the previous frame's positions.
@@ -21,7 +26,7 @@ class Controls {
     /// and separated by tabs. Replaces the file atomically.
     void write_places(const std::filesystem::path& file) const;
 
-    /// Explains ImGui's last item, also a disabled one, while the pointer is on it.
+    /// Explains ImGui's last item, also a disabled one, while the pointer is on it; in the user's language.
     static void explain(const char* text);
 
     bool button(const char* name);
@@ -30,7 +35,10 @@ class Controls {
     bool slider(const char* name, int* value, int low, int high);
     bool slider(const char* name, double* value, double low, double high, const char* format = "%.2f",
                 ImGuiSliderFlags flags = 0);
+    /// A list of names that are not translated, as those of files.
     bool combo(const char* name, int* value, const char* const names[], int count);
+    /// A list of texts that are.
+    bool choice(const char* name, int* value, const char* const texts[], int count);
     /// A button of the bar, with its name beside the icon if `with_label`; lit while it is on. Noted as "Bar"
     /// and the name.
     bool icon_button(const char* name, Icon icon, bool lit, bool with_label);
@@ -40,14 +48,6 @@ class Controls {
     bool menu_item(const char* name, const char* key, bool selected = false);
     /// Whether the menu is open; if so, ImGui::EndMenu() must follow.
     bool menu(const char* name);
-
-  private:
-    struct Place {
-        std::string name;
-        ImVec2 low, high;
-    };
-    std::vector<Place> places_;
-    long frame_ = 0;
     /// Whether the popup is open; if so, ImGui::EndPopup() must follow.
     bool popup(const char* name);
     /// Closes menus, popups and lists that are open, in this frame.
@@ -55,7 +55,18 @@ class Controls {
     /// Where the width is fixed, names that are too long for the place beside their control are shown above
     /// it.
     void set_width_fixed(bool fixed) { width_fixed_ = fixed; }
+
+  private:
+    bool list(const char* name, int* value, const char* const names[], int count,
+              const char* (*in_language)(const char*));
+    struct Place {
+        std::string name;
+        ImVec2 low, high;
+    };
+    std::string name_beside(const char* name) const;
+    std::vector<Place> places_;
+    bool closes_menus_ = false, width_fixed_ = false;
+    long frame_ = 0;
 };
 
 }  // namespace vantage
-    bool closes_menus_ = false, width_fixed_ = false;

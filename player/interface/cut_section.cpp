@@ -6,6 +6,7 @@
 
 #include "player/interface/choice.h"
 #include "player/interface/scene_line.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -49,7 +50,7 @@ bool share_slider(Controls& c, const char* name, double& share, double low, doub
 void plane_controls(Controls& c, Session& s, const PlanScene& scene, const Eigen::Vector3d& origin,
                     bool begins) {
     Cut& cut = s.cut;
-    static const char* const across[] = {"my view", "x", "y", "z"};
+    static const char* const across[] = {marked("my view"), marked("x"), marked("y"), marked("z")};
     const Cut::Across before = cut.across;
     choice(c, "Across", cut.across, across);
     c.explain("The plane faces you as you stand now, or lies across an axis of the model's coordinates.");
@@ -65,7 +66,9 @@ void plane_controls(Controls& c, Session& s, const PlanScene& scene, const Eigen
 }
 
 void box_controls(Controls& c, Cut& cut, const PlanScene& scene, const Eigen::Vector3d& origin) {
-    static const char* const names[3][2] = {{"x from", "x to"}, {"y from", "y to"}, {"z from", "z to"}};
+    static const char* const names[3][2] = {{marked("x from"), marked("x to")},
+                                            {marked("y from"), marked("y to")},
+                                            {marked("z from"), marked("z to")}};
     for (std::size_t i = 0; i < 3; ++i) {
         const auto [least, most] = extent_along(scene, Eigen::Vector3d::Unit(Eigen::Index(i)));
         const double from = origin[Eigen::Index(i)];
@@ -112,7 +115,7 @@ void cut_section(Controls& c, Session& s, const PlanScene& scene, const Eigen::V
     const bool begins = c.checkbox("Cut the model", &cut.on) && cut.on;
     c.explain("Takes away a part of the model, and draws where it is cut.");
     ImGui::BeginDisabled(!cut.on);
-    static const char* const by[] = {"a plane", "a box"};
+    static const char* const by[] = {marked("a plane"), marked("a box")};
     choice(c, "Cut by", cut.by, by);
     c.explain("What is in front of a plane is taken away, or what is outside a box.");
     if (cut.by == Cut::By::plane)

@@ -56,6 +56,22 @@ void light(const Pen& p) {
     }
 }
 
+/// A globe.
+void language(const Pen& p) {
+    const auto ring = [&](float across) {
+        constexpr int points = 24;
+        ImVec2 at[points];
+        for (int i = 0; i < points; ++i) {
+            const float angle = 2 * std::numbers::pi_v<float> * float(i) / points;
+            at[i] = p.at(across * std::cos(angle), 0.9f * std::sin(angle));
+        }
+        p.list.AddPolyline(at, points, p.color, ImDrawFlags_Closed, p.width());
+    };
+    ring(0.9f);
+    ring(0.4f);
+    p.line(-0.9f, 0, 0.9f, 0);
+}
+
 void full_screen(const Pen& p) {
     for (const float x : {-1.0f, 1.0f})
         for (const float y : {-1.0f, 1.0f}) {
@@ -94,6 +110,8 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size, ImU32 col
             return compare(pen);
         case Icon::light:
             return light(pen);
+        case Icon::language:
+            return language(pen);
         case Icon::full_screen:
             return full_screen(pen);
         case Icon::help:

@@ -12,6 +12,7 @@
 #include "player/interface/choice.h"
 #include "player/interface/seen_triangle.h"
 #include "player/interface/value_at_pixel.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -34,8 +35,8 @@ std::optional<double> value_under_pointer(const Renderer& renderer, const ValueL
 /// Null for a stored layer, whose unit is that of its file.
 const char* unit_of(const ValueLayer& layer) {
     if (!layer.measure) return nullptr;
-    return *layer.measure == PhotoMeasure::count ? "photos that see the surface"
-                                                 : "pixels per input unit, of the finest photo";
+    return *layer.measure == PhotoMeasure::count ? tr("photos that see the surface")
+                                                 : tr("pixels per input unit, of the finest photo");
 }
 
 double place(double value, const LayerSettings& s, const ValueRange& range) {
@@ -101,7 +102,7 @@ void range_sliders(Controls& c, const ValueLayer& layer, LayerSettings& s) {
 }
 
 void layer_choice(Controls& c, std::span<const ValueLayer> layers, LayerSettings& s) {
-    std::vector<const char*> names{"none: photos only"};
+    std::vector<const char*> names{tr("none: photos only")};
     for (const ValueLayer& layer : layers) names.push_back(layer.name.c_str());
     int chosen = std::clamp(s.layer + 1, 0, int(layers.size()));
     if (!c.combo("Layer", &chosen, names.data(), int(names.size()))) return;
@@ -121,10 +122,11 @@ void layer_section(Controls& c, Session& session, const Renderer& renderer, cons
     legend(layer, s, value);
     if (const char* unit = unit_of(layer)) ImGui::TextDisabled("%s", unit);
     if (value)
-        ImGui::Text("under the pointer: %.5g", *value);
+        ImGui::Text(tr("under the pointer: %.5g"), *value);
     else
-        ImGui::TextDisabled("under the pointer: no value");
-    static const char* const maps[] = {"automatic", "viridis", "magma", "cividis", "coolwarm"};
+        ImGui::TextDisabled("%s", tr("under the pointer: no value"));
+    static const char* const maps[] = {marked("automatic"), marked("viridis"), marked("magma"),
+                                       marked("cividis"), marked("coolwarm")};
     choice(c, "Colors", s.map, maps);
     c.slider("Over photos", &s.share, 0.0, 1.0);
     c.explain("How much of the layer's colors is shown, and how much of the photos.");
@@ -134,7 +136,7 @@ void layer_section(Controls& c, Session& session, const Renderer& renderer, cons
     c.explain("Colors by the logarithm. Values of zero and less have none.");
     range_sliders(c, layer, s);
     if (layer.without > 0)
-        ImGui::TextDisabled("%.1f %% of the vertices have no value",
+        ImGui::TextDisabled(tr("%.1f %% of the vertices have no value"),
                             100 * double(layer.without) / double(layer.values.size()));
 }
 

@@ -11,31 +11,34 @@
 #include "player/interface/measure_overlay.h"
 #include "player/survey/number_text.h"
 #include "scene/error.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
 
 constexpr double vertex_pixels = 10;  ///< within which points snap to vertices
 
-constexpr const char* measures[] = {"point", "distance", "polyline", "area", "angle", "height"};
+constexpr const char* measures[] = {marked("point"), marked("distance"), marked("polyline"),
+                                    marked("area"),  marked("angle"),    marked("height")};
 static_assert(std::size(measures) == std::size_t(Measure::count));
-constexpr const char* units[] = {"unknown", "m", "cm", "mm", "ft", "in"};
+constexpr const char* units[] = {marked("unknown"), marked("m"),  marked("cm"),
+                                 marked("mm"),      marked("ft"), marked("in")};
 static_assert(std::size(units) == std::size_t(Unit::count));
 
 const char* instruction(Measure measure) {
     switch (measure) {
         case Measure::point:
-            return "Click a point.";
+            return marked("Click a point.");
         case Measure::polyline:
-            return "Click points; Enter or a double click ends.";
+            return marked("Click points; Enter or a double click ends.");
         case Measure::area:
-            return "Click the corners; Enter or a double click ends.";
+            return marked("Click the corners; Enter or a double click ends.");
         case Measure::angle:
-            return "Click a point, the vertex, and a point.";
+            return marked("Click a point, the vertex, and a point.");
         case Measure::height:
-            return "Click the lower point, then the higher one.";
+            return marked("Click the lower point, then the higher one.");
         default:
-            return "Click two points.";
+            return marked("Click two points.");
     }
 }
 
@@ -97,7 +100,7 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
     ImGui::SetNextWindowPos(ImVec2(float(s.free.left) + em, float(s.free.top) + em), ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0),
                                         ImVec2(FLT_MAX, std::max(11 * em, float(s.free.height) - 2 * em)));
-    if (ImGui::Begin("Measure", &s.panels.measure, ImGuiWindowFlags_AlwaysAutoResize)) {
+    if (ImGui::Begin(shown_name("Measure").c_str(), &s.panels.measure, ImGuiWindowFlags_AlwaysAutoResize)) {
         keep_within(s.free);
         ImGui::PushItemWidth(11 * em);
         content(c, s, now);
@@ -144,7 +147,7 @@ void MeasurePanel::take_clicks(Session& s, std::span<const PlacedMesh> meshes, c
         if (point)
             add(*point, s, now);
         else
-            say(s, meshes.empty() ? "Measuring needs a mesh" : "There is no surface to measure", now);
+            say(s, meshes.empty() ? tr("Measuring needs a mesh") : tr("There is no surface to measure"), now);
     }
 }
 
@@ -173,7 +176,7 @@ void MeasurePanel::changed(Session& s, double now) {
 
 std::string MeasurePanel::free_name(Measure measure) const {
     for (int n = 1;; ++n) {
-        const std::string name = std::string(name_of(measure)) + " " + std::to_string(n);
+        const std::string name = std::string(tr(name_of(measure))) + " " + std::to_string(n);
         if (!std::ranges::count(survey_.measurements, name, &Measurement::name)) return name;
     }
 }
@@ -203,18 +206,18 @@ void MeasurePanel::content(Controls& c, Session& s, double now) {
     if (c.button("Export table")) s.table = survey_csv(survey_);
     ImGui::EndDisabled();
     Controls::explain("Writes all measurements as a table (CSV) into the current folder.");
-    ImGui::TextDisabled("saved in %s", file_.path.filename().c_str());
+    ImGui::TextDisabled(tr("saved in %s"), file_.path.filename().c_str());
 }
 
 void MeasurePanel::choice_of_measure(Controls& c) {
     int measure = int(next_.measure);
-    if (c.combo("Measure", &measure, measures, int(std::size(measures)))) {
+    if (c.choice("Measure", &measure, measures, int(std::size(measures)))) {
         next_.measure = Measure(measure);
         next_.points.clear();
     }
     Controls::explain("What the next clicks on the model measure.");
-    ImGui::TextUnformatted(instruction(next_.measure));
-    ImGui::TextDisabled("Backspace removes the last point, Esc leaves.");
+    ImGui::TextUnformatted(tr(instruction(next_.measure)));
+    ImGui::TextDisabled("%s", tr("Backspace removes the last point, Esc leaves."));
     c.checkbox("Snap to vertices", &to_vertices_);
     Controls::explain(
         "Sets points on the nearest vertex of the mesh, if one is near the pointer; otherwise on the "
@@ -224,13 +227,13 @@ void MeasurePanel::choice_of_measure(Controls& c) {
 /// As many lines if there is no surface, so that the panel keeps its size.
 void MeasurePanel::under_pointer() const {
     ImGui::Separator();
-    ImGui::TextDisabled("Under the pointer, in the input's coordinates");
-    ImGui::TextUnformatted(under_ ? coordinates_text(*under_).c_str() : "no surface");
+    ImGui::TextDisabled("%s", tr("Under the pointer, in the input's coordinates"));
+    ImGui::TextUnformatted(under_ ? coordinates_text(*under_).c_str() : tr("no surface"));
     if (under_ && under_->uncertainty)
-        ImGui::TextDisabled("± %s, a pixel of %s", uncertainty_text(*under_->uncertainty).c_str(),
+        ImGui::TextDisabled(tr("± %s, a pixel of %s"), uncertainty_text(*under_->uncertainty).c_str(),
                             under_->photo.c_str());
     else
-        ImGui::TextDisabled("%s", under_ ? "uncertainty unknown: no photo sees it" : " ");
+        ImGui::TextDisabled("%s", under_ ? tr("uncertainty unknown: no photo sees it") : " ");
     Controls::explain("Standard uncertainty: the size of a pixel there, in the photo that shows it finest.");
 }
 
@@ -238,21 +241,21 @@ void MeasurePanel::scale_section(Controls& c, Session& s, double now) {
     ImGui::Separator();
     Scale& scale = survey_.scale;
     int unit = int(scale.unit), shown = int(shown_unit(scale));
-    if (c.combo("Model's unit", &unit, units, int(std::size(units)))) {
+    if (c.choice("Model's unit", &unit, units, int(std::size(units)))) {
         scale = unit_at(unit) == Unit::unknown ? Scale{} : Scale{1, unit_at(unit), unit_at(unit)};
         changed(s, now);
     }
     Controls::explain("The unit of the input's coordinates, about which its files say nothing.");
     ImGui::BeginDisabled(scale.unit == Unit::unknown);
-    if (c.combo("Shown in", &shown, units, int(std::size(units))) && unit_at(shown) != Unit::unknown) {
+    if (c.choice("Shown in", &shown, units, int(std::size(units))) && unit_at(shown) != Unit::unknown) {
         scale.shown = unit_at(shown);
         changed(s, now);
     }
     ImGui::EndDisabled();
     if (scale.length != 1)
-        ImGui::TextDisabled("a unit of the model is %s %s", number_text(scale.length).c_str(),
+        ImGui::TextDisabled(tr("a unit of the model is %s %s"), number_text(scale.length).c_str(),
                             name_of(scale.unit));
-    ImGui::TextDisabled("up is %s", direction_text(survey_.up).c_str());
+    ImGui::TextDisabled(tr("up is %s"), direction_text(survey_.up).c_str());
     Controls::explain(
         "Heights are measured along it: the axis of the input that is nearest to the photos' mean up "
         "direction, or that direction if none is near.");
@@ -261,13 +264,13 @@ void MeasurePanel::scale_section(Controls& c, Session& s, double now) {
 void MeasurePanel::list(Controls& c) {
     ImGui::Separator();
     if (survey_.measurements.empty()) {
-        ImGui::TextDisabled("no measurements yet");
+        ImGui::TextDisabled("%s", tr("no measurements yet"));
         return;
     }
     for (std::size_t i = 0; i < survey_.measurements.size(); ++i) {
         const Measurement& m = survey_.measurements[i];
         ImGui::PushID(int(i));
-        const std::string label = m.name.empty() ? "(no name)" : m.name;
+        const std::string label = m.name.empty() ? tr("(no name)") : m.name;
         if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), selected_ == i, 0,
                               ImVec2(9.3f * ImGui::GetFontSize(), 0)))
             select(i);
@@ -293,7 +296,7 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
         ImGui::TextDisabled("%s", values_[at].note.c_str());
         ImGui::PopTextWrapPos();
     }
-    ImGui::InputText("Name", name_.data(), name_.size());
+    ImGui::InputText(shown_name("Name").c_str(), name_.data(), name_.size());
     c.note("Name");
     if (ImGui::IsItemDeactivatedAfterEdit()) {
         survey_.measurements[at].name = name_.data();
@@ -304,7 +307,7 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
     ImGui::SameLine();
     const bool deleted = c.button("Delete");
     if (survey_.measurements[at].measure == Measure::distance) {
-        ImGui::InputDouble("Known length", &known_length_);
+        ImGui::InputDouble(shown_name("Known length").c_str(), &known_length_);
         c.note("Known length");
         Controls::explain(
             "The true length of this distance, in the model's unit, or in m if that is unknown. Sets the "
@@ -319,7 +322,7 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
                 survey_.scale = *scale;
                 changed(s, now);
             } else {
-                say(s, "A scale needs two different points and a length above 0", now);
+                say(s, tr("A scale needs two different points and a length above 0"), now);
             }
         }
     }

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
+#include "player/interface/language_menu.h"
 #include "player/interface/side_views.h"
 #include "player/interface/style.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -38,6 +40,10 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
     toggle("Objects", "F10", s.panels.objects);
     ImGui::Separator();
     toggle("Full screen", "F11", s.full_screen);
+    if (c.menu("Language")) {
+        language_items(c, s);
+        ImGui::EndMenu();
+    }
     if (c.menu_item("Larger text", "Ctrl++"))
         s.text_scale = std::min(s.text_scale * text_step, most_text_scale);
     if (c.menu_item("Smaller text", "Ctrl+-"))
@@ -74,7 +80,7 @@ void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
         ImGui::EndMenu();
     }
     ImGui::TextDisabled("   %s", renderer.package().path().filename().c_str());
-    if (s.recording) ImGui::TextColored(ImVec4(1, 0.4f, 0.35f, 1), "   recording");
+    if (s.recording) ImGui::TextColored(ImVec4(1, 0.4f, 0.35f, 1), "   %s", tr("recording"));
     ImGui::EndMainMenuBar();
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "values/translation.h"
+
 namespace vantage {
 namespace {
 
@@ -22,13 +24,15 @@ bool placement_sliders(Controls& c, ObjectSet& objects, std::size_t object, doub
     constexpr const char* axes[] = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
         const std::string move = std::string("Move ") + axes[axis];
-        changed |= c.slider(of(o, move, move + " of").c_str(), &p.move[axis], -2 * size, 2 * size, "%.3f");
+        changed |= c.slider(of(o, std::string(tr("Move")) + " " + axes[axis], move + " of").c_str(),
+                            &p.move[axis], -2 * size, 2 * size, "%.3f");
     }
     for (int axis = 0; axis < 3; ++axis) {
         const std::string turn = std::string("Turn ") + axes[axis];
-        changed |= c.slider(of(o, turn, turn + " of").c_str(), &p.turn[axis], -180, 180, "%.1f deg");
+        changed |= c.slider(of(o, std::string(tr("Turn")) + " " + axes[axis], turn + " of").c_str(),
+                            &p.turn[axis], -180, 180, "%.1f deg");
     }
-    changed |= c.slider(of(o, "Scale", "Scale of").c_str(), &p.scale, 0.01, 100, "%.3f",
+    changed |= c.slider(of(o, tr("Scale"), "Scale of").c_str(), &p.scale, 0.01, 100, "%.3f",
                         ImGuiSliderFlags_Logarithmic);
     if (changed) objects.place(object, p);
     return changed;
@@ -37,7 +41,7 @@ bool placement_sliders(Controls& c, ObjectSet& objects, std::size_t object, doub
 bool opacity_slider(Controls& c, ObjectSet& objects, std::size_t object) {
     const SceneObject& o = objects.at(object);
     double opacity = o.opacity;
-    if (!c.slider(of(o, "Opacity", "Opacity of").c_str(), &opacity, 0, 1, "%.2f")) return false;
+    if (!c.slider(of(o, tr("Opacity"), "Opacity of").c_str(), &opacity, 0, 1, "%.2f")) return false;
     objects.set_opacity(object, opacity);
     return true;
 }
@@ -48,12 +52,12 @@ bool object_row(Controls& c, ObjectSet& objects, std::size_t object, double size
     bool shown = o.shown, changed = false;
     if (c.checkbox(o.name.c_str(), &shown)) objects.show_object(object, shown), changed = true;
     bool* open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(of(o, "open", "open").c_str()));
-    if (c.button(of(o, "Only this", "Only").c_str())) objects.show_only(object), changed = true;
+    if (c.button(of(o, tr("Only this"), "Only").c_str())) objects.show_only(object), changed = true;
     if (object > 0) {
         ImGui::SameLine();
-        if (c.button(of(o, "Place", "Position of").c_str())) *open = !*open;
+        if (c.button(of(o, tr("Place"), "Position of").c_str())) *open = !*open;
         ImGui::SameLine();
-        removed = c.button(of(o, "Remove", "Remove").c_str());
+        removed = c.button(of(o, tr("Remove"), "Remove").c_str());
     }
     changed |= opacity_slider(c, objects, object);
     if (object > 0 && *open) changed |= placement_sliders(c, objects, object, size);
@@ -70,7 +74,7 @@ bool object_section(Controls& c, Session& session, ObjectSet& objects, double si
         changed |= object_row(c, objects, i, size, removed);
         if (removed) remove = i;
     }
-    if (objects.size() == 1) ImGui::TextDisabled("Drop a package on the window to add it.");
+    if (objects.size() == 1) ImGui::TextDisabled("%s", tr("Drop a package on the window to add it."));
     if (c.button("Save scene")) session.save_scene = true;
     c.explain("Writes a scene file with these packages and where they stand.");
     if (remove > 0) objects.remove(remove), changed = true;
@@ -81,7 +85,7 @@ void drop_dialog(Controls& c, Session& session) {
     if (session.dropped.empty()) return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    if (ImGui::Begin("Dropped package", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+    if (ImGui::Begin(shown_name("Dropped package").c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::TextUnformatted(std::filesystem::path(session.dropped).filename().c_str());
         if (c.button("Open in place of the scene")) session.open = std::exchange(session.dropped, "");
         if (c.button("Add to the scene")) session.add = std::exchange(session.dropped, "");

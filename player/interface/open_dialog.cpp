@@ -11,11 +11,12 @@
 #include "values/is_url.h"
 #include "values/lower_case.h"
 #include "values/lower_extension.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
 
-constexpr const char* title = "Open a package";
+constexpr const char* title = marked("Open a package");
 
 bool take(Session& s, ImGuiKey key) { return take_key(s, ImGui::GetKeyIndex(key)); }
 
@@ -96,12 +97,13 @@ void OpenDialog::entries(Controls& c, Session& s) {
 }
 
 void OpenDialog::show(Controls& c, Session& s) {
-    const bool open = ImGui::IsPopupOpen(title);  // maybe since another scene was shown
+    const bool open = ImGui::IsPopupOpen(shown_name(title).c_str());  // maybe since another scene was shown
     if (s.open_asked || (open && folder_.empty())) list(start_);
-    if (std::exchange(s.open_asked, false)) ImGui::OpenPopup(title);
+    if (std::exchange(s.open_asked, false)) ImGui::OpenPopup(shown_name(title).c_str());
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    if (!ImGui::BeginPopupModal(shown_name(title).c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize))
+        return;
     closes_ = take(s, ImGuiKey_Escape);
     if (!closes_) content(c, s);
     if (closes_) ImGui::CloseCurrentPopup();

@@ -9,6 +9,7 @@
 #include "player/interface/choice.h"
 #include "player/survey/picture_plane.h"
 #include "player/survey/survey.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -32,7 +33,8 @@ Eigen::Vector2d size_on(const std::string& plane, const PackageReader& package) 
 }  // namespace
 
 std::string plane_option(OrthophotoRequest::Plane plane, const Navigation& camera) {
-    static const char* const names[] = {"top", "front", "back", "left", "right"};
+    static const char* const names[] = {marked("top"), marked("front"), marked("back"), marked("left"),
+                                        marked("right")};
     if (plane != OrthophotoRequest::Plane::facing) return names[int(plane)];
     const Eigen::Vector3d normal = -camera.R.row(2).transpose(), up = -camera.R.row(1).transpose();
     char text[256];
@@ -43,27 +45,28 @@ std::string plane_option(OrthophotoRequest::Plane plane, const Navigation& camer
 
 void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {
     OrthophotoRequest& o = s.orthophoto;
-    static const char* const planes[] = {"top", "front", "back", "left", "right", "my view"};
+    static const char* const planes[] = {marked("top"),  marked("front"), marked("back"),
+                                         marked("left"), marked("right"), marked("my view")};
     const auto before = o.plane;
     choice(c, "Seen from", o.plane, planes);
     Controls::explain("The side of the model that the picture shows, at right angles and true to scale.");
     const Eigen::Vector2d size = size_on(plane_option(o.plane, s.camera), package);
     if (o.pixel <= 0 || o.plane != before) o.pixel = fitting_pixel(size.maxCoeff());
-    ImGui::InputDouble("Size of a pixel", &o.pixel, 0, 0, "%.6g");
+    ImGui::InputDouble(shown_name("Size of a pixel").c_str(), &o.pixel, 0, 0, "%.6g");
     c.note("Size of a pixel");
     Controls::explain("In the model's unit.");
     const double least = std::max(size.maxCoeff() / most_pixels, 1e-12);
     o.pixel = std::isfinite(o.pixel) ? std::clamp(o.pixel, least, std::max(least, size.maxCoeff())) : least;
     const Eigen::Vector2d pixels = (size / o.pixel).array().ceil().max(1);
-    ImGui::Text("%.0f x %.0f pixels", pixels.x(), pixels.y());
-    static const char* const files[] = {"PNG and world file", "GeoTIFF"};
+    ImGui::Text(tr("%.0f x %.0f pixels"), pixels.x(), pixels.y());
+    static const char* const files[] = {marked("PNG and world file"), marked("GeoTIFF")};
     choice(c, "Written as", o.file, files);
     Controls::explain("Both tell where the picture is on the plane.");
     ImGui::BeginDisabled(o.writing);
     if (c.button("Write the orthophoto")) o.asked = true;
     ImGui::EndDisabled();
     Controls::explain("Writes the picture into the current folder, while the window can be used.");
-    if (o.writing) ImGui::TextUnformatted("being written...");
+    if (o.writing) ImGui::TextUnformatted(tr("being written..."));
 }
 
 }  // namespace vantage

@@ -9,6 +9,7 @@
 #include "player/interface/band_section.h"
 #include "player/survey/ray_cast.h"
 #include "values/lower_case.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -40,11 +41,11 @@ void use(Session& s, std::uint32_t photo, bool used) {
 std::string remark(const Session& s, const package::PhotoRecord& photo, std::uint32_t number) {
     char text[96] = "";
     const auto at = std::ranges::find(s.photo_list.showing, number, &Footprint::photo);
-    if (!photo.levels) return "left out";
+    if (!photo.levels) return tr("left out");
     if (s.photo_list.by_point && s.photo_list.point && at != s.photo_list.showing.end())
-        std::snprintf(text, sizeof text, "pixels of %.3g", at->size);
+        std::snprintf(text, sizeof text, tr("pixels of %.3g"), at->size);
     else
-        std::snprintf(text, sizeof text, "sees %.0f %%, %+.1f stops", 100 * photo.visible_vertices,
+        std::snprintf(text, sizeof text, tr("sees %.0f %%, %+.1f stops"), 100 * photo.visible_vertices,
                       -std::log2(std::max(photo.gain[1], 1e-9)));
     return text;
 }
@@ -67,9 +68,10 @@ void point_line(const Session& s) {
     const Session::PhotoList& list = s.photo_list;
     if (!list.by_point) return;
     if (!list.point)
-        ImGui::TextUnformatted("Click on the model.");
+        ImGui::TextUnformatted(tr("Click on the model."));
     else
-        ImGui::Text("%zu photos show the point", list.showing.size());
+        ImGui::Text(tr_count("%zu photo shows the point", "%zu photos show the point", list.showing.size()),
+                    list.showing.size());
 }
 
 }  // namespace
@@ -77,7 +79,7 @@ void point_line(const Session& s) {
 void photo_list_section(Controls& c, Session& s, const Renderer& renderer, double now) {
     const PlanScene& scene = renderer.scene();
     Session::PhotoList& list = s.photo_list;
-    ImGui::InputText("Name contains", list.filter.data(), list.filter.size());
+    ImGui::InputText(shown_name("Name contains").c_str(), list.filter.data(), list.filter.size());
     c.note("Name contains");
     c.checkbox("Of a point", &list.by_point);
     Controls::explain(

@@ -12,6 +12,7 @@
 #include "player/interface/docked.h"
 #include "player/interface/photo_list_section.h"
 #include "player/stream/stream_request.h"
+#include "values/translation.h"
 
 namespace vantage {
 
@@ -115,9 +116,9 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
             list.AddRect(at, end, ImGui::ColorConvertFloat4ToU32(ImVec4(c.r, c.g, c.b, 1)), 0, 0,
                          hovered ? 4.0f : 2.5f);
         if (hovered)
-            ImGui::SetTooltip("%s, %s%s%ux%u, agreement %.0f %%", p.name, scene.bands[p.band].name.c_str(),
-                              scene.bands.size() > 1 ? ", " : "", p.width, p.height,
-                              100 * agreements_[order[n]]);
+            ImGui::SetTooltip(tr("%s, %s%s%ux%u, agreement %.0f %%"), p.name,
+                              scene.bands[p.band].name.c_str(), scene.bands.size() > 1 ? ", " : "", p.width,
+                              p.height, 100 * agreements_[order[n]]);
         if (clicked && !was_dragged) fly_to(s, order[n], p, now);
     }
     ImGui::End();

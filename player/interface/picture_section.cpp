@@ -5,6 +5,7 @@
 #include "player/interface/choice.h"
 #include "player/interface/columns.h"
 #include "points/point_cloud.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -25,7 +26,8 @@ void exposure_controls(Controls& c, Session& s, const Renderer& renderer) {
 
 void light_controls(Controls& c, Session& s) {
     LightSettings& l = s.settings.light;
-    static const char* const lights[] = {"the photos' own", "lamp at the viewer", "raking light", "normals"};
+    static const char* const lights[] = {marked("the photos' own"), marked("lamp at the viewer"),
+                                         marked("raking light"), marked("normals")};
     choice(c, "Light", l.light, lights);
     c.explain("Light on the bare surface shows its shape.");
     if (l.light == Light::lamp || l.light == Light::raking) {
@@ -45,7 +47,8 @@ void light_controls(Controls& c, Session& s) {
 void comparison_controls(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
     ImGui::BeginDisabled(renderer.scene().photos.empty());
-    static const char* const compares[] = {"nothing", "side by side", "wiper", "difference"};
+    static const char* const compares[] = {marked("nothing"), marked("side by side"), marked("wiper"),
+                                           marked("difference")};
     choice(c, "Compare", r.compare, compares);
     ImGui::EndDisabled();
     c.explain("Compares the model with the photo you flew to last. Drag the line in the picture.");
@@ -56,17 +59,17 @@ void comparison_controls(Controls& c, Session& s, const Renderer& renderer) {
 
 void picture_section(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
-    static const char* const shows[] = {"photos", "which photo", "how many photos"};
+    static const char* const shows[] = {marked("photos"), marked("which photo"), marked("how many photos")};
     choice(c, "Show", r.show, shows);
     c.explain("The photos, or false colors: the photo that counts most, or how many photos see each point.");
     exposure_controls(c, s, renderer);
     if (renderer.scene().has_surroundings()) {
-        static const char* const surroundings[] = {"shown", "dimmed", "hidden"};
+        static const char* const surroundings[] = {marked("shown"), marked("dimmed"), marked("hidden")};
         choice(c, "Surroundings", r.surroundings, surroundings);
         c.explain("What the photos show beside the mesh.");
     }
     if (renderer.scene().has_transparency()) {
-        static const char* const transparent[] = {"exact", "approximate", "hidden"};
+        static const char* const transparent[] = {marked("exact"), marked("approximate"), marked("hidden")};
         choice(c, "Transparency", r.transparency, transparent);
         c.explain("Glass: sorted at each pixel, blended by weights (faster), or left out.");
     }

@@ -9,6 +9,7 @@
 
 #include "player/interface/band_section.h"
 #include "player/interface/weight_color.h"
+#include "values/translation.h"
 
 namespace vantage {
 
@@ -17,7 +18,8 @@ void radar_panel(Controls& controls, Session& s, const Renderer& renderer, const
     ImGui::SetNextWindowPos(ImVec2(float(s.free.left + s.free.width) - 18 * em, float(s.free.top) + em),
                             ImGuiCond_Appearing);
     ImGui::SetNextWindowSize(ImVec2(17 * em, 18.6f * em));
-    if (!ImGui::Begin("Radar", &s.panels.radar, ImGuiWindowFlags_NoResize)) return ImGui::End();
+    if (!ImGui::Begin(shown_name("Radar").c_str(), &s.panels.radar, ImGuiWindowFlags_NoResize))
+        return ImGui::End();
     const PlanScene& scene = renderer.scene();
     const Eigen::Vector3d up = s.camera.up, east = up.unitOrthogonal(), north = up.cross(east);
     const Eigen::Vector3d eye = view.cam_from_origin.center();

@@ -4,6 +4,7 @@
 
 #include "player/camera/camera_path.h"
 #include "player/plan/plan_scene.h"
+#include "values/translation.h"
 
 namespace vantage {
 
@@ -59,7 +60,7 @@ void note_view(Session& s, double now) {
 
 void fly_back(Session& s, double now) {
     Session::EarlierViews& e = s.earlier;
-    if (e.views.empty()) return say(s, "This is the first view", now);
+    if (e.views.empty()) return say(s, tr("This is the first view"), now);
     s.flight = Session::Flight{{s.camera, e.views.back()}, now, 0.4};
     e.views.pop_back();
     e.returning = true;

@@ -115,6 +115,8 @@ struct Session {
     bool full_screen = false;
     bool kiosk = false;  ///< for the public: nothing can be opened, written, set or quit
     float text_scale = 1;
+    std::string
+        language;  ///< of the window and of stories, such as "de-AT"; empty: English, and the story's own
     std::string message;  ///< one line
     double message_until = 0;
 

@@ -2,6 +2,7 @@
 
 #include "player/survey/picture_plane.h"
 #include "player/survey/survey.h"
+#include "values/translation.h"
 
 namespace vantage {
 
@@ -9,11 +10,11 @@ void side_views_menu(Controls& c, Session& s, const PackageReader& package, doub
     struct Side {
         const char *label, *plane;
     };
-    constexpr Side sides[] = {{"From the front", "front"},
-                              {"From the back", "back"},
-                              {"From the left", "left"},
-                              {"From the right", "right"},
-                              {"From the top", "top"}};
+    constexpr Side sides[] = {{marked("From the front"), "front"},
+                              {marked("From the back"), "back"},
+                              {marked("From the left"), "left"},
+                              {marked("From the right"), "right"},
+                              {marked("From the top"), "top"}};
     for (const auto& [label, plane] : sides) {
         if (!c.menu_item(label, "")) continue;
         const PicturePlane side = parse_plane(plane, survey_up(package.photos()));

@@ -63,7 +63,9 @@ bool sidebar(Controls& c, Session& s, const Renderer& renderer, ObjectSet& objec
     begin_docked("##sidebar", area, ImGui::GetStyle().WindowPadding,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse);
     ImGui::PushItemWidth(width_beside_names());
+    c.set_width_fixed(true);
     const bool changed = sections(c, s, renderer, objects, view, now);
+    c.set_width_fixed(false);
     ImGui::PopItemWidth();
     ImGui::End();
     return changed;

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <string>
 
+#include "values/translation.h"
+
 namespace vantage {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr float MiB = 1024 * 1024;
 
 void budget_bar(const char* name, double held, double budget) {
     char text[64];
-    std::snprintf(text, sizeof text, "%.0f of %.0f MiB", held / double(MiB), budget / double(MiB));
+    std::snprintf(text, sizeof text, tr("%.0f of %.0f MiB"), held / double(MiB), budget / double(MiB));
     ImGui::ProgressBar(float(budget > 0 ? held / budget : 0), ImVec2(-4 * ImGui::GetFontSize(), 0), text);
     ImGui::SameLine();
     ImGui::TextUnformatted(name);
@@ -23,14 +25,14 @@ void budget_bar(const char* name, double held, double budget) {
 void transfer_lines(const Renderer& renderer) {
     const auto traffic = renderer.package().traffic();
     if (!traffic) return;
-    ImGui::Text("network %.0f kB/s, %.1f MB; cache %.1f MB", traffic->bytes_per_second / 1e3,
+    ImGui::Text(tr("network %.0f kB/s, %.1f MB; cache %.1f MB"), traffic->bytes_per_second / 1e3,
                 double(traffic->bytes_received) / 1e6, double(traffic->bytes_from_cache) / 1e6);
     if (const std::string failure = renderer.failure(); !failure.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 0.5f, 0.4f, 1));
         ImGui::TextWrapped("%s", failure.c_str());
         ImGui::PopStyleColor();
     } else if (traffic->offline) {
-        ImGui::TextUnformatted("the server cannot be reached: shown from the cache");
+        ImGui::TextUnformatted(tr("the server cannot be reached: shown from the cache"));
     }
 }
 
@@ -41,25 +43,25 @@ void status_section(const Session& s, const Renderer& renderer, std::uint64_t gr
     ImGui::PlotLines("##frames", s.frame_ms.data(), int(s.frame_ms.size()), 0, "", 0,
                      std::max(1.0f, highest * 1.1f), ImVec2(-1, 4 * ImGui::GetFontSize()));
     const FrameStatistics& f = s.statistics;
-    ImGui::Text("%.1f ms per frame, median %.1f", f.mean, f.median);
-    ImGui::Text("99 %% below %.1f, 99.9 %% below %.1f", f.p99, f.p999);
+    ImGui::Text(tr("%.1f ms per frame, median %.1f"), f.mean, f.median);
+    ImGui::Text(tr("99 %% below %.1f, 99.9 %% below %.1f"), f.p99, f.p999);
     if (s.pace.scale < 1)
-        ImGui::Text("in motion: %.0f %% of the resolution%s", 100 * s.pace.scale,
-                    s.pace.swift ? ", fewer photos" : "");
+        ImGui::Text(tr("in motion: %.0f %% of the resolution%s"), 100 * s.pace.scale,
+                    s.pace.swift ? tr(", fewer photos") : "");
     const FrameReport& r = s.report;
-    ImGui::Text("%zu photos in %zu passes, %zu draws", r.photos, r.passes, r.draws);
-    ImGui::Text("%zu tiles, %zu to come; %.1f MiB uploaded", r.tiles, r.tiles_to_come,
+    ImGui::Text(tr("%zu photos in %zu passes, %zu draws"), r.photos, r.passes, r.draws);
+    ImGui::Text(tr("%zu tiles, %zu to come; %.1f MiB uploaded"), r.tiles, r.tiles_to_come,
                 double(r.uploaded) / double(MiB));
     if (renderer.scene().has_transparency())
-        ImGui::Text("%zu transparent fragments, %zu approximated", r.fragments, r.fragments_approximated);
+        ImGui::Text(tr("%zu transparent fragments, %zu approximated"), r.fragments, r.fragments_approximated);
     const Residency& held = renderer.store().residency();
-    ImGui::Text("graphics memory: %.0f of %.0f MiB", double(gl::memory_held()) / double(MiB),
+    ImGui::Text(tr("graphics memory: %.0f of %.0f MiB"), double(gl::memory_held()) / double(MiB),
                 double(graphics_budget) / double(MiB));
-    budget_bar("tiles", double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
+    budget_bar(tr("tiles"), double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
                double(held.layout().bytes()));
     transfer_lines(renderer);
     if (r.tiles_damaged)
-        ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), "%zu damaged tiles not shown", r.tiles_damaged);
+        ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), tr("%zu damaged tiles not shown"), r.tiles_damaged);
 }
 
 }  // namespace vantage

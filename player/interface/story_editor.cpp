@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "scene/error.h"
+#include "values/formatted.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -59,7 +61,7 @@ void StoryEditor::fields(Controls& c, ToldStory& told) {
     StoryNote& note = told.story.notes[*edited_];
     ImGui::PushID(int(*edited_));
     ImGui::SetNextItemWidth(300);
-    if (ImGui::InputTextWithHint("##title", "Title", title_.data(), title_.size())) {
+    if (ImGui::InputTextWithHint("##title", tr("Title"), title_.data(), title_.size())) {
         set_text(told.story, note.title, language_, title_.data());
         told.changed = true;
     }
@@ -70,7 +72,7 @@ void StoryEditor::fields(Controls& c, ToldStory& told) {
     }
     c.note("Text of the note");
     ImGui::SetNextItemWidth(300);
-    if (ImGui::InputTextWithHint("##picture", "Picture file, beside the story", picture_.data(),
+    if (ImGui::InputTextWithHint("##picture", tr("Picture file, beside the story"), picture_.data(),
                                  picture_.size())) {
         note.picture = picture_.data();
         told.changed = true;
@@ -114,10 +116,11 @@ void StoryEditor::show(Controls& c, ToldStory& told, Session& s, const View& vie
     ImGui::SetNextWindowPos(
         ImVec2(float(s.free.left + s.free.width) - 12, float(s.free.top + s.free.height) - 12),
         ImGuiCond_Always, ImVec2(1, 1));
-    if (!ImGui::Begin("Edit the story", shown, ImGuiWindowFlags_AlwaysAutoResize)) return ImGui::End();
+    if (!ImGui::Begin(shown_name("Edit the story").c_str(), shown, ImGuiWindowFlags_AlwaysAutoResize))
+        return ImGui::End();
     const bool fixed = told.file.empty() || !told.trouble.empty();
     if (fixed)
-        ImGui::TextWrapped("%s", told.file.empty() ? "A package on a server cannot get a story here."
+        ImGui::TextWrapped("%s", told.file.empty() ? tr("A package on a server cannot get a story here.")
                                                    : told.trouble.c_str());
     ImGui::BeginDisabled(fixed);
     if (c.button("Add a note here")) add(told, s, view, surface);
@@ -143,7 +146,7 @@ void StoryEditor::show(Controls& c, ToldStory& told, Session& s, const View& vie
     ImGui::BeginDisabled(!told.changed);
     if (c.button("Save the story")) try {
             save(told);
-            say(s, "written to " + told.file.string(), now);
+            say(s, formatted(tr("written to %s"), told.file.c_str()), now);
         } catch (const Error& e) {
             say(s, e.what(), now);
         }

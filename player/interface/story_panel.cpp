@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "player/interface/docked.h"
+#include "values/formatted.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -18,7 +20,7 @@ std::string label_of(const ToldStory& told, std::size_t note) {
     return std::to_string(note + 1) + "  " + (title.empty() ? n.id : title);
 }
 
-void language_choice(Controls& c, ToldStory& told) {
+void language_choice(Controls& c, const ToldStory& told, Session& s) {
     const std::vector<std::string> languages = languages_of(told.story);
     if (languages.size() < 2) return;
     std::vector<const char*> names;
@@ -29,7 +31,7 @@ void language_choice(Controls& c, ToldStory& told) {
         names.push_back(l.c_str());
     }
     if (c.combo("Language", &chosen, names.data(), int(names.size())))
-        told.language = languages[std::size_t(chosen)];
+        s.language = languages[std::size_t(chosen)];
 }
 
 void tour_buttons(Controls& c, ToldStory& told, Session& s, double now) {
@@ -39,7 +41,9 @@ void tour_buttons(Controls& c, ToldStory& told, Session& s, double now) {
         const std::string name = title.empty() ? tour.id : title;
         const bool plays = told.playing && told.playing->tour == i;
         ImGui::PushID(int(i));
-        if (c.button(((plays ? "Stop " : "Play ") + name).c_str())) {
+        const std::string recorded = (plays ? "Stop " : "Play ") + name;
+        if (c.button(
+                (formatted(plays ? tr("Stop %s") : tr("Play %s"), name.c_str()) + "##" + recorded).c_str())) {
             if (plays)
                 s.flight.reset();
             else
@@ -58,11 +62,11 @@ void story_panel(Controls& c, ToldStory& told, Session& s, bool* shown, double n
     ImGui::SetNextWindowSizeConstraints(ImVec2(16 * em, 4 * em),
                                         ImVec2(23 * em, std::max(8 * em, 0.6f * float(s.free.height))));
     const std::string& title = text_in(told.story, told.story.title, told.language);
-    if (!ImGui::Begin(((title.empty() ? "Story" : title) + "###story").c_str(), shown,
+    if (!ImGui::Begin(((title.empty() ? tr("Story") : title) + "###story").c_str(), shown,
                       ImGuiWindowFlags_AlwaysAutoResize))
         return ImGui::End();
     keep_within(s.free);
-    language_choice(c, told);
+    language_choice(c, told, s);
     for (std::size_t i = 0; i < told.story.notes.size(); ++i) {
         ImGui::PushID(int(i));
         if (ImGui::Selectable(label_of(told, i).c_str(), told.open == i)) open_note(told, s, i, now);

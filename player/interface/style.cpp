@@ -24,12 +24,15 @@ void set_colors(ImGuiStyle& style) {
 }
 
 void set_font(float scale) {
+    // Of the languages that are written with Latin letters.
+    static const ImWchar letters[] = {0x20,   0x17f,  0x218,  0x21b,  0x2010, 0x2026,
+                                      0x2032, 0x2033, 0x20ac, 0x20ac, 0};
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     fonts.Clear();
     for (const char* font : {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                              "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf"})
         if (std::filesystem::exists(font)) {
-            fonts.AddFontFromFileTTF(font, text_pixels * scale);
+            fonts.AddFontFromFileTTF(font, text_pixels * scale, nullptr, letters);
             return;
         }
     ImFontConfig plain;

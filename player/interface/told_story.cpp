@@ -1,7 +1,6 @@
 #include "player/interface/told_story.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -23,18 +22,6 @@ std::string text_on_disk(const std::filesystem::path& file) {
 }
 
 }  // namespace
-
-std::string system_language() {
-    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
-        const char* value = std::getenv(name);
-        if (!value || !*value) continue;
-        std::string language = value;
-        language.erase(std::min(language.find_first_of(".@"), language.size()));
-        std::ranges::replace(language, '_', '-');
-        return language == "C" || language == "POSIX" ? "" : language;
-    }
-    return "";
-}
 
 ToldStory told_story(const std::filesystem::path& package, const InputAxes& axes,
                      const std::string& language) {

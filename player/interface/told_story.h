@@ -28,9 +28,6 @@ struct ToldStory {
     bool any() const { return !story.notes.empty() || !story.tours.empty(); }
 };
 
-/// The language of the user's environment, such as "de-AT"; empty if it is not said.
-std::string system_language();
-
 /// Reads the story beside a package or a scene file. What is wrong with it becomes `trouble`.
 ToldStory told_story(const std::filesystem::path& package, const InputAxes& axes,
                      const std::string& language);

@@ -9,7 +9,8 @@ namespace vantage {
 
 /// A key that was pressed.
 struct KeyPress {
-    int key;                                                           ///< GLFW's code
+    int key;    ///< GLFW's code; of a letter, where the keyboard's layout has it
+    int place;  ///< GLFW's code of the key's place on a US keyboard
     enum class With { nothing, control, other } with = With::nothing;  ///< other: also Alt or Super
     bool repeated = false;                                             ///< because it was held
 };

@@ -9,7 +9,9 @@
 
 #include "player/interface/comparison.h"
 #include "player/interface/docked.h"
+#include "player/interface/language_menu.h"
 #include "points/point_cloud.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -20,15 +22,23 @@ struct Tool {
     const char* help;
 };
 constexpr Tool tools[] = {
-    {"Home", Icon::home, "Back to the first view (H)"},
-    {"Photos", Icon::photos, "Show or hide the photos; click on one to see what it shows (F4)"},
-    {"Compare", Icon::compare, "Fly to the photo that is closest, and compare the model with it (C)"},
-    {"Light", Icon::light, "Move a lamp over the surface, to see its shape"},
-    {"Help", Icon::help, "What mouse and keys do (F1)"},
-    {"Full screen", Icon::full_screen, "The whole screen, or a window again (F11)"},
-    {"Expert", Icon::expert, "All settings (Tab)"}};
+    {marked("Home"), Icon::home, marked("Back to the first view (H)")},
+    {marked("Photos"), Icon::photos,
+     marked("Show or hide the photos; click on one to see what it shows (F4)")},
+    {marked("Compare"), Icon::compare,
+     marked("Fly to the photo that is closest, and compare the model with it (C)")},
+    {marked("Light"), Icon::light, marked("Move a lamp over the surface, to see its shape")},
+    {marked("Help"), Icon::help, marked("What mouse and keys do (F1)")},
+    {marked("Full screen"), Icon::full_screen, marked("The whole screen, or a window again (F11)")},
+    {marked("Expert"), Icon::expert, marked("All settings (Tab)")}};
 
-constexpr std::size_t tools_on_the_left = 4, tools_of_kiosk = 5;
+constexpr std::size_t tools_on_the_left = 4;
+
+/// What the public needs; there, nobody has chosen a language yet.
+constexpr Tool kiosk_tools[] = {
+    tools[0], tools[1], tools[2], tools[3], {marked("Language"), Icon::language, marked("Choose a language")},
+    tools[4]};
+static_assert(tools[4].icon == Icon::help);
 
 /// Each with a gap behind it.
 float width_of(std::span<const Tool> shown, bool labels, float gap) {
@@ -37,8 +47,24 @@ float width_of(std::span<const Tool> shown, bool labels, float gap) {
     return width;
 }
 
-void lights(Controls& c, Session& s) {
-    if (!ImGui::BeginPopup("##lights")) return;
+/// A list above the bar, at a button, with room for fingers between its items. Whether it is open.
+bool list_above(Controls& c, const char* name, const Area& bar, float button) {
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos(ImVec2(button, float(bar.top) - 0.3f * em), ImGuiCond_Always,
+                            ImVec2(button / std::max(1.0f, float(bar.width)), 1));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.6f * em, em));
+    const bool open = c.popup(name);
+    if (!open) ImGui::PopStyleVar();
+    return open;
+}
+
+void end_list() {
+    ImGui::EndPopup();
+    ImGui::PopStyleVar();
+}
+
+void lights(Controls& c, Session& s, const Area& bar, float button) {
+    if (!list_above(c, "##lights", bar, button)) return;
     LightSettings& l = s.settings.light;
     const auto choose = [&](const char* name, Light light) {
         if (c.menu_item(name, nullptr, l.light == light)) l.light = light;
@@ -47,7 +73,13 @@ void lights(Controls& c, Session& s) {
     choose("Raking light that follows the pointer", Light::raking);
     choose("Lamp at the viewer", Light::lamp);
     if (l.light == Light::raking) s.lamp_follows = true;
-    ImGui::EndPopup();
+    end_list();
+}
+
+void languages(Controls& c, Session& s, const Area& bar, float button) {
+    if (!list_above(c, "##languages", bar, button)) return;
+    language_items(c, s);
+    end_list();
 }
 
 void use(const Tool& tool, Session& s, const Renderer& renderer, const View& view, double now) {
@@ -61,6 +93,8 @@ void use(const Tool& tool, Session& s, const Renderer& renderer, const View& vie
             return toggle_comparison(s, renderer.scene(), view, now);
         case Icon::light:
             return ImGui::OpenPopup("##lights");
+        case Icon::language:
+            return ImGui::OpenPopup("##languages");
         case Icon::full_screen:
             s.full_screen = !s.full_screen;
             return;
@@ -93,23 +127,27 @@ void visitor_bar(Controls& c, Session& s, const Renderer& renderer, const View& 
     const float em = ImGui::GetFontSize();
     begin_docked("##bar", area, ImVec2(0.5f * em, 0.35f * em),
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoNav);
-    const std::span<const Tool> shown = s.kiosk ? std::span(tools).first(tools_of_kiosk) : std::span(tools);
+    const std::span<const Tool> shown = s.kiosk ? std::span<const Tool>(kiosk_tools) : tools;
     const float gap = 0.5f * em;
     const bool labels = width_of(shown, true, gap) + 2 * gap < float(area.width);
     const std::size_t on_the_left = std::min(shown.size(), tools_on_the_left);
     const float right = float(area.width) - width_of(shown.subspan(on_the_left), labels, gap);
+    float light_button = 0, language_button = 0;
     for (const Tool& tool : shown) {
-        if (&tool == &tools[tools_on_the_left])
+        if (&tool == &shown[tools_on_the_left])
             ImGui::SameLine(right);
-        else if (&tool != tools)
+        else if (&tool != shown.data())
             ImGui::SameLine(0, gap);
         ImGui::BeginDisabled(!is_usable(tool.icon, renderer));
         if (c.icon_button(tool.name, tool.icon, is_lit(tool.icon, s), labels))
             use(tool, s, renderer, view, now);
         ImGui::EndDisabled();
+        if (tool.icon == Icon::light) light_button = ImGui::GetItemRectMin().x;
+        if (tool.icon == Icon::language) language_button = ImGui::GetItemRectMin().x;
         Controls::explain(tool.help);
     }
-    lights(c, s);
+    lights(c, s, area, light_button);
+    languages(c, s, area, language_button);
     ImGui::End();
 }
 

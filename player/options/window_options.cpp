@@ -28,6 +28,10 @@ void add_window_options(CLI::App& app, WindowOptions& o) {
            "says)")
         ->type_name("FILE")
         ->group(group);
+    app.add_option("--language", o.language,
+                   "language of the window and of stories, such as de or fr (default: the system's)")
+        ->type_name("CODE")
+        ->group(group);
     app.add_option("--text-scale", o.text_scale,
                    "size of text, relative to 14 pixels (default: by the display)")
         ->check(real_range(0.7, 4))

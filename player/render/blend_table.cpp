@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <array>
 
+#include "values/translation.h"
+
 namespace vantage {
 namespace {
 
 constexpr std::array table{
-    BlendRow{Blend::lumigraph, "lumigraph", "Lumigraph",
-             "by the angle between the rays to viewer and photo, fading at borders", "BLEND_LUMIGRAPH",
+    BlendRow{Blend::lumigraph, "lumigraph", marked("Lumigraph"),
+             marked("by the angle between the rays to viewer and photo, fading at borders"),
+             "BLEND_LUMIGRAPH", false},
+    BlendRow{Blend::average, "average", marked("Average"), marked("by distance, angle and all masks"), "",
              false},
-    BlendRow{Blend::average, "average", "Average", "by distance, angle and all masks", "", false},
-    BlendRow{Blend::best, "best", "Best photo", "each point from one photo", "BLEND_BEST", true},
+    BlendRow{Blend::best, "best", marked("Best photo"), marked("each point from one photo"), "BLEND_BEST",
+             true},
 };
 static_assert(table.size() == std::size_t(Blend::count), "each mode has a row");
 

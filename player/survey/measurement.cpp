@@ -11,6 +11,8 @@
 #include <span>
 
 #include "player/survey/number_text.h"
+#include "values/formatted.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -72,7 +74,7 @@ Derived chain(std::span<const Vector3d> p) {
 Derived angle(std::span<const Vector3d> p) {
     const Vector3d a = p[0] - p[1], b = p[2] - p[1];
     const double of_a = a.stableNorm(), of_b = b.stableNorm();
-    if (!(of_a > 0) || !(of_b > 0)) return {{}, {}, "no angle: two of its points are equal"};
+    if (!(of_a > 0) || !(of_b > 0)) return {{}, {}, tr("no angle: two of its points are equal")};
     const Vector3d u = a / of_a, v = b / of_b;
     const double sine = u.cross(v).norm(), cosine = u.dot(v);
     // Away from the other side; any direction across if the angle is 0 or 180 degrees.
@@ -134,7 +136,7 @@ Derived area(std::span<const Vector3d> p, double& off_plane) {
     std::vector<Eigen::Vector2d> flat;
     for (const Vector3d& v : p)
         flat.emplace_back(plane.along.dot(v - plane.middle), other.dot(v - plane.middle));
-    if (crosses_itself(flat)) return {{}, {}, "no area: sides of the polygon cross each other"};
+    if (crosses_itself(flat)) return {{}, {}, tr("no area: sides of the polygon cross each other")};
     double twice = 0;
     const std::size_t n = p.size();
     for (std::size_t i = 0; i < n; ++i) twice += cross(flat[i], flat[(i + 1) % n]);
@@ -174,18 +176,20 @@ std::string note_of(const Measurement& m, const Scale& scale, const Vector3d& up
     const Vector3d step = p.back() - p.front();
     switch (m.measure) {
         case Measure::distance:
-            return "along x " + number_text(step.x() * shown_length(scale)) + ", y " +
-                   number_text(step.y() * shown_length(scale)) + ", z " + length_text(step.z(), scale);
+            return formatted(
+                tr("along x %s, y %s, z %s"), number_text(step.x() * shown_length(scale)).c_str(),
+                number_text(step.y() * shown_length(scale)).c_str(), length_text(step.z(), scale).c_str());
         case Measure::height:
-            return "horizontal distance " + length_text((step - up * up.dot(step)).stableNorm(), scale);
+            return formatted(tr("horizontal distance %s"),
+                             length_text((step - up * up.dot(step)).stableNorm(), scale).c_str());
         case Measure::polyline:
-            return std::to_string(p.size() - 1) + (p.size() == 2 ? " segment" : " segments");
+            return formatted(tr_count("%zu segment", "%zu segments", p.size() - 1), p.size() - 1);
         case Measure::area: {
             std::vector<Vector3d> round = p;
             round.push_back(p.front());
-            return "on the plane that fits its corners best; they are up to " +
-                   length_text(off_plane, scale) + " away from it; perimeter " +
-                   length_text(*chain(round).value, scale);
+            return formatted(
+                tr("on the plane that fits its corners best; they are up to %s away from it; perimeter %s"),
+                length_text(off_plane, scale).c_str(), length_text(*chain(round).value, scale).c_str());
         }
         default:
             return {};
@@ -215,7 +219,7 @@ std::size_t fewest_points(Measure measure) { return row_of(measure).fewest; }
 std::size_t most_points(Measure measure) { return row_of(measure).most; }
 
 Measured evaluate(const Measurement& m, const Scale& scale, const Vector3d& up) {
-    if (m.points.size() < fewest_points(m.measure)) return {.note = "too few points"};
+    if (m.points.size() < fewest_points(m.measure)) return {.note = tr("too few points")};
     if (m.measure == Measure::point) return point(m);
     const std::vector<Vector3d> p = positions_of(m);
     double off_plane = 0;
@@ -235,7 +239,7 @@ Measured evaluate(const Measurement& m, const Scale& scale, const Vector3d& up) 
         out.unit = is_area ? named.area : named.length;
         scale_by(out, scale, is_area ? 2 : 1);
     }
-    if (!is_finite(out)) return {.note = "no value: the points are too far apart"};
+    if (!is_finite(out)) return {.note = tr("no value: the points are too far apart")};
     if (!out.value) out.uncertainty.reset();
     if (out.note.empty()) out.note = note_of(m, scale, up, off_plane);
     return out;
@@ -253,7 +257,8 @@ std::string coordinates_text(const SurveyPoint& p) {
 
 std::string text_of(const Measured& m) {
     if (!m.value) return m.note;
-    const std::string unit = *m.unit ? std::string(m.unit) == "°" ? m.unit : std::string(" ") + m.unit : "";
+    const std::string unit =
+        *m.unit ? std::string(m.unit) == "°" ? m.unit : std::string(" ") + tr(m.unit) : "";
     if (!m.uncertainty) return number_text(*m.value) + unit;
     return number_text(*m.value, *m.uncertainty) + " ± " + uncertainty_text(*m.uncertainty) + unit;
 }

@@ -13,6 +13,7 @@
 #include "gl/context.h"
 #include "player/interface/style.h"
 #include "scene/error.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -36,12 +37,18 @@ struct GlfwWindow::Callbacks {
         window(w).events_.any = true;
         return window(w).events_;
     }
-    static void key(GLFWwindow* w, int key, int, int action, int modifiers) {
+    /// Letters count as the keyboard's layout has them, other keys by their place.
+    static int key_of(int place, int scancode) {
+        const char* name = glfwGetKeyName(place, scancode);
+        const bool letter = name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0;
+        return letter ? GLFW_KEY_A + (name[0] - 'a') : place;
+    }
+    static void key(GLFWwindow* w, int key, int scancode, int action, int modifiers) {
         using With = KeyPress::With;
         WindowEvents& e = events(w);
         if (action == GLFW_RELEASE) return;
         const int with = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
-        e.input.keys.push_back({key,
+        e.input.keys.push_back({key_of(key, scancode), key,
                                 with == 0                  ? With::nothing
                                 : with == GLFW_MOD_CONTROL ? With::control
                                                            : With::other,

@@ -19,6 +19,7 @@
 #include "player/interface/style.h"
 #include "player/render/blend_table.h"
 #include "player/survey/section.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -114,7 +115,9 @@ void move_by_keys(Session& s, std::span<const KeyPress> tapped) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyCtrl || io.KeyAlt || io.KeySuper) return;
     const auto down = [&](int key) {
-        const auto is = [&](const KeyPress& p) { return p.key == key && p.with == KeyPress::With::nothing; };
+        const auto is = [&](const KeyPress& p) {
+            return p.place == key && p.with == KeyPress::With::nothing;
+        };
         return double(ImGui::IsKeyDown(key) || std::ranges::any_of(tapped, is));
     };
     Eigen::Vector3d step(down(GLFW_KEY_D) - down(GLFW_KEY_A), down(GLFW_KEY_Q) - down(GLFW_KEY_E),
@@ -154,7 +157,7 @@ void leave(Session& s, double now) {
     else if (s.settings.compare != Compare::nothing)
         s.settings.compare = Compare::nothing;
     else if (!s.kiosk)
-        say(s, "Ctrl+Q quits", now);
+        say(s, tr("Ctrl+Q quits"), now);
 }
 
 /// F1 and so on. A section of the sidebar is shown with the sidebar.
@@ -256,10 +259,10 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
         if (p.with == With::control) run_command(session, p.key);
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control in use
+    if (session.menu_open && take_key(session, GLFW_KEY_ESCAPE)) session.closes_menu = true;
     take_measuring_keys(session);
     move_by_keys(session, session.input.keys);
     const std::vector<KeyPress> keys = std::exchange(session.input.keys, {});
-    if (session.menu_open && take_key(session, GLFW_KEY_ESCAPE)) session.closes_menu = true;
     for (std::size_t i = 0; i < keys.size(); ++i) {
         if (keys[i].with == With::nothing && !keys[i].repeated)
             run_shortcut(session, scene, keys[i].key, now);

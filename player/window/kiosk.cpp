@@ -9,7 +9,7 @@ Kiosk make_kiosk(Session& s, std::optional<AttractLoop> tour, double home_after)
     s.kiosk = s.full_screen = true;
     s.panels.expert = s.panels.frusta = s.panels.radar = s.panels.help = false;
     s.panels.bar = true;
-    return {s.settings, s.panels, std::move(tour), home_after};
+    return {s.settings, s.panels, s.language, std::move(tour), home_after};
 }
 
 namespace {
@@ -37,6 +37,7 @@ void attend(Kiosk& k, Session& s, bool touched, double now) {
     if (!std::exchange(k.idle, true)) {
         s.settings = k.settings;
         s.panels = k.panels;
+        s.language = k.language;
         s.earlier.views.clear();
         fly_home(s, now);
     }

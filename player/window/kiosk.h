@@ -11,6 +11,7 @@ namespace vantage {
 struct Kiosk {
     RenderSettings settings;  ///< those of the start
     Panels panels;
+    std::string language;
     std::optional<AttractLoop> tour;  ///< flown while nobody touches it, again and again
     double home_after = 60;           ///< seconds
     double touched_at = 0;            ///< seconds

@@ -5,6 +5,8 @@
 #include <fstream>
 
 #include "scene/error.h"
+#include "values/formatted.h"
+#include "values/translation.h"
 
 namespace vantage {
 
@@ -23,7 +25,7 @@ void write_numbered(Session& session, const std::string& stem, const char* exten
     try {
         const std::string file = free_name(stem, extension);
         write(file);
-        say(session, what + " written to " + file, now);
+        say(session, formatted(tr("%s written to %s"), what.c_str(), file.c_str()), now);
     } catch (const Error& e) {
         say(session, e.what(), now);
     }

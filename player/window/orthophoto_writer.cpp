@@ -7,6 +7,8 @@
 #include "player/interface/orthophoto_section.h"
 #include "player/window/numbered_file.h"
 #include "scene/error.h"
+#include "values/formatted.h"
+#include "values/translation.h"
 
 namespace vantage {
 
@@ -19,7 +21,10 @@ void OrthophotoWriter::attend(Session& s, const PackageReader& package, double n
     if (!ended) return;
     program_.reset();
     s.orthophoto.writing = false;
-    say(s, ended->well ? "orthophoto written to " + file_ : file_ + ": " + ended->says, now);
+    say(s,
+        ended->well ? formatted(tr("%s written to %s"), tr("orthophoto"), file_.c_str())
+                    : file_ + ": " + ended->says,
+        now);
 }
 
 void OrthophotoWriter::start(Session& s, const PackageReader& package, double now) {
@@ -37,7 +42,7 @@ void OrthophotoWriter::start(Session& s, const PackageReader& package, double no
     try {
         program_.emplace(own_program, std::move(arguments));
         s.orthophoto.writing = true;
-        say(s, "the orthophoto is being written to " + file_, now);
+        say(s, formatted(tr("the orthophoto is being written to %s"), file_.c_str()), now);
     } catch (const Error& e) {
         say(s, e.what(), now);
     }

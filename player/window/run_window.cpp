@@ -29,6 +29,7 @@
 #include "scene/error.h"
 #include "scene/package_shape.h"
 #include "values/is_url.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -245,6 +246,8 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
 }  // namespace
 
 int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
+    const std::string language = o.window.language.empty() ? system_language() : o.window.language;
+    use_language(language);
     const std::filesystem::path folder = o.window.fresh ? std::filesystem::path() : settings_folder();
     std::optional<PackageReader> first;
     Remembered remembered = remembered_window(o, folder);
@@ -272,6 +275,7 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     const PackageReader* package = other ? &other->package : &*first;
     Session session = start_session(*package, o, remembered);
     session.text_scale = text_scale(o, remembered, window);
+    session.language = language;
     bool damaged = false;
     for (;;) {
         glfwSetWindowTitle(window.get(), (package->path().filename().string() + " - Vantage").c_str());
@@ -297,9 +301,11 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
         any_photo.blending.bands = {};
         const bool full_screen = session.full_screen;
         const float scale = session.text_scale;
+        const std::string chosen_language = session.language;
         session = start_session(*package, any_photo, remembered);
         session.full_screen = full_screen;
         session.text_scale = scale;
+        session.language = chosen_language;
     }
     window.fill_screen(false);
     glfwGetWindowSize(window.get(), &remembered.window.width, &remembered.window.height);

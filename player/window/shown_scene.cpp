@@ -27,6 +27,8 @@
 #include "player/window/screenshot.h"
 #include "player/window/view_clipboard.h"
 #include "scene/error.h"
+#include "values/formatted.h"
+#include "values/translation.h"
 
 namespace vantage {
 
@@ -64,7 +66,8 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       memory_limit_(memory_budget(o.memory).graphics),
       open_dialog_(package_folder(package)),
       measure_(package),
-      told_(told_story(o.package.file, input_axes(package), system_language())),
+      language_(session.language),
+      told_(told_story(o.package.file, input_axes(package), session.language)),
       clock_(gl::current_device().software),
       goal_ms_(frame_goal(o.window.fps)),
       pace_(pace_of_first_picture(goal_ms_)) {
@@ -99,6 +102,7 @@ std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
 void ShownScene::frame(int width, int height, double now, bool keys) {
     Session& s = session_;
     if (kiosk_) attend(*kiosk_, s, s.touched, now);
+    change_language();
     use_clipboard(s, renderer_.package(), now);
     continue_flight(s, now);
     continue_tour(told_, s, now);
@@ -109,11 +113,11 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     choose_projection(now);
     const View view = shown_view(s.camera, s, renderer_.scene(), width, height);
     shown_at_ = now;
+    if (std::exchange(s.closes_menu, false)) controls_.close_menus();
     interface(view, now);
     record(now);
     change_objects(now);
     orthophotos_.attend(s, renderer_.package(), now);
-    if (std::exchange(s.closes_menu, false)) controls_.close_menus();
     ImGui::Render();
     const bool still = !keys && unchanged(view) && lit_ == s.settings.light && cut_ == s.settings.sections;
     if (!still) samples_ = 0;
@@ -125,7 +129,7 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     if (s.settings.points.pick) pick(view);
     enlargement_.show(objects_, *drawn_view_, shown_settings(), s.settings.room, 0, true);
     if (std::exchange(s.screenshot, false))  // without the interface
-        write_numbered(s, renderer_.package().path().stem().string(), ".png", "screenshot", now,
+        write_numbered(s, renderer_.package().path().stem().string(), ".png", tr("screenshot"), now,
                        [&](const std::string& file) { save_frame(file, width, height); });
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     clock_.end(drawn_at_ == now ? std::optional(s.pace) : std::nullopt);
@@ -135,6 +139,14 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     cut_ = s.settings.sections;
 }
 
+/// The window and the story follow the choice that was made in either.
+void ShownScene::change_language() {
+    if (session_.language == language_) return;
+    language_ = session_.language;
+    told_.language = language_.empty() ? told_.story.language : language_;
+    use_language(language_);
+}
+
 /// What an orthographic view cannot show ends it.
 void ShownScene::choose_projection(double now) {
     Session& s = session_;
@@ -142,7 +154,7 @@ void ShownScene::choose_projection(double now) {
     if (!s.orthographic || (!points && s.settings.compare == Compare::nothing && objects_.size() == 1))
         return;
     s.orthographic = false;
-    say(s, "In perspective again: points, several objects and comparisons are not shown orthographically",
+    say(s, tr("In perspective again: points, several objects and comparisons are not shown orthographically"),
         now);
 }
 
@@ -178,6 +190,7 @@ void ShownScene::interface(const View& view, double now) {
     open_dialog_.show(controls_, s);
     drop_dialog(controls_, s);
     message_line(s, now);
+    s.menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
 /// Cuts the model as the session says: the lines of the cut, and a drawing of them if one is asked for.
@@ -189,8 +202,7 @@ void ShownScene::show_cut(const View& view, double now) {
     const PackageReader& package = renderer_.package();
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
     write_numbered(s, package.path().stem().string() + "-cut", ".dxf",
-                   std::to_string(cut_lines_.lines().size()) + " lines", now, [&](const std::string& file) {
-    s.menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+                   formatted(tr("%zu lines"), cut_lines_.lines().size()), now, [&](const std::string& file) {
                        write_text(file, section_dxf(cut_lines_.lines(), origin));
                    });
 }
@@ -257,7 +269,7 @@ void ShownScene::save_recorded(double now) {
     if (s.recorded.empty()) return;
     const PackageReader& package = renderer_.package();
     write_numbered(
-        s, package.path().stem().string(), ".path", std::to_string(s.recorded.size()) + " positions", now,
+        s, package.path().stem().string(), ".path", formatted(tr("%zu positions"), s.recorded.size()), now,
         [&](const std::string& file) { write_path(file, s.recorded, package, {}, positions_per_second); });
 }
 
@@ -275,9 +287,9 @@ void ShownScene::change_objects(double now) {
     }
     if (const std::string table = std::exchange(s.table, ""); !table.empty())
         write_numbered(s, renderer_.package().path().stem().string() + "-measurements", ".csv",
-                       "measurements", now, [&](const std::string& file) { write_text(file, table); });
+                       tr("measurements"), now, [&](const std::string& file) { write_text(file, table); });
     if (std::exchange(s.save_scene, false))
-        write_numbered(s, "scene", ".toml", "scene", now,
+        write_numbered(s, "scene", ".toml", tr("scene"), now,
                        [&](const std::string& file) { write_scene_file(file, objects_.objects()); });
 }
 
@@ -340,7 +352,7 @@ void ShownScene::draw(const View& view, bool still, double now) {
     s.report = objects_.draw(*drawn_view_, settings, s.photos, sample, now, moves ? &next : nullptr);
     samples_ = resting_ && s.report.settled ? samples_ + 1 : 0;
     if (s.report.tiles_damaged > 0 && sound_so_far)
-        say(s, "The package is damaged: parts of the picture are missing or blurred (vantage check FILE)",
+        say(s, tr("The package is damaged: parts of the picture are missing or blurred (vantage check FILE)"),
             now);
     tell_memory(now);
     drawn_ = true;
@@ -379,8 +391,9 @@ void ShownScene::tell_memory(double now) {
     const std::uint64_t used = objects_.graphics_budget();
     if (memory_limit_ == 0 || used <= memory_limit_) return;
     say(session_,
-        "Frames of this size need " + std::to_string((used >> 20) + 1) +
-            " MiB of graphics memory, more than --graphics-memory allows",
+        formatted(
+            tr("Frames of this size need %.0f MiB of graphics memory, more than --graphics-memory allows"),
+            double((used >> 20) + 1)),
         now);
     memory_limit_ = 0;
 }

@@ -49,6 +49,7 @@ class ShownScene {
     static constexpr double blink_seconds = 0.3;  ///< of a text field's cursor
 
     std::optional<AttractLoop> kiosk_tour(const PackageReader& package, const std::string& path) const;
+    void change_language();
     void choose_projection(double now);
     RenderSettings shown_settings() const;
     void interface(const View& view, double now);
@@ -79,6 +80,7 @@ class ShownScene {
     Layout layout_;
     MeasurePanel measure_;
     CutLines cut_lines_;
+    std::string language_;  ///< in use
     ToldStory told_;
     NotePicture note_picture_;
     StoryEditor story_editor_;

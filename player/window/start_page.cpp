@@ -14,6 +14,7 @@
 #include "player/interface/open_dialog.h"
 #include "player/window/new_frame.h"
 #include "player/window/system_chooser.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -21,7 +22,7 @@ namespace {
 /// The packages by name, with their folders; sets `s.open` to the one that is clicked.
 void recent_packages(Controls& c, Session& s, std::span<const std::string> recent) {
     if (recent.empty()) return;
-    ImGui::TextDisabled("Opened before");
+    ImGui::TextDisabled("%s", tr("Opened before"));
     for (const std::string& file : recent) {
         const std::filesystem::path path = file;
         if (c.button((path.filename().string() + "##" + file).c_str())) s.open = file;
@@ -40,13 +41,13 @@ void page(Controls& c, Session& s, std::span<const std::string> recent, const st
     ImGui::SetWindowFontScale(1.6f);
     ImGui::TextUnformatted("Vantage");
     ImGui::SetWindowFontScale(1);
-    ImGui::TextUnformatted("Shows a scanned object through its own photographs.");
+    ImGui::TextUnformatted(tr("Shows a scanned object through its own photographs."));
     ImGui::Spacing();
     recent_packages(c, s, recent);
     if (c.button("Open a package...")) s.open_asked = true;
     ImGui::SameLine();
-    ImGui::TextUnformatted("or drop one here");
-    ImGui::TextDisabled("Packages are made by: vantage prepare SCAN -o NAME.vantage");
+    ImGui::TextUnformatted(tr("or drop one here"));
+    ImGui::TextDisabled("%s", tr("Packages are made by: vantage prepare SCAN -o NAME.vantage"));
     if (!trouble.empty()) {
         ImGui::PushTextWrapPos(40 * ImGui::GetFontSize());
         ImGui::TextColored(ImVec4(1, 0.5f, 0.4f, 1), "%s", trouble.c_str());

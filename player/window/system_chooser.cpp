@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "scene/error.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -47,14 +48,15 @@ void SystemChooser::attend(Session& s, const std::filesystem::path& folder, doub
 }
 
 void SystemChooser::ask(const std::string& program, const std::filesystem::path& folder) {
-    const std::string title = "Open a package", what = "Vantage packages and scenes",
+    const std::string title = tr("Open a package"), what = tr("Vantage packages and scenes"),
                       at = folder.string() + "/";
     using Words = std::vector<std::string>;
     program_.emplace(program,
                      program == "kdialog"
                          ? Words{"--title", title, "--getopenfilename", at, "*.vantage *.toml|" + what}
                          : Words{"--file-selection", "--title=" + title, "--filename=" + at,
-                                 "--file-filter=" + what + "|*.vantage *.toml", "--file-filter=All files|*"});
+                                 "--file-filter=" + what + "|*.vantage *.toml",
+                                 std::string("--file-filter=") + tr("All files") + "|*"});
 }
 
 }  // namespace vantage

@@ -7,6 +7,7 @@
 #include "player/camera/camera_path.h"
 #include "player/camera/shots.h"
 #include "scene/error.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -34,7 +35,7 @@ void use_clipboard(Session& s, const PackageReader& package, double now) {
         const std::string command =
             "vantage-player " + quoted(package.path().string()) + " --view " + view_text(s.camera, package);
         ImGui::SetClipboardText(command.c_str());
-        say(s, "The view is copied as a command line", now);
+        say(s, tr("The view is copied as a command line"), now);
     }
     if (s.pasted.empty()) return;
     try {

@@ -16,7 +16,7 @@ under_xvfb() {
   fi
   dir=$VANTAGE_WINDOW_TEST
   cd "$dir" || exit 1
-  export XDG_CONFIG_HOME=$dir/config
+  export XDG_CONFIG_HOME=$dir/config LC_ALL=C.UTF-8
 }
 
 # The same under Xorg with a touch screen, for finger(). Needs its drivers "dummy" and "inputtest", besides xdotool.
@@ -34,7 +34,7 @@ under_touch_screen() {
   fi
   dir=$VANTAGE_WINDOW_TEST
   cd "$dir" || exit 1
-  export XDG_CONFIG_HOME=$dir/config
+  export XDG_CONFIG_HOME=$dir/config LC_ALL=C.UTF-8
   [ -S touch ] && coproc TOUCH { exec python3 "$source_of_tests/touch_device.py" touch "$screen" 2>&1; }
 }
 source_of_tests=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

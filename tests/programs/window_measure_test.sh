@@ -9,9 +9,9 @@ vantage=$1 player=$2 source=$3
 "$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage --no-report >/dev/null 2>&1 || exit 1
 camera=$(awk '!/^#/ && NF == 10 { print; n++ } n == 3 { exit }' scene/sparse/images.txt | tail -1)
 photo=$(echo "$camera" | awk '{ print $10 }')
-start() {  # start [PACKAGE]
+start() {  # start [PACKAGE], in the system's language $language
   rm -f places
-  "$player" "${1:-one.vantage}" --photo "$photo" --size 900x700 --blended 1 --thumbnails --controls places --fresh >says 2>&1 &
+  LC_ALL=${language:-C.UTF-8} "$player" "${1:-one.vantage}" --photo "$photo" --size 900x700 --blended 1 --thumbnails --controls places --fresh >says 2>&1 &
   pid=$!
   find_window
 }
@@ -211,6 +211,25 @@ xdotool key m; frames 3
 point 1.6 0 3.7; point 1.6 0 5.3
 kill -0 $pid 2>/dev/null || fail "a damaged file ends the player"
 cmp -s cut one.measurements.json || fail "a damaged file was replaced"
+xdotool key ctrl+q; await_exit "Ctrl+Q"
+
+# In the system's language, and in one that is chosen.
+cp one.vantage words.vantage
+language=de_AT.UTF-8 start words.vantage
+xdotool key m; frames 3
+point 1.6 0 3.7; point 1.6 0 5.3
+grep -q '"name": "Abstand 1"' words.measurements.json || fail "in German, a distance is named $(grep '"name"' words.measurements.json)"
+xdotool key Tab; frames 3
+press "View"
+there "Radar" || fail "the menu does not open"
+xdotool key Escape; frames 3
+there "Radar" && fail "Esc does not close the menu"
+there "Snap to vertices" || fail "Esc leaves measuring while a menu is open"
+press "View"; press "Language"; press "Français"
+xdotool key --delay 60 Tab m m; frames 3  # the panel is where it was at first
+press "Measure"; press "height"
+point 1.6 0 3.7; point 1.6 0 5.3
+grep -q '"name": "hauteur 1"' words.measurements.json || fail "in French, a height is named $(grep '"name"' words.measurements.json)"
 xdotool key ctrl+q; await_exit "Ctrl+Q"
 
 [ $failed = 0 ] && echo "measures"

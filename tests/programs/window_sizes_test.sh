@@ -50,17 +50,19 @@ high=$(awk -F'\t' '$1 == "Bar Help" { print int($5) }' places)
 xdotool key ctrl+q
 await_exit "Ctrl+Q"
 
-for scale in 1 1.5; do
-  start --text-scale $scale
+# Other languages have longer words.
+for how in "1 en" "1.5 en" "1 de" "1.5 fr"; do
+  read -r scale language <<<"$how"
+  start --text-scale "$scale" --language "$language"
   for size in "800 600" "600 1000" "1920 1080" "3840 2160"; do
     # shellcheck disable=SC2086
     xdotool windowsize --sync "$window" $size
     frames 3
     # shellcheck disable=SC2086
-    shot "visitor-$scale" $size
+    shot "visitor-$scale-$language" $size
     xdotool key --delay 60 Tab
     # shellcheck disable=SC2086
-    shot "expert-$scale" $size
+    shot "expert-$scale-$language" $size
     xdotool key --delay 60 Tab
   done
   xdotool key ctrl+q

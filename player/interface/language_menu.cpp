@@ -1,0 +1,30 @@
+#include "player/interface/language_menu.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "values/translation.h"
+
+namespace vantage {
+namespace {
+
+/// In the language itself, for those who know no other.
+std::string own_name(const std::string& code) {
+    struct Name {
+        const char *code, *name;
+    };
+    constexpr Name names[] = {{"de", "Deutsch"}, {"en", "English"}, {"fr", "Français"}};
+    const auto at = std::ranges::find(names, code, &Name::code);
+    return at == std::end(names) ? code : at->name;
+}
+
+}  // namespace
+
+void language_items(Controls& c, Session& s) {
+    for (const std::string& code : languages_of_window()) {
+        const bool used = s.language.substr(0, s.language.find('-')) == code;
+        if (c.menu_item(own_name(code).c_str(), nullptr, used)) s.language = code;
+    }
+}
+
+}  // namespace vantage

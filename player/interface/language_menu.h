@@ -1,0 +1,10 @@
+#pragma once
+#include "player/interface/controls.h"
+#include "player/interface/session.h"
+
+namespace vantage {
+
+/// The items of a menu of the languages that the window has; the one chosen becomes the session's.
+void language_items(Controls& controls, Session& session);
+
+}  // namespace vantage
