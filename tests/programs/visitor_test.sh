@@ -13,16 +13,17 @@ set=$VANTAGE_DATASETS/sceaux-small
 "$vantage" prepare "$set" -o sceaux.vantage --no-report >/dev/null 2>&1 || { fail "prepare"; exit 1; }
 wide=${size%x*} high=${size#*x}
 
-# shot NAME: a screenshot, as NAME.ppm, once the player rests
+# shot NAME: a screenshot, as NAME.ppm, once nothing changes any more
 shot() {
-  local before quiet=0
-  for _ in $(seq 60); do  # until nothing has been drawn for a while: X may pass events on late
-    before=$(ticks)
+  local same=0
+  for _ in $(seq 60); do  # X may pass events on late
+    frames 3
     sleep 0.7
-    quiet=$(($(ticks) - before > 3 ? 0 : quiet + 1))
-    [ $quiet -lt 3 ] || break
+    screenshot now.ppm
+    cmp -s now.ppm "$1.ppm" && same=$((same + 1)) || same=0
+    mv now.ppm "$1.ppm"
+    [ $same -lt 2 ] || break
   done
-  screenshot "$1.ppm"
   [ -z "$pictures" ] || cp "$1.ppm" "$pictures/$1-$size.ppm"
 }
 # look NAME: sets x, y, times and likeness of the dormer in the screenshot
