@@ -13,14 +13,15 @@
 namespace vantage {
 namespace {
 
-/// Text on a dark plate in the picture. `share`: of its width that is left of `x`.
-void plate(float x, float y, float share, const std::string& text) {
+/// Text on a dark plate in the picture, recorded as "Legend". `share`: of its width that is left of `x`.
+void plate(Controls& c, float x, float y, float share, const std::string& text) {
     const float em = ImGui::GetFontSize();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 low(x - share * size.x, y), high(low.x + size.x, y + size.y);
     list.AddRectFilled(ImVec2(low.x - 0.5f * em, low.y - 0.25f * em),
                        ImVec2(high.x + 0.5f * em, high.y + 0.25f * em), IM_COL32(20, 23, 28, 220), 0.3f * em);
+    c.note("Legend", low, high);
     list.AddText(low, IM_COL32_WHITE, text.c_str());
 }
 
@@ -80,8 +81,8 @@ void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& fra
     const float em = ImGui::GetFontSize(), y = float(s.free.top) + em;
     const auto both = [&](double line) {
         const float x = float(line * frame.width);
-        plate(x - 1.5f * em, y, 1, tr("model"));
-        plate(x + 1.5f * em, y, 0, photo);
+        plate(c, x - 1.5f * em, y, 1, tr("model"));
+        plate(c, x + 1.5f * em, y, 0, photo);
     };
     switch (r.compare) {
         case Compare::side_by_side:
@@ -90,7 +91,7 @@ void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& fra
             both(r.wiper);
             return drag_wiper(c, s, frame);
         case Compare::difference:
-            return plate(float(s.free.left + s.free.width / 2), y, 0.5f,
+            return plate(c, float(s.free.left + s.free.width / 2), y, 0.5f,
                          formatted(tr("difference from photo %s, doubled; black: none"),
                                    scene.photos[r.compare_photo].name));
         default:
@@ -110,15 +111,15 @@ void toggle_comparison(Session& s, const PlanScene& scene, const View& view, dou
     fly_to(s, *photo, scene.photos[*photo], now);
 }
 
-void false_color_legend(const Session& s) {
+void false_color_legend(Controls& c, const Session& s) {
     const float em = ImGui::GetFontSize(), x = float(s.free.left) + em,
                 y = float(s.free.top + s.free.height) - 2 * em;
     if (s.settings.show == Show::sources)
-        plate(x, y, 0, tr("each color is a photo: the one outlined in that color in the strip"));
+        plate(c, x, y, 0, tr("each color is a photo: the one outlined in that color in the strip"));
     if (s.settings.show != Show::coverage) return;
     const std::string most = std::to_string(s.report.photos);
     const std::string before = tr("photos that show the surface: 0 ");
-    plate(x, y, 0, before + std::string(24, ' ') + " " + most);
+    plate(c, x, y, 0, before + std::string(24, ' ') + " " + most);
     const float from = x + ImGui::CalcTextSize(before.c_str()).x,
                 width = ImGui::CalcTextSize(std::string(24, ' ').c_str()).x;
     count_ramp(ImVec2(from, y), width, em);

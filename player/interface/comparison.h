@@ -13,6 +13,6 @@ void comparison(Controls& controls, Session& session, const PlanScene& scene, co
 void toggle_comparison(Session& session, const PlanScene& scene, const View& view, double now);
 
 /// What the false colors of the picture mean.
-void false_color_legend(const Session& session);
+void false_color_legend(Controls& controls, const Session& session);
 
 }  // namespace vantage

@@ -43,6 +43,7 @@ void Controls::explain(const char* text) {
     ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
     ImGui::TextUnformatted(tr(text));
     ImGui::PopTextWrapPos();
+    note("Tooltip");
     ImGui::EndTooltip();
 }
 

@@ -22,12 +22,15 @@ class Controls {
     void begin_frame();
     /// Records the position of ImGui's last item under `name`.
     void note(const char* name);
+    /// Records that of something else.
+    void note(const char* name, ImVec2 low, ImVec2 high) { places_.push_back({name, low, high}); }
     /// Writes the number of the frame, then one line "name x y width height" per control, in window pixels
     /// and separated by tabs. Replaces the file atomically.
     void write_places(const std::filesystem::path& file) const;
 
     /// Explains ImGui's last item, also a disabled one, while the pointer is on it; in the user's language.
-    static void explain(const char* text);
+    /// Recorded as "Tooltip".
+    void explain(const char* text);
 
     bool button(const char* name);
     bool checkbox(const char* name, bool* value);

@@ -198,14 +198,14 @@ void MeasurePanel::draw(const View& view) const {
 
 void MeasurePanel::content(Controls& c, Session& s, double now) {
     choice_of_measure(c);
-    under_pointer();
+    under_pointer(c);
     scale_section(c, s, now);
     list(c);
     selected_section(c, s, now);
     ImGui::BeginDisabled(survey_.measurements.empty());
     if (c.button("Export table")) s.table = survey_csv(survey_);
     ImGui::EndDisabled();
-    Controls::explain("Writes all measurements as a table (CSV) into the current folder.");
+    c.explain("Writes all measurements as a table (CSV) into the current folder.");
     ImGui::TextDisabled(tr("saved in %s"), file_.path.filename().c_str());
 }
 
@@ -215,17 +215,17 @@ void MeasurePanel::choice_of_measure(Controls& c) {
         next_.measure = Measure(measure);
         next_.points.clear();
     }
-    Controls::explain("What the next clicks on the model measure.");
+    c.explain("What the next clicks on the model measure.");
     ImGui::TextUnformatted(tr(instruction(next_.measure)));
     ImGui::TextDisabled("%s", tr("Backspace removes the last point, Esc leaves."));
     c.checkbox("Snap to vertices", &to_vertices_);
-    Controls::explain(
+    c.explain(
         "Sets points on the nearest vertex of the mesh, if one is near the pointer; otherwise on the "
         "surface under it.");
 }
 
 /// As many lines if there is no surface, so that the panel keeps its size.
-void MeasurePanel::under_pointer() const {
+void MeasurePanel::under_pointer(Controls& c) const {
     ImGui::Separator();
     ImGui::TextDisabled("%s", tr("Under the pointer, in the input's coordinates"));
     ImGui::TextUnformatted(under_ ? coordinates_text(*under_).c_str() : tr("no surface"));
@@ -234,7 +234,7 @@ void MeasurePanel::under_pointer() const {
                             under_->photo.c_str());
     else
         ImGui::TextDisabled("%s", under_ ? tr("uncertainty unknown: no photo sees it") : " ");
-    Controls::explain("Standard uncertainty: the size of a pixel there, in the photo that shows it finest.");
+    c.explain("Standard uncertainty: the size of a pixel there, in the photo that shows it finest.");
 }
 
 void MeasurePanel::scale_section(Controls& c, Session& s, double now) {
@@ -245,7 +245,7 @@ void MeasurePanel::scale_section(Controls& c, Session& s, double now) {
         scale = unit_at(unit) == Unit::unknown ? Scale{} : Scale{1, unit_at(unit), unit_at(unit)};
         changed(s, now);
     }
-    Controls::explain("The unit of the input's coordinates, about which its files say nothing.");
+    c.explain("The unit of the input's coordinates, about which its files say nothing.");
     ImGui::BeginDisabled(scale.unit == Unit::unknown);
     if (c.choice("Shown in", &shown, units, int(std::size(units))) && unit_at(shown) != Unit::unknown) {
         scale.shown = unit_at(shown);
@@ -256,7 +256,7 @@ void MeasurePanel::scale_section(Controls& c, Session& s, double now) {
         ImGui::TextDisabled(tr("a unit of the model is %s %s"), number_text(scale.length).c_str(),
                             name_of(scale.unit));
     ImGui::TextDisabled(tr("up is %s"), direction_text(survey_.up).c_str());
-    Controls::explain(
+    c.explain(
         "Heights are measured along it: the axis of the input that is nearest to the photos' mean up "
         "direction, or that direction if none is near.");
 }
@@ -309,7 +309,7 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
     if (survey_.measurements[at].measure == Measure::distance) {
         ImGui::InputDouble(shown_name("Known length").c_str(), &known_length_);
         c.note("Known length");
-        Controls::explain(
+        c.explain(
             "The true length of this distance, in the model's unit, or in m if that is unknown. Sets the "
             "scale of all measurements.");
         ImGui::SameLine();

@@ -41,7 +41,7 @@ class MeasurePanel {
     void draw(const View& view) const;
     void content(Controls& controls, Session& session, double now);
     void choice_of_measure(Controls& controls);
-    void under_pointer() const;
+    void under_pointer(Controls& controls) const;
     void scale_section(Controls& controls, Session& session, double now);
     void list(Controls& controls);
     void selected_section(Controls& controls, Session& session, double now);

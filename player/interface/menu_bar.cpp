@@ -19,7 +19,7 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
     if (c.menu_item("Home", "H")) fly_home(s, now);
     side_views_menu(c, s, renderer.package(), now);
     toggle("Orthographic", "", s.orthographic);
-    Controls::explain("Without perspective: what is farther away looks as large.");
+    c.explain("Without perspective: what is farther away looks as large.");
     ImGui::Separator();
     toggle("Photo strip", "F4", s.panels.photos);
     toggle("Cameras in the scene", "F5", s.panels.frusta);

@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-void message_line(const Session& s, double now) {
+void message_line(Controls& c, const Session& s, double now) {
     if (s.message.empty() || now > s.message_until) return;
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImVec2(float(s.free.left + s.free.width / 2), float(s.free.top) + em),
@@ -14,6 +14,7 @@ void message_line(const Session& s, double now) {
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::TextUnformatted(s.message.c_str());
+    c.note("Message");
     ImGui::End();
 }
 

@@ -1,9 +1,10 @@
 #pragma once
+#include "player/interface/controls.h"
 #include "player/interface/session.h"
 
 namespace vantage {
 
 /// The session's message, if there is one, at the top of the picture.
-void message_line(const Session& session, double now);
+void message_line(Controls& controls, const Session& session, double now);
 
 }  // namespace vantage

@@ -49,23 +49,23 @@ void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {
                                          marked("left"), marked("right"), marked("my view")};
     const auto before = o.plane;
     choice(c, "Seen from", o.plane, planes);
-    Controls::explain("The side of the model that the picture shows, at right angles and true to scale.");
+    c.explain("The side of the model that the picture shows, at right angles and true to scale.");
     const Eigen::Vector2d size = size_on(plane_option(o.plane, s.camera), package);
     if (o.pixel <= 0 || o.plane != before) o.pixel = fitting_pixel(size.maxCoeff());
     ImGui::InputDouble(shown_name("Size of a pixel").c_str(), &o.pixel, 0, 0, "%.6g");
     c.note("Size of a pixel");
-    Controls::explain("In the model's unit.");
+    c.explain("In the model's unit.");
     const double least = std::max(size.maxCoeff() / most_pixels, 1e-12);
     o.pixel = std::isfinite(o.pixel) ? std::clamp(o.pixel, least, std::max(least, size.maxCoeff())) : least;
     const Eigen::Vector2d pixels = (size / o.pixel).array().ceil().max(1);
     ImGui::Text(tr("%.0f x %.0f pixels"), pixels.x(), pixels.y());
     static const char* const files[] = {marked("PNG and world file"), marked("GeoTIFF")};
     choice(c, "Written as", o.file, files);
-    Controls::explain("Both tell where the picture is on the plane.");
+    c.explain("Both tell where the picture is on the plane.");
     ImGui::BeginDisabled(o.writing);
     if (c.button("Write the orthophoto")) o.asked = true;
     ImGui::EndDisabled();
-    Controls::explain("Writes the picture into the current folder, while the window can be used.");
+    c.explain("Writes the picture into the current folder, while the window can be used.");
     if (o.writing) ImGui::TextUnformatted(tr("being written..."));
 }
 

@@ -56,7 +56,7 @@ void row(Controls& c, Session& s, const PlanScene& scene, std::uint32_t photo, d
     bool used = std::ranges::binary_search(s.photos, photo);
     ImGui::BeginDisabled(!p.levels);
     if (c.checkbox(("##Use " + name).c_str(), &used)) use(s, photo, used);
-    Controls::explain("Use this photo.");
+    c.explain("Use this photo.");
     ImGui::SameLine();
     if (c.button((name + "##Fly to " + name).c_str())) fly_to(s, photo, p, now);
     ImGui::EndDisabled();
@@ -82,7 +82,7 @@ void photo_list_section(Controls& c, Session& s, const Renderer& renderer, doubl
     ImGui::InputText(shown_name("Name contains").c_str(), list.filter.data(), list.filter.size());
     c.note("Name contains");
     c.checkbox("Of a point", &list.by_point);
-    Controls::explain(
+    c.explain(
         "Lists the photos that show the point you click on the model, those with the finest pixels first.");
     if (!list.by_point) list.point.reset();
     point_line(s);

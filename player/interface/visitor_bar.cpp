@@ -144,7 +144,7 @@ void visitor_bar(Controls& c, Session& s, const Renderer& renderer, const View& 
         ImGui::EndDisabled();
         if (tool.icon == Icon::light) light_button = ImGui::GetItemRectMin().x;
         if (tool.icon == Icon::language) language_button = ImGui::GetItemRectMin().x;
-        Controls::explain(tool.help);
+        c.explain(tool.help);
     }
     lights(c, s, area, light_button);
     languages(c, s, area, language_button);

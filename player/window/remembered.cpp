@@ -18,6 +18,7 @@ void for_fields(R& r, const Field& field) {
     field("width", r.window.width);
     field("height", r.window.height);
     field("text_scale", r.text_scale);
+    field("language", r.language);
     field("consensus", s.consensus);
     field("refined_colors", s.refined_colors);
     field("photos", s.photos);

@@ -18,6 +18,7 @@ struct Remembered {
     double text_scale = 0;  ///< 0: by the display
     RenderSettings settings;
     Panels panels;
+    std::string language;             ///< chosen in the window; empty: the system's
     std::string band, other_band;     ///< names: numbers differ between packages
     std::vector<std::string> recent;  ///< packages and scene files that were opened, the last one first
 };

@@ -127,6 +127,12 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     return s;
 }
 
+/// That of the command line, or the one chosen before, or the system's.
+std::string chosen_language(const ShowOptions& o, const Remembered& remembered) {
+    if (!o.window.language.empty()) return o.window.language;
+    return remembered.language.empty() ? system_language() : remembered.language;
+}
+
 float text_scale(const ShowOptions& o, const Remembered& remembered, const GlfwWindow& window) {
     if (o.window.text_scale > 0) return float(o.window.text_scale);
     return remembered.text_scale > 0 ? float(remembered.text_scale) : window.fitting_text_scale();
@@ -246,11 +252,11 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
 }  // namespace
 
 int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
-    const std::string language = o.window.language.empty() ? system_language() : o.window.language;
-    use_language(language);
     const std::filesystem::path folder = o.window.fresh ? std::filesystem::path() : settings_folder();
     std::optional<PackageReader> first;
     Remembered remembered = remembered_window(o, folder);
+    const std::string language = chosen_language(o, remembered);
+    use_language(language);
     const auto start = [&](PackageReader package) {
         expect_content(first.emplace(std::move(package)));
         remembered = start_settings(*first, o, folder);
@@ -301,15 +307,16 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
         any_photo.blending.bands = {};
         const bool full_screen = session.full_screen;
         const float scale = session.text_scale;
-        const std::string chosen_language = session.language;
+        const std::string in_use = session.language;
         session = start_session(*package, any_photo, remembered);
         session.full_screen = full_screen;
         session.text_scale = scale;
-        session.language = chosen_language;
+        session.language = in_use;
     }
     window.fill_screen(false);
     glfwGetWindowSize(window.get(), &remembered.window.width, &remembered.window.height);
     if (session.text_scale != window.fitting_text_scale()) remembered.text_scale = double(session.text_scale);
+    if (session.language != language && !o.window.kiosk) remembered.language = session.language;
     write_settings(folder, remembered);
     return damaged ? int(Exit::damaged) : int(Exit::ok);
 }

@@ -174,7 +174,7 @@ void ShownScene::interface(const View& view, double now) {
     pick_listed_point(s, renderer_.scene(), view);
     const Intrinsics& frame = view.intrinsics;
     comparison(controls_, s, renderer_.scene(), {0, 0, double(frame.width), double(frame.height)});
-    false_color_legend(s);
+    false_color_legend(controls_, s);
     if (s.panels.expert) {
         menu_bar(controls_, s, renderer_, now);
         if (sidebar(controls_, s, renderer_, objects_, view, layout_.sidebar, now)) samples_ = 0;
@@ -189,7 +189,7 @@ void ShownScene::interface(const View& view, double now) {
     chooser_.attend(s, package_folder(renderer_.package()), now);
     open_dialog_.show(controls_, s);
     drop_dialog(controls_, s);
-    message_line(s, now);
+    message_line(controls_, s, now);
     s.menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 

@@ -57,6 +57,9 @@ xdotool key F1; frames 3; xdotool key Escape; frames 3; xdotool key Escape
 alive "Esc"
 xdotool key --delay 0 o Escape; frames 3
 there "Cancel" && fail "O and Esc leave the dialog open"
+xdotool key --delay 0 o c F5 Escape; frames 3
+there "Cancel" && fail "Esc after other keys does not close the dialog"
+there "Wiper" && fail "C acts behind the dialog"
 
 # Dragging: what is dragged follows the pointer, half a turn per width of the window.
 step_back

@@ -55,6 +55,29 @@ there() { frames 3; place "$1" >/dev/null; }
 # An opening of the upper floor: 1.49333 m wide and 2.01 m high. Its corners are vertices of the mesh.
 left=1.92 right=3.41333 low=3.54 high=5.55
 start
+xdotool key m; frames 3
+# What the right button drags follows the pointer; the wheel and an orbit leave the point under the pointer where it is.
+stays() {  # stays WHAT: the point that was clicked last is under the pointer
+  sleep 0.6; frames 3; xdotool click 1; frames 3  # no double click
+  [ "$(count)" = $((measured + 1)) ] || fail "$1: there is no surface, or no distance"
+  measured=$(count)
+  measures 0 0.04 "$1: the distance of the point from itself"
+}
+measured=$(count)
+point 2.4 0 2.9
+xdotool mousedown 3; frames 2; xdotool mousemove_relative 60 -30; frames 3; xdotool mouseup 3
+stays "dragged by the right button"
+sleep 0.6; xdotool click 1; frames 3
+xdotool click --repeat 3 4
+stays "after the wheel"
+point 2.4 0 2.9 60 -30
+xdotool mousedown 1; frames 2; xdotool mousemove_relative 80 20; frames 3; xdotool mouseup 1; frames 2
+xdotool mousemove_relative -- -80 -20
+stays "orbited"
+xdotool key ctrl+q; await_exit "Ctrl+Q"
+rm one.measurements.json
+
+start
 xdotool key m
 there "Snap to vertices" || fail "M does not show the panel"
 
