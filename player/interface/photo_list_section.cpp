@@ -7,12 +7,19 @@
 #include <string>
 
 #include "player/interface/band_section.h"
+#include "player/interface/columns.h"
 #include "player/survey/ray_cast.h"
+#include "values/formatted.h"
 #include "values/lower_case.h"
 #include "values/translation.h"
 
 namespace vantage {
 namespace {
+
+std::optional<double> error_of(const Session& s, std::uint32_t photo) {
+    const auto& errors = s.photo_list.errors;
+    return photo < errors.size() ? errors[photo] : std::nullopt;
+}
 
 /// Those that the filter and the point leave, in the order in which they are listed.
 std::vector<std::uint32_t> listed(const Session& s, const PlanScene& scene) {
@@ -29,6 +36,8 @@ std::vector<std::uint32_t> listed(const Session& s, const PlanScene& scene) {
     }
     for (std::uint32_t p = 0; p < scene.photos.size(); ++p)
         if (passes(p)) out.push_back(p);
+    const auto error = [&](std::uint32_t p) { return error_of(s, p).value_or(-1); };
+    if (s.photo_list.worst_first) std::ranges::stable_sort(out, std::ranges::greater(), error);
     return out;
 }
 
@@ -39,15 +48,14 @@ void use(Session& s, std::uint32_t photo, bool used) {
 
 /// What there is to know of it: at the point, or as a whole.
 std::string remark(const Session& s, const package::PhotoRecord& photo, std::uint32_t number) {
-    char text[96] = "";
     const auto at = std::ranges::find(s.photo_list.showing, number, &Footprint::photo);
     if (!photo.levels) return tr("left out");
     if (s.photo_list.by_point && s.photo_list.point && at != s.photo_list.showing.end())
-        std::snprintf(text, sizeof text, tr("pixels of %.3g"), at->size);
-    else
-        std::snprintf(text, sizeof text, tr("sees %.0f %%, %+.1f stops"), 100 * photo.visible_vertices,
-                      -std::log2(std::max(photo.gain[1], 1e-9)));
-    return text;
+        return formatted(tr("pixels of %.3g"), at->size);
+    const auto error = error_of(s, number);
+    return formatted(tr("%.0f %%, %+.1f stops"), 100 * photo.visible_vertices,
+                     -std::log2(std::max(photo.gain[1], 1e-9))) +
+           (error ? formatted(tr(", %.1f px"), *error) : "");
 }
 
 void row(Controls& c, Session& s, const PlanScene& scene, std::uint32_t photo, double now) {
@@ -62,6 +70,9 @@ void row(Controls& c, Session& s, const PlanScene& scene, std::uint32_t photo, d
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::TextDisabled("%s", remark(s, p, photo).c_str());
+    c.explain(
+        "How much of the mesh it sees; how much brighter than the others it was exposed; how many pixels its "
+        "content is off from that of others. Of a point: the size of a pixel there.");
 }
 
 void point_line(const Session& s) {
@@ -84,6 +95,9 @@ void photo_list_section(Controls& c, Session& s, const Renderer& renderer, doubl
     c.checkbox("Of a point", &list.by_point);
     c.explain(
         "Lists the photos that show the point you click on the model, those with the finest pixels first.");
+    in_second_column("Worst first");
+    c.checkbox("Worst first", &list.worst_first);
+    c.explain("Those first whose content is farthest off from that of others, with the cameras as given.");
     if (!list.by_point) list.point.reset();
     point_line(s);
     const std::vector<std::uint32_t> photos = listed(s, scene);

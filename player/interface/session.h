@@ -73,7 +73,9 @@ struct Session {
     /// The list of all photos.
     struct PhotoList {
         std::array<char, 100> filter{};  ///< part of a name
-        bool by_point = false;           ///< lists those that show a point that is clicked
+        bool worst_first = false;
+        std::vector<std::optional<double>> errors;  ///< of all photos, pixels; see photo_errors()
+        bool by_point = false;                      ///< lists those that show a point that is clicked
         std::optional<Eigen::Vector3d> point;
         std::vector<Footprint> showing;  ///< the photos that show it
     };

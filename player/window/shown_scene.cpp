@@ -23,6 +23,7 @@
 #include "player/interface/visitor_bar.h"
 #include "player/options/frame_goal.h"
 #include "player/story/story_background.h"
+#include "player/survey/photo_errors.h"
 #include "player/window/numbered_file.h"
 #include "player/window/screenshot.h"
 #include "player/window/view_clipboard.h"
@@ -72,6 +73,7 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       goal_ms_(frame_goal(o.window.fps)),
       pace_(pace_of_first_picture(goal_ms_)) {
     session_.photos = photos_in_use(package, o.package);
+    session_.photo_list.errors = photo_errors(package);
     const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();
     if (const auto opening = opening_of(told_); opening && !view_given)
         session_.camera = session_.home = session_.earlier.last = *opening;

@@ -1,0 +1,50 @@
+#include "player/survey/photo_errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+struct Weighted {
+    double value;
+    std::uint64_t weight;
+};
+
+/// The lowest value up to which half of the weight is.
+std::optional<double> median(std::vector<Weighted> values) {
+    std::ranges::sort(values, {}, &Weighted::value);
+    std::uint64_t all = 0, below = 0;
+    for (const Weighted& v : values) all += v.weight;
+    for (const Weighted& v : values)
+        if (2 * (below += v.weight) >= all) return v.value;
+    return {};
+}
+
+}  // namespace
+
+std::vector<std::optional<double>> photo_errors(std::span<const package::PairRecord> pairs,
+                                                std::size_t photos) {
+    std::vector<std::vector<Weighted>> of_photo(photos);
+    for (const package::PairRecord& p : pairs) {
+        if (p.a >= p.b || p.b >= photos || p.matches == 0 || !std::isfinite(p.median)) continue;
+        for (const std::uint32_t photo : {p.a, p.b}) of_photo[photo].push_back({double(p.median), p.matches});
+    }
+    std::vector<std::optional<double>> out;
+    for (std::vector<Weighted>& values : of_photo) out.push_back(median(std::move(values)));
+    return out;
+}
+
+std::vector<std::optional<double>> photo_errors(const PackageReader& package) {
+    std::span<const package::PairRecord> pairs;
+    try {
+        if (package.find(package::Type::pairs))
+            pairs = package.records<package::PairRecord>(package::Type::pairs);
+    } catch (const Error&) {  // shown all the same
+    }
+    return photo_errors(pairs, package.photos().size());
+}
+
+}  // namespace vantage
