@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace vantage {
 namespace {
@@ -42,25 +43,34 @@ Open all_open(const CoverProblem& problem) {
     return open;
 }
 
-double open_area(const CoverProblem& problem, const Open& open) {
-    if (open.part.empty()) return 0;  // no sets: nothing can be covered
+/// The area of the runs, where `words(w)` has the words of whole and partial triangles that count.
+template <class Words>
+double area_of(std::span<const CoverProblem::Run> runs, const Words& words) {
     double area = 0;
-    for (const CoverProblem::Run& run : problem.runs)
+    for (const CoverProblem::Run& run : runs) {
+        if (run.count == 1) {  // most of them: without a library call for the number of bits
+            const auto [whole, part] = words(run.first / 64);
+            const std::uint32_t bit = run.first % 64;
+            area += run.area * (rest_of_part * double(whole >> bit & 1) + double(part >> bit & 1));
+            continue;
+        }
         for_words(run.first, run.count, [&](std::uint32_t w, std::uint64_t mask) {
-            area += run.area *
-                    (rest_of_part * std::popcount(open.whole[w] & mask) + std::popcount(open.part[w] & mask));
+            const auto [whole, part] = words(w);
+            area += run.area * (rest_of_part * std::popcount(whole & mask) + std::popcount(part & mask));
         });
+    }
     return area;
 }
 
+double open_area(const CoverProblem& problem, const Open& open) {
+    if (open.part.empty()) return 0;  // no sets: nothing can be covered
+    return area_of(problem.runs, [&](std::uint32_t w) { return std::pair(open.whole[w], open.part[w]); });
+}
+
 double gain(const CoverProblem& problem, const Open& open, const CoverProblem::Set& s) {
-    double area = 0;
-    for (const CoverProblem::Run& run : problem.runs)
-        for_words(run.first, run.count, [&](std::uint32_t w, std::uint64_t mask) {
-            area += run.area * (rest_of_part * std::popcount(s.whole[w] & open.whole[w] & mask) +
-                                std::popcount(s.part[w] & open.part[w] & mask));
-        });
-    return area;
+    return area_of(problem.runs, [&](std::uint32_t w) {
+        return std::pair(s.whole[w] & open.whole[w], s.part[w] & open.part[w]);
+    });
 }
 
 void close(Open& open, const CoverProblem::Set& s) {

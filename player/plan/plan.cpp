@@ -90,19 +90,20 @@ void assign_clusters(const VisibleSurface& s, const PlanSettings& settings,
 
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
                std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous,
-               std::span<const std::uint32_t> seen) {
+               std::span<const std::uint32_t> seen, const PhotoChoice* chosen) {
     VisibleSurface surface = visible_surface(scene, view, seen, settings.samples, settings.surroundings);
     Plan plan;
-    const PhotoChoice choice = choose_photos(surface, settings, allowed, previous);
-    plan.uncovered = choice.uncovered;
-    for (const ChosenPhoto& c : choice.photos) plan.photos.push_back({c.photo, c.agreement, {}, {}, {}, {}});
+    plan.choice = chosen ? *chosen : choose_photos(surface, settings, allowed, previous);
+    plan.uncovered = plan.choice.uncovered;
+    for (const ChosenPhoto& c : plan.choice.photos)
+        plan.photos.push_back({c.photo, c.agreement, {}, {}, {}, {}});
     assign_clusters(surface, settings, plan.photos);
     for (PlannedPhoto& p : plan.photos) {
         if (!settings.tiles) break;
         const bool by_points = settings.worth > 0 && !surface.triangles.empty();
         p.needs = by_points ? needs_of_points(surface, p, settings.worth)
                             : needs_of_clusters(surface, p, true, settings.samples);
-        if (!settings.swift) p.later = needs_of_clusters(surface, p, false, settings.samples);
+        if (settings.complete) p.later = needs_of_clusters(surface, p, false, settings.samples);
     }
     std::erase_if(plan.photos, [](const PlannedPhoto& p) { return p.clusters.empty(); });
     plan.clusters = std::move(surface.clusters);

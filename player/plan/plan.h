@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "player/camera/view.h"
+#include "player/plan/chosen_photos.h"
 #include "player/plan/plan_scene.h"
 #include "player/plan/plan_settings.h"
 #include "player/plan/tile_needs.h"
@@ -16,7 +17,7 @@ struct PlannedPhoto {
     std::vector<std::uint32_t> clusters;  ///< drawn with this photo, ascending
     std::vector<float> weights;           ///< of each, relative to the best photo's, at most 1
     TileNeeds needs;                      ///< for clusters that are seen, see make_plan
-    TileNeeds later;                      ///< for clusters in view that were not seen
+    TileNeeds later;                      ///< for clusters in view that were not seen; complete plans only
 };
 
 /// The clusters and photos that a view is drawn from; photos by decreasing agreement.
@@ -24,16 +25,18 @@ struct Plan {
     std::vector<std::uint32_t> clusters;     ///< opaque
     std::vector<std::uint32_t> transparent;  ///< clusters that no photo shows
     std::vector<PlannedPhoto> photos;
+    PhotoChoice choice;  ///< what they were chosen from, with those that show none of the clusters
     double uncovered =
         0;  ///< share of the surface in view and in some allowed photo that no chosen photo sees
 };
 
 /// Chooses among the photos `allowed`, with a slight preference for those in `previous`, to avoid flicker.
 /// `seen`: the triangles at pixels of this view or a recent one, numbered from 1 (0: none). With them the
-/// plan covers the visible surface, without them everything in view. A pure function.
+/// plan covers the visible surface, without them everything in view. `chosen`: the photos are these, as they
+/// were chosen for another view. A pure function.
 Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& settings,
                std::span<const std::uint32_t> allowed, std::span<const std::uint32_t> previous = {},
-               std::span<const std::uint32_t> seen = {});
+               std::span<const std::uint32_t> seen = {}, const PhotoChoice* chosen = nullptr);
 
 /// Agreement of each photo with a view, see agreement().
 std::vector<double> agreements(const PlanScene& scene, const View& view);

@@ -16,11 +16,18 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 std::array<Eigen::Vector3d, 9> normals_of(const package::ClusterRecord& c) {
     const Eigen::Vector3d axis(c.cone_axis[0], c.cone_axis[1], c.cone_axis[2]);
     const Eigen::Vector3d side = axis.unitOrthogonal(), other = axis.cross(side);
-    const double half_angle = std::asin(std::clamp(double(c.cone_cutoff), 0.0, 1.0));
+    const double sine = std::clamp(double(c.cone_cutoff), 0.0, 1.0), cosine = std::sqrt(1 - sine * sine),
+                 half_sine = std::sqrt((1 - cosine) / 2), half_cosine = std::sqrt((1 + cosine) / 2);
+    constexpr double diagonal = 1 / std::numbers::sqrt2;
     std::array<Eigen::Vector3d, 9> out{axis};
-    for (std::size_t i = 1; i < out.size(); ++i) {
-        const double tilt = i % 2 ? half_angle : half_angle / 2, turn = double(i) * std::numbers::pi / 4;
-        out[i] = std::cos(tilt) * axis + std::sin(tilt) * (std::cos(turn) * side + std::sin(turn) * other);
+    const std::array<Eigen::Vector3d, 4> around{diagonal * (side + other), other, diagonal * (other - side),
+                                                -side};
+    for (std::size_t i = 0; i < around.size(); ++i) {
+        const bool rim = i % 2 == 0;
+        const Eigen::Vector3d middle = (rim ? cosine : half_cosine) * axis,
+                              off = (rim ? sine : half_sine) * around[i];
+        out[1 + i] = middle + off;
+        out[5 + i] = middle - off;
     }
     return out;
 }
@@ -45,8 +52,9 @@ double level_of_detail(const SurfaceSample& s, const Intrinsics& k, const Pose& 
     const Eigen::Vector3d q = pose.R * s.position + pose.t;
     const auto length = [&](const Eigen::Vector3d& along) {
         const Eigen::Vector3d step = pose.R * along;
-        return std::hypot(k.fx * (step.x() - q.x() / q.z() * step.z()),
-                          k.fy * (step.y() - q.y() / q.z() * step.z())) /
+        return Eigen::Vector2d(k.fx * (step.x() - q.x() / q.z() * step.z()),
+                               k.fy * (step.y() - q.y() / q.z() * step.z()))
+                   .norm() /
                q.z();
     };
     const double a = length(s.along_x), b = length(s.along_y);
@@ -62,12 +70,12 @@ LevelRange sampled_levels(const package::ClusterRecord& c, const Intrinsics& pho
     // Depth varies across the sphere, and with it the scale.
     const double across = std::log2((1 + c.radius / p.z()) * (1 + c.radius / q.z()));
     const double head_on = std::log2(photo.fx / q.z() * p.z() / (view.intrinsics.fx * samples));
+    const Eigen::Vector3d sight = view_pose.R.transpose() * p.normalized(),
+                          ray = photo_pose.R.transpose() * q.normalized();
     double finest = infinity, coarsest = -infinity;
     for (const Eigen::Vector3d& normal : normals_of(c)) {
-        const double to_view = -(view_pose.R * normal).dot(p.normalized()),
-                     to_photo = -(photo_pose.R * normal).dot(q.normalized());
         // A normal counts if viewer and photo see the same side.
-        if (c.cone_cutoff >= 1 || to_view * to_photo <= 1e-6) continue;
+        if (c.cone_cutoff >= 1 || normal.dot(sight) * normal.dot(ray) <= 1e-6) continue;
         const auto sample = surface_sample(view, center, normal, samples);
         const double lod = sample ? level_of_detail(*sample, photo, photo_pose) : head_on;
         finest = std::min(finest, lod);

@@ -49,7 +49,8 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
     const bool unmoved = made_for_ && same_view(made_for_->view, view),
                same_settings = made_for_ && made_for_->settings == settings;
     const bool at_rest = unmoved && same_settings && !at_rest_.empty();
-    if (unmoved && same_settings && made_for_->side == side &&
+    const bool chosen_here = chosen_for_ && same_view(*chosen_for_, view);
+    if (unmoved && same_settings && chosen_here && made_for_->side == side &&
         std::ranges::equal(made_for_->photos, photos) && (at_rest || made_for_->seen == seen.version))
         return;
     const std::vector<std::uint32_t> previous = photos_of(plan_.photos);
@@ -61,11 +62,27 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
         if (uses_seen_ && same_settings && same_view(seen.view, view))
             at_rest_.assign(seen.triangles.begin(), seen.triangles.end());
     }
+    const PhotoChoice choice = plan_.choice;
+    const bool keeps = keeps_choice(view, settings, photos);
     std::span<const std::uint32_t> known = at_rest_;
     if (uses_seen_ && known.empty()) known = seen.triangles;
-    plan_ = make_plan(*scene_, widened(view), with_side(settings, side), photos, previous, known);
+    plan_ = make_plan(*scene_, widened(view), with_side(settings, side), photos, previous, known,
+                      keeps ? &choice : nullptr);
     plan_drawn(widened(view), settings, photos);
     made_for_ = Key{view, settings, side, {photos.begin(), photos.end()}, seen.version};
+}
+
+/// In motion, photos are chosen anew in every third plan only: choosing takes as long as all the rest.
+bool ViewPlan::keeps_choice(const View& view, const PlanSettings& settings,
+                            std::span<const std::uint32_t> photos) {
+    constexpr int most_plans = 3;
+    const bool moves = made_for_ && !same_view(made_for_->view, view) && made_for_->settings == settings &&
+                       std::ranges::equal(made_for_->photos, photos);
+    const bool keeps = moves && !settings.complete && uses_seen_ && chosen_for_ &&
+                       shows_much_of(*chosen_for_, view, *scene_) && plans_of_choice_ < most_plans;
+    plans_of_choice_ = keeps ? plans_of_choice_ + 1 : 1;
+    if (!keeps) chosen_for_ = view;
+    return keeps;
 }
 
 /// Plans the photos that are drawn as a set of their own: in the plan of others, clusters may lack photos

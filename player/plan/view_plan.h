@@ -59,12 +59,15 @@ class ViewPlan {
         std::vector<std::uint32_t> photos;
         std::uint64_t seen;  ///< version
     };
+    bool keeps_choice(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos);
     void plan_drawn(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos);
 
     const PlanScene* scene_;
     std::optional<Key> made_for_;
     std::vector<std::uint32_t> at_rest_;  ///< the triangles seen from made_for_'s very view; empty: not yet
     bool uses_seen_ = false;
+    std::optional<View> chosen_for_;  ///< the view that plan_'s photos were chosen for
+    int plans_of_choice_ = 0;         ///< that had these photos
     Plan plan_;
     std::vector<PlannedPhoto> kept_;    ///< see kept()
     std::vector<bool> drawn_, before_;  ///< per photo; the same if no transition is in progress

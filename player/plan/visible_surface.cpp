@@ -28,14 +28,15 @@ VisibleSurface::Points points_on(const PlanScene& scene, const View& view,
     constexpr std::size_t most = 8192;
     VisibleSurface::Points out;
     const std::size_t step = std::max<std::size_t>(1, triangles.size() / most);
+    out.samples.reserve(triangles.size() / step + 1);
     for (std::size_t i = 0; i < triangles.size(); i += step) {
         Eigen::Vector3d corner[3];
         for (std::size_t v = 0; v < 3; ++v) {
             const std::size_t vertex = scene.indices[3 * std::size_t(triangles[i]) + v];
             corner[v] = scene.positions[std::min(vertex, scene.positions.size() - 1)].cast<double>();
         }
-        double a = std::fmod(double(i) * 0.7548776662466927, 1.0),
-               b = std::fmod(double(i) * 0.5698402909980532, 1.0);
+        const auto share = [&](double step) { return double(i) * step - std::floor(double(i) * step); };
+        double a = share(0.7548776662466927), b = share(0.5698402909980532);
         if (a + b > 1) a = 1 - a, b = 1 - b;
         const Eigen::Vector3d e = corner[1] - corner[0], f = corner[2] - corner[0];
         const Eigen::Vector3d point = corner[0] + a * e + b * f;
@@ -67,6 +68,8 @@ VisibleSurface visible_surface(const PlanScene& scene, const View& view, std::sp
     std::erase_if(s.clusters, is_transparent);
     const std::vector<std::uint32_t> all = clusters_of(scene, seen);
     std::vector<std::uint32_t> count(scene.clusters.size(), 0), clusters;
+    s.triangles.reserve(seen.size());
+    clusters.reserve(seen.size());
     for (std::size_t i = 0; i < seen.size(); ++i) {
         if (all[i] == ~0u) continue;
         ++count[all[i]];

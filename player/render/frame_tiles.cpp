@@ -1,6 +1,7 @@
 #include "player/render/frame_tiles.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace vantage {
 
@@ -52,12 +53,14 @@ void FrameTiles::stream(const View& view, std::span<const BandFrame> bands, int 
 }
 
 void FrameTiles::prefetch(std::span<const BandFrame> bands, int side, const View& next) {
-    for (const BandFrame& band : bands)
-        for (const PlannedPhoto& p : band.plan->plan().photos) store_->prefetch(p.photo, p.later);
-    for (const BandFrame& band : bands) {
-        for (const PlannedPhoto& p : band.plan->ahead(next, plan_settings(band.settings), side).photos)
-            store_->prefetch(p.photo, p.needs);
+    constexpr int every = 4;  // frames; the view to come is further ahead
+    if (frames_since_ahead_++ % every == 0) {
+        ahead_.clear();
+        for (const BandFrame& band : bands)
+            for (PlannedPhoto& p : band.plan->ahead(next, plan_settings(band.settings), side).photos)
+                ahead_.push_back(std::move(p));
     }
+    for (const PlannedPhoto& p : ahead_) store_->prefetch(p.photo, p.needs);
 }
 
 void FrameTiles::load(Pass pass, const DrawnView& drawn, double now, FrameReport& report) {

@@ -43,6 +43,8 @@ class FrameTiles {
     PhotoStore* store_;
     const ModelPasses* passes_;
     std::vector<std::uint32_t> wanted_thumbnails_;
+    std::vector<PlannedPhoto> ahead_;  ///< of a view to come
+    int frames_since_ahead_ = 0;
 };
 
 }  // namespace vantage

@@ -1,0 +1,18 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+namespace vantage {
+
+struct ChosenPhoto {
+    std::uint32_t photo;
+    double agreement;  ///< with the view, see agreement()
+};
+
+/// What choose_photos() finds.
+struct PhotoChoice {
+    std::vector<ChosenPhoto> photos;  ///< by decreasing agreement
+    double uncovered = 0;             ///< see uncovered_share()
+};
+
+}  // namespace vantage
