@@ -11,7 +11,7 @@
 namespace vantage {
 
 nlohmann::json summarize(const std::vector<const Flight*>& flights, std::size_t upload_budget) {
-    std::vector<double> all, medians, ratios, scales;
+    std::vector<double> all, medians, ratios, scales, plans;
     std::uint64_t uploaded = 0, over = 0, graphics = 0, process = 0, missing = 0;
     StreamedSoFar streamed;
     for (const Flight* f : flights) {
@@ -28,9 +28,10 @@ nlohmann::json summarize(const std::vector<const Flight*>& flights, std::size_t 
             process = std::max(process, r.process.resident);
             missing += r.report.tiles_missing > 0;
             scales.push_back(r.scale);
+            plans.push_back(r.report.plan_ms);
         }
     }
-    const FrameStatistics s = frame_statistics(all);
+    const FrameStatistics s = frame_statistics(all), planning = frame_statistics(plans);
     const auto [low, high] = std::ranges::minmax(medians);
     nlohmann::json out{
         {"path", flights[0]->path},
@@ -38,6 +39,7 @@ nlohmann::json summarize(const std::vector<const Flight*>& flights, std::size_t 
         {"repeats", flights.size()},
         {"frames", all.size()},
         {"ms", {{"mean", s.mean}, {"median", s.median}, {"p99", s.p99}, {"p999", s.p999}, {"max", s.max}}},
+        {"plan_ms", {{"median", planning.median}, {"p999", planning.p999}}},
         {"scale", {{"median", frame_statistics(scales).median}, {"least", std::ranges::min(scales)}}},
         {"median_spread", low > 0 ? high / low : 0},
         {"p999_over_median", frame_statistics(ratios).median},
@@ -79,6 +81,9 @@ void print_summary(const nlohmann::json& s) {
         std::printf("  exact after %d frames, %.2f s, %.2f bytes read per byte touched",
                     s["frames_to_exact"].get<int>(), s["seconds_to_exact"].get<double>(),
                     s["read_over_touched"].get<double>());
+    if (s["mode"] == "resident" && s["uploaded_bytes_a_frame_max"] > 0)
+        std::printf(
+            "  not all of it fits into graphics memory: frames upload tiles again (--graphics-memory)");
     std::printf("\n");
     std::fflush(stdout);
 }
@@ -87,7 +92,7 @@ void write_frames(const std::filesystem::path& file, const std::vector<Flight>& 
     std::ofstream out(file);
     out << "path,mode,repeat,frame,ms,scale,uploaded_bytes,tiles,tiles_missing,tiles_damaged,photos,passes,"
            "draws,"
-           "graphics_bytes,process_bytes,anonymous_bytes\n";
+           "graphics_bytes,process_bytes,anonymous_bytes,plan_ms\n";
     for (const Flight& f : flights)
         for (std::size_t i = 0; i < f.frames.size(); ++i) {
             const FrameRecord& r = f.frames[i];
@@ -95,7 +100,7 @@ void write_frames(const std::filesystem::path& file, const std::vector<Flight>& 
                 << ',' << r.report.uploaded << ',' << r.report.tiles << ',' << r.report.tiles_missing << ','
                 << r.report.tiles_damaged << ',' << r.report.photos << ',' << r.report.passes << ','
                 << r.report.draws << ',' << r.graphics << ',' << r.process.resident << ','
-                << r.process.anonymous << '\n';
+                << r.process.anonymous << ',' << r.report.plan_ms << '\n';
         }
     if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
 }

@@ -24,6 +24,7 @@ FrameReport joined(const FrameReport& a, const FrameReport& b) {
     out.tiles_damaged += b.tiles_damaged, out.tiles_absent += b.tiles_absent;
     out.points += b.points, out.nodes_missing += b.nodes_missing, out.uploaded += b.uploaded;
     out.fragments += b.fragments, out.fragments_approximated += b.fragments_approximated;
+    out.plan_ms += b.plan_ms;
     out.uncovered = std::max(a.uncovered, b.uncovered);
     out.settled = a.settled && b.settled;
     return out;

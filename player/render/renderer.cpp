@@ -1,6 +1,7 @@
 #include "player/render/renderer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -91,6 +92,10 @@ void check_view(const View& view) {
 void expect_perspective(const View& view, bool points, bool surroundings) {
     if (view.orthographic_depth > 0 && (points || surroundings))
         throw Error(Exit::usage, "an orthographic view shows neither points nor surroundings");
+}
+
+double milliseconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
 /// Adds what a second band took.
@@ -242,8 +247,10 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     const bool fades = !settings.complete && !settings.wait_for_tiles && !settings.wait_for_uploads;
     store_.begin_frame(now, fades);
     if (!settings.complete) take_seen(settings.wait_for_tiles);
-    for (const BandFrame& band : bands) plan_band(view, band, sample);
     FrameReport report;
+    const auto planning = std::chrono::steady_clock::now();
+    for (const BandFrame& band : bands) plan_band(view, band, sample);
+    report.plan_ms = milliseconds_since(planning);
     if (shows_points(settings)) {
         report.uploaded = points_->stream(view, settings, sample.side, now);
         report.nodes_missing = points_->missing();
