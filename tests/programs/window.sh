@@ -137,7 +137,9 @@ press() {  # press NAME [share of its width]: clicks a control
   local at
   at=$(place "$1" "${2:-0.5}") || { fail "there is no '$1'"; return; }
   # shellcheck disable=SC2086
-  xdotool mousemove $at mousedown 1
+  xdotool mousemove $at
+  frames 1
+  xdotool mousedown 1
   frames 2
   xdotool mouseup 1
   frames 3

@@ -70,6 +70,7 @@ stays "dragged by the right button"
 sleep 0.6; xdotool click 1; frames 3
 xdotool click --repeat 3 4
 stays "after the wheel"
+sleep 0.6
 point 2.4 0 2.9 60 -30
 xdotool mousedown 1; frames 2; xdotool mousemove_relative 80 20; frames 3; xdotool mouseup 1; frames 2
 xdotool mousemove_relative -- -80 -20

@@ -170,6 +170,7 @@ pid=$!
 find_window
 step_back
 press "Bar Expert"
+press "Section Picture"
 press "View"; press "Objects"
 press "Only right"
 press "left"
