@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <string>
 
 #include "pipeline/package/meta.h"
 #include "pipeline/package/photo_records.h"
 #include "scene/checksum.h"
+#include "scene/sound_records.h"
 #include "values/bytes_of.h"
 
 namespace vantage {
@@ -24,17 +24,6 @@ using package::Type;
 constexpr std::uint64_t version = 2;
 
 std::uint64_t hash(std::span<const std::uint64_t> values) { return checksum(std::as_bytes(values)); }
-
-/// A copy of the records of a chunk without blocks; empty if it is missing or damaged.
-template <class T>
-std::vector<T> sound_records(const PackageReader& package, Type type) {
-    const package::DirectoryEntry* e = package.find(type);
-    if (!e || !package.head_sound(*e)) return {};
-    const auto bytes = package.bytes(e);
-    std::vector<T> out(bytes.size() / sizeof(T));
-    if (!out.empty()) std::memcpy(out.data(), bytes.data(), out.size() * sizeof(T));
-    return out;
-}
 
 }  // namespace
 

@@ -60,8 +60,7 @@ RenderSettings orthophoto_settings(const PackageReader& package, const Orthophot
 }
 
 struct Files {
-    std::filesystem::path picture, world;  ///< a TIFF needs no world file
-    bool tiff;
+    std::filesystem::path picture, world;  ///< no world file: a TIFF, which needs none
 };
 
 /// With links followed. Throws Error(usage) if one must not be replaced.
@@ -70,13 +69,13 @@ Files output_files(const PackageReader& package, const OrthophotoOptions& o) {
     if (file.empty()) file = package.path().stem().string() + "-orthophoto.png";
     const Inputs inputs = inputs_of(package);
     if (file.extension() == ".tif" || file.extension() == ".tiff")
-        return {output_file(file, Product::tiff, inputs, o.output.force), {}, true};
+        return {output_file(file, Product::tiff, inputs, o.output.force), {}};
     if (file.extension() != ".png")
         throw Error(Exit::usage, file.string() + ": expected a name that ends with .png or .tif");
     std::filesystem::path world = file;
     world.replace_extension(".pgw");
     return {output_file(file, Product::png, inputs, o.output.force),
-            output_file(world, Product::world, inputs, o.output.force), false};
+            output_file(world, Product::world, inputs, o.output.force)};
 }
 
 void write_world_file(const std::filesystem::path& file, const Orthophoto& o) {
@@ -157,11 +156,12 @@ int run_orthophoto(const PackageReader& package, const OrthophotoOptions& o) {
         if (shows) std::fprintf(stderr, "\r\033[K");
         file.finish();
     };
-    if (files.tiff)
+    if (files.world.empty()) {
         write(TiffRows(files.picture, picture.width, picture.height, picture.upper_left, picture.resolution));
-    else
+    } else {
         write(PngRows(files.picture, picture.width, picture.height));
-    if (!files.tiff) write_world_file(files.world, picture);
+        write_world_file(files.world, picture);
+    }
     if (!o.output.quiet)
         std::printf("%s  %dx%d, %g units per pixel, upper left corner %.10g, %.10g%s\n",
                     files.picture.c_str(), picture.width, picture.height, picture.resolution,

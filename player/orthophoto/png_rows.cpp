@@ -1,22 +1,20 @@
 #include "player/orthophoto/png_rows.h"
 
 #include <png.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
 #include <string>
-#include <system_error>
 #include <utility>
 
-#include "scene/error.h"
+#include "output/unfinished_file.h"
 
 namespace vantage {
 
 struct PngRows::State {
-    std::filesystem::path file, part;
+    UnfinishedFile file;
     std::FILE* out = nullptr;
     png_structp png = nullptr;
     png_infop info = nullptr;
@@ -56,18 +54,14 @@ struct PngRows::State {
     }
     ~State() {
         png_destroy_write_struct(&png, &info);
-        std::error_code error;
         if (out) std::fclose(out);
-        std::filesystem::remove(part, error);
     }
 };
 
 PngRows::PngRows(const std::filesystem::path& file, int width, int height)
-    : state_(std::make_unique<State>()) {
+    : state_(new State{UnfinishedFile(file)}) {
     State& s = *state_;
-    s.file = file;
-    s.part = file.string() + ".part-" + std::to_string(::getpid());
-    s.out = std::fopen(s.part.c_str(), "wb");
+    s.out = std::fopen(s.file.part().c_str(), "wb");
     if (!s.out) s.trouble = std::strerror(errno);
     s.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &s, State::note, State::ignore);
     if (s.png) s.info = png_create_info_struct(s.png);
@@ -76,11 +70,7 @@ PngRows::PngRows(const std::filesystem::path& file, int width, int height)
 
 PngRows::~PngRows() = default;
 
-void PngRows::fail() const {
-    const State& s = *state_;
-    throw Error(Exit::storage,
-                s.file.string() + ": cannot be written" + (s.trouble.empty() ? "" : ": ") + s.trouble);
-}
+void PngRows::fail() const { state_->file.fail(state_->trouble); }
 
 void PngRows::add(std::span<const std::uint8_t> row) {
     if (!state_->write(row.data())) fail();
@@ -89,9 +79,7 @@ void PngRows::add(std::span<const std::uint8_t> row) {
 void PngRows::finish() {
     State& s = *state_;
     if (!s.end() || !s.close()) fail();
-    std::error_code error;
-    std::filesystem::rename(s.part, s.file, error);
-    if (error) s.trouble = "not renamed into place", fail();
+    s.file.finish();
 }
 
 }  // namespace vantage

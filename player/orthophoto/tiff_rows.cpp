@@ -7,12 +7,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <string>
-#include <system_error>
-#include <utility>
-#include <vector>
-
-#include "scene/error.h"
 
 namespace vantage {
 namespace {
@@ -63,58 +57,32 @@ bool set_pixels(TIFF* tiff, int width, int height) {
 
 }  // namespace
 
-struct TiffRows::State {
-    std::filesystem::path file, part;
-    TIFF* tiff = nullptr;
-    std::uint32_t row = 0;
-    std::vector<std::uint8_t> pixels{};  ///< libtiff's predictor changes what it is given
-
-    ~State() {
-        std::error_code error;
-        if (tiff) TIFFClose(tiff);
-        std::filesystem::remove(part, error);
-    }
-};
-
 TiffRows::TiffRows(const std::filesystem::path& file, int width, int height,
                    const Eigen::Vector2d& upper_left, double resolution)
-    : state_(std::make_unique<State>()) {
-    State& s = *state_;
-    s.file = file;
-    s.part = file.string() + ".part-" + std::to_string(::getpid());
+    : file_(file), tiff_(nullptr, TIFFClose) {
     TIFFSetErrorHandler(nullptr);  // what is wrong is told once, by the exception
     TIFFSetWarningHandler(nullptr);
     const bool large = 4 * std::int64_t(width) * height > most_classic_bytes;
     errno = 0;
-    s.tiff = TIFFOpen(s.part.c_str(), large ? "w8" : "w");
-    if (!s.tiff || !set_pixels(s.tiff, width, height) || !set_place(s.tiff, upper_left, resolution)) fail();
+    tiff_.reset(TIFFOpen(file_.part().c_str(), large ? "w8" : "w"));
+    if (!tiff_ || !set_pixels(tiff_.get(), width, height) || !set_place(tiff_.get(), upper_left, resolution))
+        fail();
 }
 
-TiffRows::~TiffRows() = default;
-
-void TiffRows::fail() const {
-    const std::string why = errno ? std::strerror(errno) : "";
-    throw Error(Exit::storage,
-                state_->file.string() + ": cannot be written" + (why.empty() ? "" : ": ") + why);
-}
+void TiffRows::fail() const { file_.fail(errno ? std::strerror(errno) : ""); }
 
 void TiffRows::add(std::span<const std::uint8_t> row) {
-    State& s = *state_;
-    s.pixels.assign(row.begin(), row.end());
+    pixels_.assign(row.begin(), row.end());
     errno = 0;
-    if (TIFFWriteScanline(s.tiff, s.pixels.data(), s.row++) != 1) fail();
+    if (TIFFWriteScanline(tiff_.get(), pixels_.data(), row_++) != 1) fail();
 }
 
 void TiffRows::finish() {
-    State& s = *state_;
     errno = 0;
     // TIFFClose() does not tell whether it could write.
-    const bool written = TIFFWriteDirectory(s.tiff) == 1 && ::fsync(TIFFFileno(s.tiff)) == 0;
-    TIFFClose(std::exchange(s.tiff, nullptr));
-    if (!written) fail();
-    std::error_code error;
-    std::filesystem::rename(s.part, s.file, error);
-    if (error) throw Error(Exit::storage, s.file.string() + ": not renamed into place");
+    if (TIFFWriteDirectory(tiff_.get()) != 1 || ::fsync(TIFFFileno(tiff_.get())) != 0) fail();
+    tiff_.reset();
+    file_.finish();
 }
 
 }  // namespace vantage

@@ -4,6 +4,11 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <vector>
+
+#include "output/unfinished_file.h"
+
+struct tiff;  // libtiff's TIFF
 
 namespace vantage {
 
@@ -16,9 +21,6 @@ class TiffRows {
     /// Error(storage) if the file cannot be written.
     TiffRows(const std::filesystem::path& file, int width, int height, const Eigen::Vector2d& upper_left,
              double resolution);
-    ~TiffRows();
-    TiffRows(const TiffRows&) = delete;
-    TiffRows& operator=(const TiffRows&) = delete;
 
     /// The next row, four bytes per pixel. Throws Error(storage).
     void add(std::span<const std::uint8_t> row);
@@ -26,9 +28,12 @@ class TiffRows {
     void finish();
 
   private:
-    struct State;
     [[noreturn]] void fail() const;
-    std::unique_ptr<State> state_;
+
+    UnfinishedFile file_;
+    std::unique_ptr<tiff, void (*)(tiff*)> tiff_;
+    std::uint32_t row_ = 0;
+    std::vector<std::uint8_t> pixels_;  ///< libtiff's predictor changes what it is given
 };
 
 }  // namespace vantage

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/error.h"
+#include "scene/sound_records.h"
 
 namespace vantage {
 namespace {
@@ -38,13 +38,8 @@ std::vector<std::optional<double>> photo_errors(std::span<const package::PairRec
 }
 
 std::vector<std::optional<double>> photo_errors(const PackageReader& package) {
-    std::span<const package::PairRecord> pairs;
-    try {
-        if (package.find(package::Type::pairs))
-            pairs = package.records<package::PairRecord>(package::Type::pairs);
-    } catch (const Error&) {  // shown all the same
-    }
-    return photo_errors(pairs, package.photos().size());
+    return photo_errors(sound_records<package::PairRecord>(package, package::Type::pairs),
+                        package.photos().size());
 }
 
 }  // namespace vantage

@@ -79,7 +79,7 @@ bool is_video_file(const std::filesystem::path& file) {
 }
 
 VideoEncoder::VideoEncoder(const std::filesystem::path& file, const VideoFormat& format)
-    : file_(file), part_(file.string() + ".part-" + std::to_string(::getpid())), format_(format) {
+    : file_(file), format_(format) {
     const auto refuse = [&](const std::string& why) { throw Error(Exit::usage, file.string() + ": " + why); };
     if (is_mp4(file) && (format.width % 2 || format.height % 2))
         refuse("a video of " + std::to_string(format.width) + "x" + std::to_string(format.height) +
@@ -106,7 +106,7 @@ void VideoEncoder::start() {
     ::sigaddset(&defaults, SIGPIPE);
     ::posix_spawnattr_setsigdefault(&attributes, &defaults);
     ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-    std::vector<std::string> words = arguments(part_, is_mp4(file_), format_);
+    std::vector<std::string> words = arguments(file_.part(), is_mp4(file_.file()), format_);
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
@@ -116,7 +116,7 @@ void VideoEncoder::start() {
     frames_ = std::move(frames);
     if (error == 0) return;
     process_ = -1;
-    throw Error(Exit::input, file_.string() + ": ffmpeg cannot be started (" + std::strerror(error) +
+    throw Error(Exit::input, file_.file().string() + ": ffmpeg cannot be started (" + std::strerror(error) +
                                  "), expected it to be installed; a folder gets the frames as PNG");
 }
 
@@ -125,8 +125,6 @@ VideoEncoder::~VideoEncoder() {
         ::kill(process_, SIGKILL);
         wait();
     }
-    std::error_code error;
-    std::filesystem::remove(part_, error);
 }
 
 /// Waits until ffmpeg ends and returns its status.
@@ -141,12 +139,12 @@ int VideoEncoder::wait() {
 void VideoEncoder::fail() {
     const std::string line = last_line(messages_.get());
     throw Error(Exit::storage,
-                file_.string() + ": ffmpeg failed: " + (line.empty() ? "without a message" : line));
+                file_.file().string() + ": ffmpeg failed: " + (line.empty() ? "without a message" : line));
 }
 
 void VideoEncoder::write(const Picture& frame, const std::atomic<bool>& stop) {
     for (std::size_t done = 0; done < frame.rgba.size();) {
-        if (stop) throw Error(Exit::interrupted, file_.string() + ": interrupted, and not written");
+        if (stop) throw Error(Exit::interrupted, file_.file().string() + ": interrupted, and not written");
         const ssize_t n = ::write(frames_.get(), frame.rgba.data() + done, frame.rgba.size() - done);
         if (n > 0)
             done += std::size_t(n);
@@ -161,11 +159,9 @@ void VideoEncoder::finish(const std::atomic<bool>& stop) {
     frames_ = Descriptor();
     siginfo_t ended{};
     while (::waitid(P_PID, id_t(process_), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR)
-        if (stop) throw Error(Exit::interrupted, file_.string() + ": interrupted, and not written");
+        if (stop) throw Error(Exit::interrupted, file_.file().string() + ": interrupted, and not written");
     if (const int status = wait(); !WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
-    std::error_code error;
-    std::filesystem::rename(part_, file_, error);
-    if (error) throw Error(Exit::storage, file_.string() + ": cannot be written: " + error.message());
+    file_.finish();
 }
 
 }  // namespace vantage

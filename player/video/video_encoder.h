@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "output/unfinished_file.h"
 #include "player/render/picture.h"
 #include "values/descriptor.h"
 
@@ -41,7 +42,7 @@ class VideoEncoder {
     int wait();
     [[noreturn]] void fail();
 
-    std::filesystem::path file_, part_;
+    UnfinishedFile file_;
     VideoFormat format_;
     Descriptor frames_, messages_;
     pid_t process_ = -1;
