@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <clocale>
 #include <cstdlib>
+#include <filesystem>
 #include <system_error>
 
 extern "C" int _nl_msg_cat_cntr;  // glibc: to be increased when LANGUAGE has changed

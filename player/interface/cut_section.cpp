@@ -26,12 +26,12 @@ Eigen::Vector3d axis_of(const Cut& cut) {
 }
 
 /// A little wider than its numbers say: single precision would cut into a floor that lies on a side of it.
-std::vector<SectionPlane> box_of(const Cut& cut, const PlanScene& scene) {
+std::vector<SectionPlane> box_of(Cut& cut, const PlanScene& scene) {
     const double margin = 1e-5 * scene.size;
     std::vector<SectionPlane> planes;
     for (int i = 0; i < 3; ++i) {
         const Eigen::Vector3d axis = Eigen::Vector3d::Unit(i);
-        const auto [low, high] = extent_along(scene, axis);
+        const auto [low, high] = cut.extents.along(scene, axis);
         const auto at = [&](double share) { return low + share * (high - low); };
         planes.push_back({-axis, margin - at(cut.low[std::size_t(i)])});
         planes.push_back({axis, margin + at(cut.high[std::size_t(i)])});
@@ -57,7 +57,7 @@ void plane_controls(Controls& c, Session& s, const PlanScene& scene, const Eigen
     begins |= cut.across != before;
     if (begins && cut.across == Cut::Across::facing) cut.facing = -s.camera.R.row(2).transpose();
     const Eigen::Vector3d axis = axis_of(cut);
-    const auto [low, high] = extent_along(scene, axis);
+    const auto [low, high] = cut.extents.along(scene, axis);
     const double from = axis.dot(origin);
     share_slider(c, "Cut at", cut.share, from + low, from + high);
     c.explain("Where the plane is along its axis, in the model's unit.");
@@ -70,7 +70,7 @@ void box_controls(Controls& c, Cut& cut, const PlanScene& scene, const Eigen::Ve
                                             {marked("y from"), marked("y to")},
                                             {marked("z from"), marked("z to")}};
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto [least, most] = extent_along(scene, Eigen::Vector3d::Unit(Eigen::Index(i)));
+        const auto [least, most] = cut.extents.along(scene, Eigen::Vector3d::Unit(Eigen::Index(i)));
         const double from = origin[Eigen::Index(i)];
         double &low = cut.low[i], &high = cut.high[i];
         if (share_slider(c, names[i][0], low, from + least, from + most)) high = std::max(low, high);
@@ -101,11 +101,11 @@ void draw_box(ImDrawList& list, std::span<const SectionPlane> planes, const View
 
 }  // namespace
 
-std::vector<SectionPlane> sections_of(const Cut& cut, const PlanScene& scene) {
+std::vector<SectionPlane> sections_of(Cut& cut, const PlanScene& scene) {
     if (!cut.on || scene.triangles == 0) return {};
     if (cut.by == Cut::By::box) return box_of(cut, scene);
     const Eigen::Vector3d axis = axis_of(cut);
-    const auto [low, high] = extent_along(scene, axis);
+    const auto [low, high] = cut.extents.along(scene, axis);
     const double side = cut.other_side ? -1 : 1;
     return {SectionPlane{side * axis, side * (low + cut.share * (high - low))}};
 }

@@ -8,7 +8,7 @@
 namespace vantage {
 
 /// The planes that the session cuts the model with: none, one, or those of a box.
-std::vector<SectionPlane> sections_of(const Cut& cut, const PlanScene& scene);
+std::vector<SectionPlane> sections_of(Cut& cut, const PlanScene& scene);
 
 /// The section of the sidebar: where the model is cut.
 void cut_section(Controls& controls, Session& session, const PlanScene& scene, const Eigen::Vector3d& origin);

@@ -33,8 +33,7 @@ Eigen::Vector2d size_on(const std::string& plane, const PackageReader& package) 
 }  // namespace
 
 std::string plane_option(OrthophotoRequest::Plane plane, const Navigation& camera) {
-    static const char* const names[] = {marked("top"), marked("front"), marked("back"), marked("left"),
-                                        marked("right")};
+    static const char* const names[] = {"top", "front", "back", "left", "right"};
     if (plane != OrthophotoRequest::Plane::facing) return names[int(plane)];
     const Eigen::Vector3d normal = -camera.R.row(2).transpose(), up = -camera.R.row(1).transpose();
     char text[256];

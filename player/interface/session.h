@@ -12,6 +12,7 @@
 #include "player/render/pace.h"
 #include "player/render/render_settings.h"
 #include "player/survey/footprint.h"
+#include "player/survey/section.h"
 
 namespace vantage {
 
@@ -39,6 +40,7 @@ struct Cut {
     Eigen::Vector3d facing = -Eigen::Vector3d::UnitZ();  ///< toward the viewer, of length 1
     double share = 0.5;                                  ///< of the model's extent across the plane, 0 to 1
     bool saves = false;                                  ///< a drawing is to be written
+    KnownExtents extents;
 };
 
 /// An orthophoto to be written.
@@ -117,8 +119,8 @@ struct Session {
     bool full_screen = false;
     bool kiosk = false;  ///< for the public: nothing can be opened, written, set or quit
     float text_scale = 1;
-    std::string
-        language;  ///< of the window and of stories, such as "de-AT"; empty: English, and the story's own
+    /// Of the window and of stories, such as "de-AT"; empty: English, and the story's own.
+    std::string language;
     std::string message;  ///< one line
     double message_until = 0;
 

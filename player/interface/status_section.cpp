@@ -3,9 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
+#include "values/formatted.h"
 #include "values/translation.h"
 
 namespace vantage {
@@ -14,9 +14,9 @@ namespace {
 constexpr float MiB = 1024 * 1024;
 
 void budget_bar(const char* name, double held, double budget) {
-    char text[64];
-    std::snprintf(text, sizeof text, tr("%.0f of %.0f MiB"), held / double(MiB), budget / double(MiB));
-    ImGui::ProgressBar(float(budget > 0 ? held / budget : 0), ImVec2(-4 * ImGui::GetFontSize(), 0), text);
+    const std::string text = formatted(tr("%.0f of %.0f MiB"), held / double(MiB), budget / double(MiB));
+    ImGui::ProgressBar(float(budget > 0 ? held / budget : 0), ImVec2(-4 * ImGui::GetFontSize(), 0),
+                       text.c_str());
     ImGui::SameLine();
     ImGui::TextUnformatted(name);
 }

@@ -47,11 +47,12 @@ std::vector<std::uint32_t> photos_of(const std::vector<PlannedPhoto>& planned) {
 void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos,
                       int side, const SeenTriangles& seen) {
     const bool unmoved = made_for_ && same_view(made_for_->view, view),
-               same_settings = made_for_ && made_for_->settings == settings;
+               same_settings = made_for_ && made_for_->settings == settings,
+               same_photos = made_for_ && std::ranges::equal(made_for_->photos, photos);
     const bool at_rest = unmoved && same_settings && !at_rest_.empty();
     const bool chosen_here = chosen_for_ && same_view(*chosen_for_, view);
-    if (unmoved && same_settings && chosen_here && made_for_->side == side &&
-        std::ranges::equal(made_for_->photos, photos) && (at_rest || made_for_->seen == seen.version))
+    if (unmoved && same_settings && same_photos && chosen_here && made_for_->side == side &&
+        (at_rest || made_for_->seen == seen.version))
         return;
     const std::vector<std::uint32_t> previous = photos_of(plan_.photos);
     if (!at_rest) {
@@ -62,8 +63,9 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
         if (uses_seen_ && same_settings && same_view(seen.view, view))
             at_rest_.assign(seen.triangles.begin(), seen.triangles.end());
     }
-    const PhotoChoice choice = plan_.choice;
-    const bool keeps = keeps_choice(view, settings, photos);
+    const bool moves = same_settings && same_photos && !unmoved && !settings.complete;
+    const PhotoChoice choice = std::move(plan_.choice);
+    const bool keeps = keeps_choice(view, moves);
     std::span<const std::uint32_t> known = at_rest_;
     if (uses_seen_ && known.empty()) known = seen.triangles;
     plan_ = make_plan(*scene_, widened(view), with_side(settings, side), photos, previous, known,
@@ -73,13 +75,10 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
 }
 
 /// In motion, photos are chosen anew in every third plan only: choosing takes as long as all the rest.
-bool ViewPlan::keeps_choice(const View& view, const PlanSettings& settings,
-                            std::span<const std::uint32_t> photos) {
+bool ViewPlan::keeps_choice(const View& view, bool moves) {
     constexpr int most_plans = 3;
-    const bool moves = made_for_ && !same_view(made_for_->view, view) && made_for_->settings == settings &&
-                       std::ranges::equal(made_for_->photos, photos);
-    const bool keeps = moves && !settings.complete && uses_seen_ && chosen_for_ &&
-                       shows_much_of(*chosen_for_, view, *scene_) && plans_of_choice_ < most_plans;
+    const bool keeps = moves && uses_seen_ && chosen_for_ && shows_much_of(*chosen_for_, view, *scene_) &&
+                       plans_of_choice_ < most_plans;
     plans_of_choice_ = keeps ? plans_of_choice_ + 1 : 1;
     if (!keeps) chosen_for_ = view;
     return keeps;

@@ -59,7 +59,7 @@ class ViewPlan {
         std::vector<std::uint32_t> photos;
         std::uint64_t seen;  ///< version
     };
-    bool keeps_choice(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos);
+    bool keeps_choice(const View& view, bool moves);
     void plan_drawn(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos);
 
     const PlanScene* scene_;

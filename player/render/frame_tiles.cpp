@@ -53,8 +53,8 @@ void FrameTiles::stream(const View& view, std::span<const BandFrame> bands, int 
 }
 
 void FrameTiles::prefetch(std::span<const BandFrame> bands, int side, const View& next) {
-    constexpr int every = 4;  // frames; the view to come is further ahead
-    if (frames_since_ahead_++ % every == 0) {
+    constexpr unsigned every = 4;  // frames; the view to come is further ahead
+    if (prefetches_++ % every == 0) {
         ahead_.clear();
         for (const BandFrame& band : bands)
             for (PlannedPhoto& p : band.plan->ahead(next, plan_settings(band.settings), side).photos)

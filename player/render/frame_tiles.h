@@ -44,7 +44,7 @@ class FrameTiles {
     const ModelPasses* passes_;
     std::vector<std::uint32_t> wanted_thumbnails_;
     std::vector<PlannedPhoto> ahead_;  ///< of a view to come
-    int frames_since_ahead_ = 0;
+    unsigned prefetches_ = 0;
 };
 
 }  // namespace vantage

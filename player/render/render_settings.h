@@ -157,8 +157,7 @@ struct RenderSettings {
     bool wait_for_uploads = false;  ///< waits for tiles until upload_bytes are uploaded
     bool whole_photos = false;      ///< upload each photo whole and at once (for comparison)
     std::size_t upload_bytes = std::numeric_limits<std::size_t>::max();  ///< per frame
-    std::vector<SectionPlane>
-        sections;  ///< at most most_sections; cut the model, not points and surroundings
+    std::vector<SectionPlane> sections;  ///< at most most_sections; cut the mesh only
     Background background;
     FrameSize room;  ///< frames up to this size, or the view's, need no new render targets
 };
@@ -179,7 +178,7 @@ struct FrameReport {
     std::size_t fragments = 0;      ///< of transparent surfaces, in the last frame that was read back
     std::size_t fragments_approximated = 0;  ///< of these: not sorted, for lack of room
     std::size_t uploaded = 0;                ///< bytes
-    double plan_ms = 0;    ///< spent on choosing photos and tiles
+    double plan_ms = 0;                      ///< spent on choosing photos and tiles
     double uncovered = 0;  ///< share of the surface visible in photos that no chosen photo sees
     bool settled = false;  ///< nothing more is to come, and all has faded in
 };

@@ -1,8 +1,8 @@
 #include "player/render/renderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <limits>
 

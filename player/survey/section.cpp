@@ -113,4 +113,11 @@ std::array<double, 2> extent_along(const PlanScene& scene, const Eigen::Vector3d
     return out[0] <= out[1] ? out : std::array{0.0, 0.0};
 }
 
+std::array<double, 2> KnownExtents::along(const PlanScene& scene, const Eigen::Vector3d& normal) {
+    for (const auto& [direction, extent] : known_)
+        if (direction == normal) return extent;
+    if (known_.size() == most) known_.clear();
+    return known_.emplace_back(normal, extent_along(scene, normal)).second;
+}
+
 }  // namespace vantage

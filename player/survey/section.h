@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "player/plan/section_plane.h"
@@ -26,5 +27,15 @@ RayRange behind(std::span<const SectionPlane> planes, const Ray& ray);
 
 /// The lowest and the highest value of normal . p of the mesh's vertices; surroundings have no part in it.
 std::array<double, 2> extent_along(const PlanScene& scene, const Eigen::Vector3d& normal);
+
+/// extent_along() of one scene, found once per direction: of a level floor, it looks at all vertices.
+class KnownExtents {
+  public:
+    std::array<double, 2> along(const PlanScene& scene, const Eigen::Vector3d& normal);
+
+  private:
+    static constexpr std::size_t most = 8;  ///< the input's axes, and views that the model was cut across
+    std::vector<std::pair<Eigen::Vector3d, std::array<double, 2>>> known_;
+};
 
 }  // namespace vantage

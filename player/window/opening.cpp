@@ -13,6 +13,7 @@
 
 #include "gl/object.h"
 #include "remote/remote_package.h"
+#include "values/formatted.h"
 #include "values/is_url.h"
 #include "values/translation.h"
 
@@ -33,13 +34,10 @@ void draw_progress(GLFWwindow* window, const std::string& name, const Progress& 
         "##opening", nullptr,
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
     ImGui::Text(tr("Opening %s"), name.c_str());
-    char text[96];
-    if (p.of > 0)
-        std::snprintf(text, sizeof text, tr("%.1f of %.1f MB, %.0f kB/s"), p.bytes / 1e6, p.of / 1e6,
-                      p.per_second / 1e3);
-    else
-        std::snprintf(text, sizeof text, "%s", tr("waiting for the server"));
-    ImGui::ProgressBar(p.of > 0 ? float(std::min(1.0, p.bytes / p.of)) : 0, ImVec2(360, 0), text);
+    const std::string text =
+        p.of > 0 ? formatted(tr("%.1f of %.1f MB, %.0f kB/s"), p.bytes / 1e6, p.of / 1e6, p.per_second / 1e3)
+                 : tr("waiting for the server");
+    ImGui::ProgressBar(p.of > 0 ? float(std::min(1.0, p.bytes / p.of)) : 0, ImVec2(360, 0), text.c_str());
     ImGui::TextDisabled("%s", tr("Esc stops"));
     ImGui::End();
     ImGui::Render();

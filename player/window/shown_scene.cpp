@@ -127,9 +127,10 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     s.settings.room = {width, height};
     if (goal_ms_ > 0) enlargement_.fit(s.settings.room);
     clock_.begin();
-    draw(view, still, now);
+    const RenderSettings shown = shown_settings();
+    draw(view, shown, still, now);
     if (s.settings.points.pick) pick(view);
-    enlargement_.show(objects_, *drawn_view_, shown_settings(), s.settings.room, 0, true);
+    enlargement_.show(objects_, *drawn_view_, shown, shown.room, 0, true);
     if (std::exchange(s.screenshot, false))  // without the interface
         write_numbered(s, renderer_.package().path().stem().string(), ".png", tr("screenshot"), now,
                        [&](const std::string& file) { save_frame(file, width, height); });
@@ -318,7 +319,7 @@ void ShownScene::pick(const View& view) {
 /// While the view moves or tiles are missing, draws one sample per pixel, half a level sharper; at a pace
 /// that keeps the goal while it moves. After that, accumulates the samples of each pixel, one per frame, and
 /// stops when the picture is final.
-void ShownScene::draw(const View& view, bool still, double now) {
+void ShownScene::draw(const View& view, const RenderSettings& shown, bool still, double now) {
     Session& s = session_;
     if (looks_again() && now > drawn_at_ + look_again_seconds) samples_ = 0;
     if (layout_.strip.height > 0 && strip_.lacks_pictures()) samples_ = 0;
@@ -337,7 +338,7 @@ void ShownScene::draw(const View& view, bool still, double now) {
     // Once at rest, it stays so while tiles come: where not all fit, those for motion and for rest would
     // evict each other.
     resting_ = still && !moves && (resting_ || complete);
-    RenderSettings settings = shown_settings();
+    RenderSettings settings = shown;
     settings.swift = s.pace.swift;
     settings.lod_bias = resting_ ? 0 : -0.5;
     if (!moves) settings.upload_bytes = upload_of_frame(settings.upload_bytes, frame_ms_);

@@ -62,7 +62,7 @@ class ShownScene {
     bool looks_again() const;
     /// The picture has all its samples.
     bool is_final() const { return samples_ >= rest_side * rest_side; }
-    void draw(const View& view, bool still, double now);
+    void draw(const View& view, const RenderSettings& shown, bool still, double now);
     void pick(const View& view);
     bool lacks_time(double now) const;
     bool in_motion(const View& view) const;
