@@ -83,6 +83,8 @@ void picture_section(Controls& c, Session& s, const Renderer& renderer) {
     c.explain("Without perspective: what is farther away looks as large.");
     c.slider("Flying speed", &s.flying_speed, 0.1, 10.0, "%.1f", ImGuiSliderFlags_Logarithmic);
     c.explain("Of the keys W A S D, Q and E; Shift is four times as fast.");
+    c.checkbox("Inertia", &s.inertia);
+    c.explain("What is dragged and let go in motion moves on for a moment.");
 }
 
 }  // namespace vantage

@@ -7,6 +7,7 @@
 
 #include "player/camera/camera_spline.h"
 #include "player/camera/navigation.h"
+#include "player/interface/glide.h"
 #include "player/interface/user_input.h"
 #include "player/render/frame_statistics.h"
 #include "player/render/pace.h"
@@ -59,12 +60,19 @@ inline constexpr double positions_per_second = 30;
 struct Session {
     RenderSettings settings;
     Navigation camera;
-    Navigation home;                       ///< where the session began
-    Area free;                             ///< the part of the window that the picture is fitted to
-    bool orthographic = false;             ///< instead of perspective
-    double flying_speed = 1;               ///< of the keys, in usual speeds
-    std::optional<Eigen::Vector3d> pivot;  ///< the point under the pointer when it began to drag
-    std::vector<std::uint32_t> photos;     ///< allowed for blending
+    Navigation home;            ///< where the session began
+    Area free;                  ///< the part of the window that the picture is fitted to
+    bool orthographic = false;  ///< instead of perspective
+    double flying_speed = 1;    ///< of the keys, in usual speeds
+    bool inertia = true;        ///< what is let go in motion moves on
+    Glide glide;
+    /// What a drag or two fingers hold.
+    struct Grip {
+        Eigen::Vector3d pivot;  ///< the point under the pointer when it began
+        bool looks = false;     ///< the drag turns the camera in its place
+    };
+    std::optional<Grip> grip;
+    std::vector<std::uint32_t> photos;  ///< allowed for blending
     Panels panels;
 
     std::uint32_t standing_at = 0;  ///< the photo last flown to
@@ -122,7 +130,8 @@ struct Session {
     /// Of the window and of stories, such as "de-AT"; empty: English, and the story's own.
     std::string language;
     std::string message;  ///< one line
-    double message_until = 0;
+    double message_until = 0;    ///< at least
+    bool message_shown = false;  ///< else its time begins when it is
 
     FrameReport report;
     Pace pace;  ///< of the frame drawn last
@@ -136,7 +145,8 @@ struct Session {
 View shown_view(const Navigation& camera, const Session& session, const PlanScene& scene, int width,
                 int height);
 
-/// Shows a message for 6 seconds.
+inline constexpr double message_seconds = 6;
+/// Shows a message for that time.
 void say(Session& session, const std::string& message, double now);
 
 /// Whether a key was pressed, or repeated, alone since the last frame; takes the press.

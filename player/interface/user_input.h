@@ -19,6 +19,7 @@ struct KeyPress {
 struct Drag {
     double right = 0, down = 0;
 };
+using Drags = std::array<Drag, 3>;  ///< by button: left, right, middle
 
 /// The left mouse button, pressed and released again in one place.
 struct Click {
@@ -36,10 +37,10 @@ struct PointerState {
 
 /// What was done with keys, mouse and fingers since the last frame.
 struct UserInput {
-    std::vector<KeyPress> keys;           ///< in order, also those that were released again
-    bool double_clicked = false;          ///< by the left button
-    std::vector<Click> clicks;            ///< in order
-    std::array<Drag, 3> drags{};          ///< by button: left, right, middle
+    std::vector<KeyPress> keys;   ///< in order, also those that were released again
+    bool double_clicked = false;  ///< by the left button
+    std::vector<Click> clicks;    ///< in order
+    Drags drags{};
     std::optional<PointerState> pointer;  ///< if not where the mouse is by now
     std::optional<Pinch> pinch;           ///< while two fingers are down
     bool pinch_begins = false;

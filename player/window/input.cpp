@@ -42,23 +42,24 @@ UnderPointer under_pointer(const View& view, const Session& s, const PlanScene& 
 }
 
 /// Dragging by the window's width turns by half a turn; what is dragged follows the pointer.
-void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vector2d& pointer) {
+void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vector2d& pointer,
+          const Drags& drags) {
     const ImGuiIO& io = ImGui::GetIO();
-    const auto [left, right, middle] = s.input.drags;
-    if (!s.pivot) {
+    const auto [left, right, middle] = drags;
+    if (!s.grip) {
         const Eigen::Vector2d moved(left.right + right.right + middle.right,
                                     left.down + right.down + middle.down);
         const UnderPointer begin = under_pointer(view, s, scene, pointer - moved);
-        s.pivot = begin.on_mesh ? begin.point : s.camera.target;
+        s.grip = Session::Grip{begin.on_mesh ? begin.point : s.camera.target, io.KeyCtrl && !s.orthographic};
     }
     const double focal = view.intrinsics.fx;
-    if (io.KeyCtrl && !s.orthographic) {
+    if (s.grip->looks) {
         look(s.camera, -left.right / focal, -left.down / focal);
     } else {
         const double radians = std::numbers::pi / std::max(1.0, double(io.DisplaySize.x));
-        orbit_about(s.camera, *s.pivot, left.right * radians, left.down * radians);
+        orbit_about(s.camera, s.grip->pivot, left.right * radians, left.down * radians);
     }
-    const double depth = std::abs(depth_in(view, *s.pivot));
+    const double depth = std::abs(depth_in(view, s.grip->pivot));
     fly(s.camera, -depth / focal * Eigen::Vector3d(right.right + middle.right, right.down + middle.down, 0));
 }
 
@@ -75,24 +76,35 @@ void move_to_pointer(Session& s, const View& view, const PlanScene& scene, const
 /// What is under two fingers follows them.
 void pinch(Session& s, const View& view, const PlanScene& scene) {
     const Pinch& p = *s.input.pinch;
-    if (s.input.pinch_begins || !s.pivot) s.pivot = under_pointer(view, s, scene, p.center - p.moved).point;
-    follow_pinch(s.camera, p, *s.pivot, view, nearest * scene.size, farthest * scene.size);
+    if (s.input.pinch_begins || !s.grip)
+        s.grip = Session::Grip{under_pointer(view, s, scene, p.center - p.moved).point};
+    follow_pinch(s.camera, p, s.grip->pivot, view, nearest * scene.size, farthest * scene.size);
+}
+
+/// What the pointer drags in this frame, or what was let go moves on by. Other movements end a glide.
+Drags dragged_by(Session& s, bool free, bool held, bool moves_otherwise, double now) {
+    if (moves_otherwise || s.flight || (!s.inertia && !held)) s.glide = {};
+    if (held && !s.glide.held) s.grip.reset();
+    return move_on(s.glide, free ? s.input.drags : Drags{}, free && held, now);
 }
 
 void move_by_pointer(Session& s, const PlanScene& scene, double now) {
     const ImGuiIO& io = ImGui::GetIO();
-    const auto moves = [](const Drag& d) { return d.right != 0 || d.down != 0; };
-    const bool dragged = std::ranges::any_of(s.input.drags, moves), pinched = s.input.pinch.has_value(),
-               points = io.MouseWheel != 0 || s.input.double_clicked;
-    if (!io.WantCaptureMouse && (dragged || pinched || points)) {
+    const bool free = !io.WantCaptureMouse, held = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2],
+               pinched = free && s.input.pinch,
+               points = free && (io.MouseWheel != 0 || s.input.double_clicked);
+    const Drags drags = dragged_by(s, free, held, pinched || points, now);
+    const bool dragged =
+        std::ranges::any_of(drags, [](const Drag& d) { return d.right != 0 || d.down != 0; });
+    if (dragged || pinched || points) {
         s.flight.reset();  // input interrupts a flight
         const View view = shown_view(s.camera, s, scene, int(io.DisplaySize.x), int(io.DisplaySize.y));
         const Eigen::Vector2d pointer(io.MousePos.x, io.MousePos.y);
-        if (dragged) drag(s, view, scene, pointer);
+        if (dragged) drag(s, view, scene, pointer, drags);
         if (pinched) pinch(s, view, scene);
         if (points) move_to_pointer(s, view, scene, pointer, now);
     }
-    if (!pinched && !io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2]) s.pivot.reset();
+    if (!s.input.pinch && !held && !dragged) s.grip.reset();
 }
 
 /// The pointer as the top of a hemisphere over the frame: low at its edge, at the viewer in its middle.
@@ -124,6 +136,7 @@ void move_by_keys(Session& s, std::span<const KeyPress> tapped) {
                          down(GLFW_KEY_W) - down(GLFW_KEY_S));
     if (!(step.norm() > 0)) return;
     s.flight.reset();
+    s.glide = {};
     step *= (io.KeyShift ? 2.0 : 0.5) * s.flying_speed * std::min(io.DeltaTime, 0.1f);
     if (s.orthographic) {  // ahead, nothing would change
         approach(s.camera, std::exp(-step.z()));

@@ -6,7 +6,7 @@ usage: touch_device.py SOCKET WIDTHxHEIGHT < GESTURES
 The driver takes one connection in its life. One gesture per line, answered by "done"; positions in pixels of the screen:
   tap X Y                          a finger, for 60 ms
   double X Y                       two taps, 120 ms apart
-  drag X Y TO_X TO_Y               a finger, in 20 steps
+  drag X Y TO_X TO_Y               a finger, in 20 steps, that rests before it is lifted
   pinch X Y FROM TO [DEGREES]      two fingers on both sides of a point, from one distance to another, turning clockwise
   pan X Y TO_X TO_Y                two fingers, 100 pixels apart, in 20 steps
   random SEED COUNT                that many events of up to four fingers; all are lifted at the end
@@ -47,15 +47,15 @@ class Device:
         else:
             self.down[finger] = (x, y)
 
-    def move(self, paths):
-        """Fingers along their paths, functions of 0 to 1, together."""
+    def move(self, paths, rest=STEP):
+        """Fingers along their paths, functions of 0 to 1, together; they rest for some seconds at the end."""
         for finger, at in enumerate(paths):
             self.touch(finger, BEGIN, *at(0))
         for step in range(1, 21):
             time.sleep(STEP)
             for finger, at in enumerate(paths):
                 self.touch(finger, UPDATE, *at(step / 20))
-        time.sleep(STEP)
+        time.sleep(rest)
         for finger, at in enumerate(paths):
             self.touch(finger, END, *at(1))
 
@@ -70,7 +70,7 @@ class Device:
         self.tap(x + 3, y - 2)
 
     def drag(self, x, y, to_x, to_y):
-        self.move([lambda t: (x + t * (to_x - x), y + t * (to_y - y))])
+        self.move([lambda t: (x + t * (to_x - x), y + t * (to_y - y))], rest=0.5)
 
     def pan(self, x, y, to_x, to_y):
         self.move([lambda t, side=side: (x + side + t * (to_x - x), y + t * (to_y - y)) for side in (-50, 50)])

@@ -75,6 +75,26 @@ risen=$(awk '/^[^#]/ { x = $1 - $4; y = $2 - $5; z = $3 - $6; last = atan2(z, sq
 lines=$(grep -vc '^#' one-0001.path)
 [ "$lines" -ge 60 ] || fail "more than two seconds were recorded as $lines positions, expected 30 per second"
 
+# What is let go in motion moves on, unless the user does without inertia.
+throw() {  # throw NUMBER: by how many degrees the camera rises when dragged by 60 pixels and let go; records path NUMBER
+  xdotool key r; frames 2
+  xdotool mousemove 450 200; frames 2
+  xdotool mousedown 1; frames 2
+  # shellcheck disable=SC2046
+  xdotool $(for _ in $(seq 12); do echo mousemove_relative 0 5 sleep 0.02; done) mouseup 1
+  sleep 3; xdotool key r; frames 3
+  awk '/^[^#]/ { x = $1 - $4; y = $2 - $5; z = $3 - $6; last = atan2(z, sqrt(x * x + y * y)); if (!n++) first = last }
+    END { print int((last - first) * 180 / 3.14159265 + 0.5) }' "one-000$1.path"
+}
+xdotool key h; sleep 1; step_back
+risen=$(throw 2)
+[ "$risen" -gt 13 ] || fail "a drag let go in motion raised the camera by $risen degrees, expected more than the 12 dragged"
+xdotool key h; sleep 1; step_back
+press "Inertia"
+risen=$(throw 3)
+[ "$risen" = 12 ] || fail "without inertia, a drag raised the camera by $risen degrees, expected 12"
+press "Inertia"
+
 # A flight ends at the photo's camera, with the pointer over the scene.
 stands_at() {  # records where the camera stands to the path number $1
   xdotool key r; frames 3; xdotool key r; frames 3
@@ -82,9 +102,9 @@ stands_at() {  # records where the camera stands to the path number $1
 }
 xdotool mousemove 450 200
 for key in n b n; do xdotool key $key; sleep 1.5; frames 3; done
-first=$(stands_at 2)
+first=$(stands_at 4)
 for key in b n; do xdotool key $key; sleep 1.5; frames 3; done
-again=$(stands_at 3)
+again=$(stands_at 5)
 [ -n "$first" ] && [ "$first" = "$again" ] || fail "flights to the same photo end at $first and at $again"
 
 # Dragging the strip scrolls it, and flies nowhere.
@@ -100,7 +120,7 @@ moved=$((${after% *} - ${before% *}))
 xdotool windowsize --sync "$window" 900 700
 frames 5
 xdotool mousemove 450 200
-again=$(stands_at 4)
+again=$(stands_at 6)
 [ "$first" = "$again" ] || fail "dragging the strip flies from $first to $again"
 
 # The dialog lists folders first, enters them by a double click, and is used by keys alone as well.
