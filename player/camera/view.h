@@ -13,6 +13,7 @@ namespace vantage {
 struct Exposure {
     std::array<float, 3> gain{1, 1, 1}, falloff{0, 0, 0};
     std::uint32_t band = 0;  ///< whose photos it is relative to
+    bool operator==(const Exposure&) const = default;
 };
 /// The photo's exposure and lens.
 Exposure exposure_of(const package::PhotoRecord& photo);
@@ -35,6 +36,7 @@ struct View {
 
 /// Whether two views show the same, apart from their exposure.
 bool same_view(const View& a, const View& b);
+inline bool operator==(const View& a, const View& b) { return same_view(a, b) && a.exposure == b.exposure; }
 
 /// How far the eye of an orthographic view is from what it shows, in sizes of that.
 inline constexpr double orthographic_distance = 1e6;

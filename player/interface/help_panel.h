@@ -1,9 +1,10 @@
 #pragma once
+#include "player/interface/controls.h"
 #include "player/interface/session.h"
 
 namespace vantage {
 
-/// What mouse and keys do.
-void help_panel(Session& session);
+/// What mouse and keys do. Noted as "Mouse, fingers and keys".
+void help_panel(Controls& controls, Session& session);
 
 }  // namespace vantage

@@ -2,10 +2,15 @@
 
 #include <imgui.h>
 
+#include <utility>
+
 namespace vantage {
 
-void message_line(Controls& c, const Session& s, double now) {
-    if (s.message.empty() || now > s.message_until) return;
+void message_line(Controls& c, Session& s, double now) {
+    if (s.message.empty()) return;
+    // The frame in which it was said may have been a long one.
+    if (!std::exchange(s.message_shown, true)) s.message_until = now + message_seconds;
+    if (now > s.message_until) return s.message.clear();
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImVec2(float(s.free.left + s.free.width / 2), float(s.free.top) + em),
                             ImGuiCond_Always, ImVec2(0.5f, 0));

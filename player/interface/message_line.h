@@ -5,6 +5,6 @@
 namespace vantage {
 
 /// The session's message, if there is one, at the top of the picture.
-void message_line(Controls& controls, const Session& session, double now);
+void message_line(Controls& controls, Session& session, double now);
 
 }  // namespace vantage

@@ -17,7 +17,8 @@ View shown_view(const Navigation& camera, const Session& s, const PlanScene& sce
 
 void say(Session& s, const std::string& message, double now) {
     s.message = message;
-    s.message_until = now + 6;
+    s.message_until = now + message_seconds;
+    s.message_shown = false;
 }
 
 bool take_key(Session& s, int key) {

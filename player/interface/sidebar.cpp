@@ -52,7 +52,7 @@ bool sections(Controls& c, Session& s, const Renderer& renderer, ObjectSet& obje
     section(c, "Objects", p.objects, [&] { changed = object_section(c, s, objects, renderer.scene().size); });
     if (!renderer.scene().photos.empty())
         section(c, "Blending", p.blending, [&] { blending_section(c, s, renderer); });
-    section(c, "Status", p.status, [&] { status_section(s, renderer, objects.graphics_budget()); });
+    section(c, "Status", p.status, [&] { status_section(c, s, renderer, objects.graphics_budget()); });
     return changed;
 }
 

@@ -13,12 +13,14 @@ namespace {
 
 constexpr float MiB = 1024 * 1024;
 
-void budget_bar(const char* name, double held, double budget) {
+/// Noted under its English name.
+void budget_bar(Controls& c, const char* name, double held, double budget) {
     const std::string text = formatted(tr("%.0f of %.0f MiB"), held / double(MiB), budget / double(MiB));
     ImGui::ProgressBar(float(budget > 0 ? held / budget : 0), ImVec2(-4 * ImGui::GetFontSize(), 0),
                        text.c_str());
+    c.note(name);
     ImGui::SameLine();
-    ImGui::TextUnformatted(name);
+    ImGui::TextUnformatted(tr(name));
 }
 
 /// Of a package on a server.
@@ -38,7 +40,7 @@ void transfer_lines(const Renderer& renderer) {
 
 }  // namespace
 
-void status_section(const Session& s, const Renderer& renderer, std::uint64_t graphics_budget) {
+void status_section(Controls& c, const Session& s, const Renderer& renderer, std::uint64_t graphics_budget) {
     const float highest = *std::ranges::max_element(s.frame_ms);
     ImGui::PlotLines("##frames", s.frame_ms.data(), int(s.frame_ms.size()), 0, "", 0,
                      std::max(1.0f, highest * 1.1f), ImVec2(-1, 4 * ImGui::GetFontSize()));
@@ -57,7 +59,7 @@ void status_section(const Session& s, const Renderer& renderer, std::uint64_t gr
     const Residency& held = renderer.store().residency();
     ImGui::Text(tr("graphics memory: %.0f of %.0f MiB"), double(gl::memory_held()) / double(MiB),
                 double(graphics_budget) / double(MiB));
-    budget_bar(tr("tiles"), double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
+    budget_bar(c, marked("tiles"), double(held.color_held() + 2 * held.masks_held()) * 256 * 1024,
                double(held.layout().bytes()));
     transfer_lines(renderer);
     if (r.tiles_damaged)

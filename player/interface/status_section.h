@@ -7,6 +7,7 @@ namespace vantage {
 
 /// Times of frames, tiles, memory, and traffic of a package on a server. `graphics_budget`: of all objects,
 /// bytes.
-void status_section(const Session& session, const Renderer& renderer, std::uint64_t graphics_budget);
+void status_section(Controls& controls, const Session& session, const Renderer& renderer,
+                    std::uint64_t graphics_budget);
 
 }  // namespace vantage

@@ -11,6 +11,7 @@ namespace vantage {
 void Enlargement::fit(FrameSize room) {
     if (room == room_) return;
     room_ = room;
+    kept_ = false;
     picture_ = gl::make_texture_2d("frame in motion", GL_RGBA8, room.width, room.height, GL_LINEAR);
     target_ = gl::make_framebuffer("frame in motion", std::array{picture_.id()}, 0);
 }
@@ -18,6 +19,7 @@ void Enlargement::fit(FrameSize room) {
 void Enlargement::show(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
                        GLuint target, bool flip) {
     const int width = drawn.intrinsics.width, height = drawn.intrinsics.height;
+    kept_ = false;
     if (width == size.width && height == size.height) return objects.show(drawn, settings, target, flip);
     objects.show(drawn, settings, target_.id(), flip);
     if (!program_) {
@@ -35,6 +37,18 @@ void Enlargement::show(ObjectSet& objects, const View& drawn, const RenderSettin
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     gl::check("enlarging a frame");
+}
+
+void Enlargement::show_again(ObjectSet& objects, const View& drawn, const RenderSettings& settings,
+                             FrameSize size, GLuint target, bool flip) {
+    const FrameSize whole{drawn.intrinsics.width, drawn.intrinsics.height};
+    if (whole != size || room_ != size) return show(objects, drawn, settings, size, target, flip);
+    if (!kept_) objects.show(drawn, settings, target_.id(), flip);
+    kept_ = true;
+    glBlitNamedFramebuffer(target_.id(), target, 0, 0, size.width, size.height, 0, 0, size.width, size.height,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, target);  // as after show()
+    gl::check("showing a frame again");
 }
 
 }  // namespace vantage

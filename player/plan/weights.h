@@ -18,6 +18,7 @@ struct WeightSettings {
     double exponent = 2;                ///< of the distance and per-photo angle weights
     double sharpness =
         shader::default_sharpness;  ///< radians: the angle between rays at which the weight is 1/e
+    bool operator==(const WeightSettings&) const = default;
 };
 
 /// 1 for the smallest value, decreasing linearly to `floor` for the largest; all equal: all 1. Values must be

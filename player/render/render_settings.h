@@ -42,6 +42,7 @@ struct LayerSettings {
     bool logarithmic = false;         ///< values that are not positive count as no value
     int isolines = 0;                 ///< intervals between lines; 0: no lines
     double share = 1;                 ///< of the layer's color, beside the photos'
+    bool operator==(const LayerSettings&) const = default;
 };
 
 /// Light on the bare geometry, in place of the photos or times them. Values as in shaders/contract.glsl.
@@ -160,6 +161,7 @@ struct RenderSettings {
     std::vector<SectionPlane> sections;  ///< at most most_sections; cut the mesh only
     Background background;
     FrameSize room;  ///< frames up to this size, or the view's, need no new render targets
+    bool operator==(const RenderSettings&) const = default;
 };
 
 /// The plan settings that follow from these, for one sample per pixel.

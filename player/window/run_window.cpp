@@ -196,10 +196,13 @@ void give_sign(int to) {
 constexpr int frames_after_event = 3;
 
 /// Whether a frame is to be drawn: always, unless it `may_rest`. At rest, waits until something happens, or
-/// the scene is to be drawn anyway. `lively`: frames that are still to be drawn after the last event.
+/// the scene is to be drawn anyway; frames that are counted then follow each other more slowly. `lively`:
+/// frames that are still to be drawn after the last event.
 bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, bool may_rest, int& lively) {
-    const bool rests = may_rest && scene.rests() && !keys_in_use(session) && lively == 0;
-    WindowEvents events = window.events(rests ? std::clamp(scene.wakes_at() - glfwGetTime(), 0.001, 1.0) : 0);
+    constexpr double longest_rest = 1, between_counted = 0.03;  // seconds
+    const bool idle = scene.rests() && !keys_in_use(session) && lively == 0, rests = idle && may_rest;
+    const double until = std::clamp(scene.wakes_at() - glfwGetTime(), 0.001, longest_rest);
+    WindowEvents events = window.events(rests ? until : idle ? std::min(until, between_counted) : 0);
     session.input = std::move(events.input);
     for (const std::string& file : events.dropped)
         if (!session.kiosk) (is_scene_file(file) ? session.open : session.dropped) = file;
@@ -213,7 +216,7 @@ bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, 
 std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, ShownScene& scene,
                                       Controls& controls, const ShowOptions& o, double requested_at) {
     GLFWwindow* window = shown_in.get();
-    const bool may_rest = o.window.frames == 0 && o.window.controls.empty();  // scripts count frames
+    const bool may_rest = o.window.frames == 0 && o.window.controls.empty();  // else frames are counted
     int lively = frames_after_event;
     for (int frame = 0; session.kiosk || !glfwWindowShouldClose(window);) {
         if (o.window.signs >= 0) give_sign(o.window.signs);
@@ -233,9 +236,8 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
         const bool control_held = ImGui::GetIO().KeyCtrl;
         new_frame(session);
         controls.begin_frame();
-        const bool keys_used = keys_in_use(session);
         apply_input(session, scene.renderer().scene(), now);
-        scene.frame(width, height, now, keys_used);
+        scene.frame(width, height, now);
         ImGui::GetIO().KeyCtrl = control_held;
         const bool ends = frame == o.window.frames;
         if (ends && !o.window.screenshot.empty()) save_frame(o.window.screenshot, width, height);

@@ -101,7 +101,7 @@ std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
     return AttractLoop{std::move(stops), {}, seconds};
 }
 
-void ShownScene::frame(int width, int height, double now, bool keys) {
+void ShownScene::frame(int width, int height, double now) {
     Session& s = session_;
     if (kiosk_) attend(*kiosk_, s, s.touched, now);
     change_language();
@@ -121,16 +121,16 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     change_objects(now);
     orthophotos_.attend(s, renderer_.package(), now);
     ImGui::Render();
-    const bool still = !keys && unchanged(view) && lit_ == s.settings.light && cut_ == s.settings.sections;
-    if (!still) samples_ = 0;
     s.settings.points.pick = s.panels.expert && s.panels.points;
     s.settings.room = {width, height};
     if (goal_ms_ > 0) enlargement_.fit(s.settings.room);
-    clock_.begin();
     const RenderSettings shown = shown_settings();
+    const bool still = unchanged(view, shown);
+    if (!still) samples_ = 0;
+    clock_.begin();
     draw(view, shown, still, now);
     if (s.settings.points.pick) pick(view);
-    enlargement_.show(objects_, *drawn_view_, shown, shown.room, 0, true);
+    show(shown, now);
     if (std::exchange(s.screenshot, false))  // without the interface
         write_numbered(s, renderer_.package().path().stem().string(), ".png", tr("screenshot"), now,
                        [&](const std::string& file) { save_frame(file, width, height); });
@@ -138,8 +138,8 @@ void ShownScene::frame(int width, int height, double now, bool keys) {
     clock_.end(drawn_at_ == now ? std::optional(s.pace) : std::nullopt);
     keep_pace();
     last_ = view;
-    lit_ = s.settings.light;
-    cut_ = s.settings.sections;
+    last_settings_ = shown;
+    last_photos_ = s.photos;
 }
 
 /// The window and the story follow the choice that was made in either.
@@ -188,7 +188,7 @@ void ShownScene::interface(const View& view, double now) {
         radar_panel(controls_, s, renderer_, view_of(s.camera, frame.width, frame.height), now);
     if (layout_.strip.height > 0) strip_.show(controls_, s, renderer_, view, layout_.strip, now);
     tell(view, now);
-    if (s.panels.help) help_panel(s);
+    if (s.panels.help) help_panel(controls_, s);
     chooser_.attend(s, package_folder(renderer_.package()), now);
     open_dialog_.show(controls_, s);
     drop_dialog(controls_, s);
@@ -230,7 +230,7 @@ void ShownScene::tell(const View& view, double now) {
 
 double ShownScene::wakes_at() const {
     double at = kiosk_ ? attends_at(*kiosk_) : HUGE_VAL;
-    if (!session_.message.empty() && session_.message_until > shown_at_) at = session_.message_until;
+    if (!session_.message.empty()) at = session_.message_shown ? session_.message_until : shown_at_;
     if (orthophotos_.writes() || chooser_.asks()) at = std::min(at, shown_at_ + 0.5);
     if (looks_again()) at = std::min(at, drawn_at_ + look_again_seconds);
     if (ImGui::GetIO().WantTextInput) at = std::min(at, shown_at_ + blink_seconds);
@@ -301,12 +301,11 @@ bool ShownScene::looks_again() const {
     return session_.report.tiles_damaged + session_.report.tiles_absent > 0;
 }
 
-bool ShownScene::unchanged(const View& view) const {
-    const ImGuiIO& io = ImGui::GetIO();
-    // A text field stays active while its dialog is open; what is typed there are keys.
-    const bool touched = (ImGui::IsAnyItemActive() && !io.WantTextInput) || io.MouseClicked[0] ||
-                         io.MouseReleased[0] || io.MouseWheel != 0;
-    return drawn_ && !touched && last_ && same_view(*last_, view);
+/// Whether the last frame drew the same.
+bool ShownScene::unchanged(const View& view, const RenderSettings& shown) const {
+    RenderSettings drawn = last_settings_;
+    drawn.wiper = shown.wiper;  // divides what was drawn
+    return drawn_ && last_ && same_view(*last_, view) && drawn == shown && last_photos_ == session_.photos;
 }
 
 /// The point under the pointer.
@@ -359,6 +358,14 @@ void ShownScene::draw(const View& view, const RenderSettings& shown, bool still,
             now);
     tell_memory(now);
     drawn_ = true;
+}
+
+/// Shows what was drawn last.
+void ShownScene::show(const RenderSettings& shown, double now) {
+    if (is_final() && drawn_at_ != now && shown == last_settings_)
+        enlargement_.show_again(objects_, *drawn_view_, shown, shown.room, 0, true);
+    else
+        enlargement_.show(objects_, *drawn_view_, shown, shown.room, 0, true);
 }
 
 /// Whether the samples of a picture at rest would keep the processor busy for too long: on a large screen, in

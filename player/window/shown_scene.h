@@ -29,9 +29,8 @@ class ShownScene {
     ShownScene(const PackageReader& package, const std::vector<SceneObject>& objects,
                const ShowOptions& options, Session& session, Controls& controls);
 
-    /// Draws the view if it has changed or can still improve, and the interface over it. `keys`: a key is
-    /// down, or was.
-    void frame(int width, int height, double now, bool keys);
+    /// Draws the view if it has changed or can still improve, and the interface over it.
+    void frame(int width, int height, double now);
     /// Writes the path that is being recorded, if there is one.
     void stop_recording(double now);
     /// The picture is final: without input, nothing changes before wakes_at().
@@ -58,11 +57,12 @@ class ShownScene {
     void save_recorded(double now);
     void change_objects(double now);
     void show_cut(const View& view, double now);
-    bool unchanged(const View& view) const;
+    bool unchanged(const View& view, const RenderSettings& shown) const;
     bool looks_again() const;
     /// The picture has all its samples.
     bool is_final() const { return samples_ >= rest_side * rest_side; }
     void draw(const View& view, const RenderSettings& shown, bool still, double now);
+    void show(const RenderSettings& shown, double now);
     void pick(const View& view);
     bool lacks_time(double now) const;
     bool in_motion(const View& view) const;
@@ -90,8 +90,8 @@ class ShownScene {
     Pace pace_;            ///< of the next frame in motion
     double frame_ms_ = 0;  ///< of the last frame that was measured
     std::optional<View> last_, drawn_view_;
-    LightSettings lit_;  ///< of the last frame, as are the sections
-    std::vector<SectionPlane> cut_;
+    RenderSettings last_settings_;  ///< of the last frame, as are the photos
+    std::vector<std::uint32_t> last_photos_;
     std::optional<Navigation> before_;
     int samples_ = 0;
     bool drawn_ = false, resting_ = false;

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Writes what the screen shows to a PPM file. usage: screenshot.py FILE"""
+"""Writes what the screen shows, or a part of it, to a PPM file. usage: screenshot.py FILE [LEFT TOP WIDTH HEIGHT]"""
 import sys
 
 from Xlib import X, display
 
 screen = display.Display().screen()
-wide, high = screen.width_in_pixels, screen.height_in_pixels
-data = screen.root.get_image(0, 0, wide, high, X.ZPixmap, 0xFFFFFFFF).data  # blue, green, red, unused
+part = [int(number) for number in sys.argv[2:]] or [0, 0, screen.width_in_pixels, screen.height_in_pixels]
+wide, high = part[2:]
+data = screen.root.get_image(*part, X.ZPixmap, 0xFFFFFFFF).data  # blue, green, red, unused
 rgb = bytearray(wide * high * 3)
 for channel in range(3):
     rgb[channel::3] = data[2 - channel :: 4]

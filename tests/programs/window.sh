@@ -103,8 +103,8 @@ finger() {
   echo "$*" >&"${TOUCH[1]}"
   read -r -t 60 answer <&"${TOUCH[0]}" && [ "$answer" = done ] || { fail "no finger: ${answer:-}"; exit 1; }
 }
-# With the libraries of the system's Python.
-screenshot() { /usr/bin/python3 "$source_of_tests/screenshot.py" "$1" || exit 1; }
+# screenshot FILE.ppm [LEFT TOP WIDTH HEIGHT]: with the libraries of the system's Python
+screenshot() { /usr/bin/python3 "$source_of_tests/screenshot.py" "$@" || exit 1; }
 
 failed=0
 fail() { echo "FAILED: $*"; failed=1; }
@@ -148,7 +148,7 @@ press() {  # press NAME [share of its width]: clicks a control
 # From far away the model is small, which is fast in software.
 step_back() {
   xdotool mousemove 500 400
-  for _ in $(seq 40); do xdotool click 5; done
+  xdotool click --repeat 40 --delay 10 5
   frames 5
 }
 key() { xdotool keydown "$1"; frames 2; xdotool keyup "$1"; frames 2; }

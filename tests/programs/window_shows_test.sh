@@ -80,6 +80,18 @@ xdotool key F1; frames 3; sleep 3; xdotool key p; frames 4
 cmp -s one-0001.png one-0002.png || fail "a screenshot shows the help"
 xdotool key F1; frames 2
 
+# Nothing of the picture shines through the help.
+help() {  # help FILE.ppm: its pixels, without its rounded corners
+  xdotool key F1; frames 4
+  # shellcheck disable=SC2046
+  screenshot "$1" $(awk -F'\t' '$1 == "Mouse, fingers and keys" { print int($2) + 8, int($3) + 8, int($4) - 16, int($5) - 16 }' places)
+  xdotool key F1; frames 2
+}
+help before.ppm
+xdotool key n; sleep 2; frames 2
+help after.ppm
+cmp -s before.ppm after.ppm || fail "the picture shines through the help"
+
 "$player" one.vantage --fresh --frames 1 --screenshot last.jpg >says 2>&1 && fail "a screenshot named .jpg is taken"
 [ ! -e last.jpg ] || fail "last.jpg is no JPEG"
 
@@ -87,6 +99,14 @@ xdotool key F1; frames 2
 xdotool key Tab; frames 3
 press "Prefer near" 0.45
 press "Section Blending"; press "Section Picture"; press "Section Status"
+is_filled() {  # is_filled SHARE: whether the bar of tiles is, at this share of its width
+  # shellcheck disable=SC2046
+  screenshot bar.ppm $(place tiles "$1") 1 1
+  [ "$(tail -c 1 bar.ppm | od -An -tu1)" -gt 150 ]  # blue
+}
+xdotool mousemove 450 200; frames 3
+is_filled 0.01 || fail "the bar of tiles is empty"
+is_filled 0.97 && fail "the bar of tiles is full"
 quit
 remembers exponent 2.0
 remembers panel_status true

@@ -55,6 +55,7 @@ for how in "1 en" "1.5 en" "1 de" "1.5 fr"; do
   read -r scale language <<<"$how"
   start --text-scale "$scale" --language "$language"
   for size in "800 600" "600 1000" "1920 1080" "3840 2160"; do
+    [ "$size" != "3840 2160" ] || [ "$how" = "1 en" ] || continue  # the largest has the most room
     # shellcheck disable=SC2086
     xdotool windowsize --sync "$window" $size
     frames 3
