@@ -8,7 +8,7 @@
 
 #include "scene/error.h"
 #include "scene/replace_file.h"
-#include "story/located_json.h"
+#include "json/located_json.h"
 #include "values/is_url.h"
 #include "values/lower_extension.h"
 

@@ -34,6 +34,7 @@ class LocatedJson {
 
     bool is_object() const { return value_->is_object(); }
     bool is_text() const { return value_->is_string(); }
+    bool is_true() const { return value_->is_boolean() && value_->get<bool>(); }
     /// At most so many bytes, without control characters other than line feeds if `lines`.
     std::string text(std::size_t most, bool lines = false) const;
     /// Finite, within the range.

@@ -1,4 +1,4 @@
-#include "story/located_json.h"
+#include "json/located_json.h"
 
 #include <algorithm>
 #include <cmath>
