@@ -5,18 +5,25 @@
 
 namespace vantage {
 
-/// Lens distortion models that cover the cameras of COLMAP, Bundler and MeshLab.
+/// Lens distortion models: from the direction of a ray to where it meets the photo, in focal lengths. x, y:
+/// the direction; r: its distance from the axis.
 enum class LensModel : int {
     none,
-    opencv,     ///< p = k1 k2 p1 p2 k3 k4 k5 k6 (rational radial and tangential, OpenCV order)
-    fisheye,    ///< p = k1 k2 k3 k4 (Kannala-Brandt: theta (1 + k1 theta^2 + ...))
-    fov,        ///< p = omega (Devernay and Faugeras 2001)
-    thin_prism  ///< p = k1 k2 p1 p2 k3 k4 sx1 sy1 (Weng, on the equidistant angle, as COLMAP)
+    opencv,      ///< p = k1 k2 p1 p2 k3 k4 k5 k6 (rational radial and tangential, OpenCV order)
+    fisheye,     ///< p = k1 k2 k3 k4 (Kannala-Brandt: theta (1 + k1 theta^2 + ...))
+    fov,         ///< p = omega (Devernay and Faugeras 2001)
+    thin_prism,  ///< p = k1 k2 p1 p2 k3 k4 sx1 sy1 (Weng, on the equidistant angle, as COLMAP)
+    brown,       ///< p = k1 k2 p1 p2 k3 k4 skew: a polynomial up to k4 r^8, OpenCV's p1 and p2 (Metashape)
+    aria,        ///< p = k1 to k6, p1 p2, s1 to s4 on the equidistant angle (Project Aria's Fisheye624)
+    division,    ///< p = k: x = x' / (1 + k r'^2), x' in the photo (Fitzgibbon 2001)
+    matchmover,  ///< p = k: x = x' (1 + k r'^2), x' in the photo
+    unified      ///< p = alpha, beta (extended unified model; Khomutenko et al. 2016)
 };
+inline constexpr LensModel last_lens_model = LensModel::unified;
 
 struct Lens {
     LensModel model = LensModel::none;
-    std::array<double, 8> p{};
+    std::array<double, 12> p{};
 
     /// False if distort() is the identity.
     bool distorts() const;

@@ -18,7 +18,7 @@
 #include "pipeline/commands/prepare_scene.h"
 #include "pipeline/commands/progress_line.h"
 #include "pipeline/commands/stop_signals.h"
-#include "pipeline/formats/import/cameras.h"
+#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/import/number.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/input_paths.h"

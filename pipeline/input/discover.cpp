@@ -8,8 +8,8 @@
 #include <set>
 #include <tuple>
 
+#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/clouds/cloud.h"
-#include "pipeline/formats/import/cameras.h"
 #include "pipeline/formats/import/ply.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/photo_matches.h"
@@ -105,7 +105,10 @@ Files camera_candidates(const Files& files) {
     Files found;
     for (const CameraFormat& format : camera_formats()) {
         for (const fs::path& f : files) {
-            if (format.files.empty() && format.matches(f)) found.push_back(f);
+            if (format.files.empty() && format.matches(f)) {
+                const fs::path path = format.one_per_photo ? f.parent_path() : f;
+                if (found.empty() || found.back() != path) found.push_back(path);
+            }
             if (is_first_of(format, f)) found.push_back(f.parent_path());
         }
         if (!found.empty()) return found;

@@ -8,10 +8,10 @@
 #include <map>
 #include <set>
 
+#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/clouds/cloud.h"
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/formats/images/photos.h"
-#include "pipeline/formats/import/cameras.h"
 #include "pipeline/formats/import/mesh.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
@@ -25,9 +25,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Intrinsics that lack the photo's size.
+Intrinsics in_pixels(const Intrinsics& k, CameraSet::Unit unit, const PhotoSize& size) {
+    using Unit = CameraSet::Unit;
+    const double scale = unit == Unit::photo_width   ? size.width
+                         : unit == Unit::longer_side ? std::max(size.width, size.height)
+                                                     : 1;
+    const double middle = unit == Unit::pixels_from_corner ? 0 : 0.5;
+    return {size.width,
+            size.height,
+            scale * k.fx,
+            scale * k.fy,
+            scale * k.cx + middle * size.width,
+            scale * k.cy + middle * size.height};
+}
+
 /// Fits the camera to the photo's size: fills in an unknown size, or scales a calibration made at another
 /// resolution. Throws Error(input) if the aspect ratios differ.
-void fit_to_photo(PhotoInput& photo, bool size_known, SceneInput& scene) {
+void fit_to_photo(PhotoInput& photo, CameraSet::Unit unit, SceneInput& scene) {
     const PhotoHeader header = read_photo_header(photo.file);
     const PhotoSize size = header.size;
     if (!header.profile.empty())
@@ -35,8 +50,8 @@ void fit_to_photo(PhotoInput& photo, bool size_known, SceneInput& scene) {
                                  "', treated as sRGB");
     photo.linear = header.linear;
     Intrinsics& k = photo.camera.intrinsics;
-    if (!size_known) {
-        k = {size.width, size.height, k.fx, k.fy, size.width / 2.0, size.height / 2.0};
+    if (unit != CameraSet::Unit::pixels) {
+        k = in_pixels(k, unit, size);
         return;
     }
     const bool same = k.width == size.width && k.height == size.height;
@@ -78,7 +93,7 @@ PhotoInput read_photo_input(const CameraSet::Entry& entry, const fs::path& file,
     photo.stencil = find_stencil(file);
     photo.read.push_back(stamped(file));
     if (!photo.stencil.empty()) photo.read.push_back(stamped(photo.stencil));
-    fit_to_photo(photo, entry.size_known, scene);
+    fit_to_photo(photo, entry.unit, scene);
     photo.decoded = {photo.camera.intrinsics.width, photo.camera.intrinsics.height};
     validate(photo.camera, photo.name);
     return photo;

@@ -31,7 +31,8 @@ class Fingerprint {
     }
     Fingerprint& add(const Lens& lens) {
         add(lens.model);
-        for (const double p : lens.p) add(p);
+        const std::size_t used = lens.model == LensModel::aria ? lens.p.size() : 8;  // others: at most 8
+        for (std::size_t i = 0; i < used; ++i) add(lens.p[i]);
         return *this;
     }
     std::uint64_t value() const { return checksum(bytes_); }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "pipeline/formats/import/cameras.h"
+#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"

@@ -1,5 +1,5 @@
 // Bundler cameras: list.txt and the .out file, separated by a line of "----".
-#include "pipeline/formats/import/cameras.h"
+#include "pipeline/formats/cameras/cameras.h"
 #include "scene/error.h"
 #include "tests/fuzz/memory_file.h"
 

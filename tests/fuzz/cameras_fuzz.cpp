@@ -1,6 +1,6 @@
 // Cameras in the format CAMERA_FORMAT: one file, or the two files of a folder, divided by a line of "----".
-// If the format has a binary and a text form, a leading zero byte selects binary.
-#include "pipeline/formats/import/cameras.h"
+// If the format has two forms, a leading zero byte selects the first.
+#include "pipeline/formats/cameras/cameras.h"
 #include "scene/error.h"
 #include "tests/fuzz/memory_file.h"
 
@@ -20,8 +20,9 @@ std::vector<CameraFormat> forms() {
 std::filesystem::path put(const fuzz::MemoryFolder& folder, const CameraFormat& format,
                           std::string_view input) {
     if (format.files.empty()) {
-        folder.set("cameras", input);
-        return folder.path() / "cameras";
+        const char* const name = format.one_per_photo ? "cameras.xmp" : "cameras";
+        folder.set(name, input);
+        return folder.path() / name;
     }
     const auto [first, second] = fuzz::divided(input);
     folder.set(format.files.at(0), first);

@@ -10,7 +10,7 @@
 #include "bands/bands.h"
 #include "pipeline/formats/export/colmap.h"
 #include "pipeline/formats/export/ply.h"
-#include "pipeline/formats/import/cameras.h"
+#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/import/mesh.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/package/tile_levels.h"

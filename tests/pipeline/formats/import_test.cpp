@@ -7,7 +7,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "pipeline/formats/import/cameras.h"
+#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/import/mesh.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
@@ -192,7 +192,7 @@ TEST_F(Import, RealvizCamerasAreRejectedWithAReason) {
         read_cameras(dir / "a.rz3");
         FAIL();
     } catch (const Error& e) {
-        EXPECT_NE(std::string(e.what()).find("order of rotations"), std::string::npos);
+        EXPECT_NE(std::string(e.what()).find("export .rzml instead"), std::string::npos);
     }
 }
 

@@ -1,8 +1,8 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "pipeline/formats/import/cameras.h"
-#include "pipeline/formats/import/conventions.h"
+#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/cameras/conventions.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -33,7 +33,7 @@ CameraSet::Entry read_raster(const std::filesystem::path& file, const pugi::xml_
     for (const double v : viewport)
         if (!(v >= 1 && v <= 1 << 20))
             throw Error(Exit::input, file.string() + ": " + label + ": ViewportPx is not a valid photo size");
-    CameraSet::Entry entry{plane ? plane.attribute("fileName").value() : label, {}, true};
+    CameraSet::Entry entry{plane ? plane.attribute("fileName").value() : label, {}};
     entry.camera.intrinsics = {int(viewport[0]),         int(viewport[1]), focal[0] / pixel_size[0],
                                focal[0] / pixel_size[1], center[0],        center[1]};
     Eigen::Matrix3d R;

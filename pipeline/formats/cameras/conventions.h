@@ -1,5 +1,7 @@
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/SVD>
+#include <array>
 #include <cmath>
 
 #include "scene/camera.h"
@@ -16,6 +18,30 @@ inline Pose from_bundler(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) {
 /// MeshLab's cameras (VCG) also look along -z with y up; the translation is the negated camera center.
 inline Pose from_meshlab(const Eigen::Matrix3d& R, const Eigen::Vector3d& minus_center) {
     return from_bundler(R, R * minus_center);
+}
+
+/// From a rotation of camera to world, and the camera's center.
+inline Pose from_camera_to_world(const Eigen::Matrix3d& R, const Eigen::Vector3d& center) {
+    return {R.transpose(), -R.transpose() * center};
+}
+
+/// Of camera to world: from axes with y up and z backward, as in OpenGL, to ours.
+inline Eigen::Matrix3d backward(const Eigen::Matrix3d& R) {
+    return R * Eigen::Vector3d(1, -1, -1).asDiagonal();
+}
+
+/// The rotation that is closest to a matrix.
+inline Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& m) {
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    return svd.matrixU() * svd.matrixV().transpose();
+}
+
+/// The lens with these coefficients of r^2, r^4, r^6, r^8, with OpenCV's p1 and p2, and with the skew in
+/// focal lengths.
+inline Lens brown_lens(const std::array<double, 4>& k, double p1, double p2, double skew) {
+    if (k[3] != 0 || skew != 0) return {LensModel::brown, {k[0], k[1], p1, p2, k[2], k[3], skew}};
+    const Lens lens{LensModel::opencv, {k[0], k[1], p1, p2, k[2]}};
+    return lens.distorts() ? lens : Lens{};
 }
 
 /// COLMAP's convention is ours. The quaternion (w, x, y, z) need not be normalized.

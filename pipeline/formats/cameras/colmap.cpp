@@ -3,8 +3,8 @@
 #include <map>
 #include <optional>
 
-#include "pipeline/formats/import/cameras.h"
-#include "pipeline/formats/import/conventions.h"
+#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/cameras/conventions.h"
 #include "pipeline/formats/import/tokens.h"
 #include "pipeline/run/read_file.h"
 
@@ -12,32 +12,41 @@ namespace vantage {
 namespace {
 
 /// A camera model of COLMAP. Elements of `focal_center` and `distortion` are indices into COLMAP's
-/// parameters, -1 if the model does not have the value.
+/// parameters.
 struct Model {
     const char* name;
     std::size_t parameters;
     std::array<int, 4> focal_center;  ///< fx fy cx cy
     LensModel lens;
-    std::array<int, 8> distortion;  ///< as Lens::p
+    std::vector<int> distortion{};  ///< as Lens::p; what is beyond the end is 0
 };
-constexpr std::array<int, 8> no_distortion{-1, -1, -1, -1, -1, -1, -1, -1};
 /// In the order of COLMAP's model IDs.
-constexpr Model models[] = {
-    {"SIMPLE_PINHOLE", 3, {0, 0, 1, 2}, LensModel::none, no_distortion},
-    {"PINHOLE", 4, {0, 1, 2, 3}, LensModel::none, no_distortion},
-    {"SIMPLE_RADIAL", 4, {0, 0, 1, 2}, LensModel::opencv, {3, -1, -1, -1, -1, -1, -1, -1}},
-    {"RADIAL", 5, {0, 0, 1, 2}, LensModel::opencv, {3, 4, -1, -1, -1, -1, -1, -1}},
-    {"OPENCV", 8, {0, 1, 2, 3}, LensModel::opencv, {4, 5, 6, 7, -1, -1, -1, -1}},
-    {"OPENCV_FISHEYE", 8, {0, 1, 2, 3}, LensModel::fisheye, {4, 5, 6, 7, -1, -1, -1, -1}},
+const Model models[] = {
+    {"SIMPLE_PINHOLE", 3, {0, 0, 1, 2}, LensModel::none},
+    {"PINHOLE", 4, {0, 1, 2, 3}, LensModel::none},
+    {"SIMPLE_RADIAL", 4, {0, 0, 1, 2}, LensModel::opencv, {3}},
+    {"RADIAL", 5, {0, 0, 1, 2}, LensModel::opencv, {3, 4}},
+    {"OPENCV", 8, {0, 1, 2, 3}, LensModel::opencv, {4, 5, 6, 7}},
+    {"OPENCV_FISHEYE", 8, {0, 1, 2, 3}, LensModel::fisheye, {4, 5, 6, 7}},
     {"FULL_OPENCV", 12, {0, 1, 2, 3}, LensModel::opencv, {4, 5, 6, 7, 8, 9, 10, 11}},
-    {"FOV", 5, {0, 1, 2, 3}, LensModel::fov, {4, -1, -1, -1, -1, -1, -1, -1}},
-    {"SIMPLE_RADIAL_FISHEYE", 4, {0, 0, 1, 2}, LensModel::fisheye, {3, -1, -1, -1, -1, -1, -1, -1}},
-    {"RADIAL_FISHEYE", 5, {0, 0, 1, 2}, LensModel::fisheye, {3, 4, -1, -1, -1, -1, -1, -1}},
+    {"FOV", 5, {0, 1, 2, 3}, LensModel::fov, {4}},
+    {"SIMPLE_RADIAL_FISHEYE", 4, {0, 0, 1, 2}, LensModel::fisheye, {3}},
+    {"RADIAL_FISHEYE", 5, {0, 0, 1, 2}, LensModel::fisheye, {3, 4}},
     {"THIN_PRISM_FISHEYE", 12, {0, 1, 2, 3}, LensModel::thin_prism, {4, 5, 6, 7, 8, 9, 10, 11}},
+    {"RAD_TAN_THIN_PRISM_FISHEYE",
+     16,
+     {0, 1, 2, 3},
+     LensModel::aria,
+     {4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}},
+    {"SIMPLE_DIVISION", 4, {0, 0, 1, 2}, LensModel::division, {3}},
+    {"DIVISION", 5, {0, 1, 2, 3}, LensModel::division, {4}},
+    {"SIMPLE_FISHEYE", 3, {0, 0, 1, 2}, LensModel::fisheye},
+    {"FISHEYE", 4, {0, 1, 2, 3}, LensModel::fisheye},
+    {"EUCM", 6, {0, 1, 2, 3}, LensModel::unified, {4, 5}},
 };
 
 Camera camera_of(const Model& m, int width, int height, const std::vector<double>& p) {
-    const auto at = [&](int i) { return i < 0 ? 0.0 : p[std::size_t(i)]; };
+    const auto at = [&](int i) { return p[std::size_t(i)]; };
     Camera c;
     c.intrinsics = {width,
                     height,
@@ -46,7 +55,7 @@ Camera camera_of(const Model& m, int width, int height, const std::vector<double
                     at(m.focal_center[2]),
                     at(m.focal_center[3])};
     c.lens.model = m.lens;
-    for (std::size_t i = 0; i < 8; ++i) c.lens.p[i] = at(m.distortion[i]);
+    for (std::size_t i = 0; i < m.distortion.size(); ++i) c.lens.p[i] = at(m.distortion[i]);
     return c;
 }
 
@@ -99,7 +108,7 @@ void add_image(CameraSet& set, const std::map<std::uint32_t, Camera>& cameras, s
                                      std::to_string(camera) + ", which is not in the cameras file");
     Camera c = it->second;
     c.cam_from_world = pose;
-    set.entries.push_back({photo, c, true});
+    set.entries.push_back({photo, c});
 }
 
 std::map<std::uint32_t, Camera> text_cameras(const std::filesystem::path& file) {
@@ -129,7 +138,8 @@ std::map<std::uint32_t, Camera> binary_cameras(const std::filesystem::path& file
         const auto id = in.read<std::uint32_t>();
         const auto model = in.read<std::int32_t>();
         if (model < 0 || std::size_t(model) >= std::size(models))
-            throw Error(Exit::input, file.string() + ": unknown camera model " + std::to_string(model));
+            throw Error(Exit::input, file.string() + ": camera model " + std::to_string(model) +
+                                         " is not known, or no perspective one");
         const auto width = in.read<std::uint64_t>(), height = in.read<std::uint64_t>();
         if (width > 1u << 20 || height > 1u << 20)
             throw Error(Exit::input,

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "pipeline/formats/import/cameras.h"
-#include "pipeline/formats/import/conventions.h"
+#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/cameras/conventions.h"
 #include "pipeline/formats/import/tokens.h"
 
 namespace vantage {
@@ -81,7 +81,7 @@ CameraSet read_bundler(const std::filesystem::path& file) {
         }
         c.intrinsics.fx = c.intrinsics.fy = f;
         c.cam_from_world = from_bundler(R, t);
-        set.entries.push_back({photo, c, false});
+        set.entries.push_back({photo, c, CameraSet::Unit::pixels_from_center});
     }
     return set;
 }

@@ -1,0 +1,102 @@
+// A real scan with its cameras in the files of other programs becomes the same package.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <Eigen/Geometry>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <sstream>
+
+#include "pipeline/formats/cameras/cameras.h"
+#include "scene/package_reader.h"
+#include "tests/datasets.h"
+#include "tests/pipeline/formats/exported_cameras.h"
+#include "tests/temporary_folder.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+using exported::Photo;
+
+class CameraFormats : public TemporaryFolder {
+  protected:
+    int run(const std::string& words) const {
+        const int status =
+            std::system((VANTAGE_PROGRAM " " + words + " >" + (dir / "says").string() + " 2>&1").c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    fs::path package(const std::string& name) const { return dir / (name + ".vantage"); }
+    /// Prepares the scan with these files as its cameras.
+    void prepare(const std::string& name, const std::map<std::string, std::string>& files,
+                 const fs::path& scan) const {
+        fs::create_directories(dir / name);
+        fs::create_symlink(scan / "images", dir / name / "images");
+        fs::create_symlink(scan / "mesh.ply", dir / name / "mesh.ply");
+        for (const auto& [file, text] : files) std::ofstream(dir / name / file, std::ios::binary) << text;
+        ASSERT_EQ(run("prepare " + (dir / name).string() + " -o " + package(name).string() +
+                      " --no-report --effect registration=off"),
+                  0)
+            << slurp(dir / "says");
+    }
+    /// Poses to 1e-9, everything else to the bit.
+    void expect_equal(const std::string& a, const std::string& b) const {
+        const PackageReader one(package(a)), other(package(b));
+        ASSERT_EQ(one.photos().size(), other.photos().size()) << b;
+        for (std::size_t i = 0; i < one.photos().size(); ++i) {
+            const Pose p = cam_from_origin(one.photos()[i]), q = cam_from_origin(other.photos()[i]);
+            EXPECT_LT((p.R - q.R).norm(), 1e-9) << b << ", photo " << i;
+            EXPECT_LT((p.center() - q.center()).norm(), 1e-9) << b << ", photo " << i;
+        }
+        run("diff " + package(a).string() + " " + package(b).string());
+        std::istringstream differences(slurp(dir / "says"));
+        for (std::string line; std::getline(differences, line);)
+            EXPECT_TRUE(line.starts_with("inputs: ") || line.ends_with(": camera: different"))
+                << b << ": " << line;
+    }
+};
+
+std::vector<Photo> photos_of(const fs::path& sparse) {
+    std::vector<Photo> out;
+    for (const CameraSet::Entry& e : read_cameras(sparse).entries) {
+        const Intrinsics& k = e.camera.intrinsics;
+        Photo p{e.photo, k.width, k.height, k.fx, k.fy, k.cx, k.cy};
+        p.R = e.camera.cam_from_world.R;
+        p.center = e.camera.cam_from_world.center();
+        out.push_back(p);
+    }
+    return out;
+}
+
+TEST_F(CameraFormats, MakeTheSamePackageOfARealScan) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    const fs::path real = fs::absolute(scan);
+    const std::vector<Photo> photos = photos_of(real / "sparse");
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, -0.5).normalized()).toRotationMatrix();
+    std::map<std::string, std::string> sidecars;
+    for (const Photo& p : photos)
+        sidecars[fs::path(p.name).stem().string() + ".xmp"] = exported::realitycapture_xmp(p, false);
+    prepare(
+        "colmap",
+        {{"cameras.txt", exported::colmap_cameras(photos)}, {"images.txt", exported::colmap_images(photos)}},
+        real);
+    const std::pair<const char*, std::map<std::string, std::string>> formats[] = {
+        {"metashape", {{"cameras.xml", exported::metashape(photos, turn, {30, -4, 7}, 2.5)}}},
+        {"sidecars", sidecars},
+        {"table", {{"cameras.csv", exported::realitycapture_csv(photos)}}},
+        {"meshroom", {{"cameras.sfm", exported::meshroom(photos)}}},
+        {"openmvg", {{"sfm_data.json", exported::openmvg(photos)}}},
+        {"opensfm", {{"reconstruction.json", exported::opensfm(photos)}}},
+        {"transforms", {{"transforms.json", exported::transforms(photos, turn, {0, 1, 2})}}},
+        {"blocks", {{"block.xml", exported::blocks_exchange(photos)}}}};
+    for (const auto& [name, files] : formats) {
+        prepare(name, files, real);
+        expect_equal("colmap", name);
+    }
+}
+
+}  // namespace
+}  // namespace vantage
