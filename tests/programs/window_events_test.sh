@@ -27,7 +27,7 @@ there "Section Picture" && fail "the sidebar is open at the start"
 xdotool mousemove 500 400 click 4
 xdotool key --delay 60 F3 F5 F6 F6
 frames 4
-xdotool key --delay 60 ctrl+c ctrl+c
+xdotool key --delay 60 ctrl+c
 there "Wiper" && fail "Ctrl+C compares"
 xdotool key --delay 60 c c c
 there "Wiper" || fail "three taps of C do not show the wiper"

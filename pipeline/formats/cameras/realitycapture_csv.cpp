@@ -161,7 +161,10 @@ bool is_realitycapture_csv(const std::filesystem::path& file) {
     try {
         const std::vector<std::byte> begin = read_file(file, 1000);
         const std::string_view text(reinterpret_cast<const char*>(begin.data()), begin.size());
-        return text.starts_with("#cameras") || text.starts_with("#name,") || text.starts_with("name,");
+        // Other tables have names, too.
+        return text.starts_with("#cameras") ||
+               ((text.starts_with("#name,") || text.starts_with("name,")) &&
+                (text.find(",x,") != text.npos || text.find(",tx,") != text.npos));
     } catch (const Error&) {
         return false;
     }
