@@ -111,7 +111,7 @@ void read_photos(const XmlFile& file, pugi::xml_node group, CameraSet& set, Left
         const pugi::xml_node pose = photo.child("Pose"), rotation = pose.child("Rotation"),
                              center = pose.child("Center");
         if (!rotation || !center) {
-            left_out.add(name, "has no pose");
+            left_out.add(name, "no pose");
             continue;
         }
         const Eigen::Matrix3d R = axes * rotation_of(file, rotation);

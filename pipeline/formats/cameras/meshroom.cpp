@@ -110,7 +110,7 @@ CameraSet read_meshroom(const std::filesystem::path& file) {
         const auto pose = poses.find(identifier(view.at("poseId")));
         const auto intrinsic = intrinsics.find(identifier(view.at("intrinsicId")));
         if (pose == poses.end() || is_in_rig(view)) {
-            left_out.add(photo, is_in_rig(view) ? "belongs to a rig" : "has no pose");
+            left_out.add(photo, is_in_rig(view) ? "part of a rig" : "no pose");
             continue;
         }
         if (intrinsic == intrinsics.end()) view.at("intrinsicId").fail("an intrinsic of this file");

@@ -132,7 +132,7 @@ class Chunk {
         const std::string photo = node.attribute("label").value();
         if (!is_enabled(node)) return left_out_.add(photo, "disabled");
         if (node.attribute("master_id")) return left_out_.add(photo, "a rig's further camera");
-        if (!node.child("transform")) return left_out_.add(photo, "has no pose");
+        if (!node.child("transform")) return left_out_.add(photo, "no pose");
         const Sensor sensor = sensor_of(node);
         if (!sensor.why_not.empty()) return left_out_.add(photo, sensor.why_not);
         Camera camera = sensor.camera;

@@ -98,7 +98,7 @@ CameraSet read_openmvg(const std::filesystem::path& file) {
         const auto pose = poses.find(identifier(view.at("id_pose")));
         const auto camera = cameras.find(identifier(view.at("id_intrinsic")));
         if (pose == poses.end() || camera == cameras.end()) {
-            left_out.add(photo, pose == poses.end() ? "has no pose" : "has no intrinsics");
+            left_out.add(photo, pose == poses.end() ? "no pose" : "no intrinsics");
             continue;
         }
         set.entries.push_back({photo, camera->second, CameraSet::Unit::pixels});

@@ -112,7 +112,7 @@ CameraSet read_realitycapture_xmp(const fs::path& folder) {
         if (const auto entry = read_sidecar(file, description, photo))
             set.entries.push_back(*entry);
         else
-            left_out.add(photo, "its sidecar has no pose");
+            left_out.add(photo, "no pose in the sidecar");
         const std::string coordinates = value_of(description, "Coordinates").text;
         relative += coordinates == "relative" || coordinates == "rigid";
     }
