@@ -76,23 +76,23 @@ lines=$(grep -vc '^#' one-0001.path)
 [ "$lines" -ge 60 ] || fail "more than two seconds were recorded as $lines positions, expected 30 per second"
 
 # What is let go in motion moves on, unless the user does without inertia.
-throw() {  # throw NUMBER: by how many degrees the camera rises when dragged by 60 pixels and let go; records path NUMBER
+throw() {  # throw NUMBER: by how many degrees the camera rises when dragged by 240 pixels and let go; records path NUMBER
   xdotool key r; frames 2
   xdotool mousemove 450 200; frames 2
   xdotool mousedown 1; frames 2
   # shellcheck disable=SC2046
-  xdotool $(for _ in $(seq 12); do echo mousemove_relative 0 5 sleep 0.02; done) mouseup 1
+  xdotool $(for _ in $(seq 60); do echo mousemove_relative 0 4 sleep 0.02; done) mouseup 1
   sleep 3; xdotool key r; frames 3
   awk '/^[^#]/ { x = $1 - $4; y = $2 - $5; z = $3 - $6; last = atan2(z, sqrt(x * x + y * y)); if (!n++) first = last }
     END { print int((last - first) * 180 / 3.14159265 + 0.5) }' "one-000$1.path"
 }
 xdotool key h; sleep 1; step_back
 risen=$(throw 2)
-[ "$risen" -gt 13 ] || fail "a drag let go in motion raised the camera by $risen degrees, expected more than the 12 dragged"
+[ "$risen" -gt 49 ] || fail "a drag let go in motion raised the camera by $risen degrees, expected more than the 48 dragged"
 xdotool key h; sleep 1; step_back
 press "Inertia"
 risen=$(throw 3)
-[ "$risen" = 12 ] || fail "without inertia, a drag raised the camera by $risen degrees, expected 12"
+[ "$risen" = 48 ] || fail "without inertia, a drag raised the camera by $risen degrees, expected 48"
 press "Inertia"
 
 # A flight ends at the photo's camera, with the pointer over the scene.
