@@ -9,7 +9,7 @@ namespace {
 constexpr double seconds = 0.25;         // of which the speed falls to 1/e
 constexpr double looked_back = 0.1;      // seconds
 constexpr double longest_pause = 0.04;   // seconds without movement before it is let go
-constexpr std::size_t least_frames = 3;  // that are looked at, where frames are slow
+constexpr std::size_t least_frames = 4;  // that are looked at, where frames are slow
 constexpr double least_speed = 50;       // pixels per second
 
 double length(const Drag& d) { return std::hypot(d.right, d.down); }
