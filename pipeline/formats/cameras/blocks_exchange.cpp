@@ -1,6 +1,5 @@
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <string_view>
 

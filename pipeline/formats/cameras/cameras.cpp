@@ -14,13 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// COLMAP's folder; `path` is the folder itself or one of its files.
-fs::path colmap_folder(const fs::path& path) { return fs::is_directory(path) ? path : path.parent_path(); }
+/// The folder of a format with several files; `path` is the folder itself or one of them.
+fs::path folder_of(const fs::path& path) { return fs::is_directory(path) ? path : path.parent_path(); }
 
 bool is_colmap(const fs::path& path, const char* cameras) {
     const fs::path stem = path.stem();
     return (fs::is_directory(path) || stem == "cameras" || stem == "images") &&
-           fs::exists(colmap_folder(path) / cameras);
+           fs::exists(folder_of(path) / cameras);
 }
 
 /// Whether the beginning of a file has one of these texts.
@@ -41,9 +41,6 @@ bool begins_with(const fs::path& file, std::initializer_list<std::string_view> t
 bool is_json(const fs::path& file) { return lower_extension(file) == ".json"; }
 bool is_xml(const fs::path& file) { return lower_extension(file) == ".xml"; }
 
-/// The folder of sidecars; `path` is the folder itself or one of them.
-fs::path sidecar_folder(const fs::path& path) { return fs::is_directory(path) ? path : path.parent_path(); }
-
 constexpr const char* colmap_form = "folder (cameras and images, .bin or .txt)";
 
 const CameraFormat formats[] = {
@@ -51,12 +48,12 @@ const CameraFormat formats[] = {
      .form = colmap_form,
      .files = {"cameras.bin", "images.bin"},
      .matches = [](const fs::path& p) { return p.extension() != ".txt" && is_colmap(p, "cameras.bin"); },
-     .read = [](const fs::path& p) { return read_colmap_binary(colmap_folder(p)); }},
+     .read = [](const fs::path& p) { return read_colmap_binary(folder_of(p)); }},
     {.name = "COLMAP",
      .form = colmap_form,
      .files = {"cameras.txt", "images.txt"},
      .matches = [](const fs::path& p) { return is_colmap(p, "cameras.txt"); },
-     .read = [](const fs::path& p) { return read_colmap_text(colmap_folder(p)); }},
+     .read = [](const fs::path& p) { return read_colmap_text(folder_of(p)); }},
     {.name = "Metashape",
      .form = "cameras .xml",
      .files = {},
@@ -72,8 +69,8 @@ const CameraFormat formats[] = {
          [](const fs::path& p) {
              return fs::is_directory(p) ? !realitycapture_sidecars(p).empty() : is_realitycapture_sidecar(p);
          },
-     .read = [](const fs::path& p) { return read_realitycapture_xmp(sidecar_folder(p)); },
-     .companions = [](const fs::path& p) { return realitycapture_sidecars(sidecar_folder(p)); },
+     .read = [](const fs::path& p) { return read_realitycapture_xmp(folder_of(p)); },
+     .companions = [](const fs::path& p) { return realitycapture_sidecars(folder_of(p)); },
      .one_per_photo = true},
     {.name = "RealityCapture",
      .form = ".csv",
@@ -154,7 +151,7 @@ std::vector<fs::path> camera_files(const fs::path& path) {
     const CameraFormat* format = format_of(path);
     if (!format) return {path};
     std::vector<fs::path> files;
-    for (const char* name : format->files) files.push_back(colmap_folder(path) / name);
+    for (const char* name : format->files) files.push_back(folder_of(path) / name);
     if (format->files.empty() && !format->one_per_photo) files.push_back(path);
     if (format->companions) std::ranges::move(format->companions(path), std::back_inserter(files));
     std::erase_if(files, [](const fs::path& file) { return !fs::exists(file); });
