@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "pipeline/rays/ray_scene.h"
 #include "pipeline/synth/building.h"
-#include "pipeline/synth/ray_scene.h"
 #include "scene/camera.h"
 
 namespace vantage {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "pipeline/formats/export/colmap.h"
+#include "pipeline/rays/ray_scene.h"
 #include "pipeline/synth/building.h"
-#include "pipeline/synth/ray_scene.h"
 #include "pipeline/synth/spec.h"
 
 namespace vantage {

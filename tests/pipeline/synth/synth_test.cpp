@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "pipeline/rays/ray_scene.h"
 #include "pipeline/synth/building.h"
-#include "pipeline/synth/ray_scene.h"
 #include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 

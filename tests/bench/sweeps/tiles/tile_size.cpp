@@ -5,7 +5,7 @@
 
 #include "gl/context.h"
 #include "gl/object.h"
-#include "pipeline/synth/ray_scene.h"
+#include "pipeline/rays/ray_scene.h"
 #include "player/evaluate/photo_pixels.h"
 #include "player/plan/sampling.h"
 #include "scene/tiling.h"
@@ -170,8 +170,7 @@ std::vector<Measurement> measure_sizes(const BenchScene& scene, const Effort& ef
     std::vector<Blocks> shown;
     for (const TrueView& v : scene.views)
         shown.push_back(shown_blocks(package, model, v, effort.points < 20000 ? 4 : 2));
-    const std::vector<double> ms =
-        upload_ms(photo_at_level(package, photos[0], 0), effort.repeats);
+    const std::vector<double> ms = upload_ms(photo_at_level(package, photos[0], 0), effort.repeats);
     gl::check("uploading tiles");
     std::vector<Measurement> out;
     for (std::size_t s = 0; s < std::size(tile_sizes); ++s) {

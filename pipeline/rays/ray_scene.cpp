@@ -1,4 +1,4 @@
-#include "pipeline/synth/ray_scene.h"
+#include "pipeline/rays/ray_scene.h"
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>

@@ -1,0 +1,36 @@
+#pragma once
+#include <Eigen/Core>
+#include <memory>
+
+#include "scene/mesh.h"
+
+namespace vantage {
+
+/// The nearest point of a surface or cloud.
+struct NearestPoint {
+    Eigen::Vector3d point, normal;  ///< not of unit length; zero if the cloud has none
+    double distance;
+
+    /// Whether the normal points away from `at`, whose nearest point this is.
+    bool is_behind(const Eigen::Vector3d& at) const { return normal.dot(at - point) < 0; }
+};
+
+/// A mesh's triangles, or a cloud's points, for queries of the nearest one (Embree). Boxes are of single
+/// precision and relative to the first vertex, distances of double precision. Thread-safe.
+class NearestSurface {
+  public:
+    /// `mesh` must have a vertex and outlive this object. Throws Error(memory).
+    explicit NearestSurface(const Mesh& mesh);
+    ~NearestSurface();
+    NearestSurface(NearestSurface&&) noexcept;
+
+    /// On edges and at corners, where several triangles are nearest, the normal is the sum of theirs,
+    /// weighted by angle (Baerentzen and Aanaes 2005).
+    NearestPoint nearest(const Eigen::Vector3d& at) const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace vantage
