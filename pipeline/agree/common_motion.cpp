@@ -22,14 +22,6 @@ void for_each_photo_of(const Track& track, const Visit& visit) {
 
 }  // namespace
 
-Pose compose(const Pose& pose, const Similarity& s) {
-    return {pose.R * s.R, (pose.R * s.t + pose.t) / s.scale};
-}
-
-Similarity inverse(const Similarity& s) {
-    return {s.R.transpose(), -(s.R.transpose() * s.t) / s.scale, 1 / s.scale};
-}
-
 Eigen::Matrix<double, 2, 3> pixel_derivative(const Intrinsics& k, const Vector3d& p) {
     Eigen::Matrix<double, 2, 3> out;
     out << k.fx / p.z(), 0, -k.fx * p.x() / (p.z() * p.z()), 0, k.fy / p.z(), -k.fy * p.y() / (p.z() * p.z());

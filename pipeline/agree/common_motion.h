@@ -6,19 +6,9 @@
 
 #include "pipeline/agree/surface_matches.h"
 #include "scene/camera.h"
+#include "scene/similarity.h"
 
 namespace vantage {
-
-/// The similarity x -> scale * R * x + t.
-struct Similarity {
-    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-    Eigen::Vector3d t = Eigen::Vector3d::Zero();
-    double scale = 1;
-};
-
-/// The camera that projects x to where `pose` projects S(x).
-Pose compose(const Pose& pose, const Similarity& s);
-Similarity inverse(const Similarity& s);
 
 /// A small similarity: rotation about the middle (rad), translation (units of `size`), ln scale.
 using SmallMotion = Eigen::Matrix<double, 7, 1>;

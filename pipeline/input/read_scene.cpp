@@ -274,6 +274,7 @@ SceneInput read_scene(const InputFiles& files) {
         if (is_bands_file(files.bands)) scene.read.push_back(stamped(files.bands));
         cameras = read_camera_files(files);
         scene.camera_format = cameras.front().set.format;
+        scene.transform = cameras.front().set.transform;
     }
     for (const CameraFile& c : cameras)
         scene.warnings.insert(scene.warnings.end(), c.set.warnings.begin(), c.set.warnings.end());

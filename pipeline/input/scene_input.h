@@ -7,6 +7,7 @@
 #include "pipeline/input/file_identity.h"
 #include "scene/camera.h"
 #include "scene/mesh.h"
+#include "scene/similarity.h"
 
 namespace vantage {
 
@@ -49,7 +50,9 @@ struct UnusablePhoto {
 /// Everything `prepare` starts from.
 struct SceneInput {
     InputFiles files;
-    std::string camera_format;  ///< display name: "COLMAP text", "Bundler", ...
+    std::string camera_format;           ///< display name: "COLMAP text", "Bundler", ...
+    std::string convention = "as-read";  ///< see conventions(): what was changed in all cameras
+    Similarity transform{};  ///< from the camera file's frame to the mesh's, by that file; identity: none
     Mesh mesh;
     std::vector<Mesh> compared;           ///< of files.compared
     Mesh points;                          ///< of all files.points; without triangles

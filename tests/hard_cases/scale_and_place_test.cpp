@@ -29,7 +29,7 @@ using package::Type;
 namespace {
 
 /// x' = scale * turn * x + move.
-struct Similarity {
+struct OtherFrame {
     double scale = 1;
     Eigen::Vector3d move = Eigen::Vector3d::Zero();
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
@@ -109,9 +109,9 @@ class ScaleAndPlace : public TemporaryFolder {
         ScalarLayer number{"number", {}};
         for (std::size_t v = 0; v < scene.mesh.positions.size(); ++v) number.values.push_back(float(v));
         scene.mesh.scalars.push_back(number);
-        given = opened(Similarity{}, "given");
+        given = opened(OtherFrame{}, "given");
     }
-    std::unique_ptr<Opened> opened(const Similarity& by, const char* name) const {
+    std::unique_ptr<Opened> opened(const OtherFrame& by, const char* name) const {
         return opened(by.moved(scene), name);
     }
     std::unique_ptr<Opened> opened(const SceneInput& input, const char* name) const {
@@ -176,7 +176,7 @@ class ScaleAndPlace : public TemporaryFolder {
 
     /// Expects no byte to differ by more than 2. If the order of triangles differs, this excludes a few
     /// pixels where an edge snaps to the other side of the center.
-    void expect_same_pictures(Opened& other, const Similarity& by) const {
+    void expect_same_pictures(Opened& other, const OtherFrame& by) const {
         const double most = given->order() == other.order() ? 0 : 1e-4;
         const Eigen::Vector3d origin = given->origin();
         const View views[] = {view_of_photo(given->package.photos()[1], 1),
@@ -201,7 +201,7 @@ class ScaleAndPlace : public TemporaryFolder {
         }
     }
 
-    void expect_same(const Similarity& by) const {
+    void expect_same(const OtherFrame& by) const {
         const auto other = opened(by, "other");
         EXPECT_EQ(given->package.scene().effects, other->package.scene().effects);
         expect_same_coordinates(*other);
@@ -240,13 +240,13 @@ Eigen::Matrix3d turned(double angle, const Eigen::Vector3d& axis) {
 TEST_F(ScaleAndPlace, UnitsPositionAndOrientationDoNotMatter) {
     const Eigen::Matrix3d none = Eigen::Matrix3d::Identity();
     const Eigen::Vector3d here = Eigen::Vector3d::Zero();
-    const Similarity cases[] = {{1e-4, here, none},
+    const OtherFrame cases[] = {{1e-4, here, none},
                                 {1e4, here, none},
                                 {1, here, turned(2.1, {0.3, -1, 0.7})},
                                 {1, {5e5, 5e6, 120}, none},
                                 {1e-4, {-5e5, 5e5, 5e5}, turned(1.3, {1, 0.2, 0.4})},
                                 {1e4, {5e6, -5e6, 5e6}, turned(-2.8, {0.1, 0.9, -0.3})}};
-    for (const Similarity& by : cases) {
+    for (const OtherFrame& by : cases) {
         SCOPED_TRACE("scale " + std::to_string(by.scale) + ", moved by " + std::to_string(by.move.norm()) +
                      ", turned by " + std::to_string(Eigen::AngleAxisd(by.turn).angle()));
         expect_same(by);
@@ -254,7 +254,7 @@ TEST_F(ScaleAndPlace, UnitsPositionAndOrientationDoNotMatter) {
 }
 
 TEST_F(ScaleAndPlace, ScalingByAPowerOfTwoIsBitExact) {
-    const auto other = opened(Similarity{.scale = 0x1p13}, "other");
+    const auto other = opened(OtherFrame{.scale = 0x1p13}, "other");
     for (const std::uint32_t photo : given->photos) {
         EXPECT_EQ(given->texels(Type::masks, photo, mask_level),
                   other->texels(Type::masks, photo, mask_level));
@@ -270,7 +270,7 @@ TEST_F(ScaleAndPlace, ScalingByAPowerOfTwoIsBitExact) {
 TEST_F(ScaleAndPlace, StrayTriangleCostsNoPrecision) {
     struct Case {
         const char* name;
-        Similarity by;
+        OtherFrame by;
         Eigen::Vector3d corner;
     };
     for (const Case& c : {Case{"utm", {1, {5e5, -5.4e6, 120}}, {0, 0, 0}}, Case{"local", {}, {3, 1e6, -2}},

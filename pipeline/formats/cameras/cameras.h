@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/similarity.h"
 
 namespace vantage {
 
@@ -27,6 +28,9 @@ struct CameraSet {
     std::string format;  ///< display name: "COLMAP text", "Bundler", ...
     std::vector<Entry> entries;
     std::vector<std::string> warnings;
+    /// What the file says that leads from its frame to the mesh's; done to `entries` (of the first, if they
+    /// differ).
+    Similarity transform{};
 };
 
 /// A camera format: a file, or a folder of files with fixed names.

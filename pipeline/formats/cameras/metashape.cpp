@@ -13,13 +13,6 @@
 namespace vantage {
 namespace {
 
-/// x = t + scale R y.
-struct Similarity {
-    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-    Eigen::Vector3d t = Eigen::Vector3d::Zero();
-    double scale = 1;
-};
-
 Eigen::Matrix3d by_rows(const std::vector<double>& n, std::size_t columns) {
     Eigen::Matrix3d out;
     for (std::size_t i = 0; i < 9; ++i)
@@ -111,6 +104,7 @@ class Chunk {
     }
     void move_to(CameraSet& set) {
         set.entries = std::move(entries_);
+        set.transform = first_;
         left_out_.tell(set.warnings);
         // Positions lead to geocentric coordinates then, and the mesh is exported in the projection.
         const std::string system = chunk_.child_value("reference");
@@ -137,6 +131,7 @@ class Chunk {
         if (!sensor.why_not.empty()) return left_out_.add(photo, sensor.why_not);
         Camera camera = sensor.camera;
         camera.cam_from_world = pose_of(node);
+        if (entries_.empty()) first_ = transform_of(node);
         entries_.push_back({photo, camera});
     }
     Sensor sensor_of(pugi::xml_node camera) const {
@@ -148,18 +143,22 @@ class Chunk {
         if (!sensor.why_not.empty()) sensor.why_not = "its sensor " + found->first + " " + sensor.why_not;
         return sensor;
     }
-    Pose pose_of(pugi::xml_node camera) const {
+    /// From the chunk to the mesh.
+    const Similarity& transform_of(pugi::xml_node camera) const {
         const auto component = components_.find(camera.attribute("component_id").value());
-        const Similarity& world = component == components_.end() ? own_ : component->second;
+        return component == components_.end() ? own_ : component->second;
+    }
+    Pose pose_of(pugi::xml_node camera) const {
+        const Similarity& world = transform_of(camera);
         const Similarity in_chunk = from_matrix(file_, camera.child("transform"));
-        return from_camera_to_world(world.R * in_chunk.R, world.t + world.scale * (world.R * in_chunk.t));
+        return from_camera_to_world(world.R * in_chunk.R, world(in_chunk.t));
     }
 
     const XmlFile& file_;
     pugi::xml_node chunk_;
     std::map<std::string, Sensor> sensors_;
     std::map<std::string, Similarity> components_;
-    Similarity own_;
+    Similarity own_, first_;
     std::vector<CameraSet::Entry> entries_;
     LeftOut left_out_;
 };

@@ -48,6 +48,11 @@ class Frames {
             from_camera_to_world(backward(m.topLeftCorner<3, 3>()), m.topRightCorner<3, 1>());
         return entry;
     }
+    /// From the file's frame to the original one; of an affine map, its rotation and scale.
+    Similarity transform() const {
+        const Eigen::Matrix3d m = original_.topLeftCorner<3, 3>();
+        return {nearest_rotation(m), original_.topRightCorner<3, 1>(), std::cbrt(std::abs(m.determinant()))};
+    }
 
   private:
     double number(const LocatedJson& frame, const char* key, double otherwise) const {
@@ -102,6 +107,7 @@ CameraSet read_transforms(const std::filesystem::path& file) {
     const LocatedJson all = json.root();
     const Frames frames(all);
     CameraSet set{"transforms.json", {}, {}};
+    set.transform = frames.transform();
     std::map<std::string, Eigen::Matrix3d> seen;
     for (const LocatedJson& frame : all.at("frames").items(most_cameras)) {
         CameraSet::Entry entry = frames.read(frame);
