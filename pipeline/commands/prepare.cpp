@@ -12,6 +12,7 @@
 #include "cli/known_values.h"
 #include "cli/real_range.h"
 #include "output/output_file.h"
+#include "pipeline/align/conventions.h"
 #include "pipeline/commands/apply_config.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
@@ -46,7 +47,7 @@ struct PrepareOptions {
     std::string input, mesh, cameras, photos, out, distance = "auto", resampling = "cubic",
                                                    render_by = "auto", config;
     std::string progress = "auto", share, trace, report, refine = "full", tiles = "auto";
-    std::vector<std::string> effects;
+    std::vector<std::string> effects, conventions{convention_auto};
     PrepareSettings settings;
     bool explain = false, strict = false, rehash = false, no_report = false, force = false;
 
@@ -139,7 +140,7 @@ std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const
     }
 }
 
-void print_scene(const SceneInput& scene) {
+void print_scene(const SceneInput& scene, const ConventionTrials& fit) {
     if (!scene.files.mesh.empty())
         fmt::print("mesh     {} ({} vertices, {} triangles)\n", scene.files.mesh.string(),
                    scene.mesh.positions.size(), scene.mesh.triangles.size());
@@ -157,6 +158,8 @@ void print_scene(const SceneInput& scene) {
     if (!scene.points.positions.empty())
         fmt::print("points   {}{} ({})\n", scene.files.points.front().string(),
                    scene.files.points.size() > 1 ? " and others" : "", scene.points.positions.size());
+    if (scene.convention != as_read) fmt::print("taken    with --convention {}\n", scene.convention);
+    if (const std::string text = fit_of(fit, scene); !text.empty()) fmt::print("fit      {}\n", text);
     for (const std::string& n : scene.files.notes) fmt::print("note     {}\n", n);
     for (const std::string& w : scene.warnings) fmt::print("warning  {}\n", w);
     std::fflush(stdout);
@@ -201,6 +204,11 @@ SceneInput read_traced(const InputFiles& files, Trace& trace) {
     return read_scene(files);
 }
 
+ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {
+    const Traced traced(&trace, "conventions");
+    return settle_convention(scene, settings.convention, settings.threads);
+}
+
 /// What effects are worth and cost here, and what settings cost elsewhere.
 void print_explanation(const PrepareOptions& o, const SceneInput& scene, const Trace& trace) {
     const PackageReader package(o.out);
@@ -212,6 +220,7 @@ int run_prepare(PrepareOptions o) {
     o.settings.distance = distance_method(o.distance);
     o.settings.resampling = resampling(o.resampling);
     o.settings.render_by = render_by(o.render_by);
+    o.settings.convention = wanted_conventions(o.conventions);
     for (const EffectRow& row : effect_table())
         if ((row.basis == Basis::pixels && o.refine != "full") ||
             (row.basis == Basis::colors && o.refine == "off"))
@@ -230,7 +239,8 @@ int run_prepare(PrepareOptions o) {
     }
     Trace trace;
     SceneInput scene = read_traced(files, trace);
-    print_scene(scene);
+    const ConventionTrials fit = settle_traced(scene, o.settings, trace);
+    print_scene(scene, fit);
     const PrepareResult done =
         prepare_shown(o, o.explain ? scene : std::move(scene), identities, trace, start);
     if (!o.trace.empty()) write_trace(o.trace, trace.spans());
@@ -306,6 +316,14 @@ void add_prepare(CLI::App& app, Run& run) {
                   "each band, such as infrared = [\"ir/*\", \"*_nir.tif\"]")
         ->type_name("FILE")
         ->check(known_values({"auto", "folders", "off"}))
+        ->capture_default_str();
+    c->add_option(
+         "--convention", o->conventions,
+         "where cameras or mesh differ from what their format says: auto (the photos decide), as-read, "
+         "or one or more of the others")
+        ->type_name("NAME")
+        ->delimiter(',')
+        ->check(known_values(convention_names()))
         ->capture_default_str();
     c->add_option("-o,--output", o->out, "the package to write; of a scene file: the folder for packages")
         ->type_name("FILE")

@@ -78,6 +78,7 @@ json inputs_json(const SceneInput& scene, IdentityCache& identities) {
     inputs["points"] = json::array();
     for (const fs::path& file : scene.files.points) inputs["points"].push_back(input_json(file, identities));
     inputs["camera_format"] = scene.camera_format;
+    inputs["convention"] = scene.convention;
     if (scene.files.cameras.empty())
         inputs["cameras"] = json::array();
     else
@@ -149,6 +150,7 @@ json settings_json(const PrepareSettings& s) {
              {"points", names_of(s.points)},
              {"effects", choices_json(s.effects)}};
     if (s.bands != bands_auto) out["bands"] = is_bands_file(s.bands) ? file_name(s.bands) : s.bands;
+    if (s.convention != "auto") out["convention"] = s.convention;
     if (s.vertex_coordinates) out["vertex_coordinates"] = true;
     return out;
 }

@@ -239,9 +239,10 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
     for (const auto& [key, value] : now.items())
         if (const json before = was.value(key, json{}); before != value)
             out.push_back("setting " + key + ": was " + before.dump() + ", is now " + value.dump());
-    // Stored only if it is not the default.
-    if (was.contains("bands") && !now.contains("bands"))
-        out.push_back("setting bands: was " + was.at("bands").dump() + ", is now \"auto\"");
+    for (const char* const key : {"bands", "convention"})  // stored only if they are not the default
+        if (was.contains(key) && !now.contains(key))
+            out.push_back(std::string("setting ") + key + ": was " + was.at(key).dump() +
+                          ", is now not given");
     return out;
 }
 

@@ -1,0 +1,294 @@
+#include "pipeline/align/conventions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include "scene/error.h"
+#include "values/quantile.h"
+
+namespace vantage {
+namespace {
+
+/// The error that counts half; a tenth of a percent is 4 px of a photo of 12 megapixels.
+constexpr double half = 0.001;
+/// Matched features with a larger epipolar error do not show the same point; a mesh with larger errors does
+/// not fit.
+constexpr double far_off = 0.005, misfit = 0.005;
+/// Fewer features, or a lower agreement, tell nothing.
+constexpr std::size_t enough = 60;
+constexpr double some_agreement = 0.15;
+/// Agreement relative to as read, and to every other convention.
+constexpr double clearly = 2;
+
+Similarity turn(const Eigen::Matrix3d& R) { return {R, Eigen::Vector3d::Zero(), 1}; }
+
+Eigen::Matrix3d rows(const Eigen::Vector3d& x, const Eigen::Vector3d& y, const Eigen::Vector3d& z) {
+    Eigen::Matrix3d m;
+    m << x.transpose(), y.transpose(), z.transpose();
+    return m;
+}
+
+using Eigen::Vector3d;
+const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+
+/// The camera in a frame that is turned from the file's.
+std::optional<Camera> turned(Camera camera, const Eigen::Matrix3d& R) {
+    camera.cam_from_world = compose(camera.cam_from_world, turn(R.transpose()));
+    return camera;
+}
+
+std::optional<Camera> without_transform(Camera camera, const Similarity& transform) {
+    if (transform.R.isIdentity() && transform.t.isZero() && transform.scale == 1) return {};
+    camera.cam_from_world = compose(camera.cam_from_world, transform);
+    return camera;
+}
+
+/// The place of the first tangential coefficient, which the other one follows; empty without tangential
+/// terms.
+std::optional<std::size_t> tangential(LensModel model) {
+    switch (model) {
+        case LensModel::opencv:
+        case LensModel::brown:
+        case LensModel::thin_prism:
+            return 2;
+        case LensModel::aria:
+            return 6;
+        default:
+            return {};
+    }
+}
+
+std::optional<Camera> swapped_tangential(Camera camera, const Similarity&) {
+    const auto first = tangential(camera.lens.model);
+    if (!first || camera.lens.p[*first] == camera.lens.p[*first + 1]) return {};
+    std::swap(camera.lens.p[*first], camera.lens.p[*first + 1]);
+    return camera;
+}
+
+std::optional<Camera> looking_backward(Camera camera, const Similarity&) {
+    const Eigen::DiagonalMatrix<double, 3> flip(1, -1, -1);
+    camera.cam_from_world.R = flip * camera.cam_from_world.R;
+    camera.cam_from_world.t = flip * camera.cam_from_world.t;
+    return camera;
+}
+
+std::optional<Camera> transposed(Camera camera, const Similarity&) {
+    const Vector3d center = camera.cam_from_world.center();
+    camera.cam_from_world.R.transposeInPlace();
+    camera.cam_from_world.t = -camera.cam_from_world.R * center;
+    return camera;
+}
+
+constexpr Convention all_conventions[] = {
+    {"camera-y-up", "the cameras look along -z, with y up", false, looking_backward},
+    {"transposed", "rotations are the other way around", false, transposed},
+    {"swapped-tangential", "the lens's two tangential coefficients are exchanged", false, swapped_tangential},
+    {"no-transform", "the mesh is in the frame before the camera file's own transform", true,
+     without_transform},
+    {"mesh-turned", "the mesh is turned by 180 degrees about x: (x, -y, -z)", true,
+     [](Camera c, const Similarity&) { return turned(c, rows(x, -y, -z)); }},
+    {"mesh-y-up", "the mesh has y up where the cameras have z: (x, z, -y)", true,
+     [](Camera c, const Similarity&) { return turned(c, rows(x, z, -y)); }},
+    {"mesh-z-up", "the mesh has z up where the cameras have y: (x, -z, y)", true,
+     [](Camera c, const Similarity&) { return turned(c, rows(x, -z, y)); }},
+    {"mesh-xy-swapped", "the mesh is turned as by nerfstudio: (y, x, -z)", true,
+     [](Camera c, const Similarity&) { return turned(c, rows(y, x, -z)); }}};
+
+const Convention& convention(std::string_view name) {
+    const auto found = std::ranges::find(all_conventions, name, &Convention::name);
+    if (found != std::end(all_conventions)) return *found;
+    throw Error(Exit::usage,
+                fmt::format("--convention {}: expected {}", name, fmt::join(convention_names(), ", ")));
+}
+
+std::vector<std::string> parts(const std::string& names) {
+    std::vector<std::string> out;
+    for (const auto part : std::views::split(names, ','))
+        if (const std::string name(part.begin(), part.end()); name != as_read) out.push_back(name);
+    return out;
+}
+
+std::string joined(const std::string& names, const std::string& more) {
+    return names == as_read ? more : more == as_read ? names : names + "," + more;
+}
+
+/// The cameras under conventions; empty if they change none.
+std::vector<Camera> changed(std::vector<Camera> cameras, const Similarity& transform,
+                            const std::string& names) {
+    for (const std::string& name : parts(names)) {
+        bool any = false;
+        for (Camera& c : cameras)
+            if (const auto to = convention(name).apply(c, transform)) c = *to, any = true;
+        if (!any) return {};
+    }
+    return cameras;
+}
+
+std::vector<Camera> cameras_of(const SceneInput& scene) {
+    std::vector<Camera> out;
+    for (const PhotoInput& p : scene.photos) out.push_back(p.camera);
+    return out;
+}
+
+bool is_enough(const ConventionTrial& t) { return t.defined >= enough && t.agreement >= some_agreement; }
+
+/// The trial with which the photos agree clearly better than with all others; else the first.
+const ConventionTrial& best_of(std::span<const ConventionTrial> trials) {
+    const ConventionTrial& best = *std::ranges::max_element(trials, {}, &ConventionTrial::agreement);
+    const bool clear = std::ranges::all_of(trials, [&](const ConventionTrial& t) {
+        return &t == &best || best.agreement >= clearly * t.agreement;
+    });
+    return clear && is_enough(best) ? best : trials.front();
+}
+
+/// Conventions of the mesh alone, and with the camera file's own transform undone.
+std::vector<std::string> mesh_conventions() {
+    std::vector<std::string> out;
+    for (const Convention& c : all_conventions)
+        if (c.of_mesh) out.emplace_back(c.name);
+    for (const Convention& c : all_conventions)
+        if (c.of_mesh && c.apply != without_transform) out.push_back(joined("no-transform", c.name));
+    return out;
+}
+
+std::vector<SharedFeature> agreeing_with(std::span<const SharedFeature> features,
+                                         std::span<const Camera> cameras) {
+    const std::vector<double> errors = epipolar_errors(features, cameras);
+    std::vector<SharedFeature> out;
+    for (std::size_t i = 0; i < features.size(); ++i)
+        if (errors[i] <= far_off) out.push_back(features[i]);
+    return out;
+}
+
+/// Tangential terms move features by a few pixels only: both ways agree, but one of them better. It is judged
+/// by how many features come nearer to their epipolar lines.
+void settle_tangential(const SceneInput& scene, std::span<const SharedFeature> features,
+                       ConventionTrials& trials) {
+    constexpr double most_nearer = 0.6;
+    const std::string swapped = joined(trials.chosen, "swapped-tangential");
+    const std::vector<Camera> cameras = cameras_of(scene), to = changed(cameras, scene.transform, swapped);
+    if (to.empty() || trials.chosen == "swapped-tangential") return;
+    const std::vector<double> now =
+                                  epipolar_errors(features, changed(cameras, scene.transform, trials.chosen)),
+                              then = epipolar_errors(features, to);
+    std::size_t near = 0, nearer = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        near += std::min(now[i], then[i]) <= far_off;
+        nearer += then[i] < now[i] && then[i] <= far_off;
+    }
+    if (near >= 4 * enough && double(nearer) >= most_nearer * double(near) &&
+        trial_of("", then).median < 0.8 * trial_of("", now).median)
+        trials.chosen = swapped;
+}
+
+ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> features) {
+    ConventionTrials out;
+    std::vector<Camera> cameras = cameras_of(scene);
+    out.cameras.push_back(trial_of(as_read, epipolar_errors(features, cameras)));
+    for (const Convention& c : all_conventions)
+        if (const auto to = changed(cameras, scene.transform, c.name); !c.of_mesh && !to.empty())
+            out.cameras.push_back(trial_of(c.name, epipolar_errors(features, to)));
+    out.chosen = best_of(out.cameras).names;
+    settle_tangential(scene, features, out);
+    cameras = changed(std::move(cameras), scene.transform, out.chosen);
+    const std::vector<SharedFeature> agreeing = agreeing_with(features, cameras);
+    if (agreeing.size() < enough) return out;
+    const CastMesh mesh = cast_mesh(scene.mesh);
+    out.mesh.push_back(trial_of(as_read, surface_errors(agreeing, cameras, mesh)));
+    for (const std::string& names : mesh_conventions())
+        if (const auto to = changed(cameras, scene.transform, names); !to.empty())
+            out.mesh.push_back(trial_of(names, surface_errors(agreeing, to, mesh)));
+    const ConventionTrial& best = best_of(out.mesh);
+    out.misfit = std::ranges::none_of(out.mesh, is_enough) && best.defined >= enough && best.median > misfit;
+    out.chosen_of_mesh = std::size_t(&best - out.mesh.data());
+    out.chosen = joined(out.chosen, best.names);
+    return out;
+}
+
+/// A share of the longer side, in pixels of the first photo.
+double in_pixels(double share, const SceneInput& scene) {
+    const Intrinsics& k = scene.photos.front().camera.intrinsics;
+    return share * std::max(k.width, k.height);
+}
+
+[[noreturn]] void fail_as_misfit(const SceneInput& scene, const ConventionTrial& t) {
+    throw Error(Exit::misplaced,
+                fmt::format("{}: the mesh does not fit these cameras: a point of it projects {:.0f} px from "
+                            "where photos agree (median of {}), also if it is turned; 'vantage align' finds "
+                            "where it belongs, --convention as-read takes it as it is",
+                            scene.files.mesh.string(), in_pixels(t.median, scene), t.defined));
+}
+
+}  // namespace
+
+std::span<const Convention> conventions() { return all_conventions; }
+
+std::vector<std::string> convention_names() {
+    std::vector<std::string> out{convention_auto, as_read};
+    for (const Convention& c : all_conventions) out.emplace_back(c.name);
+    return out;
+}
+
+std::string wanted_conventions(const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+        if (name != convention_auto && name != as_read)
+            convention(name);
+        else if (names.size() > 1)
+            throw Error(Exit::usage, fmt::format("--convention {}: expected it alone", name));
+    return fmt::format("{}", fmt::join(names, ","));
+}
+
+void apply_conventions(SceneInput& scene, const std::string& names) {
+    for (const std::string& name : parts(names))
+        for (PhotoInput& p : scene.photos)
+            if (const auto to = convention(name).apply(p.camera, scene.transform)) p.camera = *to;
+    scene.convention = names;
+}
+
+ConventionTrial trial_of(const std::string& names, std::span<const double> errors) {
+    ConventionTrial out{names, errors.size(), 0, 0, 0};
+    std::vector<double> defined;
+    for (const double e : errors) {
+        out.agreement += 1 / (1 + (e / half) * (e / half)) / double(errors.size());
+        if (std::isfinite(e)) defined.push_back(e);
+    }
+    out.defined = defined.size();
+    out.median = quantile(std::move(defined), 0.5);
+    return out;
+}
+
+ConventionTrials try_conventions(const SceneInput& scene, const FeatureSettings& how) {
+    constexpr std::size_t photos = 6, ranks[] = {0, 2};
+    const std::vector<SharedFeature> features =
+        shared_features(scene.photos, neighboring_photos(scene.photos, photos, ranks), how);
+    if (features.size() < enough) return {};
+    return tried(scene, features);
+}
+
+ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted, unsigned threads) {
+    if (wanted != convention_auto) {
+        apply_conventions(scene, wanted);
+        return {};
+    }
+    if (scene.mesh.triangles.empty() || scene.photos.size() < 2) return {};
+    ConventionTrials trials = try_conventions(scene, {.threads = threads});
+    if (trials.misfit) fail_as_misfit(scene, trials.mesh.front());
+    apply_conventions(scene, trials.chosen);
+    for (const std::string& name : parts(trials.chosen))
+        scene.warnings.push_back(
+            fmt::format("the photos agree only if {}: taken so; --convention as-read does not",
+                        convention(name).meaning));
+    return trials;
+}
+
+std::string fit_of(const ConventionTrials& trials, const SceneInput& scene) {
+    if (trials.mesh.empty()) return {};
+    const ConventionTrial& t = trials.mesh[trials.chosen_of_mesh];
+    return fmt::format("the mesh shows {} of {} features where photos do, to {:.1f} px (median)", t.defined,
+                       t.features, in_pixels(t.median, scene));
+}
+
+}  // namespace vantage

@@ -1,0 +1,31 @@
+#pragma once
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "pipeline/align/shared_features.h"
+#include "pipeline/rays/ray_scene.h"
+#include "scene/camera.h"
+
+namespace vantage {
+
+/// An error that is not defined: a ray that misses the mesh, a point behind the camera.
+inline constexpr double no_error = std::numeric_limits<double>::infinity();
+
+/// How far each feature is in photo b from the epipolar line of where photo a shows it, as a share of b's
+/// longer side: how well two cameras agree with their photos. `cameras`: by photo.
+std::vector<double> epipolar_errors(std::span<const SharedFeature> features, std::span<const Camera> cameras);
+
+/// A mesh for rays in input coordinates of any size.
+struct CastMesh {
+    Eigen::Vector3d origin;  ///< of the rays' single precision
+    RayScene rays;
+};
+CastMesh cast_mesh(const Mesh& mesh);
+
+/// Where the mesh shows in photo b what photo a shows at each feature, as the distance from where b shows it,
+/// a share of b's longer side: how well cameras and mesh agree with the photos.
+std::vector<double> surface_errors(std::span<const SharedFeature> features, std::span<const Camera> cameras,
+                                   const CastMesh& mesh);
+
+}  // namespace vantage

@@ -1,0 +1,32 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+
+#include "scene/camera.h"
+
+namespace vantage {
+
+/// The longer side of a camera's photo, px.
+double longer_side(const Camera& camera);
+
+/// Rays of photos as taken, lens included; remembers the ranges of their lenses. Not thread-safe.
+class PhotoRays {
+  public:
+    /// `cameras`, by photo, must outlive it.
+    explicit PhotoRays(std::span<const Camera> cameras) : cameras_(cameras) {}
+
+    /// Normalized pinhole coordinates of a pixel; empty beyond the lens's range.
+    std::optional<Eigen::Vector2d> pinhole(std::uint32_t photo, const Eigen::Vector2d& pixel);
+
+  private:
+    std::span<const Camera> cameras_;
+    std::map<std::uint32_t, double> ranges_;
+};
+
+/// Where the lens of a camera images a point; empty behind the camera.
+std::optional<Eigen::Vector2d> imaged(const Camera& camera, const Eigen::Vector3d& point);
+
+}  // namespace vantage

@@ -1,0 +1,29 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pipeline/align/neighboring_photos.h"
+
+namespace vantage {
+
+/// A feature that two photos show, in full-size pixels of the photos as taken.
+struct SharedFeature {
+    std::uint32_t a, b;  ///< photos, a < b
+    Eigen::Vector2d in_a, in_b;
+};
+
+/// How features are found.
+struct FeatureSettings {
+    int long_side = 640;   ///< of the reduced photos, px
+    int features = 1000;   ///< per photo, at most
+    unsigned threads = 0;  ///< 0: all cores
+};
+
+/// SIFT features (Lowe 2004) of the photos in `pairs`, matched in both directions with a ratio of 0.8. Does
+/// not use the cameras. A photo that cannot be decoded has none. Deterministic.
+std::vector<SharedFeature> shared_features(std::span<const PhotoInput> photos,
+                                           std::span<const TwoPhotos> pairs, const FeatureSettings& how);
+
+}  // namespace vantage

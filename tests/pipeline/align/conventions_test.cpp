@@ -1,0 +1,214 @@
+// Cameras and meshes of real scans, changed as exports differ; the photos must tell.
+#include "pipeline/align/conventions.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <functional>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "pipeline/formats/images/image_files.h"
+#include "pipeline/formats/images/photos.h"
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/pixels/reduced.h"
+#include "scene/error.h"
+#include "tests/datasets.h"
+#include "tests/temporary_folder.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr const char* scans[] = {"sceaux-small", "fountain-P11"};
+
+/// Written out again, not taken from the program.
+Matrix3d axes(int x, int y, int z) {
+    Matrix3d m = Matrix3d::Zero();
+    int row = 0;
+    for (const int a : {x, y, z}) m(row++, std::abs(a) - 1) = a > 0 ? 1 : -1;
+    return m;
+}
+
+/// Cameras of a mesh whose points p are written as `R p`.
+void turn_mesh(SceneInput& scene, const Matrix3d& R) {
+    for (Vector3d& p : scene.mesh.positions) p = R * p;
+}
+
+/// The next best, as a share of the best.
+double margin(std::vector<ConventionTrial> trials) {
+    std::ranges::sort(trials, std::greater{}, &ConventionTrial::agreement);
+    return trials[1].agreement / trials[0].agreement;
+}
+
+struct Change {
+    const char* undone_by;
+    std::function<void(SceneInput&)> apply;
+};
+
+const Similarity chunk{
+    Eigen::AngleAxisd(2.1, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix(), {30, -400, 7}, 3.7};
+
+/// The reader has moved cameras by what their file says, and the mesh was exported without it.
+void export_before_transform(SceneInput& scene) {
+    scene.transform = chunk;
+    for (PhotoInput& p : scene.photos)
+        p.camera.cam_from_world = {p.camera.cam_from_world.R * chunk.R.transpose(),
+                                   chunk.scale * p.camera.cam_from_world.t -
+                                       p.camera.cam_from_world.R * chunk.R.transpose() * chunk.t};
+}
+
+const Change changes[] = {{"as-read", [](SceneInput&) {}},
+                          {"mesh-turned", [](SceneInput& s) { turn_mesh(s, axes(1, -2, -3)); }},
+                          {"mesh-y-up", [](SceneInput& s) { turn_mesh(s, axes(1, 3, -2)); }},
+                          {"mesh-z-up", [](SceneInput& s) { turn_mesh(s, axes(1, -3, 2)); }},
+                          {"mesh-xy-swapped", [](SceneInput& s) { turn_mesh(s, axes(2, 1, -3)); }},
+                          {"no-transform", export_before_transform},
+                          {"no-transform,mesh-turned",
+                           [](SceneInput& s) { export_before_transform(s), turn_mesh(s, axes(1, -2, -3)); }},
+                          {"camera-y-up",
+                           [](SceneInput& s) {
+                               for (PhotoInput& p : s.photos) {
+                                   Pose& q = p.camera.cam_from_world;
+                                   q = {axes(1, -2, -3) * q.R, axes(1, -2, -3) * q.t};
+                               }
+                           }},
+                          {"transposed", [](SceneInput& s) {
+                               for (PhotoInput& p : s.photos) {
+                                   Pose& q = p.camera.cam_from_world;
+                                   const Vector3d center = q.center();
+                                   q = {q.R.transpose(), -(q.R.transpose() * center)};
+                               }
+                           }}};
+
+/// The same camera and mesh, up to how both are turned together: a point of the mesh in the camera.
+Vector3d seen(const SceneInput& scene, std::size_t photo, std::size_t vertex) {
+    const Pose& q = scene.photos[photo].camera.cam_from_world;
+    return q.R * scene.mesh.positions[vertex] + q.t;
+}
+
+}  // namespace
+
+TEST(Conventions, EveryWrongOneIsRejectedAndTheRightOneTaken) {
+    for (const char* name : scans) {
+        VANTAGE_DATASET(scan, name);
+        const SceneInput right = read_scene(discover(scan));
+        for (const Change& change : changes) {
+            SceneInput scene = right;
+            change.apply(scene);
+            const ConventionTrials trials = settle_convention(scene, convention_auto, 0);
+            EXPECT_EQ(scene.convention, change.undone_by) << name;
+            EXPECT_EQ(scene.warnings.size() == right.warnings.size(), scene.convention == as_read) << name;
+            for (std::size_t i = 0; i < scene.photos.size(); ++i)
+                EXPECT_LT((seen(scene, i, 7) - seen(right, i, 7)).norm(), 1e-9 * seen(right, i, 7).norm())
+                    << name << ", " << change.undone_by << ", photo " << i;
+            EXPECT_LT(margin(trials.cameras), 0.25) << name << ", " << change.undone_by;
+            EXPECT_LT(margin(trials.mesh), 0.25) << name << ", " << change.undone_by;
+            RecordProperty(
+                std::string(name) + " " + change.undone_by + " margins",
+                std::to_string(margin(trials.cameras)) + " " + std::to_string(margin(trials.mesh)));
+        }
+    }
+}
+
+TEST(Conventions, AMeshThatFitsNowhereStopsTheRun) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    const SceneInput right = read_scene(discover(scan));
+    const auto expect_misfit = [&](const std::function<Vector3d(const Vector3d&)>& change, double px) {
+        SceneInput scene = right;
+        for (Vector3d& p : scene.mesh.positions) p = change(p);
+        try {
+            settle_convention(scene, convention_auto, 0);
+            ADD_FAILURE() << "taken: " << scene.convention;
+        } catch (const Error& e) {
+            EXPECT_EQ(e.code(), Exit::misplaced);
+            const std::string what = e.what();
+            const std::size_t at = what.find("projects ");
+            ASSERT_NE(at, what.npos) << what;
+            EXPECT_GT(std::stod(what.substr(at + 9)), px) << what;
+            EXPECT_EQ(what.find('\n'), what.npos);
+        }
+        scene.warnings = right.warnings;
+        settle_convention(scene, as_read, 0);
+        EXPECT_TRUE(scene.warnings == right.warnings);
+    };
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& p : right.mesh.positions) box.extend(p);
+    const Vector3d middle = box.center();
+    expect_misfit([&](const Vector3d& p) -> Vector3d { return middle + 1.3 * (p - middle); }, 4);
+    expect_misfit(
+        [&](const Vector3d& p) -> Vector3d {
+            return middle + Eigen::AngleAxisd(0.5, Vector3d(1, 1, 1).normalized()) * (p - middle);
+        },
+        4);
+}
+
+TEST(Conventions, WithoutEnoughFeaturesCamerasAreTakenAsRead) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    SceneInput scene = read_scene(discover(scan));
+    turn_mesh(scene, axes(1, -2, -3));
+    scene.photos.resize(1);
+    settle_convention(scene, convention_auto, 0);
+    EXPECT_EQ(scene.convention, as_read);
+}
+
+TEST(Conventions, NamesOfNoConventionAreRefused) {
+    EXPECT_THROW(wanted_conventions({"mesh-upside-down"}), Error);
+    EXPECT_THROW(wanted_conventions({"auto", "mesh-turned"}), Error);
+    EXPECT_EQ(wanted_conventions({"no-transform", "mesh-turned"}), "no-transform,mesh-turned");
+}
+
+/// Photos as a lens with tangential terms would have taken them.
+class TangentialPhotos : public TemporaryFolder {
+  protected:
+    /// Photos reduced to 1000 px and distorted with OpenCV's p1 and p2.
+    void distort_photos(SceneInput& scene, double p1, double p2) const {
+        for (PhotoInput& p : scene.photos) {
+            Intrinsics& k = p.camera.intrinsics;
+            const Level size = thumbnail_size(k.width, k.height, 1000);
+            RgbaImage image = reduced(read_photo(p.file, {k.width, k.height}), size);
+            k = k.scaled(size.width, size.height);
+            const cv::Mat from(k.height, k.width, CV_8UC4, image.rgba.data());
+            cv::Mat to;
+            cv::remap(from, to, pinhole_pixels(k, {0, 0, p1, p2}), {}, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+            p.file = dir / (p.name + ".png");
+            image_files().write(p.file, k.width, k.height, 4, Sample::u8,
+                                {reinterpret_cast<const std::byte*>(to.data), to.total() * 4});
+            p.camera.lens = {LensModel::opencv, {0, 0, p1, p2}};
+        }
+    }
+
+  private:
+    /// For each pixel of the distorted photo, that of the pinhole photo (OpenCV's, centers at integers).
+    static cv::Mat pinhole_pixels(const Intrinsics& k, const std::vector<double>& lens) {
+        std::vector<cv::Point2f> all, out;
+        for (int y = 0; y < k.height; ++y)
+            for (int x = 0; x < k.width; ++x) all.emplace_back(float(x), float(y));
+        const cv::Mat camera = (cv::Mat_<double>(3, 3) << k.fx, 0, k.cx - 0.5, 0, k.fy, k.cy - 0.5, 0, 0, 1);
+        cv::undistortPoints(all, out, camera, lens, cv::noArray(), camera);
+        return cv::Mat(out, true).reshape(2, k.height);
+    }
+};
+
+TEST_F(TangentialPhotos, TellWhichCoefficientIsWhich) {
+    for (const char* name : scans) {
+        VANTAGE_DATASET(scan, name);
+        SceneInput right = read_scene(discover(scan));
+        distort_photos(right, 0.008, -0.005);
+        const ConventionTrials trials = try_conventions(right);
+        EXPECT_EQ(trials.chosen, as_read) << name;
+        SceneInput scene = right;
+        for (PhotoInput& p : scene.photos) std::swap(p.camera.lens.p[2], p.camera.lens.p[3]);
+        settle_convention(scene, convention_auto, 0);
+        EXPECT_EQ(scene.convention, "swapped-tangential") << name;
+        EXPECT_EQ(scene.photos[0].camera.lens.p, right.photos[0].camera.lens.p) << name;
+        for (const auto& t : trials.cameras) printf("%s %s %.4f %.5f\n", name, t.names.c_str(), t.agreement, t.median);
+    }
+}
+
+}  // namespace vantage
