@@ -27,15 +27,15 @@ class ObjectTable {
         : folder_(file.parent_path()),
           where_(file.string() + ": object " + std::to_string(number)),
           table_(table) {
-        static const std::set<std::string, std::less<>> known{"name",    "package", "input",  "mesh",
-                                                              "cameras", "photos",  "points", "move",
-                                                              "turn",    "scale",   "shown",  "opacity"};
+        static const std::set<std::string, std::less<>> known{
+            "name",  "package", "input", "mesh",  "cameras", "photos", "points",
+            "align", "move",    "turn",  "scale", "shown",   "opacity"};
         for (const auto& [key, value] : table)
             if (!known.contains(key.str())) {
                 std::ostringstream what;
                 what << "unknown key '" << key.str()
-                     << "', expected name, package, input, mesh, cameras, photos, points, move, turn, scale, "
-                        "shown or opacity";
+                     << "', expected name, package, input, mesh, cameras, photos, points, align, move, turn, "
+                        "scale, shown or opacity";
                 fail(what.str());
             }
     }
@@ -91,6 +91,23 @@ class ObjectTable {
         return out;
     }
 
+    /// 3 rows of 4 numbers: a rotation times a scale, and a translation.
+    std::optional<Similarity> align() const {
+        if (!has("align")) return {};
+        const auto* rows = table_["align"].as_array();
+        Eigen::Matrix<double, 3, 4> m = Eigen::Matrix<double, 3, 4>::Constant(NAN);
+        for (std::size_t i = 0; rows && rows->size() == 3 && i < 3; ++i)
+            if (const auto* row = (*rows)[i].as_array(); row && row->size() == 4)
+                for (std::size_t j = 0; j < 4; ++j)
+                    m(Eigen::Index(i), Eigen::Index(j)) = (*row)[j].value<double>().value_or(NAN);
+        const Eigen::Matrix3d turn = m.leftCols<3>();
+        const double scale = std::cbrt(turn.determinant());
+        const bool sound = m.allFinite() && scale > 0 && m.col(3).cwiseAbs().maxCoeff() <= farthest &&
+                           (turn * turn.transpose() / (scale * scale)).isIdentity(1e-6);
+        if (!sound) fail("align: expected 3 rows of 4 numbers: a rotation times a scale, and a translation");
+        return Similarity{turn / scale, m.col(3), scale};
+    }
+
   private:
     fs::path from_folder(const fs::path& p) const {
         return p.is_absolute() || is_url(p.native()) ? p : folder_ / p;
@@ -101,7 +118,8 @@ class ObjectTable {
 };
 
 SceneObject::Input read_input(const ObjectTable& t) {
-    SceneObject::Input in{t.path("input"), t.path("mesh"), t.path("cameras"), t.path("photos"), t.points()};
+    SceneObject::Input in{t.path("input"),  t.path("mesh"), t.path("cameras"),
+                          t.path("photos"), t.points(),     t.align()};
     const bool parts = !in.mesh.empty() && !in.cameras.empty() && !in.photos.empty();
     if (in.folder.empty() && !parts)
         t.fail("has no input, expected input, a folder, or mesh, cameras and photos together");
@@ -145,6 +163,40 @@ SceneObject read_object(const fs::path& file, const toml::table& table, std::siz
 
 toml::array list_of(const Eigen::Vector3d& v) { return toml::array{v.x(), v.y(), v.z()}; }
 
+toml::array list_of(const Similarity& s) {
+    toml::array out;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const Eigen::RowVector3d row = s.scale * s.R.row(i);
+        out.push_back(toml::array{row.x(), row.y(), row.z(), s.t[i]});
+    }
+    return out;
+}
+
+/// Paths relative to the folder; those of other disks and URLs as they are.
+class RelativePaths {
+  public:
+    explicit RelativePaths(const fs::path& folder) : folder_(fs::absolute(folder)) {}
+    std::string operator()(const fs::path& path) const {
+        if (is_url(path.native())) return path.string();
+        const fs::path relative = fs::absolute(path).lexically_relative(folder_);
+        return (relative.empty() ? path : relative).string();
+    }
+
+  private:
+    fs::path folder_;
+};
+
+void insert_input(toml::table& t, const SceneObject::Input& in, const RelativePaths& relative) {
+    const std::pair<const char*, const fs::path&> paths[] = {
+        {"input", in.folder}, {"mesh", in.mesh}, {"cameras", in.cameras}, {"photos", in.photos}};
+    for (const auto& [key, path] : paths)
+        if (!path.empty()) t.insert(key, relative(path));
+    toml::array points;
+    for (const fs::path& p : in.points) points.push_back(relative(p));
+    if (!points.empty()) t.insert("points", std::move(points));
+    if (in.align) t.insert("align", list_of(*in.align));
+}
+
 }  // namespace
 
 bool is_scene_file(const fs::path& file) { return file.extension() == ".toml"; }
@@ -174,11 +226,13 @@ std::vector<SceneObject> read_scene_file(const fs::path& file, SceneUse use) {
 
 std::string scene_file_text(const std::vector<SceneObject>& objects, const fs::path& folder) {
     toml::array list;
+    const RelativePaths relative(folder);
     for (const SceneObject& o : objects) {
-        fs::path relative;
-        if (!is_url(o.package.native()))
-            relative = fs::absolute(o.package).lexically_relative(fs::absolute(folder));
-        toml::table t{{"name", o.name}, {"package", (relative.empty() ? o.package : relative).string()}};
+        toml::table t{{"name", o.name}};
+        if (o.package.empty())
+            insert_input(t, o.input, relative);
+        else
+            t.insert("package", relative(o.package));
         const Placement& p = o.placement;
         if (!p.move.isZero(0)) t.insert("move", list_of(p.move));
         if (!p.turn.isZero(0)) t.insert("turn", list_of(p.turn));

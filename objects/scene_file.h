@@ -1,9 +1,11 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "objects/placement.h"
+#include "scene/similarity.h"
 
 namespace vantage {
 
@@ -18,6 +20,7 @@ struct SceneObject {
     struct Input {
         std::filesystem::path folder, mesh, cameras, photos;
         std::vector<std::filesystem::path> points;
+        std::optional<Similarity> align{};  ///< from the cameras' frame to the mesh's, if they differ
     } input{};
 };
 
@@ -28,7 +31,8 @@ enum class SceneUse { show, prepare };
 bool is_scene_file(const std::filesystem::path& file);
 
 /// Reads a list of objects, each with `package` or what it is prepared from (`input`, or `mesh`, `cameras`
-/// and `photos`; `points`), and if wanted `name`, `move`, `turn`, `scale`, `shown` and `opacity`:
+/// and `photos`; `points`; `align`, 3 rows of 4 numbers), and if wanted `name`, `move`, `turn`, `scale`,
+/// `shown` and `opacity`:
 ///
 ///     [[object]]
 ///     package = "altar.vantage"
@@ -40,7 +44,8 @@ bool is_scene_file(const std::filesystem::path& file);
 /// cannot be a file's.
 std::vector<SceneObject> read_scene_file(const std::filesystem::path& file, SceneUse use);
 
-/// The text of such a file, with packages relative to its folder `folder`.
+/// The text of such a file, with packages, or the inputs of objects without one, relative to its folder
+/// `folder`.
 std::string scene_file_text(const std::vector<SceneObject>& objects, const std::filesystem::path& folder);
 /// Writes it, with packages relative to its own folder. Replaces any file of that name. Throws
 /// Error(storage).

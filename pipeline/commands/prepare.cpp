@@ -204,8 +204,12 @@ SceneInput read_traced(const InputFiles& files, Trace& trace) {
     return read_scene(files);
 }
 
+/// Moves the cameras into the mesh's frame by `settings.align`, and by what conventions the photos call for.
 ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {
     const Traced traced(&trace, "conventions");
+    if (settings.align)
+        for (PhotoInput& p : scene.photos)
+            p.camera.cam_from_world = compose(p.camera.cam_from_world, inverse(*settings.align));
     return settle_convention(scene, settings.convention, settings.threads);
 }
 
@@ -273,6 +277,7 @@ int run_prepare_scene(const PrepareOptions& o) {
         one.input = in.folder.string(), one.mesh = in.mesh.string();
         one.cameras = in.cameras.string(), one.photos = in.photos.string();
         for (const std::filesystem::path& cloud : in.points) one.settings.points.push_back(cloud.string());
+        one.settings.align = in.align;
         one.out = object.package.string();
         return run_prepare(one);
     });

@@ -239,7 +239,7 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
     for (const auto& [key, value] : now.items())
         if (const json before = was.value(key, json{}); before != value)
             out.push_back("setting " + key + ": was " + before.dump() + ", is now " + value.dump());
-    for (const char* const key : {"bands", "convention"})  // stored only if they are not the default
+    for (const char* const key : {"bands", "convention", "align"})  // stored only if they are not the default
         if (was.contains(key) && !now.contains(key))
             out.push_back(std::string("setting ") + key + ": was " + was.at(key).dump() +
                           ", is now not given");

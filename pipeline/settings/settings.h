@@ -1,10 +1,12 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "scene/effects.h"
+#include "scene/similarity.h"
 
 namespace vantage {
 
@@ -44,6 +46,7 @@ struct PrepareSettings {
     std::vector<std::string> points;          ///< files of point clouds to show with the mesh
     std::string bands = "auto";               ///< how photos are grouped into bands, see group_bands
     std::string convention = "auto";          ///< what is changed in the cameras, see conventions()
+    std::optional<Similarity> align;          ///< from the cameras' frame to the mesh's, if they differ
     bool vertex_coordinates = false;          ///< stored even where the player does not use them by default
     std::map<Effect, EffectChoice> effects;
     bool judge = true;  ///< whether left-out photos must confirm the effects that all photos decide

@@ -1,0 +1,299 @@
+#include "pipeline/align/alignment.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "pipeline/align/conventions.h"
+#include "pipeline/align/feature_errors.h"
+#include "pipeline/align/feature_points.h"
+#include "pipeline/align/photo_rays.h"
+#include "pipeline/align/start_poses.h"
+#include "pipeline/run/for_each_photo.h"
+#include "scene/error.h"
+#include "values/main_box.h"
+#include "values/quantile.h"
+
+namespace vantage {
+namespace {
+
+using Eigen::Vector3d;
+using Points = std::vector<FeaturePoint>;
+using Motion = Eigen::Matrix<double, 7, 1>;  ///< rotation, translation in units of `size`, ln scale
+
+constexpr std::size_t least_points = 200, starts = 24;
+constexpr std::size_t quick_points = 600;  ///< of the many fits; the last one takes all
+/// Agreement relative to that of the cameras alone, and to the next best alignment's. A wall that slides
+/// along itself agrees, too: its relief must tell.
+constexpr double least_share = 0.5, clearly = 1.05;
+constexpr double most_uncertain = 0.0005;  ///< share of a photo's longer side
+
+/// A surface, and a scale of its lengths.
+struct Target {
+    const NearestSurface& surface;
+    Vector3d middle;  ///< about which it is turned and scaled
+    double size;
+};
+
+/// A point led onto the mesh: its distance from the plane of the nearest triangle, in standard errors, and
+/// the derivative of that by the motion.
+struct Residual {
+    double value;
+    Motion derivative;
+};
+Residual residual(const FeaturePoint& p, const Similarity& s, const Target& target) {
+    const Vector3d at = s(p.point);
+    const NearestPoint near = target.surface.nearest(at);
+    const Vector3d n = near.normal.stableNormalized();
+    const double along = n.dot(s.R * p.ray);
+    const double error =
+        s.scale * std::hypot(p.across * std::sqrt(std::max(0.0, 1 - along * along)), p.along * along);
+    Residual out;
+    out.value = n.dot(at - near.point) / error;
+    const Vector3d arm = at - target.middle;
+    out.derivative << arm.cross(n), n * target.size, n.dot(arm);
+    out.derivative /= error;
+    return out;
+}
+
+/// A motion after a similarity.
+Similarity stepped(const Similarity& s, const Motion& d, const Target& about) {
+    const Vector3d turn = d.head<3>();
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()).toRotationMatrix();
+    const double scale = std::exp(d(6));
+    const Vector3d t =
+        about.middle + about.size * Vector3d(d.segment<3>(3)) + scale * (R * (s.t - about.middle));
+    return {R * s.R, t, s.scale * scale};
+}
+
+/// Point to plane (Chen and Medioni 1992) with weights 1 / (1 + (r / width)^2)^2 (Geman and McClure), whose
+/// width shrinks to three times the median residual.
+Similarity fitted(const Points& points, Similarity s, const Target& target, int iterations) {
+    for (int n = 0; n < iterations; ++n) {
+        std::vector<Residual> residuals;
+        std::vector<double> sizes;
+        for (const FeaturePoint& p : points) {
+            residuals.push_back(residual(p, s, target));
+            sizes.push_back(std::abs(residuals.back().value));
+        }
+        const double width = std::max(1.0, 3 * 1.4826 * quantile(std::move(sizes), 0.5));
+        Eigen::Matrix<double, 7, 7> normal = Eigen::Matrix<double, 7, 7>::Zero();
+        Motion right = Motion::Zero();
+        for (const Residual& r : residuals) {
+            const double w = 1 / std::pow(1 + (r.value / width) * (r.value / width), 2);
+            normal += w * r.derivative * r.derivative.transpose();
+            right -= w * r.value * r.derivative;
+        }
+        normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff() + 1e-300;
+        const Motion d = normal.ldlt().solve(right);
+        if (!d.allFinite()) return s;
+        s = stepped(s, d, target);
+        if (d.norm() < 1e-10) return s;
+    }
+    return s;
+}
+
+std::vector<Camera> cameras_in_mesh(const SceneInput& scene, const Similarity& s) {
+    std::vector<Camera> out;
+    for (const PhotoInput& p : scene.photos) {
+        out.push_back(p.camera);
+        out.back().cam_from_world = compose(p.camera.cam_from_world, inverse(s));
+    }
+    return out;
+}
+
+/// Vertices of the mesh as photos see them: how far they move between two alignments, px.
+class MeshInPhotos {
+  public:
+    explicit MeshInPhotos(const SceneInput& scene) : scene_(scene) {}
+
+    double motion(const Similarity& a, const Similarity& b) const {
+        const std::vector<Camera> in_a = cameras_in_mesh(scene_, a), in_b = cameras_in_mesh(scene_, b);
+        std::vector<double> moved;
+        const std::size_t step = std::max<std::size_t>(1, scene_.mesh.positions.size() / 500);
+        for (std::size_t v = 0; v < scene_.mesh.positions.size(); v += step)
+            for (std::size_t i = 0; i < in_a.size(); ++i) {
+                const auto p = imaged(in_a[i], scene_.mesh.positions[v]),
+                           q = imaged(in_b[i], scene_.mesh.positions[v]);
+                if (p && in_frame(in_a[i].intrinsics, *p))
+                    moved.push_back(q ? (*p - *q).norm() : longer_side(in_a[i]));
+            }
+        return quantile(std::move(moved), 0.5);
+    }
+
+  private:
+    const SceneInput& scene_;
+};
+
+/// An alignment, and how well the photos agree with it.
+struct Candidate {
+    Similarity s;
+    ConventionTrial trial;
+};
+
+class Aligner {
+  public:
+    Aligner(const SceneInput& scene, unsigned threads)
+        : scene_(scene),
+          threads_(threads),
+          in_photos_(scene),
+          surface_(scene.mesh),
+          rays_(cast_mesh(scene.mesh)) {
+        for (const PhotoInput& p : scene.photos) cameras_.push_back(p.camera);
+        const MainBox box = main_box(scene.mesh.positions, scene.mesh.triangles);
+        middle_ = (box.low + box.high) / 2;
+        size_ = box.diagonal() / 2;
+        const FeatureSettings how{.long_side = 1600, .features = 5000, .threads = threads};
+        constexpr std::size_t ranks[] = {0, 1, 2, 4}, most = 60;
+        features_ = shared_features(scene.photos, neighboring_photos(scene.photos, most, ranks), how);
+        keep_agreeing();
+        // A feature is found to about half a pixel of the reduced photo.
+        points_ = feature_points(features_, cameras_, 0.5 * longer_side(cameras_.front()) / how.long_side);
+        if (points_.size() < least_points)
+            fail(fmt::format("the photos share {} features in space, expected {} or more", points_.size(),
+                             least_points));
+        const std::size_t step = std::max<std::size_t>(1, points_.size() / quick_points);
+        for (std::size_t i = 0; i < points_.size(); i += step) quick_.push_back(points_[i]);
+    }
+
+    Alignment aligned() const {
+        std::vector<Candidate> all = candidates();
+        if (all.empty()) fail("no alignment was found");
+        const Candidate best = polished(all.front());
+        if (!(best.trial.agreement >= least_share * of_cameras_))
+            fail(
+                fmt::format("no alignment agrees with the photos: the best shows {} of {} features to {:.0f} "
+                            "px (median)",
+                            best.trial.defined, best.trial.features, px(best.trial.median)));
+        const double next = next_best(all, best);
+        if (next * clearly > best.trial.agreement)
+            fail(fmt::format("two alignments agree with the photos, {:.2f} and {:.2f} of 1",
+                             best.trial.agreement, next));
+        Alignment out{best.s,
+                      best.trial.features,
+                      best.trial.defined,
+                      best.trial.agreement,
+                      px(best.trial.median),
+                      next,
+                      0,
+                      0,
+                      0,
+                      0};
+        add_uncertainty(out);
+        if (!(out.pixels <= most_uncertain * longer_side(cameras_.front())))
+            fail(fmt::format("the alignment is certain to {:.1f} px only, expected {:.1f}", out.pixels,
+                             most_uncertain * longer_side(cameras_.front())));
+        return out;
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& why) const {
+        throw Error(Exit::misplaced, scene_.files.mesh.string() + ": cannot be aligned: " + why);
+    }
+    double px(double share) const { return share * longer_side(cameras_.front()); }
+    Target target() const { return {surface_, middle_, size_}; }
+
+    void keep_agreeing() {
+        const std::vector<double> errors = epipolar_errors(features_, cameras_);
+        std::vector<SharedFeature> kept;
+        for (std::size_t i = 0; i < errors.size(); ++i)
+            if (errors[i] <= 0.003) kept.push_back(features_[i]);
+        features_ = std::move(kept);
+        of_cameras_ = trial_of("", epipolar_errors(features_, cameras_)).agreement;
+    }
+
+    ConventionTrial tried(const Similarity& s) const {
+        return trial_of("", surface_errors(features_, cameras_in_mesh(scene_, s), rays_));
+    }
+
+    /// Fitted from each of `begin`; the best first.
+    std::vector<Candidate> fitted_from(const std::vector<Similarity>& begin) const {
+        std::vector<Candidate> out(begin.size());
+        for_each_photo(begin.size(), threads_, [&](std::size_t i) {
+            out[i].s = fitted(quick_, begin[i], target(), 30);
+            out[i].trial = tried(out[i].s);
+        });
+        std::ranges::stable_sort(out, std::greater{}, [](const Candidate& c) { return c.trial.agreement; });
+        return out;
+    }
+    std::vector<Candidate> candidates() const {
+        std::vector<Vector3d> positions;
+        for (const FeaturePoint& p : points_) positions.push_back(p.point);
+        return fitted_from(start_poses(positions, scene_.mesh, surface_, starts, threads_));
+    }
+
+    /// Moved along each axis and scaled as long as that agrees better, then fitted to all points.
+    Candidate polished(Candidate best) const {
+        for (bool better = true; better;) {
+            std::vector<Similarity> near;
+            for (const double by : {-0.1, -0.03, 0.03, 0.1})
+                for (int i = 3; i < 7; ++i) near.push_back(stepped(best.s, by * Motion::Unit(i), target()));
+            const Candidate next = fitted_from(near).front();
+            better = next.trial.agreement > 1.01 * best.trial.agreement;
+            if (better) best = next;
+        }
+        best.s = fitted(points_, best.s, target(), 30);
+        best.trial = tried(best.s);
+        return best;
+    }
+
+    /// The agreement of the best candidate that puts the mesh elsewhere.
+    double next_best(const std::vector<Candidate>& all, const Candidate& best) const {
+        for (const Candidate& c : all)
+            if (in_photos_.motion(best.s, c.s) > px(0.01)) return c.trial.agreement;
+        return 0;
+    }
+
+    /// From fits that each leave out the features of one photo.
+    void add_uncertainty(Alignment& a) const {
+        const Similarity& s = a.mesh_from_cameras;
+        std::set<std::uint32_t> photos;
+        for (const FeaturePoint& p : points_) photos.insert(features_[p.feature].a);
+        std::vector<double> pixels, degrees, scale, move;
+        for (const std::uint32_t photo : photos) {
+            Points rest;
+            for (const FeaturePoint& p : points_)
+                if (features_[p.feature].a != photo && features_[p.feature].b != photo) rest.push_back(p);
+            if (rest.size() < least_points / 2) continue;
+            const Similarity w = fitted(rest, s, target(), 6);
+            const Vector3d middle = inverse(s)(middle_);
+            pixels.push_back(in_photos_.motion(s, w));
+            degrees.push_back(Eigen::AngleAxisd(w.R * s.R.transpose()).angle() * 180 / std::numbers::pi);
+            scale.push_back(w.scale / s.scale - 1);
+            move.push_back((w(middle) - middle_).norm());
+        }
+        // Two are needed, or nothing is known.
+        const double unknown = std::numeric_limits<double>::infinity();
+        const auto error = [&](const std::vector<double>& d) {
+            return d.size() < 2 ? unknown : jackknife_error(d);
+        };
+        a.pixels = error(pixels), a.degrees = error(degrees), a.scale = error(scale), a.move = error(move);
+    }
+
+    const SceneInput& scene_;
+    unsigned threads_;
+    MeshInPhotos in_photos_;
+    NearestSurface surface_;
+    CastMesh rays_;
+    std::vector<Camera> cameras_;
+    Vector3d middle_;
+    double size_;
+    std::vector<SharedFeature> features_;
+    double of_cameras_ = 0;  ///< agreement of the cameras alone
+    Points points_, quick_;
+};
+
+}  // namespace
+
+Alignment align(const SceneInput& scene, unsigned threads) {
+    if (scene.mesh.triangles.empty() || scene.photos.size() < 2)
+        throw Error(Exit::input, "align: expected a mesh with triangles and two photos or more");
+    return Aligner(scene, threads).aligned();
+}
+
+}  // namespace vantage

@@ -1,0 +1,25 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "pipeline/align/shared_features.h"
+#include "scene/camera.h"
+
+namespace vantage {
+
+/// The point that two photos show as a feature.
+struct FeaturePoint {
+    std::size_t feature;    ///< index of the feature
+    Eigen::Vector3d point;  ///< midway between the two rays, where they pass closest
+    Eigen::Vector3d ray;    ///< of photo a, unit length
+    double across, along;   ///< standard error across and along the ray, scene units
+};
+
+/// Triangulates features whose epipolar error is at most 0.3 % of the photo, and whose rays meet in front of
+/// both cameras at 2 degrees or more. `pixel`: standard error of a feature, px. `cameras`: by photo.
+std::vector<FeaturePoint> feature_points(std::span<const SharedFeature> features,
+                                         std::span<const Camera> cameras, double pixel);
+
+}  // namespace vantage
