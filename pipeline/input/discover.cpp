@@ -228,6 +228,20 @@ fs::path find_photos(const fs::path& root, const Files& files, const fs::path& c
     return std::ranges::max_element(candidates, {}, &PhotoFolder::rank)->path;
 }
 
+void expect_complete(const fs::path& folder, const InputFiles& found) {
+    if (found.mesh.empty() && found.points.empty())
+        throw Error(Exit::input,
+                    folder.string() + ": no mesh found (PLY, OBJ, STL, OFF), and no point cloud" +
+                        (found.compared.empty() ? "" : " other than the files of --deviation-from"));
+    if (found.mesh.empty() && !found.compared.empty())
+        throw Error(Exit::usage,
+                    folder.string() + ": has no mesh, of which --deviation-from could measure the deviation");
+    if (!found.mesh.empty() && found.cameras.empty())
+        throw Error(Exit::input, folder.string() + ": no cameras found; expected " + camera_format_names());
+    if (!found.mesh.empty() && found.photos.empty())
+        throw Error(Exit::input, folder.string() + ": no photos found");
+}
+
 }  // namespace
 
 fs::path find_stencil(const fs::path& photo) {
@@ -241,28 +255,32 @@ fs::path find_stencil(const fs::path& photo) {
     return {};
 }
 
-InputFiles discover(const fs::path& folder, const InputFiles& given) {
+FoundInput search(const fs::path& folder, const InputFiles& given) {
     if (!fs::exists(folder)) throw Error(Exit::input, folder.string() + ": does not exist");
     if (!fs::is_directory(folder)) throw Error(Exit::input, folder.string() + ": not a folder");
     const Files files = files_below(folder, 2);
-    InputFiles found = given;
+    FoundInput out{given, {}};
+    InputFiles& found = out.files;
+    const auto attempt = [&](const auto& step) {
+        try {
+            step();
+        } catch (const Error& e) {
+            if (!out.lacks) out.lacks = e;
+        }
+    };
     if (found.mesh.empty()) found.mesh = find_mesh(files, found);
-    find_all_cameras(folder, files, found);
+    attempt([&] { find_all_cameras(folder, files, found); });
     take_clouds(folder, files, found);
-    if (found.mesh.empty() && found.points.empty())
-        throw Error(Exit::input,
-                    folder.string() + ": no mesh found (PLY, OBJ, STL, OFF), and no point cloud" +
-                        (found.compared.empty() ? "" : " other than the files of --deviation-from"));
-    if (found.mesh.empty() && !found.compared.empty())
-        throw Error(Exit::usage,
-                    folder.string() + ": has no mesh, of which --deviation-from could measure the deviation");
-    if (!found.mesh.empty() && found.cameras.empty())
-        throw Error(Exit::input, folder.string() + ": no cameras found; expected " + camera_format_names());
-    if (found.photos.empty()) found.photos = find_photos(folder, files, found.cameras);
-    if (found.mesh.empty()) drop_unmatched(folder, found);
-    if (!found.mesh.empty() && found.photos.empty())
-        throw Error(Exit::input, folder.string() + ": no photos found");
-    return found;
+    if (found.photos.empty()) attempt([&] { found.photos = find_photos(folder, files, found.cameras); });
+    if (found.mesh.empty() && !found.points.empty()) drop_unmatched(folder, found);
+    attempt([&] { expect_complete(folder, found); });
+    return out;
+}
+
+InputFiles discover(const fs::path& folder, const InputFiles& given) {
+    const FoundInput found = search(folder, given);
+    if (found.lacks) throw *found.lacks;
+    return found.files;
 }
 
 }  // namespace vantage

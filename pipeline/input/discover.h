@@ -1,8 +1,10 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "pipeline/input/scene_input.h"
+#include "scene/error.h"
 
 namespace vantage {
 
@@ -16,6 +18,14 @@ namespace vantage {
 /// and cameras and photos may be missing. Throws Error(input) stating what is missing, or if there are
 /// several camera files and one cannot be read: it might have been the one.
 InputFiles discover(const std::filesystem::path& folder, const InputFiles& given = {});
+
+/// What a folder has, and if it is not enough, the error that discover() throws.
+struct FoundInput {
+    InputFiles files;
+    std::optional<Error> lacks;
+};
+/// As discover(), but goes on where a part is missing. Throws Error(input) only if the folder cannot be read.
+FoundInput search(const std::filesystem::path& folder, const InputFiles& given = {});
 
 /// The stencil of a photo: NAME.mask.png in the photo's folder, or in a folder `masks` next to that folder
 /// NAME.png or, for a photo in a subfolder, SUBFOLDER/NAME.png one level up. NAME is the photo's file name
