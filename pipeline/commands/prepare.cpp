@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -24,7 +23,6 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/input_paths.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/package/disk_space.h"
 #include "pipeline/package/effect_costs.h"
 #include "pipeline/package/meta.h"
 #include "pipeline/package/stage_table.h"
@@ -183,10 +181,7 @@ void print_done(const PrepareResult& done, bool why) {
 }
 
 void print_needs(const ResourceEstimate& n) {
-    fmt::print(
-        "needs    about {:.0f} s, at most {:.0f} MB of memory ({} photos at a time), {:.0f} MB of disk{}\n",
-        std::ceil(n.seconds), double(n.memory) / 1e6, n.in_flight, double(n.disk) / 1e6,
-        n.disk_free == unknown_space ? "" : fmt::format(" ({:.0f} MB free)", double(n.disk_free) / 1e6));
+    fmt::print("needs    {}\n", in_words(n));
     std::fflush(stdout);
 }
 

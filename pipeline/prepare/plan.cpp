@@ -13,6 +13,7 @@
 #include "pipeline/pixels/reduced.h"
 #include "pipeline/stages/inspect.h"
 #include "points/point_cloud.h"
+#include "scene/error.h"
 
 namespace vantage {
 namespace {
@@ -85,6 +86,16 @@ PackedModel pack_stand_in(SceneInput& scene, unsigned cluster_triangles) {
 
 }  // namespace
 
+void expect_usable(const SceneInput& scene, const PrepareSettings& settings) {
+    if (has_points_only(scene) && choice_of(settings.effects, Effect::points) == EffectChoice::off)
+        throw Error(Exit::usage, scene.files.points.front().string() +
+                                     ": the scene has points only, expected --effect points=on or auto");
+    if (scene.mesh.points_only() && !has_points_only(scene))
+        throw Error(Exit::input,
+                    scene.files.mesh.string() +
+                        ": has points only, expected a mesh with triangles; --points shows points");
+}
+
 void reduce_photos(SceneInput& scene, int longest) {
     for (PhotoInput& photo : scene.photos) {
         Intrinsics& k = photo.camera.intrinsics;
@@ -104,12 +115,12 @@ PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace
 PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const PrepareSettings& settings,
                       Share share, IdentityCache& identities, Trace* trace) {
     const Traced traced(trace, "inspect");
-    const std::vector<EffectDecision> effects = inspect(scene, settings.effects);
     PreparePlan plan;
-    plan.scene = scene_record(model, scene, settings, effects);
+    plan.effects = inspect(scene, settings.effects);
+    plan.scene = scene_record(model, scene, settings, plan.effects);
     plan.photos.records = photo_records(scene, settings, model.origin);
     plan.photos.states.resize(plan.photos.records.size());
-    plan.meta = make_meta(scene, settings, effects, identities);
+    plan.meta = make_meta(scene, settings, plan.effects, identities);
     if (effect_on(plan.scene, Effect::points)) {
         const Traced points(trace, "points");
         plan.points = make_point_tree(scene.points, model.origin);

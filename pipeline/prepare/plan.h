@@ -16,6 +16,7 @@ namespace vantage {
 /// Everything that is decided before the first photo is processed.
 struct PreparePlan {
     package::SceneRecord scene{};
+    std::vector<EffectDecision> effects;
     PointTree points;  ///< empty if the effect is off
     PhotoTables photos;
     std::vector<std::string> bands{""};  ///< names, see Band
@@ -23,6 +24,10 @@ struct PreparePlan {
     std::vector<ChunkPlan> chunks;
     std::uint64_t names = 0;  ///< checksum of the photos' names, in order
 };
+
+/// Throws Error if a scene that was read cannot be prepared: Error(usage) if the effect `points` is off and
+/// there is nothing but points, Error(input) if the mesh has no triangles.
+void expect_usable(const SceneInput& scene, const PrepareSettings& settings);
 
 /// Scales the cameras to photos reduced to at most `longest` pixels on the long side.
 void reduce_photos(SceneInput& scene, int longest);

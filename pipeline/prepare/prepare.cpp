@@ -56,18 +56,6 @@ class StageCounts {
     const EarlierPackages& earlier_;
 };
 
-void expect_usable(const SceneInput& scene, const PrepareSettings& settings, bool strict) {
-    if (has_points_only(scene) && choice_of(settings.effects, Effect::points) == EffectChoice::off)
-        throw Error(Exit::usage, scene.files.points.front().string() +
-                                     ": the scene has points only, expected --effect points=on or auto");
-    if (scene.mesh.points_only() && !has_points_only(scene))
-        throw Error(Exit::input,
-                    scene.files.mesh.string() +
-                        ": has points only, expected a mesh with triangles; --points shows points");
-    if (strict && !scene.left_out.empty())
-        throw Error(Exit::input, scene.left_out.front().photo + ": " + scene.left_out.front().why);
-}
-
 /// The photos to decode while the model is prepared: none if memory is limited or chunks may be reused.
 std::vector<std::size_t> photos_to_prefetch(const SceneInput& scene, const PrepareSettings& settings,
                                             const Share& share, const std::filesystem::path& out) {
@@ -84,27 +72,10 @@ std::vector<std::size_t> photos_to_prefetch(const SceneInput& scene, const Prepa
 ResourceEstimate reserve(const PreparePlan& plan, const SceneInput& scene, const PrepareSettings& settings,
                          const PrepareRun& run, bool opengl, const std::filesystem::path& out) {
     const PackageLayout layout = package_layout(plan.chunks, plan.names);
-    const auto photo = [&](unsigned in_flight) {
-        return photo_memory(scene, plan.scene, uses_spare_cores(settings, in_flight));
-    };
-    const std::uint64_t base = memory_now() + scene_memory(plan.scene, opengl);
-    const bool shared = run.share.shares > 0;
-    // The photos' memory is free when their results are compared.
-    const auto needed = [&](unsigned in_flight) {
-        return base +
-               std::max(in_flight * photo(in_flight), shared ? 0 : agree_memory(scene, settings, in_flight));
-    };
-    const unsigned in_flight = photos_in_flight(settings, needed);
-    const ExpectedSeconds expected = expected_seconds(scene, settings, plan.scene, in_flight,
-                                                      is_in_memory(out) ? 0 : disk_space_needed(layout));
-    const double photos = expected.photos / (shared ? run.share.shares : 1);
     const std::chrono::duration<double> before = std::chrono::steady_clock::now() - run.start;
-    const ResourceEstimate estimate{.disk = disk_space_needed(layout),
-                                    .disk_free = disk_space_for(out),
-                                    .memory = needed(in_flight),
-                                    .in_flight = in_flight,
-                                    .seconds = before.count() + photos + (shared ? 0 : expected.finish),
-                                    .photo_seconds = photos};
+    const ResourceEstimate estimate = estimate_resources(
+        scene, settings, plan.scene, layout,
+        {.out = out, .opengl = opengl, .shares = run.share.shares, .seconds_before = before.count()});
     if (run.on_estimate) run.on_estimate(estimate);
     ensure_disk_space(out, layout);
     return estimate;
@@ -227,7 +198,9 @@ PrepareResult prepare_photos(const PhotoContext& context, PhotoTables& photos,
 
 PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const std::filesystem::path& out,
                       const OnProgress& progress, const PrepareRun& run) {
-    expect_usable(scene, settings, run.strict);
+    expect_usable(scene, settings);
+    if (run.strict && !scene.left_out.empty())
+        throw Error(Exit::input, scene.left_out.front().photo + ": " + scene.left_out.front().why);
     if (settings.photo_size > 0) reduce_photos(scene, settings.photo_size);
     std::optional<IdentityCache> default_cache;
     IdentityCache& identities = run.identities ? *run.identities : default_cache.emplace();
@@ -235,7 +208,7 @@ PrepareResult prepare(SceneInput scene, const PrepareSettings& settings, const s
     PhotoPrefetch prefetch(scene, photos_to_prefetch(scene, settings, run.share, out),
                            threads_of(settings) - 1, run.trace);
     const PackedModel model = make_model(scene, settings, run.trace);
-    if (run.expect_view) expect_mesh_in_view(scene);
+    if (run.expect_view) expect_mesh_in_view(scene, photos_not_seeing_mesh(scene).size());
     GeometryRenderer renderer(model, scene.mesh.normals, settings);
     PreparePlan plan = make_plan(model, scene, settings, run.share, identities, run.trace);
     if (!effect_on(plan.scene, Effect::scalar_layers)) scene.mesh.scalars.clear();

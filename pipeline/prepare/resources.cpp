@@ -12,6 +12,7 @@
 #include "pipeline/agree/consensus.h"
 #include "pipeline/agree/folds.h"
 #include "pipeline/input/identity_cache.h"
+#include "pipeline/package/disk_space.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/surroundings/find_surroundings.h"
 #include "scene/error.h"
@@ -75,6 +76,38 @@ double machine_speed() {
 }
 
 }  // namespace
+
+std::string in_words(const ResourceEstimate& n) {
+    return fmt::format(
+        "about {:.0f} s, at most {:.0f} MB of memory ({} photos at a time), {:.0f} MB of disk{}",
+        std::ceil(n.seconds), double(n.memory) / 1e6, n.in_flight, double(n.disk) / 1e6,
+        n.disk_free == unknown_space ? "" : fmt::format(" ({:.0f} MB free)", double(n.disk_free) / 1e6));
+}
+
+ResourceEstimate estimate_resources(const SceneInput& scene, const PrepareSettings& settings,
+                                    const package::SceneRecord& model, const PackageLayout& layout,
+                                    const RunConditions& run) {
+    const auto photo = [&](unsigned in_flight) {
+        return photo_memory(scene, model, uses_spare_cores(settings, in_flight));
+    };
+    const std::uint64_t base = memory_now() + scene_memory(model, run.opengl);
+    const bool shared = run.shares > 0;
+    // The photos' memory is free when their results are compared.
+    const auto needed = [&](unsigned in_flight) {
+        return base +
+               std::max(in_flight * photo(in_flight), shared ? 0 : agree_memory(scene, settings, in_flight));
+    };
+    const unsigned in_flight = photos_in_flight(settings, needed);
+    const ExpectedSeconds expected = expected_seconds(scene, settings, model, in_flight,
+                                                      is_in_memory(run.out) ? 0 : disk_space_needed(layout));
+    const double photos = expected.photos / (shared ? run.shares : 1);
+    return {.disk = disk_space_needed(layout),
+            .disk_free = disk_space_for(run.out),
+            .memory = needed(in_flight),
+            .in_flight = in_flight,
+            .seconds = run.seconds_before + photos + (shared ? 0 : expected.finish),
+            .photo_seconds = photos};
+}
 
 std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& model, bool spare_cores) {
     double most = 0;

@@ -2,10 +2,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string>
 
 #include "pipeline/input/scene_input.h"
 #include "pipeline/settings/settings.h"
-#include "scene/package_format.h"
+#include "scene/package_layout.h"
 
 namespace vantage {
 
@@ -17,6 +18,21 @@ struct ResourceEstimate {
     double seconds;                 ///< of the whole run, with what is already over, if nothing can be reused
     double photo_seconds;           ///< of them, for the photos
 };
+
+/// "about 4 s, at most 319 MB of memory (2 photos at a time), 161 MB of disk (25186 MB free)"
+std::string in_words(const ResourceEstimate& estimate);
+
+/// A run, as far as the resources that it needs depend on it.
+struct RunConditions {
+    std::filesystem::path out;  ///< the package; need not exist
+    bool opengl;                ///< the model is rendered by OpenGL, not on the CPU
+    unsigned shares;            ///< among which the photos are divided; 0: it processes all
+    double seconds_before;      ///< that are already over
+};
+/// Estimates what a run needs from here on. Throws Error(usage) if the settings' memory is too small.
+ResourceEstimate estimate_resources(const SceneInput& scene, const PrepareSettings& settings,
+                                    const package::SceneRecord& model, const PackageLayout& layout,
+                                    const RunConditions& run);
 
 /// Memory per photo in flight, in bytes: its pixels, and the rendered maps of the model with masks; both at
 /// once if it may use a spare core.

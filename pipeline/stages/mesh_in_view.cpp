@@ -42,10 +42,15 @@ std::string text(const Eigen::AlignedBox3d& box) {
 
 }  // namespace
 
-void expect_mesh_in_view(const SceneInput& scene) {
-    const auto blind = std::ranges::count_if(
-        scene.photos, [&](const PhotoInput& photo) { return !sees(photo, scene.mesh.positions); });
-    if (2 * std::size_t(blind) <= scene.photos.size()) return;
+std::vector<std::string> photos_not_seeing_mesh(const SceneInput& scene) {
+    std::vector<std::string> names;
+    for (const PhotoInput& photo : scene.photos)
+        if (!sees(photo, scene.mesh.positions)) names.push_back(photo.name);
+    return names;
+}
+
+void expect_mesh_in_view(const SceneInput& scene, std::size_t blind) {
+    if (2 * blind <= scene.photos.size()) return;
     const MainBox box = main_box(scene.mesh.positions, scene.mesh.triangles);
     const Eigen::AlignedBox3d mesh(box.low, box.high);
     Eigen::AlignedBox3d cameras;

@@ -1,4 +1,7 @@
 #pragma once
+#include <string>
+#include <vector>
+
 #include "pipeline/input/scene_input.h"
 
 namespace vantage {
@@ -6,8 +9,12 @@ namespace vantage {
 /// A photo sees the mesh if what it shows of the mesh spans at least this share of its frame.
 inline constexpr double least_share_of_frame = 0.001;
 
-/// Throws Error(misplaced) with the bounding boxes of mesh and cameras if more than half of the photos do not
-/// see the mesh: it has another scale or place than the cameras, or its own frame. Occlusion is ignored.
-void expect_mesh_in_view(const SceneInput& scene);
+/// The names of the photos that do not see the mesh. Occlusion is ignored.
+std::vector<std::string> photos_not_seeing_mesh(const SceneInput& scene);
+
+/// Throws Error(misplaced) with the bounding boxes of mesh and cameras if `blind`, the number of photos that
+/// do not see the mesh, is more than half of them: the mesh has another scale or place than the cameras, or
+/// its own frame.
+void expect_mesh_in_view(const SceneInput& scene, std::size_t blind);
 
 }  // namespace vantage

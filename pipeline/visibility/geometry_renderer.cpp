@@ -20,7 +20,9 @@ bool uses_jump_flooding(DistanceMethod method) {
     return method != DistanceMethod::automatic && method != DistanceMethod::exact;
 }
 
-bool wants_opengl(const PrepareSettings& settings) {
+}  // namespace
+
+bool renders_by_opengl(const PrepareSettings& settings) {
     if (settings.render_by == RenderBy::processor && uses_jump_flooding(settings.distance))
         throw Error(Exit::usage,
                     std::string("--distance ") + name(settings.distance) +
@@ -28,8 +30,6 @@ bool wants_opengl(const PrepareSettings& settings) {
     return settings.render_by == RenderBy::opengl || uses_jump_flooding(settings.distance) ||
            (settings.render_by == RenderBy::automatic && gl::has_hardware());
 }
-
-}  // namespace
 
 /// The model is uploaded asynchronously; its buffers are created and destroyed on the OpenGL thread.
 struct GeometryRenderer::OpenGl {
@@ -49,7 +49,7 @@ struct GeometryRenderer::OpenGl {
 GeometryRenderer::GeometryRenderer(const PackedModel& model, const std::vector<Eigen::Vector3f>& normals,
                                    const PrepareSettings& settings)
     : model_(model), normals_(normals), distance_(settings.distance) {
-    if (wants_opengl(settings)) gl_ = std::make_unique<OpenGl>();
+    if (renders_by_opengl(settings)) gl_ = std::make_unique<OpenGl>();
     const bool hardware = gl_ && !gl_->thread.device().software;
     if (distance_ == DistanceMethod::automatic)
         distance_ = hardware ? DistanceMethod::jfa_squared : DistanceMethod::exact;

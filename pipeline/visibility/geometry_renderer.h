@@ -14,6 +14,10 @@
 
 namespace vantage {
 
+/// Whether a GeometryRenderer with these settings uses OpenGL. Throws Error(usage) if jump flooding is
+/// requested without OpenGL.
+bool renders_by_opengl(const PrepareSettings& settings);
+
 /// The model as projected into one photo.
 struct PhotoView {
     FrameTriangles triangles;
