@@ -14,13 +14,12 @@
 #include "pipeline/align/conventions.h"
 #include "pipeline/commands/apply_config.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/input_options.h"
 #include "pipeline/commands/left_out.h"
 #include "pipeline/commands/prepare_scene.h"
 #include "pipeline/commands/progress_line.h"
 #include "pipeline/commands/stop_signals.h"
-#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/import/number.h"
-#include "pipeline/input/discover.h"
 #include "pipeline/input/input_paths.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/package/effect_costs.h"
@@ -42,8 +41,8 @@ namespace vantage {
 namespace {
 
 struct PrepareOptions {
-    std::string input, mesh, cameras, photos, out, distance = "auto", resampling = "cubic",
-                                                   render_by = "auto", config;
+    InputOptions input;
+    std::string out, distance = "auto", resampling = "cubic", render_by = "auto", config;
     std::string progress = "auto", share, trace, report, refine = "full", tiles = "auto";
     std::vector<std::string> effects, conventions{convention_auto};
     PrepareSettings settings;
@@ -65,23 +64,6 @@ void force_effect(const std::string& text, std::map<Effect, EffectChoice>& choic
         choices.erase(row.effect);
     else
         throw Error(Exit::usage, "--effect " + text + ": expected " + row.option + "=on, off or auto");
-}
-
-InputFiles input_files(const PrepareOptions& o) {
-    InputFiles files{.mesh = o.mesh, .cameras = o.cameras, .photos = o.photos};
-    files.bands = o.settings.bands;
-    files.points.assign(o.settings.points.begin(), o.settings.points.end());
-    files.compared.assign(o.settings.deviation_from.begin(), o.settings.deviation_from.end());
-    if (!o.input.empty()) files = discover(o.input, files);
-    const bool photos = !files.cameras.empty() && !files.photos.empty(),
-               neither = files.cameras.empty() && files.photos.empty();
-    if (files.mesh.empty() ? files.points.empty() || !(photos || neither) : !photos)
-        throw Error(Exit::usage,
-                    "expected an INPUT folder, or --mesh, --cameras and --photos together, or --points in "
-                    "place of --mesh, alone or with both of the others");
-    if (files.mesh.empty() && !files.compared.empty())
-        throw Error(Exit::usage, "--deviation-from: there is no mesh of which to measure the deviation");
-    return files;
 }
 
 /// "3/8": the third of eight shares.
@@ -228,7 +210,9 @@ int run_prepare(PrepareOptions o) {
         o.settings.effects[Effect::compact] = o.tiles == "jpeg" ? EffectChoice::on : EffectChoice::off;
     for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
-    const InputFiles files = input_files(o);
+    const FoundInput found = find_input(o.input, o.settings);
+    if (found.lacks) throw *found.lacks;
+    const InputFiles& files = found.files;
     resolve_outputs(o, files);
     IdentityCache identities(default_identity_cache(), o.rehash);
     publish_interrupted(o.out);
@@ -260,19 +244,13 @@ int run_prepare(PrepareOptions o) {
 
 /// The scene file's objects, with the same settings, into packages in the output folder.
 int run_prepare_scene(const PrepareOptions& o) {
-    if (!o.mesh.empty() || !o.cameras.empty() || !o.photos.empty() || !o.settings.points.empty() ||
-        !o.settings.deviation_from.empty())
-        throw Error(Exit::usage, o.input + ": a scene file names the inputs of its objects itself");
     if (!o.share.empty() || !o.report.empty() || !o.trace.empty())
-        throw Error(Exit::usage,
-                    o.input + ": --shard, --report and --trace are for one package, not for a scene file");
-    return prepare_scene(o.input, o.out, o.force, [&](const SceneObject& object) {
+        throw Error(
+            Exit::usage,
+            o.input.input + ": --shard, --report and --trace are for one package, not for a scene file");
+    return prepare_scene(o.input.input, o.out, o.force, [&](const SceneObject& object) {
         PrepareOptions one = o;
-        const SceneObject::Input& in = object.input;
-        one.input = in.folder.string(), one.mesh = in.mesh.string();
-        one.cameras = in.cameras.string(), one.photos = in.photos.string();
-        for (const std::filesystem::path& cloud : in.points) one.settings.points.push_back(cloud.string());
-        one.settings.align = in.align;
+        take_input(object.input, one.input, one.settings);
         one.out = object.package.string();
         return run_prepare(one);
     });
@@ -294,29 +272,12 @@ void add_prepare(CLI::App& app, Run& run) {
         "  vantage prepare chapel -o chapel-3.share --shard 3/8\n"
         "  vantage prepare church.toml -o church    # several objects, see the README\n"
         "Run again, it continues where it was interrupted and repeats only what a change affects.");
-    c->add_option("INPUT", o->input,
-                  "folder with a mesh or a point cloud, cameras and photos; or a scene file, NAME.toml, that "
-                  "lists several")
-        ->type_name("FILE");
-    c->add_option("--mesh", o->mesh, "mesh file: PLY, OBJ, STL, OFF")->type_name("FILE");
-    c->add_option("--cameras", o->cameras, camera_format_names())->type_name("FILE");
-    c->add_option("--photos", o->photos, "folder of photos")->type_name("FOLDER");
+    add_input_options(*c, o->input, o->settings);
     c->add_option(
          "--deviation-from", o->settings.deviation_from,
          "measure the mesh's signed distance from this mesh or point cloud, as a scalar layer; may be "
          "repeated")
         ->type_name("FILE");
-    c->add_option("--points", o->settings.points,
-                  "point cloud to show, with the mesh in the same coordinates or alone: PLY, LAS, OBJ, STL, "
-                  "OFF; may be repeated")
-        ->type_name("FILE");
-    c->add_option("--bands", o->settings.bands,
-                  "photo sets that are shown one at a time: auto (by folders named visible, infrared, uvf, "
-                  "raking, before, ...), folders (each is a band), off, or a TOML file with the patterns of "
-                  "each band, such as infrared = [\"ir/*\", \"*_nir.tif\"]")
-        ->type_name("FILE")
-        ->check(known_values({"auto", "folders", "off"}))
-        ->capture_default_str();
     c->add_option(
          "--convention", o->conventions,
          "where cameras or mesh differ from what their format says: auto (the photos decide), as-read, "
@@ -417,8 +378,7 @@ void add_prepare(CLI::App& app, Run& run) {
     c->callback([o, c, &run] {
         if (!o->config.empty()) apply_config(*c, o->config);
         run = [o] {
-            const bool scene = is_scene_file(o->input) && !std::filesystem::is_directory(o->input);
-            return scene ? run_prepare_scene(*o) : run_prepare(*o);
+            return is_scene_of_objects(o->input, o->settings) ? run_prepare_scene(*o) : run_prepare(*o);
         };
     });
 }
