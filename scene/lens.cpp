@@ -152,6 +152,40 @@ std::string_view name(LensModel model) {
     return "unknown";
 }
 
+std::span<const char* const> coefficient_names(LensModel model) {
+    static constexpr const char* rational[] = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
+    static constexpr const char* fisheye[] = {"k1", "k2", "k3", "k4"};
+    static constexpr const char* fov[] = {"omega"};
+    static constexpr const char* thin_prism[] = {"k1", "k2", "p1", "p2", "k3", "k4", "sx1", "sy1"};
+    static constexpr const char* brown[] = {"k1", "k2", "p1", "p2", "k3", "k4", "skew"};
+    static constexpr const char* aria[] = {"k1", "k2", "k3", "k4", "k5", "k6",
+                                           "p1", "p2", "s1", "s2", "s3", "s4"};
+    static constexpr const char* one[] = {"k"};
+    static constexpr const char* unified[] = {"alpha", "beta"};
+    switch (model) {
+        case LensModel::none:
+            return {};
+        case LensModel::opencv:
+            return rational;
+        case LensModel::fisheye:
+            return fisheye;
+        case LensModel::fov:
+            return fov;
+        case LensModel::thin_prism:
+            return thin_prism;
+        case LensModel::brown:
+            return brown;
+        case LensModel::aria:
+            return aria;
+        case LensModel::division:
+        case LensModel::matchmover:
+            return one;
+        case LensModel::unified:
+            return unified;
+    }
+    return {};
+}
+
 Eigen::Vector2d distort(const Lens& lens, const Eigen::Vector2d& xy) {
     switch (lens.model) {
         case LensModel::none:

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <span>
 #include <string_view>
 
 namespace vantage {
@@ -31,6 +32,9 @@ struct Lens {
 
 /// The model's name in messages.
 std::string_view name(LensModel model);
+
+/// The names of the model's coefficients, in the order of Lens::p.
+std::span<const char* const> coefficient_names(LensModel model);
 
 /// The largest normalized pinhole radius up to which the distorted radius increases, tangential terms
 /// ignored. Beyond it the lens's polynomial folds back and is meaningless. Infinite if it never does.
