@@ -1,14 +1,11 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "cli/force_option.h"
 #include "objects/scene_file.h"
 #include "output/output_file.h"
 #include "pipeline/align/alignment.h"
 #include "pipeline/commands/commands.h"
-#include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/input/discover.h"
+#include "pipeline/commands/input_options.h"
 #include "pipeline/input/input_paths.h"
 #include "pipeline/input/read_scene.h"
 #include "scene/error.h"
@@ -17,20 +14,11 @@ namespace vantage {
 namespace {
 
 struct AlignOptions {
-    std::string input, mesh, cameras, photos, out;
-    unsigned threads = 0;
+    InputOptions input;
+    PrepareSettings settings;
+    std::string out;
     bool force = false;
 };
-
-InputFiles input_files(const AlignOptions& o) {
-    InputFiles files{.mesh = o.mesh, .cameras = o.cameras, .photos = o.photos};
-    if (!o.input.empty()) files = discover(o.input, files);
-    if (files.mesh.empty() || files.cameras.empty() || files.photos.empty())
-        throw Error(
-            Exit::usage,
-            "align: expected a folder with a mesh, cameras and photos, or --mesh, --cameras and --photos");
-    return files;
-}
 
 void print(const Alignment& a) {
     fmt::print("features {} that photos share, {} of them on the mesh, to {:.1f} px (median)\n", a.features,
@@ -43,14 +31,18 @@ void print(const Alignment& a) {
 }
 
 int run_align(const AlignOptions& o) {
-    const InputFiles files = input_files(o);
+    const FoundInput found = find_input(o.input, o.settings);
+    if (found.lacks) throw *found.lacks;
+    const InputFiles& files = found.files;
+    if (files.mesh.empty() || files.cameras.empty())
+        throw Error(Exit::usage, "align: expected a mesh, cameras and photos");
     const std::filesystem::path out =
         output_file(o.out, Product::scene, Inputs{input_paths(files), {}}, o.force);
     const SceneInput scene = read_scene(files);
     fmt::print("mesh     {}\ncameras  {} ({})\nphotos   {} ({})\n", files.mesh.string(),
                files.cameras.string(), scene.camera_format, files.photos.string(), scene.photos.size());
     std::fflush(stdout);
-    const Alignment a = align(scene, o.threads);
+    const Alignment a = align(scene, o.settings.threads);
     print(a);
     SceneObject object;
     object.name = out.stem().string();
@@ -73,12 +65,9 @@ void add_align(CLI::App& app, Run& run) {
         "Examples:\n  vantage align scans/chapel -o chapel.toml\n"
         "  vantage prepare chapel.toml -o chapel\n"
         "  vantage align --mesh laser.ply --cameras sparse --photos images -o laser.toml");
-    c->add_option("INPUT", o->input, "folder with a mesh, cameras and photos")->type_name("FOLDER");
-    c->add_option("--mesh", o->mesh, "mesh file: PLY, OBJ, STL, OFF")->type_name("FILE");
-    c->add_option("--cameras", o->cameras, camera_format_names())->type_name("FILE");
-    c->add_option("--photos", o->photos, "folder of photos")->type_name("FOLDER");
+    add_input_options(*c, o->input, o->settings);
     c->add_option("-o,--output", o->out, "the scene file to write, NAME.toml")->type_name("FILE")->required();
-    c->add_option("--threads", o->threads, "threads (default: all cores)");
+    c->add_option("--threads", o->settings.threads, "0 = all cores");
     add_force(*c, o->force);
     c->callback([o, &run] {
         if (!is_scene_file(o->out)) throw Error(Exit::usage, o->out + ": expected a name that ends in .toml");

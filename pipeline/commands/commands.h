@@ -9,12 +9,12 @@ namespace vantage {
 
 using Run = std::function<int()>;
 using AddCommand = void(CLI::App& app, Run& run);
-AddCommand add_align, add_prepare, add_merge, add_refine, add_repack, add_info, add_check, add_diff,
-    add_extract, add_thumbnail, add_synth;
+AddCommand add_inspect, add_align, add_prepare, add_merge, add_refine, add_repack, add_info, add_check,
+    add_diff, add_extract, add_thumbnail, add_synth;
 
 /// In the order of --help.
-inline constexpr std::array all_commands{add_prepare, add_align,     add_merge, add_refine,
-                                         add_repack,  add_info,      add_check, add_diff,
-                                         add_extract, add_thumbnail, add_synth};
+inline constexpr std::array all_commands{add_inspect, add_align,   add_prepare,   add_merge,
+                                         add_refine,  add_repack,  add_info,      add_check,
+                                         add_diff,    add_extract, add_thumbnail, add_synth};
 
 }  // namespace vantage

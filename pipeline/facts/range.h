@@ -1,0 +1,21 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vantage {
+
+/// The least and the greatest of some values; empty, with low > high, if there are none.
+struct Range {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+
+    /// Values that are not finite do not count.
+    void add(double value) {
+        if (!std::isfinite(value)) return;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    bool empty() const { return low > high; }
+};
+
+}  // namespace vantage
