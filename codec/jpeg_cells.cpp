@@ -2,14 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-// After <cstdio>: it uses its types.
-#include <jpeglib.h>
-
-#include <csetjmp>
 #include <cstdlib>
 #include <cstring>
 
+#include "codec/jpeg_failure.h"
 #include "codec/jpeg_pixels.h"
 #include "codec/scan_division.h"
 
@@ -29,14 +25,6 @@ int interval_for(int mcus, int mcu_width) {
         if (mcus % n == 0 && distance(n) < distance(best)) best = n;
     return best;
 }
-
-/// libjpeg reports errors by a function that must not return.
-struct Failure {
-    jpeg_error_mgr errors;
-    std::jmp_buf jump;
-};
-[[noreturn]] void jump_out(j_common_ptr j) { std::longjmp(reinterpret_cast<Failure*>(j->err)->jump, 1); }
-void ignore(j_common_ptr) {}
 
 struct Buffer {
     unsigned char* data = nullptr;
@@ -66,10 +54,8 @@ unsigned restart_interval(const jpeg_decompress_struct& from) {
 bool transcode(std::span<const std::byte> jpeg, Buffer& out) {
     jpeg_decompress_struct from{};
     jpeg_compress_struct to{};
-    Failure failure{};
-    from.err = to.err = jpeg_std_error(&failure.errors);
-    failure.errors.error_exit = jump_out;
-    failure.errors.output_message = ignore;
+    JpegFailure failure{};
+    from.err = to.err = jumping_errors(failure);
     volatile bool done = false;
     if (setjmp(failure.jump) == 0) {
         jpeg_create_decompress(&from);
