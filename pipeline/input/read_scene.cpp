@@ -45,10 +45,8 @@ Intrinsics in_pixels(const Intrinsics& k, CameraSet::Unit unit, const PhotoSize&
 void fit_to_photo(PhotoInput& photo, CameraSet::Unit unit, SceneInput& scene) {
     const PhotoHeader header = read_photo_header(photo.file);
     const PhotoSize size = header.size;
-    if (!header.profile.empty())
-        scene.warnings.push_back(photo.name + ": has the color profile '" + header.profile +
-                                 "', treated as sRGB");
     photo.linear = header.linear;
+    photo.profile = header.profile;
     Intrinsics& k = photo.camera.intrinsics;
     if (unit != CameraSet::Unit::pixels) {
         k = in_pixels(k, unit, size);
@@ -163,14 +161,32 @@ void set_bands(SceneInput& scene) {
     if (!groups.names.empty()) scene.bands = std::move(groups.names);
 }
 
-void warn_of_linear_light(SceneInput& scene) {
-    const auto n = std::ranges::count_if(scene.photos, &PhotoInput::linear);
-    if (n == 0) return;
-    const std::string first = std::ranges::find_if(scene.photos, &PhotoInput::linear)->name;
-    const std::string which = n == 1   ? first + " holds"
-                              : n == 2 ? first + " and another photo hold"
-                                       : first + " and " + std::to_string(n - 1) + " other photos hold";
-    scene.warnings.push_back(which + " linear light: converted to sRGB, what is brighter than 1 is clipped");
+/// What becomes of a photo's colors, after "holds"; empty if they are kept.
+std::string said_of_colors(const PhotoInput& photo) {
+    const ProfileUse& profile = photo.profile;
+    const std::string name =
+        profile.name.empty() ? "a color profile" : "the color profile '" + profile.name + "'";
+    if (photo.linear) return "linear light: converted to sRGB, what is brighter than 1 is clipped";
+    if (profile.converts) return name + ": converted to sRGB, what is outside it is clipped";
+    if (!profile.flaw.empty())
+        return name + ", which cannot be used because " + profile.flaw + ": taken as sRGB";
+    return {};
+}
+
+/// "A.jpg and 2 other photos hold".
+std::string holders(const std::vector<std::string>& photos) {
+    const std::string& first = photos.front();
+    if (photos.size() == 1) return first + " holds";
+    if (photos.size() == 2) return first + " and another photo hold";
+    return first + " and " + std::to_string(photos.size() - 1) + " other photos hold";
+}
+
+/// One warning for all photos with the same kind of colors.
+void warn_of_colors(SceneInput& scene) {
+    std::map<std::string, std::vector<std::string>> photos;  // by what is said of their colors
+    for (const PhotoInput& photo : scene.photos) photos[said_of_colors(photo)].push_back(photo.name);
+    photos.erase("");
+    for (const auto& [said, names] : photos) scene.warnings.push_back(holders(names) + " " + said);
 }
 
 void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
@@ -203,7 +219,7 @@ void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
     for (const fs::path& file : unused_photos(folder, photos, {used.begin(), used.end()}))
         leave_out(file, without_camera);
     std::ranges::sort(scene.photos, {}, &PhotoInput::name);
-    warn_of_linear_light(scene);
+    warn_of_colors(scene);
     std::ranges::sort(scene.left_out, {}, &UnusablePhoto::photo);
     std::ranges::sort(scene.warnings);
 }

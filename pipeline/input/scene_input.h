@@ -19,6 +19,7 @@ struct PhotoInput {
     PhotoSize decoded{};  ///< in the camera's orientation; larger than the camera's if photos are reduced
     std::filesystem::path stencil{};  ///< image, black where the photo must not be shown; empty: none
     bool linear = false;              ///< its file holds linear light
+    ProfileUse profile{};             ///< of its file's ICC profile
     std::vector<StampedFile> read{};  ///< photo and stencil, stamped before the photo's header was read
     std::uint32_t band = 0;           ///< index in SceneInput::bands
 };

@@ -10,6 +10,9 @@ namespace {
 using package::PhotoState;
 using package::Stage;
 
+/// Incremented whenever a change to the code changes the colors of photos that have a color profile.
+constexpr std::uint32_t color_conversion = 1;
+
 /// Compact chunks hold other bytes, and depth and colors that other stages read are rounded.
 Fingerprint start(const StageRow& row, const SceneKey& scene) {
     Fingerprint f;
@@ -22,6 +25,7 @@ std::uint64_t tiles_key(const SceneKey& scene, const PhotoInput& photo, std::uin
     const Intrinsics& k = photo.camera.intrinsics;
     Fingerprint f = start(stage_row(Stage::tiles), scene);
     f.add(file).add(photo.decoded.width).add(photo.decoded.height).add(k.width).add(k.height);
+    if (photo.profile.converts) f.add(color_conversion);
     // The camera matters to the pixels only if they are resampled.
     if (scene.undistortion && photo.camera.lens.distorts())
         f.add(k).add(photo.camera.lens).add(scene.settings.resampling);

@@ -235,6 +235,10 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
     std::vector<std::string> out;
     if (const json was = meta.value("tool", json{}); was != tool_name)
         out.push_back("prepared by " + was.dump() + ", this is " + tool_name);
+    // Of a color profile that was not converted; up to version 0.6.1.
+    for (const json& warning : meta.value("warnings", json::array()))
+        if (warning.is_string() && warning.get<std::string>().ends_with("', treated as sRGB"))
+            out.push_back(warning.get<std::string>());
     const json was = meta.value("config", json::object());
     for (const auto& [key, value] : now.items())
         if (const json before = was.value(key, json{}); before != value)

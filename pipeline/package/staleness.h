@@ -28,7 +28,8 @@ std::vector<std::string> names_listed(const PackageReader& package, const char* 
 /// Error(damaged) if META cannot be read.
 std::string bands_wanted(const PackageReader& package);
 
-/// The settings that differ from those of the package, and the program's version if it does, one line each.
+/// The settings that differ from those of the package, the program's version if it does, and color profiles
+/// that an earlier version did not convert, one line each.
 std::vector<std::string> changed_settings(const PackageReader& package, const PrepareSettings& settings);
 
 /// The first chunk or tile of the package that does not match its checksum, as a message; empty if there is

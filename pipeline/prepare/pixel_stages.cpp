@@ -26,7 +26,7 @@ RgbaImage decoded(const PhotoJob& job, PhotoFile& file) {
 /// Throws Error(input) if its size is not the photo's.
 RgbaImage read_stencil(const std::filesystem::path& file, const RgbaImage& photo) {
     try {
-        return read_photo(file, {photo.width, photo.height});
+        return read_unprofiled(file, {photo.width, photo.height});
     } catch (const Error& e) {
         throw Error(e.code(), "its stencil " + file.filename().string() + ": " + reason_of(e, file));
     }
@@ -50,11 +50,12 @@ Pixels decode_pixels(const PhotoJob& job, PhotoFile& file, package::PhotoRecord&
     const bool whole = job.photo.stencil.empty();
     if (!whole) cut_out(image, read_stencil(job.photo.stencil, image));
     const bool full_size = image.width == int(r.width) && image.height == int(r.height);
+    const bool own = whole && full_size && !job.photo.profile.converts;
     const int longest = int(std::max(r.width, r.height));
     if (std::max(image.width, image.height) > longest)
         image = reduced(image, thumbnail_size(image.width, image.height, longest));
     const SceneKey& key = job.context.key;
-    if (!key.undistortion || !job.photo.camera.lens.distorts()) return {std::move(image), whole && full_size};
+    if (!key.undistortion || !job.photo.camera.lens.distorts()) return {std::move(image), own};
     r.flags |= package::photo_undistorted;
     const Traced traced(job.context.trace, "undistort", job.photo.name);
     return {undistort(image, job.photo.camera, key.settings.resampling), false};

@@ -22,6 +22,7 @@
 #include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 #include "scene/halve.h"
+#include "tests/icc_profile.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -98,6 +99,21 @@ TEST_F(HardPhotos, FlippedBitsNeverCrash) {
             rejection(put(std::string("flipped-") + name, broken),
                       {40, 30});  // rejected, or decoded to that size
         }
+    }
+}
+
+TEST_F(HardPhotos, FlippedBitsInAColorProfileNeverCrash) {
+    std::mt19937 random(6);
+    const std::string adobe = icc_profile(adobe_rgb), gray = gray_profile(2.2);
+    for (int trial = 0; trial < 30; ++trial) {
+        std::string icc = trial % 3 ? adobe : gray;
+        for (int n = 0; n < 1 + trial % 5; ++n) icc[random() % icc.size()] ^= char(1 << random() % 8);
+        if (trial % 7 == 0) icc.resize(random() % icc.size());
+        const auto profile =
+            color_profile(std::as_bytes(std::span(icc)), trial % 3 ? PixelColors::rgb : PixelColors::gray);
+        EXPECT_FALSE(profile->use.converts && !profile->use.flaw.empty());
+        std::vector<std::uint8_t> pixels = noise(10, 10, 4);
+        if (profile->use.converts) profile->convert(pixels);
     }
 }
 

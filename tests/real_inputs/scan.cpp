@@ -62,6 +62,11 @@ std::string corner_text(int i, const Place& at = {}) {
     return fmt::format("{} {} {}", p.x(), p.y(), p.z());
 }
 
+std::string jpeg_segment(int marker, const std::string& content) {
+    const std::size_t length = content.size() + 2;
+    return std::string{char(0xff), char(marker), char(length >> 8), char(length & 0xff)} + content;
+}
+
 bool is_below(const std::string& path, const std::string& folder) {
     return path == folder || path.starts_with(folder + "/");
 }
@@ -254,12 +259,13 @@ std::string points_ply(std::size_t points) {
     return text;
 }
 
-std::string photo(const std::string& extension, double r, double g, double b, int w, int h) {
+std::string photo(const std::string& extension, double r, double g, double b, int w, int h, int orientation) {
     static std::atomic<int> count{0};
     const fs::path file =
         fs::temp_directory_path() / fmt::format("vantage-photo-{}-{}{}", ::getpid(), ++count, extension);
     const bool is_float = extension == ".exr" || extension == ".hdr";
     OIIO::ImageSpec spec(w, h, 3, is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+    spec.attribute("Orientation", orientation);
     spec.attribute("Compression", extension == ".jpg" || extension == ".jpeg" ? "jpeg:97" : "zip");
     std::vector<float> pixels;
     for (int i = 0; i < w * h; ++i)
@@ -282,11 +288,15 @@ std::string with_metadata(const std::string& jpeg, std::size_t bytes) {
     std::string segments;
     for (std::size_t left = bytes; left > 0;) {
         const std::size_t n = std::min<std::size_t>(left, 65000);
-        segments += {char(0xff), char(0xe5), char((n + 2) >> 8), char((n + 2) & 0xff)};
-        segments += std::string(n, 'm');
+        segments += jpeg_segment(0xe5, std::string(n, 'm'));
         left -= n;
     }
     return jpeg.substr(0, 2) + segments + jpeg.substr(2);
+}
+
+std::string with_profile(const std::string& jpeg, const std::string& icc) {
+    return jpeg.substr(0, 2) + jpeg_segment(0xe2, std::string("ICC_PROFILE\0\1\1", 14) + icc) +
+           jpeg.substr(2);
 }
 
 Scan standard_scan() {

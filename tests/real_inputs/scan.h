@@ -61,12 +61,14 @@ std::string points_ply(std::size_t points = 1000);
 
 /// A photo of one color in the format of the extension: ".jpg", ".png", ".tif", ".exr", ".hdr", ...
 /// Values are those stored: sRGB, or linear light if the format stores it.
-std::string photo(const std::string& extension, double r, double g, double b, int width = 64,
-                  int height = 48);
+std::string photo(const std::string& extension, double r, double g, double b, int width = 64, int height = 48,
+                  int orientation = 1);
 std::string red(const std::string& extension = ".jpg");
 std::string green(const std::string& extension = ".jpg");
 std::string blue(const std::string& extension = ".jpg");
 /// A JPEG with this many bytes of metadata before its size.
 std::string with_metadata(const std::string& jpeg, std::size_t bytes);
+/// A JPEG with an ICC profile of less than 64 KB.
+std::string with_profile(const std::string& jpeg, const std::string& icc);
 
 }  // namespace vantage::real_inputs

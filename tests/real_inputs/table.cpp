@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "tests/icc_profile.h"
 #include "tests/real_inputs/row.h"
 
 namespace vantage::real_inputs {
@@ -81,6 +82,16 @@ Change with_photo_a(std::string extension, std::string bytes) {
         s.remove("images/A.jpg");
         s["images/A" + extension] = bytes;
     };
+}
+/// Photo A with this color profile.
+Change with_profile_a(std::string icc) {
+    return [=](Scan& s) { s["images/A.jpg"] = with_profile(s.files.at("images/A.jpg"), icc); };
+}
+/// A gray photo in linear light, which its profile says.
+std::string linear_gray() {
+    RgbSpace linear = srgb;
+    linear.name = "Linear sRGB", linear.gamma = 1;
+    return with_profile(photo(".jpg", 0.2159, 0.2159, 0.2159), icc_profile(linear));
 }
 std::string crlf(std::string text) {
     for (std::size_t at = 0; (at = text.find('\n', at)) != text.npos; at += 2) text.replace(at, 1, "\r\n");
@@ -452,6 +463,13 @@ std::vector<Row> rows() {
         {"photos", "a HEIC that cannot be read", [](Scan& s) { s.remove("images/A.jpg"); s["images/A.HEIC"] = std::string("\0\0\0\x18""ftypheic", 12) + std::string(200, 'x'); }, Exit::incomplete, Says{"left out A.HEIC", "convert the photos to JPEG"}, Holds{"B.jpg=green C.jpg=blue"}},
         {"photos", "all photos truncated", [](Scan& s) { for (const char* n : {"A", "B", "C"}) s[std::string("images/") + n + ".jpg"].resize(20); }, Exit::input, Says{blocked}},
         {"photos", "gray", with_file("images/A.jpg", photo(".jpg", 0.5, 0.5, 0.5)), Holds{"A.jpg=gray(12"}},
+        {"photos", "in Adobe RGB", with_profile_a(icc_profile(adobe_rgb)), Says{"A.jpg holds the color profile 'Adobe RGB (1998)': converted to sRGB, what is outside it is clipped"}},
+        {"photos", "in Display P3, two of them", [](Scan& s) { for (const char* n : {"A", "B"}) { std::string& photo = s[std::string("images/") + n + ".jpg"]; photo = with_profile(photo, icc_profile(display_p3)); } }, Says{"A.jpg and another photo hold the color profile 'Display P3': converted"}},
+        {"photos", "in sRGB, by their profile", with_profile_a(icc_profile(srgb)), Never{"profile"}},
+        {"photos", "in linear light, by their profile", with_file("images/A.jpg", linear_gray()), Says{"A.jpg holds the color profile 'Linear sRGB'"}, Holds{"A.jpg=gray(12"}},
+        {"photos", "in Adobe RGB, prepared again", with_profile_a(icc_profile(adobe_rgb)), Says{"nothing to do"}, Command{again}},
+        {"photos", "a damaged color profile", with_profile_a("none"), Says{"A.jpg holds a color profile, which cannot be used because it is damaged: taken as sRGB"}},
+        {"photos", "a color profile of grays", with_profile_a(gray_profile(2.2)), Says{"A.jpg holds the color profile 'Gray', which cannot be used because it is not for RGB: taken as sRGB"}},
         {"photos", "turned by 90 degrees", with_file("images/C.jpg", photo(".jpg", 0, 0, 1, 48, 64)), Exit::incomplete, Says{"left out C.jpg"}, Holds{"A.jpg=red B.jpg=green"}},
         {"photos", "twice the size, all", [](Scan& s) { s["images/A.jpg"] = photo(".jpg", 0.8, 0.25, 0.2, 128, 96); }, Says{"A.jpg: is 128x96, but its camera expects 64x48; scaled the camera"}},
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "pipeline/formats/images/color_profile.h"
 #include "values/rgba_image.h"
 
 namespace vantage {
@@ -15,10 +16,10 @@ struct PhotoSize {
 
 /// The contents of an image file's header.
 struct PhotoHeader {
-    PhotoSize size;       ///< as stored
-    std::string profile;  ///< description of the ICC profile; empty if there is none or it is sRGB
-    int orientation = 1;  ///< EXIF, 1 to 8
-    bool linear = false;  ///< stores linear light (EXR, Radiance HDR), which reading converts to sRGB
+    PhotoSize size;        ///< as stored
+    ProfileUse profile{};  ///< of the ICC profile
+    int orientation = 1;   ///< EXIF, 1 to 8
+    bool linear = false;   ///< stores linear light (EXR, Radiance HDR), which reading converts to sRGB
 };
 
 /// Type of a channel's values.
@@ -29,8 +30,10 @@ enum class Sample { u8, f32 };
 /// not need it. The functions throw Error(input) or Error(storage) naming the file.
 struct ImageFiles {
     PhotoHeader (*header)(const std::filesystem::path& file);
-    /// Linear light is converted to sRGB; what is brighter than 1 becomes 1.
+    /// Colors of an ICC profile and linear light are converted to sRGB; what is brighter than 1 becomes 1.
     RgbaImage (*read)(const std::filesystem::path& file);
+    /// The same without regard to a profile: for images whose values are not colors.
+    RgbaImage (*read_unprofiled)(const std::filesystem::path& file);
     /// Writes interleaved pixels, top row first, in the format of the file's extension: PNG, EXR, or JPEG at
     /// quality 97 without chroma subsampling. Four channels are RGBA with straight alpha.
     void (*write)(const std::filesystem::path& file, int width, int height, int channels, Sample sample,

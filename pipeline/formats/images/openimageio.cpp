@@ -24,6 +24,14 @@ bool is_linear(const OIIO::ImageSpec& spec, const std::string& format) {
     return format == "openexr" || format == "hdr" || spec.get_string_attribute("oiio:ColorSpace") == "Linear";
 }
 
+/// The file's ICC profile; null if it has none.
+std::shared_ptr<const ColorProfile> profile_of(const OIIO::ImageSpec& spec) {
+    const OIIO::ParamValue* icc = spec.find_attribute("ICCProfile");
+    if (!icc) return nullptr;
+    return color_profile({static_cast<const std::byte*>(icc->data()), std::size_t(icc->datasize())},
+                         spec.nchannels < 3 ? PixelColors::gray : PixelColors::rgb);
+}
+
 /// Says what to do about a format that needs a library of its own.
 [[noreturn]] void fail_to_open(const std::filesystem::path& file, const std::string& reason) {
     const std::string extension = lower_extension(file);
@@ -39,14 +47,12 @@ PhotoHeader read_header(const std::filesystem::path& file) {
     const auto in = OIIO::ImageInput::open(file.string());
     if (!in) fail_to_open(file, OIIO::geterror());
     const OIIO::ImageSpec& spec = in->spec();
-    PhotoHeader header{{spec.width, spec.height},
-                       {},
-                       spec.get_int_attribute("Orientation", 1),
-                       is_linear(spec, in->format_name())};
-    if (!spec.find_attribute("ICCProfile")) return header;
-    header.profile = spec.get_string_attribute("ICCProfile:profile_description", "unnamed");
-    if (header.profile.find("sRGB") != std::string::npos) header.profile.clear();
-    return header;
+    const auto profile = profile_of(spec);
+    const ProfileUse use = profile ? profile->use : ProfileUse{};
+    return {{spec.width, spec.height},
+            use,
+            spec.get_int_attribute("Orientation", 1),
+            !use.converts && is_linear(spec, in->format_name())};
 }
 
 /// Red, green, blue and alpha of any image: gray, gray with alpha, RGB, RGBA, or more channels.
@@ -67,22 +73,46 @@ std::vector<std::uint8_t> srgb_bytes(const std::vector<float>& rgba) {
     return out;
 }
 
-RgbaImage read(const std::filesystem::path& file) {
+/// Throws Error(input).
+template <class T>
+std::vector<T> values_of(const OIIO::ImageBuf& rgba, const std::filesystem::path& file) {
+    std::vector<T> out(rgba.spec().image_pixels() * 4);
+    if (!rgba.get_pixels(rgba.roi(), OIIO::BaseTypeFromC<T>::value, out.data()))
+        fail(file, "cannot read: " + rgba.geterror());
+    return out;
+}
+
+RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
+    using OIIO::TypeDesc;
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::ImageBuf image(file.string(), 0, 0, nullptr, &config);
-    const bool linear = is_linear(image.spec(), image.file_format_name());
-    if (!image.read(0, 0, true, linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8))
+    const auto profile = profiles ? profile_of(image.spec()) : nullptr;
+    const bool converts = profile && profile->use.converts;
+    const bool linear = !converts && is_linear(image.spec(), image.file_format_name());
+    const bool words = converts && image.nativespec().format.size() > 1;
+    if (!image.read(0, 0, true, linear ? TypeDesc::FLOAT : words ? TypeDesc::UINT16 : TypeDesc::UINT8))
         fail(file, "cannot read: " + image.geterror());
-    const OIIO::ImageBuf rgba = as_rgba(image);
+    const auto bytes_of = [&](const OIIO::ImageBuf& rgba) {
+        if (linear) return srgb_bytes(values_of<float>(rgba, file));
+        if (words) return profile->converted(values_of<std::uint16_t>(rgba, file));
+        std::vector<std::uint8_t> bytes = values_of<std::uint8_t>(rgba, file);
+        if (converts) profile->convert(bytes);
+        return bytes;
+    };
     RgbaImage photo = blank_image(image.spec().width, image.spec().height);
-    std::vector<float> light(linear ? photo.rgba.size() : 0);
-    const bool read = linear ? rgba.get_pixels(rgba.roi(), OIIO::TypeDesc::FLOAT, light.data())
-                             : rgba.get_pixels(rgba.roi(), OIIO::TypeDesc::UINT8, photo.rgba.data());
-    if (!read) fail(file, "cannot read: " + rgba.geterror());
-    if (linear) photo.rgba = srgb_bytes(light);
+    // Some rows at a time: only the photo itself is in memory twice.
+    constexpr int rows = 64;
+    auto to = photo.rgba.begin();
+    for (OIIO::ROI part = image.roi(); part.ybegin < image.roi().yend; part.ybegin += rows) {
+        part.yend = std::min(part.ybegin + rows, image.roi().yend);
+        to = std::ranges::copy(bytes_of(as_rgba(OIIO::ImageBufAlgo::cut(image, part))), to).out;
+    }
     return photo;
 }
+
+RgbaImage read(const std::filesystem::path& file) { return read_with(true, file); }
+RgbaImage read_unprofiled(const std::filesystem::path& file) { return read_with(false, file); }
 
 void write(const std::filesystem::path& file, int width, int height, int channels, Sample sample,
            std::span<const std::byte> pixels) {
@@ -102,6 +132,6 @@ void write(const std::filesystem::path& file, int width, int height, int channel
 }  // namespace
 
 extern "C" const ImageFiles vantage_image_files;
-const ImageFiles vantage_image_files{read_header, read, write};
+const ImageFiles vantage_image_files{read_header, read, read_unprofiled, write};
 
 }  // namespace vantage

@@ -4,8 +4,9 @@
 
 #include <array>
 #include <memory>
-#include <string_view>
 
+#include "pipeline/formats/images/color_profile.h"
+#include "pipeline/formats/images/jpeg_profile.h"
 #include "pipeline/run/read_file.h"
 #include "values/grid.h"
 
@@ -53,6 +54,17 @@ JpegHeader jpeg_header(std::span<const std::byte> bytes) {
     return h;
 }
 
+PixelColors colors_of(const JpegHeader& h) {
+    if (h.space == TJCS_GRAY) return PixelColors::gray;
+    return h.space == TJCS_CMYK || h.space == TJCS_YCCK ? PixelColors::cmyk : PixelColors::rgb;
+}
+
+/// The ICC profile of a JPEG or of its beginning; null if it has none.
+std::shared_ptr<const ColorProfile> profile_of(std::span<const std::byte> bytes, const JpegHeader& h) {
+    const auto icc = jpeg_profile(bytes);
+    return icc ? color_profile(*icc, colors_of(h)) : nullptr;
+}
+
 [[noreturn]] void fail_size(const std::filesystem::path& file, PhotoSize actual, PhotoSize expected) {
     fail(file, "is " + std::to_string(actual.width) + "x" + std::to_string(actual.height) +
                    ", but its camera expects " + std::to_string(expected.width) + "x" +
@@ -65,19 +77,24 @@ bool fits(PhotoSize actual, PhotoSize expected) {
            (actual.width == expected.height && actual.height == expected.width);
 }
 
-RgbaImage decode_jpeg(const std::filesystem::path& file, std::span<const std::byte> bytes,
-                      PhotoSize expected) {
+/// Whether colors of an ICC profile are converted.
+enum class Profiles { used, ignored };
+
+RgbaImage decode_jpeg(const std::filesystem::path& file, std::span<const std::byte> bytes, PhotoSize expected,
+                      Profiles profiles) {
     const JpegHeader h = jpeg_header(bytes);
     if (!h.readable) fail(file, std::string("not a readable JPEG: ") + tjGetErrorStr2(h.decoder.get()));
     // Checked before memory is allocated: a corrupt header may claim any size.
     if (!fits({h.width, h.height}, expected)) fail_size(file, {h.width, h.height}, expected);
     RgbaImage photo = blank_image(h.width, h.height);
     photo.opaque = true;
-    const bool cmyk = h.space == TJCS_CMYK || h.space == TJCS_YCCK;
+    const bool cmyk = colors_of(h) == PixelColors::cmyk;
     if (tjDecompress2(h.decoder.get(), data(bytes), bytes.size(), photo.rgba.data(), h.width, 0, h.height,
                       cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_ACCURATEDCT))
         fail(file, std::string("JPEG is corrupt or truncated: ") + tjGetErrorStr2(h.decoder.get()));
-    if (cmyk) return from_cmyk(photo);
+    const auto profile = profiles == Profiles::used ? profile_of(bytes, h) : nullptr;
+    if (!profile || !profile->use.converts) return cmyk ? from_cmyk(photo) : photo;
+    profile->convert(photo.rgba);
     return photo;
 }
 
@@ -97,6 +114,19 @@ RgbaImage transposed(const RgbaImage& p, int orientation) {
     return out;
 }
 
+RgbaImage decode(const std::filesystem::path& file, std::span<const std::byte> bytes, PhotoSize expected,
+                 Profiles profiles) {
+    RgbaImage photo = is_jpeg(bytes)               ? decode_jpeg(file, bytes, expected, profiles)
+                      : profiles == Profiles::used ? image_files().read(file)
+                                                   : image_files().read_unprofiled(file);
+    if (photo.width == expected.height && photo.height == expected.width && photo.width != photo.height)
+        if (const int o = image_files().header(file).orientation; o >= 5 && o <= 8)
+            photo = transposed(photo, o);
+    if (photo.width != expected.width || photo.height != expected.height)
+        fail_size(file, {photo.width, photo.height}, expected);
+    return photo;
+}
+
 }  // namespace
 
 PhotoHeader read_photo_header(const std::filesystem::path& file) {
@@ -105,10 +135,11 @@ PhotoHeader read_photo_header(const std::filesystem::path& file) {
     std::vector<std::byte> head = read_file(file, bytes);
     while (is_jpeg(head) && head.size() == bytes && !jpeg_header(head).readable)
         head = read_file(file, bytes *= 4);
-    const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
-    if (is_jpeg(head) && text.find("ICC_PROFILE") == text.npos)
-        if (const JpegHeader jpeg = jpeg_header(head); jpeg.readable)
-            return {{jpeg.width, jpeg.height}, {}, 1};
+    if (is_jpeg(head))
+        if (const JpegHeader jpeg = jpeg_header(head); jpeg.readable) {
+            const auto profile = profile_of(head, jpeg);
+            return {{jpeg.width, jpeg.height}, profile ? profile->use : ProfileUse{}};
+        }
     return image_files().header(file);
 }
 
@@ -118,13 +149,11 @@ RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected) {
 
 RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
                        PhotoSize expected) {
-    RgbaImage photo = is_jpeg(bytes) ? decode_jpeg(file, bytes, expected) : image_files().read(file);
-    if (photo.width == expected.height && photo.height == expected.width && photo.width != photo.height)
-        if (const int o = image_files().header(file).orientation; o >= 5 && o <= 8)
-            photo = transposed(photo, o);
-    if (photo.width != expected.width || photo.height != expected.height)
-        fail_size(file, {photo.width, photo.height}, expected);
-    return photo;
+    return decode(file, bytes, expected, Profiles::used);
+}
+
+RgbaImage read_unprofiled(const std::filesystem::path& file, PhotoSize expected) {
+    return decode(file, read_file(file), expected, Profiles::ignored);
 }
 
 bool is_upright_jpeg(std::span<const std::byte> bytes, PhotoSize size) {

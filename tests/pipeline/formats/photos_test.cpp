@@ -91,36 +91,6 @@ TEST_F(Photos, AreRotatedOnlyIfTheCameraExpectsIt) {
     }
 }
 
-TEST_F(Photos, ColorProfileIsReportedUnlessSrgb) {
-    // A minimal ICC profile: a header and one tag, the description.
-    const auto profile = [](const std::string& description) {
-        std::string p(128, '\0');
-        const auto add = [&](std::uint32_t v) {
-            for (int shift = 24; shift >= 0; shift -= 8) p += char(v >> shift & 255);
-        };
-        p.replace(36, 4, "acsp");
-        p.replace(8, 4, std::string("\2\0\0\0", 4));
-        const auto length = std::uint32_t(description.size() + 1);
-        add(1), p += "desc", add(144), add(12 + length);
-        p += "desc", add(0), add(length), p += description + '\0';
-        const auto whole = std::uint32_t(p.size());
-        for (int i = 0; i < 4; ++i) p[std::size_t(i)] = char(whole >> (24 - 8 * i) & 255);
-        return p;
-    };
-    for (const std::string name : {"Display P3", "sRGB IEC61966-2.1"}) {
-        OIIO::ImageSpec spec(2, 2, 3, OIIO::TypeDesc::UINT8);
-        const std::string bytes = profile(name);
-        spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, int(bytes.size())), bytes.data());
-        const fs::path file = dir / "icc.tif";
-        const auto out = OIIO::ImageOutput::create(file.string());
-        const std::vector<std::uint8_t> pixels(12, 7);
-        ASSERT_TRUE(out->open(file.string(), spec) &&
-                    out->write_image(OIIO::TypeDesc::UINT8, pixels.data()) && out->close());
-        EXPECT_EQ(read_photo_header(file).profile, name == "Display P3" ? name : "");
-    }
-    EXPECT_EQ(read_photo_header(write<std::uint8_t>("n.png", 2, 2, {1, 2, 3})).profile, "");
-}
-
 TEST_F(Photos, WrongSizeTruncatedOrBrokenAreRejected) {
     const fs::path png = write<std::uint8_t>("p.png", 40, 30, {1, 2, 3});
     EXPECT_THROW(read_photo(png, {41, 30}), Error);
