@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 /// In the order in which they are taken if a camera's file has another extension.
 constexpr const char* extensions[] = {".jpg", ".jpeg", ".png",  ".tif",  ".tiff", ".webp", ".bmp", ".jp2",
                                       ".ppm", ".heic", ".heif", ".avif", ".exr",  ".hdr",  ".dng", ".cr2",
-                                      ".cr3", ".nef",  ".arw",  ".raf",  ".orf",  ".rw2"};
+                                      ".cr3", ".nef",  ".arw",  ".raf",  ".orf",  ".rw2",  ".pef", ".srw",
+                                      ".nrw", ".rwl",  ".iiq",  ".3fr",  ".fff"};
 
 std::size_t rank_of(const fs::path& file) {
     return std::size_t(std::ranges::find(extensions, lower_extension(file)) - std::begin(extensions));

@@ -473,6 +473,7 @@ std::vector<Row> rows() {
         {"photos", "in Adobe RGB, prepared again", with_profile_a(icc_profile(adobe_rgb)), Says{"nothing to do"}, Command{again}},
         {"photos", "a damaged color profile", with_profile_a("none"), Says{"A.jpg holds a color profile, which cannot be used because it is damaged: taken as sRGB"}},
         {"photos", "a color profile of grays", with_profile_a(gray_profile(2.2)), Says{"A.jpg holds the color profile 'Gray', which cannot be used because it is not for RGB: taken as sRGB"}},
+        {"photos", "a RAW file that cannot be read", both(moved("images/C.jpg", "images/C.IIQ"), [](Scan& s) { s["images/C.IIQ"] = std::string(1000, 'r'); cameras_named({"A.jpg", "B.jpg", "C.IIQ"})(s); }), Exit::incomplete, Says{"left out C.IIQ: not a readable photo", "Unsupported file format or not RAW file"}, Holds{"A.jpg=red B.jpg=green;"}},
         {"photos", "turned by 90 degrees, as their EXIF says", [](Scan& s) { s.remove("images/C.jpg"); s["images/C.tif"] = photo(".tif", 0.25, 0.3, 0.8, 48, 64, 6); }, Holds{"A.jpg=red B.jpg=green C.tif=blue"}},
         {"photos", "turned by 90 degrees", with_file("images/C.jpg", photo(".jpg", 0, 0, 1, 48, 64)), Exit::incomplete, Says{"left out C.jpg"}, Holds{"A.jpg=red B.jpg=green"}},
         {"photos", "twice the size, all", [](Scan& s) { s["images/A.jpg"] = photo(".jpg", 0.8, 0.25, 0.2, 128, 96); }, Says{"A.jpg: is 128x96, but its camera expects 64x48; scaled the camera"}},

@@ -3,8 +3,10 @@
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
+#include <tiffio.h>
 #include <turbojpeg.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "pipeline/formats/images/image_files.h"
@@ -36,6 +38,51 @@ class Photos : public TemporaryFolder {
         return file;
     }
 };
+
+/// A camera's raw file (DNG) of one color, given as linear light of sRGB, on a sensor of red, green and blue.
+void write_dng(const fs::path& file, int width, int height, const std::array<double, 3>& light) {
+    constexpr float black = 256, white = 16383;
+    // Of XYZ to the sensor, which sees sRGB's primaries.
+    const std::array<float, 9> matrix{3.2404542f, -1.5371385f, -0.4985314f, -0.9692660f, 1.8760108f,
+                                      0.0415560f, 0.0556434f,  -0.2040259f, 1.0572252f};
+    TIFF* dng = TIFFOpen(file.c_str(), "w");
+    const auto set = [&](std::uint32_t tag, const auto& values) {
+        if (TIFFFieldPassCount(TIFFFieldWithTag(dng, tag)))
+            TIFFSetField(dng, tag, int(std::size(values)), std::data(values));
+        else
+            TIFFSetField(dng, tag, std::data(values));
+    };
+    for (const auto& [tag, value] : {std::pair(TIFFTAG_IMAGEWIDTH, width),
+                                     {TIFFTAG_IMAGELENGTH, height},
+                                     {TIFFTAG_ROWSPERSTRIP, height},
+                                     {TIFFTAG_BITSPERSAMPLE, 16},
+                                     {TIFFTAG_SAMPLESPERPIXEL, 1},
+                                     {TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_CFA},
+                                     {TIFFTAG_COMPRESSION, COMPRESSION_NONE},
+                                     {TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG},
+                                     {TIFFTAG_CALIBRATIONILLUMINANT1, 21}})  // D65
+        TIFFSetField(dng, std::uint32_t(tag), value);
+    for (const auto& [tag, name] : {std::pair(TIFFTAG_MAKE, "Maker"),
+                                    {TIFFTAG_MODEL, "Camera"},
+                                    {TIFFTAG_UNIQUECAMERAMODEL, "Maker Camera"}})
+        TIFFSetField(dng, std::uint32_t(tag), name);
+    const std::array<std::uint8_t, 4> filters{0, 1, 1, 2};
+    set(TIFFTAG_DNGVERSION, std::array<std::uint8_t, 4>{1, 4, 0, 0});
+    set(TIFFTAG_CFAREPEATPATTERNDIM, std::array<std::uint16_t, 2>{2, 2});
+    set(TIFFTAG_CFAPATTERN, filters);
+    set(TIFFTAG_BLACKLEVEL, std::array{black});
+    set(TIFFTAG_WHITELEVEL, std::array{std::uint32_t(white)});
+    set(TIFFTAG_COLORMATRIX1, matrix);
+    set(TIFFTAG_ASSHOTNEUTRAL, std::array{1.0f, 1.0f, 1.0f});
+    std::vector<std::uint16_t> row(std::size_t(width), 0);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x)
+            row[std::size_t(x)] = std::uint16_t(
+                black + float(light[filters[std::size_t(2 * (y % 2) + x % 2)]]) * (white - black));
+        TIFFWriteScanline(dng, row.data(), std::uint32_t(y), 0);
+    }
+    TIFFClose(dng);
+}
 
 using Pixel = std::array<int, 4>;
 
@@ -74,6 +121,19 @@ TEST_F(Photos, AdobeCmykIsInverted) {
     EXPECT_NEAR(p[0], 255, 2);
     EXPECT_NEAR(p[1], 128, 2);
     EXPECT_NEAR(p[2], 0, 2);
+    EXPECT_EQ(p[3], 255);
+}
+
+TEST_F(Photos, CameraRawIsDevelopedToSrgb) {
+    const std::array<double, 3> light{0.2, 0.4, 0.1};
+    write_dng(dir / "r.dng", 64, 48, light);
+    const PhotoHeader header = read_photo_header(dir / "r.dng");
+    EXPECT_EQ(header.size.width, 64);
+    EXPECT_EQ(header.size.height, 48);
+    EXPECT_FALSE(header.linear);
+    const Pixel p = pixel(read_photo(dir / "r.dng", {64, 48}), 32, 24);
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(p[c], 255 * (1.055 * std::pow(light[c], 1 / 2.4) - 0.055), 1);
     EXPECT_EQ(p[3], 255);
 }
 
