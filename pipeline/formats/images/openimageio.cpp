@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/formats/images/heif_profile.h"
 #include "pipeline/formats/images/image_files.h"
 #include "scene/error.h"
 #include "values/lower_extension.h"
@@ -25,11 +26,17 @@ bool is_linear(const OIIO::ImageSpec& spec, const std::string& format) {
 }
 
 /// The file's ICC profile; null if it has none.
-std::shared_ptr<const ColorProfile> profile_of(const OIIO::ImageSpec& spec) {
-    const OIIO::ParamValue* icc = spec.find_attribute("ICCProfile");
-    if (!icc) return nullptr;
-    return color_profile({static_cast<const std::byte*>(icc->data()), std::size_t(icc->datasize())},
-                         spec.nchannels < 3 ? PixelColors::gray : PixelColors::rgb);
+std::shared_ptr<const ColorProfile> profile_of(const OIIO::ImageSpec& spec, const std::string& format,
+                                               const std::filesystem::path& file) {
+    std::vector<std::byte> icc;
+    if (const OIIO::ParamValue* found = spec.find_attribute("ICCProfile")) {
+        const auto* bytes = static_cast<const std::byte*>(found->data());
+        icc.assign(bytes, bytes + found->datasize());
+    } else if (format == "heif") {
+        icc = heif_profile(file);
+    }
+    if (icc.empty()) return nullptr;
+    return color_profile(icc, spec.nchannels < 3 ? PixelColors::gray : PixelColors::rgb);
 }
 
 /// Says what to do about a format that needs a library of its own.
@@ -47,7 +54,7 @@ PhotoHeader read_header(const std::filesystem::path& file) {
     const auto in = OIIO::ImageInput::open(file.string());
     if (!in) fail_to_open(file, OIIO::geterror());
     const OIIO::ImageSpec& spec = in->spec();
-    const auto profile = profile_of(spec);
+    const auto profile = profile_of(spec, in->format_name(), file);
     const ProfileUse use = profile ? profile->use : ProfileUse{};
     return {{spec.width, spec.height},
             use,
@@ -87,7 +94,8 @@ RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::ImageBuf image(file.string(), 0, 0, nullptr, &config);
-    const auto profile = profiles ? profile_of(image.spec()) : nullptr;
+    const auto profile =
+        profiles ? profile_of(image.spec(), image.file_format_name().c_str(), file) : nullptr;
     const bool converts = profile && profile->use.converts;
     const bool linear = !converts && is_linear(image.spec(), image.file_format_name());
     const bool words = converts && image.nativespec().format.size() > 1;

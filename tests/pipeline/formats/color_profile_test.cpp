@@ -3,6 +3,7 @@
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
+#include <libheif/heif.h>
 #include <turbojpeg.h>
 
 #include <cmath>
@@ -73,6 +74,32 @@ std::string cmyk_jpeg(const std::vector<std::uint8_t>& inks) {
     tjFree(bytes);
     tjDestroy(encoder);
     return jpeg;
+}
+
+/// False if no encoder is installed.
+bool write_heic(const fs::path& file, const std::vector<std::uint8_t>& rgb, const std::string& icc) {
+    heif_context* context = heif_context_alloc();
+    heif_encoder* encoder = nullptr;
+    const bool encodes =
+        heif_context_get_encoder_for_format(context, heif_compression_HEVC, &encoder).code == heif_error_Ok;
+    if (encodes) {
+        heif_image* image = nullptr;
+        heif_image_create(side, side, heif_colorspace_RGB, heif_chroma_interleaved_RGB, &image);
+        heif_image_add_plane(image, heif_channel_interleaved, side, side, 8);
+        int stride = 0;
+        std::uint8_t* to = heif_image_get_plane(image, heif_channel_interleaved, &stride);
+        for (int y = 0; y < side; ++y)
+            std::copy_n(&rgb[std::size_t(3 * side * y)], 3 * side, to + y * stride);
+        heif_image_set_raw_color_profile(image, "prof", icc.data(), icc.size());
+        heif_image_handle* handle = nullptr;
+        heif_context_encode_image(context, image, encoder, nullptr, &handle);
+        heif_context_write_to_file(context, file.c_str());
+        heif_image_handle_release(handle);
+        heif_image_release(image);
+        heif_encoder_release(encoder);
+    }
+    heif_context_free(context);
+    return encodes;
 }
 
 /// A JPEG with a profile in segments of 60000 bytes; `claimed`: how many there seem to be, if not as many.
@@ -173,6 +200,14 @@ TEST_F(ColorProfiles, AdobeRgbDisplayP3AndProPhotoFollowTheirEquations) {
         const RgbaImage stored = read_unprofiled(jpeg, size);
         EXPECT_LE(error_of(read_photo(jpeg, size), space, stored.rgba, 4), 0.55) << space.name << " JPEG";
     }
+}
+
+TEST_F(ColorProfiles, AreFoundInHeicFiles) {
+    const fs::path file = dir / "p.heic";
+    if (!write_heic(file, colors<std::uint8_t>(3), icc_profile(display_p3))) GTEST_SKIP() << "no encoder";
+    EXPECT_EQ(use_of(file).name, "Display P3");
+    const RgbaImage stored = read_unprofiled(file, size);
+    EXPECT_LE(error_of(read_photo(file, size), display_p3, stored.rgba, 4), 0.55);
 }
 
 TEST_F(ColorProfiles, ThatOfSrgbLeavesEveryByte) {
