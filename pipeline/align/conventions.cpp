@@ -216,7 +216,7 @@ double in_pixels(double share, const SceneInput& scene) {
 
 [[noreturn]] void fail_as_misfit(const SceneInput& scene, const ConventionTrial& t) {
     throw Error(Exit::misplaced,
-                fmt::format("{}: the mesh does not fit these cameras: a point of it projects {:.0f} px from "
+                fmt::format("{}: the mesh does not fit these cameras: a point of it projects {:.1f} px from "
                             "where photos agree (median of {}), also if it is turned; 'vantage align' finds "
                             "where it belongs, --convention as-read takes it as it is",
                             scene.files.mesh.string(), in_pixels(t.median, scene), t.defined));

@@ -30,6 +30,7 @@ void add_input_options(CLI::App& c, InputOptions& o, PrepareSettings& settings) 
 FoundInput find_input(const InputOptions& o, const PrepareSettings& settings) {
     InputFiles given{.mesh = o.mesh, .cameras = o.cameras, .photos = o.photos};
     given.bands = settings.bands;
+    given.align = settings.align;
     given.points.assign(settings.points.begin(), settings.points.end());
     given.compared.assign(settings.deviation_from.begin(), settings.deviation_from.end());
     FoundInput found = o.input.empty() ? FoundInput{given, {}} : search(o.input, given);

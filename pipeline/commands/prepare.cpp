@@ -181,12 +181,8 @@ SceneInput read_traced(const InputFiles& files, Trace& trace) {
     return read_scene(files);
 }
 
-/// Moves the cameras into the mesh's frame by `settings.align`, and by what conventions the photos call for.
 ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {
     const Traced traced(&trace, "conventions");
-    if (settings.align)
-        for (PhotoInput& p : scene.photos)
-            p.camera.cam_from_world = compose(p.camera.cam_from_world, inverse(*settings.align));
     return settle_convention(scene, settings.convention, settings.threads);
 }
 
@@ -284,6 +280,7 @@ void add_prepare(CLI::App& app, Run& run) {
          "or one or more of the others")
         ->type_name("NAME")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->check(known_values(convention_names()))
         ->capture_default_str();
     c->add_option("-o,--output", o->out, "the package to write; of a scene file: the folder for packages")

@@ -303,6 +303,9 @@ SceneInput read_scene(const InputFiles& files) {
     if (!fs::is_directory(files.photos)) throw Error(Exit::input, files.photos.string() + ": not a folder");
     if (!cameras.empty()) add_photos(scene, std::move(cameras));
     if (scene.photos.empty() && !has_points_only(scene)) fail_without_photos(scene);
+    if (files.align)
+        for (PhotoInput& p : scene.photos)
+            p.camera.cam_from_world = compose(p.camera.cam_from_world, inverse(*files.align));
     if (!scene.photos.empty()) set_bands(scene);
     return scene;
 }

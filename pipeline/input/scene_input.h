@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,9 @@ struct InputFiles {
     std::vector<std::filesystem::path> materials{};  ///< of the mesh, if they are not all opaque
     std::vector<std::string> notes{};                ///< what else was found and not taken
     std::vector<std::filesystem::path>
-        more_cameras{};          ///< as `cameras`, each of the photos in its own folder below `photos`
-    std::string bands = "auto";  ///< see group_bands
+        more_cameras{};                 ///< as `cameras`, each of the photos in its own folder below `photos`
+    std::string bands = "auto";         ///< see group_bands
+    std::optional<Similarity> align{};  ///< from the cameras' frame to the mesh's, if they differ
 };
 
 /// The reason to leave out a photo that no camera belongs to.

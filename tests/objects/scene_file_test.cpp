@@ -53,6 +53,33 @@ TEST_F(SceneFile, IsReadBackAsItWasWritten) {
     EXPECT_EQ(scene_file_text(objects, dir).find(dir.string()), std::string::npos);
 }
 
+TEST_F(SceneFile, InputsAreReadBackWithTheirAlignment) {
+    SceneObject altar;
+    altar.name = "altar";
+    altar.input = {{}, dir / "m.ply", dir / "sparse", dir / "photos", {dir / "a.ply"}};
+    Similarity s;
+    s.R << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    s.t = {4e5, -1.0 / 3, 7};
+    s.scale = 0.0123456789012345678;
+    altar.input.align = s;
+    write_scene_file(dir / "altar.toml", {altar});
+    const auto read = read_scene_file(dir / "altar.toml", SceneUse::prepare);
+    ASSERT_EQ(read.size(), 1u);
+    EXPECT_EQ(read[0].input.mesh.lexically_normal(), altar.input.mesh);
+    EXPECT_EQ(read[0].input.points.at(0).lexically_normal(), altar.input.points[0]);
+    ASSERT_TRUE(read[0].input.align);
+    EXPECT_EQ(read[0].input.align->t, s.t);
+    EXPECT_NEAR(read[0].input.align->scale / s.scale, 1, 1e-14);
+    EXPECT_TRUE(read[0].input.align->R.isApprox(s.R, 1e-14));
+    const std::string input = "[[object]]\nmesh = \"m\"\ncameras = \"c\"\nphotos = \"p\"\nalign = ";
+    for (const char* bad :
+         {"[1, 2, 3]", "[[1,0,0,0],[0,1,0,0],[0,0,-1,0]]", "[[1,0,0,0],[0,2,0,0],[0,0,1,0]]",
+          "[[nan,0,0,0],[0,1,0,0],[0,0,1,0]]", "[[0,0,0,0],[0,0,0,0],[0,0,0,0]]", "\"x\""})
+        EXPECT_EQ(
+            error_of(input + bad, SceneUse::prepare),
+            ": object 1: align: expected 3 rows of 4 numbers: a rotation times a scale, and a translation");
+}
+
 TEST_F(SceneFile, NamesAreThoseOfThePackagesUnlessGiven) {
     const auto read = read_scene_file(written("[[object]]\npackage = \"a/nave.vantage\"\n"), SceneUse::show);
     ASSERT_EQ(read.size(), 1u);

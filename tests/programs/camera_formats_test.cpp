@@ -37,7 +37,7 @@ class CameraFormats : public TemporaryFolder {
         fs::create_symlink(scan / "mesh.ply", dir / name / "mesh.ply");
         for (const auto& [file, text] : files) std::ofstream(dir / name / file, std::ios::binary) << text;
         ASSERT_EQ(run("prepare " + (dir / name).string() + " -o " + package(name).string() +
-                      " --no-report --effect registration=off"),
+                      " --no-report --refine off --photo-size 640"),
                   0)
             << slurp(dir / "says");
     }
@@ -70,8 +70,10 @@ std::vector<Photo> photos_of(const fs::path& sparse) {
     return out;
 }
 
-TEST_F(CameraFormats, MakeTheSamePackageOfARealScan) {
-    VANTAGE_DATASET(scan, "sceaux-small");
+class CameraFormatsOf : public CameraFormats, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(CameraFormatsOf, MakeTheSamePackage) {
+    VANTAGE_DATASET(scan, GetParam());
     const fs::path real = fs::absolute(scan);
     const std::vector<Photo> photos = photos_of(real / "sparse");
     const Eigen::Matrix3d turn =
@@ -96,6 +98,39 @@ TEST_F(CameraFormats, MakeTheSamePackageOfARealScan) {
         prepare(name, files, real);
         expect_equal("colmap", name);
     }
+}
+
+INSTANTIATE_TEST_SUITE_P(RealScans, CameraFormatsOf, ::testing::Values("sceaux-small", "fountain-P11"),
+                         [](const auto& scan) { return scan.index == 0 ? "Sceaux" : "FountainP11"; });
+
+TEST_F(CameraFormats, CamerasOfAnotherFrameAreMovedByTheSceneFile) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    const fs::path real = fs::absolute(scan);
+    std::vector<Photo> photos = photos_of(real / "sparse");
+    prepare(
+        "given",
+        {{"cameras.txt", exported::colmap_cameras(photos)}, {"images.txt", exported::colmap_images(photos)}},
+        real);
+    // x = 2 T y + (5, -3, 400) leads from the other frame, where T turns the axes, to the mesh.
+    Eigen::Matrix3d T;
+    T << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+    for (Photo& p : photos) {
+        p.R = p.R * T;
+        p.center = T.transpose() * (p.center - Eigen::Vector3d(5, -3, 400)) / 2;
+    }
+    fs::create_directories(dir / "other");
+    std::ofstream(dir / "other/cameras.txt") << exported::colmap_cameras(photos);
+    std::ofstream(dir / "other/images.txt") << exported::colmap_images(photos);
+    std::ofstream(dir / "moved.toml")
+        << "[[object]]\nname = \"moved\"\ncameras = \"other\"\nmesh = \"given/mesh.ply\"\n"
+           "photos = \"given/images\"\n"
+           "align = [[0, 0, 2, 5], [2, 0, 0, -3], [0, 2, 0, 400]]\n";
+    ASSERT_EQ(run("prepare " + (dir / "moved.toml").string() + " -o " + (dir / "out").string() +
+                  " --no-report --refine off --photo-size 640"),
+              0)
+        << slurp(dir / "says");
+    fs::rename(dir / "out/moved.vantage", package("moved"));
+    expect_equal("given", "moved");
 }
 
 }  // namespace
