@@ -16,7 +16,7 @@ struct SharedFeature {
 
 /// How features are found.
 struct FeatureSettings {
-    int long_side = 640;   ///< of the reduced photos, px
+    int long_side = 480;   ///< of the reduced photos, px
     int features = 1000;   ///< per photo, at most
     unsigned threads = 0;  ///< 0: all cores
 };

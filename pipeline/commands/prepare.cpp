@@ -183,7 +183,9 @@ SceneInput read_traced(const InputFiles& files, Trace& trace) {
 
 ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {
     const Traced traced(&trace, "conventions");
-    return settle_convention(scene, settings.convention, settings.threads);
+    // Each thread takes about 70 MB, which the estimate does not know.
+    const unsigned threads = settings.memory > 0 ? 1 : std::min(2u, threads_of(settings));
+    return settle_convention(scene, settings.convention, threads);
 }
 
 /// What effects are worth and cost here, and what settings cost elsewhere.
