@@ -52,8 +52,9 @@ std::string summary(std::string text, const std::string& program, const std::str
 std::string value_of(const DescribedOption& o) {
     if (o.values.empty()) return italic(o.type);
     std::string out;
-    for (const std::string& v : o.values) out += (out.empty() ? "" : "|") + bold(v);
-    return o.type == "FILE" ? out + "|" + italic(o.type) : out;
+    const std::string next = "|\\:";  // a line may end there
+    for (const std::string& v : o.values) out += (out.empty() ? "" : next) + bold(v);
+    return o.type == "FILE" ? out + next + italic(o.type) : out;
 }
 
 /// What is known of the value beside its description, such as "1 to 4096, default 256".
