@@ -64,6 +64,13 @@ double photo_seconds(const PhotoInput& photo, const package::SceneRecord& model)
            double(model.triangles) * seconds_per_triangle;
 }
 
+/// Of a photo's file per pixel; and while it is decoded as many again, if it is long because it is no JPEG.
+double file_bytes(const PhotoInput& photo) {
+    std::error_code error;
+    const auto bytes = fs::file_size(photo.file, error);
+    return error ? 1 : std::max(1.0, 2 * double(bytes) / std::max(1.0, pixels(photo)));
+}
+
 fs::path speed_file() {
     const fs::path cache = default_identity_cache();
     return cache.empty() ? fs::path() : cache.parent_path() / "machine-speed";
@@ -112,9 +119,10 @@ ResourceEstimate estimate_resources(const SceneInput& scene, const PrepareSettin
 std::uint64_t photo_memory(const SceneInput& scene, const package::SceneRecord& model, bool spare_cores) {
     double most = 0;
     for (const PhotoInput& photo : scene.photos) {
-        // Bytes per pixel: RGBA and its pyramid 6, and the file 1; a copy and the source position of each
+        // Bytes per pixel: RGBA and its pyramid 6, and the file; a copy and the source position of each
         // pixel; a stencil. Maps, distances and masks take 28 at a quarter of the pixels.
-        const double texels = 7 + (photo.camera.lens.distorts() ? 12 : 0) + (photo.stencil.empty() ? 0 : 4);
+        const double texels =
+            6 + file_bytes(photo) + (photo.camera.lens.distorts() ? 12 : 0) + (photo.stencil.empty() ? 0 : 4);
         constexpr double maps = 7;
         most = std::max(most, pixels(photo) * (spare_cores ? texels + maps : std::max(texels, maps)));
     }

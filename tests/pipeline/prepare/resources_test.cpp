@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <optional>
 
 #include "tests/temporary_folder.h"
@@ -70,6 +72,18 @@ TEST_F(Estimate, CountsTheBytesThatGoToADisk) {
     EXPECT_EQ(with(1000000), with(0)) << "written while photos are decoded";
     EXPECT_GT(with(10000000000), 10) << "10 GB at 1 GB/s";
     EXPECT_LT(with(10000000000), 100) << "at 0.1 GB/s";
+}
+
+TEST_F(Estimate, CountsTheBytesOfFilesWithoutCompression) {
+    const auto memory = [&](const char* name, std::uintmax_t bytes) {
+        const std::filesystem::path file = dir / name;
+        std::ofstream(file).flush();
+        std::filesystem::resize_file(file, bytes);
+        return double(photo_memory(reduced(1, file.c_str()), {}, true));
+    };
+    const double jpeg = memory("a.jpg", 8'000'000), tiff = memory("a.tif", 144'000'000);
+    EXPECT_NEAR(tiff - jpeg, 2 * 144e6 - 24e6, 1e6) << "the file, and its values of 16 bits";
+    EXPECT_EQ(memory("b.jpg", 10'000'000), jpeg);
 }
 
 TEST_F(Estimate, LearnsFromRunsLongEnoughToTell) {
