@@ -121,7 +121,7 @@ TEST_F(SceneFile, ErrorsNameTheObjectAndWhatWasExpected) {
     EXPECT_EQ(error_of(first + second + "shown = 1\n"), ": object 2: shown: expected true or false");
     EXPECT_EQ(error_of(first + second + "rotate = 1\n"),
               ": object 2: unknown key 'rotate', expected name, package, input, mesh, cameras, photos, "
-              "points, move, turn, scale, shown or opacity");
+              "points, align, move, turn, scale, shown or opacity");
     for (const char* opacity : {"-0.1", "1.5", "nan", "true"})
         EXPECT_EQ(error_of(first + second + "opacity = " + opacity + "\n"),
                   ": object 2: opacity: expected a number from 0 to 1");
