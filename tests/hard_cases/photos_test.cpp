@@ -23,6 +23,7 @@
 #include "scene/error.h"
 #include "scene/halve.h"
 #include "tests/icc_profile.h"
+#include "tests/image_file.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -39,10 +40,7 @@ class HardPhotos : public TemporaryFolder {
         spec.attribute("Orientation", orientation);
         spec.attribute("oiio:UnassociatedAlpha", 1);
         const fs::path file = dir / name;
-        const auto out = OIIO::ImageOutput::create(file.string());
-        EXPECT_TRUE(out && out->open(file.string(), spec) &&
-                    out->write_image(OIIO::BaseTypeFromC<T>::value, pixels.data()) && out->close())
-            << file;
+        EXPECT_TRUE(write_image_file(file, spec, OIIO::BaseTypeFromC<T>::value, pixels.data())) << file;
         return file;
     }
     static std::vector<std::uint8_t> noise(int width, int height, int channels) {

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/image_file.h"
+
 namespace vantage::real_inputs {
 namespace {
 
@@ -271,9 +273,7 @@ std::string photo(const std::string& extension, double r, double g, double b, in
     for (int i = 0; i < w * h; ++i)
         for (const double v : {r, g, b})
             pixels.push_back(float(v) * (is_float || (i / 4 + i / w / 4) % 2 ? 1.f : 0.95f));
-    const auto out = OIIO::ImageOutput::create(file.string());
-    if (!out || !out->open(file.string(), spec) || !out->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) ||
-        !out->close())
+    if (!write_image_file(file, spec, OIIO::TypeDesc::FLOAT, pixels.data()))
         throw std::runtime_error("cannot write " + file.string());
     const std::string bytes = slurp(file);
     fs::remove(file);

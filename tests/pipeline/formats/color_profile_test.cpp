@@ -14,6 +14,7 @@
 
 #include "pipeline/formats/images/photos.h"
 #include "tests/icc_profile.h"
+#include "tests/image_file.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -52,10 +53,7 @@ class ColorProfiles : public TemporaryFolder {
         if (!icc.empty())
             spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, int(icc.size())), icc.data());
         const fs::path file = dir / name;
-        const auto out = OIIO::ImageOutput::create(file.string());
-        EXPECT_TRUE(out && out->open(file.string(), spec) &&
-                    out->write_image(OIIO::BaseTypeFromC<T>::value, pixels.data()) && out->close())
-            << file;
+        EXPECT_TRUE(write_image_file(file, spec, OIIO::BaseTypeFromC<T>::value, pixels.data())) << file;
         return file;
     }
     fs::path put(const char* name, const std::string& bytes) {

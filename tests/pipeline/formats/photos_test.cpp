@@ -12,6 +12,7 @@
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/file_identity.h"
 #include "scene/error.h"
+#include "tests/image_file.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -32,9 +33,7 @@ class Photos : public TemporaryFolder {
         for (int i = 0; i < width * height; ++i) pixels.insert(pixels.end(), pixel.begin(), pixel.end());
         std::fill_n(pixels.begin(), pixel.size(), T(0));
         const fs::path file = dir / name;
-        const auto out = OIIO::ImageOutput::create(file.string());
-        EXPECT_TRUE(out && out->open(file.string(), spec) &&
-                    out->write_image(OIIO::BaseTypeFromC<T>::value, pixels.data()) && out->close());
+        EXPECT_TRUE(write_image_file(file, spec, OIIO::BaseTypeFromC<T>::value, pixels.data()));
         return file;
     }
 };

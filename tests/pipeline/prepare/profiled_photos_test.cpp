@@ -13,6 +13,7 @@
 #include "pipeline/run/progress.h"
 #include "pipeline/synth/synthesize.h"
 #include "tests/icc_profile.h"
+#include "tests/image_file.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -29,10 +30,7 @@ void write_image(const fs::path& file, int width, int height, int channels, cons
     spec.attribute("jpeg:subsampling", "4:4:4");
     if (!icc.empty())
         spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, int(icc.size())), icc.data());
-    const auto out = OIIO::ImageOutput::create(file.string());
-    ASSERT_TRUE(out && out->open(file.string(), spec) &&
-                out->write_image(OIIO::TypeDesc::FLOAT, values.data()) && out->close())
-        << file;
+    ASSERT_TRUE(write_image_file(file, spec, OIIO::TypeDesc::FLOAT, values.data())) << file;
 }
 
 class ProfiledPhotos : public TemporaryFolder {
