@@ -165,10 +165,8 @@ toml::array list_of(const Eigen::Vector3d& v) { return toml::array{v.x(), v.y(),
 
 toml::array list_of(const Similarity& s) {
     toml::array out;
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        const Eigen::RowVector3d row = s.scale * s.R.row(i);
-        out.push_back(toml::array{row.x(), row.y(), row.z(), s.t[i]});
-    }
+    const auto m = matrix_of(s);
+    for (const auto& row : m.rowwise()) out.push_back(toml::array{row[0], row[1], row[2], row[3]});
     return out;
 }
 

@@ -14,6 +14,13 @@ struct Similarity {
     Eigen::Vector3d operator()(const Eigen::Vector3d& x) const { return scale * (R * x) + t; }
 };
 
+/// A rotation times a scale, and a translation: 3 rows of 4 numbers.
+inline Eigen::Matrix<double, 3, 4> matrix_of(const Similarity& s) {
+    Eigen::Matrix<double, 3, 4> m;
+    m << s.scale * s.R, s.t;
+    return m;
+}
+
 inline Similarity inverse(const Similarity& s) {
     const Eigen::Matrix3d R = s.R.transpose();
     return {R, -(R * s.t) / s.scale, 1 / s.scale};

@@ -151,11 +151,10 @@ json settings_json(const PrepareSettings& s) {
              {"effects", choices_json(s.effects)}};
     if (s.bands != bands_auto) out["bands"] = is_bands_file(s.bands) ? file_name(s.bands) : s.bands;
     if (s.convention != "auto") out["convention"] = s.convention;
-    if (s.align)
-        for (Eigen::Index i = 0; i < 3; ++i) {
-            const Eigen::RowVector3d row = s.align->scale * s.align->R.row(i);
-            out["align"].push_back({row.x(), row.y(), row.z(), s.align->t[i]});
-        }
+    if (s.align) {
+        const auto m = matrix_of(*s.align);
+        for (const auto& row : m.rowwise()) out["align"].push_back({row[0], row[1], row[2], row[3]});
+    }
     if (s.vertex_coordinates) out["vertex_coordinates"] = true;
     return out;
 }
