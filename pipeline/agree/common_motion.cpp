@@ -40,15 +40,6 @@ Eigen::Matrix<double, 2, 7> motion_derivative(const Intrinsics& k, const Pose& p
     return pixel_derivative(k, pose.R * x + pose.t) * pose.R * of_point;
 }
 
-Similarity similarity(const SmallMotion& d, const MotionFrame& frame) {
-    const Vector3d turn = d.head<3>();
-    Similarity out;
-    out.R = Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()).toRotationMatrix();
-    out.scale = std::exp(d(6));
-    out.t = frame.middle + frame.size * Vector3d(d.segment<3>(3)) - out.scale * (out.R * frame.middle);
-    return out;
-}
-
 Similarity common_motion(std::span<const Intrinsics> intrinsics, std::span<const Pose> given,
                          std::span<const Pose> now, std::span<const Track> tracks) {
     if (tracks.empty()) return {};

@@ -6,18 +6,10 @@
 
 #include "pipeline/agree/surface_matches.h"
 #include "scene/camera.h"
-#include "scene/similarity.h"
+#include "scene/small_motion.h"
 
 namespace vantage {
 
-/// A small similarity: rotation about the middle (rad), translation (units of `size`), ln scale.
-using SmallMotion = Eigen::Matrix<double, 7, 1>;
-/// Where small motions are about, and their unit of length.
-struct MotionFrame {
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    double size = 1;
-};
-Similarity similarity(const SmallMotion& motion, const MotionFrame& frame);
 /// Derivative of the pixel with respect to the point in camera space, which must be in front of the camera.
 Eigen::Matrix<double, 2, 3> pixel_derivative(const Intrinsics& k, const Eigen::Vector3d& in_camera);
 /// Derivative of the pixel at which the camera sees S(x), with respect to S. x must be in front of the

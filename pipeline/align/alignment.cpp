@@ -16,6 +16,7 @@
 #include "pipeline/align/start_poses.h"
 #include "pipeline/run/for_each_photo.h"
 #include "scene/error.h"
+#include "scene/small_motion.h"
 #include "values/main_box.h"
 #include "values/quantile.h"
 
@@ -24,27 +25,26 @@ namespace {
 
 using Eigen::Vector3d;
 using Points = std::vector<FeaturePoint>;
-using Motion = Eigen::Matrix<double, 7, 1>;  ///< rotation, translation in units of `size`, ln scale
 
 constexpr std::size_t least_points = 200, starts = 24;
 constexpr std::size_t quick_points = 600;  ///< of the many fits; the last one takes all
 /// Agreement relative to that of the cameras alone, and to the next best alignment's. A wall that slides
 /// along itself agrees, too: its relief must tell.
 constexpr double least_share = 0.5, clearly = 1.05;
-constexpr double most_uncertain = 0.0005;  ///< share of a photo's longer side
+/// Shares of a photo's longer side: of features that show one point, and of the alignment.
+constexpr double most_epipolar = 0.003, most_uncertain = 0.0005;
 
-/// A surface, and a scale of its lengths.
+/// A surface, and what motions of points toward it are about.
 struct Target {
     const NearestSurface& surface;
-    Vector3d middle;  ///< about which it is turned and scaled
-    double size;
+    MotionFrame frame;
 };
 
 /// A point led onto the mesh: its distance from the plane of the nearest triangle, in standard errors, and
 /// the derivative of that by the motion.
 struct Residual {
     double value;
-    Motion derivative;
+    SmallMotion derivative;
 };
 Residual residual(const FeaturePoint& p, const Similarity& s, const Target& target) {
     const Vector3d at = s(p.point);
@@ -55,20 +55,16 @@ Residual residual(const FeaturePoint& p, const Similarity& s, const Target& targ
         s.scale * std::hypot(p.across * std::sqrt(std::max(0.0, 1 - along * along)), p.along * along);
     Residual out;
     out.value = n.dot(at - near.point) / error;
-    const Vector3d arm = at - target.middle;
-    out.derivative << arm.cross(n), n * target.size, n.dot(arm);
+    const Vector3d arm = at - target.frame.middle;
+    out.derivative << arm.cross(n), n * target.frame.size, n.dot(arm);
     out.derivative /= error;
     return out;
 }
 
 /// A motion after a similarity.
-Similarity stepped(const Similarity& s, const Motion& d, const Target& about) {
-    const Vector3d turn = d.head<3>();
-    const Eigen::Matrix3d R = Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()).toRotationMatrix();
-    const double scale = std::exp(d(6));
-    const Vector3d t =
-        about.middle + about.size * Vector3d(d.segment<3>(3)) + scale * (R * (s.t - about.middle));
-    return {R * s.R, t, s.scale * scale};
+Similarity stepped(const Similarity& s, const SmallMotion& d, const MotionFrame& frame) {
+    const Similarity m = similarity(d, frame);
+    return {m.R * s.R, m(s.t), m.scale * s.scale};
 }
 
 /// Point to plane (Chen and Medioni 1992) with weights 1 / (1 + (r / width)^2)^2 (Geman and McClure), whose
@@ -83,16 +79,16 @@ Similarity fitted(const Points& points, Similarity s, const Target& target, int 
         }
         const double width = std::max(1.0, 3 * 1.4826 * quantile(std::move(sizes), 0.5));
         Eigen::Matrix<double, 7, 7> normal = Eigen::Matrix<double, 7, 7>::Zero();
-        Motion right = Motion::Zero();
+        SmallMotion right = SmallMotion::Zero();
         for (const Residual& r : residuals) {
             const double w = 1 / std::pow(1 + (r.value / width) * (r.value / width), 2);
             normal += w * r.derivative * r.derivative.transpose();
             right -= w * r.value * r.derivative;
         }
         normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff() + 1e-300;
-        const Motion d = normal.ldlt().solve(right);
+        const SmallMotion d = normal.ldlt().solve(right);
         if (!d.allFinite()) return s;
-        s = stepped(s, d, target);
+        s = stepped(s, d, target.frame);
         if (d.norm() < 1e-10) return s;
     }
     return s;
@@ -107,28 +103,19 @@ std::vector<Camera> cameras_in_mesh(const SceneInput& scene, const Similarity& s
     return out;
 }
 
-/// Vertices of the mesh as photos see them: how far they move between two alignments, px.
-class MeshInPhotos {
-  public:
-    explicit MeshInPhotos(const SceneInput& scene) : scene_(scene) {}
-
-    double motion(const Similarity& a, const Similarity& b) const {
-        const std::vector<Camera> in_a = cameras_in_mesh(scene_, a), in_b = cameras_in_mesh(scene_, b);
-        std::vector<double> moved;
-        const std::size_t step = std::max<std::size_t>(1, scene_.mesh.positions.size() / 500);
-        for (std::size_t v = 0; v < scene_.mesh.positions.size(); v += step)
-            for (std::size_t i = 0; i < in_a.size(); ++i) {
-                const auto p = imaged(in_a[i], scene_.mesh.positions[v]),
-                           q = imaged(in_b[i], scene_.mesh.positions[v]);
-                if (p && in_frame(in_a[i].intrinsics, *p))
-                    moved.push_back(q ? (*p - *q).norm() : longer_side(in_a[i]));
-            }
-        return quantile(std::move(moved), 0.5);
-    }
-
-  private:
-    const SceneInput& scene_;
-};
+/// How far the mesh's vertices move in the photos between two alignments: the median, px.
+double motion_in_photos(const SceneInput& scene, const Similarity& a, const Similarity& b) {
+    const std::vector<Camera> in_a = cameras_in_mesh(scene, a), in_b = cameras_in_mesh(scene, b);
+    const std::vector<Vector3d>& vertices = scene.mesh.positions;
+    std::vector<double> moved;
+    for (std::size_t v = 0; v < vertices.size(); v += std::max<std::size_t>(1, vertices.size() / 500))
+        for (std::size_t i = 0; i < in_a.size(); ++i) {
+            const auto p = imaged(in_a[i], vertices[v]), q = imaged(in_b[i], vertices[v]);
+            if (p && in_frame(in_a[i].intrinsics, *p))
+                moved.push_back(q ? (*p - *q).norm() : longer_side(in_a[i]));
+        }
+    return quantile(std::move(moved), 0.5);
+}
 
 /// An alignment, and how well the photos agree with it.
 struct Candidate {
@@ -139,19 +126,16 @@ struct Candidate {
 class Aligner {
   public:
     Aligner(const SceneInput& scene, unsigned threads)
-        : scene_(scene),
-          threads_(threads),
-          in_photos_(scene),
-          surface_(scene.mesh),
-          rays_(cast_mesh(scene.mesh)) {
+        : scene_(scene), threads_(threads), surface_(scene.mesh), rays_(cast_mesh(scene.mesh)) {
         for (const PhotoInput& p : scene.photos) cameras_.push_back(p.camera);
         const MainBox box = main_box(scene.mesh.positions, scene.mesh.triangles);
-        middle_ = (box.low + box.high) / 2;
-        size_ = box.diagonal() / 2;
+        frame_ = {(box.low + box.high) / 2, box.diagonal() / 2};
         const FeatureSettings how{.long_side = 1600, .features = 5000, .threads = threads};
         constexpr std::size_t ranks[] = {0, 1, 2, 4}, most = 60;
-        features_ = shared_features(scene.photos, neighboring_photos(scene.photos, most, ranks), how);
-        keep_agreeing();
+        features_ = agreeing_features(
+            shared_features(scene.photos, neighboring_photos(scene.photos, most, ranks), how), cameras_,
+            most_epipolar);
+        of_cameras_ = trial_of("", epipolar_errors(features_, cameras_)).agreement;
         // A feature is found to about half a pixel of the reduced photo.
         points_ = feature_points(features_, cameras_, 0.5 * longer_side(cameras_.front()) / how.long_side);
         if (points_.size() < least_points)
@@ -196,16 +180,7 @@ class Aligner {
         throw Error(Exit::misplaced, scene_.files.mesh.string() + ": cannot be aligned: " + why);
     }
     double px(double share) const { return share * longer_side(cameras_.front()); }
-    Target target() const { return {surface_, middle_, size_}; }
-
-    void keep_agreeing() {
-        const std::vector<double> errors = epipolar_errors(features_, cameras_);
-        std::vector<SharedFeature> kept;
-        for (std::size_t i = 0; i < errors.size(); ++i)
-            if (errors[i] <= 0.003) kept.push_back(features_[i]);
-        features_ = std::move(kept);
-        of_cameras_ = trial_of("", epipolar_errors(features_, cameras_)).agreement;
-    }
+    Target target() const { return {surface_, frame_}; }
 
     ConventionTrial tried(const Similarity& s) const {
         return trial_of("", surface_errors(features_, cameras_in_mesh(scene_, s), rays_));
@@ -232,7 +207,8 @@ class Aligner {
         for (bool better = true; better;) {
             std::vector<Similarity> near;
             for (const double by : {-0.1, -0.03, 0.03, 0.1})
-                for (int i = 3; i < 7; ++i) near.push_back(stepped(best.s, by * Motion::Unit(i), target()));
+                for (int i = 3; i < 7; ++i)
+                    near.push_back(stepped(best.s, by * SmallMotion::Unit(i), frame_));
             const Candidate next = fitted_from(near).front();
             better = next.trial.agreement > 1.01 * best.trial.agreement;
             if (better) best = next;
@@ -245,7 +221,7 @@ class Aligner {
     /// The agreement of the best candidate that puts the mesh elsewhere.
     double next_best(const std::vector<Candidate>& all, const Candidate& best) const {
         for (const Candidate& c : all)
-            if (in_photos_.motion(best.s, c.s) > px(0.01)) return c.trial.agreement;
+            if (motion_in_photos(scene_, best.s, c.s) > px(0.01)) return c.trial.agreement;
         return 0;
     }
 
@@ -261,11 +237,11 @@ class Aligner {
                 if (features_[p.feature].a != photo && features_[p.feature].b != photo) rest.push_back(p);
             if (rest.size() < least_points / 2) continue;
             const Similarity w = fitted(rest, s, target(), 6);
-            const Vector3d middle = inverse(s)(middle_);
-            pixels.push_back(in_photos_.motion(s, w));
+            const Vector3d middle = inverse(s)(frame_.middle);
+            pixels.push_back(motion_in_photos(scene_, s, w));
             degrees.push_back(Eigen::AngleAxisd(w.R * s.R.transpose()).angle() * 180 / std::numbers::pi);
             scale.push_back(w.scale / s.scale - 1);
-            move.push_back((w(middle) - middle_).norm());
+            move.push_back((w(middle) - frame_.middle).norm());
         }
         // Two are needed, or nothing is known.
         const double unknown = std::numeric_limits<double>::infinity();
@@ -277,12 +253,10 @@ class Aligner {
 
     const SceneInput& scene_;
     unsigned threads_;
-    MeshInPhotos in_photos_;
     NearestSurface surface_;
     CastMesh rays_;
     std::vector<Camera> cameras_;
-    Vector3d middle_;
-    double size_;
+    MotionFrame frame_;
     std::vector<SharedFeature> features_;
     double of_cameras_ = 0;  ///< agreement of the cameras alone
     Points points_, quick_;

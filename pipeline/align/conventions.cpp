@@ -4,13 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <ranges>
 
+#include "pipeline/align/photo_rays.h"
 #include "scene/error.h"
 #include "values/quantile.h"
 
 namespace vantage {
 namespace {
+
+/// A way in which camera files or meshes differ from what their format says, because a program wrote or an
+/// export setting made them so. Undone by changing all cameras.
+struct Convention {
+    const char* name;     ///< of --convention
+    const char* meaning;  ///< in messages: "the mesh is turned by 180 degrees about x"
+    bool of_mesh;         ///< moves all cameras together: only the mesh tells whether it applies
+    std::optional<Camera> (*apply)(Camera camera,
+                                   const Similarity& transform);  ///< empty: changes nothing
+};
 
 /// The error that counts half; a tenth of a percent is 4 px of a photo of 12 megapixels.
 constexpr double half = 0.001;
@@ -82,7 +94,7 @@ std::optional<Camera> transposed(Camera camera, const Similarity&) {
     return camera;
 }
 
-constexpr Convention all_conventions[] = {
+constexpr Convention conventions[] = {
     {"camera-y-up", "the cameras look along -z, with y up", false, looking_backward},
     {"transposed", "rotations are the other way around", false, transposed},
     {"swapped-tangential", "the lens's two tangential coefficients are exchanged", false, swapped_tangential},
@@ -98,8 +110,8 @@ constexpr Convention all_conventions[] = {
      [](Camera c, const Similarity&) { return turned(c, rows(y, x, -z)); }}};
 
 const Convention& convention(std::string_view name) {
-    const auto found = std::ranges::find(all_conventions, name, &Convention::name);
-    if (found != std::end(all_conventions)) return *found;
+    const auto found = std::ranges::find(conventions, name, &Convention::name);
+    if (found != std::end(conventions)) return *found;
     throw Error(Exit::usage,
                 fmt::format("--convention {}: expected {}", name, fmt::join(convention_names(), ", ")));
 }
@@ -147,19 +159,10 @@ const ConventionTrial& best_of(std::span<const ConventionTrial> trials) {
 /// Conventions of the mesh alone, and with the camera file's own transform undone.
 std::vector<std::string> mesh_conventions() {
     std::vector<std::string> out;
-    for (const Convention& c : all_conventions)
+    for (const Convention& c : conventions)
         if (c.of_mesh) out.emplace_back(c.name);
-    for (const Convention& c : all_conventions)
+    for (const Convention& c : conventions)
         if (c.of_mesh && c.apply != without_transform) out.push_back(joined("no-transform", c.name));
-    return out;
-}
-
-std::vector<SharedFeature> agreeing_with(std::span<const SharedFeature> features,
-                                         std::span<const Camera> cameras) {
-    const std::vector<double> errors = epipolar_errors(features, cameras);
-    std::vector<SharedFeature> out;
-    for (std::size_t i = 0; i < features.size(); ++i)
-        if (errors[i] <= far_off) out.push_back(features[i]);
     return out;
 }
 
@@ -188,13 +191,13 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
     ConventionTrials out;
     std::vector<Camera> cameras = cameras_of(scene);
     out.cameras.push_back(trial_of(as_read, epipolar_errors(features, cameras)));
-    for (const Convention& c : all_conventions)
+    for (const Convention& c : conventions)
         if (const auto to = changed(cameras, scene.transform, c.name); !c.of_mesh && !to.empty())
             out.cameras.push_back(trial_of(c.name, epipolar_errors(features, to)));
     out.chosen = best_of(out.cameras).names;
     settle_tangential(scene, features, out);
     cameras = changed(std::move(cameras), scene.transform, out.chosen);
-    const std::vector<SharedFeature> agreeing = agreeing_with(features, cameras);
+    const std::vector<SharedFeature> agreeing = agreeing_features(features, cameras, far_off);
     if (agreeing.size() < enough) return out;
     const CastMesh mesh = cast_mesh(scene.mesh);
     out.mesh.push_back(trial_of(as_read, surface_errors(agreeing, cameras, mesh)));
@@ -210,8 +213,7 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
 
 /// A share of the longer side, in pixels of the first photo.
 double in_pixels(double share, const SceneInput& scene) {
-    const Intrinsics& k = scene.photos.front().camera.intrinsics;
-    return share * std::max(k.width, k.height);
+    return share * longer_side(scene.photos.front().camera);
 }
 
 [[noreturn]] void fail_as_misfit(const SceneInput& scene, const ConventionTrial& t) {
@@ -224,11 +226,9 @@ double in_pixels(double share, const SceneInput& scene) {
 
 }  // namespace
 
-std::span<const Convention> conventions() { return all_conventions; }
-
 std::vector<std::string> convention_names() {
     std::vector<std::string> out{convention_auto, as_read};
-    for (const Convention& c : all_conventions) out.emplace_back(c.name);
+    for (const Convention& c : conventions) out.emplace_back(c.name);
     return out;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,17 +8,6 @@
 #include "pipeline/input/scene_input.h"
 
 namespace vantage {
-
-/// A way in which camera files or meshes differ from what their format says, because a program wrote or an
-/// export setting made them so. Undone by changing all cameras.
-struct Convention {
-    const char* name;     ///< of --convention
-    const char* meaning;  ///< in messages: "the mesh is turned by 180 degrees about x"
-    bool of_mesh;         ///< moves all cameras together: only the mesh tells whether it applies
-    std::optional<Camera> (*apply)(Camera camera,
-                                   const Similarity& transform);  ///< empty: changes nothing
-};
-std::span<const Convention> conventions();
 
 /// No convention, and what else may be given in place of names.
 inline constexpr const char* as_read = "as-read";

@@ -44,13 +44,22 @@ std::vector<double> epipolar_errors(std::span<const SharedFeature> features,
     return out;
 }
 
+std::vector<SharedFeature> agreeing_features(std::span<const SharedFeature> features,
+                                             std::span<const Camera> cameras, double most) {
+    const std::vector<double> errors = epipolar_errors(features, cameras);
+    std::vector<SharedFeature> out;
+    for (std::size_t i = 0; i < features.size(); ++i)
+        if (errors[i] <= most) out.push_back(features[i]);
+    return out;
+}
+
 CastMesh cast_mesh(const Mesh& mesh) {
     const MainBox box = main_box(mesh.positions, mesh.triangles);
     const Vector3d origin = (box.low + box.high) / 2;
-    Mesh moved;
-    moved.triangles = mesh.triangles;
-    for (const Vector3d& p : mesh.positions) moved.positions.push_back(p - origin);
-    return {origin, RayScene(moved)};
+    std::vector<Eigen::Vector3f> positions;
+    positions.reserve(mesh.positions.size());
+    for (const Vector3d& p : mesh.positions) positions.push_back((p - origin).cast<float>());
+    return {origin, RayScene(positions, {mesh.triangles.front().data(), 3 * mesh.triangles.size()})};
 }
 
 std::vector<double> surface_errors(std::span<const SharedFeature> features, std::span<const Camera> cameras,

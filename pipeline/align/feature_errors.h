@@ -16,11 +16,16 @@ inline constexpr double no_error = std::numeric_limits<double>::infinity();
 /// longer side: how well two cameras agree with their photos. `cameras`: by photo.
 std::vector<double> epipolar_errors(std::span<const SharedFeature> features, std::span<const Camera> cameras);
 
+/// The features whose epipolar error is at most `most`.
+std::vector<SharedFeature> agreeing_features(std::span<const SharedFeature> features,
+                                             std::span<const Camera> cameras, double most);
+
 /// A mesh for rays in input coordinates of any size.
 struct CastMesh {
     Eigen::Vector3d origin;  ///< of the rays' single precision
     RayScene rays;
 };
+/// The mesh must have triangles.
 CastMesh cast_mesh(const Mesh& mesh);
 
 /// Where the mesh shows in photo b what photo a shows at each feature, as the distance from where b shows it,

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <optional>
 
-#include "pipeline/align/feature_errors.h"
 #include "pipeline/align/photo_rays.h"
 
 namespace vantage {
@@ -13,7 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double most_epipolar = 0.003;
 const double least_sine = std::sin(2 * std::numbers::pi / 180);
 
 struct Ray {
@@ -41,12 +39,10 @@ std::optional<Eigen::Vector2d> closest(const Ray& a, const Ray& b) {
 
 std::vector<FeaturePoint> feature_points(std::span<const SharedFeature> features,
                                          std::span<const Camera> cameras, double pixel) {
-    const std::vector<double> errors = epipolar_errors(features, cameras);
     PhotoRays rays(cameras);
     std::vector<FeaturePoint> out;
     for (std::size_t i = 0; i < features.size(); ++i) {
         const SharedFeature& f = features[i];
-        if (!(errors[i] <= most_epipolar)) continue;
         const auto a = ray_of(rays, cameras, f.a, f.in_a), b = ray_of(rays, cameras, f.b, f.in_b);
         if (!a || !b) continue;
         const auto at = closest(*a, *b);

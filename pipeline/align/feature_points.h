@@ -17,8 +17,8 @@ struct FeaturePoint {
     double across, along;   ///< standard error across and along the ray, scene units
 };
 
-/// Triangulates features whose epipolar error is at most 0.3 % of the photo, and whose rays meet in front of
-/// both cameras at 2 degrees or more. `pixel`: standard error of a feature, px. `cameras`: by photo.
+/// Triangulates features, which must agree with the cameras, if their rays meet in front of both cameras at 2
+/// degrees or more. `pixel`: standard error of a feature, px. `cameras`: by photo.
 std::vector<FeaturePoint> feature_points(std::span<const SharedFeature> features,
                                          std::span<const Camera> cameras, double pixel);
 

@@ -1,7 +1,5 @@
 #include "pipeline/align/shared_features.h"
 
-#include <malloc.h>
-
 #include <cmath>
 #include <map>
 #include <opencv2/features2d.hpp>
@@ -102,9 +100,6 @@ std::vector<SharedFeature> shared_features(std::span<const PhotoInput> photos,
     });
     std::vector<SharedFeature> out;
     for (const auto& f : found) out.insert(out.end(), f.begin(), f.end());
-#ifdef __GLIBC__
-    ::malloc_trim(0);  // what the pyramids took would count as the program's own
-#endif
     return out;
 }
 

@@ -1,6 +1,7 @@
 #include "pipeline/prepare/prepare.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
@@ -185,7 +186,11 @@ ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& setting
     const Traced traced(&trace, "conventions");
     // Each thread takes about 70 MB, which the estimate does not know.
     const unsigned threads = settings.memory > 0 ? 1 : std::min(2u, threads_of(settings));
-    return settle_convention(scene, settings.convention, threads);
+    ConventionTrials trials = settle_convention(scene, settings.convention, threads);
+#ifdef __GLIBC__
+    ::malloc_trim(0);  // what was freed would count as the program's own
+#endif
+    return trials;
 }
 
 /// What effects are worth and cost here, and what settings cost elsewhere.

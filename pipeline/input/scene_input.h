@@ -54,7 +54,7 @@ struct UnusablePhoto {
 struct SceneInput {
     InputFiles files;
     std::string camera_format;           ///< display name: "COLMAP text", "Bundler", ...
-    std::string convention = "as-read";  ///< see conventions(): what was changed in all cameras
+    std::string convention = "as-read";  ///< see apply_conventions(): what was changed in all cameras
     Similarity transform{};  ///< from the camera file's frame to the mesh's, by that file; identity: none
     Mesh mesh;
     std::vector<Mesh> compared;           ///< of files.compared

@@ -45,7 +45,7 @@ struct PrepareSettings {
     std::vector<std::string> deviation_from;  ///< files of meshes or clouds to compare the mesh with
     std::vector<std::string> points;          ///< files of point clouds to show with the mesh
     std::string bands = "auto";               ///< how photos are grouped into bands, see group_bands
-    std::string convention = "auto";          ///< what is changed in the cameras, see conventions()
+    std::string convention = "auto";          ///< what is changed in the cameras, see settle_convention()
     std::optional<Similarity> align;          ///< from the cameras' frame to the mesh's, if they differ
     bool vertex_coordinates = false;          ///< stored even where the player does not use them by default
     std::map<Effect, EffectChoice> effects;

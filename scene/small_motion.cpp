@@ -1,0 +1,17 @@
+#include "scene/small_motion.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace vantage {
+
+Similarity similarity(const SmallMotion& d, const MotionFrame& frame) {
+    const Eigen::Vector3d turn = d.head<3>();
+    Similarity out;
+    out.R = Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()).toRotationMatrix();
+    out.scale = std::exp(d(6));
+    out.t = frame.middle + frame.size * Eigen::Vector3d(d.segment<3>(3)) - out.scale * (out.R * frame.middle);
+    return out;
+}
+
+}  // namespace vantage
