@@ -3,11 +3,11 @@
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
 #include <algorithm>
-#include <cstring>
 #include <span>
 #include <stdexcept>
 
 #include "pipeline/formats/import/isolated_process.h"
+#include "pipeline/formats/import/mesh_bytes.h"
 #include "pipeline/formats/import/ply.h"
 #include "scene/error.h"
 
@@ -100,42 +100,6 @@ class Collector : public IO::BaseImporter {
     std::uint64_t max_numbers_, faces_ = 0;
 };
 
-template <class T>
-void append(std::vector<std::byte>& out, const std::vector<T>& values) {
-    const std::uint64_t bytes = values.size() * sizeof(T);
-    const auto* count = reinterpret_cast<const std::byte*>(&bytes);
-    out.insert(out.end(), count, count + sizeof bytes);
-    const auto* first = reinterpret_cast<const std::byte*>(values.data());
-    out.insert(out.end(), first, first + bytes);
-}
-
-template <class T>
-void take(std::span<const std::byte>& from, std::vector<T>& values) {
-    std::uint64_t bytes = 0;
-    std::memcpy(&bytes, from.data(), sizeof bytes);
-    values.resize(bytes / sizeof(T));
-    std::ranges::copy(from.subspan(sizeof bytes, bytes), reinterpret_cast<std::byte*>(values.data()));
-    from = from.subspan(sizeof bytes + bytes);
-}
-
-std::vector<std::byte> serialized(const Mesh& mesh) {
-    std::vector<std::byte> out;
-    append(out, mesh.positions);
-    append(out, mesh.normals);
-    append(out, mesh.colors);
-    append(out, mesh.triangles);
-    return out;
-}
-
-Mesh deserialized(std::span<const std::byte> bytes) {
-    Mesh mesh;
-    take(bytes, mesh.positions);
-    take(bytes, mesh.normals);
-    take(bytes, mesh.colors);
-    take(bytes, mesh.triangles);
-    return mesh;
-}
-
 }  // namespace
 
 Mesh read_with_openmesh(const std::filesystem::path& file) {
@@ -146,11 +110,15 @@ Mesh read_with_openmesh(const std::filesystem::path& file) {
         Collector in(size);
         IO::Options options = IO::Options::VertexNormal | IO::Options::VertexColor;
         if (!IO::IOManager().read(file.string(), in, options)) return std::vector<std::byte>();
-        return serialized(in.mesh);
+        std::vector<std::byte> out;
+        append(out, in.mesh);
+        return out;
     });
     if (bytes.empty())
         throw Error(Exit::input, file.string() + ": not a readable mesh, expected PLY, OBJ, STL or OFF");
-    Mesh mesh = deserialized(bytes);
+    Mesh mesh;
+    std::span<const std::byte> rest(bytes);
+    take(rest, mesh);
     if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), {255, 255, 255, 255});
     return mesh;
 }
