@@ -2,40 +2,19 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <map>
 
 #include "pipeline/formats/import/coordinate_warnings.h"
 #include "pipeline/formats/import/obj.h"
 #include "pipeline/formats/import/off.h"
 #include "pipeline/formats/import/openmesh_reader.h"
 #include "pipeline/formats/import/ply.h"
+#include "pipeline/formats/import/weld.h"
 #include "scene/error.h"
 #include "values/lower_extension.h"
 
 namespace vantage {
 namespace {
-
-/// Merges vertices of equal position, because STL stores each triangle's corners separately. Positions must
-/// not be NaN, which has no order.
-void weld(Mesh& mesh) {
-    std::map<std::array<double, 3>, std::uint32_t> first;
-    std::vector<std::uint32_t> merged(mesh.positions.size());
-    Mesh welded;
-    for (std::size_t i = 0; i < merged.size(); ++i) {
-        const Eigen::Vector3d& p = mesh.positions[i];
-        const auto [it, inserted] =
-            first.try_emplace({p.x(), p.y(), p.z()}, std::uint32_t(welded.positions.size()));
-        if (inserted) welded.positions.push_back(p);
-        merged[i] = it->second;
-    }
-    for (const auto& t : mesh.triangles)
-        if (const std::array<std::uint32_t, 3> w{merged[t[0]], merged[t[1]], merged[t[2]]};
-            w[0] != w[1] && w[1] != w[2] && w[2] != w[0])
-            welded.triangles.push_back(w);
-    mesh = std::move(welded);
-}
 
 /// Drops triangles with a missing, repeated or unusable vertex and returns their number. Vertices that belong
 /// to no triangle are moved onto one that does, so that they do not enlarge the model's extent. In a mesh
