@@ -31,7 +31,7 @@ json mesh_json(const InputFacts& facts) {
     if (!facts.mesh) return {};
     json out = json_of(*facts.mesh, {facts.files.mesh});
     out["file"] = json_of(facts.files.mesh);
-    out["materials"] = json_of(facts.files.materials);
+    out["companions"] = json_of(companions_of(facts.files.mesh, facts.files));
     return out;
 }
 

@@ -56,7 +56,7 @@ std::string in_words(const Range& range, int digits) {
 }
 
 void add_shape(const ShapeFacts& shape, const std::vector<std::filesystem::path>& files,
-               const std::vector<std::filesystem::path>& materials, const char* label, Lines& out) {
+               const std::vector<std::filesystem::path>& companions, const char* label, Lines& out) {
     const std::string others = files.size() > 1 ? fmt::format(" and {} more", files.size() - 1) : "";
     const std::string size = shape.triangles > 0 ? counted(shape.vertices, "vertex", "vertices") + ", " +
                                                        counted(shape.triangles, "triangle")
@@ -70,10 +70,10 @@ void add_shape(const ShapeFacts& shape, const std::vector<std::filesystem::path>
     std::string has = shape.colors ? "vertex colors" : "no vertex colors";
     if (!shape.layers.empty())
         has += fmt::format(", {} ({})", counted(shape.layers.size(), "scalar layer"), first_of(shape.layers));
-    if (!materials.empty()) {
+    if (!companions.empty()) {
         std::vector<std::string> names;
-        for (const auto& file : materials) names.push_back(file.filename().string());
-        has += ", materials of " + first_of(names);
+        for (const auto& file : companions) names.push_back(file.filename().string());
+        has += ", also read: " + first_of(names);
     }
     out.add(label, "{}", has);
 }
@@ -243,7 +243,7 @@ std::string facts_text(const InputFacts& facts) {
     Lines out;
     const InputFiles& files = facts.files;
     if (facts.mesh)
-        add_shape(*facts.mesh, {files.mesh}, files.materials, "mesh", out);
+        add_shape(*facts.mesh, {files.mesh}, companions_of(files.mesh, files), "mesh", out);
     else if (!files.mesh.empty())
         out.add("mesh", "{}: cannot be used", files.mesh.string());
     else if (files.points.empty())

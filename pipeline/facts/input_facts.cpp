@@ -91,8 +91,9 @@ void add_points(InputFacts& facts) {
 void add_parts(InputFacts& facts) {
     InputFiles& files = facts.files;
     if (!files.mesh.empty())
-        attempt(facts,
-                [&] { facts.mesh = shape_facts(read_mesh(files.mesh, facts.warnings, &files.materials)); });
+        attempt(facts, [&] {
+            facts.mesh = shape_facts(read_mesh(files.mesh, facts.warnings, &files.companions[files.mesh]));
+        });
     if (!files.points.empty()) attempt(facts, [&] { add_points(facts); });
     if (!files.cameras.empty()) attempt(facts, [&] { add_cameras(facts); });
     if (facts.photos) facts.left_out = facts.photos->unreadable;

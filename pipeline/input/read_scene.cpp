@@ -224,14 +224,22 @@ void add_photos(SceneInput& scene, std::vector<CameraFile> cameras) {
     std::ranges::sort(scene.warnings);
 }
 
+/// A mesh, whose companions are noted.
+Mesh read_mesh_of(SceneInput& scene, const fs::path& file) {
+    scene.read.push_back(stamped(file));
+    std::vector<fs::path>& companions = scene.files.companions[file];
+    Mesh mesh = read_mesh(file, scene.warnings, &companions);
+    for (const fs::path& companion : companions) scene.read.push_back(stamped(companion));
+    return mesh;
+}
+
 /// The meshes to compare with. Throws Error(usage) if two have the same name.
 void read_compared(SceneInput& scene) {
     std::set<fs::path> names;
     for (const fs::path& file : scene.files.compared) {
         if (!names.insert(file.filename()).second)
             throw Error(Exit::usage, file.string() + ": another --deviation-from file has the same name");
-        scene.read.push_back(stamped(file));
-        scene.compared.push_back(read_mesh(file, scene.warnings));
+        scene.compared.push_back(read_mesh_of(scene, file));
     }
 }
 
@@ -282,7 +290,6 @@ SceneInput read_scene(const InputFiles& files) {
     SceneInput scene;
     scene.files = files;
     std::vector<CameraFile> cameras;
-    if (!files.mesh.empty()) scene.read.push_back(stamped(files.mesh));
     if (!files.cameras.empty()) {
         for (const fs::path& file : camera_files(files.cameras)) scene.read.push_back(stamped(file));
         for (const fs::path& more : files.more_cameras)
@@ -294,8 +301,7 @@ SceneInput read_scene(const InputFiles& files) {
     }
     for (const CameraFile& c : cameras)
         scene.warnings.insert(scene.warnings.end(), c.set.warnings.begin(), c.set.warnings.end());
-    if (!files.mesh.empty()) scene.mesh = read_mesh(files.mesh, scene.warnings, &scene.files.materials);
-    for (const fs::path& file : scene.files.materials) scene.read.push_back(stamped(file));
+    if (!files.mesh.empty()) scene.mesh = read_mesh_of(scene, files.mesh);
     read_compared(scene);
     read_clouds(scene);
     if (files.photos.empty() && has_points_only(scene)) return scene;

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,14 +33,22 @@ struct InputFiles {
     std::filesystem::path photos;   ///< a folder; empty in a scene of points only without photos
     std::vector<std::filesystem::path>
         compared{};  ///< meshes or clouds from which the mesh's deviation is measured
-    std::vector<std::filesystem::path> points{};     ///< point clouds to show, with the mesh or alone
-    std::vector<std::filesystem::path> materials{};  ///< of the mesh, if they are not all opaque
-    std::vector<std::string> notes{};                ///< what else was found and not taken
+    std::vector<std::filesystem::path> points{};  ///< point clouds to show, with the mesh or alone
+    std::vector<std::string> notes{};             ///< what else was found and not taken
     std::vector<std::filesystem::path>
         more_cameras{};                 ///< as `cameras`, each of the photos in its own folder below `photos`
     std::string bands = "auto";         ///< see group_bands
     std::optional<Similarity> align{};  ///< from the cameras' frame to the mesh's, if they differ
+    /// Of `mesh` and `compared`: further files that read_mesh() read.
+    std::map<std::filesystem::path, std::vector<std::filesystem::path>> companions{};
 };
+
+/// The companions of one of its meshes.
+inline std::vector<std::filesystem::path> companions_of(const std::filesystem::path& mesh,
+                                                        const InputFiles& files) {
+    const auto found = files.companions.find(mesh);
+    return found == files.companions.end() ? std::vector<std::filesystem::path>() : found->second;
+}
 
 /// The reason to leave out a photo that no camera belongs to.
 inline constexpr const char* without_camera = "has no camera";

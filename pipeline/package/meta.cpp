@@ -28,6 +28,17 @@ json input_json(const fs::path& file, IdentityCache& identities) {
     return {{"name", utf8_name(file.filename().string())}, {"bytes", id.bytes}, {"xxh3", id.checksum}};
 }
 
+/// A mesh and its companions, whose names are relative to its folder.
+json mesh_json(const fs::path& file, const InputFiles& files, IdentityCache& identities) {
+    json out = input_json(file, identities);
+    for (const fs::path& companion : companions_of(file, files)) {
+        json entry = input_json(companion, identities);
+        entry["name"] = utf8_name(companion.lexically_relative(file.parent_path()).generic_string());
+        out["companions"].push_back(std::move(entry));
+    }
+    return out;
+}
+
 /// With the content of a file that was read, so that a repaired photo is recognized.
 json left_out_json(const UnusablePhoto& photo, const fs::path& folder, IdentityCache& identities) {
     const fs::path file = file_named(folder, photo.photo);
@@ -65,16 +76,10 @@ json choices_json(const std::map<Effect, EffectChoice>& choices) {
 
 json inputs_json(const SceneInput& scene, IdentityCache& identities) {
     json inputs;
-    if (!scene.files.mesh.empty()) inputs["mesh"] = input_json(scene.files.mesh, identities);
-    for (const fs::path& file : scene.files.materials) {
-        json material = input_json(file, identities);
-        material["name"] =
-            utf8_name(file.lexically_relative(scene.files.mesh.parent_path()).generic_string());
-        inputs["materials"].push_back(std::move(material));
-    }
+    if (!scene.files.mesh.empty()) inputs["mesh"] = mesh_json(scene.files.mesh, scene.files, identities);
     inputs["compared"] = json::array();
     for (const fs::path& file : scene.files.compared)
-        inputs["compared"].push_back(input_json(file, identities));
+        inputs["compared"].push_back(mesh_json(file, scene.files, identities));
     inputs["points"] = json::array();
     for (const fs::path& file : scene.files.points) inputs["points"].push_back(input_json(file, identities));
     inputs["camera_format"] = scene.camera_format;

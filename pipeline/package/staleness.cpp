@@ -35,11 +35,15 @@ void add_changed(const fs::path& file, Changes& out) {
         {InputChange::Kind::changed, file.string() + ": has changed since the package was prepared"});
 }
 
+/// A file, and what META lists as its companions.
 void compare(const fs::path& file, const json& was, IdentityCache& identities, Changes& out) {
     if (!fs::exists(file)) return add_missing(file.string(), out);
     const bool same = fs::file_size(file) == was.at("bytes").get<std::uint64_t>() &&
                       identities.of(file) == FileIdentity{was.at("bytes"), was.at("xxh3")};
     if (!same) add_changed(file, out);
+    for (const json& companion : was.value("companions", json::array()))
+        compare(file_named(file.parent_path(), companion.at("name").get<std::string>()), companion,
+                identities, out);
 }
 
 void compare_cameras(const json& meta, const fs::path& cameras, IdentityCache& identities, Changes& out) {
@@ -191,6 +195,7 @@ Changes changed_inputs(const PackageReader& package, const InputFiles& files, Id
     try {
         Changes out;
         compare_mesh(meta, files.mesh, identities, out);
+        // Where earlier packages list the materials of an OBJ.
         for (const json& was : meta.at("inputs").value("materials", json::array()))
             compare(file_named(files.mesh.parent_path(), was.at("name").get<std::string>()), was, identities,
                     out);

@@ -63,12 +63,12 @@ void complete_normals(Mesh& mesh) {
 /// What reading a mesh also gives.
 struct Found {
     std::vector<std::string>& warnings;
-    std::vector<std::filesystem::path> materials{};  ///< files
+    std::vector<std::filesystem::path> companions{};  ///< further files
 };
 
 Mesh parse(const std::filesystem::path& file, const std::string& extension, Found& found) {
     if (extension == ".ply") return read_ply(file);
-    if (extension == ".obj") return read_obj(file, found.warnings, found.materials);
+    if (extension == ".obj") return read_obj(file, found.warnings, found.companions);
     if (extension == ".off" && !is_binary_off(file)) return read_off(file);
     return read_with_openmesh(file);
 }
@@ -110,11 +110,11 @@ Mesh read_mesh_file(const std::filesystem::path& file) {
 }
 
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings,
-               std::vector<std::filesystem::path>* materials) {
+               std::vector<std::filesystem::path>* companions) {
     const std::string extension = lower_extension(file);
     Found found{warnings};
     Mesh mesh = read_any(file, extension, found);
-    if (materials) *materials = std::move(found.materials);
+    if (companions) *companions = std::move(found.companions);
     if (mesh.points_only()) {
         mesh.scalars = {};
         if (const std::size_t n =

@@ -15,10 +15,10 @@ namespace vantage {
 /// and counted in `warnings`; vertices of no triangle are kept, but moved onto another vertex. Of a cloud,
 /// points with such coordinates are dropped and counted. Also adds the coordinate_warnings. Normals have unit
 /// length; missing ones are area-weighted means of the face normals; clouds without any have none. An OBJ's
-/// material files are read too, see read_obj(); those on which the mesh depends go to `materials`. Throws
+/// material files are read too, see read_obj(); those on which the mesh depends go to `companions`. Throws
 /// Error(input).
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warnings,
-               std::vector<std::filesystem::path>* materials = nullptr);
+               std::vector<std::filesystem::path>* companions = nullptr);
 
 /// A mesh or cloud as its file has it. Throws Error(input), also if it has no vertices.
 Mesh read_mesh_file(const std::filesystem::path& file);
