@@ -46,6 +46,12 @@ Change with_file(std::string file, std::string bytes) {
 Change with_list(std::string list) {
     return [=](Scan& s) { use_bundler(s, list); };
 }
+/// The box as three objects, of which the second counts its vertices from the last one.
+std::string several_objects() {
+    return "o bottom\nusemtl stone\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nf 1 3 2\nf 1 4 3\n"
+           "o top\nusemtl tin\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nf -4 -3 -2 -1\n"
+           "o walls\ng south east\nusemtl stone\nf 1 2 6 5\nf 2 3 7 6\ng north west\nf 3 4 8 7\nf 4 1 5 8\n";
+}
 Change mesh_at(Place place) { return with_mesh("mesh.ply", box_ply(place)); }
 Change text(std::string file, std::string from, std::string to) {
     return [=](Scan& s) { s.replace(file, from, to); };
@@ -364,6 +370,7 @@ std::vector<Row> rows() {
         {"meshes", "OBJ with texture coordinates and normals", with_mesh("mesh.obj", "vn 0 0 1\nvt 0 0\n" + changed(changed(box_obj(), "f 1 3 2\n", "f 1/1/1 3/1/1 2/1/1\n"), "f 1 4 3\n", "f 1//1 4/1 3\n"))},
         {"meshes", "OBJ with quads", with_mesh("mesh.obj", changed(changed(box_obj(), "f 1 3 2\n", "f 1 4 3 2\n"), "f 1 4 3\n", ""))},
         {"meshes", "OBJ with groups, materials, lines and points", with_mesh("mesh.obj", "mtllib none.mtl\no box\ng a b\ns off\n" + box_obj() + "usemtl x\nl 1 2\np 1\ncurv 0 1 1 2\n")},
+        {"meshes", "OBJ with several objects", with_mesh("mesh.obj", several_objects())},
         {"meshes", "OBJ with comments after values", with_mesh("mesh.obj", changed(box_obj(), "f 1 3 2\n", "f 1 3 2 # first\n"))},
         {"meshes", "OBJ with an index out of range", with_mesh("mesh.obj", box_obj() + "f 1 2 99\n"), Says{"1 invalid triangles dropped"}},
         {"meshes", "OBJ with index 0", with_mesh("mesh.obj", box_obj() + "f 0 1 2\n"), Says{"1 invalid triangles dropped"}},
