@@ -6,7 +6,7 @@ cd "$(dirname "$0")"
 
 packages=(g++ cmake ninja-build pkg-config ca-certificates
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-calib3d-dev libopencv-video-dev libopencv-features2d-dev libceres-dev
-  libopenimageio-dev openimageio-tools libopenmesh-dev libmeshoptimizer-dev
+  libopenimageio-dev openimageio-tools libopenmesh-dev libassimp-dev libmeshoptimizer-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libturbojpeg0-dev libjpeg-dev libpng-dev libtiff-dev liblcms2-dev libheif-dev libpugixml-dev libembree-dev libtomlplusplus-dev
   libsquish-dev libzstd-dev gnuplot-nox
   libxxhash-dev libcurl4-openssl-dev libutf8proc-dev libeigen3-dev libepoxy-dev libegl-dev libgl-dev libglfw3-dev libxcb-xinput-dev libimgui-dev

@@ -3,7 +3,7 @@ execute_process(COMMAND ldd ${PROGRAM} OUTPUT_VARIABLE libraries RESULT_VARIABLE
 if(failed)
   message(FATAL_ERROR "ldd ${PROGRAM} failed")
 endif()
-string(REGEX MATCHALL "lib(opencv_|ceres|OpenMesh|OpenImageIO)[^ \n]*" heavy "${libraries}")
+string(REGEX MATCHALL "lib(opencv_|ceres|OpenMesh|OpenImageIO|assimp)[^ \n]*" heavy "${libraries}")
 if(heavy)
   file(REMOVE ${PROGRAM})
   message(FATAL_ERROR "the player links ${heavy}; only the pipeline may")

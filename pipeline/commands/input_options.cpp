@@ -2,6 +2,7 @@
 
 #include "cli/known_values.h"
 #include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/import/mesh.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -11,7 +12,7 @@ void add_input_options(CLI::App& c, InputOptions& o, PrepareSettings& settings) 
                  "folder with a mesh or a point cloud, cameras and photos; or a scene file, NAME.toml, that "
                  "lists several")
         ->type_name("FILE");
-    c.add_option("--mesh", o.mesh, "mesh file: PLY, OBJ, STL, OFF")->type_name("FILE");
+    c.add_option("--mesh", o.mesh, std::string("mesh file: ") + mesh_format_names)->type_name("FILE");
     c.add_option("--cameras", o.cameras, camera_format_names())->type_name("FILE");
     c.add_option("--photos", o.photos, "folder of photos")->type_name("FOLDER");
     c.add_option("--points", settings.points,

@@ -10,6 +10,7 @@
 
 #include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/clouds/cloud.h"
+#include "pipeline/formats/import/mesh.h"
 #include "pipeline/formats/import/ply.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/photo_matches.h"
@@ -38,15 +39,15 @@ bool is_given(const fs::path& file, const InputFiles& given) {
     return std::ranges::any_of(given.compared, is_file) || std::ranges::any_of(given.points, is_file);
 }
 
-/// Meshes, never files of --deviation-from or --points; mesh.* before other names, then the larger file.
+/// Meshes, never files of --deviation-from or --points; those with nodes last, mesh.* before other names,
+/// then the larger file.
 fs::path find_mesh(const Files& files, const InputFiles& given) {
-    using Rank = std::tuple<bool, std::uintmax_t>;
+    using Rank = std::tuple<bool, bool, std::uintmax_t>;
     fs::path best;
     Rank best_rank;
     for (const fs::path& f : files) {
-        if (!is_one_of(lower_extension(f), {".ply", ".obj", ".stl", ".off"})) continue;
-        if (is_given(f, given) || !has_faces(f)) continue;
-        const Rank rank{f.stem() == "mesh", fs::file_size(f)};
+        if (!is_mesh_file(f) || is_given(f, given) || !has_faces(f)) continue;
+        const Rank rank{!has_nodes(f), f.stem() == "mesh", fs::file_size(f)};
         if (best.empty() || rank > best_rank) best = f, best_rank = rank;
     }
     return best;
@@ -231,7 +232,7 @@ fs::path find_photos(const fs::path& root, const Files& files, const fs::path& c
 void expect_complete(const fs::path& folder, const InputFiles& found) {
     if (found.mesh.empty() && found.points.empty())
         throw Error(Exit::input,
-                    folder.string() + ": no mesh found (PLY, OBJ, STL, OFF), and no point cloud" +
+                    folder.string() + ": no mesh found (" + mesh_format_names + "), and no point cloud" +
                         (found.compared.empty() ? "" : " other than the files of --deviation-from"));
     if (found.mesh.empty() && !found.compared.empty())
         throw Error(Exit::usage,
@@ -273,6 +274,9 @@ FoundInput search(const fs::path& folder, const InputFiles& given) {
     take_clouds(folder, files, found);
     if (found.photos.empty()) attempt([&] { found.photos = find_photos(folder, files, found.cameras); });
     if (found.mesh.empty() && !found.points.empty()) drop_unmatched(folder, found);
+    if (const auto usd = std::ranges::find_if(files, is_usd_file);
+        usd != files.end() && found.mesh.empty() && found.points.empty())
+        attempt([&] { read_mesh_file(*usd); });  // says what to export instead
     attempt([&] { expect_complete(folder, found); });
     return out;
 }

@@ -4,6 +4,7 @@
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/photo_matches.h"
+#include "values/lower_extension.h"
 
 namespace vantage {
 
@@ -20,7 +21,8 @@ std::vector<fs::path> input_paths(const InputFiles& files) {
     out.insert(out.end(), files.points.begin(), files.points.end());
     if (files.mesh.has_parent_path() && fs::is_directory(files.mesh.parent_path()))
         for (const fs::path& file : files_below(files.mesh.parent_path(), 1))
-            if (file.extension() == ".mtl") out.push_back(file);
+            if (const std::string kind = lower_extension(file); kind == ".mtl" || kind == ".bin")
+                out.push_back(file);
     if (!fs::is_directory(files.photos)) return out;  // read_scene will say so
     // Cameras may name photos in subfolders.
     for (const fs::path& file : files_below(files.photos, 2)) {

@@ -1,6 +1,6 @@
-// OBJ, STL and OFF meshes and the materials of an OBJ. The first byte is the format (o: OBJ, s: STL, f: OFF,
-// m: MTL), the rest the file. Checks that indices are in range and normals finite, and that attributes have
-// one value per vertex.
+// OBJ, STL, OFF, glTF, GLB and FBX meshes and the materials of an OBJ. The first byte is the format (o: OBJ,
+// s: STL, f: OFF, g: glTF, b: GLB, x: FBX, m: MTL), the rest the file. Checks that indices are in range and
+// normals finite, and that attributes have one value per vertex.
 #include <cstdlib>
 
 #include "pipeline/formats/import/mesh.h"
@@ -14,6 +14,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const fuzz::MemoryFolder folder;
     const char* name = data[0] == 'o' || data[0] == 'm' ? "mesh.obj"
                        : data[0] == 's'                 ? "mesh.stl"
+                       : data[0] == 'g'                 ? "mesh.gltf"
+                       : data[0] == 'b'                 ? "mesh.glb"
+                       : data[0] == 'x'                 ? "mesh.fbx"
                                                         : "mesh.off";
     const std::string text(fuzz::text_of(data + 1, size - 1));
     folder.set("mesh.mtl", data[0] == 'm' ? text : "newmtl glass\nKd 0.1 0.5 1\nd 0.3\n");

@@ -252,6 +252,30 @@ std::string box_stl_binary() {
     return bytes;
 }
 
+GltfFile box_gltf(const Place& place) {
+    Mesh box;
+    for (int i = 0; i < 8; ++i)
+        box.positions.push_back(place.scale * corner(i) + Eigen::Vector3d(place.x, place.y, place.z));
+    for (const auto& f : faces)
+        box.triangles.push_back({std::uint32_t(f[0]), std::uint32_t(f[1]), std::uint32_t(f[2])});
+    return gltf_of(box);
+}
+
+std::string box_fbx() {
+    std::string vertices, indices;
+    for (int i = 0; i < 8; ++i)
+        for (const double v : corner(i)) vertices += fmt::format("{}{}", vertices.empty() ? "" : ",", v);
+    for (const auto& f : faces)
+        indices += fmt::format("{}{},{},{}", indices.empty() ? "" : ",", f[0], f[1], ~f[2]);
+    return "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\nFBXVersion: 7400\n}\n"
+           "GlobalSettings:  {\nProperties70:  {\nP: \"UnitScaleFactor\", \"double\", \"Number\", "
+           "\"\",1\n}\n}\n"
+           "Objects:  {\nGeometry: 1, \"Geometry::\", \"Mesh\" {\nVertices: *24 {\na: " +
+           vertices + "\n}\nPolygonVertexIndex: *36 {\na: " + indices +
+           "\n}\n}\nModel: 2, \"Model::box\", \"Mesh\" {\nVersion: 232\n}\n}\n"
+           "Connections:  {\nC: \"OO\",2,0\nC: \"OO\",1,2\n}\n";
+}
+
 std::string points_ply(std::size_t points) {
     std::string text = fmt::format(
         "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float "

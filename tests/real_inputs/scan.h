@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/gltf_file.h"
+
 namespace vantage::real_inputs {
 
 /// A scan as a user has it on disk, in memory: paths relative to its folder, and the files' bytes.
@@ -56,6 +58,8 @@ std::string box_off(const std::string& header = "OFF\n8 12 0\n", const std::stri
 std::string box_ply_with(const std::string& properties, const std::string& values);
 std::string box_stl();
 std::string box_stl_binary();
+GltfFile box_gltf(const Place& place = {});
+std::string box_fbx();  ///< as text, in centimeters
 /// Points of the box's corners without faces, as COLMAP's fused.ply.
 std::string points_ply(std::size_t points = 1000);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <regex>
 
 #include "tests/icc_profile.h"
 #include "tests/real_inputs/row.h"
@@ -45,6 +46,14 @@ Change with_file(std::string file, std::string bytes) {
 }
 Change with_list(std::string list) {
     return [=](Scan& s) { use_bundler(s, list); };
+}
+/// The box as glTF, with its buffer in a file of this name.
+Change with_gltf(std::string file, std::string uri) {
+    return [=](Scan& s) {
+        s.remove("mesh.ply");
+        s[file] = box_gltf().json(uri);
+        s[std::regex_replace(uri, std::regex("%20"), " ")] = box_gltf().bytes;
+    };
 }
 /// The box as three objects, of which the second counts its vertices from the last one.
 std::string several_objects() {
@@ -395,6 +404,24 @@ std::vector<Row> rows() {
         {"meshes", "STL, binary, starts with solid", with_mesh("mesh.stl", "solid" + box_stl_binary().substr(5))},
         {"meshes", "STL, binary, truncated", with_mesh("mesh.stl", box_stl_binary().substr(0, 300)), Exit::input, Says{"mesh.stl"}},
         {"meshes", "STL in capitals", with_mesh("MESH.STL", box_stl())},
+        {"meshes", "glTF", with_gltf("mesh.gltf", "mesh.bin")},
+        {"meshes", "glTF whose buffer has a blank in its name", with_gltf("mesh.gltf", "my%20mesh.bin")},
+        {"meshes", "glTF whose buffer is missing", with_mesh("mesh.gltf", box_gltf().json("mesh.bin")), Exit::input, Says{"mesh.gltf: its buffer mesh.bin is missing"}},
+        {"meshes", "glTF, checked, with another buffer", both(with_gltf("mesh.gltf", "mesh.bin"), with_file("half.bin", box_gltf({.scale = 0.5}).bytes)), Exit::stale, Says{"mesh.bin: has changed"}, no_package, Command{std::string(prepare_command) + " ; cp {scan}/half.bin {scan}/mesh.bin ; vantage check --against {scan} {out}.vantage"}},
+        {"meshes", "glTF, again, with another buffer", both(with_gltf("mesh.gltf", "mesh.bin"), with_file("half.bin", box_gltf({.scale = 0.5}).bytes)), Holds{"1 x 1 x 1, area 6"}, Command{std::string(prepare_command) + " ; cp {scan}/half.bin {scan}/mesh.bin ; " + prepare_command}},
+        {"meshes", "glTF, again, nothing to do", with_gltf("mesh.gltf", "mesh.bin"), Says{"is current, nothing to do"}, Command{std::string(prepare_command) + " ; " + prepare_command}},
+        {"meshes", "glTF with compressed buffers", [](Scan& s) { GltfFile box = box_gltf(); box.more = ", \"extensionsRequired\": [\"EXT_meshopt_compression\"]"; s.remove("mesh.ply"); s["mesh.glb"] = box.glb(); }, Exit::input, Says{"mesh.glb: needs the glTF extension EXT_meshopt_compression, which is not supported"}},
+        {"meshes", "GLB", with_mesh("mesh.glb", box_gltf().glb())},
+        {"meshes", "GLB in capitals: MESH.GLB", with_mesh("MESH.GLB", box_gltf().glb())},
+        {"meshes", "GLB that is truncated", with_mesh("mesh.glb", box_gltf().glb().substr(0, 700)), Exit::input, Says{"mesh.glb: is cut off: its header counts"}},
+        {"meshes", "GLB beside a PLY", with_file("mesh.glb", box_gltf({.scale = 0.5}).glb())},
+        {"meshes", "GLB placed by its node", [](Scan& s) { GltfFile box = box_gltf({.x = 8}); box.nodes = ""; box.add_node("\"mesh\": 0, \"scale\": [0.5, 0.5, 0.5], \"translation\": [-4, 0, 0]"); s.remove("mesh.ply"); s["mesh.glb"] = box.glb(); }, Holds{"A.jpg=red B.jpg=green C.jpg=blue; 1 x 1 x 1, area 6"}},
+        {"meshes", "FBX", with_mesh("mesh.fbx", box_fbx()), Says{"mesh.fbx: says that its unit is 1 cm; its coordinates are taken as written"}},
+        {"meshes", "FBX in capitals: MESH.FBX", with_mesh("MESH.FBX", box_fbx())},
+        {"meshes", "FBX that is truncated", with_mesh("mesh.fbx", box_fbx().substr(0, 300)), Exit::input, Says{"mesh.fbx: "}},
+        {"meshes", "an OBJ named mesh.fbx", with_mesh("mesh.fbx", box_obj()), Exit::input, Says{"mesh.fbx: cannot be read: "}},
+        {"meshes", "USD", with_mesh("mesh.usdz", "PK"), Exit::input, Says{"mesh.usdz: USD is not supported; expected PLY, OBJ or GLB"}},
+        {"meshes", "USD beside a PLY", with_file("mesh.usdc", "PXR-USDC")},
         {"meshes", "PLY with vertex_index", text("mesh.ply", "vertex_indices", "vertex_index")},
         {"meshes", "PLY with vertex_indexes", text("mesh.ply", "vertex_indices", "vertex_indexes")},
         {"meshes", "PLY with an unknown list", text("mesh.ply", "vertex_indices", "corners"), Exit::input, Says{"points only"}},
@@ -542,7 +569,7 @@ std::vector<Row> rows() {
         // --------------------------------------------------------------------------------------- comparisons
         {"comparisons", "a larger mesh", with_file("old.ply", box_ply({.scale = 1.5})), Says{"deviation-from-old from -0.5 to -0.5"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
         {"comparisons", "the mesh moved", with_file("old.ply", box_ply({.x = 0.25})), Says{"deviation-from-old from -0.25 to 0.25"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
-        {"comparisons", "the only mesh of the folder", nothing(), Exit::input, Says{"no mesh found (PLY, OBJ, STL, OFF), and no point cloud other than the files of --deviation-from"}, no_package, Command{deviation("{scan}/mesh.ply", "")}},
+        {"comparisons", "the only mesh of the folder", nothing(), Exit::input, Says{"no mesh found (PLY, OBJ, STL, OFF, glTF, GLB, FBX), and no point cloud other than the files of --deviation-from"}, no_package, Command{deviation("{scan}/mesh.ply", "")}},
         {"comparisons", "a point cloud without normals", with_file("old.ply", points_ply()), Says{"deviation-from-old from 0 to 1"}, Command{deviation("{scan}/old.ply", "; vantage info {out}.vantage")}},
         {"comparisons", "two meshes", [](Scan& s) { s["a.ply"] = box_ply({.scale = 1.5}); s["b.obj"] = box_obj(); }, Says{"deviation-from-a from -0.5 to -0.5; deviation-from-b from 0 to 0"}, Command{deviation("{scan}/a.ply", "--deviation-from {scan}/b.obj ; vantage info {out}.vantage")}},
         {"comparisons", "two meshes of the same name", [](Scan& s) { s["a/m.ply"] = box_ply(); s["b/m.ply"] = box_ply(); }, Exit::usage, Says{"b/m.ply: another --deviation-from file has the same name"}, no_package, Command{deviation("{scan}/a/m.ply", "--deviation-from {scan}/b/m.ply")}},
@@ -554,6 +581,7 @@ std::vector<Row> rows() {
         {"comparisons", "again, from a mesh that has changed", [](Scan& s) { s["old.ply"] = box_ply({.scale = 1.5}); s["older.ply"] = box_ply({.scale = 2}); }, Says{"deviation-from-old from -1 to -1"}, Command{deviation("{scan}/old.ply", "; cp {scan}/older.ply {scan}/old.ply ; " + deviation("{scan}/old.ply", "; vantage info {out}.vantage"))}},
         {"comparisons", "checked", with_file("old.ply", box_ply({.scale = 1.5})), Says{"sound"}, Command{deviation("{scan}/old.ply", "; vantage check --against {scan} {out}.vantage")}},
         {"comparisons", "checked, from a mesh that has changed", [](Scan& s) { s["old.ply"] = box_ply({.scale = 1.5}); s["older.ply"] = box_ply({.scale = 2}); }, Exit::stale, Says{"old.ply: has changed"}, no_package, Command{deviation("{scan}/old.ply", "; cp {scan}/older.ply {scan}/old.ply ; vantage check --against {scan} {out}.vantage")}},
+        {"comparisons", "checked, from a glTF with another buffer", [](Scan& s) { s["old.gltf"] = box_gltf().json("old.bin"); s["old.bin"] = box_gltf({.scale = 1.5}).bytes; s["older.bin"] = box_gltf({.scale = 2}).bytes; }, Exit::stale, Says{"old.bin: has changed"}, no_package, Command{deviation("{scan}/old.gltf", "; cp {scan}/older.bin {scan}/old.bin ; vantage check --against {scan} {out}.vantage")}},
         {"comparisons", "checked, without the mesh in the folder", with_file("old.ply", box_ply({.scale = 1.5})), Says{"sound"}, Command{deviation("{scan}/old.ply", "; rm {scan}/old.ply ; vantage check --against {scan} {out}.vantage")}},
         {"comparisons", "shown", with_file("old.ply", box_ply({.scale = 1.5})), Says{"out.png"}, Command{deviation("{scan}/old.ply", "; vantage-player {out}.vantage --offscreen --photo A --layer deviation-from-old -o {out}.png")}},
         {"comparisons", "-o is the mesh to compare with", with_file("old.ply", box_ply()), Exit::usage, Says{"old.ply"}, no_package, Command{"vantage prepare {scan} -o {scan}/old.ply --deviation-from {scan}/old.ply --force"}},
@@ -563,6 +591,7 @@ std::vector<Row> rows() {
         {"point clouds", "two of them", [](Scan& s) { s["a.ply"] = points_ply(); s["b.ply"] = points_ply(10); }, Says{"1010 points in 2 files"}, Command{cloud("{scan}/a.ply", "--points {scan}/b.ply ; vantage info {out}.vantage")}},
         {"point clouds", "one point", with_file("cloud.ply", points_ply(1)), Says{"1 point in cloud.ply"}, Command{cloud("{scan}/cloud.ply", "; vantage check --deep {out}.vantage ; vantage info {out}.vantage")}},
         {"point clouds", "a mesh, of which the vertices are taken", with_file("box.obj", box_obj()), Says{"8 points in box.obj"}, Command{cloud("{scan}/box.obj", "; vantage info {out}.vantage")}},
+        {"point clouds", "a GLB", with_file("box.glb", box_gltf().glb()), Exit::input, Says{"box.glb: is not read for its points; expected PLY, LAS, OBJ, STL or OFF"}, no_package, Command{cloud("{scan}/box.glb", "")}},
         {"point clouds", "a stray point", with_file("cloud.ply", text_cloud({"0 0 0", "0 1 0", "1 0 0", "1 1 0", "0 0 1", "1e7 5e6 0"})), Says{"1 points far from all others dropped", "5 points"}, Command{cloud("{scan}/cloud.ply", "; vantage info {out}.vantage")}},
         {"point clouds", "NaN", with_file("cloud.ply", text_cloud({"0 0 0", "nan 1 0", "1 0 0"})), Says{"1 invalid points dropped", "2 points"}, Command{cloud("{scan}/cloud.ply", "; vantage info {out}.vantage")}},
         {"point clouds", "two of the same name", [](Scan& s) { s["a/c.ply"] = points_ply(); s["b/c.ply"] = points_ply(7); }, Says{"is current, nothing to do"}, Command{cloud("{scan}/a/c.ply", "--points {scan}/b/c.ply ; " + cloud("{scan}/a/c.ply", "--points {scan}/b/c.ply"))}},

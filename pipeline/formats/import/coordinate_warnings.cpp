@@ -80,18 +80,28 @@ std::optional<double> rounding_step(const Mesh& mesh, const MainBox& box, int ax
     return {};
 }
 
-}  // namespace
-
-std::vector<std::string> coordinate_warnings(const Mesh& mesh) {
-    std::vector<std::string> out;
-    if (mesh.points_only()) return out;
-    const MainBox box = main_box(mesh.positions, mesh.triangles);
-    if (!box.strays.empty()) out.push_back(stray_warning(mesh, box));
+/// "x in steps of 0.03125, y in steps of 0.5" of the axes that were rounded visibly.
+std::string rounded_axes(const Mesh& mesh, const MainBox& box) {
     std::string steps;
     for (int axis = 0; axis < 3; ++axis)
         if (const auto step = rounding_step(mesh, box, axis))
             steps += fmt::format("{}{} in steps of {:.3g}", steps.empty() ? "" : ", ", "xyz"[axis], *step);
-    if (!steps.empty())
+    return steps;
+}
+
+}  // namespace
+
+std::vector<std::string> coordinate_warnings(const Mesh& mesh, double rounding) {
+    std::vector<std::string> out;
+    if (mesh.points_only()) return out;
+    const MainBox box = main_box(mesh.positions, mesh.triangles);
+    if (!box.strays.empty()) out.push_back(stray_warning(mesh, box));
+    if (rounding > least_step * box.diagonal())
+        out.push_back(fmt::format(
+            "coordinates may be off by {:.3g} (the mesh is {:.3g} in size), because they are read in single "
+            "precision: export PLY or OBJ, or subtract an offset from the mesh and the cameras",
+            rounding, box.diagonal()));
+    else if (const std::string steps = rounded_axes(mesh, box); !steps.empty())
         out.push_back(fmt::format(
             "coordinates are rounded ({}; the mesh is {:.3g} in size): write them in double precision with "
             "all digits, or subtract an offset from the mesh and the cameras",

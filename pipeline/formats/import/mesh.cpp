@@ -1,9 +1,12 @@
 #include "pipeline/formats/import/mesh.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
 
+#include "pipeline/formats/import/assimp_reader.h"
 #include "pipeline/formats/import/coordinate_warnings.h"
 #include "pipeline/formats/import/obj.h"
 #include "pipeline/formats/import/off.h"
@@ -15,6 +18,10 @@
 
 namespace vantage {
 namespace {
+
+bool is_one_of(const std::string& extension, std::initializer_list<const char*> list) {
+    return std::ranges::find(list, extension) != list.end();
+}
 
 /// Drops triangles with a missing, repeated or unusable vertex and returns their number. Vertices that belong
 /// to no triangle are moved onto one that does, so that they do not enlarge the model's extent. In a mesh
@@ -64,12 +71,30 @@ void complete_normals(Mesh& mesh) {
 struct Found {
     std::vector<std::string>& warnings;
     std::vector<std::filesystem::path> companions{};  ///< further files
+    double rounding = 0;  ///< most by which a coordinate may be off, known from how the file was read
 };
+
+Mesh read_nodes(const std::filesystem::path& file, Found& found) {
+    constexpr double meter = 100;  // cm
+    AssimpMesh read = read_with_assimp(file);
+    found.companions = std::move(read.buffers);
+    found.rounding = read.rounding;
+    if (read.unit != 0 && read.unit != meter)
+        found.warnings.push_back(fmt::format(
+            "{}: says that its unit is {:.6g} cm; its coordinates are taken as written, in the cameras' unit",
+            file.filename().string(), read.unit));
+    return std::move(read.mesh);
+}
 
 Mesh parse(const std::filesystem::path& file, const std::string& extension, Found& found) {
     if (extension == ".ply") return read_ply(file);
     if (extension == ".obj") return read_obj(file, found.warnings, found.companions);
     if (extension == ".off" && !is_binary_off(file)) return read_off(file);
+    if (has_nodes(file)) return read_nodes(file, found);
+    if (is_usd_file(file))
+        throw Error(
+            Exit::input,
+            file.string() + ": USD is not supported; expected PLY, OBJ or GLB, as Blender exports them");
     return read_with_openmesh(file);
 }
 
@@ -84,6 +109,18 @@ Mesh read_any(const std::filesystem::path& file, const std::string& extension, F
 }
 
 }  // namespace
+
+bool is_mesh_file(const std::filesystem::path& file) {
+    return has_nodes(file) || is_one_of(lower_extension(file), {".ply", ".obj", ".stl", ".off"});
+}
+
+bool has_nodes(const std::filesystem::path& file) {
+    return is_one_of(lower_extension(file), {".gltf", ".glb", ".fbx"});
+}
+
+bool is_usd_file(const std::filesystem::path& file) {
+    return is_one_of(lower_extension(file), {".usd", ".usda", ".usdc", ".usdz"});
+}
 
 bool usable(const Eigen::Vector3d& p) { return p.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < 1e18; }
 
@@ -126,9 +163,9 @@ Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>& warn
     } else if (const std::size_t n = drop_invalid_triangles(mesh))
         warnings.push_back(file.filename().string() + ": " + std::to_string(n) +
                            " invalid triangles dropped");
-    if (extension == ".stl") weld(mesh);
+    if (extension == ".stl" || has_nodes(file)) weld(mesh);
     if (!mesh.points_only() || !mesh.normals.empty()) complete_normals(mesh);
-    for (const std::string& w : coordinate_warnings(mesh))
+    for (const std::string& w : coordinate_warnings(mesh, found.rounding))
         warnings.push_back(file.filename().string() + ": " + w);
     return mesh;
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "pipeline/formats/import/isolated_process.h"
+#include "pipeline/formats/import/mesh.h"
 #include "pipeline/formats/import/mesh_bytes.h"
 #include "pipeline/formats/import/ply.h"
 #include "scene/error.h"
@@ -115,7 +116,7 @@ Mesh read_with_openmesh(const std::filesystem::path& file) {
         return out;
     });
     if (bytes.empty())
-        throw Error(Exit::input, file.string() + ": not a readable mesh, expected PLY, OBJ, STL or OFF");
+        throw Error(Exit::input, file.string() + ": not a readable mesh; expected " + mesh_format_names);
     Mesh mesh;
     std::span<const std::byte> rest(bytes);
     take(rest, mesh);

@@ -1,0 +1,25 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace vantage {
+
+/// What the JSON of a glTF 2.0 file says besides its meshes.
+struct Gltf {
+    std::vector<std::filesystem::path> buffers;  ///< files beside it that hold its numbers
+    /// Transforms of the nodes of its scene, each relative to its parent, in double precision: parents before
+    /// their children, children in the order of the file.
+    std::vector<Eigen::Affine3d> nodes;
+};
+
+/// Reads the JSON of a .gltf, or that in a .glb. Throws Error(input): not glTF 2.0; a buffer that is missing,
+/// or outside the file's folder; an extension on which the geometry depends and that assimp does not know; a
+/// node with two parents.
+Gltf read_gltf(const std::filesystem::path& file);
+
+/// The file that a glTF in `folder` names: as it is written, or else with %20 and the like decoded.
+std::filesystem::path gltf_file(const std::filesystem::path& folder, std::string_view uri);
+
+}  // namespace vantage
