@@ -203,7 +203,7 @@ RemoteFile::Impl::Parts RemoteFile::Impl::request(const std::vector<BlockRun>& r
             request_run({block, end}, kept, parts);
         }
     std::ranges::sort(parts);
-    parts.erase(std::ranges::unique(parts).begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
     for (const auto& part : parts) ++part->waiting;
     return parts;
 }
