@@ -24,10 +24,8 @@ Eigen::Matrix3d turn(const Navigation& n, double right, double down) {
 
 Navigation stand_at(const package::PhotoRecord& photo, const Eigen::Vector3d& up) {
     const Pose pose = cam_from_origin(photo);
-    const double distance =
-        photo.seen_distance > 0 ? photo.seen_distance : std::max(1e-6, pose.center().norm());
     return {pose.center(),
-            pose.center() + distance * pose.direction(),
+            pose.center() + seen_distance(photo) * pose.direction(),
             up,
             pose.R,
             2 * std::atan(photo.height / (2 * photo.fy)) * 180 / std::numbers::pi,

@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "player/camera/frame_size.h"
 #include "scene/camera.h"
 #include "scene/package_format.h"
 
@@ -34,6 +35,9 @@ struct View {
     double orthographic_depth = 0;
 };
 
+/// The size of a view's picture.
+inline FrameSize frame_size(const View& view) { return {view.intrinsics.width, view.intrinsics.height}; }
+
 /// Whether two views show the same, apart from their exposure.
 bool same_view(const View& a, const View& b);
 inline bool operator==(const View& a, const View& b) { return same_view(a, b) && a.exposure == b.exposure; }
@@ -60,6 +64,9 @@ double depth_in(const View& view, const Eigen::Vector3d& point);
 
 /// Clip-from-origin matrix of a view for depths from range.x() to range.y(), as clip_from_cam().
 Eigen::Matrix4d clip_from_origin(const View& view, const Eigen::Vector2d& range);
+
+/// The distance of the surface that a photo sees, or of the origin if it sees none; above 0.
+double seen_distance(const package::PhotoRecord& photo);
 
 /// The photo's own camera and exposure; the frame is `scale` times the photo's size (rounded, at least one
 /// pixel).

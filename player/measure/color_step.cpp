@@ -94,7 +94,7 @@ SeenFrame seen_frame(const Renderer& renderer, const View& view) {
     const std::size_t pixels = std::size_t(view.intrinsics.width) * std::size_t(view.intrinsics.height);
     std::vector<std::array<float, 4>> light(pixels);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glGetTextureImage(renderer.targets().accumulated.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(16 * pixels),
+    glGetTextureImage(renderer.targets().samples.front().sum.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(16 * pixels),
                       light.data());
     SeenFrame out{view, std::vector<std::array<float, 3>>(pixels), renderer.triangles()};
     for (std::size_t i = 0; i < pixels; ++i)

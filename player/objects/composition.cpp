@@ -36,12 +36,12 @@ void Composition::copy_depth(const ObjectFrame& frame, const Layer& layer) {
 }
 
 void Composition::show(std::span<const ObjectFrame> frames, const View& view, const RenderSettings& settings,
-                       GLuint target, bool flip) {
+                       GLuint target, bool flip, std::size_t eye) {
     frame_ = {view.intrinsics.width, view.intrinsics.height};
     fit(room_for(frame_, settings.room), std::max<std::size_t>(1, frames.size()));
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const ObjectFrame& f = frames[i];
-        f.renderer->show(f.view, f.settings, layers_[i].color.id(), false);
+        f.renderer->show(f.view, f.settings, layers_[i].color.id(), false, eye);
         glBindVertexArray(no_vertices_.id());
         copy_depth(f, layers_[i]);
     }

@@ -22,9 +22,9 @@ struct ObjectFrame {
 class Composition {
   public:
     /// Shows the frames, all of the size of `view`, in the framebuffer `target`; `flip` as for
-    /// Renderer::show. `settings`: background, and whether it is filled.
+    /// Renderer::show. `settings`: background, and whether it is filled. `eye`: the one drawn last.
     void show(std::span<const ObjectFrame> frames, const View& view, const RenderSettings& settings,
-              GLuint target, bool flip);
+              GLuint target, bool flip, std::size_t eye);
 
   private:
     struct Layer {

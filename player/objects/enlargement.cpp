@@ -17,11 +17,11 @@ void Enlargement::fit(FrameSize room) {
 }
 
 void Enlargement::show(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
-                       GLuint target, bool flip) {
+                       GLuint target, bool flip, std::size_t eye) {
     const int width = drawn.intrinsics.width, height = drawn.intrinsics.height;
     kept_ = false;
-    if (width == size.width && height == size.height) return objects.show(drawn, settings, target, flip);
-    objects.show(drawn, settings, target_.id(), flip);
+    if (width == size.width && height == size.height) return objects.show(drawn, settings, target, flip, eye);
+    objects.show(drawn, settings, target_.id(), flip, eye);
     if (!program_) {
         program_ = full_frame_program("enlarge", "enlarge.frag");
         no_vertices_ = gl::make_vertex_array("no vertices");

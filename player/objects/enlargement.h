@@ -11,9 +11,10 @@ class Enlargement {
     /// Makes room for frames of at most this size, unless there is.
     void fit(FrameSize room);
     /// Shows what `objects` drew last, of the view `drawn`, in the framebuffer `target` of this size, which
-    /// stays bound; `flip` as for Renderer::show. fit() must have made room for `drawn` if it is smaller.
+    /// stays bound; `flip` and `eye` as for Renderer::show. fit() must have made room for `drawn` if it is
+    /// smaller.
     void show(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,
-              GLuint target, bool flip);
+              GLuint target, bool flip, std::size_t eye = 0);
     /// The same where nothing has changed since show(): from the second time on, copies the picture, if
     /// there is room for it.
     void show_again(ObjectSet& objects, const View& drawn, const RenderSettings& settings, FrameSize size,

@@ -158,24 +158,57 @@ RenderSettings ObjectSet::settings_of_others(const RenderSettings& settings) con
 FrameReport ObjectSet::draw(const View& view, const RenderSettings& settings,
                             std::span<const std::uint32_t> photos, PixelSample sample, double now,
                             const View* next) {
-    if (alone()) return first_report_ = first_.draw(view, settings, photos, sample, now, next);
+    return draw_eyes({&view, 1}, settings, photos, sample, now, next, [](std::size_t) {});
+}
+
+bool ObjectSet::draws_first(const RenderSettings& settings) const {
+    return first_object_.shown || settings.compare != Compare::nothing;
+}
+
+FrameReport ObjectSet::draw_eyes(std::span<const View> eyes, const RenderSettings& settings,
+                                 std::span<const std::uint32_t> photos, PixelSample sample, double now,
+                                 const View* next, const std::function<void(std::size_t eye)>& drawn) {
+    if (alone())
+        first_report_ = first_.prepare(eyes, settings, photos, sample, now, next);
+    else
+        prepare(eyes, settings, photos, sample, now, next);
+    const bool paints_first = alone() || draws_first(settings);
+    for (std::size_t eye = 0; eye < eyes.size(); ++eye) {
+        paint(eye, paints_first);
+        drawn(eye);
+    }
+    if (alone()) return first_report_;
+    FrameReport all;
+    all.settled = true;
+    if (paints_first) all = first_report_;
+    for (const auto& o : others_)
+        if (o->object.shown) all = joined(all, o->report);
+    return all;
+}
+
+void ObjectSet::paint(std::size_t eye, bool paints_first) {
+    if (paints_first) first_.paint(eye, first_report_);
+    for (const auto& o : others_)
+        if (o->object.shown) o->renderer->paint(eye, o->report);
+}
+
+void ObjectSet::prepare(std::span<const View> eyes, const RenderSettings& settings,
+                        std::span<const std::uint32_t> photos, PixelSample sample, double now,
+                        const View* next) {
     divide_budget();
     RenderSettings of_first = settings;
     of_first.fill_background = false;
-    FrameReport all;
-    all.settled = true;
     // An even share of the frame's uploads, and what objects before it have left of theirs.
-    const bool draws_first = first_object_.shown || settings.compare != Compare::nothing;
-    auto to_draw = std::size_t(draws_first) +
+    std::size_t uploaded = 0;
+    auto to_draw = std::size_t(draws_first(settings)) +
                    std::size_t(std::ranges::count_if(others_, [](const auto& o) { return o->object.shown; }));
     const auto upload_share = [&] {
-        const std::size_t left = settings.upload_bytes - std::min(settings.upload_bytes, all.uploaded);
-        return left / to_draw--;
+        return (settings.upload_bytes - std::min(settings.upload_bytes, uploaded)) / to_draw--;
     };
-    if (draws_first) {
+    if (draws_first(settings)) {
         of_first.upload_bytes = upload_share();
-        first_report_ = first_.draw(view, of_first, photos, sample, now, next);
-        all = first_report_;
+        first_report_ = first_.prepare(eyes, of_first, photos, sample, now, next);
+        uploaded += first_report_.uploaded;
     }
     RenderSettings of_others = settings_of_others(settings);
     for (const auto& o : others_) {
@@ -184,27 +217,30 @@ FrameReport ObjectSet::draw(const View& view, const RenderSettings& settings,
         of_others.sections = settings.sections;
         of_others.upload_bytes = upload_share();
         divide_budget();  // what the objects before it hold may have changed
-        all = joined(all, draw_other(*o, view, of_others, sample, now, next));
+        prepare_other(*o, eyes, of_others, sample, now, next);
+        uploaded += o->report.uploaded;
     }
-    return all;
 }
 
-FrameReport ObjectSet::draw_other(Other& o, const View& view, RenderSettings& settings, PixelSample sample,
-                                  double now, const View* next) const {
+void ObjectSet::prepare_other(Other& o, std::span<const View> eyes, RenderSettings& settings,
+                              PixelSample sample, double now, const View* next) const {
     const auto seen_by = [&](const View& v) {
         return view_of_object(v, origin_of(first_.package()), origin_of(o.package), o.object.placement);
     };
-    o.view = seen_by(view);
+    o.views.clear();
+    for (const View& eye : eyes) o.views.push_back(seen_by(eye));
     if (settings.weights_from) settings.weights_from = seen_by(*settings.weights_from);
     for (SectionPlane& plane : settings.sections)
         plane = plane_of_object(plane, origin_of(first_.package()), origin_of(o.package), o.object.placement);
     std::optional<View> ahead;
     if (next) ahead = seen_by(*next);
-    return o.report = o.renderer->draw(o.view, settings, o.photos, sample, now, ahead ? &*ahead : nullptr);
+    o.report = o.renderer->prepare(o.views, settings, o.photos, sample, now, ahead ? &*ahead : nullptr);
 }
 
-void ObjectSet::show(const View& view, const RenderSettings& settings, GLuint target, bool flip) {
-    if (alone() || settings.compare != Compare::nothing) return first_.show(view, settings, target, flip);
+void ObjectSet::show(const View& view, const RenderSettings& settings, GLuint target, bool flip,
+                     std::size_t eye) {
+    if (alone() || settings.compare != Compare::nothing)
+        return first_.show(view, settings, target, flip, eye);
     RenderSettings of_first = settings;
     of_first.fill_background = false;
     of_first.background.soft_edges = 0;
@@ -214,15 +250,16 @@ void ObjectSet::show(const View& view, const RenderSettings& settings, GLuint ta
     for (const auto& o : others_)
         if (o->object.shown)
             frames.push_back(
-                {o->renderer.get(), o->view, of_others, o->object.placement.scale, o->object.opacity});
-    composition_.show(frames, view, settings, target, flip);
+                {o->renderer.get(), o->views[eye], of_others, o->object.placement.scale, o->object.opacity});
+    composition_.show(frames, view, settings, target, flip, eye);
 }
 
 Picture take_picture(ObjectSet& objects, const View& view, const RenderSettings& settings,
-                     std::span<const std::uint32_t> photos, int side) {
+                     std::span<const std::uint32_t> photos, int side, double now) {
     FrameReport report;
-    for (int i = 0; i < side * side; ++i) report = objects.draw(view, settings, photos, {i, side}, 0);
-    Picture p = picture_of(view, [&](GLuint target) { objects.show(view, settings, target, false); });
+    for (int i = 0; i < side * side; ++i) report = objects.draw(view, settings, photos, {i, side}, now);
+    Picture p =
+        picture_of(frame_size(view), [&](GLuint target) { objects.show(view, settings, target, false); });
     p.report = report;
     return p;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,8 +53,14 @@ class ObjectSet {
     /// are those of the first object.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
+    /// The same for the views of one eye or two, of the same size, see Renderer::prepare. Calls `drawn` after
+    /// each eye, which show() shows as long as the other one has not been drawn.
+    FrameReport draw_eyes(std::span<const View> eyes, const RenderSettings& settings,
+                          std::span<const std::uint32_t> photos, PixelSample sample, double now,
+                          const View* next, const std::function<void(std::size_t eye)>& drawn);
     /// Shows what was drawn last, as Renderer::show does. A comparison shows the first object alone.
-    void show(const View& view, const RenderSettings& settings, GLuint target, bool flip);
+    void show(const View& view, const RenderSettings& settings, GLuint target, bool flip,
+              std::size_t eye = 0);
 
   private:
     struct Other {
@@ -61,7 +68,7 @@ class ObjectSet {
         PackageReader package;
         std::unique_ptr<Renderer> renderer;
         std::vector<std::uint32_t> photos;
-        View view{};
+        std::vector<View> views{};  ///< per eye
         FrameReport report{};
     };
     /// Of all renderers.
@@ -71,8 +78,12 @@ class ObjectSet {
     SceneObject& object_at(std::size_t object);
     RenderSettings settings_of_others(const RenderSettings& settings) const;
     /// `settings.weights_from` is a view of the scene, and becomes one of the object.
-    FrameReport draw_other(Other& other, const View& view, RenderSettings& settings, PixelSample sample,
-                           double now, const View* next) const;
+    void prepare_other(Other& other, std::span<const View> eyes, RenderSettings& settings, PixelSample sample,
+                       double now, const View* next) const;
+    void prepare(std::span<const View> eyes, const RenderSettings& settings,
+                 std::span<const std::uint32_t> photos, PixelSample sample, double now, const View* next);
+    void paint(std::size_t eye, bool paints_first);
+    bool draws_first(const RenderSettings& settings) const;
     void divide_budget();
     std::string free_name(const std::string& wanted) const;
 
@@ -84,9 +95,10 @@ class ObjectSet {
     Composition composition_;
 };
 
-/// Renders all objects with `side` * `side` samples per pixel, as take_picture() does one.
+/// Renders all objects with `side` * `side` samples per pixel, as take_picture() does one; `now` as for
+/// Renderer::draw.
 Picture take_picture(ObjectSet& objects, const View& view, const RenderSettings& settings,
-                     std::span<const std::uint32_t> photos, int side);
+                     std::span<const std::uint32_t> photos, int side, double now = 0);
 
 /// The sum of what frames consisted of; settled if all are.
 FrameReport joined(const FrameReport& a, const FrameReport& b);

@@ -7,6 +7,7 @@ namespace vantage {
 struct ChosenPhoto {
     std::uint32_t photo;
     double agreement;  ///< with the view, see agreement()
+    bool operator==(const ChosenPhoto&) const = default;
 };
 
 /// What choose_photos() finds.

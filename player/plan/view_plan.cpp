@@ -45,12 +45,13 @@ std::vector<std::uint32_t> photos_of(const std::vector<PlannedPhoto>& planned) {
 }  // namespace
 
 void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos,
-                      int side, const SeenTriangles& seen) {
+                      int side, const SeenTriangles& seen, const PhotoChoice* shared) {
     const bool unmoved = made_for_ && same_view(made_for_->view, view),
                same_settings = made_for_ && made_for_->settings == settings,
                same_photos = made_for_ && std::ranges::equal(made_for_->photos, photos);
     const bool at_rest = unmoved && same_settings && !at_rest_.empty();
-    const bool chosen_here = chosen_for_ && same_view(*chosen_for_, view);
+    const bool chosen_here =
+        shared ? shared->photos == plan_.choice.photos : chosen_for_ && same_view(*chosen_for_, view);
     if (unmoved && same_settings && same_photos && chosen_here && made_for_->side == side &&
         (at_rest || made_for_->seen == seen.version))
         return;
@@ -65,11 +66,11 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
     }
     const bool moves = same_settings && same_photos && !unmoved && !settings.complete;
     const PhotoChoice choice = std::move(plan_.choice);
-    const bool keeps = keeps_choice(view, moves);
+    const bool keeps = !shared && keeps_choice(view, moves);
     std::span<const std::uint32_t> known = at_rest_;
     if (uses_seen_ && known.empty()) known = seen.triangles;
-    plan_ = make_plan(*scene_, widened(view), with_side(settings, side), photos, previous, known,
-                      keeps ? &choice : nullptr);
+    if (keeps) shared = &choice;
+    plan_ = make_plan(*scene_, widened(view), with_side(settings, side), photos, previous, known, shared);
     plan_drawn(widened(view), settings, photos);
     made_for_ = Key{view, settings, side, {photos.begin(), photos.end()}, seen.version};
 }

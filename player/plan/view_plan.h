@@ -28,9 +28,9 @@ class ViewPlan {
     /// Remakes the plan if necessary. `settings.samples` applies to one sample per pixel; `side` multiplies
     /// it. `seen` is used if the view has changed little since. Once it is of this very view, it is kept:
     /// each sample of a pixel shows slightly different triangles, and plans for each would never come to
-    /// rest.
+    /// rest. `shared`: the photos are these, as they were chosen for another view.
     void update(const View& view, const PlanSettings& settings, std::span<const std::uint32_t> photos,
-                int side, const SeenTriangles& seen);
+                int side, const SeenTriangles& seen, const PhotoChoice* shared = nullptr);
     /// Advances the transition to `now` seconds. When it has ended, the next one begins if the planned photos
     /// that are `ready` (one flag per photo) are not those drawn. At once if nothing was drawn before.
     void fade(const PlanSettings& settings, double now, const std::vector<bool>& ready);

@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-FrameTargets make_frame_targets(FrameSize room, bool half_sums) {
+FrameTargets make_frame_targets(FrameSize room, bool half_sums, std::size_t eyes) {
     const auto [width, height] = room;
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
@@ -30,21 +30,13 @@ FrameTargets make_frame_targets(FrameSize room, bool half_sums) {
     }
     t.before = gl::make_texture_2d("frame before", GL_RGBA16F, width, height);
     t.before_target = gl::make_framebuffer("frame before", std::array{t.before.id()}, 0);
-    t.accumulated = gl::make_texture_2d("frame samples", GL_RGBA32F, width, height);
-    t.accumulated_target = gl::make_framebuffer("frame samples", std::array{t.accumulated.id()}, 0);
+    for (std::size_t eye = 0; eye < eyes; ++eye) t.samples.push_back(make_picture_samples(room));
     return t;
 }
 
-void FrameTargets::add_other() {
-    if (other) return;
-    other = gl::make_texture_2d("frame samples of another band", GL_RGBA32F, room.width, room.height);
-    other_target = gl::make_framebuffer("frame samples of another band", std::array{other.id()}, 0);
-    const std::array<float, 4> zero{};
-    glClearNamedFramebufferfv(other_target.id(), GL_COLOR, 0, zero.data());
-}
-
-std::uint64_t FrameTargets::bytes(int width, int height, bool half_sums) {
-    return std::uint64_t(width) * std::uint64_t(height) * (4 + 8 + 4 + 8 + 16 + (half_sums ? 16 : 32));
+std::uint64_t FrameTargets::bytes(int width, int height, bool half_sums, std::size_t eyes) {
+    return std::uint64_t(width) * std::uint64_t(height) * (4 + 8 + 4 + 8 + (half_sums ? 16 : 32)) +
+           eyes * PictureSamples::bytes(width, height);
 }
 
 }  // namespace vantage

@@ -21,11 +21,11 @@ Picture take_picture(Renderer& renderer, const View& view, const RenderSettings&
 }
 
 Picture shown_picture(Renderer& renderer, const View& view, const RenderSettings& settings) {
-    return picture_of(view, [&](GLuint target) { renderer.show(view, settings, target, false); });
+    return picture_of(frame_size(view), [&](GLuint target) { renderer.show(view, settings, target, false); });
 }
 
-Picture picture_of(const View& view, const std::function<void(GLuint target)>& show) {
-    Picture p{view.intrinsics.width, view.intrinsics.height, {}, {}};
+Picture picture_of(FrameSize size, const std::function<void(GLuint target)>& show) {
+    Picture p{size.width, size.height, {}, {}};
     const gl::Texture color = gl::make_texture_2d("picture", GL_RGBA8, p.width, p.height);
     const gl::Framebuffer target = gl::make_framebuffer("picture", std::array{color.id()}, 0);
     show(target.id());

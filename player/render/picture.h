@@ -19,8 +19,8 @@ struct Picture {
 Picture take_picture(Renderer& renderer, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side);
 
-/// The picture, of the view's size, that `show` shows in the framebuffer that it is given; without a report.
-Picture picture_of(const View& view, const std::function<void(GLuint target)>& show);
+/// The picture, of this size, that `show` shows in the framebuffer that it is given; without a report.
+Picture picture_of(FrameSize size, const std::function<void(GLuint target)>& show);
 
 /// What the renderer last drew, of the same view; without a report.
 Picture shown_picture(Renderer& renderer, const View& view, const RenderSettings& settings);

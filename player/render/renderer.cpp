@@ -122,17 +122,16 @@ Renderer::Renderer(const PackageReader& package, const MemoryBudget& budget)
       scene_(make_plan_scene(package)),
       store_(package, budget.ring),
       passes_(package, scene_, store_),
-      bands_(scene_),
       tiles_(scene_, store_, passes_),
       resolve_program_(make_resolve_program({})),
       show_program_(make_show_program(package, scene_)),
       no_vertices_(gl::make_vertex_array("no vertices")) {
+    eyes_.emplace_back(scene_);
     if (scene_.has_surroundings()) filling_.emplace();
     if (auto cloud = read_point_cloud(package))
         points_.emplace(package, std::move(*cloud), points_memory(budget));
     if (scene_.has_transparency())
-        transparent_.emplace(budget.graphics ? budget.graphics / 4 : TransparentPass::most_list_bytes,
-                             scene_.has_surroundings());
+        transparent_.emplace(budget.graphics ? budget.graphics / 4 : TransparentPass::most_list_bytes);
     held_ = gl::memory_held() - held_;
     gl::check("opening the package");
 }
@@ -184,33 +183,40 @@ void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
     const bool coordinates =
         std::ranges::any_of(bands, [&](const BandFrame& b) { return !per_fragment(b.settings); });
     const bool placed = points_ && (photos_on_points(settings) || settings.points.pick);
+    const bool veiled =
+        transparent_ && settings.transparency != Transparency::off && scene_.has_surroundings();
+    const std::size_t eyes = eyes_.size();
     const bool fits = targets_.room == room && targets_.half_sums == settings.half_sums &&
-                      (store_.has_coordinates() || !coordinates) &&
+                      targets_.samples.size() == eyes && (store_.has_coordinates() || !coordinates) &&
                       (!points_ || points_->placed() || !placed) &&
                       (!transparent_ || transparent_->mode() == settings.transparency);
     if (!fits) {
         targets_ = {};
-        readback_.release();
+        for (Eye& eye : eyes_) eye.readback.release();
         if (points_) points_->release();
         if (transparent_) transparent_->release();
         const std::uint64_t others =
             gl::memory_held() - budget_.elsewhere - store_.bytes() +
-            FrameTargets::bytes(width, height, settings.half_sums) +
-            (scene_.bands.size() > 1 ? 16 * std::uint64_t(width) * std::uint64_t(height) : 0) +
+            FrameTargets::bytes(width, height, settings.half_sums, eyes) +
+            (scene_.bands.size() > 1 ? eyes * PictureSamples::bytes(width, height) : 0) +
+            (veiled ? eyes * PictureSamples::veil_bytes(width, height) : 0) +
             (filling_ ? HoleFilling::bytes(width, height) : 0) +
             (points_ ? PointPass::bytes(width, height, placed) + points_->growth() : 0) +
             (transparent_ ? transparent_->bytes(width, height, settings.transparency) : 0) +
-            TriangleReadback::bytes(width, height);
+            eyes * TriangleReadback::bytes(width, height);
         graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
         store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
         graphics_budget_ = std::max(graphics_budget_, others + store_.residency().layout().bytes());
-        targets_ = make_frame_targets(room, settings.half_sums);
+        targets_ = make_frame_targets(room, settings.half_sums, eyes);
         if (filling_) filling_->fit(width, height);
         if (points_) points_->fit(targets_, placed);
         if (transparent_) transparent_->fit(targets_, settings.transparency);
     }
     targets_.width = frame.width, targets_.height = frame.height;
-    if (bands.size() > 1) targets_.add_other();
+    for (PictureSamples& samples : targets_.samples) {
+        if (bands.size() > 1) samples.add_other();
+        if (veiled) samples.add_veil();
+    }
 }
 
 void Renderer::coarsen(bool wait) {
@@ -219,57 +225,96 @@ void Renderer::coarsen(bool wait) {
     if (auto mesh = coarsening_->take(wait)) passes_.use_coarse(std::move(*mesh));
 }
 
-bool Renderer::take_seen(bool wait) {
-    return readback_.update(wait, scene_.triangles, passes_.coarse().stands_for);
+bool Renderer::take_seen(Eye& eye, bool wait) {
+    return eye.readback.update(wait, scene_.triangles, passes_.coarse().stands_for);
 }
 
-void Renderer::plan_band(const View& view, const BandFrame& band, PixelSample sample) {
-    const RenderSettings& settings = band.settings;
-    if (settings.complete && settings.photos > 0 && sample.index == 0) find_seen(view, band, sample);
-    band.plan->update(view, plan_settings(settings), band.photos, sample.side, readback_.seen());
+/// Plans the bands of an eye; the second one gets the photos of the first.
+void Renderer::plan_eye(Eye& eye, PixelSample sample) {
+    for (std::size_t b = 0; b < eye.bands.size(); ++b) {
+        const BandFrame& band = eye.bands[b];
+        const RenderSettings& settings = band.settings;
+        if (settings.complete && settings.photos > 0 && sample.index == 0) find_seen(eye, band, sample);
+        const bool shares = &eye != &eyes_[0] && !settings.complete;
+        const PhotoChoice* const photos = shares ? &eyes_[0].bands[b].plan->plan().choice : nullptr;
+        band.plan->update(eye.view, plan_settings(settings), band.photos, sample.side, eye.readback.seen(),
+                          photos);
+    }
 }
 
-FrameReport Renderer::draw(const View& view, const RenderSettings& given,
+void Renderer::stream_points(const Eye& eye, FrameReport& report) {
+    const RenderSettings& settings = eye.bands.front().settings;
+    if (!shows_points(settings)) return;
+    report.uploaded += points_->stream(eye.view, settings, sample_.side, now_);
+    report.nodes_missing += points_->missing();
+}
+
+FrameReport Renderer::draw(const View& view, const RenderSettings& settings,
                            std::span<const std::uint32_t> photos, PixelSample sample, double now,
                            const View* next) {
-    check_view(view);
+    FrameReport report = prepare({&view, 1}, settings, photos, sample, now, next);
+    paint(0, report);
+    return report;
+}
+
+FrameReport Renderer::prepare(std::span<const View> views, const RenderSettings& given,
+                              std::span<const std::uint32_t> photos, PixelSample sample, double now,
+                              const View* next) {
+    for (const View& view : views) check_view(view);
     const std::uint64_t held_before = gl::memory_held();
     const RenderSettings settings = usable(given);
-    expect_perspective(view, shows_points(settings), passes_.shows_surroundings(settings));
+    expect_perspective(views.front(), shows_points(settings), passes_.shows_surroundings(settings));
     if (!shows_photos(settings)) photos = {};
     if (settings.weights_from) check_view(*settings.weights_from);
-    bands_.choose(settings, now);
-    const std::vector<BandFrame> bands = bands_.frames(settings, photos);
+    sample_ = sample, now_ = now;
+    while (eyes_.size() > views.size()) eyes_.pop_back();
+    while (eyes_.size() < views.size()) eyes_.emplace_back(scene_);
+    std::vector<BandFrame> bands;  // of all eyes
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        Eye& eye = eyes_[i];
+        eye.view = views[i];
+        eye.plans.choose(settings, now);
+        eye.bands = eye.plans.frames(settings, photos);
+        bands.insert(bands.end(), eye.bands.begin(), eye.bands.end());
+    }
     if (passes_.load_layer(settings)) targets_ = {};  // the budget has to be divided again
-    fit({view.intrinsics.width, view.intrinsics.height}, bands);
+    fit({views.front().intrinsics.width, views.front().intrinsics.height}, eyes_[0].bands);
     const DrawnRegion region(targets_);
     // What a frame waits for, it shows.
     const bool fades = !settings.complete && !settings.wait_for_tiles && !settings.wait_for_uploads;
     store_.begin_frame(now, fades);
-    if (!settings.complete) take_seen(settings.wait_for_tiles);
     FrameReport report;
+    for (Eye& eye : eyes_)
+        if (!settings.complete) take_seen(eye, settings.wait_for_tiles);
     const auto planning = std::chrono::steady_clock::now();
-    for (const BandFrame& band : bands) plan_band(view, band, sample);
+    for (Eye& eye : eyes_) plan_eye(eye, sample);
     report.plan_ms = milliseconds_since(planning);
-    if (shows_points(settings)) {
-        report.uploaded = points_->stream(view, settings, sample.side, now);
-        report.nodes_missing = points_->missing();
-    }
-    const View point = sampled(view, sample);
-    Frame frame{drawn_view(point, bands.front(), sample.side), sample, now, report};
-    frame.report.clusters = bands_.plan_of_first().clusters.size();
-    frame.report.uncovered = bands_.plan_of_first().uncovered;
+    stream_points(eyes_[0], report);
+    report.clusters = plan().clusters.size();
+    report.uncovered = plan().uncovered;
     const View* ahead = settings.swift ? nullptr : next;
-    if (!settings.complete) tiles_.stream(point, bands, sample.side, ahead, frame.report);
+    if (!settings.complete) tiles_.stream(sampled(views.front(), sample), bands, sample.side, ahead, report);
     for (const BandFrame& band : bands)
         band.plan->fade(plan_settings(band.settings), now,
                         tiles_.ready_photos(band.settings, band.plan->plan()));
+    held_ += gl::memory_held() - held_before;
+    return report;
+}
+
+void Renderer::paint(std::size_t number, FrameReport& report) {
+    const std::uint64_t held_before = gl::memory_held();
+    Eye& eye = eyes_[number];
+    const RenderSettings& settings = eye.bands.front().settings;
+    const DrawnRegion region(targets_);
+    if (number > 0) stream_points(eye, report);
+    const View point = sampled(eye.view, sample_);
+    Frame frame{drawn_view(point, eye.bands.front(), sample_.side), sample_, now_, report, number};
     depth_terms_ = terms_of(point, frame.drawn.depth_range);
     passes_.draw_surface(frame.drawn, targets_);
-    if (!settings.complete) readback_.capture(targets_, view);
+    if (!settings.complete) eye.readback.capture(targets_, eye.view);
     draw_present(frame);
-    for (const BandFrame& band : std::span(bands).subspan(1)) {
-        Frame second{drawn_view(point, band, sample.side), sample, now, {}, true};
+    for (const BandFrame& band : std::span(eye.bands).subspan(1)) {
+        Frame second{drawn_view(point, band, sample_.side), sample_, now_, {}, number, true};
         draw_band(second);
         add_work(second.report, frame.report);
     }
@@ -278,12 +323,12 @@ FrameReport Renderer::draw(const View& view, const RenderSettings& given,
     r.fragments = fragments_.fragments, r.fragments_approximated = fragments_.approximated;
     r.tiles_damaged = store_.residency().damaged_count() + (points_ ? points_->damaged() : 0);
     r.tiles_absent = store_.residency().absent_count() + (points_ ? points_->absent() : 0);
-    r.settled =
-        r.tiles_to_come == 0 && r.nodes_missing == 0 && bands_.settled() && store_.residency().settled();
+    const bool planned = std::ranges::all_of(eyes_, [](const Eye& e) { return e.plans.settled(); });
+    r.settled = r.tiles_to_come == 0 && r.nodes_missing == 0 && planned && store_.residency().settled();
     if (settings.swift ? !settings.wait_for_base : r.settled && !settings.complete) coarsen(false);
     held_ += gl::memory_held() - held_before;
     gl::check("rendering a view");
-    return r;
+    report = r;
 }
 
 std::string Renderer::failure() const {
@@ -301,8 +346,8 @@ void Renderer::redraw(const View& view, const RenderSettings& given) {
     check_view(view);
     const RenderSettings settings = usable(given);
     if (settings.weights_from) check_view(*settings.weights_from);
-    for (const BandFrame& band : bands_.frames(settings, {})) {
-        Frame frame{drawn_view(view, band, 1), {}, 0, {}, band.second};
+    for (const BandFrame& band : eyes_[0].plans.frames(settings, {})) {
+        Frame frame{drawn_view(view, band, 1), {}, 0, {}, 0, band.second};
         draw_band(frame);
     }
     gl::check("rendering a view again");
@@ -392,12 +437,12 @@ Eigen::Vector2d Renderer::depth_range_of(const View& view, const RenderSettings&
 }
 
 /// Finds out which triangles the view shows before photos are chosen for it. Waits for the graphics card.
-void Renderer::find_seen(const View& view, const BandFrame& band, PixelSample sample) {
-    band.plan->update(view, plan_settings(band.settings), band.photos, sample.side, readback_.seen());
-    passes_.draw_surface(drawn_view(view, band, sample.side), targets_);
-    take_seen(true);
-    readback_.capture(targets_, view);
-    take_seen(true);
+void Renderer::find_seen(Eye& eye, const BandFrame& band, PixelSample sample) {
+    band.plan->update(eye.view, plan_settings(band.settings), band.photos, sample.side, eye.readback.seen());
+    passes_.draw_surface(drawn_view(eye.view, band, sample.side), targets_);
+    take_seen(eye, true);
+    eye.readback.capture(targets_, eye.view);
+    take_seen(eye, true);
 }
 
 void Renderer::draw_passes(Pass photos, Frame& frame, bool consensus, int& into) {
@@ -412,19 +457,18 @@ void Renderer::draw_passes(Pass photos, Frame& frame, bool consensus, int& into)
 }
 
 void Renderer::resolve(int sums, const Frame& frame) {
-    const gl::Framebuffer& target = frame.second ? targets_.other_target : targets_.accumulated_target;
-    const bool veiled = veils() && !frame.second;
+    PictureSamples& samples = targets_.samples[frame.eye];
+    const gl::Framebuffer& target = frame.second ? samples.other_target : samples.sum_target;
+    const bool veiled = veils(frame.eye) && !frame.second;
     if (frame.sample.index == 0) {
         const std::array<float, 4> zero{};
         glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, zero.data());
         for (const GLint apart : {1, 2})
-            if (veiled)
-                glClearNamedFramebufferfv(transparent_->veiled_target(), GL_COLOR, apart, zero.data());
-        if (!frame.second) samples_ = 0;
+            if (veiled) glClearNamedFramebufferfv(samples.veiled_target.id(), GL_COLOR, apart, zero.data());
+        if (!frame.second) samples.count = 0;
     }
-    if (!frame.second) ++samples_;
-    bind_target(target, targets_.width, targets_.height);
-    if (veiled) glBindFramebuffer(GL_FRAMEBUFFER, transparent_->veiled_target());
+    if (!frame.second) ++samples.count;
+    bind_target(veiled ? samples.veiled_target : target, targets_.width, targets_.height);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -470,7 +514,7 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     if (points_) set_points(frame.drawn, before);
     if (transparent_) {
         const bool shows = !before && shows_transparent(settings);
-        const bool veiled = veils() && !frame.second && fills_holes(settings);
+        const bool veiled = veils(frame.eye) && !frame.second && fills_holes(settings);
         glUniform1i(shader::shows_transparent_uniform, shows);
         glUniform1i(shader::veils_holes_uniform, shows && veiled);
         if (shows) transparent_->bind();
@@ -493,7 +537,7 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
 bool Renderer::shows_transparent(const RenderSettings& settings) const {
     const bool hidden = shows_points(settings) && settings.points.alone;
     return transparent_ && transparent_->mode() != Transparency::off && !hidden &&
-           settings.show == Show::colors && !bands_.plan_of_first().transparent.empty();
+           settings.show == Show::colors && !plan().transparent.empty();
 }
 
 void Renderer::draw_transparent(Frame& frame) {
@@ -579,22 +623,25 @@ std::vector<std::uint32_t> Renderer::triangles() const {
     return out;
 }
 
-void Renderer::show(const View& view, const RenderSettings& given, GLuint target, bool flip) {
+void Renderer::show(const View& view, const RenderSettings& given, GLuint target, bool flip,
+                    std::size_t eye) {
     const RenderSettings settings = usable(given);
-    const bool fills = fills_holes(settings_of_band(settings, bands_.shown().first, scene_));
-    const bool other_fills =
-        bands_.shown().second && fills_holes(settings_of_band(settings, *bands_.shown().second, scene_));
-    const gl::Texture& clean = veils() ? transparent_->clean() : targets_.accumulated;
-    if (fills || other_fills)
-        filling_->fill(fills ? clean : targets_.other, targets_.width, targets_.height,
-                       std::max(samples_, 1.0));
+    const PictureSamples& samples = targets_.samples[eye];
+    const double count = std::max(samples.count, 1.0);
+    const ShownBands& bands = eyes_[eye].plans.shown();
+    const bool fills = fills_holes(settings_of_band(settings, bands.first, scene_));
+    const bool other_fills = bands.second && fills_holes(settings_of_band(settings, *bands.second, scene_));
+    if (fills || other_fills) {
+        const gl::Texture& clean = veils(eye) ? samples.clean : samples.sum;
+        filling_->fill(fills ? clean : samples.other, targets_.width, targets_.height, count);
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, view.intrinsics.width, view.intrinsics.height);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     glUseProgram(show_program_.id());
     glUniform2i(shader::frame_size_uniform, targets_.width, targets_.height);
-    glUniform1f(shader::samples_uniform, float(std::max(samples_, 1.0)));
+    glUniform1f(shader::samples_uniform, float(count));
     glUniform1i(shader::flip_uniform, flip);
     glUniform1f(shader::soft_edges_uniform, float(settings.background.soft_edges));
     glUniform3fv(shader::show_background_uniform, 1, settings.background.top.data());
@@ -604,11 +651,11 @@ void Renderer::show(const View& view, const RenderSettings& given, GLuint target
         glUniform1i(shader::fills_uniform, fills);
         glBindTextureUnit(shader::filled_unit, filling_->filled().id());
         if (transparent_) {
-            glUniform1i(shader::veils_uniform, fills && veils());
-            glBindTextureUnit(shader::veil_unit, transparent_->veil());
+            glUniform1i(shader::veils_uniform, fills && veils(eye));
+            glBindTextureUnit(shader::veil_unit, samples.veil.id());
         }
     }
-    if (scene_.bands.size() > 1) show_bands(other_fills);
+    if (scene_.bands.size() > 1) show_bands(eye, other_fills);
     const std::uint32_t photo = settings.compare_photo;
     const bool compares = settings.compare != Compare::nothing && photo < scene_.photos.size();
     glUniform1ui(shader::compare_uniform, GLuint(compares ? settings.compare : Compare::nothing));
@@ -619,21 +666,22 @@ void Renderer::show(const View& view, const RenderSettings& given, GLuint target
         glUniformMatrix3fv(shader::photo_from_frame_uniform, 1, GL_FALSE, photo_from_frame.data());
         glUniform1f(shader::lod_uniform, float(std::log2(scene_.intrinsics[photo].fx / view.intrinsics.fx)));
     }
-    glBindTextureUnit(shader::accumulated_unit, targets_.accumulated.id());
+    glBindTextureUnit(shader::accumulated_unit, samples.sum.id());
     glBindVertexArray(no_vertices_.id());
     passes_.with_photo(photo, [] { glDrawArrays(GL_TRIANGLES, 0, 3); });
     gl::check("showing a view");
 }
 
-void Renderer::show_bands(bool other_fills) const {
-    const GLuint how = !bands_.shown().second                         ? shader::bands_one
-                       : bands_.shown().how == BandView::side_by_side ? shader::bands_side_by_side
-                       : bands_.shown().how == BandView::wiper        ? shader::bands_wiper
-                                                                      : shader::bands_mixed;
+void Renderer::show_bands(std::size_t eye, bool other_fills) const {
+    const ShownBands& bands = eyes_[eye].plans.shown();
+    const GLuint how = !bands.second                         ? shader::bands_one
+                       : bands.how == BandView::side_by_side ? shader::bands_side_by_side
+                       : bands.how == BandView::wiper        ? shader::bands_wiper
+                                                             : shader::bands_mixed;
     glUniform1ui(shader::bands_uniform, how);
-    glUniform1f(shader::band_share_uniform, float(bands_.shown().share));
+    glUniform1f(shader::band_share_uniform, float(bands.share));
     if (scene_.has_surroundings()) glUniform1i(shader::other_fills_uniform, other_fills);
-    glBindTextureUnit(shader::other_unit, bands_.shown().second ? targets_.other.id() : 0);
+    glBindTextureUnit(shader::other_unit, bands.second ? targets_.samples[eye].other.id() : 0);
 }
 
 }  // namespace vantage

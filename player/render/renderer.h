@@ -1,4 +1,5 @@
 #pragma once
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -42,13 +43,23 @@ class Renderer {
     /// cannot be drawn.
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
+    /// The same in steps, for the views of one eye or two, of the same size. Plans for all of them, and
+    /// streams what any of them needs; paint() then draws one. Unless settings.complete, the second eye gets
+    /// the photos that are chosen for the first one: the eyes would see different colors otherwise, and
+    /// choosing takes as long as all the rest of a plan.
+    FrameReport prepare(std::span<const View> eyes, const RenderSettings& settings,
+                        std::span<const std::uint32_t> photos, PixelSample sample, double now,
+                        const View* next = nullptr);
+    /// Draws an eye of the frame that was prepared last. Adds to its report.
+    void paint(std::size_t eye, FrameReport& report);
     /// Replaces what the last draw() drew by its photos, as far as they had faded in, seen from another view
     /// of the same size, one sample per pixel. The plan and the fading stay those of the last draw(). With
     /// settings.weights_from of that draw's view, a surface gets the weights that it had there.
     void redraw(const View& view, const RenderSettings& settings);
-    /// Shows the samples drawn in the framebuffer `target`, which has the view's size. `flip` if the target's
-    /// first row is at the bottom, as a window's is.
-    void show(const View& view, const RenderSettings& settings, GLuint target, bool flip);
+    /// Shows the samples drawn for an eye in the framebuffer `target`, which has the view's size. `flip` if
+    /// the target's first row is at the bottom, as a window's is.
+    void show(const View& view, const RenderSettings& settings, GLuint target, bool flip,
+              std::size_t eye = 0);
 
     /// See ModelPasses::use_records.
     void use_records(std::span<const package::PhotoRecord> photos) { passes_.use_records(photos); }
@@ -81,12 +92,12 @@ class Renderer {
     bool photos_on_points(const RenderSettings& settings) const;
     /// Null if the package has no point cloud.
     const PointPass* points() const { return points_ ? &*points_ : nullptr; }
-    /// The triangles seen last, as far as they have been read back.
-    SeenTriangles seen() const { return readback_.seen(); }
-    /// Of the first band that is shown.
-    const Plan& plan() const { return bands_.plan_of_first(); }
+    /// The triangles that the first eye saw last, as far as they have been read back.
+    SeenTriangles seen() const { return eyes_[0].readback.seen(); }
+    /// Of the first eye, and the first band that is shown.
+    const Plan& plan() const { return eyes_[0].plans.plan_of_first(); }
     /// Whether the plan of a band that is shown has this photo.
-    bool uses(std::uint32_t photo) const { return bands_.uses(photo); }
+    bool uses(std::uint32_t photo) const { return eyes_[0].plans.uses(photo); }
     bool per_fragment(const RenderSettings& settings) const { return passes_.per_fragment(settings); }
     const PhotoStore& store() const { return store_; }
     /// Current limit of graphics memory, bytes: the budget's, or more if a frame needs more.
@@ -103,19 +114,29 @@ class Renderer {
 
   private:
     using Pass = FrameTiles::Pass;
+    /// What is planned for an eye, and the triangles that it saw last.
+    struct Eye {
+        explicit Eye(const PlanScene& scene) : plans(scene) {}
+        View view{};
+        BandPlans plans;
+        std::vector<BandFrame> bands{};  ///< of the frame that was prepared last
+        TriangleReadback readback{};
+    };
     struct Frame {
         DrawnView drawn;
         PixelSample sample;
         double now;
         FrameReport report;
+        std::size_t eye = 0;
         bool second = false;  ///< of two bands: its samples are accumulated by themselves
     };
 
     RenderSettings usable(RenderSettings settings) const;
     void fit(FrameSize frame, std::span<const BandFrame> bands);
-    void find_seen(const View& view, const BandFrame& band, PixelSample sample);
-    bool take_seen(bool wait);
-    void plan_band(const View& view, const BandFrame& band, PixelSample sample);
+    void find_seen(Eye& eye, const BandFrame& band, PixelSample sample);
+    bool take_seen(Eye& eye, bool wait);
+    void plan_eye(Eye& eye, PixelSample sample);
+    void stream_points(const Eye& eye, FrameReport& report);
     void draw_band(Frame& frame);
     DrawnView drawn_view(const View& view, const BandFrame& band, int side) const;
     void draw_present(Frame& frame);
@@ -134,9 +155,9 @@ class Renderer {
     bool shows_points(const RenderSettings& settings) const;
     Eigen::Vector2d depth_range_of(const View& view, const RenderSettings& settings,
                                    const ViewPlan& plan) const;
-    void show_bands(bool other_fills) const;
+    void show_bands(std::size_t eye, bool other_fills) const;
     void set_points(const DrawnView& drawn, bool before) const;
-    bool veils() const { return transparent_ && transparent_->veil(); }
+    bool veils(std::size_t eye) const { return bool(targets_.samples[eye].veil); }
     bool shows_transparent(const RenderSettings& settings) const;
     void draw_transparent(Frame& frame);
     void count_fragments(const Frame& frame);
@@ -148,21 +169,21 @@ class Renderer {
     PlanScene scene_;
     PhotoStore store_;
     ModelPasses passes_;
-    BandPlans bands_;
+    std::deque<Eye> eyes_;  ///< one or two
     FrameTiles tiles_;
     FrameTargets targets_;
     std::optional<HoleFilling> filling_;          ///< if there are surroundings
     std::optional<PointPass> points_;             ///< if there is a cloud
     std::optional<TransparentPass> transparent_;  ///< if some of the mesh is not opaque
     FragmentCount fragments_;                     ///< of the picture
-    TriangleReadback readback_;
     std::optional<Coarsening> coarsening_;
     Eigen::Vector2d depth_terms_ = Eigen::Vector2d::Zero();
     PointPicking picking_;
     gl::Program resolve_program_, show_program_;
     std::map<std::vector<std::string>, gl::Program> other_resolve_programs_;  ///< by what was asked for
     gl::VertexArray no_vertices_;
-    double samples_ = 0;  ///< accumulated in targets_.accumulated
+    PixelSample sample_;  ///< of the frame that was prepared last
+    double now_ = 0;      ///< likewise, seconds
 };
 
 }  // namespace vantage

@@ -17,8 +17,8 @@ std::uint64_t head_bytes(int width, int height) { return 4 * (counters + pixels(
 }  // namespace
 
 void TransparentPass::release() {
-    target_ = {}, veiled_target_ = {};
-    sums_ = {}, transmitted_ = {}, veil_ = {}, clean_ = {};
+    target_ = {};
+    sums_ = {}, transmitted_ = {};
     heads_ = {}, fragments_ = {};
     counts_.release();
     mode_ = Transparency::off;
@@ -35,7 +35,7 @@ std::uint32_t TransparentPass::capacity_for(int width, int height) const {
 
 std::uint64_t TransparentPass::bytes(int width, int height, Transparency mode) const {
     if (mode == Transparency::off) return 0;
-    const std::uint64_t targets = pixels(width, height) * (16 + 4 + (veils_ ? 8 + 16 : 0));
+    const std::uint64_t targets = pixels(width, height) * (16 + 4);
     if (mode == Transparency::approximate) return targets;
     return targets + head_bytes(width, height) + fragment_bytes * capacity_for(width, height) + 4 * counters;
 }
@@ -50,12 +50,6 @@ void TransparentPass::fit(const FrameTargets& targets, Transparency mode) {
     transmitted_ = gl::make_texture_2d("transmitted light", GL_R32F, width, height);
     target_ = gl::make_framebuffer("transparent surfaces", std::array{sums_.id(), transmitted_.id()},
                                    targets.depth.id());
-    if (veils_) {
-        veil_ = gl::make_texture_2d("frame veil", GL_RGBA16F, width, height);
-        clean_ = gl::make_texture_2d("frame clean", GL_RGBA32F, width, height);
-        veiled_target_ = gl::make_framebuffer(
-            "frame samples and veil", std::array{targets.accumulated.id(), veil_.id(), clean_.id()}, 0);
-    }
     if (mode == Transparency::approximate) return;
     capacity_ = capacity_for(width, height);
     heads_ = gl::make_buffer("fragment heads", head_bytes(width, height));

@@ -25,8 +25,8 @@ class TransparentPass {
     /// Lists take at most this, in bytes.
     static constexpr std::uint64_t most_list_bytes = std::uint64_t(512) << 20;
 
-    /// `list_bytes`: of graphics memory for lists. `veils`: holes may be filled behind transparent surfaces.
-    TransparentPass(std::uint64_t list_bytes, bool veils) : list_bytes_(list_bytes), veils_(veils) {}
+    /// `list_bytes`: of graphics memory for lists.
+    explicit TransparentPass(std::uint64_t list_bytes) : list_bytes_(list_bytes) {}
     void release();
     /// Creates the buffers for frames of at most the targets' room, with the depth of the model's. Nothing if
     /// the mode is off.
@@ -52,22 +52,15 @@ class TransparentPass {
     bool update(bool wait);
     const FragmentCount& count() const { return count_; }
 
-    /// The frame's accumulated samples; what is over holes, veil(); and the samples without transparent
-    /// surfaces, clean(), from which holes are filled. 0 without holes to fill.
-    GLuint veiled_target() const { return veiled_target_.id(); }
-    GLuint veil() const { return veil_.id(); }
-    const gl::Texture& clean() const { return clean_; }
-
   private:
     std::uint32_t capacity_for(int width, int height) const;
 
     std::uint64_t list_bytes_;
-    bool veils_;
     Transparency mode_ = Transparency::off;
     FrameSize room_;
     std::uint32_t capacity_ = 0;
-    gl::Texture sums_, transmitted_, veil_, clean_;
-    gl::Framebuffer target_, veiled_target_;
+    gl::Texture sums_, transmitted_;
+    gl::Framebuffer target_;
     gl::Buffer heads_, fragments_;
     gl::Readback counts_;
     FragmentCount count_;

@@ -74,9 +74,7 @@ class Residency {
     /// Resources that could not be fetched of late.
     std::size_t absent_count() const { return failed_.size() - damaged_count(); }
     /// No tile is fading in.
-    bool settled() const {
-        return !fades_ || now_ < last_arrival_ || now_ >= last_arrival_ + fade_seconds;
-    }
+    bool settled() const { return !fades_ || now_ < last_arrival_ || now_ >= last_arrival_ + fade_seconds; }
 
     const ResidencyLayout& layout() const { return layout_; }
     /// Graphics memory held, bytes: less than layout().bytes() until many tiles have arrived.

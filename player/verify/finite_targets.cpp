@@ -22,7 +22,7 @@ NonFinite count_non_finite(const FrameTargets& t) {
     found.depth = count(t.depth, t, GL_DEPTH_COMPONENT, 1);
     found.surface = count(t.surface, t, GL_RGBA, 4);
     for (const gl::Texture& sums : t.sums) found.sums += count(sums, t, GL_RGBA, 4);
-    found.samples = count(t.accumulated, t, GL_RGBA, 4);
+    found.samples = count(t.samples.front().sum, t, GL_RGBA, 4);
     return found;
 }
 

@@ -82,7 +82,8 @@ class Frames {
         FrameReport report;
         for (int i = 0; i < side_ * side_; ++i)
             report = objects_.draw(view, settings_, photos_, {i, side_}, now);
-        Picture p = picture_of(view, [&](GLuint to) { objects_.show(view, settings_, to, false); });
+        Picture p =
+            picture_of(frame_size(view), [&](GLuint to) { objects_.show(view, settings_, to, false); });
         p.report = report;
         return p;
     }

@@ -151,7 +151,7 @@ TEST_F(FinitePictures, CountsInjectedNonFiniteValues) {
     const float bad = std::numeric_limits<float>::quiet_NaN(),
                 infinite = std::numeric_limits<float>::infinity();
     const std::array<float, 4> one_bad{0, bad, 0, 1}, all_endless{infinite, -infinite, infinite, infinite};
-    glClearNamedFramebufferfv(t.accumulated_target.id(), GL_COLOR, 0, one_bad.data());
+    glClearNamedFramebufferfv(t.samples.front().sum_target.id(), GL_COLOR, 0, one_bad.data());
     EXPECT_EQ(count_non_finite(t).samples, pixels);
     glClearNamedFramebufferfv(t.sums_target[1].id(), GL_COLOR, 0, all_endless.data());
     EXPECT_EQ(count_non_finite(t).sums, 4 * pixels);

@@ -219,7 +219,7 @@ TEST_F(Frames, SmallerOnesAreShownEnlarged) {
         const View drawn = scaled(view, scale);
         objects.draw(drawn, settings, all(package), {}, 0);
         return picture_of(
-            view, [&](GLuint target) { enlargement.show(objects, drawn, settings, size, target, false); });
+            size, [&](GLuint target) { enlargement.show(objects, drawn, settings, size, target, false); });
     };
     const Picture whole = shown(1), half = shown(0.5), tiny = shown(0.1);
     const auto mean_off = [&](const Picture& p) {

@@ -28,10 +28,11 @@ std::vector<float> filled(int width, int height, const std::function<Color(int x
             const Color c = drawn(x, y);
             texels.insert(texels.end(), {samples * c.weight * c.red, 0, 0, samples * c.weight});
         }
-    glTextureSubImage2D(frame.accumulated.id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, texels.data());
+    glTextureSubImage2D(frame.samples.front().sum.id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT,
+                        texels.data());
     HoleFilling filling;
     filling.fit(width, height);
-    filling.fill(frame.accumulated, width, height, samples);
+    filling.fill(frame.samples.front().sum, width, height, samples);
     const int w = (width + 1) / 2, h = (height + 1) / 2;
     std::vector<float> out(std::size_t(w) * std::size_t(h));
     glGetTextureImage(filling.filled().id(), 0, GL_RED, GL_FLOAT, GLsizei(4 * out.size()), out.data());
