@@ -57,6 +57,7 @@ const int object_depths_unit = 5;
 const int finer_unit = 4;    // average_holes
 const int coarser_unit = 4;  // fill_holes
 const int small_unit = 4;    // enlarge
+const int eyes_unit = 4;     // stereo
 
 // Uniforms of surface and blend.
 const int clip_from_origin_uniform = 0;
@@ -90,7 +91,7 @@ const int section_planes_uniform = 30;  // surface, an array, SECTION long
 const int frame_uniform = 1;  // blend on points
 const int frame_axes_uniform = 14;
 
-// Of blend, resolve, show, average_holes, fill_holes, compose and enlarge: pixels of the frame, or texels of the level, that is read. Its
+// Of blend, resolve, show, average_holes, fill_holes, compose, enlarge and stereo: pixels of the frame, or texels of the level, that is read. Its
 // texture may be larger.
 const int frame_size_uniform = 29;
 
@@ -159,6 +160,14 @@ const int edges_opaque_uniform = 28;
 
 // Uniform of enlarge.
 const int enlarged_size_uniform = 0;
+
+// Uniforms of stereo, and the values of its mode.
+const int stereo_mode_uniform = 0;
+const int stereo_flip_uniform = 1;
+const uint stereo_side_by_side = 1u;
+const uint stereo_over_under = 2u;
+const uint stereo_anaglyph = 3u;
+const uint stereo_checkerboard = 4u;
 
 // Uniforms of average_holes.
 const int average_samples_uniform = 0;

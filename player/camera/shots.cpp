@@ -44,7 +44,7 @@ std::vector<std::uint32_t> named_photos(const PackageReader& package, const std:
 
 Shot photo_shot(const package::PhotoRecord& photo, const std::string& name, std::optional<FrameSize> size,
                 double scale) {
-    Shot shot{name, view_of_photo(photo, scale), photo.band};
+    Shot shot{name, view_of_photo(photo, scale), photo.band, {}, seen_distance(photo)};
     if (!size) return shot;
     Intrinsics k = intrinsics(photo);
     const double s = std::min(double(size->width) / k.width, double(size->height) / k.height);

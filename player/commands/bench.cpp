@@ -24,7 +24,8 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
     add_unused_options(app, unused);
     hide(app, {"--quiet"});
     const std::string group = "Bench";
-    app.get_option("--fps")->group(group);  // not unused here
+    for (const char* used : {"--fps", "--stereo", "--eye-distance"})  // not unused here
+        app.get_option(used)->group(group);
     app.add_option("--paths", o.paths, "paths to fly: these, or files of views")
         ->type_name("FILE")
         ->check(known_values({"still", "orbit", "approach", "jump", "flight"}))
@@ -79,6 +80,7 @@ void add_bench_options(CLI::App& app, BenchOptions& o, UnusedOptions& unused) {
         "  vantage-player bench chapel.vantage --paths orbit --modes stream,resident --repeats 5 -o orbit\n"
         "  vantage-player bench church.toml --paths orbit\n"
         "  vantage-player bench chapel.vantage --paths orbit --modes stream,adaptive --fps 15\n"
+        "  vantage-player bench chapel.vantage --paths orbit --stereo side-by-side --size 960x1080\n"
         "  vantage-player bench https://museum.org/chapel.vantage --paths still --modes stream "
         "--until-exact\n"
         "  vantage-player bench chapel.vantage --paths flight --modes stream --minutes 10 --graphics-memory "
@@ -110,6 +112,7 @@ int bench_command(int argc, char** argv) {
     if (const auto code = parse(app, argc, argv)) return *code;
     if (unused.pictures.offscreen) options.purpose = Purpose::pictures;
     options.fps = unused.window.fps;
+    options.stereo = unused.stereo;
     if (!options.output.file.empty()) options.folder = options.output.file;
     options.scene = named_objects(options.package, options.objects);
     const PackageReader package =

@@ -14,6 +14,7 @@
 #include "output/package_inputs.h"
 #include "player/camera/shots.h"
 #include "player/objects/object_set.h"
+#include "player/objects/stereo_picture.h"
 #include "player/options/damaged_tiles.h"
 #include "player/render/picture.h"
 #include "scene/error.h"
@@ -33,7 +34,10 @@ std::vector<Shot> shots(const PackageReader& package, const ShowOptions& options
     FrameSize frame = size.value_or(FrameSize{1280, 720});
     if (!size && o.scale != 1)
         frame = {std::max(1, int(std::lround(1280 * o.scale))), std::max(1, int(std::lround(720 * o.scale)))};
-    if (!o.view.empty()) out.push_back({"view", parse_view(o.view, package, frame)});
+    if (!o.view.empty()) {
+        auto [view, distance] = parse_view_and_distance(o.view, package, frame);
+        out.push_back({.name = "view", .view = std::move(view), .distance = distance});
+    }
     if (!o.path.empty())
         for (Shot& shot : read_path(o.path, package, frame)) out.push_back(std::move(shot));
     if (out.empty()) throw Error(Exit::usage, "--offscreen needs --photo, --view or --path");
@@ -97,13 +101,20 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
     ObjectSet scene(renderer, objects, memory_budget(options.memory));
     const bool own_pixels = o.scale == 1 && options.output.size.empty() && o.view.empty() && o.path.empty();
     const int side = o.samples ? o.samples : own_pixels ? 1 : 2;
+    StereoPicture stereo;
+    const auto picture_of_shot = [&](const Shot& shot) {
+        if (options.stereo.mode == StereoMode::off)
+            return take_picture(scene, shot.view, settings, photos, side);
+        const std::vector<View> eyes = eye_views(shot.view, options.stereo.eyes, shot.distance);
+        return take_picture(scene, stereo, options.stereo.mode, eyes, settings, photos, side, 0);
+    };
     std::size_t damaged = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const Shot& shot = wanted[i];
         const std::filesystem::path& file = files[i];
         const auto start = std::chrono::steady_clock::now();
         if (shot.band && !options.blending.bands.given()) settings.bands.shown = *shot.band;
-        const Picture picture = take_picture(scene, shot.view, settings, photos, side);
+        const Picture picture = picture_of_shot(shot);
         if (i == 0 && !options.output.quiet) print_legend(renderer, settings);
         if (file.has_parent_path()) make_folder(file.parent_path());
         write_png(file, picture);

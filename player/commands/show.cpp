@@ -70,6 +70,7 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
     add_light_options(app, o.light);
     add_point_options(app, o.points);
     add_picture_options(app, o.pictures);
+    add_stereo_options(app, o.stereo);
     add_video_options(app, o.video);
     add_window_options(app, o.window);
     app.footer(
@@ -83,6 +84,7 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
         "map.png\n"
         "  vantage-player chapel.vantage --offscreen --photo 0003 --light raking --lamp 200,10 -o "
         "relief.png\n"
+        "  vantage-player chapel.vantage --offscreen --photo 0003 --stereo anaglyph -o 0003-3d.png\n"
         "  vantage-player chapel.vantage --turntable -o chapel.mp4\n"
         "  vantage-player chapel.vantage --tour short --size 1920x1080 -o tour.webm\n"
         "  vantage-player chapel.vantage --path chapel-0001.path --frame-rate 25 -o frames\n"

@@ -6,6 +6,7 @@ void add_unused_options(CLI::App& app, UnusedOptions& o) {
     const std::size_t first = app.get_options().size();
     app.add_flag("--list", o.list);
     add_picture_options(app, o.pictures);
+    add_stereo_options(app, o.stereo);
     add_window_options(app, o.window);
     const std::vector<CLI::Option*> all = app.get_options([](CLI::Option*) { return true; });
     for (std::size_t i = first; i < all.size(); ++i) all[i]->group("");

@@ -3,6 +3,7 @@
 #include <initializer_list>
 
 #include "player/options/picture_options.h"
+#include "player/options/stereo_options.h"
 #include "player/options/window_options.h"
 
 namespace vantage {
@@ -11,6 +12,7 @@ namespace vantage {
 /// all verbs.
 struct UnusedOptions {
     PictureOptions pictures;
+    StereoSettings stereo;
     WindowOptions window;
     bool list = false;
 };

@@ -55,6 +55,19 @@ void comparison_controls(Controls& c, Session& s, const Renderer& renderer) {
     if (r.compare != Compare::nothing) r.bands.how = BandView::mix;  // one comparison at a time
 }
 
+void stereo_controls(Controls& c, Session& s) {
+    StereoSettings& stereo = s.stereo;
+    static const char* const modes[] = {marked("off"), marked("side by side"), marked("above each other"),
+                                        marked("red and cyan glasses"), marked("checkerboard")};
+    choice(c, "Two eyes", stereo.mode, modes);
+    c.explain("Pictures for the left and the right eye, for 3D displays and glasses.");
+    if (stereo.mode == StereoMode::off) return;
+    double percent = 100 * stereo.eyes.share;
+    if (c.slider("Eyes apart", &percent, 0.2, 20.0, "%.1f %%", ImGuiSliderFlags_Logarithmic))
+        stereo.eyes.share = percent / 100, stereo.eyes.distance = 0;
+    c.explain("In percent of the distance from which the model is seen. More is deeper, and harder to view.");
+}
+
 }  // namespace
 
 void picture_section(Controls& c, Session& s, const Renderer& renderer) {
@@ -79,6 +92,7 @@ void picture_section(Controls& c, Session& s, const Renderer& renderer) {
         c.explain("Draws the borders of the mesh's triangles over the picture.");
     }
     comparison_controls(c, s, renderer);
+    stereo_controls(c, s);
     c.checkbox("Orthographic", &s.orthographic);
     c.explain("Without perspective: what is farther away looks as large.");
     c.slider("Flying speed", &s.flying_speed, 0.1, 10.0, "%.1f", ImGuiSliderFlags_Logarithmic);

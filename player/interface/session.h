@@ -7,6 +7,7 @@
 
 #include "player/camera/camera_spline.h"
 #include "player/camera/navigation.h"
+#include "player/camera/stereo.h"
 #include "player/interface/glide.h"
 #include "player/interface/user_input.h"
 #include "player/render/frame_statistics.h"
@@ -63,6 +64,7 @@ struct Session {
     Navigation home;            ///< where the session began
     Area free;                  ///< the part of the window that the picture is fitted to
     bool orthographic = false;  ///< instead of perspective
+    StereoSettings stereo;      ///< for the pictures of two eyes
     double flying_speed = 1;    ///< of the keys, in usual speeds
     bool inertia = true;        ///< what is let go in motion moves on
     Glide glide;
@@ -129,7 +131,7 @@ struct Session {
     float text_scale = 1;
     /// Of the window and of stories, such as "de-AT"; empty: English, and the story's own.
     std::string language;
-    std::string message;  ///< one line
+    std::string message;         ///< one line
     double message_until = 0;    ///< at least
     bool message_shown = false;  ///< else its time begins when it is
 

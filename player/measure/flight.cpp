@@ -41,6 +41,12 @@ double time_at_rest(ObjectSet& objects, Enlargement& enlargement, const View& vi
     return ms;
 }
 
+/// What a frame is drawn for: the view of one eye, or those of two.
+std::vector<View> views_of_frame(const View& view, const Navigation& camera, const StereoSettings& stereo) {
+    if (stereo.mode == StereoMode::off) return {view};
+    return eye_views(view, stereo.eyes, (camera.target - camera.eye).norm());
+}
+
 /// Whether a frame is one of `pictures`, evenly spread over `frames`.
 bool pictured(int frame, int frames, int pictures) {
     return std::int64_t(frame) * pictures % frames < pictures;
@@ -142,13 +148,18 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
         if (o.minutes > 0 && Clock::now() - begin > minutes) break;
         if (i == stays_from) before = objects.streamed();
         const double now = 1 + i * frame_seconds;
-        const View view = scaled(view_of(path.frames[std::size_t(i)], size.width, size.height), pace.scale);
+        const Navigation& camera = path.frames[std::size_t(i)];
+        const View view = scaled(view_of(camera, size.width, size.height), pace.scale);
+        const std::vector<View> eyes = views_of_frame(view, camera, o.stereo);
         std::optional<View> next = expected_view(path, i, jump, size);
         if (next) next = scaled(*next, pace.scale);
         settings.swift = pace.swift;
         timer.begin();
-        const FrameReport report = objects.draw(view, settings, photos, {}, now, next ? &*next : nullptr);
-        enlargement.show(objects, view, settings, size, target.framebuffer.id(), false);
+        const auto show = [&](std::size_t eye) {
+            enlargement.show(objects, eyes[eye], settings, size, target.framebuffer.id(), false, eye);
+        };
+        const FrameReport report =
+            objects.draw_eyes(eyes, settings, photos, {}, now, next ? &*next : nullptr, show);
         const double ms = timer.end();
         gl::check("drawing a frame");
         flight.frames.push_back(

@@ -13,6 +13,7 @@
 #include "player/options/output_options.h"
 #include "player/options/package_options.h"
 #include "player/options/point_options.h"
+#include "player/options/stereo_options.h"
 #include "player/stream/streamed_so_far.h"
 
 namespace vantage {
@@ -27,6 +28,7 @@ struct FlightOptions {
     BlendingOptions blending;
     MemoryOptions memory;
     PointSettings points;
+    StereoSettings stereo;  ///< frames are drawn for both eyes unless off
     Purpose purpose = Purpose::window;
     int frames = 120;
     double fps = -1;           ///< of the mode "adaptive", see frame_goal()

@@ -8,6 +8,7 @@
 #include "player/options/package_options.h"
 #include "player/options/picture_options.h"
 #include "player/options/point_options.h"
+#include "player/options/stereo_options.h"
 #include "player/options/video_options.h"
 #include "player/options/window_options.h"
 
@@ -24,6 +25,7 @@ struct ShowOptions {
     MemoryOptions memory;
     OutputOptions output;
     PictureOptions pictures;
+    StereoSettings stereo;
     VideoOptions video;
     WindowOptions window;
     bool list = false;

@@ -12,7 +12,7 @@
 #include "output/make_folder.h"
 #include "output/output_file.h"
 #include "output/package_inputs.h"
-#include "player/objects/object_set.h"
+#include "player/objects/stereo_picture.h"
 #include "player/options/damaged_tiles.h"
 #include "player/render/picture.h"
 #include "player/story/story_background.h"
@@ -33,9 +33,11 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-FrameSize frame_size(const ShowOptions& o) {
+/// Of each eye's picture.
+FrameSize size_of_eye(const ShowOptions& o) {
     return o.output.size.empty() ? FrameSize{1280, 720} : parse_size(o.output.size);
 }
+FrameSize size_of_frame(const ShowOptions& o) { return stereo_size(o.stereo.mode, size_of_eye(o)); }
 
 /// Where frames go: one file, or one for each of them.
 struct Output {
@@ -63,6 +65,7 @@ class Frames {
         : context_(o.window.debug_gl),
           renderer_(package, memory_budget(o.memory)),
           objects_(renderer_, objects, memory_budget(o.memory)),
+          stereo_(o.stereo),
           photos_(photos_in_use(package, o.package)),
           side_(o.pictures.samples ? o.pictures.samples : 2) {
         settings_ = render_settings(package, o.blending, Purpose::pictures);
@@ -76,29 +79,33 @@ class Frames {
         settings_.wait_for_tiles = !settings_.complete;
     }
     /// `now`: seconds since the first frame.
-    Picture picture(const View& view, double now) {
-        if (settings_.wait_for_tiles && !settled_) settle(view, now);
+    Picture picture(const Navigation& camera, FrameSize size, double now) {
+        const View view = view_of(camera, size.width, size.height);
+        const bool two = stereo_.mode != StereoMode::off;
+        const std::vector<View> eyes =
+            two ? eye_views(view, stereo_.eyes, (camera.target - camera.eye).norm()) : std::vector{view};
+        if (settings_.wait_for_tiles && !settled_) settle(eyes, now);
         settled_ = true;
-        FrameReport report;
-        for (int i = 0; i < side_ * side_; ++i)
-            report = objects_.draw(view, settings_, photos_, {i, side_}, now);
-        Picture p =
-            picture_of(frame_size(view), [&](GLuint to) { objects_.show(view, settings_, to, false); });
-        p.report = report;
-        return p;
+        if (two) return take_picture(objects_, pair_, stereo_.mode, eyes, settings_, photos_, side_, now);
+        return take_picture(objects_, view, settings_, photos_, side_, now);
     }
 
   private:
     /// Draws the first frame until nothing fades.
-    void settle(const View& view, double now) {
+    void settle(std::span<const View> eyes, double now) {
         constexpr int most = 60;
-        for (int i = 0; i < most; ++i)
-            if (objects_.draw(view, settings_, photos_, {}, now + (i - most) / 30.0).settled && i > 1) return;
+        for (int i = 0; i < most; ++i) {
+            const FrameReport report = objects_.draw_eyes(eyes, settings_, photos_, {},
+                                                          now + (i - most) / 30.0, nullptr, [](auto) {});
+            if (report.settled && i > 1) return;
+        }
     }
 
     gl::HeadlessContext context_;
     Renderer renderer_;
     ObjectSet objects_;
+    StereoSettings stereo_;
+    StereoPicture pair_;
     std::vector<std::uint32_t> photos_;
     RenderSettings settings_;
     int side_;
@@ -133,12 +140,11 @@ class FrameProgress {
 /// Renders all frames to the output. Returns how many tiles were damaged.
 std::size_t write_frames(Frames& frames, const std::vector<Navigation>& flight, const Output& output,
                          VideoEncoder* encoder, const ShowOptions& o, FrameProgress& progress) {
-    const FrameSize size = frame_size(o);
+    const FrameSize size = size_of_eye(o);
     const std::atomic<bool>& stop = stop_requested();
     std::size_t damaged = 0;
     for (std::size_t i = 0; i < flight.size(); ++i) {
-        const Picture picture =
-            frames.picture(view_of(flight[i], size.width, size.height), double(i) / o.video.frame_rate);
+        const Picture picture = frames.picture(flight[i], size, double(i) / o.video.frame_rate);
         damaged = std::max(damaged, picture.report.tiles_damaged);
         if (stop && !encoder)
             throw Error(Exit::interrupted, o.output.file + ": interrupted after " + std::to_string(i) +
@@ -155,7 +161,7 @@ std::size_t write_frames(Frames& frames, const std::vector<Navigation>& flight, 
 }
 
 void print_result(const ShowOptions& o, std::size_t count, bool frames, double seconds) {
-    const FrameSize size = frame_size(o);
+    const FrameSize size = size_of_frame(o);
     std::printf("%s  %dx%d  %zu frames  %.2f s at %g per second  rendered in %.1f s\n", o.output.file.c_str(),
                 size.width, size.height, count, double(count) / o.video.frame_rate, o.video.frame_rate,
                 seconds);
@@ -168,7 +174,7 @@ void print_result(const ShowOptions& o, std::size_t count, bool frames, double s
 }  // namespace
 
 int run_video(const PackageReader& package, const ShowOptions& o, const std::vector<SceneObject>& objects) {
-    const FrameSize size = frame_size(o);
+    const FrameSize size = size_of_eye(o);
     const Story story = story_beside(o.package.file);
     const std::vector<Navigation> flight = flight_frames(package, o, story, size);
     const Output output = output_of(package, o, flight.size());
@@ -178,8 +184,10 @@ int run_video(const PackageReader& package, const ShowOptions& o, const std::vec
     stop_requested();
     std::optional<VideoEncoder> encoder;
     const bool transparent = o.blending.holes == "transparent";
+    const FrameSize frame = size_of_frame(o);
     if (!to_folder)
-        encoder.emplace(output.video, VideoFormat{size.width, size.height, o.video.frame_rate, transparent});
+        encoder.emplace(output.video,
+                        VideoFormat{frame.width, frame.height, o.video.frame_rate, transparent});
     Frames frames(package, o, objects, story);
     std::size_t damaged = 0;
     double seconds = 0;

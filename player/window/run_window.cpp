@@ -124,6 +124,7 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     }
     s.home = s.earlier.last = s.camera;
     s.panels.expert |= !o.layer.name.empty();
+    s.stereo = o.stereo;
     return s;
 }
 

@@ -51,6 +51,15 @@ std::filesystem::path package_folder(const PackageReader& package) {
     return package.remote() ? std::filesystem::path(".") : package.path().parent_path();
 }
 
+/// What is free for an eye's picture, of this size, in its part of a window of which `free` is: panels at the
+/// sides are over one eye's picture, and so are those below if the pictures are above each other.
+Area free_for_eye(StereoMode mode, const Area& free, FrameSize size) {
+    Area out = free;
+    if (mode == StereoMode::side_by_side) out.left = 0, out.width = size.width;
+    if (mode == StereoMode::over_under) out.top = 0, out.height = size.height;
+    return out;
+}
+
 /// The first picture is made of thumbnails: in software, it need not wait for the pixels between theirs.
 Pace pace_of_first_picture(double goal) {
     return goal > 0 && gl::current_device().software ? coarse_pace : Pace{};
@@ -139,6 +148,7 @@ void ShownScene::frame(int width, int height, double now) {
     keep_pace();
     last_ = view;
     last_settings_ = shown;
+    last_stereo_ = s.stereo;
     last_photos_ = s.photos;
 }
 
@@ -173,7 +183,8 @@ void ShownScene::interface(const View& view, double now) {
     Session& s = session_;
     if (s.panels.bar) visitor_bar(controls_, s, renderer_, view, layout_.bar, now);
     if (!drawn_) return;  // the rest would delay the first picture
-    if (s.panels.frusta) frusta(s, renderer_, strip_, view, now);
+    const bool overlays = !in_parts();
+    if (s.panels.frusta && overlays) frusta(s, renderer_, strip_, view, now);
     pick_listed_point(s, renderer_.scene(), view);
     const Intrinsics& frame = view.intrinsics;
     comparison(controls_, s, renderer_.scene(), {0, 0, double(frame.width), double(frame.height)});
@@ -183,7 +194,8 @@ void ShownScene::interface(const View& view, double now) {
         if (sidebar(controls_, s, renderer_, objects_, view, layout_.sidebar, now)) samples_ = 0;
     }
     show_cut(view, now);
-    measure_.show(controls_, s, s.panels.measure ? objects_.meshes() : std::vector<PlacedMesh>{}, view, now);
+    measure_.show(controls_, s, s.panels.measure && overlays ? objects_.meshes() : std::vector<PlacedMesh>{},
+                  view, now);
     if (s.panels.radar)
         radar_panel(controls_, s, renderer_, view_of(s.camera, frame.width, frame.height), now);
     if (layout_.strip.height > 0) strip_.show(controls_, s, renderer_, view, layout_.strip, now);
@@ -200,7 +212,8 @@ void ShownScene::interface(const View& view, double now) {
 void ShownScene::show_cut(const View& view, double now) {
     Session& s = session_;
     const auto& planes = s.settings.sections = sections_of(s.cut, renderer_.scene());
-    cut_lines_.show(planes.empty() ? std::vector<PlacedMesh>{} : objects_.meshes(), planes, view);
+    const bool hidden = planes.empty() || (in_parts() && !s.cut.saves);
+    cut_lines_.show(hidden ? std::vector<PlacedMesh>{} : objects_.meshes(), planes, view);
     if (!std::exchange(s.cut.saves, false)) return;
     const PackageReader& package = renderer_.package();
     const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
@@ -222,6 +235,7 @@ void ShownScene::tell(const View& view, double now) {
         story_editor_.show(controls_, told_, s, view, surface, &s.panels.story_editor, now);
     if (!s.panels.story) return;
     if (told_.any() || !told_.trouble.empty()) story_panel(controls_, told_, s, &s.panels.story, now);
+    if (in_parts()) return;
     const auto clicked = draw_note_markers(controls_, note_markers(told_.story, told_.axes, view, surface),
                                            told_.story, told_.language, told_.open);
     if (clicked) open_note(told_, s, *clicked, now);
@@ -305,7 +319,8 @@ bool ShownScene::looks_again() const {
 bool ShownScene::unchanged(const View& view, const RenderSettings& shown) const {
     RenderSettings drawn = last_settings_;
     drawn.wiper = shown.wiper;  // divides what was drawn
-    return drawn_ && last_ && same_view(*last_, view) && drawn == shown && last_photos_ == session_.photos;
+    return drawn_ && last_ && same_view(*last_, view) && drawn == shown && last_stereo_ == session_.stereo &&
+           last_photos_ == session_.photos;
 }
 
 /// The point under the pointer.
@@ -351,7 +366,11 @@ void ShownScene::draw(const View& view, const RenderSettings& shown, bool still,
     const bool sound_so_far = s.report.tiles_damaged == 0;
     drawn_view_ = scaled(view, s.pace.scale);
     // For a picture at rest, nothing is prefetched: it would begin the samples again, or let them wait.
-    s.report = objects_.draw(*drawn_view_, settings, s.photos, sample, now, moves ? &next : nullptr);
+    const View* const ahead_of = moves ? &next : nullptr;
+    if (stereo())
+        draw_eyes(shown, settings, sample, now, ahead_of);
+    else
+        s.report = objects_.draw(*drawn_view_, settings, s.photos, sample, now, ahead_of);
     samples_ = resting_ && s.report.settled ? samples_ + 1 : 0;
     if (s.report.tiles_damaged > 0 && sound_so_far)
         say(s, tr("The package is damaged: parts of the picture are missing or blurred (vantage check FILE)"),
@@ -360,8 +379,34 @@ void ShownScene::draw(const View& view, const RenderSettings& shown, bool still,
     drawn_ = true;
 }
 
+/// An orthographic view is the same for both eyes, and a comparison is with a photo for one.
+bool ShownScene::stereo() const {
+    return session_.stereo.mode != StereoMode::off && !session_.orthographic &&
+           session_.settings.compare == Compare::nothing;
+}
+
+/// What is drawn over the whole picture would be in the wrong places.
+bool ShownScene::in_parts() const { return stereo() && divides_frame(session_.stereo.mode); }
+
+/// The eyes converge at the camera's target.
+void ShownScene::draw_eyes(const RenderSettings& shown, const RenderSettings& settings, PixelSample sample,
+                           double now, const View* next) {
+    Session& s = session_;
+    const FrameSize size = eye_size(s.stereo.mode, shown.room);
+    const double distance = (s.camera.target - s.camera.eye).norm();
+    const Area free = free_for_eye(s.stereo.mode, s.free, size);
+    const View middle = scaled(view_of(s.camera, size.width, size.height, free), s.pace.scale);
+    const std::vector<View> eyes = eye_views(middle, s.stereo.eyes, distance);
+    pair_.fit(size);
+    s.report = objects_.draw_eyes(eyes, settings, s.photos, sample, now, next, [&](std::size_t eye) {
+        enlargement_.show(objects_, eyes[eye], shown, size, pair_.target(eye), false, eye);
+    });
+    drawn_view_ = eyes.front();
+}
+
 /// Shows what was drawn last.
 void ShownScene::show(const RenderSettings& shown, double now) {
+    if (stereo()) return pair_.show(session_.stereo.mode, shown.room, 0, true);
     if (is_final() && drawn_at_ != now && shown == last_settings_)
         enlargement_.show_again(objects_, *drawn_view_, shown, shown.room, 0, true);
     else

@@ -12,7 +12,7 @@
 #include "player/interface/story_panel.h"
 #include "player/interface/told_story.h"
 #include "player/objects/enlargement.h"
-#include "player/objects/object_set.h"
+#include "player/objects/stereo_picture.h"
 #include "player/options/show_options.h"
 #include "player/render/frame_clock.h"
 #include "player/render/renderer.h"
@@ -62,7 +62,12 @@ class ShownScene {
     /// The picture has all its samples.
     bool is_final() const { return samples_ >= rest_side * rest_side; }
     void draw(const View& view, const RenderSettings& shown, bool still, double now);
+    void draw_eyes(const RenderSettings& shown, const RenderSettings& settings, PixelSample sample,
+                   double now, const View* next);
     void show(const RenderSettings& shown, double now);
+    /// The pictures of two eyes are shown.
+    bool stereo() const;
+    bool in_parts() const;
     void pick(const View& view);
     bool lacks_time(double now) const;
     bool in_motion(const View& view) const;
@@ -86,11 +91,13 @@ class ShownScene {
     StoryEditor story_editor_;
     FrameClock clock_;
     Enlargement enlargement_;
+    StereoPicture pair_;
     double goal_ms_;       ///< of a frame in motion; 0: none, frames are always drawn at full size
     Pace pace_;            ///< of the next frame in motion
     double frame_ms_ = 0;  ///< of the last frame that was measured
     std::optional<View> last_, drawn_view_;
     RenderSettings last_settings_;  ///< of the last frame, as are the photos
+    StereoSettings last_stereo_;    ///< likewise
     std::vector<std::uint32_t> last_photos_;
     std::optional<Navigation> before_;
     int samples_ = 0;

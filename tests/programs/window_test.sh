@@ -60,6 +60,12 @@ xdotool mousemove $at; frames 2; xdotool mousedown 1; frames 2; xdotool mousemov
 moved=$(place "Wiper")
 [ "${moved%% *}" = $((${at%% *} + 60)) ] || fail "the wiper was dragged by 60 pixels from $at to $moved"
 press "Compare"; press "nothing"
+press "Two eyes"; press "side by side"
+press "Two eyes"; press "above each other"
+press "Two eyes"; press "checkerboard"
+press "Two eyes"; press "red and cyan glasses"
+press "Eyes apart" 0.7
+press "Two eyes"; press "off"
 step_back
 press "View"; press "Cameras in the scene"
 press "View"; press "Radar"

@@ -1,0 +1,38 @@
+#include "player/camera/stereo.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/error.h"
+
+namespace vantage {
+
+FrameSize eye_size(StereoMode mode, FrameSize frame) {
+    if (mode == StereoMode::side_by_side) frame.width = std::max(1, frame.width / 2);
+    if (mode == StereoMode::over_under) frame.height = std::max(1, frame.height / 2);
+    return frame;
+}
+
+FrameSize stereo_size(StereoMode mode, FrameSize eye) {
+    if (mode == StereoMode::side_by_side) eye.width *= 2;
+    if (mode == StereoMode::over_under) eye.height *= 2;
+    return eye;
+}
+
+std::vector<View> eye_views(const View& middle, const Eyes& eyes, double looked_at) {
+    const double convergence = eyes.convergence > 0 ? eyes.convergence : looked_at;
+    const double distance = eyes.distance > 0 ? eyes.distance : eyes.share * convergence;
+    const double shear = middle.intrinsics.fx * distance / convergence;  // pixels
+    if (!(distance > 0) || !(convergence > 0) || !std::isfinite(distance) || !std::isfinite(shear))
+        throw Error(Exit::usage, "--stereo: the eyes' distance and convergence must be finite and above 0");
+    if (middle.orthographic_depth > 0)
+        throw Error(Exit::usage, "--stereo: an orthographic view is the same for both eyes");
+    View left = middle, right = middle;
+    left.cam_from_origin.t.x() += distance / 2;
+    right.cam_from_origin.t.x() -= distance / 2;
+    left.intrinsics.cx -= shear / 2;
+    right.intrinsics.cx += shear / 2;
+    return {left, right};
+}
+
+}  // namespace vantage

@@ -1,0 +1,56 @@
+#include "player/objects/stereo_picture.h"
+
+#include "gl/context.h"
+#include "player/render/full_frame_program.h"
+#include "shaders/contract.h"
+
+namespace vantage {
+
+static_assert(GLuint(StereoMode::side_by_side) == shader::stereo_side_by_side &&
+              GLuint(StereoMode::over_under) == shader::stereo_over_under &&
+              GLuint(StereoMode::anaglyph) == shader::stereo_anaglyph &&
+              GLuint(StereoMode::checkerboard) == shader::stereo_checkerboard);
+
+void StereoPicture::fit(FrameSize eye) {
+    if (eye == eye_) return;
+    eye_ = eye;
+    targets_ = {};
+    pictures_ = gl::make_texture_array("eyes", GL_RGBA8, eye.width, eye.height, 2, GL_NEAREST);
+    for (int i = 0; i < 2; ++i) targets_[std::size_t(i)] = gl::make_layer_framebuffer("eye", pictures_, i);
+}
+
+void StereoPicture::show(StereoMode mode, FrameSize frame, GLuint target, bool flip) {
+    if (!program_) {
+        program_ = full_frame_program("stereo", "stereo.frag");
+        no_vertices_ = gl::make_vertex_array("no vertices");
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glViewport(0, 0, frame.width, frame.height);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(program_.id());
+    glUniform2i(shader::frame_size_uniform, frame.width, frame.height);
+    glUniform1ui(shader::stereo_mode_uniform, GLuint(mode));
+    glUniform1i(shader::stereo_flip_uniform, flip);
+    glBindTextureUnit(shader::eyes_unit, pictures_.id());
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    gl::check("showing two eyes");
+}
+
+Picture take_picture(ObjectSet& objects, StereoPicture& stereo, StereoMode mode, std::span<const View> eyes,
+                     const RenderSettings& settings, std::span<const std::uint32_t> photos, int side,
+                     double now) {
+    stereo.fit(frame_size(eyes.front()));
+    FrameReport report;
+    for (int i = 0; i < side * side; ++i)
+        report = objects.draw_eyes(eyes, settings, photos, {i, side}, now, nullptr, [&](std::size_t eye) {
+            if (i + 1 == side * side) objects.show(eyes[eye], settings, stereo.target(eye), false, eye);
+        });
+    const FrameSize frame = stereo_size(mode, frame_size(eyes.front()));
+    Picture p = picture_of(frame, [&](GLuint target) { stereo.show(mode, frame, target, false); });
+    p.report = report;
+    return p;
+}
+
+}  // namespace vantage
