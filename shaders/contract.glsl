@@ -58,6 +58,7 @@ const int finer_unit = 4;    // average_holes
 const int coarser_unit = 4;  // fill_holes
 const int small_unit = 4;    // enlarge
 const int eyes_unit = 4;     // stereo
+const int faces_unit = 4;    // panorama
 
 // Uniforms of surface and blend.
 const int clip_from_origin_uniform = 0;
@@ -91,7 +92,7 @@ const int section_planes_uniform = 30;  // surface, an array, SECTION long
 const int frame_uniform = 1;  // blend on points
 const int frame_axes_uniform = 14;
 
-// Of blend, resolve, show, average_holes, fill_holes, compose, enlarge and stereo: pixels of the frame, or texels of the level, that is read. Its
+// Of blend, resolve, show, average_holes, fill_holes, compose, enlarge, stereo and panorama: pixels of the frame, or texels of the level, that is read. Its
 // texture may be larger.
 const int frame_size_uniform = 29;
 
@@ -160,6 +161,11 @@ const int edges_opaque_uniform = 28;
 
 // Uniform of enlarge.
 const int enlarged_size_uniform = 0;
+
+// Uniforms of panorama. The faces of a cube: ahead, right, behind, left, above, below.
+const int face_focal_uniform = 0;
+const int face_overlap_uniform = 1;
+const int face_from_panorama_uniform = 2;  // an array
 
 // Uniforms of stereo, and the values of its mode.
 const int stereo_mode_uniform = 0;

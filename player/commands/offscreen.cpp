@@ -12,11 +12,14 @@
 #include "output/make_folder.h"
 #include "output/output_file.h"
 #include "output/package_inputs.h"
+#include "output/png_rows.h"
 #include "player/camera/shots.h"
 #include "player/objects/object_set.h"
+#include "player/objects/panorama_picture.h"
 #include "player/objects/stereo_picture.h"
 #include "player/options/damaged_tiles.h"
 #include "player/render/picture.h"
+#include "player/survey/survey.h"
 #include "scene/error.h"
 #include "shaders/contract.h"
 
@@ -42,6 +45,16 @@ std::vector<Shot> shots(const PackageReader& package, const ShowOptions& options
         for (Shot& shot : read_path(o.path, package, frame)) out.push_back(std::move(shot));
     if (out.empty()) throw Error(Exit::usage, "--offscreen needs --photo, --view or --path");
     return out;
+}
+
+/// With a panorama's metadata if it is one.
+void write_picture(const std::filesystem::path& file, const Picture& picture, bool panorama) {
+    if (!panorama) return write_png(file, picture);
+    PngRows out(file, picture.width, picture.height, panorama_xmp({picture.width, picture.height}));
+    const std::size_t row = 4 * std::size_t(picture.width);
+    for (std::size_t at = 0; at < picture.rgba.size(); at += row)
+        out.add(std::span(picture.rgba).subspan(at, row));
+    out.finish();
 }
 
 /// The file for a picture: the output file itself if there is one picture and the output is not a folder,
@@ -89,6 +102,8 @@ void print_legend(const Renderer& renderer, const RenderSettings& settings) {
 int run_offscreen(const PackageReader& package, const ShowOptions& options,
                   const std::vector<SceneObject>& objects) {
     const PictureOptions& o = options.pictures;
+    if (o.panorama && options.stereo.mode != StereoMode::off)
+        throw Error(Exit::usage, "--panorama is a picture for one eye: leave out --stereo");
     const std::vector<Shot> wanted = shots(package, options);
     const std::vector<std::filesystem::path> files = picture_files(package, options, wanted);
     const std::vector<std::uint32_t> photos = photos_in_use(package, options.package);
@@ -102,7 +117,12 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
     const bool own_pixels = o.scale == 1 && options.output.size.empty() && o.view.empty() && o.path.empty();
     const int side = o.samples ? o.samples : own_pixels ? 1 : 2;
     StereoPicture stereo;
+    const FrameSize around =
+        options.output.size.empty() ? FrameSize{4096, 2048} : parse_size(options.output.size);
     const auto picture_of_shot = [&](const Shot& shot) {
+        if (o.panorama)
+            return take_panorama(scene, panorama_at(shot.view, survey_up(package.photos()), around), settings,
+                                 photos, o.samples ? o.samples : 1);
         if (options.stereo.mode == StereoMode::off)
             return take_picture(scene, shot.view, settings, photos, side);
         const std::vector<View> eyes = eye_views(shot.view, options.stereo.eyes, shot.distance);
@@ -117,7 +137,7 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
         const Picture picture = picture_of_shot(shot);
         if (i == 0 && !options.output.quiet) print_legend(renderer, settings);
         if (file.has_parent_path()) make_folder(file.parent_path());
-        write_png(file, picture);
+        write_picture(file, picture, o.panorama);
         const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const FrameReport& r = picture.report;
         damaged = r.tiles_damaged;

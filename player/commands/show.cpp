@@ -84,6 +84,7 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
         "map.png\n"
         "  vantage-player chapel.vantage --offscreen --photo 0003 --light raking --lamp 200,10 -o "
         "relief.png\n"
+        "  vantage-player chapel.vantage --offscreen --photo 0003 --panorama -o around.png\n"
         "  vantage-player chapel.vantage --offscreen --photo 0003 --stereo anaglyph -o 0003-3d.png\n"
         "  vantage-player chapel.vantage --turntable -o chapel.mp4\n"
         "  vantage-player chapel.vantage --tour short --size 1920x1080 -o tour.webm\n"

@@ -20,6 +20,10 @@ void add_picture_options(CLI::App& app, PictureOptions& o) {
         ->check(real_range(0.001, 8.0))
         ->capture_default_str()
         ->group(group);
+    app.add_flag("--panorama", o.panorama,
+                 "all directions around the eye in one picture, for viewers of panoramas (equirectangular; "
+                 "--size is twice as wide as high, by default 4096x2048)")
+        ->group(group);
     app.add_option("--samples", o.samples,
                    "samples per side of a pixel (default 2; 1 from a photo's own camera at full size)")
         ->check(CLI::Range(1, 8))

@@ -11,7 +11,7 @@
 #include "output/make_folder.h"
 #include "output/output_file.h"
 #include "output/package_inputs.h"
-#include "player/orthophoto/png_rows.h"
+#include "output/png_rows.h"
 #include "player/orthophoto/tiff_rows.h"
 #include "player/render/picture.h"
 #include "player/survey/survey.h"

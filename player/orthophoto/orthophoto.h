@@ -10,8 +10,8 @@
 #include "player/options/memory_options.h"
 #include "player/options/output_options.h"
 #include "player/options/package_options.h"
-#include "player/survey/picture_plane.h"
 #include "player/render/renderer.h"
+#include "player/survey/picture_plane.h"
 
 namespace vantage {
 

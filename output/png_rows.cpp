@@ -1,4 +1,4 @@
-#include "player/orthophoto/png_rows.h"
+#include "output/png_rows.h"
 
 #include <png.h>
 
@@ -27,13 +27,14 @@ struct PngRows::State {
     static void ignore(png_structp, png_const_charp) {}
 
     // Each of these returns false if libpng failed: between its jumps, nothing is constructed.
-    bool begin(png_uint_32 width, png_uint_32 height) {
+    bool begin(png_uint_32 width, png_uint_32 height, png_textp xmp) {
         if (setjmp(png_jmpbuf(png))) return false;
         png_init_io(png, out);
         png_set_user_limits(png, most_pixels, most_pixels);
         png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+        if (xmp) png_set_text(png, info, xmp, 1);
         png_write_info(png, info);
         return true;
     }
@@ -58,14 +59,22 @@ struct PngRows::State {
     }
 };
 
-PngRows::PngRows(const std::filesystem::path& file, int width, int height)
+PngRows::PngRows(const std::filesystem::path& file, int width, int height, const std::string& xmp)
     : state_(new State{UnfinishedFile(file)}) {
     State& s = *state_;
     s.out = std::fopen(s.file.part().c_str(), "wb");
     if (!s.out) s.trouble = std::strerror(errno);
     s.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &s, State::note, State::ignore);
     if (s.png) s.info = png_create_info_struct(s.png);
-    if (!s.out || !s.info || !s.begin(png_uint_32(width), png_uint_32(height))) fail();
+    // The keyword is that of Adobe's XMP specification, part 3.
+    std::string keyword = "XML:com.adobe.xmp", packet = xmp, none;
+    png_text text{};
+    text.compression = PNG_ITXT_COMPRESSION_NONE;
+    text.key = keyword.data(), text.text = packet.data();
+    text.itxt_length = packet.size();
+    text.lang = text.lang_key = none.data();
+    png_textp metadata = xmp.empty() ? nullptr : &text;
+    if (!s.out || !s.info || !s.begin(png_uint_32(width), png_uint_32(height), metadata)) fail();
 }
 
 PngRows::~PngRows() = default;

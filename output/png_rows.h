@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace vantage {
 
@@ -12,8 +13,9 @@ class PngRows {
   public:
     static constexpr int most_pixels = 1'000'000;  ///< a side
 
-    /// Throws Error(storage) if the file cannot be written.
-    PngRows(const std::filesystem::path& file, int width, int height);
+    /// `xmp`: metadata for the file, an XMP packet; empty: none. Throws Error(storage) if the file cannot be
+    /// written.
+    PngRows(const std::filesystem::path& file, int width, int height, const std::string& xmp = "");
     ~PngRows();
     PngRows(const PngRows&) = delete;
     PngRows& operator=(const PngRows&) = delete;

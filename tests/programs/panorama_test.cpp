@@ -1,0 +1,130 @@
+// Pictures of all directions.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <pugixml.hpp>
+
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/run/progress.h"
+#include "pipeline/synth/synthesize.h"
+#include "player/camera/shots.h"
+#include "player/render/picture.h"
+#include "scene/error.h"
+#include "tests/programs/garden_spec.h"
+#include "tests/temporary_folder.h"
+
+using namespace vantage;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double pi = 3.14159265358979;
+
+class Panoramas : public TemporaryFolder {
+  protected:
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        synthesize(garden_spec(3000, 400, 300), dir / "scene", {});
+        PrepareSettings settings;
+        settings.effects[Effect::surroundings] = EffectChoice::off;
+        prepare(read_scene(discover(dir / "scene")), settings, file, [](const Progress&) {});
+    }
+    fs::path offscreen(const std::string& name, const std::string& options) const {
+        const fs::path png = dir / (name + ".png");
+        const int status = std::system(
+            (VANTAGE_PLAYER " " + file.string() + " --offscreen --quiet " + options + " -o " + png.string())
+                .c_str());
+        EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 0) << options;
+        return png;
+    }
+    fs::path file = dir / "scene.vantage";
+};
+
+/// The color at a position, between four pixels; codes.
+Eigen::Vector3d color_at(const Picture& p, double x, double y) {
+    const int left = std::clamp(int(std::floor(x - 0.5)), 0, p.width - 2),
+              top = std::clamp(int(std::floor(y - 0.5)), 0, p.height - 2);
+    const double u = std::clamp(x - 0.5 - left, 0.0, 1.0), v = std::clamp(y - 0.5 - top, 0.0, 1.0);
+    const auto pixel = [&](int dx, int dy) {
+        const auto i = std::size_t(4 * ((top + dy) * p.width + left + dx));
+        return Eigen::Vector3d(p.rgba[i], p.rgba[i + 1], p.rgba[i + 2]);
+    };
+    return (1 - v) * ((1 - u) * pixel(0, 0) + u * pixel(1, 0)) +
+           v * ((1 - u) * pixel(0, 1) + u * pixel(1, 1));
+}
+
+}  // namespace
+
+TEST_F(Panoramas, ShowEachDirectionWhereAViewerLooksForIt) {
+    // From one place, toward all sides. In the panorama, north is +y, where the first view looks.
+    const PackageReader package(file);
+    const auto panorama = read_png(
+        offscreen("around", "--view 4,-7,2,4,-3,2 --panorama --size 2048x1024 --holes shade --samples 2"));
+    ASSERT_EQ(panorama.width, 2048);
+    for (const char* const to : {"4,-3,1.6", "6.5,-4,1.6", "8,-7.3,1.8", "1,-9.5,1.5", "4.1,-6.9,8"}) {
+        const std::string text = std::string("4,-7,2,") + to + ",60";
+        const Picture direct =
+            read_png(offscreen("direct", "--view " + text + " --size 480x360 --holes shade --samples 2"));
+        const View view = parse_view(text, package, {480, 360});
+        const Intrinsics& k = view.intrinsics;
+        // Means of blocks: the two are sampled differently.
+        constexpr int block = 8;
+        double sum = 0;
+        int counted = 0;
+        for (int top = block; top < k.height - block; top += block)
+            for (int left = block; left < k.width - block; left += block, ++counted) {
+                Eigen::Vector3d off = Eigen::Vector3d::Zero();
+                for (int row = top; row < top + block; ++row)
+                    for (int column = left; column < left + block; ++column) {
+                        const Eigen::Vector3d d =
+                            view.cam_from_origin.R.transpose() *
+                            Eigen::Vector3d((column + 0.5 - k.cx) / k.fx, (row + 0.5 - k.cy) / k.fy, 1);
+                        const double longitude = std::atan2(d.x(), d.y()),
+                                     latitude = std::atan2(d.z(), std::hypot(d.x(), d.y()));
+                        off += color_at(panorama, (longitude / (2 * pi) + 0.5) * 2048,
+                                        (0.5 - latitude / pi) * 1024);
+                        const auto i = std::size_t(4 * (row * k.width + column));
+                        off -= Eigen::Vector3d(direct.rgba[i], direct.rgba[i + 1], direct.rgba[i + 2]);
+                    }
+                sum += (off / (block * block)).squaredNorm() / 3;
+            }
+        EXPECT_GT(10 * std::log10(255 * 255 * counted / sum), 33) << to << ": PSNR, dB";
+    }
+}
+
+TEST_F(Panoramas, SayWhatTheyAreToViewers) {
+    const std::string bytes = slurp(offscreen("around", "--photo 0001 --panorama --size 256x128"));
+    const std::size_t begin = bytes.find("<x:xmpmeta"), end = bytes.find("</x:xmpmeta>");
+    ASSERT_NE(begin, std::string::npos);
+    ASSERT_NE(end, std::string::npos);
+    EXPECT_NE(bytes.find("iTXtXML:com.adobe.xmp"), std::string::npos);
+    pugi::xml_document packet;
+    ASSERT_TRUE(packet.load_string(bytes.substr(begin, end + 12 - begin).c_str()));
+    const auto fields = packet.child("x:xmpmeta").child("rdf:RDF").child("rdf:Description");
+    const auto field = [&](const char* name) { return std::string(fields.attribute(name).value()); };
+    EXPECT_EQ(field("xmlns:GPano"), "http://ns.google.com/photos/1.0/panorama/");
+    EXPECT_EQ(field("GPano:ProjectionType"), "equirectangular");
+    EXPECT_EQ(field("GPano:FullPanoWidthPixels"), "256");
+    EXPECT_EQ(field("GPano:FullPanoHeightPixels"), "128");
+    EXPECT_EQ(field("GPano:CroppedAreaImageWidthPixels"), "256");
+    EXPECT_EQ(field("GPano:CroppedAreaLeftPixels"), "0");
+}
+
+TEST_F(Panoramas, AreRefusedInOneLineIfTheyCannotBeMade) {
+    const auto says = [&](const std::string& options) {
+        const fs::path log = dir / "says.txt";
+        const int status = std::system((VANTAGE_PLAYER " " + file.string() + " --offscreen --photo 0001 " +
+                                        options + " -o " + (dir / "x.png").string() + " 2>" + log.string())
+                                           .c_str());
+        EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, int(Exit::usage)) << options;
+        return slurp(log);
+    };
+    EXPECT_NE(says("--panorama --size 300x200").find("twice as wide as high"), std::string::npos);
+    EXPECT_NE(says("--panorama --size 200000x100000").find("expected up to"), std::string::npos);
+    EXPECT_NE(says("--panorama --stereo anaglyph").find("one eye"), std::string::npos);
+    EXPECT_FALSE(fs::exists(dir / "x.png"));
+}
