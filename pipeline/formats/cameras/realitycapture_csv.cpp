@@ -40,6 +40,7 @@ class Table {
             if (!line_.starts_with("#cameras")) break;
         if (line_.starts_with('#')) line_.remove_prefix(1);
         const std::vector<std::string_view> names = cells(line_);
+        width_ = names.size();
         for (std::size_t i = 0; i < names.size(); ++i) columns_.emplace(names[i], i);
         if (!has("name")) fail("a column 'name'", "'" + std::string(line_.substr(0, 60)) + "'");
     }
@@ -48,8 +49,7 @@ class Table {
     bool next() {
         if (!next_line()) return false;
         row_ = cells(line_);
-        if (row_.size() < columns_.size())
-            fail(std::to_string(columns_.size()) + " columns", std::to_string(row_.size()));
+        if (row_.size() < width_) fail(std::to_string(width_) + " columns", std::to_string(row_.size()));
         return true;
     }
     std::string name() const { return std::string(row_[columns_.at("name")]); }
@@ -91,6 +91,7 @@ class Table {
     std::string text_;
     std::string_view rest_, line_;
     std::size_t at_ = 0;
+    std::size_t width_ = 0;  ///< columns, of which several may have the same name
     std::map<std::string_view, std::size_t> columns_;
     std::vector<std::string_view> row_;
 };

@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
-#include <cstring>
 
 #include "json/located_json.h"
 #include "pipeline/run/read_file.h"
@@ -32,7 +31,7 @@ std::string json_of_glb(const fs::path& file) {
         std::array<char, 4> chunk_type;
     } header{};
     const std::vector<std::byte> start = read_file(file, sizeof header);
-    std::memcpy(&header, start.data(), start.size());
+    std::ranges::copy(start, reinterpret_cast<std::byte*>(&header));
     if (header.magic != std::array{'g', 'l', 'T', 'F'})
         fail(file, "is not a GLB file: expected glTF at its beginning");
     if (header.version != 2) fail(file, "glTF version " + std::to_string(header.version) + ", expected 2");

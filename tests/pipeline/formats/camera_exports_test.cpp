@@ -202,6 +202,8 @@ TEST_F(CameraExports, WhatCannotBeReadIsSaidInOneLineWithItsPlace) {
         {"r.csv", cut(exported::realitycapture_csv(photos), ",heading,pitch,roll,", ",omega,phi,kappa,"),
          "whose meaning differs"},
         {"r.csv", cut(exported::realitycapture_csv(photos), ",f,px", ",g,px"), "a focal length"},
+        {"r.csv", cut(exported::realitycapture_csv(photos), "#name,", "#name,name,name,"),
+         "expected 18 columns, found 16"},
         {"c.sfm", cut(exported::meshroom(photos), "\"brown\"", "\"3deradial4\""), "expected none, radialk1"}};
     for (const Case& c : cases) {
         put(c.file, c.text);
