@@ -229,17 +229,34 @@ bool Renderer::take_seen(Eye& eye, bool wait) {
     return eye.readback.update(wait, scene_.triangles, passes_.coarse().stands_for);
 }
 
-/// Plans the bands of an eye; the second one gets the photos of the first.
+/// Plans the bands of an eye. In a frame that does not wait for all tiles, those of the first eye serve both:
+/// the second one's plan has its photos, and no tiles of its own.
 void Renderer::plan_eye(Eye& eye, PixelSample sample) {
     for (std::size_t b = 0; b < eye.bands.size(); ++b) {
         const BandFrame& band = eye.bands[b];
         const RenderSettings& settings = band.settings;
         if (settings.complete && settings.photos > 0 && sample.index == 0) find_seen(eye, band, sample);
-        const bool shares = &eye != &eyes_[0] && !settings.complete;
-        const PhotoChoice* const photos = shares ? &eyes_[0].bands[b].plan->plan().choice : nullptr;
-        band.plan->update(eye.view, plan_settings(settings), band.photos, sample.side, eye.readback.seen(),
-                          photos);
+        PlanSettings how = plan_settings(settings);
+        const PhotoChoice* photos = nullptr;
+        if (&eye != &eyes_[0] && !settings.complete) {
+            photos = &eyes_[0].bands[b].plan->plan().choice;
+            how.tiles = false;
+        }
+        const bool both = !settings.complete && eyes_.size() > 1;
+        band.plan->update(eye.view, how, band.photos, sample.side,
+                          both ? seen_by_both() : eye.readback.seen(), photos);
     }
+}
+
+/// What the eyes saw, as if the first one had seen it all.
+SeenTriangles Renderer::seen_by_both() {
+    const SeenTriangles left = eyes_[0].readback.seen(), right = eyes_[1].readback.seen();
+    if (const std::uint64_t version = left.version + right.version; version != seen_version_) {
+        seen_version_ = version;
+        seen_by_both_.assign(left.triangles.begin(), left.triangles.end());
+        seen_by_both_.insert(seen_by_both_.end(), right.triangles.begin(), right.triangles.end());
+    }
+    return {seen_by_both_, left.view, seen_version_};
 }
 
 void Renderer::stream_points(const Eye& eye, FrameReport& report) {

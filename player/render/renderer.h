@@ -44,9 +44,8 @@ class Renderer {
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
     /// The same in steps, for the views of one eye or two, of the same size. Plans for all of them, and
-    /// streams what any of them needs; paint() then draws one. Unless settings.complete, the second eye gets
-    /// the photos that are chosen for the first one: the eyes would see different colors otherwise, and
-    /// choosing takes as long as all the rest of a plan.
+    /// streams what they need; paint() then draws one. Unless settings.complete, photos and tiles are chosen
+    /// once, for what both eyes see: these would see different colors otherwise, and it takes most of a plan.
     FrameReport prepare(std::span<const View> eyes, const RenderSettings& settings,
                         std::span<const std::uint32_t> photos, PixelSample sample, double now,
                         const View* next = nullptr);
@@ -136,6 +135,7 @@ class Renderer {
     void find_seen(Eye& eye, const BandFrame& band, PixelSample sample);
     bool take_seen(Eye& eye, bool wait);
     void plan_eye(Eye& eye, PixelSample sample);
+    SeenTriangles seen_by_both();
     void stream_points(const Eye& eye, FrameReport& report);
     void draw_band(Frame& frame);
     DrawnView drawn_view(const View& view, const BandFrame& band, int side) const;
@@ -170,6 +170,8 @@ class Renderer {
     PhotoStore store_;
     ModelPasses passes_;
     std::deque<Eye> eyes_;  ///< one or two
+    std::vector<std::uint32_t> seen_by_both_;
+    std::uint64_t seen_version_ = 0;  ///< of seen_by_both_; 0: none
     FrameTiles tiles_;
     FrameTargets targets_;
     std::optional<HoleFilling> filling_;          ///< if there are surroundings
