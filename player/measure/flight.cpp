@@ -134,10 +134,11 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
     Enlargement enlargement;
     enlargement.fit(size);
     const double goal = mode == "adaptive" ? frame_goal(o.fps) : 0;
-    Pace pace;
+    Pacing pacing;
     if (goal > 0) {
         const View first = view_of(path.frames[0], size.width, size.height);
-        pace = first_pace(time_at_rest(objects, enlargement, first, settings, photos, timer, target), goal);
+        pacing.pace =
+            first_pace(time_at_rest(objects, enlargement, first, settings, photos, timer, target), goal);
     }
     const auto begin = Clock::now();
     const std::chrono::duration<double, std::ratio<60>> minutes(o.minutes);
@@ -148,6 +149,7 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
         if (o.minutes > 0 && Clock::now() - begin > minutes) break;
         if (i == stays_from) before = objects.streamed();
         const double now = 1 + i * frame_seconds;
+        const Pace pace = pacing.pace;
         const Navigation& camera = path.frames[std::size_t(i)];
         const View view = scaled(view_of(camera, size.width, size.height), pace.scale);
         const std::vector<View> eyes = views_of_frame(view, camera, o.stereo);
@@ -164,7 +166,7 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
         gl::check("drawing a frame");
         flight.frames.push_back(
             {ms, pace.scale, report, gl::memory_held(), memory_without(flight.frames.size())});
-        pace = next_pace(pace, ms, goal);
+        pacing = next_pacing(pacing, pace, ms, goal);
         if (repeat == 0 && pictured(i, frames, o.pictures)) {
             char number[16];
             std::snprintf(number, sizeof number, "-%05d.png", i);

@@ -6,7 +6,7 @@
 namespace vantage {
 
 Pace next_pace(Pace pace, double ms, double goal_ms) {
-    constexpr double aim = 0.85;      // of the goal: frames of a motion differ
+    constexpr double aim = 0.82;      // of the goal: frames of a motion differ
     constexpr double swift_at = 0.6;  // fewer photos, before a frame gets coarser than this
     constexpr double spare = 3;       // what all photos cost at most, compared with a swift frame
     if (!(ms > 0) || !(goal_ms > 0) || !std::isfinite(ms)) return pace;
@@ -16,6 +16,29 @@ Pace next_pace(Pace pace, double ms, double goal_ms) {
     if (pace.scale < swift_at) pace.swift = true;
     if (pace.scale == 1 && spare * ms < goal_ms) pace.swift = false;
     return pace;
+}
+
+Pacing next_pacing(Pacing p, Pace drawn, double ms, double goal_ms) {
+    constexpr double suddenly = 1.5, as_before = 1.2, caution = 0.85;
+    // If they still took as long, frames at the new pace would take .7 of the goal or more.
+    constexpr double passed = 0.63;
+    constexpr int watched = 8;
+    if (!(ms > 0) || !(goal_ms > 0) || !std::isfinite(ms)) return p;
+    const double whole = ms / (drawn.scale * drawn.scale);
+    if (p.watched > 0) {
+        --p.watched;
+        if (drawn == p.before ? whole <= as_before * p.usual : drawn == p.pace && ms < passed * goal_ms)
+            return {p.before, p.usual};
+    } else if (ms > goal_ms && p.usual > 0 && whole > suddenly * p.usual) {
+        // With as many photos: only then do the frames to come show whether it has passed.
+        p.before = p.pace, p.watched = watched;
+        p.pace = {next_pace(drawn, ms, caution * goal_ms).scale, p.pace.swift};
+        return p;
+    }
+    if (drawn != p.pace) return p;  // from before the last change
+    if (p.watched == 0 && ms <= goal_ms) p.usual = whole;
+    if (ms < 0.72 * goal_ms || ms > 0.92 * goal_ms) p.pace = next_pace(drawn, ms, goal_ms);
+    return p;
 }
 
 Pace first_pace(double ms, double goal_ms) {

@@ -21,6 +21,20 @@ inline constexpr Pace coarse_pace{0.25, true};
 /// same pace.
 Pace next_pace(Pace pace, double ms, double goal_ms);
 
+/// The pace of the next frame, and what is known about those before it.
+struct Pacing {
+    Pace pace;
+    double usual = 0;  ///< ms that a frame of full size would take; 0: not known
+    Pace before{};     ///< before frames suddenly took longer
+    int watched = 0;   ///< frames for which that may prove to have passed; 0: it has not happened of late
+};
+
+/// The same from a series of frames, of which one `drawn` at this pace took `ms`; it may be some frames old.
+/// Leaves the pace as it is while frames take .72 to .92 of the goal, so that the picture does not change its
+/// resolution in every frame; judges a new pace by its own frames only; and returns to the former pace at
+/// once if frames were late for a moment only.
+Pacing next_pacing(Pacing pacing, Pace drawn, double ms, double goal_ms);
+
 /// The pace at which a motion begins, if a frame at rest takes `ms`. Cautious: it cannot be known how much of
 /// the time is for the frame's pixels.
 Pace first_pace(double ms, double goal_ms);

@@ -80,7 +80,7 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       told_(told_story(o.package.file, input_axes(package), session.language)),
       clock_(gl::current_device().software),
       goal_ms_(frame_goal(o.window.fps)),
-      pace_(pace_of_first_picture(goal_ms_)) {
+      pacing_{pace_of_first_picture(goal_ms_)} {
     session_.photos = photos_in_use(package, o.package);
     session_.photo_list.errors = photo_errors(package);
     const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();
@@ -347,7 +347,7 @@ void ShownScene::draw(const View& view, const RenderSettings& shown, bool still,
         samples_ = rest_side * rest_side;
         return;
     }
-    s.pace = moves || !drawn_ ? pace_ : Pace{};
+    s.pace = moves || !drawn_ ? pacing_.pace : Pace{};
     drawn_at_ = now;
     // Once at rest, it stays so while tiles come: where not all fit, those for motion and for rest would
     // evict each other.
@@ -432,13 +432,13 @@ void ShownScene::keep_pace() {
     if (!frame) return;
     remember_time(float(frame->ms));
     frame_ms_ = frame->ms;
-    if (frame->pace != Pace{}) {
-        pace_ = next_pace(frame->pace, frame->ms, goal_ms_);
+    if (frame->pace != Pace{} || (pacing_.pace == Pace{} && pacing_.usual > 0)) {
+        pacing_ = next_pacing(pacing_, frame->pace, frame->ms, goal_ms_);
         return;
     }
     // Frames at rest are slower than those in motion: if they are fast enough, so are these.
     const Pace first = first_pace(frame->ms, goal_ms_);
-    if (pace_ == Pace{} || first.scale > pace_.scale) pace_ = first;
+    if (pacing_.pace == Pace{} || first == Pace{} || first.scale > pacing_.pace.scale) pacing_ = {first};
 }
 
 /// Says once that frames of this size need more graphics memory than allowed.

@@ -93,7 +93,7 @@ class ShownScene {
     Enlargement enlargement_;
     StereoPicture pair_;
     double goal_ms_;       ///< of a frame in motion; 0: none, frames are always drawn at full size
-    Pace pace_;            ///< of the next frame in motion
+    Pacing pacing_;        ///< of frames in motion
     double frame_ms_ = 0;  ///< of the last frame that was measured
     std::optional<View> last_, drawn_view_;
     RenderSettings last_settings_;  ///< of the last frame, as are the photos

@@ -2,18 +2,35 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+
+#include "tests/simulated_pace.h"
 
 using namespace vantage;
 
 namespace {
 
-/// A renderer whose frames take a time of their own, and one for each pixel and photo.
-struct Machine {
-    double fixed, full;  ///< ms; `full` at full size with all photos
-    double time(const Pace& p) const { return fixed + full * p.scale * p.scale * (p.swift ? 0.4 : 1); }
-};
+constexpr double headset_ms = 1000.0 / 90;
+constexpr std::size_t found = 30;  ///< frames in which the pace is found
+
+/// Motions on machines that are fast enough for all pixels, and that are not, whose frames' times are known
+/// with the next frame and later.
+std::vector<PacedMotion> motions(const std::function<double(int)>& load) {
+    std::vector<PacedMotion> out;
+    for (const double full : {4.0, 7.0, 14.0, 40.0})
+        for (const int delay : {0, 1, 2}) out.push_back({{1, full}, headset_ms, delay, load});
+    return out;
+}
+std::string text_of(const PacedMotion& m) {
+    return std::to_string(m.machine.full) + " ms per full frame, known " + std::to_string(m.delay) + " late";
+}
+
+std::size_t missed(const std::vector<PacedFrame>& frames) {
+    return std::size_t(std::count_if(frames.begin() + found, frames.end(), [](auto& f) { return f.missed; }));
+}
 
 }  // namespace
 
@@ -60,4 +77,46 @@ TEST(Pace, AScaledViewShowsTheSame) {
     EXPECT_DOUBLE_EQ(half.intrinsics.fx / half.intrinsics.width, view.intrinsics.fx / view.intrinsics.width);
     EXPECT_EQ(least.intrinsics.width, 1) << "never empty";
     EXPECT_EQ(scaled(view, 1).intrinsics.width, 1280);
+}
+
+TEST(Pacing, OfASteadyMotionKeepsItsResolution) {
+    for (const PacedMotion& m : motions({})) {
+        const auto frames = paced(m);
+        std::size_t changes = 0;
+        for (std::size_t i = found; i < frames.size(); ++i) changes += frames[i].pace != frames[i - 1].pace;
+        EXPECT_LT(changes, frames.size() / 20) << text_of(m);
+        EXPECT_LT(missed(frames), frames.size() / 100) << text_of(m);
+    }
+}
+
+TEST(Pacing, MissesOnlyFramesThatCouldNotKnowThatAllTakeLonger) {
+    for (const PacedMotion& m : motions([](int i) { return i >= 200 && i < 500 ? 2.5 : 1.0; })) {
+        const auto frames = paced(m);
+        EXPECT_LE(longest_missed(frames, found), m.delay + 1) << text_of(m);
+        EXPECT_LT(missed(frames), frames.size() / 100) << text_of(m);
+        EXPECT_NE(frames[499].pace, Pace{}) << "quality is given up for it";
+        EXPECT_GT(frames[560].pace.scale, frames[199].pace.scale - 0.1) << "and shown again " << text_of(m);
+    }
+}
+
+TEST(Pacing, ReturnsAtOnceIfASingleFrameWasLate) {
+    for (const PacedMotion& m : motions([](int i) { return i % 150 == 149 ? 4.0 : 1.0; })) {
+        const auto frames = paced(m);
+        EXPECT_EQ(longest_missed(frames, found), 1) << text_of(m);
+        for (std::size_t late = 299; late + 10 < frames.size(); late += 150)
+            EXPECT_NEAR(frames[late + std::size_t(m.delay) + 3].pace.scale, frames[late - 1].pace.scale, 0.08)
+                << text_of(m);
+    }
+}
+
+TEST(Pacing, FollowsWhatChangesSlowly) {
+    const auto drift = [](int i) {
+        return 1 + 2 * std::clamp(i < 500 ? (i - 100) / 400.0 : (900 - i) / 400.0, 0.0, 1.0);
+    };
+    for (const PacedMotion& m : motions(drift)) {
+        const auto frames = paced(m);
+        EXPECT_LE(longest_missed(frames, found), m.delay + 1) << text_of(m);
+        EXPECT_LT(missed(frames), frames.size() / 50) << text_of(m);
+        EXPECT_GT(frames.back().pace.scale, frames[90].pace.scale - 0.1) << text_of(m);
+    }
 }

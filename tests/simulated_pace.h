@@ -1,0 +1,64 @@
+#pragma once
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "player/render/pace.h"
+
+namespace vantage {
+
+/// A renderer whose frames take a time of their own, and one for each pixel and photo.
+struct Machine {
+    double fixed, full;  ///< ms; `full` at full size with all photos
+    double time(const Pace& p) const { return fixed + full * p.scale * p.scale * (p.swift ? 0.4 : 1); }
+};
+
+/// What a motion's frames are paced against.
+struct PacedMotion {
+    Machine machine;
+    double goal_ms;
+    int delay = 0;  ///< frames until a frame's time is known, beyond the next one
+    std::function<double(int frame)> load = {};  ///< factor of every frame's time; none: 1
+    double noise = 0.04;                         ///< standard deviation of a frame's time, as a share
+    int frames = 1000;
+};
+
+struct PacedFrame {
+    Pace pace;
+    double ms;
+    bool missed;
+};
+
+/// Draws nothing: computes what each frame would take, and paces the next ones by that.
+inline std::vector<PacedFrame> paced(const PacedMotion& m) {
+    std::mt19937 engine(3);
+    std::normal_distribution<double> normal;
+    Pacing pacing;
+    std::deque<std::pair<Pace, double>> unknown;
+    std::vector<PacedFrame> out;
+    for (int i = 0; i < m.frames; ++i) {
+        const double ms = m.machine.time(pacing.pace) * (m.load ? m.load(i) : 1) *
+                          std::max(0.1, 1 + m.noise * normal(engine));
+        out.push_back({pacing.pace, ms, ms > m.goal_ms});
+        unknown.emplace_back(pacing.pace, ms);
+        if (int(unknown.size()) <= m.delay) continue;
+        pacing = next_pacing(pacing, unknown.front().first, unknown.front().second, m.goal_ms);
+        unknown.pop_front();
+    }
+    return out;
+}
+
+/// The longest series of frames that were missed one after the other, from frame `first` on.
+inline int longest_missed(const std::vector<PacedFrame>& frames, std::size_t first = 0) {
+    int longest = 0, now = 0;
+    for (std::size_t i = first; i < frames.size(); ++i) {
+        now = frames[i].missed ? now + 1 : 0;
+        longest = std::max(longest, now);
+    }
+    return longest;
+}
+
+}  // namespace vantage
