@@ -284,6 +284,7 @@ FrameReport Renderer::prepare(std::span<const View> views, const RenderSettings&
     if (!shows_photos(settings)) photos = {};
     if (settings.weights_from) check_view(*settings.weights_from);
     sample_ = sample, now_ = now;
+    if (eyes_.size() != views.size()) seen_version_ = 0;
     while (eyes_.size() > views.size()) eyes_.pop_back();
     while (eyes_.size() < views.size()) eyes_.emplace_back(scene_);
     std::vector<BandFrame> bands;  // of all eyes
