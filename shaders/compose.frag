@@ -2,6 +2,7 @@
 // opaque lets those behind its nearest surface through.
 #include "contract.glsl"
 #include "background.glsl"
+#include "srgb.glsl"
 
 layout(location = 0) out vec4 shown;
 layout(binding = object_colors_unit) uniform sampler2DArray colors;  // sRGB and coverage
@@ -14,9 +15,6 @@ layout(location = compose_background_uniform) uniform vec3 background;  // linea
 layout(location = compose_background_bottom_uniform) uniform vec3 background_bottom;
 layout(location = compose_soft_edges_uniform) uniform float soft_edges;
 layout(location = compose_opacity_uniform) uniform float opacity[MOST_OBJECTS];
-
-vec3 decode(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045))); }
-vec3 encode(vec3 l) { return mix(12.92 * l, 1.055 * pow(max(l, 0.0), vec3(1.0 / 2.4)) - 0.055, greaterThan(l, vec3(0.0031308))); }
 
 // At an outline the samples of the color may be of the object while that of its depth is not: the nearest around it counts.
 float distance_of(ivec2 at, int object) {

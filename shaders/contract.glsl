@@ -92,8 +92,8 @@ const int section_planes_uniform = 30;  // surface, an array, SECTION long
 const int frame_uniform = 1;  // blend on points
 const int frame_axes_uniform = 14;
 
-// Of blend, resolve, show, average_holes, fill_holes, compose, enlarge, stereo and panorama: pixels of the frame, or texels of the level, that is read. Its
-// texture may be larger.
+// Of blend, resolve, show, average_holes, fill_holes, compose, enlarge, stereo and panorama: pixels of the frame, or texels
+// of the level, that is read. Its texture may be larger.
 const int frame_size_uniform = 29;
 
 // Uniforms of resolve.

@@ -1,5 +1,6 @@
 // All directions around an eye, from the faces of a cube: longitudes along the rows, latitudes along the columns.
 #include "contract.glsl"
+#include "srgb.glsl"
 
 layout(location = 0) out vec4 shown;
 layout(binding = faces_unit) uniform sampler2DArray faces;
@@ -11,13 +12,10 @@ layout(location = face_from_panorama_uniform) uniform mat3 face_from_panorama[6]
 const float pi = 3.14159265358979;
 const int taps = 2;  // per side of a pixel
 
-float decode(float s) { return s <= 0.04045 ? s / 12.92 : pow((s + 0.055) / 1.055, 2.4); }
-float encode(float l) { return l <= 0.0031308 ? 12.92 * l : 1.055 * pow(l, 1.0 / 2.4) - 0.055; }
-
 // Light times coverage, and coverage, of a texel.
 vec4 light_of(ivec3 texel) {
     vec4 c = texelFetch(faces, texel, 0);
-    return vec4(vec3(decode(c.r), decode(c.g), decode(c.b)) * c.a, c.a);
+    return vec4(decode(c.rgb) * c.a, c.a);
 }
 
 // The same between four texels.
@@ -55,5 +53,5 @@ void main() {
         for (int x = 0; x < taps; ++x)
             sum += seen(floor(gl_FragCoord.xy) + (vec2(x, y) + 0.5) / float(taps));
     vec3 light = sum.rgb / max(sum.a, 1e-6);
-    shown = vec4(encode(light.r), encode(light.g), encode(light.b), sum.a / float(taps * taps));
+    shown = vec4(encode(light), sum.a / float(taps * taps));
 }

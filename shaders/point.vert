@@ -1,5 +1,6 @@
 // One point of a cloud.
 #include "contract.glsl"
+#include "srgb.glsl"
 
 layout(location = cell_attribute) in uvec2 bits;
 layout(location = color_attribute) in vec4 color;
@@ -47,5 +48,5 @@ void main() {
         gl_Position = vec4(gl_Position.xy * (nearer / gl_Position.w),
                            gl_Position.z - depth_per_w * (gl_Position.w - nearer), nearer);
     gl_PointSize = point_size;
-    point_color = mix(color.rgb / 12.92, pow((color.rgb + 0.055) / 1.055, vec3(2.4)), greaterThan(color.rgb, vec3(0.04045)));
+    point_color = decode(color.rgb);
 }

@@ -2,6 +2,7 @@
 // with a photo: side by side, with a wiper, or as a difference.
 #include "photos.glsl"
 #include "background.glsl"
+#include "srgb.glsl"
 
 layout(location = 0) out vec4 shown;
 layout(binding = accumulated_unit) uniform sampler2D accumulated;
@@ -31,9 +32,6 @@ vec4 veil_of(ivec2 at, float share) {
     return v / max(v.a, 1.0);
 }
 #endif
-
-float encode(float l) { return l <= 0.0031308 ? 12.92 * l : 1.055 * pow(l, 1.0 / 2.4) - 0.055; }
-vec3 encode(vec3 l) { return vec3(encode(l.r), encode(l.g), encode(l.b)); }
 
 // The photo's color at a frame pixel; alpha 0 outside the photo.
 vec4 photo_at(vec2 frame_pixel) {

@@ -1,5 +1,6 @@
 // The pictures of two eyes, left and right, in one.
 #include "contract.glsl"
+#include "srgb.glsl"
 
 layout(location = 0) out vec4 shown;
 layout(binding = eyes_unit) uniform sampler2DArray eyes;
@@ -7,18 +8,14 @@ layout(location = frame_size_uniform) uniform ivec2 frame_size;
 layout(location = stereo_mode_uniform) uniform uint mode;
 layout(location = stereo_flip_uniform) uniform bool flip;  // for a window, whose first row is at the bottom
 
-float decode(float s) { return s <= 0.04045 ? s / 12.92 : pow((s + 0.055) / 1.055, 2.4); }
-float encode(float l) { return l <= 0.0031308 ? 12.92 * l : 1.055 * pow(l, 1.0 / 2.4) - 0.055; }
-vec3 light_of(vec4 c) { return vec3(decode(c.r), decode(c.g), decode(c.b)); }
-
 // For red and cyan glasses: least squares in the colors that each eye sees through them (Dubois, "A projection method
 // to generate anaglyph stereo images", 2001); by columns.
 const mat3 of_left = mat3(0.456, -0.040, -0.015, 0.500, -0.038, -0.021, 0.176, -0.016, -0.005);
 const mat3 of_right = mat3(-0.043, 0.378, -0.072, -0.088, 0.734, -0.113, -0.002, -0.018, 1.226);
 
 vec4 anaglyph(vec4 left, vec4 right) {
-    vec3 light = clamp(of_left * light_of(left) + of_right * light_of(right), 0.0, 1.0);
-    return vec4(encode(light.r), encode(light.g), encode(light.b), max(left.a, right.a));
+    vec3 light = clamp(of_left * decode(left.rgb) + of_right * decode(right.rgb), 0.0, 1.0);
+    return vec4(encode(light), max(left.a, right.a));
 }
 
 void main() {

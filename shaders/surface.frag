@@ -1,6 +1,7 @@
 // Lambertian shading with a lamp at the viewer, in linear light; with the mesh's own colors if the scene has the effect.
 // Surroundings have their quiet color, what has a value in the scalar layer that is shown its color in the color map.
 #include "contract.glsl"
+#include "srgb.glsl"
 
 #ifndef FLAT
 in vec3 surface_position;
@@ -54,8 +55,7 @@ vec3 lit(vec3 n, vec3 v) {
     if (dot(n, v) < 0.0) n = -n;
     if (light_kind == light_normals) {
         vec3 c = camera * n;
-        vec3 code = vec3(c.x, -c.y, -c.z) * 0.5 + 0.5;  // sRGB, as normal maps are stored
-        return mix(code / 12.92, pow((code + 0.055) / 1.055, vec3(2.4)), greaterThan(code, vec3(0.04045)));
+        return decode(vec3(c.x, -c.y, -c.z) * 0.5 + 0.5);  // sRGB, as normal maps are stored
     }
     vec3 l = light_kind == light_lamp ? v : lamp.xyz;
     float facing = max(dot(n, l), 0.0);
