@@ -51,6 +51,26 @@ inline std::vector<PacedFrame> paced(const PacedMotion& m) {
     return out;
 }
 
+/// Loads for PacedMotion: 2.5 times as long for 300 frames; one frame in 150 four times as long; slowly up to
+/// 3 times as long, and back.
+inline double step_load(int i) { return i >= 200 && i < 500 ? 2.5 : 1.0; }
+inline double spike_load(int i) { return i % 150 == 149 ? 4.0 : 1.0; }
+inline double drift_load(int i) {
+    return 1 + 2 * std::clamp(i < 500 ? (i - 100) / 400.0 : (900 - i) / 400.0, 0.0, 1.0);
+}
+
+/// Frames missed, from frame `first` on.
+inline std::size_t count_missed(const std::vector<PacedFrame>& frames, std::size_t first = 0) {
+    return std::size_t(std::count_if(frames.begin() + std::ptrdiff_t(first), frames.end(),
+                                     [](auto& f) { return f.missed; }));
+}
+/// Frames at another pace than the one before, from frame `first` on.
+inline std::size_t count_changes(const std::vector<PacedFrame>& frames, std::size_t first = 1) {
+    std::size_t changes = 0;
+    for (std::size_t i = first; i < frames.size(); ++i) changes += frames[i].pace != frames[i - 1].pace;
+    return changes;
+}
+
 /// The longest series of frames that were missed one after the other, from frame `first` on.
 inline int longest_missed(const std::vector<PacedFrame>& frames, std::size_t first = 0) {
     int longest = 0, now = 0;

@@ -3,43 +3,27 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "gl/context.h"
-#include "pipeline/input/discover.h"
-#include "pipeline/input/read_scene.h"
-#include "pipeline/prepare/prepare.h"
-#include "pipeline/run/progress.h"
-#include "pipeline/synth/synthesize.h"
 #include "player/objects/enlargement.h"
 #include "player/objects/object_set.h"
 #include "player/render/pace.h"
 #include "player/render/picture.h"
 #include "player/survey/section.h"
-#include "tests/programs/garden_spec.h"
-#include "tests/temporary_folder.h"
+#include "tests/programs/garden_package.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// A small building in a garden, whose package has surroundings.
-class Frames : public TemporaryFolder {
+/// Of a package that has surroundings.
+class Frames : public GardenPackage {
   protected:
     void SetUp() override {
-        TemporaryFolder::SetUp();
-        synthesize(garden_spec(3000, 400, 300), dir / "scene", {});
-        PrepareSettings settings;
-        settings.effects[Effect::surroundings] = EffectChoice::on;
-        settings.effects[Effect::per_fragment] = EffectChoice::on;
-        prepare(read_scene(discover(dir / "scene")), settings, file, [](const Progress&) {});
-    }
-    static std::vector<std::uint32_t> all(const PackageReader& package) {
-        std::vector<std::uint32_t> photos(package.photos().size());
-        std::iota(photos.begin(), photos.end(), 0u);
-        return photos;
+        GardenPackage::SetUp();
+        make_package({{Effect::surroundings, EffectChoice::on}, {Effect::per_fragment, EffectChoice::on}});
     }
     /// A photo's own; between photos; and so near that triangles reach behind the viewer.
     static std::vector<View> views(const PackageReader& package) {
@@ -51,7 +35,6 @@ class Frames : public TemporaryFolder {
         }
         return out;
     }
-    fs::path file = dir / "scene.vantage";
 };
 
 struct Difference {

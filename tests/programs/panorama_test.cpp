@@ -6,16 +6,10 @@
 #include <cstdlib>
 #include <pugixml.hpp>
 
-#include "pipeline/input/discover.h"
-#include "pipeline/input/read_scene.h"
-#include "pipeline/prepare/prepare.h"
-#include "pipeline/run/progress.h"
-#include "pipeline/synth/synthesize.h"
 #include "player/camera/shots.h"
 #include "player/render/picture.h"
 #include "scene/error.h"
-#include "tests/programs/garden_spec.h"
-#include "tests/temporary_folder.h"
+#include "tests/programs/garden_package.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
@@ -24,24 +18,12 @@ namespace {
 
 constexpr double pi = 3.14159265358979;
 
-class Panoramas : public TemporaryFolder {
+class Panoramas : public GardenPackage {
   protected:
     void SetUp() override {
-        TemporaryFolder::SetUp();
-        synthesize(garden_spec(3000, 400, 300), dir / "scene", {});
-        PrepareSettings settings;
-        settings.effects[Effect::surroundings] = EffectChoice::off;
-        prepare(read_scene(discover(dir / "scene")), settings, file, [](const Progress&) {});
+        GardenPackage::SetUp();
+        make_package({{Effect::surroundings, EffectChoice::off}});
     }
-    fs::path offscreen(const std::string& name, const std::string& options) const {
-        const fs::path png = dir / (name + ".png");
-        const int status = std::system(
-            (VANTAGE_PLAYER " " + file.string() + " --offscreen --quiet " + options + " -o " + png.string())
-                .c_str());
-        EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 0) << options;
-        return png;
-    }
-    fs::path file = dir / "scene.vantage";
 };
 
 /// The color at a position, between four pixels; codes.

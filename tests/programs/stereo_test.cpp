@@ -1,50 +1,29 @@
 // Pictures for two eyes.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
 
 #include "gl/context.h"
-#include "pipeline/input/discover.h"
-#include "pipeline/input/read_scene.h"
-#include "pipeline/prepare/prepare.h"
-#include "pipeline/run/progress.h"
-#include "pipeline/synth/synthesize.h"
 #include "player/objects/stereo_picture.h"
-#include "tests/programs/garden_spec.h"
-#include "tests/temporary_folder.h"
+#include "tests/programs/garden_package.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// A small building in a garden, whose package has surroundings.
-class StereoPictures : public TemporaryFolder {
+/// Of a package that has surroundings.
+class StereoPictures : public GardenPackage {
   protected:
     void SetUp() override {
-        TemporaryFolder::SetUp();
-        synthesize(garden_spec(3000, 400, 300), dir / "scene", {});
-        PrepareSettings settings;
-        settings.effects[Effect::surroundings] = EffectChoice::on;
-        prepare(read_scene(discover(dir / "scene")), settings, file, [](const Progress&) {});
-    }
-    static std::vector<std::uint32_t> all(const PackageReader& package) {
-        std::vector<std::uint32_t> out(package.photos().size());
-        std::iota(out.begin(), out.end(), 0u);
-        return out;
+        GardenPackage::SetUp();
+        make_package({{Effect::surroundings, EffectChoice::on}});
     }
     Picture offscreen(const std::string& name, const std::string& options) const {
-        const fs::path png = dir / (name + ".png");
-        const int status = std::system(
-            (VANTAGE_PLAYER " " + file.string() + " --offscreen --quiet " + options + " -o " + png.string())
-                .c_str());
-        EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 0) << options;
-        return read_png(png);
+        return read_png(GardenPackage::offscreen(name, options));
     }
-    fs::path file = dir / "scene.vantage";
 };
 
 /// A part of a picture.

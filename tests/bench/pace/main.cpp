@@ -13,26 +13,18 @@ struct NamedLoad {
     const char* name;
     std::function<double(int)> factor;
 };
-const NamedLoad loads[] = {
-    {"none", {}},
-    {"step", [](int i) { return i >= 200 && i < 500 ? 2.5 : 1.0; }},
-    {"spikes", [](int i) { return i % 150 == 149 ? 4.0 : 1.0; }},
-    {"drift",
-     [](int i) { return 1 + 2 * std::clamp(i < 500 ? (i - 100) / 400.0 : (900 - i) / 400.0, 0.0, 1.0); }},
-};
+const NamedLoad loads[] = {{"none", {}}, {"step", step_load}, {"spikes", spike_load}, {"drift", drift_load}};
 
 void print_row(const NamedLoad& load, const PacedMotion& motion, const std::vector<PacedFrame>& frames) {
-    std::size_t missed = 0, changes = 0;
     double pixels = 0, swift = 0;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        missed += frames[i].missed;
-        changes += i > 0 && frames[i].pace != frames[i - 1].pace;
-        pixels += frames[i].pace.scale * frames[i].pace.scale;
-        swift += frames[i].pace.swift;
+    for (const PacedFrame& f : frames) {
+        pixels += f.pace.scale * f.pace.scale;
+        swift += f.pace.swift;
     }
     const double n = double(frames.size());
     std::printf("| %s | %g | %d | %zu | %d | %.0f %% | %.0f %% | %zu |\n", load.name, motion.machine.full,
-                motion.delay, missed, longest_missed(frames), 100 * pixels / n, 100 * swift / n, changes);
+                motion.delay, count_missed(frames), longest_missed(frames), 100 * pixels / n, 100 * swift / n,
+                count_changes(frames));
 }
 
 }  // namespace
@@ -54,12 +46,11 @@ int main(int argc, char** argv) {
                 print_row(load, motion, frames);
                 if (delay != 1) continue;
                 Curve ms{std::to_string(int(full)) + " ms per full frame", {}},
-                    scale{"share of the size, x 10", {}};
+                    scale{std::to_string(int(full)) + " ms: size, tenths", {}};
                 for (const PacedFrame& f : frames) {
                     ms.values.push_back(f.ms);
                     scale.values.push_back(10 * f.pace.scale);
                 }
-                scale.name = std::to_string(int(full)) + " ms: size, tenths";
                 curves.push_back(std::move(ms));
                 curves.push_back(std::move(scale));
             }

@@ -28,10 +28,6 @@ std::string text_of(const PacedMotion& m) {
     return std::to_string(m.machine.full) + " ms per full frame, known " + std::to_string(m.delay) + " late";
 }
 
-std::size_t missed(const std::vector<PacedFrame>& frames) {
-    return std::size_t(std::count_if(frames.begin() + found, frames.end(), [](auto& f) { return f.missed; }));
-}
-
 }  // namespace
 
 TEST(Pace, IsFoundWithinAFewFramesAndKept) {
@@ -82,25 +78,23 @@ TEST(Pace, AScaledViewShowsTheSame) {
 TEST(Pacing, OfASteadyMotionKeepsItsResolution) {
     for (const PacedMotion& m : motions({})) {
         const auto frames = paced(m);
-        std::size_t changes = 0;
-        for (std::size_t i = found; i < frames.size(); ++i) changes += frames[i].pace != frames[i - 1].pace;
-        EXPECT_LT(changes, frames.size() / 20) << text_of(m);
-        EXPECT_LT(missed(frames), frames.size() / 100) << text_of(m);
+        EXPECT_LT(count_changes(frames, found), frames.size() / 20) << text_of(m);
+        EXPECT_LT(count_missed(frames, found), frames.size() / 100) << text_of(m);
     }
 }
 
 TEST(Pacing, MissesOnlyFramesThatCouldNotKnowThatAllTakeLonger) {
-    for (const PacedMotion& m : motions([](int i) { return i >= 200 && i < 500 ? 2.5 : 1.0; })) {
+    for (const PacedMotion& m : motions(step_load)) {
         const auto frames = paced(m);
         EXPECT_LE(longest_missed(frames, found), m.delay + 1) << text_of(m);
-        EXPECT_LT(missed(frames), frames.size() / 100) << text_of(m);
+        EXPECT_LT(count_missed(frames, found), frames.size() / 100) << text_of(m);
         EXPECT_NE(frames[499].pace, Pace{}) << "quality is given up for it";
         EXPECT_GT(frames[560].pace.scale, frames[199].pace.scale - 0.1) << "and shown again " << text_of(m);
     }
 }
 
 TEST(Pacing, ReturnsAtOnceIfASingleFrameWasLate) {
-    for (const PacedMotion& m : motions([](int i) { return i % 150 == 149 ? 4.0 : 1.0; })) {
+    for (const PacedMotion& m : motions(spike_load)) {
         const auto frames = paced(m);
         EXPECT_EQ(longest_missed(frames, found), 1) << text_of(m);
         for (std::size_t late = 299; late + 10 < frames.size(); late += 150)
@@ -110,13 +104,10 @@ TEST(Pacing, ReturnsAtOnceIfASingleFrameWasLate) {
 }
 
 TEST(Pacing, FollowsWhatChangesSlowly) {
-    const auto drift = [](int i) {
-        return 1 + 2 * std::clamp(i < 500 ? (i - 100) / 400.0 : (900 - i) / 400.0, 0.0, 1.0);
-    };
-    for (const PacedMotion& m : motions(drift)) {
+    for (const PacedMotion& m : motions(drift_load)) {
         const auto frames = paced(m);
         EXPECT_LE(longest_missed(frames, found), m.delay + 1) << text_of(m);
-        EXPECT_LT(missed(frames), frames.size() / 50) << text_of(m);
+        EXPECT_LT(count_missed(frames, found), frames.size() / 50) << text_of(m);
         EXPECT_GT(frames.back().pace.scale, frames[90].pace.scale - 0.1) << text_of(m);
     }
 }

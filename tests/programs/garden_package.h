@@ -1,0 +1,47 @@
+#pragma once
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "pipeline/input/discover.h"
+#include "pipeline/input/read_scene.h"
+#include "pipeline/prepare/prepare.h"
+#include "pipeline/run/progress.h"
+#include "scene/package_reader.h"
+#include "tests/programs/garden_spec.h"
+#include "tests/temporary_folder.h"
+
+namespace vantage {
+
+/// A package of a small building in a garden.
+class GardenPackage : public TemporaryFolder {
+  protected:
+    void make_package(const std::map<Effect, EffectChoice>& effects) const {
+        synthesize(garden_spec(3000, 400, 300), dir / "scene", {});
+        PrepareSettings settings;
+        settings.effects = effects;
+        prepare(read_scene(discover(dir / "scene")), settings, file, [](const Progress&) {});
+    }
+    static std::vector<std::uint32_t> all(const PackageReader& package) {
+        std::vector<std::uint32_t> photos(package.photos().size());
+        std::iota(photos.begin(), photos.end(), 0u);
+        return photos;
+    }
+    /// The picture NAME.png, which the player renders of the package.
+    std::filesystem::path offscreen(const std::string& name, const std::string& options) const {
+        const std::filesystem::path png = dir / (name + ".png");
+        const int status = std::system(
+            (VANTAGE_PLAYER " " + file.string() + " --offscreen --quiet " + options + " -o " + png.string())
+                .c_str());
+        EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 0) << options;
+        return png;
+    }
+    std::filesystem::path file = dir / "scene.vantage";
+};
+
+}  // namespace vantage
