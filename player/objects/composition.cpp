@@ -45,12 +45,8 @@ void Composition::show(std::span<const ObjectFrame> frames, const View& view, co
         glBindVertexArray(no_vertices_.id());
         copy_depth(f, layers_[i]);
     }
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
+    begin_full_frame(compose_program_, target, frame_);
     glBindVertexArray(no_vertices_.id());
-    glBindFramebuffer(GL_FRAMEBUFFER, target);
-    glViewport(0, 0, frame_.width, frame_.height);
-    glUseProgram(compose_program_.id());
     glUniform2i(shader::frame_size_uniform, frame_.width, frame_.height);
     glUniform1i(shader::objects_uniform, GLint(frames.size()));
     for (std::size_t i = 0; i < frames.size(); ++i)

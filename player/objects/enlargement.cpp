@@ -26,11 +26,7 @@ void Enlargement::show(ObjectSet& objects, const View& drawn, const RenderSettin
         program_ = full_frame_program("enlarge", "enlarge.frag");
         no_vertices_ = gl::make_vertex_array("no vertices");
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, target);
-    glViewport(0, 0, size.width, size.height);
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
-    glUseProgram(program_.id());
+    begin_full_frame(program_, target, size);
     glUniform2i(shader::frame_size_uniform, width, height);
     glUniform2i(shader::enlarged_size_uniform, size.width, size.height);
     glBindTextureUnit(shader::small_unit, picture_.id());

@@ -244,19 +244,19 @@ void Renderer::plan_eye(Eye& eye, PixelSample sample) {
         }
         const bool both = !settings.complete && eyes_.size() > 1;
         band.plan->update(eye.view, how, band.photos, sample.side,
-                          both ? seen_by_both() : eye.readback.seen(), photos);
+                          both ? seen_by_both(eye) : eye.readback.seen(), photos);
     }
 }
 
-/// What the eyes saw, as if the first one had seen it all.
-SeenTriangles Renderer::seen_by_both() {
+/// What the eyes saw, as if this one had seen it all.
+SeenTriangles Renderer::seen_by_both(const Eye& eye) {
     const SeenTriangles left = eyes_[0].readback.seen(), right = eyes_[1].readback.seen();
     if (const std::uint64_t version = left.version + right.version; version != seen_version_) {
         seen_version_ = version;
         seen_by_both_.assign(left.triangles.begin(), left.triangles.end());
         seen_by_both_.insert(seen_by_both_.end(), right.triangles.begin(), right.triangles.end());
     }
-    return {seen_by_both_, left.view, seen_version_};
+    return {seen_by_both_, eye.readback.seen().view, seen_version_};
 }
 
 void Renderer::stream_points(const Eye& eye, FrameReport& report) {
@@ -296,14 +296,14 @@ FrameReport Renderer::prepare(std::span<const View> views, const RenderSettings&
         bands.insert(bands.end(), eye.bands.begin(), eye.bands.end());
     }
     if (passes_.load_layer(settings)) targets_ = {};  // the budget has to be divided again
-    fit({views.front().intrinsics.width, views.front().intrinsics.height}, eyes_[0].bands);
+    fit(frame_size(views.front()), eyes_[0].bands);
     const DrawnRegion region(targets_);
     // What a frame waits for, it shows.
     const bool fades = !settings.complete && !settings.wait_for_tiles && !settings.wait_for_uploads;
     store_.begin_frame(now, fades);
     FrameReport report;
-    for (Eye& eye : eyes_)
-        if (!settings.complete) take_seen(eye, settings.wait_for_tiles);
+    if (!settings.complete)
+        for (Eye& eye : eyes_) take_seen(eye, settings.wait_for_tiles);
     const auto planning = std::chrono::steady_clock::now();
     for (Eye& eye : eyes_) plan_eye(eye, sample);
     report.plan_ms = milliseconds_since(planning);
@@ -653,11 +653,7 @@ void Renderer::show(const View& view, const RenderSettings& given, GLuint target
         const gl::Texture& clean = veils(eye) ? samples.clean : samples.sum;
         filling_->fill(fills ? clean : samples.other, targets_.width, targets_.height, count);
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, target);
-    glViewport(0, 0, view.intrinsics.width, view.intrinsics.height);
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
-    glUseProgram(show_program_.id());
+    begin_full_frame(show_program_, target, frame_size(view));
     glUniform2i(shader::frame_size_uniform, targets_.width, targets_.height);
     glUniform1f(shader::samples_uniform, float(count));
     glUniform1i(shader::flip_uniform, flip);

@@ -135,7 +135,7 @@ class Renderer {
     void find_seen(Eye& eye, const BandFrame& band, PixelSample sample);
     bool take_seen(Eye& eye, bool wait);
     void plan_eye(Eye& eye, PixelSample sample);
-    SeenTriangles seen_by_both();
+    SeenTriangles seen_by_both(const Eye& eye);
     void stream_points(const Eye& eye, FrameReport& report);
     void draw_band(Frame& frame);
     DrawnView drawn_view(const View& view, const BandFrame& band, int side) const;
