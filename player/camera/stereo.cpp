@@ -35,4 +35,9 @@ std::vector<View> eye_views(const View& middle, const Eyes& eyes, double looked_
     return {left, right};
 }
 
+std::vector<View> views_of(const StereoSettings& stereo, const View& middle, double looked_at) {
+    if (stereo.mode == StereoMode::off) return {middle};
+    return eye_views(middle, stereo.eyes, looked_at);
+}
+
 }  // namespace vantage

@@ -38,5 +38,7 @@ inline bool divides_frame(StereoMode mode) {
 /// the eyes would see heights that differ. `looked_at`: the depth at which they converge unless `eyes` says
 /// so. Throws Error(usage) for numbers that are not finite, or not positive, and for an orthographic view.
 std::vector<View> eye_views(const View& middle, const Eyes& eyes, double looked_at);
+/// The same, or `middle` alone if the mode is off.
+std::vector<View> views_of(const StereoSettings& stereo, const View& middle, double looked_at);
 
 }  // namespace vantage

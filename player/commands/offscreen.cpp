@@ -123,9 +123,7 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
         if (o.panorama)
             return take_panorama(scene, panorama_at(shot.view, survey_up(package.photos()), around), settings,
                                  photos, o.samples ? o.samples : 1);
-        if (options.stereo.mode == StereoMode::off)
-            return take_picture(scene, shot.view, settings, photos, side);
-        const std::vector<View> eyes = eye_views(shot.view, options.stereo.eyes, shot.distance);
+        const std::vector<View> eyes = views_of(options.stereo, shot.view, shot.distance);
         return take_picture(scene, stereo, options.stereo.mode, eyes, settings, photos, side, 0);
     };
     std::size_t damaged = 0;

@@ -41,12 +41,6 @@ double time_at_rest(ObjectSet& objects, Enlargement& enlargement, const View& vi
     return ms;
 }
 
-/// What a frame is drawn for: the view of one eye, or those of two.
-std::vector<View> views_of_frame(const View& view, const Navigation& camera, const StereoSettings& stereo) {
-    if (stereo.mode == StereoMode::off) return {view};
-    return eye_views(view, stereo.eyes, (camera.target - camera.eye).norm());
-}
-
 /// Whether a frame is one of `pictures`, evenly spread over `frames`.
 bool pictured(int frame, int frames, int pictures) {
     return std::int64_t(frame) * pictures % frames < pictures;
@@ -152,7 +146,7 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
         const Pace pace = pacing.pace;
         const Navigation& camera = path.frames[std::size_t(i)];
         const View view = scaled(view_of(camera, size.width, size.height), pace.scale);
-        const std::vector<View> eyes = views_of_frame(view, camera, o.stereo);
+        const std::vector<View> eyes = views_of(o.stereo, view, (camera.target - camera.eye).norm());
         std::optional<View> next = expected_view(path, i, jump, size);
         if (next) next = scaled(*next, pace.scale);
         settings.swift = pace.swift;

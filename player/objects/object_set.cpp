@@ -172,12 +172,11 @@ FrameReport ObjectSet::draw_eyes(std::span<const View> eyes, const RenderSetting
         first_report_ = first_.prepare(eyes, settings, photos, sample, now, next);
     else
         prepare(eyes, settings, photos, sample, now, next);
-    const bool paints_first = alone() || draws_first(settings);
+    const bool paints_first = draws_first(settings);
     for (std::size_t eye = 0; eye < eyes.size(); ++eye) {
         paint(eye, paints_first);
         drawn(eye);
     }
-    if (alone()) return first_report_;
     FrameReport all;
     all.settled = true;
     if (paints_first) all = first_report_;
@@ -254,10 +253,16 @@ void ObjectSet::show(const View& view, const RenderSettings& settings, GLuint ta
     composition_.show(frames, view, settings, target, flip, eye);
 }
 
-Picture take_picture(ObjectSet& objects, const View& view, const RenderSettings& settings,
-                     std::span<const std::uint32_t> photos, int side, double now) {
+FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSettings& settings,
+                         std::span<const std::uint32_t> photos, int side, double now) {
     FrameReport report;
     for (int i = 0; i < side * side; ++i) report = objects.draw(view, settings, photos, {i, side}, now);
+    return report;
+}
+
+Picture take_picture(ObjectSet& objects, const View& view, const RenderSettings& settings,
+                     std::span<const std::uint32_t> photos, int side, double now) {
+    const FrameReport report = draw_samples(objects, view, settings, photos, side, now);
     Picture p =
         picture_of(frame_size(view), [&](GLuint target) { objects.show(view, settings, target, false); });
     p.report = report;

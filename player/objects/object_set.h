@@ -95,6 +95,10 @@ class ObjectSet {
     Composition composition_;
 };
 
+/// Draws `side` * `side` samples per pixel; `now` as for Renderer::draw. Returns the report of the last.
+FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSettings& settings,
+                         std::span<const std::uint32_t> photos, int side, double now = 0);
+
 /// Renders all objects with `side` * `side` samples per pixel, as take_picture() does one; `now` as for
 /// Renderer::draw.
 Picture take_picture(ObjectSet& objects, const View& view, const RenderSettings& settings,

@@ -27,11 +27,7 @@ void expect_size(FrameSize size) {
 void show_panorama(const gl::Texture& faces, const Intrinsics& face, FrameSize size, GLuint target) {
     const gl::Program program = full_frame_program("panorama", "panorama.frag");
     const gl::VertexArray no_vertices = gl::make_vertex_array("no vertices");
-    glBindFramebuffer(GL_FRAMEBUFFER, target);
-    glViewport(0, 0, size.width, size.height);
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
-    glUseProgram(program.id());
+    begin_full_frame(program, target, size);
     glUniform2i(shader::frame_size_uniform, size.width, size.height);
     glUniform1f(shader::face_focal_uniform, float(face.fx));
     const double half = face.width / 2.0 - 1;  // between texels
@@ -60,9 +56,7 @@ Picture take_panorama(ObjectSet& objects, const Panorama& panorama, const Render
     FrameReport report;
     for (std::size_t f = 0; f < views.size(); ++f) {
         const gl::Framebuffer target = gl::make_layer_framebuffer("face", faces, GLint(f));
-        FrameReport of_face;
-        for (int i = 0; i < side * side; ++i)
-            of_face = objects.draw(views[f], settings, photos, {i, side}, 0);
+        const FrameReport of_face = draw_samples(objects, views[f], settings, photos, side);
         objects.show(views[f], settings, target.id(), false);
         report = f == 0 ? of_face : joined(report, of_face);
     }

@@ -24,11 +24,7 @@ void StereoPicture::show(StereoMode mode, FrameSize frame, GLuint target, bool f
         program_ = full_frame_program("stereo", "stereo.frag");
         no_vertices_ = gl::make_vertex_array("no vertices");
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, target);
-    glViewport(0, 0, frame.width, frame.height);
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
-    glUseProgram(program_.id());
+    begin_full_frame(program_, target, frame);
     glUniform2i(shader::frame_size_uniform, frame.width, frame.height);
     glUniform1ui(shader::stereo_mode_uniform, GLuint(mode));
     glUniform1i(shader::stereo_flip_uniform, flip);
@@ -41,6 +37,7 @@ void StereoPicture::show(StereoMode mode, FrameSize frame, GLuint target, bool f
 Picture take_picture(ObjectSet& objects, StereoPicture& stereo, StereoMode mode, std::span<const View> eyes,
                      const RenderSettings& settings, std::span<const std::uint32_t> photos, int side,
                      double now) {
+    if (eyes.size() == 1) return take_picture(objects, eyes.front(), settings, photos, side, now);
     stereo.fit(frame_size(eyes.front()));
     FrameReport report;
     for (int i = 0; i < side * side; ++i)

@@ -81,13 +81,10 @@ class Frames {
     /// `now`: seconds since the first frame.
     Picture picture(const Navigation& camera, FrameSize size, double now) {
         const View view = view_of(camera, size.width, size.height);
-        const bool two = stereo_.mode != StereoMode::off;
-        const std::vector<View> eyes =
-            two ? eye_views(view, stereo_.eyes, (camera.target - camera.eye).norm()) : std::vector{view};
+        const std::vector<View> eyes = views_of(stereo_, view, (camera.target - camera.eye).norm());
         if (settings_.wait_for_tiles && !settled_) settle(eyes, now);
         settled_ = true;
-        if (two) return take_picture(objects_, pair_, stereo_.mode, eyes, settings_, photos_, side_, now);
-        return take_picture(objects_, view, settings_, photos_, side_, now);
+        return take_picture(objects_, pair_, stereo_.mode, eyes, settings_, photos_, side_, now);
     }
 
   private:
