@@ -3,7 +3,7 @@
 // HOW: ENOSPC, EIO or EACCES, the N-th call and all later ones fail; statvfs reports no free space instead;
 //      EIO_ONCE, only the N-th fails; SHORT_ONCE, only the N-th reads or writes half of its bytes;
 //      KILL or KILL_AFTER, the process is killed before or after the N-th call is executed;
-//      SLEEP, it sleeps for two seconds before the N-th call (flock only);
+//      WAIT, before the N-th call it waits until the file FAULT_CONTINUE exists (flock only);
 //      BAD_PAGE, the N-th page of the files that are mapped cannot be read: touching it raises SIGBUS (mmap
 //      only).
 // FAULT_CLOCK=1 sets the clock back and forward by a year from one call to the next.
@@ -331,7 +331,8 @@ int statvfs(const char* path, struct statvfs* out) {
 }
 int flock(int fd, int operation) {
     Fault& f = fault();
-    if (std::strcmp(f.call, "flock") == 0 && f.is("SLEEP") && ++f.calls == f.from) ::sleep(2);
+    if (std::strcmp(f.call, "flock") == 0 && f.is("WAIT") && ++f.calls == f.from)
+        while (::access(std::getenv("FAULT_CONTINUE"), F_OK) != 0) ::usleep(1000);
     return next<int(int, int)>("flock")(fd, operation);
 }
 int fsync(int fd) {
