@@ -15,8 +15,6 @@
 #include <utility>
 
 #include "bands/bands.h"
-#include "bands/middle_photo.h"
-#include "player/camera/shots.h"
 #include "player/window/glfw_window.h"
 #include "player/window/input.h"
 #include "player/window/new_frame.h"
@@ -25,7 +23,7 @@
 #include "player/window/screenshot.h"
 #include "player/window/shown_scene.h"
 #include "player/window/start_page.h"
-#include "points/point_cloud.h"
+#include "player/window/start_session.h"
 #include "scene/error.h"
 #include "scene/package_shape.h"
 #include "values/is_url.h"
@@ -45,31 +43,6 @@ double process_seconds() {
     return up - ticks / double(::sysconf(_SC_CLK_TCK));
 }
 
-/// Throws Error(damaged) if there is neither a photo nor a point, or META is damaged, which showing does not
-/// need.
-void expect_content(const PackageReader& package) {
-    package.meta();
-    if (package.photos().empty() && !points_only(package.scene()))
-        throw Error(Exit::damaged, package.path().string() + ": contains no photos");
-}
-
-/// The bands of the command line; without any, those remembered, as far as the package has them.
-BandSettings chosen_bands(const PackageReader& package, const ShowOptions& o, const Remembered& remembered) {
-    if (o.blending.bands.given()) return band_settings(package, o.blending.bands);
-    BandSettings out = remembered.settings.bands;
-    out.shown = 0;
-    out.other.reset();
-    const std::vector<Band> bands = read_bands(package);
-    for (std::uint32_t b = 0; bands.size() > 1 && b < bands.size(); ++b) {
-        if (bands[b].name == remembered.band) out.shown = b;
-        if (bands[b].name == remembered.other_band) out.other = b;
-    }
-    if (!o.package.photos.empty())
-        out.shown = package.photos()[named_photos(package, o.package.photos).front()].band;
-    if (out.other == out.shown) out.other.reset();
-    return out;
-}
-
 /// Keeps what a session leaves to the next one. A package without bands leaves those of another.
 void remember(const Session& session, const PackageReader& package, Remembered& r) {
     const bool layers = r.panels.layers;
@@ -86,46 +59,6 @@ void remember(const Session& session, const PackageReader& package, Remembered& 
 /// What does not depend on a package: the window.
 Remembered remembered_window(const ShowOptions& o, const std::filesystem::path& folder) {
     return o.window.fresh ? Remembered{} : read_settings(folder, {});
-}
-
-/// The settings of the command line, or those remembered in the folder, if there is one.
-Remembered start_settings(const PackageReader& package, const ShowOptions& o,
-                          const std::filesystem::path& folder) {
-    Remembered given;
-    given.settings = render_settings(package, o.blending, Purpose::window);
-    if (o.window.fresh) return given;
-    Remembered out = read_settings(folder, given);
-    if (o.blending.given) out.settings = given.settings;
-    return out;
-}
-
-/// A session at the first photo of --photo, or the middle one; without photos, before the model.
-Session start_session(const PackageReader& package, const ShowOptions& o, const Remembered& remembered) {
-    Session s;
-    s.settings = remembered.settings;
-    s.panels = remembered.panels;
-    s.settings.upload_bytes = o.memory.upload_bytes();
-    s.settings.complete = false;
-    s.settings.layer = layer_settings(package, o.layer);
-    if (read_layers(package).empty()) s.panels.layers = s.settings.layer.layer >= 0;
-    if (o.light.shown != LightSettings{}) s.settings.light = light_settings(o.light);
-    s.settings.points = o.points;
-    s.lamp_follows = o.light.lamp.empty();
-    s.settings.bands = chosen_bands(package, o, remembered);
-    const auto named =
-        o.package.photos.empty()
-            ? std::vector<std::uint32_t>{middle_photo(package.photos(), s.settings.bands.shown)}
-            : named_photos(package, o.package.photos);
-    s.standing_at = s.settings.compare_photo = named.front();
-    s.camera = home_of(package, s.standing_at);
-    if (!o.pictures.view.empty()) {
-        const auto [view, distance] = parse_view_and_distance(o.pictures.view, package, {1280, 720});
-        s.camera = stand_at(view, s.camera.up, distance);
-    }
-    s.home = s.earlier.last = s.camera;
-    s.panels.expert |= !o.layer.name.empty();
-    s.stereo = o.stereo;
-    return s;
 }
 
 /// That of the command line, or the one chosen before, or the system's.

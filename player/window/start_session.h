@@ -1,0 +1,21 @@
+#pragma once
+#include <filesystem>
+
+#include "player/interface/session.h"
+#include "player/options/show_options.h"
+#include "player/window/remembered.h"
+
+namespace vantage {
+
+/// Throws Error(damaged) if there is neither a photo nor a point, or META is damaged, which showing does not
+/// need.
+void expect_content(const PackageReader& package);
+
+/// The settings of the command line, or those remembered in the folder, if there is one.
+Remembered start_settings(const PackageReader& package, const ShowOptions& options,
+                          const std::filesystem::path& folder);
+
+/// A session at the first photo of --photo, or the middle one; without photos, before the model.
+Session start_session(const PackageReader& package, const ShowOptions& options, const Remembered& remembered);
+
+}  // namespace vantage
