@@ -1,6 +1,8 @@
 #include "player/survey/scene_point.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "player/survey/footprint.h"
@@ -24,9 +26,11 @@ Eigen::Vector3d in_mesh(const PlacedMesh& m, const Eigen::Vector3d& p) {
 Eigen::Vector3d in_scene(const PlacedMesh& m, const Eigen::Vector3d& p) { return m.scale * (m.R * p) + m.t; }
 
 std::optional<Found> nearest(std::span<const PlacedMesh> meshes, const Ray& ray,
-                             std::span<const SectionPlane> sections) {
+                             std::span<const SectionPlane> sections,
+                             double farthest = std::numeric_limits<double>::infinity()) {
     std::optional<Found> out;
-    const RayRange range = behind(sections, ray);
+    RayRange range = behind(sections, ray);
+    range.farthest = std::min(range.farthest, farthest);
     for (const PlacedMesh& m : meshes) {
         const Ray own{in_mesh(m, ray.from), m.R.transpose() * ray.along / m.scale};
         const auto hit = first_hit(*m.scene, own, range);
@@ -75,13 +79,8 @@ std::optional<Found> nearest_vertex(std::span<const PlacedMesh> meshes, const Vi
     return best;
 }
 
-}  // namespace
-
-std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
-                                       const View& view, const Eigen::Vector2d& pixel, Snapping snapping) {
-    std::optional<Found> found;
-    if (snapping.vertex_pixels > 0) found = nearest_vertex(meshes, view, pixel, snapping);
-    if (!found) found = nearest(meshes, ray_through(view, pixel), snapping.sections);
+/// With the uncertainty that photos give it.
+std::optional<SurveyPoint> survey_point(const std::optional<Found>& found, const Eigen::Vector3d& origin) {
     if (!found || !found->position.allFinite()) return {};
     const PlacedMesh& m = *found->mesh;
     SurveyPoint out{found->position + origin};
@@ -90,6 +89,36 @@ std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const
         out.photo = m.scene->photos[pixel_size->photo].name;
     }
     return out;
+}
+
+}  // namespace
+
+std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
+                                       const View& view, const Eigen::Vector2d& pixel, Snapping snapping) {
+    std::optional<Found> found;
+    if (snapping.vertex_pixels > 0) found = nearest_vertex(meshes, view, pixel, snapping);
+    if (!found) found = nearest(meshes, ray_through(view, pixel), snapping.sections);
+    return survey_point(found, origin);
+}
+
+std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
+                                       const Ray& ray, std::span<const SectionPlane> sections) {
+    return survey_point(nearest(meshes, ray, sections), origin);
+}
+
+std::optional<SurfacePoint> surface_on(std::span<const PlacedMesh> meshes, const Ray& ray, double farthest,
+                                       std::span<const SectionPlane> sections) {
+    const auto found = nearest(meshes, ray, sections, farthest);
+    if (!found) return {};
+    const PlanScene& scene = *found->mesh->scene;
+    const auto corner = [&](std::size_t c) -> Eigen::Vector3d {
+        return scene.positions[scene.indices[3 * std::size_t(found->triangle) + c]].cast<double>();
+    };
+    Eigen::Vector3d normal = found->mesh->R * (corner(1) - corner(0)).cross(corner(2) - corner(0));
+    if (!(normal.norm() > 0)) return {};
+    normal.normalize();
+    if (normal.dot(ray.along) > 0) normal = -normal;
+    return SurfacePoint{found->position, normal};
 }
 
 }  // namespace vantage

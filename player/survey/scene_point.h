@@ -7,6 +7,7 @@
 #include "player/plan/plan_scene.h"
 #include "player/plan/section_plane.h"
 #include "player/survey/measurement.h"
+#include "player/survey/ray_cast.h"
 
 namespace vantage {
 
@@ -31,5 +32,18 @@ struct Snapping {
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
                                        const View& view, const Eigen::Vector2d& pixel,
                                        Snapping snapping = {});
+
+/// The same on a ray of the scene.
+std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
+                                       const Ray& ray, std::span<const SectionPlane> sections = {});
+
+/// A point of a surface, relative to the scene's origin, and its normal, of length 1, toward where it is seen
+/// from.
+struct SurfacePoint {
+    Eigen::Vector3d at, normal;
+};
+/// The first one on a ray, up to `farthest` lengths of its direction. Nothing for a triangle without area.
+std::optional<SurfacePoint> surface_on(std::span<const PlacedMesh> meshes, const Ray& ray, double farthest,
+                                       std::span<const SectionPlane> sections = {});
 
 }  // namespace vantage

@@ -20,6 +20,8 @@ const Row& row_of(Unit unit) { return rows[std::size_t(unit)]; }
 
 const char* name_of(Unit unit) { return row_of(unit).name; }
 
+double meters_in(Unit unit) { return row_of(unit).meters; }
+
 std::optional<Unit> unit_named(std::string_view name) {
     const auto at = std::ranges::find(rows, name, [](const Row& r) { return std::string_view(r.name); });
     if (at == rows.end()) return {};
@@ -30,9 +32,7 @@ Unit shown_unit(const Scale& s) {
     return s.unit == Unit::unknown || s.shown == Unit::unknown ? s.unit : s.shown;
 }
 
-double shown_length(const Scale& s) {
-    return s.length * row_of(s.unit).meters / row_of(shown_unit(s)).meters;
-}
+double shown_length(const Scale& s) { return s.length * meters_in(s.unit) / meters_in(shown_unit(s)); }
 
 std::optional<Scale> scale_from(double measured, double uncertainty, double known, Unit unit) {
     const double length = known / measured;

@@ -21,6 +21,9 @@ struct Scale {
     bool operator==(const Scale&) const = default;
 };
 
+/// Meters in a unit of length; 1 for an unknown one.
+double meters_in(Unit unit);
+
 /// The unit in which lengths are stated.
 Unit shown_unit(const Scale& scale);
 /// How many of these units a unit of the input is.

@@ -1,0 +1,22 @@
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace vantage {
+
+/// A place and direction in the room in which a headset is tracked: meters, x right, y up, z backward. What
+/// stands there looks along -z.
+struct RoomPose {
+    Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  ///< of length 1
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+
+    Eigen::Vector3d ahead() const { return -(turn * Eigen::Vector3d::UnitZ()); }
+};
+
+/// Whether all its numbers are finite, and it is a direction.
+inline bool is_sound(const RoomPose& pose) {
+    return pose.at.allFinite() && std::abs(pose.turn.squaredNorm() - 1) < 0.01;
+}
+
+}  // namespace vantage
