@@ -10,6 +10,12 @@ const int value_attribute = 4;  // of the scalar layer that is shown; 1, or 0 fo
 const int cell_attribute = 0;  // of a point: its cell in the node's cube, 21 bits per axis
 const int cube_attribute = 5;  // per draw: low corner and size of the node's cube
 const int node_attribute = 6;  // per draw: its number among the drawn nodes
+const int texture_attribute = 1;  // of a panel's vertex: its place in the texture; its position and color are as above
+const int points_attribute = 0;   // of a mark: four positions
+const int sizes_attribute = 4;
+const int colors_attribute = 5;   // two
+const int kind_attribute = 7;
+const int layer_attribute = 8;
 const uint surroundings_bit = 0x80000000u;  // beside the photos' bits: the draw is of the surroundings
 
 // Shader storage buffers.
@@ -59,6 +65,9 @@ const int coarser_unit = 4;  // fill_holes
 const int small_unit = 4;    // enlarge
 const int eyes_unit = 4;     // stereo
 const int faces_unit = 4;    // panorama
+const int field_unit = 4;    // panel
+const int letters_unit = 5;
+const int shown_picture_unit = 6;  // panel, mark; what hides them is in depth_unit
 
 // Uniforms of surface and blend.
 const int clip_from_origin_uniform = 0;
@@ -174,6 +183,31 @@ const uint stereo_side_by_side = 1u;
 const uint stereo_over_under = 2u;
 const uint stereo_anaglyph = 3u;
 const uint stereo_checkerboard = 4u;
+
+// Uniforms of panel and mark, beside clip_from_origin_uniform; how much of them remains behind the model, and by what share
+// of its distance the model must be nearer: marks lie on surfaces.
+const int hides_uniform = 1;
+const int hiding_terms_uniform = 2;
+const int hiding_scale_uniform = 3;
+const int hiding_rows_uniform = 4;
+const int clip_rectangle_uniform = 5;  // panel
+const int panel_fill_uniform = 6;
+const int spread_uniform = 7;
+const int half_frame_uniform = 5;  // mark
+const int mark_focal_uniform = 6;
+const int mark_eye_uniform = 7;
+const int nearest_uniform = 8;
+const int picture_decodes_uniform = 9;
+const float share_behind = 0.25f;
+const float hiding_slack = 0.005f;
+// What a panel's triangles are filled with.
+const uint fill_letters = 0u;
+const uint fill_picture = 1u;
+// Kinds of marks.
+const uint mark_line = 0u;
+const uint mark_ring = 1u;
+const uint mark_ball = 2u;
+const uint mark_picture = 3u;
 
 // Uniforms of average_holes.
 const int average_samples_uniform = 0;

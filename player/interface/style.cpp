@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include <filesystem>
+#include "player/panels/text_font.h"
 
 namespace vantage {
 namespace {
@@ -24,25 +24,16 @@ void set_colors(ImGuiStyle& style) {
 }
 
 void set_font(float scale) {
-    // Of the languages that are written with Latin letters.
-    static const ImWchar letters[] = {0x20,   0x17f,  0x218,  0x21b,  0x2010, 0x2026,
-                                      0x2032, 0x2033, 0x20ac, 0x20ac, 0};
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     fonts.Clear();
-    for (const char* font : {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                             "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf"})
-        if (std::filesystem::exists(font)) {
-            fonts.AddFontFromFileTTF(font, text_pixels * scale, nullptr, letters);
-            return;
-        }
-    ImFontConfig plain;
-    plain.SizePixels = text_pixels * scale;
-    fonts.AddFontDefault(&plain);
+    ImFontConfig config;
+    config.SizePixels = text_pixels * scale;
+    add_text_font(fonts, config);
 }
 
 }  // namespace
 
-void set_style(float scale) {
+void set_look(float scale) {
     ImGuiStyle style;
     set_colors(style);
     style.WindowRounding = 6;
@@ -53,6 +44,10 @@ void set_style(float scale) {
     style.WindowTitleAlign = ImVec2(0.02f, 0.5f);
     style.ScaleAllSizes(scale);
     ImGui::GetStyle() = style;
+}
+
+void set_style(float scale) {
+    set_look(scale);
     set_font(scale);
 }
 

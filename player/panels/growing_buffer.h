@@ -1,0 +1,26 @@
+#pragma once
+#include <cstddef>
+#include <span>
+
+#include "gl/object.h"
+
+namespace vantage {
+
+/// A buffer that is written anew for every frame, and grows with what it holds. Belongs to the OpenGL thread.
+class GrowingBuffer {
+  public:
+    explicit GrowingBuffer(const char* label) : label_(label) {}
+
+    /// Forgets what was written and makes room for `bytes`. The buffer's name may change.
+    void begin(std::size_t bytes);
+    /// Appends. Throws std::logic_error beyond the room that was made.
+    void write(std::span<const std::byte> bytes);
+    GLuint id() const { return buffer_.id(); }
+
+  private:
+    const char* label_;
+    gl::Buffer buffer_;
+    std::size_t room_ = 0, used_ = 0;
+};
+
+}  // namespace vantage

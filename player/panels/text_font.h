@@ -1,0 +1,10 @@
+#pragma once
+#include <imgui.h>
+
+namespace vantage {
+
+/// Adds DejaVu Sans if it is installed, and otherwise ImGui's own font, with the letters of all languages
+/// that are written in Latin ones. `config`: as ImGui takes it, with the size.
+void add_text_font(ImFontAtlas& fonts, const ImFontConfig& config);
+
+}  // namespace vantage

@@ -1,0 +1,15 @@
+// Whether the model hides what is drawn over a finished picture. Includes nothing; needs contract.glsl.
+layout(binding = depth_unit) uniform sampler2D model_depth;
+layout(location = hides_uniform) uniform bool hides;
+layout(location = hiding_terms_uniform) uniform vec2 terms;  // depth is x + y / z
+layout(location = hiding_scale_uniform) uniform vec2 texels_per_pixel;
+layout(location = hiding_rows_uniform) uniform int rows;  // of a target whose first row is at the bottom; else 0
+
+// The share of a fragment's opacity that remains, from the pixel of the target and the distance along the view's axis.
+float share_shown(vec2 pixel, float z) {
+    if (!hides) return 1.0;
+    if (rows > 0) pixel.y = float(rows) - pixel.y;
+    float depth = texelFetch(model_depth, ivec2(pixel * texels_per_pixel), 0).r;
+    bool nearer = depth > 0.0 && depth > terms.x + terms.y / (z * (1.0 - hiding_slack));
+    return nearer ? share_behind : 1.0;
+}
