@@ -2,13 +2,12 @@
 
 #include <imgui.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
 #include "player/interface/band_section.h"
+#include "player/interface/photo_frustum.h"
 #include "player/interface/photo_list_section.h"
 #include "player/interface/scene_line.h"
 #include "player/interface/weight_color.h"
@@ -16,27 +15,8 @@
 namespace vantage {
 namespace {
 
-/// A photo's camera in the scene: its center and the corners of its frame.
-struct Frustum {
-    Eigen::Vector3d center;
-    std::array<Eigen::Vector3d, 4> corner;
-};
-
-Frustum frustum_of(const PlanScene& scene, std::uint32_t photo) {
-    const Intrinsics& k = scene.intrinsics[photo];
-    const Pose& pose = scene.poses[photo];
-    Frustum out{pose.center(), {}};
-    for (std::size_t c = 0; c < 4; ++c) {
-        const double u = c == 1 || c == 2 ? k.width : 0, v = c >= 2 ? k.height : 0;
-        out.corner[c] =
-            out.center + pose.R.transpose() *
-                             (Eigen::Vector3d((u - k.cx) / k.fx, (v - k.cy) / k.fy, 1) * (0.06 * scene.size));
-    }
-    return out;
-}
-
 /// Whether the frame covers a pixel of the view.
-bool covers(const Frustum& f, const View& view, const Eigen::Vector2d& pixel) {
+bool covers(const PhotoFrustum& f, const View& view, const Eigen::Vector2d& pixel) {
     int left = 0;
     for (std::size_t c = 0; c < 4; ++c) {
         const auto a = project(view.intrinsics, view.cam_from_origin, f.corner[c]),
@@ -48,7 +28,7 @@ bool covers(const Frustum& f, const View& view, const Eigen::Vector2d& pixel) {
     return std::abs(left) == 4;
 }
 
-void draw(const Frustum& f, const View& view, ImU32 color, float width) {
+void draw(const PhotoFrustum& f, const View& view, ImU32 color, float width) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     for (std::size_t c = 0; c < 4; ++c) {
         scene_line(list, view, f.center, f.corner[c], color, width);
@@ -67,7 +47,7 @@ void frusta(Session& s, Renderer& renderer, PhotoStrip& strip, const View& view,
     std::optional<std::uint32_t> under;
     for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
         if (!is_shown(s.settings.bands, scene.photos[i])) continue;
-        const Frustum f = frustum_of(scene, i);
+        const PhotoFrustum f = photo_frustum(scene, i);
         if ((f.center - eye).norm() < 0.0012 * scene.size) continue;  // the viewer is at this camera
         const bool used = renderer.uses(i), white = shows_listed_point(s, i);
         draw(
@@ -78,7 +58,7 @@ void frusta(Session& s, Renderer& renderer, PhotoStrip& strip, const View& view,
         if (points && nearer && covers(f, view, {double(pointer.x), double(pointer.y)})) under = i;
     }
     if (!under) return;
-    draw(frustum_of(scene, *under), view, IM_COL32_WHITE, 3);
+    draw(photo_frustum(scene, *under), view, IM_COL32_WHITE, 3);
     strip.tooltip(renderer, *under);
     if (!s.input.clicks.empty() && !s.panels.measure) fly_to(s, *under, scene.photos[*under], now);
 }

@@ -28,7 +28,19 @@ Segments height_segments(const Vector3d& from, const Vector3d& to, const Vector3
     return {{from, corner}, {corner, to}};
 }
 
-Segments segments_of(Measure measure, const std::vector<Vector3d>& p, const Vector3d& up) {
+void draw_label(ImDrawList& list, const ImVec2& at, const std::string& text, ImU32 color) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 frame = ImGui::GetIO().DisplaySize;
+    const ImVec2 low(std::max(0.0f, std::min(at.x + 8, frame.x - size.x - 10)),
+                     std::max(0.0f, at.y - size.y - 6)),
+        high(low.x + size.x + 10, low.y + size.y + 4);
+    list.AddRectFilled(low, high, IM_COL32(15, 18, 22, 215), 4);
+    list.AddText(ImVec2(low.x + 5, low.y + 2), color, text.c_str());
+}
+
+}  // namespace
+
+Segments lines_of(Measure measure, const std::vector<Vector3d>& p, const Vector3d& up) {
     if (measure == Measure::height && p.size() == 2) return height_segments(p[0], p[1], up);
     Segments out;
     for (std::size_t i = 1; i < p.size(); ++i) out.emplace_back(p[i - 1], p[i]);
@@ -45,18 +57,6 @@ Vector3d label_place(Measure measure, const std::vector<Vector3d>& p, const Vect
     return sum / double(p.size());
 }
 
-void draw_label(ImDrawList& list, const ImVec2& at, const std::string& text, ImU32 color) {
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 frame = ImGui::GetIO().DisplaySize;
-    const ImVec2 low(std::max(0.0f, std::min(at.x + 8, frame.x - size.x - 10)),
-                     std::max(0.0f, at.y - size.y - 6)),
-        high(low.x + size.x + 10, low.y + size.y + 4);
-    list.AddRectFilled(low, high, IM_COL32(15, 18, 22, 215), 4);
-    list.AddText(ImVec2(low.x + 5, low.y + 2), color, text.c_str());
-}
-
-}  // namespace
-
 void draw_measurement(const Measurement& m, const std::string& label, const View& view,
                       const Vector3d& origin, const Vector3d& up, MeasureLook look) {
     if (m.points.empty()) return;
@@ -64,7 +64,7 @@ void draw_measurement(const Measurement& m, const std::string& label, const View
     for (const SurveyPoint& point : m.points) p.emplace_back(point.position - origin);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const ImU32 color = color_of(look);
-    const Segments segments = segments_of(m.measure, p, up);
+    const Segments segments = lines_of(m.measure, p, up);
     for (const auto& [a, b] : segments) scene_line(list, view, a, b, shadow, 4);
     for (const auto& [a, b] : segments) scene_line(list, view, a, b, color, 2);
     for (const Vector3d& v : p) {

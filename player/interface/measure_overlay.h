@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "player/camera/view.h"
 #include "player/survey/measurement.h"
@@ -9,6 +11,14 @@ namespace vantage {
 
 /// How a measurement is drawn.
 enum class MeasureLook { finished, selected, unfinished };
+
+/// The lines of a measurement through these points; `up` as for evaluate(), both in the same coordinates.
+std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines_of(Measure measure,
+                                                                  const std::vector<Eigen::Vector3d>& points,
+                                                                  const Eigen::Vector3d& up);
+/// Where its label is; of at least one point.
+Eigen::Vector3d label_place(Measure measure, const std::vector<Eigen::Vector3d>& points,
+                            const Eigen::Vector3d& up);
 
 /// Draws a measurement over the picture, whatever is in front of it: its points, its lines and a label.
 /// `origin`: of the view's coordinates, in those of the points; `up` as for evaluate().

@@ -84,18 +84,24 @@ void MeasurePanel::evaluate_all() {
         values_.push_back(evaluate(m, survey_.scale, survey_.up));
 }
 
-void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> meshes, const View& view,
-                        double now) {
+bool MeasurePanel::attend(Session& s, double now) {
     if (!s.panels.measure) {
         active_ = false;
         next_.points.clear();
-        return;
+        return false;
     }
     if (!active_) begin(s, now);
     take_keys(s, now);
+    return true;
+}
+
+void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> meshes, const View& view,
+                        double now) {
+    if (!attend(s, now)) return;
     take_clicks(s, meshes, view, now);
     look_under_pointer(s, meshes, view);
-    draw(view);
+    for (const Drawn& d : drawn())
+        draw_measurement(d.measurement, d.label, view, origin_, survey_.up, d.look);
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImVec2(float(s.free.left) + em, float(s.free.top) + em), ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0),
@@ -128,7 +134,7 @@ void MeasurePanel::take_keys(Session& s, double now) {
         if (is_enter(press)) {
             end(s, now);
         } else if (is(press, ImGuiKey_Backspace)) {
-            if (!next_.points.empty()) next_.points.pop_back();
+            remove_last_point();
         } else if (!press.repeated) {
             if (next_.points.empty()) s.panels.measure = false;
             next_.points.clear();
@@ -149,6 +155,17 @@ void MeasurePanel::take_clicks(Session& s, std::span<const PlacedMesh> meshes, c
         else
             say(s, meshes.empty() ? tr("Measuring needs a mesh") : tr("There is no surface to measure"), now);
     }
+}
+
+void MeasurePanel::remove_last_point() {
+    if (!next_.points.empty()) next_.points.pop_back();
+}
+
+void MeasurePanel::set_point(Session& s, double now) {
+    if (under_)
+        add(*under_, s, now);
+    else
+        say(s, tr("There is no surface to measure"), now);
 }
 
 void MeasurePanel::add(const SurveyPoint& point, Session& s, double now) {
@@ -181,19 +198,19 @@ std::string MeasurePanel::free_name(Measure measure) const {
     }
 }
 
-void MeasurePanel::draw(const View& view) const {
+std::vector<MeasurePanel::Drawn> MeasurePanel::drawn() const {
+    std::vector<Drawn> out;
     for (std::size_t i = 0; i < survey_.measurements.size(); ++i) {
         const Measurement& m = survey_.measurements[i];
-        const bool selected = selected_ == i;
         const std::string text = m.measure == Measure::point ? "" : ": " + text_of(values_[i]);
-        draw_measurement(m, m.name + text, view, origin_, survey_.up,
-                         selected ? MeasureLook::selected : MeasureLook::finished);
+        out.push_back({m, m.name + text, selected_ == i ? MeasureLook::selected : MeasureLook::finished});
     }
     Measurement next = next_;
     if (under_) next.points.push_back(*under_);
     const bool whole = next.measure != Measure::point && next.points.size() >= fewest_points(next.measure);
     const std::string value = whole ? text_of(evaluate(next, survey_.scale, survey_.up)) : "";
-    draw_measurement(next, value, view, origin_, survey_.up, MeasureLook::unfinished);
+    out.push_back({next, value, MeasureLook::unfinished});
+    return out;
 }
 
 void MeasurePanel::content(Controls& c, Session& s, double now) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "player/interface/controls.h"
+#include "player/interface/measure_overlay.h"
 #include "player/interface/session.h"
 #include "player/render/renderer.h"
 #include "player/survey/scene_point.h"
@@ -29,17 +30,35 @@ class MeasurePanel {
     void show(Controls& controls, Session& session, std::span<const PlacedMesh> meshes, const View& view,
               double now);
 
+    /// The same in steps, for pointers that are not in the window. Begins and ends the mode as the session
+    /// says; whether it is on.
+    bool attend(Session& session, double now);
+    /// The point of the surface that is pointed at; nothing: none.
+    void point_at(const std::optional<SurveyPoint>& point) { under_ = point; }
+    /// Sets the point that is pointed at.
+    void set_point(Session& session, double now);
+    /// Ends a measurement with the points that it has, if these are enough.
+    void end(Session& session, double now);
+    void remove_last_point();
+    /// The panel's controls.
+    void content(Controls& controls, Session& session, double now);
+    struct Drawn {
+        Measurement measurement;
+        std::string label;
+        MeasureLook look;
+    };
+    /// All measurements, the one being made last.
+    std::vector<Drawn> drawn() const;
+    const Eigen::Vector3d& up() const { return survey_.up; }  ///< in the input's coordinates
+
   private:
     void begin(Session& session, double now);
     void look_under_pointer(const Session& session, std::span<const PlacedMesh> meshes, const View& view);
     void take_keys(Session& session, double now);
     void take_clicks(Session& session, std::span<const PlacedMesh> meshes, const View& view, double now);
     void add(const SurveyPoint& point, Session& session, double now);
-    void end(Session& session, double now);
     void evaluate_all();
     void changed(Session& session, double now);
-    void draw(const View& view) const;
-    void content(Controls& controls, Session& session, double now);
     void choice_of_measure(Controls& controls);
     void under_pointer(Controls& controls) const;
     void scale_section(Controls& controls, Session& session, double now);

@@ -70,7 +70,7 @@ void stereo_controls(Controls& c, Session& s) {
 
 }  // namespace
 
-void picture_section(Controls& c, Session& s, const Renderer& renderer) {
+void picture_content(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
     static const char* const shows[] = {marked("photos"), marked("which photo"), marked("how many photos")};
     choice(c, "Show", r.show, shows);
@@ -91,6 +91,10 @@ void picture_section(Controls& c, Session& s, const Renderer& renderer) {
         c.checkbox("Triangles", &r.light.wireframe);
         c.explain("Draws the borders of the mesh's triangles over the picture.");
     }
+}
+
+void picture_section(Controls& c, Session& s, const Renderer& renderer) {
+    picture_content(c, s, renderer);
     comparison_controls(c, s, renderer);
     stereo_controls(c, s);
     c.checkbox("Orthographic", &s.orthographic);

@@ -1,0 +1,21 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "player/plan/plan_scene.h"
+
+namespace vantage {
+
+/// A photo's camera in the scene: its center and the corners of its picture, from the upper left one
+/// clockwise; relative to the package's origin.
+struct PhotoFrustum {
+    Eigen::Vector3d center;
+    std::array<Eigen::Vector3d, 4> corner;
+};
+
+/// With the picture `depth` in front of the center.
+PhotoFrustum photo_frustum(const PlanScene& scene, std::uint32_t photo, double depth);
+/// With the picture at a depth that suits the scene's size.
+PhotoFrustum photo_frustum(const PlanScene& scene, std::uint32_t photo);
+
+}  // namespace vantage
