@@ -214,7 +214,7 @@ std::vector<MeasurePanel::Drawn> MeasurePanel::drawn() const {
 }
 
 void MeasurePanel::content(Controls& c, Session& s, double now) {
-    choice_of_measure(c);
+    choice_of_measure(c, s.keyboard);
     under_pointer(c);
     scale_section(c, s, now);
     list(c);
@@ -226,13 +226,14 @@ void MeasurePanel::content(Controls& c, Session& s, double now) {
     ImGui::TextDisabled(tr("saved in %s"), file_.path.filename().c_str());
 }
 
-void MeasurePanel::choice_of_measure(Controls& c) {
+void MeasurePanel::choice_of_measure(Controls& c, bool keyboard) {
     int measure = int(next_.measure);
     if (c.choice("Measure", &measure, measures, int(std::size(measures)))) {
         next_.measure = Measure(measure);
         next_.points.clear();
     }
     c.explain("What the next clicks on the model measure.");
+    if (!keyboard) return;  // nor a pointer that is near vertices
     ImGui::TextUnformatted(tr(instruction(next_.measure)));
     ImGui::TextDisabled("%s", tr("Backspace removes the last point, Esc leaves."));
     c.checkbox("Snap to vertices", &to_vertices_);
@@ -313,17 +314,19 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
         ImGui::TextDisabled("%s", values_[at].note.c_str());
         ImGui::PopTextWrapPos();
     }
-    ImGui::InputText(shown_name("Name").c_str(), name_.data(), name_.size());
-    c.note("Name");
-    if (ImGui::IsItemDeactivatedAfterEdit()) {
-        survey_.measurements[at].name = name_.data();
-        changed(s, now);
+    if (s.keyboard) {
+        ImGui::InputText(shown_name("Name").c_str(), name_.data(), name_.size());
+        c.note("Name");
+        if (ImGui::IsItemDeactivatedAfterEdit()) {
+            survey_.measurements[at].name = name_.data();
+            changed(s, now);
+        }
+        if (c.button("Copy"))
+            ImGui::SetClipboardText((survey_.measurements[at].name + ": " + text_of(values_[at])).c_str());
+        ImGui::SameLine();
     }
-    if (c.button("Copy"))
-        ImGui::SetClipboardText((survey_.measurements[at].name + ": " + text_of(values_[at])).c_str());
-    ImGui::SameLine();
     const bool deleted = c.button("Delete");
-    if (survey_.measurements[at].measure == Measure::distance) {
+    if (s.keyboard && survey_.measurements[at].measure == Measure::distance) {
         ImGui::InputDouble(shown_name("Known length").c_str(), &known_length_);
         c.note("Known length");
         c.explain(

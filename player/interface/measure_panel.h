@@ -59,7 +59,7 @@ class MeasurePanel {
     void add(const SurveyPoint& point, Session& session, double now);
     void evaluate_all();
     void changed(Session& session, double now);
-    void choice_of_measure(Controls& controls);
+    void choice_of_measure(Controls& controls, bool keyboard);
     void under_pointer(Controls& controls) const;
     void scale_section(Controls& controls, Session& session, double now);
     void list(Controls& controls);

@@ -90,8 +90,10 @@ void point_line(const Session& s) {
 void photo_list_section(Controls& c, Session& s, const Renderer& renderer, double now) {
     const PlanScene& scene = renderer.scene();
     Session::PhotoList& list = s.photo_list;
-    ImGui::InputText(shown_name("Name contains").c_str(), list.filter.data(), list.filter.size());
-    c.note("Name contains");
+    if (s.keyboard) {
+        ImGui::InputText(shown_name("Name contains").c_str(), list.filter.data(), list.filter.size());
+        c.note("Name contains");
+    }
     c.checkbox("Of a point", &list.by_point);
     c.explain(
         "Lists the photos that show the point you click on the model, those with the finest pixels first.");
