@@ -184,6 +184,10 @@ const uint stereo_over_under = 2u;
 const uint stereo_anaglyph = 3u;
 const uint stereo_checkerboard = 4u;
 
+// Uniforms of vignette.
+const int vignette_lens_uniform = 0;
+const int vignette_uniform = 1;
+
 // Uniforms of panel and mark, beside clip_from_origin_uniform; how much of them remains behind the model, and by what share
 // of its distance the model must be nearer: marks lie on surfaces.
 const int hides_uniform = 1;

@@ -10,6 +10,9 @@
 #include "player/commands/offscreen.h"
 #include "player/commands/parse.h"
 #include "player/commands/supervise.h"
+#ifdef VANTAGE_OPENXR
+#include "player/headset/run_headset.h"
+#endif
 #include "player/options/opened_package.h"
 #include "player/video/flight_frames.h"
 #include "player/video/run_video.h"
@@ -28,7 +31,17 @@ void list_photos(const PackageReader& package) {
                     p.flags & package::photo_held_out ? "  held out" : "");
 }
 
+int show_in_headset([[maybe_unused]] const ShowOptions& options,
+                    [[maybe_unused]] const std::vector<SceneObject>& objects) {
+#ifdef VANTAGE_OPENXR
+    return run_headset(options, objects);
+#else
+    throw Error(Exit::usage, "--xr: this vantage-player was built without OpenXR (libopenxr-dev)");
+#endif
+}
+
 int show(const ShowOptions& options, const std::vector<SceneObject>& objects) {
+    if (options.headset.on) return show_in_headset(options, objects);
     if (!options.window.kiosk) return run_window(options, objects);
     const auto run = [&](int signs) {
         ShowOptions watched = options;
@@ -73,6 +86,7 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
     add_stereo_options(app, o.stereo);
     add_video_options(app, o.video);
     add_window_options(app, o.window);
+    add_headset_options(app, o.headset);
     app.footer(
         "Examples:\n"
         "  vantage-player\n"
@@ -91,6 +105,7 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
         "  vantage-player chapel.vantage --path chapel-0001.path --frame-rate 25 -o frames\n"
         "  vantage-player chapel.vantage --add altar.vantage --add scanner.vantage\n"
         "  vantage-player church.toml\n"
+        "  vantage-player chapel.vantage --xr --unit-meters 0.01\n"
         "  vantage-player panel.vantage --offscreen --photo 0003 --band visible --band-mix infrared=0.5 -o "
         "mixed.png\n"
         "Verbs (vantage-player VERB --help):\n" +

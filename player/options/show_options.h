@@ -1,5 +1,6 @@
 #pragma once
 #include "player/options/blending_options.h"
+#include "player/options/headset_options.h"
 #include "player/options/layer_options.h"
 #include "player/options/light_options.h"
 #include "player/options/memory_options.h"
@@ -28,6 +29,7 @@ struct ShowOptions {
     StereoSettings stereo;
     VideoOptions video;
     WindowOptions window;
+    HeadsetOptions headset;
     bool list = false;
 };
 

@@ -1,0 +1,21 @@
+#pragma once
+#include "gl/program.h"
+#include "player/render/renderer.h"
+#include "player/xr/headset_session.h"
+
+namespace vantage {
+
+/// Tells a headset how far away what it shows is, so that it can show frames that are late from where the
+/// head is by then. Belongs to the OpenGL thread.
+class DepthPicture {
+  public:
+    /// Copies the depth of what the renderer drew last, a frame of this size, into the framebuffer `target`.
+    /// `scale`: scene units per meter.
+    DepthLimits copy(const Renderer& renderer, FrameSize size, double scale, GLuint target);
+
+  private:
+    gl::Program program_;
+    gl::VertexArray no_vertices_;
+};
+
+}  // namespace vantage

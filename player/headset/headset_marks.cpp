@@ -1,0 +1,119 @@
+#include "player/headset/headset_marks.h"
+
+#include "player/interface/band_section.h"
+#include "player/interface/photo_frustum.h"
+
+namespace vantage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr MarkColor white{1, 1, 1, 1}, faded{1, 1, 1, 0}, blue{0.36f, 0.72f, 1, 0.95f},
+    red{0.95f, 0.35f, 0.3f, 0.9f}, yellow{1, 0.8f, 0.27f, 1}, gray{0.75f, 0.78f, 0.82f, 0.9f};
+
+constexpr double hands_breadth = 0.15;  ///< meters
+
+MarkSize meters(const Stance& stance, double length) { return {length * stance.scale, 1.5}; }
+
+MarkColor color_of(MeasureLook look) {
+    return look == MeasureLook::selected ? blue : look == MeasureLook::unfinished ? white : yellow;
+}
+
+/// Whether somebody at `eye` would stand in the photo's camera.
+bool is_at(const PlanScene& scene, std::uint32_t photo, const Vector3d& eye, const Stance& stance) {
+    return (scene.poses[photo].center() - eye).norm() < hands_breadth * stance.scale;
+}
+
+/// The distance at which a ray meets a parallelogram, given by three corners; nothing if it does not.
+std::optional<double> meets(const Ray& ray, const Vector3d& corner, const Vector3d& right,
+                            const Vector3d& below) {
+    const Vector3d a = right - corner, b = below - corner, across = ray.along.cross(b);
+    const double volume = a.dot(across);
+    if (!(std::abs(volume) > 0)) return {};
+    const Vector3d from = ray.from - corner, other = from.cross(a);
+    const double u = from.dot(across) / volume, v = ray.along.dot(other) / volume,
+                 distance = b.dot(other) / volume;
+    if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1 && distance > 0)) return {};
+    return distance;
+}
+
+void add_frame(Marks& marks, const PhotoFrustum& f, MarkSize width, const MarkColor& color) {
+    for (std::size_t c = 0; c < 4; ++c) {
+        add_line(marks, f.corner[c], f.corner[(c + 1) % 4], width, color);
+        add_line(marks, f.center, f.corner[c], width, {color[0], color[1], color[2], 0.4f * color[3]});
+    }
+}
+
+}  // namespace
+
+void add_hand(Marks& marks, const Stance& stance, const Hand& hand, double length, bool meets) {
+    if (hand.grip) add_ball(marks, in_scene(stance, hand.grip->at), meters(stance, 0.02), gray);
+    if (!hand.aim) return;
+    const Vector3d from = in_scene(stance, hand.aim->at),
+                   to = in_scene(stance, hand.aim->at + hand.aim->ahead() * length);
+    add_line(marks, from, to, {0.0015 * stance.scale, 1.5}, faded, white);
+    if (!meets) return;
+    add_ball(marks, to, {0, 4}, hand.select ? blue : white);
+}
+
+void add_arc(Marks& marks, const Stance& stance, const TeleportArc& arc) {
+    const MarkColor color = arc.landing ? blue : red;
+    add_path(marks, arc.points, meters(stance, 0.015), color, color);
+    if (!arc.landing) return;
+    const double m = stance.scale;
+    const Vector3d at = *arc.landing + stance.up() * 0.005 * m;
+    add_ring(marks, at, stance.up(), 0.22 * m, 0.26 * m, color);
+    add_ring(marks, at, stance.up(), 0, 0.22 * m, {color[0], color[1], color[2], 0.25f});
+}
+
+void add_measurement(Marks& marks, const Stance& stance, const MeasurePanel::Drawn& d, const Vector3d& origin,
+                     const Vector3d& up) {
+    std::vector<Vector3d> points;
+    for (const SurveyPoint& p : d.measurement.points) points.emplace_back(p.position - origin);
+    const MarkColor color = color_of(d.look);
+    for (const auto& [from, to] : lines_of(d.measurement.measure, points, up))
+        add_line(marks, from, to, meters(stance, 0.004), color);
+    for (const Vector3d& p : points) add_ball(marks, p, meters(stance, 0.006), color);
+}
+
+void add_photos(Marks& marks, const Stance& stance, Renderer& renderer, const Session& s, const Vector3d& eye,
+                std::optional<std::uint32_t> pointed_at) {
+    const PlanScene& scene = renderer.scene();
+    const Residency& residency = renderer.store().residency();
+    for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
+        const package::PhotoRecord& p = scene.photos[i];
+        if (!is_shown(s.settings.bands, p) || !p.levels || is_at(scene, i, eye, stance)) continue;
+        renderer.want_thumbnail(i);
+        const PhotoFrustum f = photo_frustum(scene, i);
+        if (const auto layer = residency.thumbnail_layer(i)) {
+            const MarkPicture picture{
+                residency.thumbnails(),
+                int(*layer),
+                {0, 0, float(p.thumbnail_width) / float(residency.layout().thumbnail_width),
+                 float(p.thumbnail_height) / float(residency.layout().thumbnail_height)},
+                true};
+            add_picture(marks, f.corner[0], f.corner[1], f.corner[3], picture, white);
+        }
+        const bool pointed = pointed_at == i;
+        add_frame(marks, f, meters(stance, pointed ? 0.006 : 0.002), pointed ? white : gray);
+    }
+}
+
+void add_note(Marks& marks, const Stance& stance, const Vector3d& at, bool open) {
+    add_ball(marks, at, {0.012 * stance.scale, 5}, open ? blue : yellow);
+}
+
+std::optional<PhotoHit> photo_on(const PlanScene& scene, const Session& s, const Ray& ray,
+                                 const Stance& stance) {
+    std::optional<PhotoHit> out;
+    for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
+        const package::PhotoRecord& p = scene.photos[i];
+        if (!is_shown(s.settings.bands, p) || !p.levels || is_at(scene, i, s.camera.eye, stance)) continue;
+        const PhotoFrustum f = photo_frustum(scene, i);
+        const auto distance = meets(ray, f.corner[0], f.corner[1], f.corner[3]);
+        if (distance && (!out || *distance < out->distance)) out = PhotoHit{i, *distance};
+    }
+    return out;
+}
+
+}  // namespace vantage

@@ -1,0 +1,196 @@
+#include "player/headset/headset_menu.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "player/interface/band_section.h"
+#include "player/interface/blending_section.h"
+#include "player/interface/choice.h"
+#include "player/interface/columns.h"
+#include "player/interface/cut_section.h"
+#include "player/interface/layer_section.h"
+#include "player/interface/object_section.h"
+#include "player/interface/photo_list_section.h"
+#include "player/interface/picture_section.h"
+#include "player/interface/point_section.h"
+#include "player/interface/status_section.h"
+#include "player/interface/story_panel.h"
+#include "points/point_cloud.h"
+#include "values/translation.h"
+
+namespace vantage {
+namespace {
+
+constexpr float pages_width = 190;
+
+constexpr std::array<const char*, std::size_t(MenuPage::count)> page_names{
+    marked("Move"),   marked("Photos"),      marked("Picture"), marked("Blending"),
+    marked("Layers"), marked("Point cloud"), marked("Bands"),   marked("Objects"),
+    marked("Cut"),    marked("Measure"),     marked("Story"),   marked("Status")};
+
+bool has_page(MenuPage page, const MenuContent& m) {
+    const PlanScene& scene = m.renderer.scene();
+    switch (page) {
+        case MenuPage::photos:
+        case MenuPage::blending:
+            return !scene.photos.empty();
+        case MenuPage::layers:
+            return !m.renderer.layers().empty();
+        case MenuPage::points:
+            return m.renderer.points() != nullptr;
+        case MenuPage::bands:
+            return scene.bands.size() > 1;
+        case MenuPage::objects:
+            return m.objects.size() > 1;
+        case MenuPage::cut:
+        case MenuPage::measure:
+            return !points_only(m.renderer.package().scene());
+        case MenuPage::story:
+            return m.told.any() || !m.told.trouble.empty();
+        default:
+            return true;
+    }
+}
+
+void page_buttons(Controls& c, MenuPage& page, const MenuContent& m) {
+    for (std::size_t i = 0; i < page_names.size(); ++i) {
+        if (!has_page(MenuPage(i), m)) continue;
+        const bool chosen = page == MenuPage(i);
+        if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        ImGui::PushID("page");
+        const std::string name = shown_name(page_names[i]);
+        if (ImGui::Button(name.c_str(), ImVec2(-1, 0))) page = MenuPage(i);
+        c.note((std::string("Page ") + page_names[i]).c_str());
+        ImGui::PopID();
+        if (chosen) ImGui::PopStyleColor();
+    }
+}
+
+/// The model's own size, if its unit is known.
+void size_controls(Controls& c, Session& s, const MenuContent& m) {
+    Walk& w = m.walk;
+    static const char* const units[] = {marked("unknown"), marked("m"),  marked("cm"),
+                                        marked("mm"),      marked("ft"), marked("in")};
+    int unit = 0;
+    for (int i = 1; i < int(std::size(units)); ++i)
+        if (m.unit_meters == meters_in(Unit(i))) unit = i;
+    if (c.choice("Model's unit", &unit, units, int(std::size(units))) && unit > 0) {
+        m.unit_meters = meters_in(Unit(unit));
+        w.usual_scale = 1 / m.unit_meters;
+        w.stance = rescaled(w.stance, s.camera.eye, w.usual_scale);
+    }
+    c.explain("The unit of the input's coordinates, about which its files say nothing.");
+    double size = w.usual_scale / w.stance.scale;
+    if (c.slider("Size", &size, 0.01, 100.0, "%.2f", ImGuiSliderFlags_Logarithmic))
+        w.stance = rescaled(w.stance, s.camera.eye, w.usual_scale / size);
+    c.explain(
+        "1: as large as it is, or at arm's length if its unit is unknown. Two hands change it as well.");
+    ImGui::BeginDisabled(w.stance.scale == w.usual_scale);
+    if (c.button("Own size")) w.stance = rescaled(w.stance, s.camera.eye, w.usual_scale);
+    ImGui::EndDisabled();
+}
+
+void move_page(Controls& c, Session& s, const MenuContent& m, double now) {
+    if (c.button("Home")) fly_home(s, now);
+    ImGui::SameLine();
+    if (c.button("Leave")) s.quit = true;
+    size_controls(c, s, m);
+    Walk& w = m.walk;
+    int degrees = int(w.snap_degrees);
+    ImGui::TextUnformatted(tr("Turn by"));
+    for (const int by : {15, 30, 45, 90}) {
+        ImGui::SameLine();
+        char name[16];
+        std::snprintf(name, sizeof name, "%d°##%d", by, by);
+        c.radio(name, &degrees, by);
+    }
+    w.snap_degrees = degrees;
+    c.checkbox("Fly with the stick", &w.smooth);
+    c.explain("The stick of the other hand flies where it points. Teleporting always works.");
+    c.checkbox("Dark edges while flying", &m.vignette);
+    c.explain("Makes flying easier to bear for many people.");
+}
+
+void photos_page(Controls& c, Session& s, const MenuContent& m, double now) {
+    c.checkbox("Photos in the scene", &s.panels.frusta);
+    c.explain("Shows each photo where it was taken. Select one to stand there.");
+    photo_list_section(c, s, m.renderer, now);
+}
+
+void measure_page(Controls& c, Session& s, const MenuContent& m, double now) {
+    if (c.button("Undo point")) m.measure.remove_last_point();
+    ImGui::SameLine();
+    if (c.button("Finish")) m.measure.end(s, now);
+    m.measure.content(c, s, now);
+}
+
+void story_page(Controls& c, Session& s, const MenuContent& m, double now) {
+    if (!m.told.open || *m.told.open >= m.told.story.notes.size()) return story_content(c, m.told, s, now);
+    if (c.button("All notes")) return m.told.open.reset();
+    ImGui::TextUnformatted(note_label(m.told, *m.told.open).c_str());
+    note_content(c, m.told, m.note_picture, s, ImGui::GetContentRegionAvail().x, 260, now);
+}
+
+void page_content(Controls& c, Session& s, MenuPage page, const MenuContent& m, double now) {
+    const PackageReader& package = m.renderer.package();
+    switch (page) {
+        case MenuPage::photos:
+            return photos_page(c, s, m, now);
+        case MenuPage::picture:
+            return picture_content(c, s, m.renderer);
+        case MenuPage::blending:
+            return blending_section(c, s, m.renderer);
+        case MenuPage::layers:
+            return layer_section(c, s, m.renderer, view_of(s.camera, 1000, 1000));
+        case MenuPage::points:
+            return point_section(c, s, m.renderer);
+        case MenuPage::bands:
+            return band_section(c, s, m.renderer);
+        case MenuPage::objects:
+            object_section(c, s, m.objects, m.renderer.scene().size);
+            return;
+        case MenuPage::cut:
+            return cut_section(c, s, m.renderer.scene(),
+                               Eigen::Map<const Eigen::Vector3d>(package.scene().origin));
+        case MenuPage::measure:
+            return measure_page(c, s, m, now);
+        case MenuPage::story:
+            return story_page(c, s, m, now);
+        case MenuPage::status:
+            return status_section(c, s, m.renderer, m.objects.graphics_budget());
+        default:
+            return move_page(c, s, m, now);
+    }
+}
+
+}  // namespace
+
+void headset_menu(Controls& c, Session& s, MenuPage& page, const MenuContent& m, int width, int height,
+                  double now) {
+    if (!has_page(page, m)) page = MenuPage::move;
+    ImGui::SetNextWindowPos(ImVec2(0, 0));
+    ImGui::SetNextWindowSize(ImVec2(float(width), float(height)));
+    ImGui::Begin("##menu", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::BeginChild("##pages", ImVec2(pages_width, 0));
+    page_buttons(c, page, m);
+    ImGui::EndChild();
+    ImGui::SameLine();
+    ImGui::BeginChild("##content", ImVec2(0, 0));
+    ImGui::PushItemWidth(width_beside_names());
+    c.set_width_fixed(true);
+    ImGui::PushID(int(page));
+    page_content(c, s, page, m, now);
+    ImGui::PopID();
+    c.set_width_fixed(false);
+    ImGui::PopItemWidth();
+    ImGui::EndChild();
+    ImGui::End();
+    s.panels.measure = page == MenuPage::measure;
+}
+
+}  // namespace vantage

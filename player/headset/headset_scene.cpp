@@ -1,0 +1,340 @@
+#include "player/headset/headset_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "gl/context.h"
+#include "player/interface/cut_section.h"
+#include "player/interface/photo_frustum.h"
+#include "player/interface/story_panel.h"
+#include "player/options/frame_goal.h"
+#include "player/options/opened_package.h"
+#include "player/render/pace.h"
+#include "player/story/story_background.h"
+#include "player/survey/photo_errors.h"
+#include "player/survey/survey.h"
+#include "player/survey/survey_file.h"
+#include "scene/error.h"
+#include "values/translation.h"
+
+namespace vantage {
+namespace {
+
+constexpr double arms_length = 1;    ///< meters, to what is looked at in a scene of unknown size
+constexpr double nearest = 0.05;     ///< meters, of what is drawn over the picture
+constexpr double note_reach = 0.02;  ///< how far beside a note's middle one may point, per distance
+
+/// Meters in a scene unit, as the command line or the scene's measurements say; 0: unknown.
+double unit_meters(const PackageReader& package, double given) {
+    if (given > 0) return given;
+    try {
+        SurveyFile file = survey_file_of(package.path(), package.remote());
+        const Scale scale = read_survey(file, {}).scale;
+        return scale.unit == Unit::unknown ? 0 : scale.length * meters_in(scale.unit);
+    } catch (const Error&) {  // the scene can be shown all the same
+        return 0;
+    }
+}
+
+Ray ray_of(const Stance& stance, const RoomPose& aim) {
+    return {in_scene(stance, aim.at), stance.R * aim.ahead()};
+}
+
+}  // namespace
+
+HeadsetScene::HeadsetScene(const PackageReader& package, const std::vector<SceneObject>& objects,
+                           const ShowOptions& o, Session& session)
+    : renderer_(package, memory_budget(o.memory)),
+      objects_(renderer_, objects, memory_budget(o.memory)),
+      session_(session),
+      origin_(Eigen::Map<const Eigen::Vector3d>(package.scene().origin)),
+      up_(survey_up(package.photos())),
+      unit_meters_(unit_meters(package, o.headset.unit_meters)),
+      fps_(o.window.fps),
+      controls_(o.window.controls),
+      measure_(package),
+      told_(told_story(o.package.file, input_axes(package), session.language)),
+      clock_(gl::current_device().software) {
+    session_.photos = photos_in_use(package, o.package);
+    session_.keyboard = false;
+    session_.photo_list.errors = photo_errors(package);
+    session_.settings.background =
+        told_.story.background ? background_of(*told_.story.background) : Background{};
+    const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();
+    if (const auto opening = opening_of(told_); opening && !view_given)
+        session_.camera = session_.home = *opening;
+}
+
+/// The head is where the session's camera is.
+void HeadsetScene::place(const RoomPose& head) {
+    const Navigation& at = session_.home;
+    const double distance = (at.target - at.eye).norm();
+    walk_.usual_scale = unit_meters_ > 0 ? 1 / unit_meters_ : std::max(distance, 1e-9) / arms_length;
+    walk_.stance = standing(head, at.eye, at.target, up_, walk_.usual_scale);
+}
+
+/// The session's camera is the head, for panels that ask where somebody stands.
+void HeadsetScene::follow_head(const HeadsetFrame& frame) {
+    const View middle = view_of_eye(walk_.stance, {frame.head}, {1, 1});
+    session_.camera = stand_at(middle, up_, walk_.stance.scale);
+}
+
+Panel HeadsetScene::menu_panel() const {
+    return vantage::menu_panel(*menu_, walk_.stance, SceneInterface::width, SceneInterface::height);
+}
+
+void HeadsetScene::take_menu_button(const HeadsetFrame& frame) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        const bool pressed = frame.hands[i].menu;
+        if (pressed && !std::exchange(menu_pressed_[i], pressed))
+            menu_ = menu_ ? std::nullopt : std::optional(menu_before(frame.head));
+        menu_pressed_[i] = pressed;
+    }
+}
+
+HeadsetScene::Pointed HeadsetScene::pointed_by(const Hand& hand) const {
+    Pointed out;
+    if (!hand.aim) return out;
+    const Ray ray = ray_of(walk_.stance, *hand.aim);
+    const auto reaches = [&](double scene_units) { out.length = scene_units / walk_.stance.scale; };
+    if (menu_) out.menu = pixel_on(menu_panel(), ray.from, ray.along);
+    if (out.menu) {
+        reaches(out.menu->distance);
+        return out;
+    }
+    if (session_.panels.measure) {
+        out.surface = scene_point(objects_.meshes(), origin_, ray, session_.settings.sections);
+        if (out.surface) reaches((out.surface->position - origin_ - ray.from).norm());
+        return out;
+    }
+    for (std::size_t i = 0; i < told_.story.notes.size(); ++i) {
+        const auto& anchor = told_.story.notes[i].anchor;
+        if (!anchor) continue;
+        const Eigen::Vector3d to = *anchor - origin_ - ray.from;
+        const double along = to.dot(ray.along);
+        if (along > 0 && (to - along * ray.along).norm() < note_reach * along) out.note = i, reaches(along);
+    }
+    if (out.note || !session_.panels.frusta) return out;
+    if (const auto hit = photo_on(renderer_.scene(), session_, ray, walk_.stance)) {
+        out.photo = hit->photo;
+        reaches(hit->distance);
+    }
+    return out;
+}
+
+void HeadsetScene::point(const HeadsetFrame& frame) {
+    for (std::size_t i = 0; i < 2; ++i) pointed_[i] = pointed_by(frame.hands[i]);
+    point_at_menu(frame.hands);
+}
+
+/// One hand at a time: the one that pressed there, as long as it is pressed, also beside the menu; otherwise
+/// the one that points at it, the right one first.
+void HeadsetScene::point_at_menu(const Hands& hands) {
+    pointer_ = {};
+    if (!menu_) {
+        menu_hand_.reset();
+        menu_holds_ = false;
+        return;
+    }
+    menu_holds_ = menu_holds_ && menu_hand_ && hands[*menu_hand_].select && hands[*menu_hand_].aim;
+    if (!menu_holds_) {
+        menu_hand_.reset();
+        for (const std::size_t i : {left_hand, right_hand})
+            if (pointed_[i].menu && (!menu_hand_ || !pointed_[*menu_hand_].menu || i == right_hand))
+                menu_hand_ = i;
+    }
+    if (!menu_hand_) return;
+    const Hand& hand = hands[*menu_hand_];
+    const Ray ray = ray_of(walk_.stance, *hand.aim);
+    if (const auto hit = pixel_on_plane(menu_panel(), ray.from, ray.along)) pointer_.at = hit->pixel;
+    const bool begins = hand.select && !selected_[*menu_hand_];
+    menu_holds_ = menu_holds_ || begins;
+    pointer_.pressed = menu_holds_;
+    pointer_.scroll = std::abs(hand.stick.y()) > 0.3 ? 0.25 * hand.stick.y() : 0;
+}
+
+/// Whether a hand has just selected what it points at.
+bool HeadsetScene::chosen(const Hands& hands, std::size_t hand) const {
+    return hands[hand].select && !selected_[hand] && !pointed_[hand].menu;
+}
+
+void HeadsetScene::act(const HeadsetFrame& frame) {
+    const double now = frame.time;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Pointed& p = pointed_[i];
+        if (session_.panels.measure && frame.hands[i].aim && !p.menu) measure_.point_at(p.surface);
+        if (!chosen(frame.hands, i)) continue;
+        if (session_.panels.measure)
+            measure_.set_point(session_, now);
+        else if (p.note)
+            told_.open = *p.note, page_ = MenuPage::story;
+        else if (p.photo)
+            fly_to(session_, *p.photo, renderer_.scene().photos[*p.photo], now);
+        if (p.note && !menu_) menu_ = menu_before(frame.head);
+    }
+}
+
+void HeadsetScene::walk(const HeadsetFrame& frame, double seconds) {
+    const std::vector<PlacedMesh> meshes = objects_.meshes();
+    const SurfaceBetween surface = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+        return surface_on(meshes, {from, to - from}, 1, session_.settings.sections);
+    };
+    FreeHands free;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Pointed& p = pointed_[i];
+        free[i] = !p.menu && !p.photo && !p.note && !session_.panels.measure && menu_hand_ != i;
+    }
+    if (menu_) {
+        const auto pointing = menu_hand_ && pointed_[*menu_hand_].menu ? menu_hand_ : std::nullopt;
+        carry(*menu_, frame.hands, pointing);
+    }
+    Hands hands = frame.hands;
+    if (menu_hand_) hands[*menu_hand_].stick.setZero();  // it scrolls
+    walk_on(walk_, hands, free, frame.head, seconds, surface);
+}
+
+/// Flights of the window are jumps here: moving somebody's eyes makes them sick.
+void HeadsetScene::stand_where_sent(const HeadsetFrame& frame) {
+    if (!session_.flight) return;
+    const Navigation to = session_.flight->stops.back();
+    session_.flight.reset();
+    walk_.stance = standing(frame.head, to.eye, to.target, up_, walk_.stance.scale);
+}
+
+std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
+    std::vector<SceneLabel> out;
+    const std::array<float, 4> white{1, 1, 1, 1};
+    if (session_.panels.measure)
+        for (const MeasurePanel::Drawn& d : measure_.drawn()) {
+            std::vector<Eigen::Vector3d> points;
+            for (const SurveyPoint& p : d.measurement.points) points.emplace_back(p.position - origin_);
+            if (points.empty() || d.label.empty()) continue;
+            out.push_back({d.label, label_place(d.measurement.measure, points, measure_.up()), white});
+        }
+    for (std::size_t i = 0; i < told_.story.notes.size(); ++i)
+        if (const auto& anchor = told_.story.notes[i].anchor)
+            out.push_back({note_label(told_, i), *anchor - origin_, white});
+    for (const Pointed& p : pointed_)
+        if (p.photo)
+            out.push_back({renderer_.scene().photos[*p.photo].name,
+                           photo_frustum(renderer_.scene(), *p.photo).corner[1], white});
+    if (!session_.message.empty()) {
+        const Eigen::Vector3d ahead = frame.head.ahead() + Eigen::Vector3d(0, -0.25, 0);
+        out.push_back({session_.message, in_scene(walk_.stance, frame.head.at + ahead), white});
+    }
+    return out;
+}
+
+void HeadsetScene::write_interface(const HeadsetFrame& frame, double seconds) {
+    if (frame.time > session_.message_until) session_.message.clear();
+    interface_.begin(pointer_, seconds);
+    measure_.attend(session_, frame.time);
+    const MenuContent content{renderer_,     objects_, measure_,     told_,
+                              note_picture_, walk_,    unit_meters_, dims_edges_};
+    if (menu_)
+        headset_menu(interface_.controls(), session_, page_, content, SceneInterface::width,
+                     SceneInterface::height, frame.time);
+    interface_.end(labels(frame));
+    if (!controls_.empty()) interface_.controls().write_places(controls_);
+}
+
+void HeadsetScene::mark(const HeadsetFrame& frame) {
+    clear(marks_);
+    clear(hand_marks_);
+    const Eigen::Vector3d eye = in_scene(walk_.stance, frame.head.at);
+    std::optional<std::uint32_t> photo;
+    for (const Pointed& p : pointed_)
+        if (p.photo) photo = p.photo;
+    if (session_.panels.frusta) add_photos(marks_, walk_.stance, renderer_, session_, eye, photo);
+    if (session_.panels.measure)
+        for (const MeasurePanel::Drawn& d : measure_.drawn())
+            add_measurement(marks_, walk_.stance, d, origin_, measure_.up());
+    for (std::size_t i = 0; i < told_.story.notes.size(); ++i)
+        if (const auto& anchor = told_.story.notes[i].anchor)
+            add_note(marks_, walk_.stance, *anchor - origin_, told_.open == i);
+    if (walk_.arc) add_arc(marks_, walk_.stance, *walk_.arc);
+    for (std::size_t i = 0; i < 2; ++i) {
+        Hand hand = frame.hands[i];
+        if (walk_.aiming == i) hand.aim.reset();  // the arc is its ray
+        add_hand(hand_marks_, walk_.stance, hand, pointed_[i].length, pointed_[i].any());
+    }
+    mark_pass_.upload(marks_);
+    hand_pass_.upload(hand_marks_);
+}
+
+std::array<View, 2> HeadsetScene::views_of(const HeadsetFrame& frame, FrameSize size) const {
+    const auto view = [&](std::size_t eye) {
+        return scaled(view_of_eye(walk_.stance, frame.eyes[eye], size), session_.pace.scale);
+    };
+    return {view(0), view(1)};
+}
+
+void HeadsetScene::frame(HeadsetSession& headset, const HeadsetFrame& frame,
+                         const std::function<void(GLuint, FrameSize)>& seen) {
+    clock_.begin();
+    drawn_.clear();
+    if (frame.shown) {
+        goal_ms_ = fps_ < 0 ? 1000 * frame.period : frame_goal(fps_);
+        const double seconds = frame.time - std::exchange(time_, frame.time);
+        if (!std::exchange(placed_, true)) place(frame.head);
+        follow_head(frame);
+        take_menu_button(frame);
+        point(frame);
+        act(frame);
+        walk(frame, seconds);
+        write_interface(frame, seconds);
+        stand_where_sent(frame);
+        mark(frame);
+        for (std::size_t i = 0; i < 2; ++i) selected_[i] = frame.hands[i].select;
+        draw(headset, frame, seen);
+    }
+    headset.end_frame(drawn_);
+    clock_.end(frame.shown ? std::optional(session_.pace) : std::nullopt);
+    keep_pace();
+}
+
+void HeadsetScene::draw(HeadsetSession& headset, const HeadsetFrame& frame,
+                        const std::function<void(GLuint, FrameSize)>& seen) {
+    Session& s = session_;
+    s.pace = pacing_.pace;
+    s.settings.sections = sections_of(s.cut, renderer_.scene());
+    RenderSettings settings = s.settings;
+    settings.room = headset.size(0);
+    settings.swift = s.pace.swift;
+    if (!settings.sections.empty()) settings.surroundings = ShowSurroundings::off;
+    const std::array<View, 2> views = views_of(frame, headset.size(0));
+    s.report = objects_.draw_eyes(views, settings, s.photos, {}, frame.time, nullptr, [&](std::size_t eye) {
+        const GLuint target = headset.color_target(eye);
+        objects_.show(views[eye], settings, target, true, eye);
+        draw_over(views[eye], target);
+        if (eye == 0) seen(target, frame_size(views[eye]));
+        drawn_.push_back({frame_size(views[eye]), depth_of(headset, views[eye], eye)});
+    });
+}
+
+/// What is beside the model: of several objects, the first one hides it.
+void HeadsetScene::draw_over(const View& view, GLuint target) {
+    if (dims_edges_) vignette_.draw(view, target, walk_.vignette);
+    EyePicture eye{view, nearest * walk_.stance.scale, target, true};
+    eye.depth = {renderer_.targets().depth.id(), renderer_.depth_terms(), frame_size(view)};
+    mark_pass_.draw(eye);
+    const Panel menu = menu_ ? menu_panel() : Panel{};
+    interface_.draw(menu_ ? &menu : nullptr, eye);
+    hand_pass_.draw(eye);
+}
+
+/// Not of several objects, whose depths are apart from each other.
+std::optional<DepthLimits> HeadsetScene::depth_of(HeadsetSession& headset, const View& view,
+                                                  std::size_t eye) {
+    if (!headset.takes_depth() || objects_.size() > 1) return {};
+    return depth_.copy(renderer_, frame_size(view), walk_.stance.scale, headset.depth_target(eye));
+}
+
+/// Sets the pace of frames to come by those that are finished.
+void HeadsetScene::keep_pace() {
+    const auto frame = clock_.take();
+    if (!frame || goal_ms_ <= 0) return;
+    pacing_ = next_pacing(pacing_, frame->pace, frame->ms, goal_ms_);
+}
+
+}  // namespace vantage

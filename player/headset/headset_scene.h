@@ -1,0 +1,98 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "player/headset/depth_picture.h"
+#include "player/headset/headset_marks.h"
+#include "player/headset/headset_menu.h"
+#include "player/headset/menu_place.h"
+#include "player/headset/scene_interface.h"
+#include "player/headset/vignette.h"
+#include "player/interface/session.h"
+#include "player/objects/object_set.h"
+#include "player/options/show_options.h"
+#include "player/panels/mark_pass.h"
+#include "player/render/frame_clock.h"
+#include "player/walk/walk.h"
+#include "player/xr/headset_session.h"
+
+namespace vantage {
+
+/// Shows a scene in a headset, frame by frame. The package and the session must outlive it. Belongs to the
+/// OpenGL thread.
+class HeadsetScene {
+  public:
+    HeadsetScene(const PackageReader& package, const std::vector<SceneObject>& objects,
+                 const ShowOptions& options, Session& session);
+
+    /// Draws a frame that has begun, and ends it. `seen`: called with the framebuffer and the size of the
+    /// left eye's picture.
+    void frame(HeadsetSession& headset, const HeadsetFrame& frame,
+               const std::function<void(GLuint, FrameSize)>& seen);
+
+  private:
+    /// What a hand points at.
+    struct Pointed {
+        std::optional<PanelHit> menu{};
+        std::optional<std::uint32_t> photo{};
+        std::optional<std::size_t> note{};
+        std::optional<SurveyPoint> surface{};  ///< while it measures
+        double length = 3;                     ///< of its ray, meters
+        bool any() const { return menu || photo || note || surface; }
+    };
+    void place(const RoomPose& head);
+    void follow_head(const HeadsetFrame& frame);
+    void take_menu_button(const HeadsetFrame& frame);
+    Pointed pointed_by(const Hand& hand) const;
+    void point(const HeadsetFrame& frame);
+    void point_at_menu(const Hands& hands);
+    bool chosen(const Hands& hands, std::size_t hand) const;
+    void act(const HeadsetFrame& frame);
+    void walk(const HeadsetFrame& frame, double seconds);
+    void write_interface(const HeadsetFrame& frame, double seconds);
+    std::vector<SceneLabel> labels(const HeadsetFrame& frame) const;
+    void stand_where_sent(const HeadsetFrame& frame);
+    void mark(const HeadsetFrame& frame);
+    std::array<View, 2> views_of(const HeadsetFrame& frame, FrameSize size) const;
+    void draw(HeadsetSession& headset, const HeadsetFrame& frame,
+              const std::function<void(GLuint, FrameSize)>& seen);
+    void draw_over(const View& view, GLuint target);
+    std::optional<DepthLimits> depth_of(HeadsetSession& headset, const View& view, std::size_t eye);
+    void keep_pace();
+    Panel menu_panel() const;
+
+    Renderer renderer_;
+    ObjectSet objects_;
+    Session& session_;
+    Eigen::Vector3d origin_;  ///< of the package, in the input's coordinates
+    Eigen::Vector3d up_;      ///< of the scene
+    double unit_meters_;      ///< 0: unknown
+    double fps_;              ///< as for frame_goal(); below 0: the headset's
+    std::string controls_;    ///< file for the places of the menu's controls
+    Walk walk_;
+    bool placed_ = false, dims_edges_ = true;
+
+    SceneInterface interface_;
+    std::optional<MenuPlace> menu_;  ///< while it is open
+    MenuPage page_ = MenuPage::move;
+    MeasurePanel measure_;
+    ToldStory told_;
+    NotePicture note_picture_;
+    std::array<Pointed, 2> pointed_;
+    std::array<bool, 2> selected_{}, menu_pressed_{};  ///< in the last frame
+    std::optional<std::size_t> menu_hand_;             ///< the one whose pointer the menu has
+    bool menu_holds_ = false;                          ///< it was pressed there
+    PanelPointer pointer_;
+    Marks marks_, hand_marks_;
+    MarkPass mark_pass_, hand_pass_;
+    Vignette vignette_;
+
+    FrameClock clock_;
+    double goal_ms_ = 0;
+    Pacing pacing_;
+    double time_ = 0;  ///< of the last frame, seconds
+    DepthPicture depth_;
+    std::vector<DrawnEye> drawn_;  ///< of this frame
+};
+
+}  // namespace vantage

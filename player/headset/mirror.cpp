@@ -1,0 +1,61 @@
+#include "player/headset/mirror.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <utility>
+
+namespace vantage {
+namespace {
+
+constexpr double seconds_between = 1.0 / 30;  ///< of copies: the window must not slow down the headset
+
+double seconds_now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+FrameSize window_size(const ShowOptions& o) {
+    return o.output.size.empty() ? FrameSize{640, 720} : parse_size(o.output.size);
+}
+
+}  // namespace
+
+Mirror::Mirror(const ShowOptions& o) {
+    const char* display = std::getenv("DISPLAY");
+    if (display == nullptr || *display == 0) {
+        context_.emplace(o.window.debug_gl);
+        return;
+    }
+    window_.emplace(window_size(o), "Vantage", o.window.debug_gl == gl::Debug::on);
+    glfwSwapInterval(0);  // the headset sets the pace
+}
+
+void Mirror::show(GLuint framebuffer, FrameSize size) {
+    if (!window_ || seconds_now() < shown_at_ + seconds_between) return;
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_->get(), &width, &height);
+    if (width < 1 || height < 1) return;  // minimized
+    const double scale = std::min(double(width) / size.width, double(height) / size.height);
+    const int w = std::max(1, int(size.width * scale)), h = std::max(1, int(size.height * scale));
+    const int left = (width - w) / 2, bottom = (height - h) / 2;
+    const std::array<float, 4> black{0, 0, 0, 1};
+    glClearNamedFramebufferfv(0, GL_COLOR, 0, black.data());
+    glBlitNamedFramebuffer(framebuffer, 0, 0, 0, size.width, size.height, left, bottom, left + w, bottom + h,
+                           GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    copied_ = true;
+}
+
+void Mirror::attend() {
+    if (!window_) return;
+    window_->events();
+    if (!std::exchange(copied_, false)) return;
+    glfwSwapBuffers(window_->get());
+    shown_at_ = seconds_now();
+}
+
+bool Mirror::closed() const { return window_ && glfwWindowShouldClose(window_->get()); }
+
+}  // namespace vantage

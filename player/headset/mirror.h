@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+
+#include "gl/context.h"
+#include "gl/object.h"
+#include "player/camera/frame_size.h"
+#include "player/options/show_options.h"
+#include "player/window/glfw_window.h"
+
+namespace vantage {
+
+/// The OpenGL context for a headset: that of a window, which shows what is seen there, or one without a
+/// window where there is no X display.
+class Mirror {
+  public:
+    explicit Mirror(const ShowOptions& options);
+    /// Copies a picture into the window, now and then.
+    void show(GLuint framebuffer, FrameSize size);
+    /// Handles events; shows what was copied.
+    void attend();
+    bool closed() const;
+
+  private:
+    std::optional<GlfwWindow> window_;
+    std::optional<gl::HeadlessContext> context_;
+    double shown_at_ = -1;
+    bool copied_ = false;
+};
+
+}  // namespace vantage

@@ -1,0 +1,83 @@
+#include "player/headset/run_headset.h"
+
+#include <chrono>
+#include <cstdio>
+#include <optional>
+#include <thread>
+
+#include "player/headset/headset_scene.h"
+#include "player/headset/mirror.h"
+#include "player/options/opened_package.h"
+#include "player/window/start_session.h"
+#include "player/xr/headset.h"
+#include "player/xr/xr_result.h"
+#include "scene/error.h"
+
+namespace vantage {
+namespace {
+
+constexpr auto idle = std::chrono::milliseconds(10);  ///< while no frames are wanted
+
+void tell(const ShowOptions& o, const std::string& text) {
+    if (!o.output.quiet) std::fprintf(stderr, "%s\n", text.c_str());
+}
+
+/// One round with a session: what it says, and a frame if it wants one. False when it has ended.
+bool go_on(HeadsetSession& session, HeadsetScene& scene, Mirror& mirror, bool& asked_to_end, bool ends,
+           int& frames) {
+    session.take_events();
+    if (ends && !asked_to_end) {
+        asked_to_end = true;
+        session.ask_to_end();
+    }
+    if (session.ended()) return false;
+    if (!session.runs()) {
+        std::this_thread::sleep_for(idle);
+        return true;
+    }
+    const HeadsetFrame frame = session.begin_frame();
+    scene.frame(session, frame, [&](GLuint picture, FrameSize size) { mirror.show(picture, size); });
+    ++frames;
+    return true;
+}
+
+void show_in(Headset& headset, HeadsetScene& scene, const Session& state, Mirror& mirror,
+             const ShowOptions& o) {
+    bool asked_to_end = false;
+    for (int frames = 0;;) {
+        mirror.attend();
+        const bool ends = state.quit || mirror.closed() || (o.window.frames > 0 && frames >= o.window.frames);
+        HeadsetSession* const session = headset.session();
+        if (!session) {
+            if (ends) return;
+            std::this_thread::sleep_for(idle);
+            continue;
+        }
+        try {
+            if (!go_on(*session, scene, mirror, asked_to_end, ends, frames)) return;
+        } catch (const XrLost& lost) {
+            tell(o, std::string(lost.what()) + "; waiting for it");
+            headset.lose(lost.runtime);
+            asked_to_end = false;
+        }
+    }
+}
+
+}  // namespace
+
+int run_headset(const ShowOptions& o, const std::vector<SceneObject>& objects) {
+    const PackageReader package = opened_package(objects.front().package, o.memory, o.output.quiet);
+    expect_content(package);
+    std::optional<Mirror> mirror;  // its context ends after the session
+    Headset headset;
+    tell(o, "OpenXR: " + headset.name());
+    mirror.emplace(o);
+    Remembered settings =
+        start_settings(package, o, o.window.fresh ? std::filesystem::path() : settings_folder());
+    Session session = start_session(package, o, settings);
+    HeadsetScene scene(package, objects, o, session);
+    show_in(headset, scene, session, *mirror, o);
+    return session.report.tiles_damaged > 0 ? int(Exit::damaged) : int(Exit::ok);
+}
+
+}  // namespace vantage

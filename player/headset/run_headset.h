@@ -1,0 +1,13 @@
+#pragma once
+#include <vector>
+
+#include "objects/scene_file.h"
+#include "player/options/show_options.h"
+
+namespace vantage {
+
+/// Shows a scene in a headset until the user ends it there or closes the window that mirrors it. Returns the
+/// exit code. Throws Error; Error(graphics) if there is no runtime or no headset.
+int run_headset(const ShowOptions& options, const std::vector<SceneObject>& objects);
+
+}  // namespace vantage

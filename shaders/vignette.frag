@@ -1,0 +1,12 @@
+// Darkens a picture beside its middle, the middle of the lens.
+#include "contract.glsl"
+
+layout(location = 0) out vec4 shade;
+layout(location = vignette_lens_uniform) uniform vec4 lens;  // middle and focal lengths, pixels; rows as the target's
+layout(location = vignette_uniform) uniform float strength;  // above 0, up to 1
+
+void main() {
+    float away = length((gl_FragCoord.xy - lens.xy) / lens.zw);  // tangent of the angle
+    float clear = mix(1.4, 0.35, strength);
+    shade = vec4(vec3(0.0), smoothstep(clear, clear + 0.35, away));
+}

@@ -1,0 +1,9 @@
+#pragma once
+#include <mutex>
+
+namespace test_runtime {
+
+/// Held by the call that is being executed, except while it waits.
+std::mutex& one_call();
+
+}  // namespace test_runtime

@@ -1,0 +1,23 @@
+#pragma once
+// The interaction profiles of the specification: what controllers have.
+#include <openxr/openxr.h>
+
+#include <string>
+
+namespace test_runtime {
+
+bool is_known_profile(const std::string& profile);
+/// Empty if none is needed.
+std::string extension_of_profile(const std::string& profile);
+
+/// Of a path like /user/hand/left/input/trigger/value, or /user/hand/left/input/trigger for any of its
+/// components: whether the controller has it, and whether an action of this type can be bound to it.
+bool has_component(const std::string& profile, const std::string& path);
+bool suits_action(const std::string& profile, const std::string& path, XrActionType type);
+
+/// 0: left, 1: right; others have no controller.
+std::size_t hand_of(const std::string& path);
+/// "/input/trigger/value"
+std::string component_of(const std::string& path);
+
+}  // namespace test_runtime
