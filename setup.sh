@@ -9,7 +9,7 @@ packages=(g++ cmake ninja-build pkg-config ca-certificates
   libopenimageio-dev openimageio-tools libopenmesh-dev libassimp-dev libmeshoptimizer-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libturbojpeg0-dev libjpeg-dev libpng-dev libtiff-dev liblcms2-dev libheif-dev libpugixml-dev libembree-dev libtomlplusplus-dev
   libsquish-dev libzstd-dev gnuplot-nox
-  libxxhash-dev libcurl4-openssl-dev libutf8proc-dev libeigen3-dev libepoxy-dev libegl-dev libgl-dev libglfw3-dev libx11-dev libxcb-xinput-dev libimgui-dev libopenxr-dev
+  libxxhash-dev libcurl4-openssl-dev libutf8proc-dev libeigen3-dev libepoxy-dev libegl-dev libgl-dev libglfw3-dev libx11-dev libxcb-xinput-dev libimgui-dev libopenxr-dev openxr-layer-corevalidation
   libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libgtest-dev librapidcheck-dev
   fonts-dejavu-core xvfb xauth xserver-xorg-core xserver-xorg-video-dummy xdotool python3-xlib gettext bash-completion desktop-file-utils man-db shared-mime-info)
 missing=()

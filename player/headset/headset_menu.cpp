@@ -100,6 +100,7 @@ void move_page(Controls& c, Session& s, const MenuContent& m, double now) {
     size_controls(c, s, m);
     Walk& w = m.walk;
     int degrees = int(w.snap_degrees);
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr("Turn by"));
     for (const int by : {15, 30, 45, 90}) {
         ImGui::SameLine();
@@ -114,9 +115,21 @@ void move_page(Controls& c, Session& s, const MenuContent& m, double now) {
     c.explain("Makes flying easier to bear for many people.");
 }
 
+/// The closest comparison that two eyes can have with a photo.
+void only_this_photo(Controls& c, Session& s, const PlanScene& scene) {
+    bool only = s.photos.size() == 1 && s.photos.front() == s.standing_at;
+    if (c.checkbox("Only this photo", &only)) {
+        s.photos.clear();
+        for (std::uint32_t p = 0; p < scene.photos.size(); ++p)
+            if (scene.photos[p].levels && (!only || p == s.standing_at)) s.photos.push_back(p);
+    }
+    c.explain("The model with only the photo you stand at, to compare it with all of them.");
+}
+
 void photos_page(Controls& c, Session& s, const MenuContent& m, double now) {
     c.checkbox("Photos in the scene", &s.panels.frusta);
     c.explain("Shows each photo where it was taken. Select one to stand there.");
+    only_this_photo(c, s, m.renderer.scene());
     photo_list_section(c, s, m.renderer, now);
 }
 

@@ -333,7 +333,9 @@ std::optional<DepthLimits> HeadsetScene::depth_of(HeadsetSession& headset, const
 /// Sets the pace of frames to come by those that are finished.
 void HeadsetScene::keep_pace() {
     const auto frame = clock_.take();
-    if (!frame || goal_ms_ <= 0) return;
+    if (!frame) return;
+    note_time(session_, frame->ms);
+    if (goal_ms_ <= 0) return;
     pacing_ = next_pacing(pacing_, frame->pace, frame->ms, goal_ms_);
 }
 

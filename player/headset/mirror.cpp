@@ -56,6 +56,15 @@ void Mirror::attend() {
     shown_at_ = seconds_now();
 }
 
+MirrorButtons Mirror::buttons() const {
+    if (!window_) return {};
+    GLFWwindow* const w = window_->get();
+    const auto down = [&](int key, int button) {
+        return glfwGetKey(w, key) == GLFW_PRESS || glfwGetMouseButton(w, button) == GLFW_PRESS;
+    };
+    return {down(GLFW_KEY_SPACE, GLFW_MOUSE_BUTTON_LEFT), down(GLFW_KEY_M, GLFW_MOUSE_BUTTON_RIGHT)};
+}
+
 bool Mirror::closed() const { return window_ && glfwWindowShouldClose(window_->get()); }
 
 }  // namespace vantage

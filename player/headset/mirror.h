@@ -9,6 +9,10 @@
 
 namespace vantage {
 
+struct MirrorButtons {
+    bool select = false, menu = false;
+};
+
 /// The OpenGL context for a headset: that of a window, which shows what is seen there, or one without a
 /// window where there is no X display.
 class Mirror {
@@ -18,6 +22,8 @@ class Mirror {
     void show(GLuint framebuffer, FrameSize size);
     /// Handles events; shows what was copied.
     void attend();
+    /// What is held down in the window: the left button or Space selects, the right one or M is the menu.
+    MirrorButtons buttons() const;
     bool closed() const;
 
   private:

@@ -35,7 +35,10 @@ bool go_on(HeadsetSession& session, HeadsetScene& scene, Mirror& mirror, bool& a
         std::this_thread::sleep_for(idle);
         return true;
     }
-    const HeadsetFrame frame = session.begin_frame();
+    HeadsetFrame frame = session.begin_frame();
+    const auto [select, menu] = mirror.buttons();
+    if (frame.shown && !any_points(frame.hands))
+        frame.hands = with_gaze(frame.hands, frame.head, select, menu);
     scene.frame(session, frame, [&](GLuint picture, FrameSize size) { mirror.show(picture, size); });
     ++frames;
     return true;

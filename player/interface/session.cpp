@@ -46,6 +46,15 @@ void fly_to_point(Session& s, const Eigen::Vector3d& point, double now) {
         Session::Flight{{s.camera, facing(s.camera, point, (s.camera.eye - point).norm() / 2)}, now, 0.5};
 }
 
+void note_time(Session& s, double ms) {
+    std::rotate(s.frame_ms.begin(), s.frame_ms.begin() + 1, s.frame_ms.end());
+    s.frame_ms.back() = float(ms);
+    std::vector<double> drawn;
+    for (const float t : s.frame_ms)
+        if (t > 0) drawn.push_back(double(t));
+    s.statistics = frame_statistics(std::move(drawn));
+}
+
 void note_view(Session& s, double now) {
     constexpr double pause = 0.5;  // seconds between two movements
     constexpr std::size_t most = 100;

@@ -159,6 +159,8 @@ bool take_key(Session& session, int key);
 void fly_to(Session& session, std::uint32_t photo, const package::PhotoRecord& record, double now);
 /// Starts a flight that ends before a point, at half the distance.
 void fly_to_point(Session& session, const Eigen::Vector3d& point, double now);
+/// Remembers how long a frame took, in milliseconds.
+void note_time(Session& session, double ms);
 /// Remembers the view from which the camera has just started to move.
 void note_view(Session& session, double now);
 /// Starts a flight to the view before the last movement.

@@ -430,7 +430,7 @@ bool ShownScene::in_motion(const View& view) const {
 void ShownScene::keep_pace() {
     const auto frame = clock_.take();
     if (!frame) return;
-    remember_time(float(frame->ms));
+    note_time(session_, frame->ms);
     frame_ms_ = frame->ms;
     if (frame->pace != Pace{} || (pacing_.pace == Pace{} && pacing_.usual > 0)) {
         pacing_ = next_pacing(pacing_, frame->pace, frame->ms, goal_ms_);
@@ -451,16 +451,6 @@ void ShownScene::tell_memory(double now) {
             double((used >> 20) + 1)),
         now);
     memory_limit_ = 0;
-}
-
-void ShownScene::remember_time(float ms) {
-    auto& times = session_.frame_ms;
-    std::rotate(times.begin(), times.begin() + 1, times.end());
-    times.back() = ms;
-    std::vector<double> drawn;
-    for (const float t : times)
-        if (t > 0) drawn.push_back(double(t));
-    session_.statistics = frame_statistics(std::move(drawn));
 }
 
 }  // namespace vantage

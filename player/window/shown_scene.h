@@ -72,7 +72,6 @@ class ShownScene {
     bool lacks_time(double now) const;
     bool in_motion(const View& view) const;
     void keep_pace();
-    void remember_time(float ms);
     void tell_memory(double now);
 
     Renderer renderer_;

@@ -482,6 +482,29 @@ TEST_F(HeadsetProgram, MirrorsTheLeftEyeInAWindow) {
     EXPECT_TRUE(run.frames[20]["layers"][0]["views"][0]["depth"].is_null());
 }
 
+TEST_F(HeadsetProgram, ValidationLayerOfKhronosFindsNothing) {
+    bool there = false;
+    const fs::path layers = "/usr/share/openxr/1/api_layers/explicit.d";
+    if (fs::exists(layers))
+        for (const auto& e : fs::directory_iterator(layers))
+            there |= e.path().filename().string().find("core_validation") != std::string::npos;
+    if (!there) GTEST_SKIP() << "needs openxr-layer-corevalidation";
+    if (std::system("command -v xvfb-run >/dev/null") != 0) GTEST_SKIP() << "no X server available";
+    json s = scenario(60);
+    s["extensions"] = {"XR_KHR_opengl_enable", "XR_KHR_composition_layer_depth"};  // it does not know EGL
+    s["hands"] = {hand(8, "right", pointing({0.2, 1.2, -0.2}, {0, 1, -3}), {{"/input/b/click", true}}),
+                  hand(12, "left", pointing({-0.2, 1.2, -0.2}, {0, 1, -3}), {{"/input/thumbstick", {0, 1}}})};
+    s["events"] = {{{"frame", 20}, {"lose", "session"}}, {{"frame", 40}, {"lose", "instance"}}};
+    const fs::path errors = dir / "validation";
+    const Run run = play(s, "",
+                         "env XR_ENABLE_API_LAYERS=XR_APILAYER_LUNARG_core_validation "
+                         "XR_CORE_VALIDATION_EXPORT_TYPE=text XR_CORE_VALIDATION_FILE_NAME=" +
+                             errors.string() + " xvfb-run -a -s '-screen 0 640x480x24'");
+    EXPECT_EQ(run.code, 0) << run.message;
+    ASSERT_TRUE(fs::exists(errors));
+    EXPECT_EQ(slurp(errors), "");
+}
+
 TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
     json s = scenario(90);
     s["eyes"] = {eye(97, 97, -45, 45, 45, -45, -0.032), eye(97, 97, -45, 45, 45, -45, 0.032)};

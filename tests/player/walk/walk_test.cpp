@@ -225,5 +225,23 @@ TEST_F(Walking, HandThatIsLostWhileAimingGoesNowhere) {
     EXPECT_EQ(w.stance.R, before.R);
 }
 
+TEST_F(Walking, GazeAndAButtonReplaceHands) {
+    surface = floor_at(0);
+    head = aiming({0.2, 1.6, 0.1}, -35 * std::numbers::pi / 180);
+    hands = {};
+    EXPECT_FALSE(any_points(hands));
+    const auto gaze = [&](bool button) {
+        walk_on(w, with_gaze(hands, head, button, false), free, head, frame, surface);
+    };
+    gaze(false);
+    gaze(true);
+    ASSERT_TRUE(w.arc && w.arc->landing);
+    const Vector3d there = *w.arc->landing;
+    gaze(false);
+    EXPECT_LT((in_scene(w.stance, {head.at.x(), 0, head.at.z()}) - there).norm(), 1e-9);
+    hands[left_hand].select = true;  // a remote that is held, but not tracked
+    EXPECT_TRUE(with_gaze(hands, head, false, false)[right_hand].select);
+}
+
 }  // namespace
 }  // namespace vantage
