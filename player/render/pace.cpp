@@ -2,21 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vantage {
 
-Pace next_pace(Pace pace, double ms, double goal_ms) {
+Pace next_pace(Pace pace, double ms, double goal_ms, double all_photos) {
     constexpr double aim = 0.82;      // of the goal: frames of a motion differ
     constexpr double swift_at = 0.6;  // fewer photos, before a frame gets coarser than this
-    constexpr double spare = 3;       // what all photos cost at most, compared with a swift frame
+    constexpr double all_at = 0.7;    // all photos again, as soon as frames can be as fine as this
     if (!(ms > 0) || !(goal_ms > 0) || !std::isfinite(ms)) return pace;
     // A frame's time does not fall as much as its pixels do: what is left is for the frames to come.
     const double pixels = std::min(aim * goal_ms / ms, 1.2);
     pace.scale = std::clamp(pace.scale * std::sqrt(pixels), least_scale, 1.0);
     if (pace.scale < swift_at) pace.swift = true;
-    if (pace.scale == 1 && spare * ms < goal_ms) pace.swift = false;
+    const double with_all = std::sqrt(aim * goal_ms / (all_photos * ms));
+    if (pace.swift && pace.scale == 1 && with_all > all_at) pace = {std::min(with_all, 1.0), false};
     return pace;
 }
+
+namespace {
+
+/// Compares a frame with the one before it, if one of them was swift and the other was not.
+void learn(Pacing& p, bool swift, double whole) {
+    constexpr double least = 1.1, margin = 1.1;
+    const double last = std::exchange(p.last, whole);
+    if (std::exchange(p.last_swift, swift) == swift || !(last > 0)) return;
+    const double ratio = swift ? last / whole : whole / last;
+    p.all_photos = std::clamp(margin * ratio, least, most_for_all_photos);
+}
+
+}  // namespace
 
 Pacing next_pacing(Pacing p, Pace drawn, double ms, double goal_ms) {
     constexpr double suddenly = 1.5, as_before = 1.2, caution = 0.85;
@@ -25,10 +40,13 @@ Pacing next_pacing(Pacing p, Pace drawn, double ms, double goal_ms) {
     constexpr int watched = 8;
     if (!(ms > 0) || !(goal_ms > 0) || !std::isfinite(ms)) return p;
     const double whole = ms / (drawn.scale * drawn.scale);
+    learn(p, drawn.swift, whole);
     if (p.watched > 0) {
         --p.watched;
-        if (drawn == p.before ? whole <= as_before * p.usual : drawn == p.pace && ms < passed * goal_ms)
-            return {p.before, p.usual};
+        if (drawn == p.before ? whole <= as_before * p.usual : drawn == p.pace && ms < passed * goal_ms) {
+            p.pace = p.before, p.watched = 0;
+            return p;
+        }
     } else if (ms > goal_ms && p.usual > 0 && whole > suddenly * p.usual) {
         // With as many photos: only then do the frames to come show whether it has passed.
         p.before = p.pace, p.watched = watched;
@@ -37,7 +55,7 @@ Pacing next_pacing(Pacing p, Pace drawn, double ms, double goal_ms) {
     }
     if (drawn != p.pace) return p;  // from before the last change
     if (p.watched == 0 && ms <= goal_ms) p.usual = whole;
-    if (ms < 0.72 * goal_ms || ms > 0.92 * goal_ms) p.pace = next_pace(drawn, ms, goal_ms);
+    if (ms < 0.72 * goal_ms || ms > 0.92 * goal_ms) p.pace = next_pace(drawn, ms, goal_ms, p.all_photos);
     return p;
 }
 
