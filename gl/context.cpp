@@ -155,12 +155,17 @@ void watch_errors() {
     glDebugMessageCallback(on_message, nullptr);
 }
 
+void forget_errors() {
+    pending.clear();
+    while (glGetError() != GL_NO_ERROR) {
+    }
+}
+
 void check(const char* where) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR && pending.empty()) return;
     const std::string text = std::exchange(pending, {});
-    while (glGetError() != GL_NO_ERROR) {
-    }
+    forget_errors();
     throw Failure(std::string("OpenGL failed in ") + where + ": " +
                   (text.empty() ? "error " + std::to_string(error) : text));
 }

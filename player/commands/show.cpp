@@ -119,9 +119,11 @@ int show_command(int argc, char** argv) {
     add_show_options(app, options);
     if (const auto code = parse(app, argc, argv)) return *code;
     const bool video = wants_video(options);
+    if (options.headset.on && (options.window.kiosk || options.list || options.pictures.offscreen || video))
+        throw Error(Exit::usage, "--xr: neither with --kiosk nor with --list, pictures or videos");
     if (options.package.file.empty()) {
         if (options.list || options.pictures.offscreen || video || options.window.kiosk ||
-            !options.objects.added.empty())
+            options.headset.on || !options.objects.added.empty())
             throw Error(Exit::usage, "expected a package: vantage-player FILE");
         return run_window(options, {});
     }

@@ -1,5 +1,7 @@
 #include "player/headset/headset_marks.h"
 
+#include <algorithm>
+
 #include "player/interface/band_section.h"
 #include "player/interface/photo_frustum.h"
 
@@ -37,6 +39,18 @@ std::optional<double> meets(const Ray& ray, const Vector3d& corner, const Vector
     return distance;
 }
 
+/// The photos that are shown as pictures, the nearest first.
+std::vector<std::uint32_t> photos_in_scene(const PlanScene& scene, const Session& s, const Vector3d& eye,
+                                           const Stance& stance) {
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
+        const package::PhotoRecord& p = scene.photos[i];
+        if (is_shown(s.settings.bands, p) && p.levels && !is_at(scene, i, eye, stance)) out.push_back(i);
+    }
+    std::ranges::sort(out, {}, [&](std::uint32_t i) { return (scene.poses[i].center() - eye).norm(); });
+    return out;
+}
+
 void add_frame(Marks& marks, const PhotoFrustum& f, MarkSize width, const MarkColor& color) {
     for (std::size_t c = 0; c < 4; ++c) {
         add_line(marks, f.corner[c], f.corner[(c + 1) % 4], width, color);
@@ -52,8 +66,12 @@ void add_hand(Marks& marks, const Stance& stance, const Hand& hand, double lengt
     const Vector3d from = in_scene(stance, hand.aim->at),
                    to = in_scene(stance, hand.aim->at + hand.aim->ahead() * length);
     add_line(marks, from, to, {0.0015 * stance.scale, 1.5}, faded, white);
-    if (!meets) return;
-    add_ball(marks, to, {0, 4}, hand.select ? blue : white);
+    if (meets) add_dot(marks, stance, hand, length);
+}
+
+void add_dot(Marks& marks, const Stance& stance, const Hand& hand, double length) {
+    const Vector3d at = in_scene(stance, hand.aim->at + hand.aim->ahead() * length);
+    add_ball(marks, at, {0, 4}, hand.select ? blue : white);
 }
 
 void add_arc(Marks& marks, const Stance& stance, const TeleportArc& arc) {
@@ -80,11 +98,13 @@ void add_photos(Marks& marks, const Stance& stance, Renderer& renderer, const Se
                 std::optional<std::uint32_t> pointed_at) {
     const PlanScene& scene = renderer.scene();
     const Residency& residency = renderer.store().residency();
-    for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
-        const package::PhotoRecord& p = scene.photos[i];
-        if (!is_shown(s.settings.bands, p) || !p.levels || is_at(scene, i, eye, stance)) continue;
-        renderer.want_thumbnail(i);
+    // Photos that are blended need thumbnails as well.
+    const std::size_t pictures = residency.layout().thumbnails / 2;
+    std::size_t wanted = 0;
+    for (const std::uint32_t i : photos_in_scene(scene, s, eye, stance)) {
+        if (wanted++ < pictures) renderer.want_thumbnail(i);
         const PhotoFrustum f = photo_frustum(scene, i);
+        const package::PhotoRecord& p = scene.photos[i];
         if (const auto layer = residency.thumbnail_layer(i)) {
             const MarkPicture picture{
                 residency.thumbnails(),
@@ -106,9 +126,7 @@ void add_note(Marks& marks, const Stance& stance, const Vector3d& at, bool open)
 std::optional<PhotoHit> photo_on(const PlanScene& scene, const Session& s, const Ray& ray,
                                  const Stance& stance) {
     std::optional<PhotoHit> out;
-    for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
-        const package::PhotoRecord& p = scene.photos[i];
-        if (!is_shown(s.settings.bands, p) || !p.levels || is_at(scene, i, s.camera.eye, stance)) continue;
+    for (const std::uint32_t i : photos_in_scene(scene, s, s.camera.eye, stance)) {
         const PhotoFrustum f = photo_frustum(scene, i);
         const auto distance = meets(ray, f.corner[0], f.corner[1], f.corner[3]);
         if (distance && (!out || *distance < out->distance)) out = PhotoHit{i, *distance};

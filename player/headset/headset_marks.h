@@ -15,6 +15,8 @@ namespace vantage {
 /// A hand: where it is, and the ray along which it points, `length` meters long, with a dot at its end if it
 /// `meets` something there.
 void add_hand(Marks& marks, const Stance& stance, const Hand& hand, double length, bool meets);
+/// The dot where a hand, or the gaze, points.
+void add_dot(Marks& marks, const Stance& stance, const Hand& hand, double length);
 /// The way of a teleport and where it ends.
 void add_arc(Marks& marks, const Stance& stance, const TeleportArc& arc);
 /// A measurement's points and lines. `origin`: of the package, in the input's coordinates.

@@ -14,7 +14,9 @@
 #include "player/survey/photo_errors.h"
 #include "player/survey/survey.h"
 #include "player/survey/survey_file.h"
+#include "player/window/numbered_file.h"
 #include "scene/error.h"
+#include "values/formatted.h"
 #include "values/translation.h"
 
 namespace vantage {
@@ -54,6 +56,7 @@ HeadsetScene::HeadsetScene(const PackageReader& package, const std::vector<Scene
       controls_(o.window.controls),
       measure_(package),
       told_(told_story(o.package.file, input_axes(package), session.language)),
+      language_(session.language),
       clock_(gl::current_device().software) {
     session_.photos = photos_in_use(package, o.package);
     session_.keyboard = false;
@@ -83,13 +86,22 @@ Panel HeadsetScene::menu_panel() const {
     return vantage::menu_panel(*menu_, walk_.stance, SceneInterface::width, SceneInterface::height);
 }
 
+/// Hands without a button for it open and close the menu by selecting with both.
 void HeadsetScene::take_menu_button(const HeadsetFrame& frame) {
-    for (std::size_t i = 0; i < 2; ++i) {
-        const bool pressed = frame.hands[i].menu;
-        if (pressed && !std::exchange(menu_pressed_[i], pressed))
-            menu_ = menu_ ? std::nullopt : std::optional(menu_before(frame.head));
-        menu_pressed_[i] = pressed;
-    }
+    const auto& [left, right] = frame.hands;
+    const bool both = !left.has_menu && !right.has_menu && left.select && right.select;
+    if (both) let_go(walk_);
+    const bool pressed = left.menu || right.menu || both;
+    if (pressed && !menu_pressed_) menu_ = menu_ ? std::nullopt : std::optional(menu_in_front_of(frame.head));
+    menu_pressed_ = pressed;
+}
+
+/// The menu and the story follow the choice that was made in either.
+void HeadsetScene::change_language() {
+    if (session_.language == language_) return;
+    language_ = session_.language;
+    told_.language = language_.empty() ? told_.story.language : language_;
+    use_language(language_);
 }
 
 HeadsetScene::Pointed HeadsetScene::pointed_by(const Hand& hand) const {
@@ -170,27 +182,33 @@ void HeadsetScene::act(const HeadsetFrame& frame) {
             told_.open = *p.note, page_ = MenuPage::story;
         else if (p.photo)
             fly_to(session_, *p.photo, renderer_.scene().photos[*p.photo], now);
-        if (p.note && !menu_) menu_ = menu_before(frame.head);
+        if (p.note && !menu_) menu_ = menu_in_front_of(frame.head);
     }
 }
 
+FreeHands HeadsetScene::free_hands() const {
+    FreeHands out;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Pointed& p = pointed_[i];
+        out[i].move = !p.menu && menu_hand_ != i;
+        out[i].select = !p.photo && !p.note && !session_.panels.measure;
+    }
+    return out;
+}
+
 void HeadsetScene::walk(const HeadsetFrame& frame, double seconds) {
+    if (std::exchange(gazed_, frame.gazes) != frame.gazes || !frame.focused) let_go(walk_);
     const std::vector<PlacedMesh> meshes = objects_.meshes();
     const SurfaceBetween surface = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
         return surface_on(meshes, {from, to - from}, 1, session_.settings.sections);
     };
-    FreeHands free;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const Pointed& p = pointed_[i];
-        free[i] = !p.menu && !p.photo && !p.note && !session_.panels.measure && menu_hand_ != i;
-    }
     if (menu_) {
         const auto pointing = menu_hand_ && pointed_[*menu_hand_].menu ? menu_hand_ : std::nullopt;
         carry(*menu_, frame.hands, pointing);
     }
     Hands hands = frame.hands;
     if (menu_hand_) hands[*menu_hand_].stick.setZero();  // it scrolls
-    walk_on(walk_, hands, free, frame.head, seconds, surface);
+    walk_on(walk_, hands, free_hands(), frame.head, seconds, surface);
 }
 
 /// Flights of the window are jumps here: moving somebody's eyes makes them sick.
@@ -204,8 +222,12 @@ void HeadsetScene::stand_where_sent(const HeadsetFrame& frame) {
 std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
     std::vector<SceneLabel> out;
     const std::array<float, 4> white{1, 1, 1, 1};
+    if (!session_.message.empty()) {
+        const Eigen::Vector3d ahead = frame.head.ahead() + Eigen::Vector3d(0, -0.25, 0);
+        out.push_back({session_.message, in_scene(walk_.stance, frame.head.at + ahead), white, true});
+    }
     if (session_.panels.measure)
-        for (const MeasurePanel::Drawn& d : measure_.drawn()) {
+        for (const MeasurePanel::Drawn& d : measured_) {
             std::vector<Eigen::Vector3d> points;
             for (const SurveyPoint& p : d.measurement.points) points.emplace_back(p.position - origin_);
             if (points.empty() || d.label.empty()) continue;
@@ -218,24 +240,43 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
         if (p.photo)
             out.push_back({renderer_.scene().photos[*p.photo].name,
                            photo_frustum(renderer_.scene(), *p.photo).corner[1], white});
-    if (!session_.message.empty()) {
-        const Eigen::Vector3d ahead = frame.head.ahead() + Eigen::Vector3d(0, -0.25, 0);
-        out.push_back({session_.message, in_scene(walk_.stance, frame.head.at + ahead), white});
-    }
+    const bool hidden_menu = session_.panels.measure && !menu_;
+    for (const Hand& hand : frame.hands)
+        if (hidden_menu && hand.grip)
+            out.push_back({tr("Measure"), in_scene(walk_.stance, hand.grip->at), white});
     return out;
 }
 
 void HeadsetScene::write_interface(const HeadsetFrame& frame, double seconds) {
     if (frame.time > session_.message_until) session_.message.clear();
     interface_.begin(pointer_, seconds);
-    measure_.attend(session_, frame.time);
+    change_language();
+    measured_.clear();
+    if (measure_.attend(session_, frame.time)) measured_ = measure_.drawn();
     const MenuContent content{renderer_,     objects_, measure_,     told_,
                               note_picture_, walk_,    unit_meters_, dims_edges_};
     if (menu_)
         headset_menu(interface_.controls(), session_, page_, content, SceneInterface::width,
                      SceneInterface::height, frame.time);
-    interface_.end(labels(frame));
+    interface_.end(labels(frame), view_of_eye(walk_.stance, {frame.head}, {1, 1}));
+    write_files(frame.time);
     if (!controls_.empty()) interface_.controls().write_places(controls_);
+}
+
+/// What pages of the menu ask for.
+void HeadsetScene::write_files(double now) {
+    Session& s = session_;
+    const std::string stem = renderer_.package().path().stem().string();
+    if (const std::string table = std::exchange(s.table, ""); !table.empty())
+        write_numbered(s, stem + "-measurements", ".csv", tr("measurements"), now,
+                       [&](const std::string& file) { write_text(file, table); });
+    if (std::exchange(s.save_scene, false))
+        write_numbered(s, "scene", ".toml", tr("scene"), now,
+                       [&](const std::string& file) { write_scene_file(file, objects_.objects()); });
+    if (!std::exchange(s.cut.saves, false)) return;
+    const auto lines = section_lines(objects_.meshes(), s.settings.sections);
+    write_numbered(s, stem + "-cut", ".dxf", formatted(tr("%zu lines"), lines.size()), now,
+                   [&](const std::string& file) { write_text(file, section_dxf(lines, origin_)); });
 }
 
 void HeadsetScene::mark(const HeadsetFrame& frame) {
@@ -247,7 +288,7 @@ void HeadsetScene::mark(const HeadsetFrame& frame) {
         if (p.photo) photo = p.photo;
     if (session_.panels.frusta) add_photos(marks_, walk_.stance, renderer_, session_, eye, photo);
     if (session_.panels.measure)
-        for (const MeasurePanel::Drawn& d : measure_.drawn())
+        for (const MeasurePanel::Drawn& d : measured_)
             add_measurement(marks_, walk_.stance, d, origin_, measure_.up());
     for (std::size_t i = 0; i < told_.story.notes.size(); ++i)
         if (const auto& anchor = told_.story.notes[i].anchor)
@@ -255,8 +296,12 @@ void HeadsetScene::mark(const HeadsetFrame& frame) {
     if (walk_.arc) add_arc(marks_, walk_.stance, *walk_.arc);
     for (std::size_t i = 0; i < 2; ++i) {
         Hand hand = frame.hands[i];
+        const Pointed& p = pointed_[i];
         if (walk_.aiming == i) hand.aim.reset();  // the arc is its ray
-        add_hand(hand_marks_, walk_.stance, hand, pointed_[i].length, pointed_[i].any());
+        if (!frame.gazes)
+            add_hand(hand_marks_, walk_.stance, hand, p.length, p.any());
+        else if (hand.aim && p.any())  // a ray from between the eyes would be in their way
+            add_dot(hand_marks_, walk_.stance, hand, p.length);
     }
     mark_pass_.upload(marks_);
     hand_pass_.upload(hand_marks_);
@@ -281,6 +326,8 @@ void HeadsetScene::frame(HeadsetSession& headset, const HeadsetFrame& frame,
         take_menu_button(frame);
         point(frame);
         act(frame);
+        for (std::size_t i = 0; i < 2; ++i)
+            if (frame.hands[i].select && !selected_[i] && pointed_[i].any()) headset.hands().buzz(i);
         walk(frame, seconds);
         write_interface(frame, seconds);
         stand_where_sent(frame);
@@ -288,8 +335,8 @@ void HeadsetScene::frame(HeadsetSession& headset, const HeadsetFrame& frame,
         for (std::size_t i = 0; i < 2; ++i) selected_[i] = frame.hands[i].select;
         draw(headset, frame, seen);
     }
-    headset.end_frame(drawn_);
     clock_.end(frame.shown ? std::optional(session_.pace) : std::nullopt);
+    headset.end_frame(drawn_);
     keep_pace();
 }
 
@@ -297,6 +344,7 @@ void HeadsetScene::draw(HeadsetSession& headset, const HeadsetFrame& frame,
                         const std::function<void(GLuint, FrameSize)>& seen) {
     Session& s = session_;
     s.pace = pacing_.pace;
+    s.settings.bands.how = BandView::mix;  // what divides a picture is at two places for two eyes
     s.settings.sections = sections_of(s.cut, renderer_.scene());
     RenderSettings settings = s.settings;
     settings.room = headset.size(0);
@@ -312,14 +360,16 @@ void HeadsetScene::draw(HeadsetSession& headset, const HeadsetFrame& frame,
     });
 }
 
-/// What is beside the model: of several objects, the first one hides it.
+/// What is beside the model: only the first object hides it. The menu and the hands are never hidden.
 void HeadsetScene::draw_over(const View& view, GLuint target) {
     if (dims_edges_) vignette_.draw(view, target, walk_.vignette);
     EyePicture eye{view, nearest * walk_.stance.scale, target, true};
-    eye.depth = {renderer_.targets().depth.id(), renderer_.depth_terms(), frame_size(view)};
-    mark_pass_.draw(eye);
-    const Panel menu = menu_ ? menu_panel() : Panel{};
-    interface_.draw(menu_ ? &menu : nullptr, eye);
+    EyePicture behind_model = eye;
+    if (objects_.at(0).shown)
+        behind_model.depth = {renderer_.targets().depth.id(), renderer_.depth_terms(), frame_size(view)};
+    mark_pass_.draw(behind_model);
+    interface_.draw_labels(behind_model);
+    if (menu_) interface_.draw_menu(menu_panel(), eye);
     hand_pass_.draw(eye);
 }
 

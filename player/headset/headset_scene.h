@@ -43,11 +43,14 @@ class HeadsetScene {
     void place(const RoomPose& head);
     void follow_head(const HeadsetFrame& frame);
     void take_menu_button(const HeadsetFrame& frame);
+    void change_language();
+    void write_files(double now);
     Pointed pointed_by(const Hand& hand) const;
     void point(const HeadsetFrame& frame);
     void point_at_menu(const Hands& hands);
     bool chosen(const Hands& hands, std::size_t hand) const;
     void act(const HeadsetFrame& frame);
+    FreeHands free_hands() const;
     void walk(const HeadsetFrame& frame, double seconds);
     void write_interface(const HeadsetFrame& frame, double seconds);
     std::vector<SceneLabel> labels(const HeadsetFrame& frame) const;
@@ -79,9 +82,12 @@ class HeadsetScene {
     ToldStory told_;
     NotePicture note_picture_;
     std::array<Pointed, 2> pointed_;
-    std::array<bool, 2> selected_{}, menu_pressed_{};  ///< in the last frame
-    std::optional<std::size_t> menu_hand_;             ///< the one whose pointer the menu has
-    bool menu_holds_ = false;                          ///< it was pressed there
+    std::array<bool, 2> selected_{};             ///< in the last frame
+    bool menu_pressed_ = false, gazed_ = false;  ///< likewise
+    std::string language_;                       ///< in use
+    std::vector<MeasurePanel::Drawn> measured_;  ///< in this frame
+    std::optional<std::size_t> menu_hand_;       ///< the one whose pointer the menu has
+    bool menu_holds_ = false;                    ///< it was pressed there
     PanelPointer pointer_;
     Marks marks_, hand_marks_;
     MarkPass mark_pass_, hand_pass_;

@@ -15,7 +15,7 @@ RoomPose inverse(const RoomPose& p) {
 
 }  // namespace
 
-MenuPlace menu_before(const RoomPose& head) {
+MenuPlace menu_in_front_of(const RoomPose& head) {
     Eigen::Vector3d ahead = head.ahead();
     ahead.y() = 0;
     if (!(ahead.norm() > 1e-3)) ahead = -Eigen::Vector3d::UnitZ();

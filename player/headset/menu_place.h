@@ -17,8 +17,8 @@ struct MenuPlace {
     std::optional<Held> held{};
 };
 
-/// Before somebody, a little below the eyes, facing them.
-MenuPlace menu_before(const RoomPose& head);
+/// In front of somebody, a little below the eyes, facing them.
+MenuPlace menu_in_front_of(const RoomPose& head);
 
 /// The menu's panel in the scene.
 Panel menu_panel(const MenuPlace& place, const Stance& stance, int width, int height);

@@ -11,7 +11,7 @@
 #include "player/window/start_session.h"
 #include "player/xr/headset.h"
 #include "player/xr/xr_result.h"
-#include "scene/error.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -37,8 +37,9 @@ bool go_on(HeadsetSession& session, HeadsetScene& scene, Mirror& mirror, bool& a
     }
     HeadsetFrame frame = session.begin_frame();
     const auto [select, menu] = mirror.buttons();
-    if (frame.shown && !any_points(frame.hands))
-        frame.hands = with_gaze(frame.hands, frame.head, select, menu);
+    frame.hands[right_hand].menu |= menu;
+    frame.gazes = frame.shown && frame.focused && !any_points(frame.hands);
+    if (frame.gazes) frame.hands = with_gaze(frame.hands, frame.head, select, menu);
     scene.frame(session, frame, [&](GLuint picture, FrameSize size) { mirror.show(picture, size); });
     ++frames;
     return true;
@@ -78,6 +79,8 @@ int run_headset(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     Remembered settings =
         start_settings(package, o, o.window.fresh ? std::filesystem::path() : settings_folder());
     Session session = start_session(package, o, settings);
+    session.language = chosen_language(o, settings);
+    use_language(session.language);
     HeadsetScene scene(package, objects, o, session);
     show_in(headset, scene, session, *mirror, o);
     return session.report.tiles_damaged > 0 ? int(Exit::damaged) : int(Exit::ok);

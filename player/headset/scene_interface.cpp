@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 
@@ -12,7 +13,7 @@
 namespace vantage {
 namespace {
 
-constexpr float label_height = 80, labels_canvas = 20000;  // panel pixels
+constexpr float label_height = 300, labels_canvas = 20000, notice_width = 560;  // panel pixels
 
 std::string label_window(std::size_t i) { return "##label " + std::to_string(i); }
 
@@ -45,6 +46,24 @@ void upload_window(PanelDrawing& drawing, const ImDrawData& all, std::string_vie
     part.CmdLists = lists.data();
     part.CmdListsCount = int(lists.size());
     drawing.upload(part);
+}
+
+/// Where a label is, whose window has this corner and size.
+std::optional<Panel> panel_of(const SceneLabel& label, const Eigen::Vector2d& corner,
+                              const Eigen::Vector2d& size, const View& head) {
+    const Pose& pose = head.cam_from_origin;
+    const double depth = depth_in(head, label.at);
+    if (!(depth > 0)) return {};
+    Panel out;
+    out.right = pose.R.row(0).transpose();
+    out.down = pose.R.row(1).transpose();
+    out.unit = 1e-3 * depth;
+    out.width = int(std::ceil(corner.x() + size.x()));
+    out.height = int(std::ceil(corner.y() + size.y()));
+    const Eigen::Vector2d beside(12, -12 - size.y()), middle = -size / 2;  // panel pixels
+    const Eigen::Vector2d to_origin = (label.notice ? middle : beside) - corner;
+    out.origin = label.at + out.unit * (out.right * to_origin.x() + out.down * to_origin.y());
+    return out;
 }
 
 }  // namespace
@@ -98,7 +117,9 @@ void SceneInterface::make_label(std::size_t i) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoFocusOnAppearing);
+    if (l.label.notice) ImGui::PushTextWrapPos(notice_width);
     ImGui::TextUnformatted(l.label.text.c_str());
+    if (l.label.notice) ImGui::PopTextWrapPos();
     const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     l.corner = {double(at.x), double(at.y)};
     l.size = {double(size.x), double(size.y)};
@@ -107,7 +128,7 @@ void SceneInterface::make_label(std::size_t i) {
     ImGui::PopStyleColor();
 }
 
-void SceneInterface::end(std::vector<SceneLabel> labels) {
+void SceneInterface::end(std::vector<SceneLabel> labels, const View& head) {
     ImGui::Render();
     menu_.upload(*ImGui::GetDrawData());
     ImGui::SetCurrentContext(labels_context_);
@@ -119,31 +140,21 @@ void SceneInterface::end(std::vector<SceneLabel> labels) {
         make_label(i);
     }
     ImGui::Render();
-    for (std::size_t i = 0; i < shown_; ++i)
-        upload_window(labels_[i]->drawing, *ImGui::GetDrawData(), label_window(i));
+    for (std::size_t i = 0; i < shown_; ++i) {
+        Label& l = *labels_[i];
+        upload_window(l.drawing, *ImGui::GetDrawData(), label_window(i));
+        l.panel = panel_of(l.label, l.corner, l.size, head);
+    }
     ImGui::SetCurrentContext(outer_);
 }
 
-void SceneInterface::draw(const Panel* menu, const EyePicture& eye) {
-    for (std::size_t i = 0; i < shown_; ++i) draw_label(*labels_[i], eye);
-    if (menu) pass_->draw(menu_, *menu, eye);
-}
-
-/// Upright in the picture, as large at any distance.
-void SceneInterface::draw_label(const Label& l, const EyePicture& eye) {
-    const Pose& pose = eye.view.cam_from_origin;
-    const double depth = depth_in(eye.view, l.label.at);
-    if (!(depth > eye.nearest)) return;
-    Panel panel;
-    panel.right = pose.R.row(0).transpose();
-    panel.down = pose.R.row(1).transpose();
-    panel.unit = 1e-3 * depth;
-    panel.width = int(l.corner.x() + l.size.x());
-    panel.height = int(l.corner.y() + l.size.y());
-    const Eigen::Vector2d beside(12, -12 - l.size.y());  // panel pixels
-    const Eigen::Vector2d corner = beside - l.corner;
-    panel.origin = l.label.at + panel.unit * (panel.right * corner.x() + panel.down * corner.y());
-    pass_->draw(l.drawing, panel, eye);
+void SceneInterface::draw_labels(const EyePicture& eye) {
+    EyePicture open = eye;
+    open.depth = {};
+    for (std::size_t i = 0; i < shown_; ++i) {
+        const Label& l = *labels_[i];
+        if (l.panel) pass_->draw(l.drawing, *l.panel, l.label.notice ? open : eye);
+    }
 }
 
 }  // namespace vantage

@@ -24,6 +24,7 @@ struct SceneLabel {
     std::string text;
     Eigen::Vector3d at;          ///< its lower left corner is beside this point
     std::array<float, 4> color;  ///< sRGB, straight alpha
+    bool notice = false;         ///< centered at the point, in lines, and never hidden
 };
 
 /// What is written in the scene: a menu, made of ImGui's controls, and labels. It has ImGui contexts of its
@@ -42,12 +43,12 @@ class SceneInterface {
 
     /// Begins a frame. What ImGui then shows is the menu.
     void begin(const PanelPointer& pointer, double seconds);
-    /// Ends it, with these labels.
-    void end(std::vector<SceneLabel> labels);
+    /// Ends it, with these labels, which face `head`: upright, and as large at any distance.
+    void end(std::vector<SceneLabel> labels, const View& head);
 
     Controls& controls() { return controls_; }
-    /// The menu, if there is one, over the labels, which face the eye and have the menu's size per angle.
-    void draw(const Panel* menu, const EyePicture& eye);
+    void draw_labels(const EyePicture& eye);
+    void draw_menu(const Panel& menu, const EyePicture& eye) { pass_->draw(menu_, menu, eye); }
 
   private:
     static constexpr std::size_t most_labels = 64;
@@ -55,8 +56,8 @@ class SceneInterface {
         SceneLabel label;
         Eigen::Vector2d corner, size;  ///< of its window, panel pixels
         PanelDrawing drawing;
+        std::optional<Panel> panel;  ///< nothing: behind the head
     };
-    void draw_label(const Label& label, const EyePicture& eye);
     void make_label(std::size_t i);
 
     ImGuiContext* context_;         ///< of the menu

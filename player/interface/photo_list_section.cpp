@@ -94,10 +94,13 @@ void photo_list_section(Controls& c, Session& s, const Renderer& renderer, doubl
         ImGui::InputText(shown_name("Name contains").c_str(), list.filter.data(), list.filter.size());
         c.note("Name contains");
     }
-    c.checkbox("Of a point", &list.by_point);
-    c.explain(
-        "Lists the photos that show the point you click on the model, those with the finest pixels first.");
-    in_second_column("Worst first");
+    if (s.keyboard) {
+        c.checkbox("Of a point", &list.by_point);
+        c.explain(
+            "Lists the photos that show the point you click on the model, those with the finest pixels "
+            "first.");
+        in_second_column("Worst first");
+    }
     c.checkbox("Worst first", &list.worst_first);
     c.explain("Those first whose content is farthest off from that of others, with the cameras as given.");
     if (!list.by_point) list.point.reset();

@@ -35,9 +35,11 @@ void light_controls(Controls& c, Session& s) {
         c.explain("Darkens the photos by the light, instead of showing the bare surface.");
     }
     if (l.light != Light::raking) return;
-    in_second_column("Follows pointer");
-    c.checkbox("Follows pointer", &s.lamp_follows);
-    c.explain("The lamp is where the pointer is over the picture: low near its edges.");
+    if (s.keyboard) {
+        in_second_column("Follows pointer");
+        c.checkbox("Follows pointer", &s.lamp_follows);
+        c.explain("The lamp is where the pointer is over the picture: low near its edges.");
+    }
     if (c.slider("Lamp azimuth", &l.azimuth, 0.0, 360.0, "%.0f deg")) s.lamp_follows = false;
     c.explain("0: from the right, 90: from above.");
     if (c.slider("Lamp height", &l.elevation, 1.0, 90.0, "%.0f deg")) s.lamp_follows = false;

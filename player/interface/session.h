@@ -127,7 +127,7 @@ struct Session {
     bool copies_view = false;  ///< the view is to be copied as a command line
     std::string pasted;        ///< text with a view to fly to, or empty
     bool full_screen = false;
-    bool keyboard = true;  ///< else nothing can be typed
+    bool keyboard = true;  ///< and a pointer in the picture; else nothing can be typed or clicked there
     bool kiosk = false;    ///< for the public: nothing can be opened, written, set or quit
     float text_scale = 1;
     /// Of the window and of stories, such as "de-AT"; empty: English, and the story's own.

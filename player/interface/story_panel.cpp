@@ -63,7 +63,7 @@ void story_content(Controls& c, ToldStory& told, Session& s, double now) {
         c.note(("List " + std::to_string(i + 1)).c_str());
         ImGui::PopID();
     }
-    tour_buttons(c, told, s, now);
+    if (s.keyboard) tour_buttons(c, told, s, now);  // else flights are jumps
     if (!told.trouble.empty()) ImGui::TextWrapped("%s", told.trouble.c_str());
 }
 

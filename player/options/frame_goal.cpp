@@ -9,7 +9,7 @@ void add_fps_option(CLI::App& app, double& fps, const std::string& group) {
     app.add_option(
            "--fps", fps,
            "frames per second to keep in motion, by a lower resolution and fewer photos; 0: always in "
-           "full (default 30, 15 with a software renderer)")
+           "full (default 30, 15 with a software renderer; in a headset, as many as it shows)")
         ->check(real_range(0, 1000))
         ->group(group);
 }

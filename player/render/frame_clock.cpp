@@ -15,6 +15,7 @@ FrameClock::FrameClock(bool software) : software_(software) {
 }
 
 void FrameClock::begin() {
+    if (std::exchange(measuring_, false) && !software_) glEndQuery(GL_TIME_ELAPSED);
     start_ = std::chrono::steady_clock::now();
     measuring_ = !ring_[next_].pending;
     if (measuring_ && !software_) glBeginQuery(GL_TIME_ELAPSED, ring_[next_].query.id());
@@ -28,7 +29,7 @@ void FrameClock::end(std::optional<Pace> pace) {
         if (pace) last_ = {*pace, ms};
         return;
     }
-    if (!measuring_) return;
+    if (!std::exchange(measuring_, false)) return;
     glEndQuery(GL_TIME_ELAPSED);
     Timed& t = ring_[next_];
     t.pace = pace, t.ms = ms, t.pending = true;

@@ -21,6 +21,7 @@ class FrameClock {
     };
 
     explicit FrameClock(bool software);
+    /// Begins a frame; one that did not end, because of an error, is not measured.
     void begin();
     /// Ends the frame, which was drawn at `pace`; nothing: not to be measured.
     void end(std::optional<Pace> pace);

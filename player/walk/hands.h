@@ -13,7 +13,7 @@ struct Hand {
     std::optional<RoomPose> grip;  ///< where it is
     bool select = false;           ///< trigger, or pinch
     bool squeeze = false;
-    bool menu = false;
+    bool menu = false, has_menu = false;  ///< has: there is a button for it
     bool has_stick = false;
     Eigen::Vector2d stick = Eigen::Vector2d::Zero();  ///< right, ahead: -1 to 1
 };

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// A place and direction in the room in which a headset is tracked: meters, x right, y up, z backward. What
-/// stands there looks along -z.
+/// A place and direction in the room in which a headset is tracked: meters, x right, y up; -z
+/// is ahead.
 struct RoomPose {
     Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  ///< of length 1
     Eigen::Vector3d at = Eigen::Vector3d::Zero();

@@ -10,7 +10,7 @@ const Eigen::Vector3d room_up = Eigen::Vector3d::UnitY();
 
 Eigen::Matrix3d about_up(double angle) { return Eigen::AngleAxisd(angle, room_up).toRotationMatrix(); }
 
-/// Angle about up, in the room, from ahead (-z) to a direction; nothing for one that is upright.
+/// Angle about up, in the room, from ahead (-z) to a direction; 0 for one that is upright.
 double heading(const Eigen::Vector3d& direction) {
     const double x = direction.x(), z = direction.z();
     return std::hypot(x, z) > 1e-6 * direction.norm() ? std::atan2(-x, -z) : 0;

@@ -15,9 +15,10 @@ bool can_stand_on(const SurfacePoint& s, const Eigen::Vector3d& up) { return s.n
 std::optional<Eigen::Vector3d> foot_of(const SurfacePoint& wall, const Stance& stance,
                                        const SurfaceBetween& surface) {
     const Eigen::Vector3d up = stance.up();
-    Eigen::Vector3d away = wall.normal - up * up.dot(wall.normal);
-    if (away.norm() > 0.1) away.normalize();
-    const Eigen::Vector3d from = wall.at + away * before_wall * stance.scale;
+    const Eigen::Vector3d level = wall.normal - up * up.dot(wall.normal);
+    // Below a ceiling, not on it.
+    const Eigen::Vector3d away = level.norm() > 0.1 ? level.normalized() * before_wall : wall.normal * 0.01;
+    const Eigen::Vector3d from = wall.at + away * stance.scale;
     const auto floor = surface(from, from - up * wall_height * stance.scale);
     if (!floor || !can_stand_on(*floor, up)) return {};
     return floor->at;

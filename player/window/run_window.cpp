@@ -61,12 +61,6 @@ Remembered remembered_window(const ShowOptions& o, const std::filesystem::path& 
     return o.window.fresh ? Remembered{} : read_settings(folder, {});
 }
 
-/// That of the command line, or the one chosen before, or the system's.
-std::string chosen_language(const ShowOptions& o, const Remembered& remembered) {
-    if (!o.window.language.empty()) return o.window.language;
-    return remembered.language.empty() ? system_language() : remembered.language;
-}
-
 float text_scale(const ShowOptions& o, const Remembered& remembered, const GlfwWindow& window) {
     if (o.window.text_scale > 0) return float(o.window.text_scale);
     return remembered.text_scale > 0 ? float(remembered.text_scale) : window.fitting_text_scale();

@@ -7,6 +7,7 @@
 #include "player/camera/shots.h"
 #include "points/point_cloud.h"
 #include "scene/error.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -44,6 +45,11 @@ Remembered start_settings(const PackageReader& package, const ShowOptions& o,
     Remembered out = read_settings(folder, given);
     if (o.blending.given) out.settings = given.settings;
     return out;
+}
+
+std::string chosen_language(const ShowOptions& o, const Remembered& remembered) {
+    if (!o.window.language.empty()) return o.window.language;
+    return remembered.language.empty() ? system_language() : remembered.language;
 }
 
 Session start_session(const PackageReader& package, const ShowOptions& o, const Remembered& remembered) {

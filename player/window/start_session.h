@@ -15,6 +15,9 @@ void expect_content(const PackageReader& package);
 Remembered start_settings(const PackageReader& package, const ShowOptions& options,
                           const std::filesystem::path& folder);
 
+/// The language of the command line, or the one chosen before, or the system's.
+std::string chosen_language(const ShowOptions& options, const Remembered& remembered);
+
 /// A session at the first photo of --photo, or the middle one; without photos, before the model.
 Session start_session(const PackageReader& package, const ShowOptions& options, const Remembered& remembered);
 

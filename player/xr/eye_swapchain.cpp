@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "player/xr/openxr_graphics.h"
+#include "player/xr/shared_context.h"
 #include "player/xr/xr_result.h"
 #include "scene/error.h"
 
@@ -47,7 +48,10 @@ EyeSwapchain::EyeSwapchain(XrSession session, FrameSize size, std::int64_t forma
     info.format = format;
     info.sampleCount = info.faceCount = info.arraySize = info.mipCount = 1;
     info.width = std::uint32_t(size.width), info.height = std::uint32_t(size.height);
-    expect(xrCreateSwapchain(session, &info, &swapchain_), "xrCreateSwapchain");
+    {
+        const SharedContext shared;
+        expect(xrCreateSwapchain(session, &info, &swapchain_), "xrCreateSwapchain");
+    }
     for (const XrSwapchainImageOpenGLKHR& image : images_of(swapchain_))
         targets_.push_back(depth ? gl::make_framebuffer("headset's depth", {}, image.image)
                                  : gl::make_framebuffer("headset", std::array{GLuint(image.image)}, 0));
@@ -65,6 +69,7 @@ EyeSwapchain::~EyeSwapchain() {
 }
 
 GLuint EyeSwapchain::acquire() {
+    const SharedContext shared;
     const XrSwapchainImageAcquireInfo acquire{XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO, nullptr};
     std::uint32_t index = 0;
     expect(xrAcquireSwapchainImage(swapchain_, &acquire, &index), "xrAcquireSwapchainImage");
@@ -76,6 +81,7 @@ GLuint EyeSwapchain::acquire() {
 
 void EyeSwapchain::release() {
     if (!std::exchange(acquired_, false)) return;
+    const SharedContext shared;
     const XrSwapchainImageReleaseInfo info{XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO, nullptr};
     expect(xrReleaseSwapchainImage(swapchain_, &info), "xrReleaseSwapchainImage");
 }

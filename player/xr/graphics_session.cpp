@@ -3,6 +3,7 @@
 #include <string>
 
 #include "player/xr/openxr_graphics.h"
+#include "player/xr/shared_context.h"
 #include "player/xr/xr_result.h"
 #include "scene/error.h"
 
@@ -87,6 +88,7 @@ XrSession make_session(const XrRuntime& runtime, XrSystemId system) {
     XrSession out = XR_NULL_HANDLE;
     const auto create = [&](const auto& binding) {
         info.next = &binding;
+        const SharedContext shared;
         expect(xrCreateSession(runtime.get(), &info, &out), "xrCreateSession");
     };
     if (eglGetCurrentContext() == EGL_NO_CONTEXT)

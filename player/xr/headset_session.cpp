@@ -5,12 +5,14 @@
 
 #include "player/xr/graphics_session.h"
 #include "player/xr/room_pose_of.h"
+#include "player/xr/shared_context.h"
 #include "player/xr/xr_result.h"
 #include "scene/error.h"
 
 namespace vantage {
 namespace {
 
+constexpr float usual_eye_height = 1.6f;  // meters
 constexpr XrViewConfigurationType two_eyes = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
 
 /// The first of the runtime's ways to show a picture over what is around, of those that show it whole.
@@ -29,6 +31,8 @@ XrSpace make_space(XrSession session, XrReferenceSpaceType type) {
     auto info = typed<XrReferenceSpaceCreateInfo>(XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
     info.referenceSpaceType = type;
     info.poseInReferenceSpace.orientation.w = 1;
+    // The origin is where the eyes were: the floor is assumed as far below as for somebody who stands.
+    if (type == XR_REFERENCE_SPACE_TYPE_LOCAL) info.poseInReferenceSpace.position.y = -usual_eye_height;
     XrSpace out = XR_NULL_HANDLE;
     expect(xrCreateReferenceSpace(session, &info, &out), "xrCreateReferenceSpace");
     return out;
@@ -113,7 +117,6 @@ void HeadsetSession::take_events() {
         if (expect(xrPollEvent(runtime_.get(), &event), "xrPollEvent") == XR_EVENT_UNAVAILABLE) return;
         const auto& header = reinterpret_cast<const XrEventDataBaseHeader&>(event);
         if (header.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) throw XrLost(true);
-        if (header.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) recentered_ = true;
         if (header.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
         const auto& changed = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
         if (changed.session == session_) change_state(changed.state);  // else of one that was lost
@@ -153,14 +156,19 @@ void HeadsetSession::ask_to_end() {
 HeadsetFrame HeadsetSession::begin_frame() {
     state_ = typed<XrFrameState>(XR_TYPE_FRAME_STATE);
     const auto wait = typed<XrFrameWaitInfo>(XR_TYPE_FRAME_WAIT_INFO);
-    expect(xrWaitFrame(session_, &wait, &state_), "xrWaitFrame");
     const auto begin = typed<XrFrameBeginInfo>(XR_TYPE_FRAME_BEGIN_INFO);
-    expect(xrBeginFrame(session_, &begin), "xrBeginFrame");
+    {
+        const SharedContext shared;
+        expect(xrWaitFrame(session_, &wait, &state_), "xrWaitFrame");
+        expect(xrBeginFrame(session_, &begin), "xrBeginFrame");
+    }
     HeadsetFrame frame;
     frame.time = seconds_of(state_.predictedDisplayTime);
     frame.period = std::max(0.0, seconds_of(state_.predictedDisplayPeriod));
     frame.shown = state_.shouldRender && locate_eyes(frame);
-    frame.hands = hands_->at(state_.predictedDisplayTime, room_);
+    const auto hands = hands_->at(state_.predictedDisplayTime, room_);
+    frame.focused = hands.has_value();
+    if (hands) frame.hands = *hands;
     return frame;
 }
 
@@ -218,6 +226,7 @@ void HeadsetSession::end_frame(std::span<const DrawnEye> eyes) {
     info.environmentBlendMode = blend_;
     info.layerCount = eyes.empty() ? 0 : 1;
     info.layers = &layers;
+    const SharedContext shared;
     expect(xrEndFrame(session_, &info), "xrEndFrame");
 }
 

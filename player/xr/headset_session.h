@@ -19,7 +19,9 @@ struct HeadsetFrame {
     bool shown = false;                ///< it is to be drawn, `eyes` are known
     std::array<EyeFrustum, 2> eyes{};  ///< left, right
     RoomPose head{};                   ///< between the eyes
+    bool focused = false;              ///< hands are meant for this program, not for the runtime's menu
     Hands hands{};
+    bool gazes = false;  ///< the hands are the gaze, see with_gaze()
 };
 
 /// How depth was drawn: it is 0 `near` in front of the eye and 1 `far`, meters. Reversed if near > far.
@@ -46,12 +48,10 @@ class HeadsetSession {
     void take_events();
     /// Frames are wanted. Otherwise nothing is to be done but to look for events now and then.
     bool runs() const { return running_; }
-    /// The user, or the runtime, has ended it.
+    /// It is over: the user, the runtime or ask_to_end() ended it.
     bool ended() const { return ended_; }
     /// Asks the runtime to end it; ended() follows.
     void ask_to_end();
-    /// Whether the room has moved since the last call: somebody has recentered it.
-    bool take_recentered() { return std::exchange(recentered_, false); }
 
     /// Waits until it is time for the next frame, and begins it.
     HeadsetFrame begin_frame();
@@ -81,7 +81,7 @@ class HeadsetSession {
     XrFrameState state_;            ///< of the frame that was begun last
     std::array<XrView, 2> views_;   ///< likewise
     std::array<XrFovf, 2> fovs_{};  ///< likewise, in order
-    bool running_ = false, ended_ = false, recentered_ = false;
+    bool running_ = false, ended_ = false;
 };
 
 }  // namespace vantage

@@ -7,6 +7,7 @@
 
 #include "player/xr/room_pose_of.h"
 #include "player/xr/xr_result.h"
+#include "scene/error.h"
 
 namespace vantage {
 namespace {
@@ -137,6 +138,15 @@ TrackedHands::TrackedHands(const XrRuntime& runtime, XrSession session) : sessio
     std::strcpy(info.actionSetName, "hands");
     std::strcpy(info.localizedActionSetName, "Hands");
     expect(xrCreateActionSet(runtime.get(), &info, &set_), "xrCreateActionSet");
+    try {
+        make_actions(runtime);
+    } catch (...) {  // the set would outlive the session
+        xrDestroyActionSet(set_);
+        throw;
+    }
+}
+
+void TrackedHands::make_actions(const XrRuntime& runtime) {
     for (std::size_t i = 0; i < 2; ++i) sides_[i] = runtime.path(side_names[i]);
     const auto make = [&](XrActionType type, const char* name, const char* shown) {
         return make_action(set_, type, name, shown, sides_);
@@ -151,10 +161,10 @@ TrackedHands::TrackedHands(const XrRuntime& runtime, XrSession session) : sessio
     buzz_ = make(XR_ACTION_TYPE_VIBRATION_OUTPUT, "buzz", "Buzz");
     suggest_all(runtime);
     XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set_};
-    expect(xrAttachSessionActionSets(session, &attach), "xrAttachSessionActionSets");
+    expect(xrAttachSessionActionSets(session_, &attach), "xrAttachSessionActionSets");
     for (std::size_t i = 0; i < 2; ++i) {
-        aims_[i] = make_action_space(session, aim_, sides_[i]);
-        grips_[i] = make_action_space(session, grip_, sides_[i]);
+        aims_[i] = make_action_space(session_, aim_, sides_[i]);
+        grips_[i] = make_action_space(session_, grip_, sides_[i]);
     }
 }
 
@@ -166,6 +176,7 @@ TrackedHands::~TrackedHands() {
 }
 
 void TrackedHands::suggest_all(const XrRuntime& runtime) const {
+    bool any = false;
     const auto suggest = [&](const Profile& p) {
         std::vector<XrActionSuggestedBinding> bindings;
         for (std::size_t i = 0; i < 2; ++i) {
@@ -187,19 +198,22 @@ void TrackedHands::suggest_all(const XrRuntime& runtime) const {
         const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING,
                                                         nullptr, runtime.path(p.name),
                                                         std::uint32_t(bindings.size()), bindings.data()};
-        expect(xrSuggestInteractionProfileBindings(runtime.get(), &info),
-               "xrSuggestInteractionProfileBindings");
+        const XrResult result = xrSuggestInteractionProfileBindings(runtime.get(), &info);
+        if (result == XR_ERROR_PATH_UNSUPPORTED) return;  // the others may do
+        expect(result, "xrSuggestInteractionProfileBindings");
+        any = true;
     };
     for (const Profile& p : controllers) suggest(p);
     if (runtime.extensions().microsoft_hands) suggest(microsoft_hands);
     if (runtime.extensions().hands) suggest(bare_hands);
+    if (!any) throw Error(Exit::graphics, "--xr: the OpenXR runtime knows none of the usual controllers");
 }
 
-Hands TrackedHands::at(XrTime time, XrSpace room) {
+std::optional<Hands> TrackedHands::at(XrTime time, XrSpace room) {
     const XrActiveActionSet active{set_, XR_NULL_PATH};
     const XrActionsSyncInfo info{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
     if (expect(xrSyncActions(session_, &info), "xrSyncActions") == XR_SESSION_NOT_FOCUSED) return {};
-    return {hand_at(0, time, room), hand_at(1, time, room)};
+    return Hands{hand_at(0, time, room), hand_at(1, time, room)};
 }
 
 Hand TrackedHands::hand_at(std::size_t i, XrTime time, XrSpace room) const {
@@ -209,7 +223,9 @@ Hand TrackedHands::hand_at(std::size_t i, XrTime time, XrSpace room) const {
     hand.grip = pose_in(grips_[i], room, time);
     hand.select = pressed(session_, select_, side).value_or(false);
     hand.squeeze = pressed(session_, squeeze_, side).value_or(false);
-    hand.menu = pressed(session_, menu_, side).value_or(false);
+    const auto menu = pressed(session_, menu_, side);
+    hand.has_menu = menu.has_value();
+    hand.menu = menu.value_or(false);
     const auto stick = pushed(session_, stick_, side);
     hand.has_stick = stick.has_value();
     if (stick && pressed(session_, press_, side).value_or(true) && stick->allFinite()) hand.stick = *stick;

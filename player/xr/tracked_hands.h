@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 
 #include "player/walk/hands.h"
 #include "player/xr/xr_runtime.h"
@@ -15,12 +16,13 @@ class TrackedHands {
     TrackedHands(const TrackedHands&) = delete;
     TrackedHands& operator=(const TrackedHands&) = delete;
 
-    /// What they do now, and where they will be at `time`, in the space `room`. Without focus, nothing.
-    Hands at(XrTime time, XrSpace room);
+    /// What they do now, and where they will be at `time`, in the space `room`. Nothing without focus.
+    std::optional<Hands> at(XrTime time, XrSpace room);
     /// A short buzz, where the controller has it.
     void buzz(std::size_t hand) const;
 
   private:
+    void make_actions(const XrRuntime& runtime);
     void suggest_all(const XrRuntime& runtime) const;
     Hand hand_at(std::size_t hand, XrTime time, XrSpace room) const;
 

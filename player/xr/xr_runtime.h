@@ -10,7 +10,7 @@ struct XrExtensions {
     bool egl = false, depth = false, microsoft_hands = false, hands = false;
 };
 
-/// A connection to the OpenXR runtime. Move-only.
+/// A connection to the OpenXR runtime.
 class XrRuntime {
   public:
     /// Throws Error(graphics) if there is no runtime, or it cannot be used with OpenGL.

@@ -121,6 +121,7 @@ XrResult wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState*
     out->predictedDisplayTime = w.display_time;
     out->predictedDisplayPeriod = w.period;
     out->shouldRender = session.waited->should_render;
+    be_careless();
     return session.loss == Loss::none ? XR_SUCCESS : XR_SESSION_LOSS_PENDING;
 }
 
@@ -143,6 +144,7 @@ XrResult end_frame(XrSession handle, const XrFrameEndInfo* info) {
     check_frame_end(*info, *session.begun);
     record(*session.begun, checked_layers(handle, *info));
     session.begun.reset();
+    be_careless();
     return XR_SUCCESS;
 }
 

@@ -11,6 +11,8 @@
 
 #include <cstdio>
 
+#include "tests/openxr/world.h"
+
 namespace test_runtime {
 namespace {
 
@@ -115,6 +117,10 @@ bool check_graphics(const Session& session) {
         breach("there was an OpenGL error before, " + std::string(number));
     }
     return true;
+}
+
+void be_careless() {
+    if (world().scenario.careless) glEnable(GL_INVALID_ENUM);
 }
 
 bool is_depth(int64_t format) {

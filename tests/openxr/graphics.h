@@ -14,6 +14,9 @@ bool is_current(const GraphicsContext& graphics);
 /// Records it if the session's context is not current, or has an error. Whether the context can be used.
 bool check_graphics(const Session& session);
 
+/// Leaves an OpenGL error if the scenario says so.
+void be_careless();
+
 bool is_depth(int64_t format);
 
 /// Textures that nothing can resize, in magenta, so that what a program does not draw is seen.

@@ -226,7 +226,7 @@ std::vector<XrReferenceSpaceType> spaces_of(const json& j) {
 Scenario scenario_of(const json& j) {
     check_fields(j, {"rate", "eyes", "extensions", "formats", "blend_modes", "spaces", "stage",
                      "create_instance", "get_system", "create_session", "profile", "head", "hands", "events",
-                     "states", "end", "save", "real_time"});
+                     "states", "end", "save", "real_time", "careless"});
     Scenario out{};
     out.rate = j.value("rate", 90.);
     out.eyes = eyes_of(j);
@@ -248,6 +248,7 @@ Scenario scenario_of(const json& j) {
     if (j.contains("end")) out.end = j["end"].get<int>();
     out.save = j.value("save", std::set<int>{});
     out.real_time = j.value("real_time", false);
+    out.careless = j.value("careless", false);
     return out;
 }
 

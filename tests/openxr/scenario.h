@@ -29,6 +29,7 @@
 //   "save": [10, 20],                 frames whose pictures are saved
 //   "real_time": false                true: xrWaitFrame sleeps, and frames that the program misses are counted;
 //                                     false: each frame takes one period of a clock of its own
+//   "careless": false                 true: calls that may draw leave an OpenGL error, as some runtimes do
 // }
 //
 // POSE is {"position": [x, y, z], "orientation": [x, y, z, w]}; both are optional.
@@ -143,7 +144,7 @@ struct Scenario {
     bool usual_states;
     std::optional<int> end;
     std::set<int> save;
-    bool real_time;
+    bool real_time, careless;
 };
 
 /// From the file named by the environment. Ends the process with a message if that is not understood.

@@ -61,6 +61,7 @@ XrResult create_swapchain(XrSession handle, const XrSwapchainCreateInfo* info, X
     swapchain.info.next = nullptr;
     swapchain.textures = make_textures(*info, is_static(swapchain) ? 1 : images);
     *out = handles().swapchains.add(std::move(swapchain));
+    be_careless();
     return XR_SUCCESS;
 }
 
@@ -90,6 +91,7 @@ XrResult acquire_image(XrSwapchain handle, const XrSwapchainImageAcquireInfo* in
     *index = swapchain.next;
     swapchain.next = (swapchain.next + 1) % uint32_t(swapchain.textures.size());
     swapchain.acquired.push_back(*index);
+    be_careless();
     return XR_SUCCESS;
 }
 

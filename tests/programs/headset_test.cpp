@@ -76,7 +76,8 @@ class HeadsetProgram : public GardenPackage {
         const int status = std::system(
             ("XR_RUNTIME_JSON=" OPENXR_MANIFEST " VANTAGE_TEST_XR=" + (dir / "scenario.json").string() +
              " VANTAGE_TEST_XR_OUT=" + out.string() + " " + before + " timeout 300 " VANTAGE_PLAYER " " +
-             file.string() + " --xr --fresh --quiet --photo 0002 " + options + " 2>" + message.string())
+             file.string() + " --xr --fresh --quiet --photo 0002 " + options + " >" + message.string() +
+             " 2>&1")
                 .c_str());
         Run run{WIFEXITED(status) ? WEXITSTATUS(status) : -1,
                 slurp(message),
@@ -247,7 +248,7 @@ struct Script {
     json hands = json::array();
     int frame = 6;
     const Vector3d from{0.15, 1.3, -0.1};
-    const MenuPlace menu = menu_before({Eigen::Quaterniond::Identity(), {0, 1.6, 0}});
+    const MenuPlace menu = menu_in_front_of({Eigen::Quaterniond::Identity(), {0, 1.6, 0}});
 
     void press(const Vector3d& at, const char* button) {
         hands.push_back(hand(frame, "right", pointing(from, at),
@@ -431,6 +432,14 @@ TEST_F(HeadsetProgram, GoesOnWhenSessionOrRuntimeWereLost) {
     EXPECT_GT(shown_between(50, 90), 30);
 }
 
+TEST_F(HeadsetProgram, DoesNotMindOpenGLErrorsThatTheRuntimeLeaves) {
+    json s = scenario(20);
+    s["careless"] = true;
+    const Run run = play(s);
+    expect_sound(run);
+    EXPECT_GE(shown_frames(run.frames), 17u);
+}
+
 TEST_F(HeadsetProgram, ShowsFieldsOfViewOfAllKindsAtAllRates) {
     for (const double rate : {72.0, 90.0, 120.0}) {
         json s = scenario(15);
@@ -495,14 +504,13 @@ TEST_F(HeadsetProgram, ValidationLayerOfKhronosFindsNothing) {
     s["hands"] = {hand(8, "right", pointing({0.2, 1.2, -0.2}, {0, 1, -3}), {{"/input/b/click", true}}),
                   hand(12, "left", pointing({-0.2, 1.2, -0.2}, {0, 1, -3}), {{"/input/thumbstick", {0, 1}}})};
     s["events"] = {{{"frame", 20}, {"lose", "session"}}, {{"frame", 40}, {"lose", "instance"}}};
-    const fs::path errors = dir / "validation";
     const Run run = play(s, "",
                          "env XR_ENABLE_API_LAYERS=XR_APILAYER_LUNARG_core_validation "
-                         "XR_CORE_VALIDATION_EXPORT_TYPE=text XR_CORE_VALIDATION_FILE_NAME=" +
-                             errors.string() + " xvfb-run -a -s '-screen 0 640x480x24'");
-    EXPECT_EQ(run.code, 0) << run.message;
-    ASSERT_TRUE(fs::exists(errors));
-    EXPECT_EQ(slurp(errors), "");
+                         "XR_CORE_VALIDATION_EXPORT_TYPE=text xvfb-run -a -s '-screen 0 640x480x24'");
+    EXPECT_EQ(run.code, 0);
+    EXPECT_NE(run.message.find("Core Validation"), std::string::npos)
+        << "the layer is there: " << run.message;
+    EXPECT_EQ(run.message.find("VALID_"), std::string::npos) << run.message;
 }
 
 TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
@@ -520,7 +528,7 @@ TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
         return json{{"frame", frame}, {"hand", "right"}, {"active", false}};
     };
     s["hands"] = {stick(10, 0, 0), stick(20, 0, 1), stick(26, 0, 0), away(30),
-                  stick(64, 1, 0), stick(70, 0, 0), away(74)};
+                  stick(60, 0, 0), stick(64, 1, 0), stick(70, 0, 0), away(74)};
     s["save"] = {38, 58, 88};
     for (const int frame : {34, 36, 84, 86}) s["events"].push_back({{"frame", frame}, {"late", 180}});
     const Run run = play(s, "--fps 0 --blended 0 --thumbnails --unit-meters 1");

@@ -30,6 +30,7 @@ class Walking : public testing::Test {
             hand.has_stick = true;
             hand.aim = hand.grip = aiming({0.2, 1.2, -0.3}, 0);
         }
+        step();  // the sticks are in the middle
     }
     void step(int frames = 1) {
         for (int i = 0; i < frames; ++i) walk_on(w, hands, free, head, frame, surface);
@@ -40,7 +41,7 @@ class Walking : public testing::Test {
 
     Walk w;
     Hands hands;
-    FreeHands free{true, true};
+    FreeHands free{};
     RoomPose head;
     SurfaceBetween surface = [](const Vector3d&, const Vector3d&) { return std::optional<SurfacePoint>(); };
 };
@@ -199,10 +200,10 @@ TEST_F(Walking, ControllersWithoutSticksAimBySelecting) {
 
 TEST_F(Walking, PressThatBeganOnAPanelDoesNotTeleport) {
     for (Hand& hand : hands) hand.has_stick = false;
-    free = {false, false};
+    free = {FreeHand{false, false}, FreeHand{false, false}};
     hands[right_hand].select = true;
     step();
-    free = {true, true};  // it slid off the panel
+    free = {};  // it slid off the panel
     step();
     EXPECT_FALSE(w.aiming);
     hands[right_hand].select = false;
@@ -223,6 +224,69 @@ TEST_F(Walking, HandThatIsLostWhileAimingGoesNowhere) {
     EXPECT_FALSE(w.arc);
     EXPECT_EQ(w.stance.at, before.at);
     EXPECT_EQ(w.stance.R, before.R);
+}
+
+TEST_F(Walking, StickThatIsPushedAlreadyDoesNothingUntilItIsLetGo) {
+    surface = floor_at(0);
+    const Stance before = w.stance;
+    free[right_hand].move = false;  // it scrolls a list
+    stick(right_hand, 0, 1);
+    step();
+    free = {};  // the ray slid off
+    step();
+    EXPECT_FALSE(w.aiming);
+    stick(left_hand, 0, 1);  // flies
+    hands[right_hand] = {};  // the other controller falls asleep
+    step();
+    EXPECT_FALSE(w.aiming);
+    stick(left_hand, 0, 0);
+    step();
+    stick(left_hand, 0, 1);
+    step();
+    EXPECT_EQ(w.aiming, left_hand);
+    EXPECT_EQ(w.stance.R, before.R);
+}
+
+TEST_F(Walking, TurnWhileAHandHoldsTheSceneStays) {
+    hands[left_hand].squeeze = true;
+    step(3);
+    const Vector3d before = ahead();
+    stick(right_hand, 1, 0);
+    step(3);
+    EXPECT_NEAR(std::acos(before.dot(ahead())), std::numbers::pi / 6, 1e-9);
+    const Vector3d there = eye();
+    w.stance = moved(w.stance, {3, 2, 1});  // sent elsewhere
+    step(3);
+    EXPECT_LT((eye() - there - Vector3d(3, 2, 1)).norm(), 1e-9);
+}
+
+TEST_F(Walking, CeilingIsNoPlaceToStand) {
+    // Seen from either side, as a mesh is.
+    surface = [](const Vector3d& from, const Vector3d& to) -> std::optional<SurfacePoint> {
+        for (const double z : {20.0, 0.0}) {
+            if ((from.z() - z) * (to.z() - z) > 0 || from.z() == to.z()) continue;
+            const Vector3d at = from + (to - from) * ((from.z() - z) / (from.z() - to.z()));
+            return SurfacePoint{at, Vector3d(0, 0, from.z() < to.z() ? -1 : 1)};
+        }
+        return {};
+    };
+    hands[right_hand].aim = aiming({0.2, 1.2, -0.3}, 1.2);
+    stick(right_hand, 0, 1);
+    step();
+    ASSERT_TRUE(w.arc && w.arc->landing);
+    EXPECT_NEAR(w.arc->landing->z(), 0, 1e-9) << "the floor below it";
+}
+
+TEST_F(Walking, LettingGoOfWhatHandsBeganHasNoEffect) {
+    surface = floor_at(0);
+    const Stance before = w.stance;
+    stick(right_hand, 0, 1);
+    step();
+    ASSERT_TRUE(w.arc);
+    let_go(w);
+    hands = {};
+    walk_on(w, with_gaze(hands, head, false, false), free, head, frame, surface);
+    EXPECT_EQ(w.stance.at, before.at);
 }
 
 TEST_F(Walking, GazeAndAButtonReplaceHands) {
