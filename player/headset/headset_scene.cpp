@@ -22,9 +22,8 @@
 namespace vantage {
 namespace {
 
-constexpr double arms_length = 1;    ///< meters, to what is looked at in a scene of unknown size
-constexpr double nearest = 0.05;     ///< meters, of what is drawn over the picture
-constexpr double note_reach = 0.02;  ///< how far beside a note's middle one may point, per distance
+constexpr double arms_length = 1;  ///< meters, to what is looked at in a scene of unknown size
+constexpr double nearest = 0.05;   ///< meters, of what is drawn over the picture
 
 /// Meters in a scene unit, as the command line or the scene's measurements say; 0: unknown.
 double unit_meters(const PackageReader& package, double given) {
@@ -36,10 +35,6 @@ double unit_meters(const PackageReader& package, double given) {
     } catch (const Error&) {  // the scene can be shown all the same
         return 0;
     }
-}
-
-Ray ray_of(const Stance& stance, const RoomPose& aim) {
-    return {in_scene(stance, aim.at), stance.R * aim.ahead()};
 }
 
 }  // namespace
@@ -60,6 +55,7 @@ HeadsetScene::HeadsetScene(const PackageReader& package, const std::vector<Scene
       clock_(gl::current_device().software) {
     session_.photos = photos_in_use(package, o.package);
     session_.keyboard = false;
+    session_.panels.measure = false;  // a page of the menu
     session_.photo_list.errors = photo_errors(package);
     session_.settings.background =
         told_.story.background ? background_of(*told_.story.background) : Background{};
@@ -82,10 +78,6 @@ void HeadsetScene::follow_head(const HeadsetFrame& frame) {
     session_.camera = stand_at(middle, up_, walk_.stance.scale);
 }
 
-Panel HeadsetScene::menu_panel() const {
-    return vantage::menu_panel(*menu_, walk_.stance, SceneInterface::width, SceneInterface::height);
-}
-
 /// Hands without a button for it open and close the menu by selecting with both.
 void HeadsetScene::take_menu_button(const HeadsetFrame& frame) {
     const auto& [left, right] = frame.hands;
@@ -104,65 +96,17 @@ void HeadsetScene::change_language() {
     use_language(language_);
 }
 
-HeadsetScene::Pointed HeadsetScene::pointed_by(const Hand& hand) const {
-    Pointed out;
-    if (!hand.aim) return out;
-    const Ray ray = ray_of(walk_.stance, *hand.aim);
-    const auto reaches = [&](double scene_units) { out.length = scene_units / walk_.stance.scale; };
-    if (menu_) out.menu = pixel_on(menu_panel(), ray.from, ray.along);
-    if (out.menu) {
-        reaches(out.menu->distance);
-        return out;
-    }
-    if (session_.panels.measure) {
-        out.surface = scene_point(objects_.meshes(), origin_, ray, session_.settings.sections);
-        if (out.surface) reaches((out.surface->position - origin_ - ray.from).norm());
-        return out;
-    }
-    for (std::size_t i = 0; i < told_.story.notes.size(); ++i) {
-        const auto& anchor = told_.story.notes[i].anchor;
-        if (!anchor) continue;
-        const Eigen::Vector3d to = *anchor - origin_ - ray.from;
-        const double along = to.dot(ray.along);
-        if (along > 0 && (to - along * ray.along).norm() < note_reach * along) out.note = i, reaches(along);
-    }
-    if (out.note || !session_.panels.frusta) return out;
-    if (const auto hit = photo_on(renderer_.scene(), session_, ray, walk_.stance)) {
-        out.photo = hit->photo;
-        reaches(hit->distance);
-    }
-    return out;
+void HeadsetScene::place_panel() {
+    panel_.reset();
+    if (menu_) panel_ = menu_panel(*menu_, walk_.stance, SceneInterface::width, SceneInterface::height);
 }
 
 void HeadsetScene::point(const HeadsetFrame& frame) {
-    for (std::size_t i = 0; i < 2; ++i) pointed_[i] = pointed_by(frame.hands[i]);
-    point_at_menu(frame.hands);
-}
-
-/// One hand at a time: the one that pressed there, as long as it is pressed, also beside the menu; otherwise
-/// the one that points at it, the right one first.
-void HeadsetScene::point_at_menu(const Hands& hands) {
-    pointer_ = {};
-    if (!menu_) {
-        menu_hand_.reset();
-        menu_holds_ = false;
-        return;
-    }
-    menu_holds_ = menu_holds_ && menu_hand_ && hands[*menu_hand_].select && hands[*menu_hand_].aim;
-    if (!menu_holds_) {
-        menu_hand_.reset();
-        for (const std::size_t i : {left_hand, right_hand})
-            if (pointed_[i].menu && (!menu_hand_ || !pointed_[*menu_hand_].menu || i == right_hand))
-                menu_hand_ = i;
-    }
-    if (!menu_hand_) return;
-    const Hand& hand = hands[*menu_hand_];
-    const Ray ray = ray_of(walk_.stance, *hand.aim);
-    if (const auto hit = pixel_on_plane(menu_panel(), ray.from, ray.along)) pointer_.at = hit->pixel;
-    const bool begins = hand.select && !selected_[*menu_hand_];
-    menu_holds_ = menu_holds_ || begins;
-    pointer_.pressed = menu_holds_;
-    pointer_.scroll = std::abs(hand.stick.y()) > 0.3 ? 0.25 * hand.stick.y() : 0;
+    place_panel();
+    const std::vector<PlacedMesh> meshes = objects_.meshes();
+    const PointingTargets targets{panel_, meshes, origin_, told_.story, renderer_.scene(), session_};
+    for (std::size_t i = 0; i < 2; ++i) pointed_[i] = pointed_by(frame.hands[i], walk_.stance, targets);
+    menu_pointer_ = next_menu_pointer(menu_pointer_, frame.hands, pointed_, selected_, walk_.stance, panel_);
 }
 
 /// Whether a hand has just selected what it points at.
@@ -190,7 +134,7 @@ FreeHands HeadsetScene::free_hands() const {
     FreeHands out;
     for (std::size_t i = 0; i < 2; ++i) {
         const Pointed& p = pointed_[i];
-        out[i].move = !p.menu && menu_hand_ != i;
+        out[i].move = !p.menu && menu_pointer_.hand != i;
         out[i].select = !p.photo && !p.note && !session_.panels.measure;
     }
     return out;
@@ -203,11 +147,12 @@ void HeadsetScene::walk(const HeadsetFrame& frame, double seconds) {
         return surface_on(meshes, {from, to - from}, 1, session_.settings.sections);
     };
     if (menu_) {
-        const auto pointing = menu_hand_ && pointed_[*menu_hand_].menu ? menu_hand_ : std::nullopt;
+        const auto pointing =
+            menu_pointer_.hand && pointed_[*menu_pointer_.hand].menu ? menu_pointer_.hand : std::nullopt;
         carry(*menu_, frame.hands, pointing);
     }
     Hands hands = frame.hands;
-    if (menu_hand_) hands[*menu_hand_].stick.setZero();  // it scrolls
+    if (menu_pointer_.hand) hands[*menu_pointer_.hand].stick.setZero();  // it scrolls
     walk_on(walk_, hands, free_hands(), frame.head, seconds, surface);
 }
 
@@ -249,7 +194,7 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
 
 void HeadsetScene::write_interface(const HeadsetFrame& frame, double seconds) {
     if (frame.time > session_.message_until) session_.message.clear();
-    interface_.begin(pointer_, seconds);
+    interface_.begin(menu_pointer_.pointer, seconds);
     change_language();
     measured_.clear();
     if (measure_.attend(session_, frame.time)) measured_ = measure_.drawn();
@@ -331,6 +276,7 @@ void HeadsetScene::frame(HeadsetSession& headset, const HeadsetFrame& frame,
         walk(frame, seconds);
         write_interface(frame, seconds);
         stand_where_sent(frame);
+        place_panel();  // it has moved with the room
         mark(frame);
         for (std::size_t i = 0; i < 2; ++i) selected_[i] = frame.hands[i].select;
         draw(headset, frame, seen);
@@ -369,7 +315,7 @@ void HeadsetScene::draw_over(const View& view, GLuint target) {
         behind_model.depth = {renderer_.targets().depth.id(), renderer_.depth_terms(), frame_size(view)};
     mark_pass_.draw(behind_model);
     interface_.draw_labels(behind_model);
-    if (menu_) interface_.draw_menu(menu_panel(), eye);
+    if (panel_) interface_.draw_menu(*panel_, eye);
     hand_pass_.draw(eye);
 }
 

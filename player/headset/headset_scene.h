@@ -6,6 +6,7 @@
 #include "player/headset/headset_marks.h"
 #include "player/headset/headset_menu.h"
 #include "player/headset/menu_place.h"
+#include "player/headset/pointing.h"
 #include "player/headset/scene_interface.h"
 #include "player/headset/vignette.h"
 #include "player/interface/session.h"
@@ -31,23 +32,13 @@ class HeadsetScene {
                const std::function<void(GLuint, FrameSize)>& seen);
 
   private:
-    /// What a hand points at.
-    struct Pointed {
-        std::optional<PanelHit> menu{};
-        std::optional<std::uint32_t> photo{};
-        std::optional<std::size_t> note{};
-        std::optional<SurveyPoint> surface{};  ///< while it measures
-        double length = 3;                     ///< of its ray, meters
-        bool any() const { return menu || photo || note || surface; }
-    };
     void place(const RoomPose& head);
     void follow_head(const HeadsetFrame& frame);
     void take_menu_button(const HeadsetFrame& frame);
     void change_language();
     void write_files(double now);
-    Pointed pointed_by(const Hand& hand) const;
+    void place_panel();
     void point(const HeadsetFrame& frame);
-    void point_at_menu(const Hands& hands);
     bool chosen(const Hands& hands, std::size_t hand) const;
     void act(const HeadsetFrame& frame);
     FreeHands free_hands() const;
@@ -62,7 +53,6 @@ class HeadsetScene {
     void draw_over(const View& view, GLuint target);
     std::optional<DepthLimits> depth_of(HeadsetSession& headset, const View& view, std::size_t eye);
     void keep_pace();
-    Panel menu_panel() const;
 
     Renderer renderer_;
     ObjectSet objects_;
@@ -77,6 +67,7 @@ class HeadsetScene {
 
     SceneInterface interface_;
     std::optional<MenuPlace> menu_;  ///< while it is open
+    std::optional<Panel> panel_;     ///< that of the menu, in this frame
     MenuPage page_ = MenuPage::move;
     MeasurePanel measure_;
     ToldStory told_;
@@ -86,9 +77,7 @@ class HeadsetScene {
     bool menu_pressed_ = false, gazed_ = false;  ///< likewise
     std::string language_;                       ///< in use
     std::vector<MeasurePanel::Drawn> measured_;  ///< in this frame
-    std::optional<std::size_t> menu_hand_;       ///< the one whose pointer the menu has
-    bool menu_holds_ = false;                    ///< it was pressed there
-    PanelPointer pointer_;
+    MenuPointer menu_pointer_;
     Marks marks_, hand_marks_;
     MarkPass mark_pass_, hand_pass_;
     Vignette vignette_;

@@ -31,21 +31,12 @@ class Within {
     ImGuiContext* before_;
 };
 
-/// The lists of one window.
+/// What ImGui drew for one window.
 void upload_window(PanelDrawing& drawing, const ImDrawData& all, std::string_view window) {
     std::vector<ImDrawList*> lists;
-    ImDrawData part = all;
-    part.TotalVtxCount = part.TotalIdxCount = 0;
-    for (int i = 0; i < all.CmdListsCount; ++i) {
-        ImDrawList* list = all.CmdLists[i];
-        if (!list->_OwnerName || list->_OwnerName != window) continue;
-        lists.push_back(list);
-        part.TotalVtxCount += list->VtxBuffer.Size;
-        part.TotalIdxCount += list->IdxBuffer.Size;
-    }
-    part.CmdLists = lists.data();
-    part.CmdListsCount = int(lists.size());
-    drawing.upload(part);
+    for (ImDrawList* list : lists_of(all))
+        if (list->_OwnerName && list->_OwnerName == window) lists.push_back(list);
+    drawing.upload(lists);
 }
 
 /// Where a label is, whose window has this corner and size.
@@ -130,7 +121,7 @@ void SceneInterface::make_label(std::size_t i) {
 
 void SceneInterface::end(std::vector<SceneLabel> labels, const View& head) {
     ImGui::Render();
-    menu_.upload(*ImGui::GetDrawData());
+    menu_.upload(lists_of(*ImGui::GetDrawData()));
     ImGui::SetCurrentContext(labels_context_);
     ImGui::NewFrame();
     shown_ = std::min(labels.size(), most_labels);

@@ -63,12 +63,22 @@ gl::VertexArray make_vertices() {
 
 }  // namespace
 
-void PanelDrawing::upload(const ImDrawData& drawn) {
+std::span<ImDrawList* const> lists_of(const ImDrawData& drawn) {
+    // A pointer or, in newer versions, a vector.
+    return drawn.CmdListsCount > 0 ? std::span(&drawn.CmdLists[0], std::size_t(drawn.CmdListsCount))
+                                   : std::span<ImDrawList* const>();
+}
+
+void PanelDrawing::upload(std::span<ImDrawList* const> lists) {
     commands_.clear();
-    const std::span lists(drawn.CmdLists, std::size_t(drawn.CmdListsCount));
-    vertices_.begin(std::size_t(drawn.TotalVtxCount) * sizeof(ImDrawVert));
-    indices_.begin(std::size_t(drawn.TotalIdxCount) * sizeof(ImDrawIdx));
     std::size_t vertices = 0, indices = 0;
+    for (const ImDrawList* list : lists) {
+        vertices += std::size_t(list->VtxBuffer.Size);
+        indices += std::size_t(list->IdxBuffer.Size);
+    }
+    vertices_.begin(vertices * sizeof(ImDrawVert));
+    indices_.begin(indices * sizeof(ImDrawIdx));
+    vertices = indices = 0;
     for (const ImDrawList* list : lists) {
         vertices_.write(bytes_of(list->VtxBuffer));
         indices_.write(bytes_of(list->IdxBuffer));

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gl/program.h"
@@ -9,15 +10,19 @@
 #include "player/panels/panel.h"
 
 struct ImDrawData;
+struct ImDrawList;
 
 namespace vantage {
+
+/// All that ImGui drew.
+std::span<ImDrawList* const> lists_of(const ImDrawData& drawn);
 
 /// What ImGui drew for a panel, in graphics memory: uploaded once per frame, drawn for each eye. Belongs to
 /// the OpenGL thread.
 class PanelDrawing {
   public:
     /// Replaces what was uploaded. Callbacks among the commands are left out.
-    void upload(const ImDrawData& drawn);
+    void upload(std::span<ImDrawList* const> lists);
 
   private:
     friend class PanelPass;

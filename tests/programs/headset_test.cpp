@@ -73,12 +73,12 @@ class HeadsetProgram : public GardenPackage {
         const fs::path message = dir / "message", out = dir / "out";
         fs::remove_all(out);
         std::ofstream(dir / "scenario.json") << scenario;
-        const int status = std::system(
-            ("XR_RUNTIME_JSON=" OPENXR_MANIFEST " VANTAGE_TEST_XR=" + (dir / "scenario.json").string() +
-             " VANTAGE_TEST_XR_OUT=" + out.string() + " " + before + " timeout 300 " VANTAGE_PLAYER " " +
-             file.string() + " --xr --fresh --quiet --photo 0002 " + options + " >" + message.string() +
-             " 2>&1")
-                .c_str());
+        const int status =
+            std::system(("cd " + dir.string() + " && XR_RUNTIME_JSON=" OPENXR_MANIFEST " VANTAGE_TEST_XR=" +
+                         (dir / "scenario.json").string() + " VANTAGE_TEST_XR_OUT=" + out.string() + " " +
+                         before + " timeout 300 " VANTAGE_PLAYER " " + file.string() +
+                         " --xr --fresh --quiet --photo 0002 " + options + " >" + message.string() + " 2>&1")
+                            .c_str());
         Run run{WIFEXITED(status) ? WEXITSTATUS(status) : -1,
                 slurp(message),
                 slurp(out / "violations.txt"),
@@ -149,7 +149,7 @@ Picture offscreen_picture(const PackageReader& package, const View& view,
     return take_picture(renderer, view, render_settings(package, options, Purpose::window), photos, 1);
 }
 
-/// The same of two eyes, as a window renders them when all tiles are there.
+/// The same of two eyes, as a window renders them.
 std::vector<Picture> window_pictures(const PackageReader& package, const std::vector<View>& eyes,
                                      const std::vector<std::uint32_t>& photos) {
     BlendingOptions options;
@@ -383,8 +383,9 @@ TEST_F(HeadsetProgram, FinePicturesAreThoseOfOffscreenRenderingToTheEye) {
     const gl::HeadlessContext context;
     const json& views = run.frames.at(37)["layers"][0]["views"];
     const View view = players_view(package.photos()[2], Vector3d::UnitZ(), head_between(views), 2, views[0]);
+    // Which tiles are there depends on when they came: where few pixels would show it, a coarser one stays.
     const Picture seen = saved(38, "left"), truth = offscreen_picture(package, view, all(package), false);
-    EXPECT_GT(psnr(seen, truth), 45) << "dB; the headset loads no finer tiles than it needs";
+    EXPECT_GT(psnr(seen, truth), 45) << "dB";
 }
 
 TEST_F(HeadsetProgram, KeepsToTheSpecificationWhateverTheRuntimeSays) {

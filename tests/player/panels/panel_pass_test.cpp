@@ -33,7 +33,7 @@ class Drawn {
         ImGui::NewFrame();
         draw(*ImGui::GetBackgroundDrawList());
         ImGui::Render();
-        drawing_.upload(*ImGui::GetDrawData());
+        drawing_.upload(lists_of(*ImGui::GetDrawData()));
     }
     void on(const Panel& panel, const EyePicture& eye) { pass_->draw(drawing_, panel, eye); }
 
