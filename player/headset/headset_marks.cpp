@@ -21,9 +21,12 @@ MarkColor color_of(MeasureLook look) {
     return look == MeasureLook::selected ? blue : look == MeasureLook::unfinished ? white : yellow;
 }
 
-/// Whether somebody at `eye` would stand in the photo's camera.
-bool is_at(const PlanScene& scene, std::uint32_t photo, const Vector3d& eye, const Stance& stance) {
-    return (scene.poses[photo].center() - eye).norm() < hands_breadth * stance.scale;
+/// Whether a photo is shown as a picture: not to somebody who stands in its camera.
+bool is_in_scene(const PlanScene& scene, std::uint32_t photo, const Session& s, const Vector3d& eye,
+                 const Stance& stance) {
+    const package::PhotoRecord& p = scene.photos[photo];
+    const bool stands_there = (scene.poses[photo].center() - eye).norm() < hands_breadth * stance.scale;
+    return is_shown(s.settings.bands, p) && p.levels && !stands_there;
 }
 
 /// The distance at which a ray meets a parallelogram, given by three corners; nothing if it does not.
@@ -43,10 +46,8 @@ std::optional<double> meets(const Ray& ray, const Vector3d& corner, const Vector
 std::vector<std::uint32_t> photos_in_scene(const PlanScene& scene, const Session& s, const Vector3d& eye,
                                            const Stance& stance) {
     std::vector<std::uint32_t> out;
-    for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
-        const package::PhotoRecord& p = scene.photos[i];
-        if (is_shown(s.settings.bands, p) && p.levels && !is_at(scene, i, eye, stance)) out.push_back(i);
-    }
+    for (std::uint32_t i = 0; i < scene.photos.size(); ++i)
+        if (is_in_scene(scene, i, s, eye, stance)) out.push_back(i);
     std::ranges::sort(out, {}, [&](std::uint32_t i) { return (scene.poses[i].center() - eye).norm(); });
     return out;
 }
@@ -86,8 +87,7 @@ void add_arc(Marks& marks, const Stance& stance, const TeleportArc& arc) {
 
 void add_measurement(Marks& marks, const Stance& stance, const MeasurePanel::Drawn& d, const Vector3d& origin,
                      const Vector3d& up) {
-    std::vector<Vector3d> points;
-    for (const SurveyPoint& p : d.measurement.points) points.emplace_back(p.position - origin);
+    const std::vector<Vector3d> points = points_from(d.measurement, origin);
     const MarkColor color = color_of(d.look);
     for (const auto& [from, to] : lines_of(d.measurement.measure, points, up))
         add_line(marks, from, to, meters(stance, 0.004), color);
@@ -126,7 +126,8 @@ void add_note(Marks& marks, const Stance& stance, const Vector3d& at, bool open)
 std::optional<PhotoHit> photo_on(const PlanScene& scene, const Session& s, const Ray& ray,
                                  const Stance& stance) {
     std::optional<PhotoHit> out;
-    for (const std::uint32_t i : photos_in_scene(scene, s, s.camera.eye, stance)) {
+    for (std::uint32_t i = 0; i < scene.photos.size(); ++i) {
+        if (!is_in_scene(scene, i, s, s.camera.eye, stance)) continue;
         const PhotoFrustum f = photo_frustum(scene, i);
         const auto distance = meets(ray, f.corner[0], f.corner[1], f.corner[3]);
         if (distance && (!out || *distance < out->distance)) out = PhotoHit{i, *distance};

@@ -3,8 +3,8 @@
 #include <imgui.h>
 
 #include <array>
-#include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "player/interface/band_section.h"
 #include "player/interface/blending_section.h"
@@ -18,6 +18,7 @@
 #include "player/interface/point_section.h"
 #include "player/interface/status_section.h"
 #include "player/interface/story_panel.h"
+#include "player/interface/unit_texts.h"
 #include "points/point_cloud.h"
 #include "values/translation.h"
 
@@ -72,12 +73,10 @@ void page_buttons(Controls& c, MenuPage& page, const MenuContent& m) {
 /// The model's own size, if its unit is known.
 void size_controls(Controls& c, Session& s, const MenuContent& m) {
     Walk& w = m.walk;
-    static const char* const units[] = {marked("unknown"), marked("m"),  marked("cm"),
-                                        marked("mm"),      marked("ft"), marked("in")};
     int unit = 0;
-    for (int i = 1; i < int(std::size(units)); ++i)
+    for (int i = 1; i < int(std::size(unit_texts)); ++i)
         if (m.unit_meters == meters_in(Unit(i))) unit = i;
-    if (c.choice("Model's unit", &unit, units, int(std::size(units))) && unit > 0) {
+    if (c.choice("Model's unit", &unit, unit_texts, int(std::size(unit_texts))) && unit > 0) {
         m.unit_meters = meters_in(Unit(unit));
         w.usual_scale = 1 / m.unit_meters;
         w.stance = rescaled(w.stance, s.camera.eye, w.usual_scale);
@@ -119,9 +118,8 @@ void move_page(Controls& c, Session& s, const MenuContent& m, double now) {
 void only_this_photo(Controls& c, Session& s, const PlanScene& scene) {
     bool only = s.photos.size() == 1 && s.photos.front() == s.standing_at;
     if (c.checkbox("Only this photo", &only)) {
-        s.photos.clear();
-        for (std::uint32_t p = 0; p < scene.photos.size(); ++p)
-            if (scene.photos[p].levels && (!only || p == s.standing_at)) s.photos.push_back(p);
+        use_all(s, scene);
+        if (only) std::erase_if(s.photos, [&](std::uint32_t p) { return p != s.standing_at; });
     }
     c.explain("The model with only the photo you stand at, to compare it with all of them.");
 }

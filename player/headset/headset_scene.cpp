@@ -8,15 +8,12 @@
 #include "player/interface/photo_frustum.h"
 #include "player/interface/story_panel.h"
 #include "player/options/frame_goal.h"
-#include "player/options/opened_package.h"
 #include "player/render/pace.h"
-#include "player/story/story_background.h"
-#include "player/survey/photo_errors.h"
 #include "player/survey/survey.h"
 #include "player/survey/survey_file.h"
-#include "player/window/numbered_file.h"
+#include "player/window/asked_files.h"
+#include "player/window/start_session.h"
 #include "scene/error.h"
-#include "values/formatted.h"
 #include "values/translation.h"
 
 namespace vantage {
@@ -53,15 +50,9 @@ HeadsetScene::HeadsetScene(const PackageReader& package, const std::vector<Scene
       told_(told_story(o.package.file, input_axes(package), session.language)),
       language_(session.language),
       clock_(gl::current_device().software) {
-    session_.photos = photos_in_use(package, o.package);
+    begin_in_scene(session_, package, told_, o);
     session_.keyboard = false;
     session_.panels.measure = false;  // a page of the menu
-    session_.photo_list.errors = photo_errors(package);
-    session_.settings.background =
-        told_.story.background ? background_of(*told_.story.background) : Background{};
-    const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();
-    if (const auto opening = opening_of(told_); opening && !view_given)
-        session_.camera = session_.home = *opening;
 }
 
 /// The head is where the session's camera is.
@@ -86,14 +77,6 @@ void HeadsetScene::take_menu_button(const HeadsetFrame& frame) {
     const bool pressed = left.menu || right.menu || both;
     if (pressed && !menu_pressed_) menu_ = menu_ ? std::nullopt : std::optional(menu_in_front_of(frame.head));
     menu_pressed_ = pressed;
-}
-
-/// The menu and the story follow the choice that was made in either.
-void HeadsetScene::change_language() {
-    if (session_.language == language_) return;
-    language_ = session_.language;
-    told_.language = language_.empty() ? told_.story.language : language_;
-    use_language(language_);
 }
 
 void HeadsetScene::place_panel() {
@@ -173,8 +156,7 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
     }
     if (session_.panels.measure)
         for (const MeasurePanel::Drawn& d : measured_) {
-            std::vector<Eigen::Vector3d> points;
-            for (const SurveyPoint& p : d.measurement.points) points.emplace_back(p.position - origin_);
+            const std::vector<Eigen::Vector3d> points = points_from(d.measurement, origin_);
             if (points.empty() || d.label.empty()) continue;
             out.push_back({d.label, label_place(d.measurement.measure, points, measure_.up()), white});
         }
@@ -195,7 +177,7 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
 void HeadsetScene::write_interface(const HeadsetFrame& frame, double seconds) {
     if (frame.time > session_.message_until) session_.message.clear();
     interface_.begin(menu_pointer_.pointer, seconds);
-    change_language();
+    follow_language(told_, language_, session_.language);
     measured_.clear();
     if (measure_.attend(session_, frame.time)) measured_ = measure_.drawn();
     const MenuContent content{renderer_,     objects_, measure_,     told_,
@@ -204,24 +186,8 @@ void HeadsetScene::write_interface(const HeadsetFrame& frame, double seconds) {
         headset_menu(interface_.controls(), session_, page_, content, SceneInterface::width,
                      SceneInterface::height, frame.time);
     interface_.end(labels(frame), view_of_eye(walk_.stance, {frame.head}, {1, 1}));
-    write_files(frame.time);
+    write_asked_files(session_, renderer_.package(), objects_, frame.time);
     if (!controls_.empty()) interface_.controls().write_places(controls_);
-}
-
-/// What pages of the menu ask for.
-void HeadsetScene::write_files(double now) {
-    Session& s = session_;
-    const std::string stem = renderer_.package().path().stem().string();
-    if (const std::string table = std::exchange(s.table, ""); !table.empty())
-        write_numbered(s, stem + "-measurements", ".csv", tr("measurements"), now,
-                       [&](const std::string& file) { write_text(file, table); });
-    if (std::exchange(s.save_scene, false))
-        write_numbered(s, "scene", ".toml", tr("scene"), now,
-                       [&](const std::string& file) { write_scene_file(file, objects_.objects()); });
-    if (!std::exchange(s.cut.saves, false)) return;
-    const auto lines = section_lines(objects_.meshes(), s.settings.sections);
-    write_numbered(s, stem + "-cut", ".dxf", formatted(tr("%zu lines"), lines.size()), now,
-                   [&](const std::string& file) { write_text(file, section_dxf(lines, origin_)); });
 }
 
 void HeadsetScene::mark(const HeadsetFrame& frame) {

@@ -35,8 +35,6 @@ class HeadsetScene {
     void place(const RoomPose& head);
     void follow_head(const HeadsetFrame& frame);
     void take_menu_button(const HeadsetFrame& frame);
-    void change_language();
-    void write_files(double now);
     void place_panel();
     void point(const HeadsetFrame& frame);
     bool chosen(const Hands& hands, std::size_t hand) const;

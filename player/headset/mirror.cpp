@@ -4,7 +4,6 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <utility>
 
@@ -12,10 +11,6 @@ namespace vantage {
 namespace {
 
 constexpr double seconds_between = 1.0 / 30;  ///< of copies: the window must not slow down the headset
-
-double seconds_now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 FrameSize window_size(const ShowOptions& o) {
     return o.output.size.empty() ? FrameSize{640, 720} : parse_size(o.output.size);
@@ -34,7 +29,7 @@ Mirror::Mirror(const ShowOptions& o) {
 }
 
 void Mirror::show(GLuint framebuffer, FrameSize size) {
-    if (!window_ || seconds_now() < shown_at_ + seconds_between) return;
+    if (!window_ || glfwGetTime() < shown_at_ + seconds_between) return;
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_->get(), &width, &height);
     if (width < 1 || height < 1) return;  // minimized
@@ -53,7 +48,7 @@ void Mirror::attend() {
     window_->events();
     if (!std::exchange(copied_, false)) return;
     glfwSwapBuffers(window_->get());
-    shown_at_ = seconds_now();
+    shown_at_ = glfwGetTime();
 }
 
 MirrorButtons Mirror::buttons() const {

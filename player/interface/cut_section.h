@@ -19,7 +19,6 @@ class CutLines {
     /// Draws them over `view`, and the edges of a box; finds them again if the planes or the meshes have
     /// changed.
     void show(std::span<const PlacedMesh> meshes, std::span<const SectionPlane> planes, const View& view);
-    const std::vector<SectionLine>& lines() const { return lines_; }
 
   private:
     std::vector<SectionPlane> planes_;

@@ -40,6 +40,12 @@ void draw_label(ImDrawList& list, const ImVec2& at, const std::string& text, ImU
 
 }  // namespace
 
+std::vector<Vector3d> points_from(const Measurement& m, const Vector3d& origin) {
+    std::vector<Vector3d> out;
+    for (const SurveyPoint& point : m.points) out.emplace_back(point.position - origin);
+    return out;
+}
+
 Segments lines_of(Measure measure, const std::vector<Vector3d>& p, const Vector3d& up) {
     if (measure == Measure::height && p.size() == 2) return height_segments(p[0], p[1], up);
     Segments out;
@@ -60,8 +66,7 @@ Vector3d label_place(Measure measure, const std::vector<Vector3d>& p, const Vect
 void draw_measurement(const Measurement& m, const std::string& label, const View& view,
                       const Vector3d& origin, const Vector3d& up, MeasureLook look) {
     if (m.points.empty()) return;
-    std::vector<Vector3d> p;
-    for (const SurveyPoint& point : m.points) p.emplace_back(point.position - origin);
+    const std::vector<Vector3d> p = points_from(m, origin);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const ImU32 color = color_of(look);
     const Segments segments = lines_of(m.measure, p, up);

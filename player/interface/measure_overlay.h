@@ -12,6 +12,8 @@ namespace vantage {
 /// How a measurement is drawn.
 enum class MeasureLook { finished, selected, unfinished };
 
+/// A measurement's points relative to `origin`, which is in their coordinates.
+std::vector<Eigen::Vector3d> points_from(const Measurement& measurement, const Eigen::Vector3d& origin);
 /// The lines of a measurement through these points; `up` as for evaluate(), both in the same coordinates.
 std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines_of(Measure measure,
                                                                   const std::vector<Eigen::Vector3d>& points,

@@ -9,6 +9,7 @@
 
 #include "player/interface/docked.h"
 #include "player/interface/measure_overlay.h"
+#include "player/interface/unit_texts.h"
 #include "player/survey/number_text.h"
 #include "scene/error.h"
 #include "values/translation.h"
@@ -21,10 +22,6 @@ constexpr double vertex_pixels = 10;  ///< within which points snap to vertices
 constexpr const char* measures[] = {marked("point"), marked("distance"), marked("polyline"),
                                     marked("area"),  marked("angle"),    marked("height")};
 static_assert(std::size(measures) == std::size_t(Measure::count));
-constexpr const char* units[] = {marked("unknown"), marked("m"),  marked("cm"),
-                                 marked("mm"),      marked("ft"), marked("in")};
-static_assert(std::size(units) == std::size_t(Unit::count));
-
 const char* instruction(Measure measure) {
     switch (measure) {
         case Measure::point:
@@ -259,13 +256,14 @@ void MeasurePanel::scale_section(Controls& c, Session& s, double now) {
     ImGui::Separator();
     Scale& scale = survey_.scale;
     int unit = int(scale.unit), shown = int(shown_unit(scale));
-    if (c.choice("Model's unit", &unit, units, int(std::size(units)))) {
+    if (c.choice("Model's unit", &unit, unit_texts, int(std::size(unit_texts)))) {
         scale = unit_at(unit) == Unit::unknown ? Scale{} : Scale{1, unit_at(unit), unit_at(unit)};
         changed(s, now);
     }
     c.explain("The unit of the input's coordinates, about which its files say nothing.");
     ImGui::BeginDisabled(scale.unit == Unit::unknown);
-    if (c.choice("Shown in", &shown, units, int(std::size(units))) && unit_at(shown) != Unit::unknown) {
+    if (c.choice("Shown in", &shown, unit_texts, int(std::size(unit_texts))) &&
+        unit_at(shown) != Unit::unknown) {
         scale.shown = unit_at(shown);
         changed(s, now);
     }

@@ -87,6 +87,12 @@ void point_line(const Session& s) {
 
 }  // namespace
 
+void use_all(Session& s, const PlanScene& scene) {
+    s.photos.clear();
+    for (std::uint32_t p = 0; p < scene.photos.size(); ++p)
+        if (scene.photos[p].levels) s.photos.push_back(p);
+}
+
 void photo_list_section(Controls& c, Session& s, const Renderer& renderer, double now) {
     const PlanScene& scene = renderer.scene();
     Session::PhotoList& list = s.photo_list;
@@ -109,11 +115,7 @@ void photo_list_section(Controls& c, Session& s, const Renderer& renderer, doubl
     if (c.button("Use only these")) s.photos = photos, std::ranges::sort(s.photos);
     std::erase_if(s.photos, [&](std::uint32_t p) { return !scene.photos[p].levels; });
     ImGui::SameLine();
-    if (c.button("Use all")) {
-        s.photos.clear();
-        for (std::uint32_t p = 0; p < scene.photos.size(); ++p)
-            if (scene.photos[p].levels) s.photos.push_back(p);
-    }
+    if (c.button("Use all")) use_all(s, scene);
     ImGui::BeginChild("##photos", ImVec2(0, 12 * ImGui::GetFontSize()), true);
     ImGuiListClipper clipper;
     clipper.Begin(int(photos.size()));

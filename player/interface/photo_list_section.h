@@ -9,6 +9,9 @@ namespace vantage {
 /// sharpest first. A name flies to its photo.
 void photo_list_section(Controls& controls, Session& session, const Renderer& renderer, double now);
 
+/// Uses all photos that were not left out of the package.
+void use_all(Session& session, const PlanScene& scene);
+
 /// While the list asks for it, takes clicks on the model as points, and marks the last one in the picture.
 void pick_listed_point(Session& session, const PlanScene& scene, const View& view);
 

@@ -7,6 +7,7 @@
 
 #include "scene/error.h"
 #include "story/story_file.h"
+#include "values/translation.h"
 
 namespace vantage {
 namespace {
@@ -77,6 +78,13 @@ void continue_tour(ToldStory& told, const Session& s, double now) {
 std::optional<Navigation> opening_of(const ToldStory& told) {
     if (!told.story.opening) return {};
     return camera_at(*told.story.opening, told.axes);
+}
+
+void follow_language(ToldStory& told, std::string& in_use, const std::string& chosen) {
+    if (chosen == in_use) return;
+    in_use = chosen;
+    told.language = chosen.empty() ? told.story.language : chosen;
+    use_language(chosen);
 }
 
 void save(ToldStory& told) {

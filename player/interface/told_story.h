@@ -45,6 +45,9 @@ void continue_tour(ToldStory& told, const Session& session, double now);
 /// The opening view, or nothing if the story has none.
 std::optional<Navigation> opening_of(const ToldStory& told);
 
+/// Has window and story follow the language that was chosen in either, if it is not the one in use.
+void follow_language(ToldStory& told, std::string& in_use, const std::string& chosen);
+
 /// Writes the story to its file. Throws Error(usage) if another program has changed the file since it was
 /// read, and what write_story() throws.
 void save(ToldStory& told);

@@ -24,8 +24,10 @@
 #include "player/options/frame_goal.h"
 #include "player/story/story_background.h"
 #include "player/survey/photo_errors.h"
+#include "player/window/asked_files.h"
 #include "player/window/numbered_file.h"
 #include "player/window/screenshot.h"
+#include "player/window/start_session.h"
 #include "player/window/view_clipboard.h"
 #include "scene/error.h"
 #include "values/formatted.h"
@@ -81,13 +83,7 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       clock_(gl::current_device().software),
       goal_ms_(frame_goal(o.window.fps)),
       pacing_{pace_of_first_picture(goal_ms_)} {
-    session_.photos = photos_in_use(package, o.package);
-    session_.photo_list.errors = photo_errors(package);
-    const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();
-    if (const auto opening = opening_of(told_); opening && !view_given)
-        session_.camera = session_.home = session_.earlier.last = *opening;
-    session_.settings.background =
-        told_.story.background ? background_of(*told_.story.background) : Background{};
+    begin_in_scene(session_, package, told_, o);
     if (!o.window.kiosk) return;
     const StoryAttract told = told_.story.attract.value_or(StoryAttract{});
     const double home_after = o.window.home_after > 0 ? o.window.home_after : told.after;
@@ -113,7 +109,7 @@ std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
 void ShownScene::frame(int width, int height, double now) {
     Session& s = session_;
     if (kiosk_) attend(*kiosk_, s, s.touched, now);
-    change_language();
+    follow_language(told_, language_, s.language);
     use_clipboard(s, renderer_.package(), now);
     continue_flight(s, now);
     continue_tour(told_, s, now);
@@ -127,7 +123,8 @@ void ShownScene::frame(int width, int height, double now) {
     if (std::exchange(s.closes_menu, false)) controls_.close_menus();
     interface(view, now);
     record(now);
-    change_objects(now);
+    add_objects(now);
+    write_asked_files(s, renderer_.package(), objects_, now);
     orthophotos_.attend(s, renderer_.package(), now);
     ImGui::Render();
     s.settings.points.pick = s.panels.expert && s.panels.points;
@@ -150,14 +147,6 @@ void ShownScene::frame(int width, int height, double now) {
     last_settings_ = shown;
     last_stereo_ = s.stereo;
     last_photos_ = s.photos;
-}
-
-/// The window and the story follow the choice that was made in either.
-void ShownScene::change_language() {
-    if (session_.language == language_) return;
-    language_ = session_.language;
-    told_.language = language_.empty() ? told_.story.language : language_;
-    use_language(language_);
 }
 
 /// What an orthographic view cannot show ends it.
@@ -193,7 +182,7 @@ void ShownScene::interface(const View& view, double now) {
         menu_bar(controls_, s, renderer_, now);
         if (sidebar(controls_, s, renderer_, objects_, view, layout_.sidebar, now)) samples_ = 0;
     }
-    show_cut(view, now);
+    show_cut(view);
     measure_.show(controls_, s, s.panels.measure && overlays ? objects_.meshes() : std::vector<PlacedMesh>{},
                   view, now);
     if (s.panels.radar)
@@ -208,19 +197,12 @@ void ShownScene::interface(const View& view, double now) {
     s.menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
-/// Cuts the model as the session says: the lines of the cut, and a drawing of them if one is asked for.
-void ShownScene::show_cut(const View& view, double now) {
+/// Cuts the model as the session says, and draws where it is cut.
+void ShownScene::show_cut(const View& view) {
     Session& s = session_;
     const auto& planes = s.settings.sections = sections_of(s.cut, renderer_.scene());
-    const bool hidden = planes.empty() || (in_parts() && !s.cut.saves);
+    const bool hidden = planes.empty() || in_parts();
     cut_lines_.show(hidden ? std::vector<PlacedMesh>{} : objects_.meshes(), planes, view);
-    if (!std::exchange(s.cut.saves, false)) return;
-    const PackageReader& package = renderer_.package();
-    const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(package.scene().origin);
-    write_numbered(s, package.path().stem().string() + "-cut", ".dxf",
-                   formatted(tr("%zu lines"), cut_lines_.lines().size()), now, [&](const std::string& file) {
-                       write_text(file, section_dxf(cut_lines_.lines(), origin));
-                   });
 }
 
 /// Notes, their cards and tours, over the picture of `view`.
@@ -290,8 +272,8 @@ void ShownScene::save_recorded(double now) {
         [&](const std::string& file) { write_path(file, s.recorded, package, {}, positions_per_second); });
 }
 
-/// Adds the package that the session asks for, and writes a scene file if it asks for one.
-void ShownScene::change_objects(double now) {
+/// Adds the package that the session asks for.
+void ShownScene::add_objects(double now) {
     Session& s = session_;
     try {
         if (const std::string file = std::exchange(s.add, ""); !file.empty()) {
@@ -302,12 +284,6 @@ void ShownScene::change_objects(double now) {
     } catch (const Error& e) {
         say(s, e.what(), now);
     }
-    if (const std::string table = std::exchange(s.table, ""); !table.empty())
-        write_numbered(s, renderer_.package().path().stem().string() + "-measurements", ".csv",
-                       tr("measurements"), now, [&](const std::string& file) { write_text(file, table); });
-    if (std::exchange(s.save_scene, false))
-        write_numbered(s, "scene", ".toml", tr("scene"), now,
-                       [&](const std::string& file) { write_scene_file(file, objects_.objects()); });
 }
 
 /// A damaged package may be restored while it is shown, and a server may be reached again.

@@ -48,15 +48,14 @@ class ShownScene {
     static constexpr double blink_seconds = 0.3;  ///< of a text field's cursor
 
     std::optional<AttractLoop> kiosk_tour(const PackageReader& package, const std::string& path) const;
-    void change_language();
     void choose_projection(double now);
     RenderSettings shown_settings() const;
     void interface(const View& view, double now);
     void tell(const View& view, double now);
     void record(double now);
     void save_recorded(double now);
-    void change_objects(double now);
-    void show_cut(const View& view, double now);
+    void add_objects(double now);
+    void show_cut(const View& view);
     bool unchanged(const View& view, const RenderSettings& shown) const;
     bool looks_again() const;
     /// The picture has all its samples.

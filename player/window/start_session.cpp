@@ -5,6 +5,8 @@
 #include "bands/bands.h"
 #include "bands/middle_photo.h"
 #include "player/camera/shots.h"
+#include "player/story/story_background.h"
+#include "player/survey/photo_errors.h"
 #include "points/point_cloud.h"
 #include "scene/error.h"
 #include "values/translation.h"
@@ -78,6 +80,15 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     s.panels.expert |= !o.layer.name.empty();
     s.stereo = o.stereo;
     return s;
+}
+
+void begin_in_scene(Session& s, const PackageReader& package, const ToldStory& told, const ShowOptions& o) {
+    s.photos = photos_in_use(package, o.package);
+    s.photo_list.errors = photo_errors(package);
+    const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();
+    if (const auto opening = opening_of(told); opening && !view_given)
+        s.camera = s.home = s.earlier.last = *opening;
+    s.settings.background = told.story.background ? background_of(*told.story.background) : Background{};
 }
 
 }  // namespace vantage

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "player/interface/session.h"
+#include "player/interface/told_story.h"
 #include "player/options/show_options.h"
 #include "player/window/remembered.h"
 
@@ -20,5 +21,10 @@ std::string chosen_language(const ShowOptions& options, const Remembered& rememb
 
 /// A session at the first photo of --photo, or the middle one; without photos, before the model.
 Session start_session(const PackageReader& package, const ShowOptions& options, const Remembered& remembered);
+
+/// Fits a session to the scene that is shown: the photos in use and their errors, and what the story says:
+/// the first view, unless the command line gives one, and the background.
+void begin_in_scene(Session& session, const PackageReader& package, const ToldStory& told,
+                    const ShowOptions& options);
 
 }  // namespace vantage

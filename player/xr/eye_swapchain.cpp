@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "player/xr/enumerated.h"
 #include "player/xr/openxr_graphics.h"
 #include "player/xr/shared_context.h"
 #include "player/xr/xr_result.h"
@@ -13,30 +14,24 @@
 namespace vantage {
 namespace {
 
-std::vector<std::int64_t> offered_formats(XrSession session) {
-    std::uint32_t count = 0;
-    expect(xrEnumerateSwapchainFormats(session, 0, &count, nullptr), "xrEnumerateSwapchainFormats");
-    std::vector<std::int64_t> out(count);
-    expect(xrEnumerateSwapchainFormats(session, count, &count, out.data()), "xrEnumerateSwapchainFormats");
-    out.resize(count);
-    return out;
-}
-
 std::int64_t first_offered(XrSession session, std::span<const std::int64_t> wanted) {
-    const std::vector<std::int64_t> offered = offered_formats(session);
+    const auto offered =
+        enumerated<std::int64_t>("xrEnumerateSwapchainFormats", 0,
+                                 [&](std::uint32_t capacity, std::uint32_t* count, std::int64_t* out) {
+                                     return xrEnumerateSwapchainFormats(session, capacity, count, out);
+                                 });
     for (const std::int64_t format : wanted)
         if (std::ranges::count(offered, format) > 0) return format;
     return 0;
 }
 
 std::vector<XrSwapchainImageOpenGLKHR> images_of(XrSwapchain swapchain) {
-    std::uint32_t count = 0;
-    expect(xrEnumerateSwapchainImages(swapchain, 0, &count, nullptr), "xrEnumerateSwapchainImages");
-    std::vector<XrSwapchainImageOpenGLKHR> out(count, {XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, nullptr, 0});
-    expect(xrEnumerateSwapchainImages(swapchain, count, &count,
-                                      reinterpret_cast<XrSwapchainImageBaseHeader*>(out.data())),
-           "xrEnumerateSwapchainImages");
-    return out;
+    return enumerated("xrEnumerateSwapchainImages",
+                      typed<XrSwapchainImageOpenGLKHR>(XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR),
+                      [&](std::uint32_t capacity, std::uint32_t* count, XrSwapchainImageOpenGLKHR* out) {
+                          return xrEnumerateSwapchainImages(
+                              swapchain, capacity, count, reinterpret_cast<XrSwapchainImageBaseHeader*>(out));
+                      });
 }
 
 }  // namespace

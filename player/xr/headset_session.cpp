@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "player/xr/enumerated.h"
 #include "player/xr/graphics_session.h"
 #include "player/xr/room_pose_of.h"
 #include "player/xr/shared_context.h"
@@ -17,12 +18,11 @@ constexpr XrViewConfigurationType two_eyes = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_
 
 /// The first of the runtime's ways to show a picture over what is around, of those that show it whole.
 XrEnvironmentBlendMode blend_mode(XrInstance instance, XrSystemId system) {
-    std::uint32_t count = 0;
-    expect(xrEnumerateEnvironmentBlendModes(instance, system, two_eyes, 0, &count, nullptr),
-           "xrEnumerateEnvironmentBlendModes");
-    std::vector<XrEnvironmentBlendMode> modes(count);
-    expect(xrEnumerateEnvironmentBlendModes(instance, system, two_eyes, count, &count, modes.data()),
-           "xrEnumerateEnvironmentBlendModes");
+    const auto modes = enumerated(
+        "xrEnumerateEnvironmentBlendModes", XR_ENVIRONMENT_BLEND_MODE_OPAQUE,
+        [&](std::uint32_t capacity, std::uint32_t* count, XrEnvironmentBlendMode* out) {
+            return xrEnumerateEnvironmentBlendModes(instance, system, two_eyes, capacity, count, out);
+        });
     const bool opaque = std::ranges::count(modes, XR_ENVIRONMENT_BLEND_MODE_OPAQUE) > 0;
     return opaque || modes.empty() ? XR_ENVIRONMENT_BLEND_MODE_OPAQUE : modes.front();
 }
@@ -40,10 +40,11 @@ XrSpace make_space(XrSession session, XrReferenceSpaceType type) {
 
 /// Standing on the floor where the runtime knows it.
 XrReferenceSpaceType room_type(XrSession session) {
-    std::uint32_t count = 0;
-    expect(xrEnumerateReferenceSpaces(session, 0, &count, nullptr), "xrEnumerateReferenceSpaces");
-    std::vector<XrReferenceSpaceType> types(count);
-    expect(xrEnumerateReferenceSpaces(session, count, &count, types.data()), "xrEnumerateReferenceSpaces");
+    const auto types =
+        enumerated("xrEnumerateReferenceSpaces", XR_REFERENCE_SPACE_TYPE_LOCAL,
+                   [&](std::uint32_t capacity, std::uint32_t* count, XrReferenceSpaceType* out) {
+                       return xrEnumerateReferenceSpaces(session, capacity, count, out);
+                   });
     return std::ranges::count(types, XR_REFERENCE_SPACE_TYPE_STAGE) > 0 ? XR_REFERENCE_SPACE_TYPE_STAGE
                                                                         : XR_REFERENCE_SPACE_TYPE_LOCAL;
 }
@@ -89,13 +90,11 @@ HeadsetSession::~HeadsetSession() {
 
 /// Pictures as large as the runtime recommends.
 void HeadsetSession::make_pictures() {
-    std::uint32_t count = 0;
-    expect(xrEnumerateViewConfigurationViews(runtime_.get(), system_, two_eyes, 0, &count, nullptr),
-           "xrEnumerateViewConfigurationViews");
-    std::vector<XrViewConfigurationView> eyes(
-        count, typed<XrViewConfigurationView>(XR_TYPE_VIEW_CONFIGURATION_VIEW));
-    expect(xrEnumerateViewConfigurationViews(runtime_.get(), system_, two_eyes, count, &count, eyes.data()),
-           "xrEnumerateViewConfigurationViews");
+    const auto eyes = enumerated(
+        "xrEnumerateViewConfigurationViews", typed<XrViewConfigurationView>(XR_TYPE_VIEW_CONFIGURATION_VIEW),
+        [&](std::uint32_t capacity, std::uint32_t* count, XrViewConfigurationView* out) {
+            return xrEnumerateViewConfigurationViews(runtime_.get(), system_, two_eyes, capacity, count, out);
+        });
     if (eyes.size() != 2)
         throw Error(Exit::graphics, "--xr: the headset has " + std::to_string(eyes.size()) +
                                         " displays, expected one per eye");

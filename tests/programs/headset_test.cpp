@@ -194,19 +194,19 @@ double psnr(const Picture& a, const Picture& b) {
     return -10 * std::log10(squares / double(a.rgba.size()) / (255.0 * 255));
 }
 
-/// Between two eyes of frames.jsonl.
+/// Where an eye of frames.jsonl is.
+RoomPose eye_pose(const json& view) {
+    const auto number = [&](const char* of, std::size_t i) { return double(view[of][i].get<float>()); };
+    return {Eigen::Quaterniond(number("orientation", 3), number("orientation", 0), number("orientation", 1),
+                               number("orientation", 2))
+                .normalized(),
+            {number("position", 0), number("position", 1), number("position", 2)}};
+}
+
+/// Between two of them.
 RoomPose head_between(const json& views) {
-    std::array<RoomPose, 2> eyes;
-    for (const std::size_t e : {0, 1}) {
-        const auto number = [&](const char* of, std::size_t i) {
-            return double(views[e][of][i].get<float>());
-        };
-        eyes[e] = {Eigen::Quaterniond(number("orientation", 3), number("orientation", 0),
-                                      number("orientation", 1), number("orientation", 2))
-                       .normalized(),
-                   {number("position", 0), number("position", 1), number("position", 2)}};
-    }
-    return {eyes[0].turn.slerp(0.5, eyes[1].turn), (eyes[0].at + eyes[1].at) / 2};
+    const RoomPose left = eye_pose(views[0]), right = eye_pose(views[1]);
+    return {left.turn.slerp(0.5, right.turn), (left.at + right.at) / 2};
 }
 
 /// The same view by the player's own functions, to the last bit of its numbers.
@@ -216,13 +216,8 @@ View players_view(const package::PhotoRecord& photo, const Vector3d& up, const R
     const Vector3d ahead = camera.R.row(2);
     const Stance stance =
         standing(head, camera.center(), camera.center() + seen_distance(photo) * ahead, up, scale);
-    const auto number = [&](const char* of, std::size_t i) { return double(v[of][i].get<float>()); };
-    const RoomPose at{Eigen::Quaterniond(number("orientation", 3), number("orientation", 0),
-                                         number("orientation", 1), number("orientation", 2))
-                          .normalized(),
-                      {number("position", 0), number("position", 1), number("position", 2)}};
-    const auto frustum =
-        eye_frustum(at, number("fov", 0), number("fov", 1), number("fov", 2), number("fov", 3));
+    const auto angle = [&](std::size_t i) { return double(v["fov"][i].get<float>()); };
+    const auto frustum = eye_frustum(eye_pose(v), angle(0), angle(1), angle(2), angle(3));
     return view_of_eye(stance, *frustum, {v["rect"][2], v["rect"][3]});
 }
 
