@@ -19,7 +19,8 @@ const ConsensusView::Texel* shown_at(const ConsensusView& v, const Eigen::Vector
     const float x = float(v.k.fx) * p.x() / p.z() + float(v.k.cx),
                 y = float(v.k.fy) * p.y() / p.z() + float(v.k.cy);
     if (!(x >= 1 && y >= 1 && x < float(v.width - 1) && y < float(v.height - 1))) return nullptr;
-    const ConsensusView::Texel& t = v.grid()(int(x), int(y));
+    const Grid texels = v.grid();
+    const ConsensusView::Texel& t = texels(int(x), int(y));
     return std::abs(t.z - p.z()) <= depth_step * p.z() && std::isfinite(t.ln[0]) ? &t : nullptr;
 }
 
@@ -161,9 +162,10 @@ ConsensusMap consensus_of(const ConsensusView& photo, std::span<const ConsensusV
     }
     std::vector<std::uint8_t> raw(photo.texels.size(), 255);
     std::size_t compared = 0;
+    const Grid texels = photo.grid();
     for (int y = 0; y < photo.height; ++y)
         for (int x = 0; x < photo.width; ++x) {
-            const ConsensusView::Texel& t = photo.grid()(x, y);
+            const ConsensusView::Texel& t = texels(x, y);
             if (!std::isfinite(t.z) || !std::isfinite(t.ln[0])) continue;
             const Eigen::Vector3f p(float((x + 0.5 - photo.k.cx) / photo.k.fx) * t.z,
                                     float((y + 0.5 - photo.k.cy) / photo.k.fy) * t.z, t.z);

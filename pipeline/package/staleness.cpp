@@ -88,7 +88,7 @@ void compare_listed(const json& meta, const char* list, const std::vector<fs::pa
         Changes changes;
         std::size_t named = 0, changed = 0;
         for (const fs::path& file : files) {
-            if (utf8_name(file.filename().string()) != was.at("name")) continue;
+            if (utf8_name(file.filename().string()) != was.at("name").get<std::string>()) continue;
             const std::size_t before = changes.size();
             compare(file, was, identities, changes);
             ++named, changed += changes.size() > before;

@@ -99,7 +99,7 @@ std::vector<PhotoRegion> worst_of(Cause cause, const std::vector<LeftOut>& resul
             if (w.cause == cause) out.push_back({&r, &w});
     std::ranges::stable_sort(out, std::ranges::greater{},
                              [](const PhotoRegion& p) { return p.region->squares; });
-    out.resize(std::min(out.size(), regions_per_cause));
+    out.erase(out.begin() + std::ptrdiff_t(std::min(out.size(), regions_per_cause)), out.end());
     return out;
 }
 

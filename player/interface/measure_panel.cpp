@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "player/interface/docked.h"
+#include "player/interface/keys.h"
 #include "player/interface/measure_overlay.h"
 #include "player/interface/unit_texts.h"
 #include "player/survey/number_text.h"
@@ -39,8 +40,7 @@ const char* instruction(Measure measure) {
     }
 }
 
-bool is(const KeyPress& press, ImGuiKey key) { return press.key == ImGui::GetKeyIndex(key); }
-bool is_enter(const KeyPress& press) { return is(press, ImGuiKey_Enter) || is(press, ImGuiKey_KeyPadEnter); }
+bool is_enter(const KeyPress& press) { return press.key == key::enter || press.key == key::keypad_enter; }
 
 Unit unit_at(int index) { return Unit(index); }
 
@@ -51,7 +51,7 @@ void take_measuring_keys(Session& s) {
     s.input.double_clicked = false;
     const auto is_ours = [](const KeyPress& p) {
         return p.with == KeyPress::With::nothing &&
-               (is_enter(p) || is(p, ImGuiKey_Backspace) || is(p, ImGuiKey_Escape));
+               (is_enter(p) || p.key == key::backspace || p.key == key::escape);
     };
     std::ranges::copy_if(s.input.keys, std::back_inserter(s.measuring), is_ours);
     std::erase_if(s.input.keys, is_ours);
@@ -130,7 +130,7 @@ void MeasurePanel::take_keys(Session& s, double now) {
     for (const KeyPress& press : std::exchange(s.measuring, {})) {
         if (is_enter(press)) {
             end(s, now);
-        } else if (is(press, ImGuiKey_Backspace)) {
+        } else if (press.key == key::backspace) {
             remove_last_point();
         } else if (!press.repeated) {
             if (next_.points.empty()) s.panels.measure = false;

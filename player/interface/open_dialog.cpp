@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "objects/scene_file.h"
+#include "player/interface/keys.h"
 #include "values/is_url.h"
 #include "values/lower_case.h"
 #include "values/lower_extension.h"
@@ -18,11 +19,9 @@ namespace {
 
 constexpr const char* title = marked("Open a package");
 
-bool take(Session& s, ImGuiKey key) { return take_key(s, ImGui::GetKeyIndex(key)); }
-
-int taps(Session& s, ImGuiKey key) {
+int taps(Session& s, int key) {
     int n = 0;
-    while (take(s, key)) ++n;
+    while (take_key(s, key)) ++n;
     return n;
 }
 
@@ -71,7 +70,7 @@ void OpenDialog::accept(Session& s) {
 }
 
 void OpenDialog::move_by_keys(Session& s) {
-    const int by = taps(s, ImGuiKey_DownArrow) - taps(s, ImGuiKey_UpArrow), count = int(entries_.size());
+    const int by = taps(s, key::down) - taps(s, key::up), count = int(entries_.size());
     if (by == 0 || count == 0) return;
     const int from = selected_ < entries_.size() ? int(selected_) : by > 0 ? -1 : count;
     select(std::size_t(std::clamp(from + by, 0, count - 1)));
@@ -104,7 +103,7 @@ void OpenDialog::show(Controls& c, Session& s) {
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     if (!ImGui::BeginPopupModal(shown_name(title).c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize))
         return;
-    closes_ = take(s, ImGuiKey_Escape);
+    closes_ = take_key(s, key::escape);
     if (!closes_) content(c, s);
     if (closes_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
@@ -122,7 +121,7 @@ void OpenDialog::content(Controls& c, Session& s) {
     ImGui::InputText("##file", typed_.data(), typed_.size());
     ImGui::PopID();
     c.note("File name");
-    const bool entered = take(s, ImGuiKey_Enter) || take(s, ImGuiKey_KeyPadEnter);
+    const bool entered = take_key(s, key::enter) || take_key(s, key::keypad_enter);
     if (c.button("Open") || entered) accept(s);
     ImGui::SameLine();
     closes_ |= c.button("Cancel");

@@ -38,6 +38,7 @@ struct PointerState {
 /// What was done with keys, mouse and fingers since the last frame.
 struct UserInput {
     std::vector<KeyPress> keys;   ///< in order, also those that were released again
+    std::vector<int> held;        ///< the places of keys that are down
     bool double_clicked = false;  ///< by the left button
     std::vector<Click> clicks;    ///< in order
     Drags drags{};

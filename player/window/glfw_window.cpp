@@ -11,12 +11,17 @@
 #include <utility>
 
 #include "gl/context.h"
+#include "player/interface/keys.h"
 #include "player/interface/style.h"
 #include "scene/error.h"
 #include "values/translation.h"
 
 namespace vantage {
 namespace {
+
+static_assert(key::escape == GLFW_KEY_ESCAPE && key::enter == GLFW_KEY_ENTER &&
+              key::backspace == GLFW_KEY_BACKSPACE && key::down == GLFW_KEY_DOWN && key::up == GLFW_KEY_UP &&
+              key::keypad_enter == GLFW_KEY_KP_ENTER);
 
 [[noreturn]] void fail() {
     const char* why = nullptr;
@@ -46,7 +51,10 @@ struct GlfwWindow::Callbacks {
     static void key(GLFWwindow* w, int key, int scancode, int action, int modifiers) {
         using With = KeyPress::With;
         WindowEvents& e = events(w);
+        std::vector<int>& held = window(w).held_;
+        if (action != GLFW_REPEAT) std::erase(held, key);
         if (action == GLFW_RELEASE) return;
+        if (action == GLFW_PRESS) held.push_back(key);
         const int with = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
         e.input.keys.push_back({key_of(key, scancode), key,
                                 with == 0                  ? With::nothing
@@ -101,6 +109,7 @@ GlfwWindow::GlfwWindow(FrameSize size, const std::string& title, bool debug) {
     touch_screen_.emplace(window_);
     watch_events();  // first: ImGui calls the callbacks that it finds
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    watch_mouse();  // again: new_frame() says where it is
     ImGui_ImplOpenGL3_Init("#version 450");
 }
 
@@ -161,9 +170,8 @@ void GlfwWindow::watch_events() {
     glfwSetWindowUserPointer(window_, this);
     glfwSetKeyCallback(window_, Callbacks::key);
     glfwSetDropCallback(window_, Callbacks::drop);
-    glfwSetMouseButtonCallback(window_, Callbacks::button);
     glfwGetCursorPos(window_, &mouse_.x, &mouse_.y);
-    glfwSetCursorPosCallback(window_, Callbacks::cursor);
+    watch_mouse();
     constexpr auto note = [](GLFWwindow* w, auto...) { Callbacks::events(w); };
     glfwSetCharCallback(window_, note);
     glfwSetCursorEnterCallback(window_, note);
@@ -175,6 +183,11 @@ void GlfwWindow::watch_events() {
     glfwSetWindowCloseCallback(window_, note);
 }
 
+void GlfwWindow::watch_mouse() {
+    glfwSetMouseButtonCallback(window_, Callbacks::button);
+    glfwSetCursorPosCallback(window_, Callbacks::cursor);
+}
+
 WindowEvents GlfwWindow::events(double seconds) {
     mouse_.late = glfwGetTime() - looked_at_;
     if (seconds > 0)
@@ -184,6 +197,7 @@ WindowEvents GlfwWindow::events(double seconds) {
     take_touches();
     report_mouse();
     looked_at_ = glfwGetTime();
+    events_.input.held = held_;
     return std::exchange(events_, {});
 }
 

@@ -2,6 +2,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "player/camera/shots.h"
 #include "player/window/fingers.h"
@@ -33,6 +34,7 @@ class GlfwWindow {
   private:
     struct Callbacks;
     void watch_events();
+    void watch_mouse();
     void take_touches();
     void report_mouse();
 
@@ -43,7 +45,8 @@ class GlfwWindow {
     };
     std::optional<Place> windowed_;  ///< while it covers the screen: where it was
     WindowEvents events_;
-    double looked_at_ = 0;  ///< for events, seconds
+    std::vector<int> held_;  ///< places of keys
+    double looked_at_ = 0;   ///< for events, seconds
     Pointer mouse_;
     struct MouseFrame {
         PointerState state;

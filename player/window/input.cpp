@@ -122,15 +122,15 @@ void move_lamp(Session& s) {
     s.settings.light.elevation = std::max(5.0, degrees * std::acos(std::min(std::hypot(x, y), 1.0)));
 }
 
-/// `tapped`: keys that were released before the frame began.
-void move_by_keys(Session& s, std::span<const KeyPress> tapped) {
+/// By keys that are down, or were released before the frame began.
+void move_by_keys(Session& s) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyCtrl || io.KeyAlt || io.KeySuper) return;
     const auto down = [&](int key) {
         const auto is = [&](const KeyPress& p) {
             return p.place == key && p.with == KeyPress::With::nothing;
         };
-        return double(ImGui::IsKeyDown(key) || std::ranges::any_of(tapped, is));
+        return double(std::ranges::count(s.input.held, key) > 0 || std::ranges::any_of(s.input.keys, is));
     };
     Eigen::Vector3d step(down(GLFW_KEY_D) - down(GLFW_KEY_A), down(GLFW_KEY_Q) - down(GLFW_KEY_E),
                          down(GLFW_KEY_W) - down(GLFW_KEY_S));
@@ -274,7 +274,7 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
     if (io.WantTextInput || io.WantCaptureKeyboard) return;  // a dialog is open, or a control in use
     if (session.menu_open && take_key(session, GLFW_KEY_ESCAPE)) session.closes_menu = true;
     take_measuring_keys(session);
-    move_by_keys(session, session.input.keys);
+    move_by_keys(session);
     const std::vector<KeyPress> keys = std::exchange(session.input.keys, {});
     for (std::size_t i = 0; i < keys.size(); ++i) {
         if (keys[i].with == With::nothing && !keys[i].repeated)
@@ -286,9 +286,7 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
 }
 
 bool keys_in_use(const Session& session) {
-    const auto& down = ImGui::GetIO().KeysDown;
-    return !session.input.keys.empty() ||
-           std::any_of(std::begin(down), std::end(down), [](bool d) { return d; });
+    return !session.input.keys.empty() || !session.input.held.empty();
 }
 
 }  // namespace vantage

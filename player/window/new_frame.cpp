@@ -1,5 +1,7 @@
 #include "player/window/new_frame.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -9,11 +11,44 @@
 #include <vector>
 
 namespace vantage {
+namespace {
 
-void new_frame(const Session& session) {
+ImVec2 position(const PointerState& p) {
+    return p.there ? ImVec2(float(p.x), float(p.y)) : ImVec2(-FLT_MAX, -FLT_MAX);
+}
+
+}  // namespace
+
+#if IMGUI_VERSION_NUM >= 18700
+
+namespace {
+
+PointerState mouse_of(GLFWwindow* window) {
+    PointerState out{};
+    glfwGetCursorPos(window, &out.x, &out.y);
+    for (std::size_t b = 0; b < out.down.size(); ++b)
+        out.down[b] = glfwGetMouseButton(window, int(b)) == GLFW_PRESS;
+    return out;
+}
+
+}  // namespace
+
+// Keys are in ImGui's queue, in which those that were released again have a frame of their own.
+void new_frame(GLFWwindow* window, const Session& session) {
+    ImGuiIO& io = ImGui::GetIO();
+    const PointerState p = session.input.pointer ? *session.input.pointer : mouse_of(window);
+    const ImVec2 at = position(p);
+    io.AddMousePosEvent(at.x, at.y);
+    for (std::size_t b = 0; b < p.down.size(); ++b) io.AddMouseButtonEvent(int(b), p.down[b]);
+    ImGui::NewFrame();
+}
+
+#else
+
+void new_frame(GLFWwindow*, const Session& session) {
     ImGuiIO& io = ImGui::GetIO();
     if (const auto& p = session.input.pointer) {
-        io.MousePos = p->there ? ImVec2(float(p->x), float(p->y)) : ImVec2(-FLT_MAX, -FLT_MAX);
+        io.MousePos = position(*p);
         std::ranges::copy(p->down, io.MouseDown);
     }
     auto& down = io.KeysDown;
@@ -26,5 +61,7 @@ void new_frame(const Session& session) {
     ImGui::NewFrame();
     for (const int key : tapped) down[key] = false;
 }
+
+#endif
 
 }  // namespace vantage

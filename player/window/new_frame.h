@@ -1,11 +1,13 @@
 #pragma once
 #include "player/interface/session.h"
 
+struct GLFWwindow;
+
 namespace vantage {
 
 /// Begins ImGui's frame with the session's input. ImGui reads which keys are down: those released since the
-/// last frame are, for this one; also Ctrl, which the caller releases after the frame, if it was not down
-/// before. The pointer is where the input says.
-void new_frame(const Session& session);
+/// last frame are, for this one; before ImGui 1.87 also Ctrl, which the caller releases after the frame, if
+/// it was not down before. The pointer is where the input says, or where the window has the mouse.
+void new_frame(GLFWwindow* window, const Session& session);
 
 }  // namespace vantage

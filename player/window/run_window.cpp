@@ -135,7 +135,8 @@ bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, 
     for (const std::string& file : events.dropped)
         if (!session.kiosk) (is_scene_file(file) ? session.open : session.dropped) = file;
     session.touched = events.any;
-    lively = events.any ? frames_after_event : std::max(0, lively - 1);
+    // Newer ImGui takes one key per frame.
+    lively = events.any ? frames_after_event * int(1 + session.input.keys.size()) : std::max(0, lively - 1);
     return !rests || events.any || glfwGetTime() >= scene.wakes_at();
 }
 
@@ -162,7 +163,7 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         const bool control_held = ImGui::GetIO().KeyCtrl;
-        new_frame(session);
+        new_frame(window, session);
         controls.begin_frame();
         apply_input(session, scene.renderer().scene(), now);
         scene.frame(width, height, now);
