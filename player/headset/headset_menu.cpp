@@ -134,7 +134,7 @@ void photos_page(Controls& c, Session& s, const MenuContent& m, double now) {
 void measure_page(Controls& c, Session& s, const MenuContent& m, double now) {
     if (c.button("Undo point")) m.measure.remove_last_point();
     ImGui::SameLine();
-    if (c.button("Finish")) m.measure.end(s, now);
+    if (c.button("Finish")) m.measure.end();
     m.measure.content(c, s, now);
 }
 

@@ -11,7 +11,6 @@
 #include "player/render/pace.h"
 #include "player/survey/survey.h"
 #include "player/survey/survey_file.h"
-#include "player/window/asked_files.h"
 #include "player/window/start_session.h"
 #include "scene/error.h"
 #include "values/translation.h"
@@ -176,6 +175,7 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
 
 void HeadsetScene::write_interface(const HeadsetFrame& frame, double seconds) {
     if (frame.time > session_.message_until) session_.message.clear();
+    note_picture_.attend();
     interface_.begin(menu_pointer_.pointer, seconds);
     follow_language(told_, language_, session_.language);
     measured_.clear();
@@ -186,7 +186,7 @@ void HeadsetScene::write_interface(const HeadsetFrame& frame, double seconds) {
         headset_menu(interface_.controls(), session_, page_, content, SceneInterface::width,
                      SceneInterface::height, frame.time);
     interface_.end(labels(frame), view_of_eye(walk_.stance, {frame.head}, {1, 1}));
-    write_asked_files(session_, renderer_.package(), objects_, frame.time);
+    asked_files_.attend(session_, renderer_.package(), objects_, frame.time);
     if (!controls_.empty()) interface_.controls().write_places(controls_);
 }
 

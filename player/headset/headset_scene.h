@@ -15,6 +15,7 @@
 #include "player/panels/mark_pass.h"
 #include "player/render/frame_clock.h"
 #include "player/walk/walk.h"
+#include "player/window/asked_files.h"
 #include "player/xr/headset_session.h"
 
 namespace vantage {
@@ -70,6 +71,7 @@ class HeadsetScene {
     MeasurePanel measure_;
     ToldStory told_;
     NotePicture note_picture_;
+    AskedFiles asked_files_;
     std::array<Pointed, 2> pointed_;
     std::array<bool, 2> selected_{};             ///< in the last frame
     bool menu_pressed_ = false, gazed_ = false;  ///< likewise

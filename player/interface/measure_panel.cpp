@@ -67,7 +67,7 @@ void MeasurePanel::begin(Session& s, double now) {
     active_ = true;
     survey_.up = survey_up(package_->photos());
     try {
-        survey_ = read_survey(file_, Survey{.up = survey_.up});
+        survey_ = file_.read(Survey{.up = survey_.up});
     } catch (const Error& e) {
         say(s, e.what(), now);
     }
@@ -82,13 +82,14 @@ void MeasurePanel::evaluate_all() {
 }
 
 bool MeasurePanel::attend(Session& s, double now) {
+    if (const std::string trouble = file_.take_trouble(); !trouble.empty()) say(s, trouble, now);
     if (!s.panels.measure) {
         active_ = false;
         next_.points.clear();
         return false;
     }
     if (!active_) begin(s, now);
-    take_keys(s, now);
+    take_keys(s);
     return true;
 }
 
@@ -126,10 +127,10 @@ void MeasurePanel::look_under_pointer(const Session& s, std::span<const PlacedMe
 }
 
 /// Backspace removes the last point. Esc gives up what is being measured, then leaves.
-void MeasurePanel::take_keys(Session& s, double now) {
+void MeasurePanel::take_keys(Session& s) {
     for (const KeyPress& press : std::exchange(s.measuring, {})) {
         if (is_enter(press)) {
-            end(s, now);
+            end();
         } else if (press.key == key::backspace) {
             remove_last_point();
         } else if (!press.repeated) {
@@ -143,12 +144,12 @@ void MeasurePanel::take_clicks(Session& s, std::span<const PlacedMesh> meshes, c
     if (ImGui::GetIO().WantCaptureMouse) return;
     for (const Click& click : s.input.clicks) {
         if (click.second) {
-            end(s, now);
+            end();
             continue;
         }
         const auto point = scene_point(meshes, origin_, view, {click.x, click.y}, snapping(s));
         if (point)
-            add(*point, s, now);
+            add(*point);
         else
             say(s, meshes.empty() ? tr("Measuring needs a mesh") : tr("There is no surface to measure"), now);
     }
@@ -160,32 +161,28 @@ void MeasurePanel::remove_last_point() {
 
 void MeasurePanel::set_point(Session& s, double now) {
     if (under_)
-        add(*under_, s, now);
+        add(*under_);
     else
         say(s, tr("There is no surface to measure"), now);
 }
 
-void MeasurePanel::add(const SurveyPoint& point, Session& s, double now) {
+void MeasurePanel::add(const SurveyPoint& point) {
     next_.points.push_back(point);
-    if (next_.points.size() == most_points(next_.measure)) end(s, now);
+    if (next_.points.size() == most_points(next_.measure)) end();
 }
 
 /// Keeps what is being measured, if it has enough points.
-void MeasurePanel::end(Session& s, double now) {
+void MeasurePanel::end() {
     if (next_.points.size() < fewest_points(next_.measure)) return;
     survey_.measurements.push_back(
         {free_name(next_.measure), next_.measure, std::exchange(next_.points, {})});
-    changed(s, now);
+    changed();
     select(survey_.measurements.size() - 1);
 }
 
-void MeasurePanel::changed(Session& s, double now) {
+void MeasurePanel::changed() {
     evaluate_all();
-    try {
-        write_survey(file_, survey_);
-    } catch (const Error& e) {
-        say(s, e.what(), now);
-    }
+    file_.save(survey_);
 }
 
 std::string MeasurePanel::free_name(Measure measure) const {
@@ -213,14 +210,14 @@ std::vector<MeasurePanel::Drawn> MeasurePanel::drawn() const {
 void MeasurePanel::content(Controls& c, Session& s, double now) {
     choice_of_measure(c, s.keyboard);
     under_pointer(c);
-    scale_section(c, s, now);
+    scale_section(c);
     list(c);
     selected_section(c, s, now);
     ImGui::BeginDisabled(survey_.measurements.empty());
     if (c.button("Export table")) s.table = survey_csv(survey_);
     ImGui::EndDisabled();
     c.explain("Writes all measurements as a table (CSV) into the current folder.");
-    ImGui::TextDisabled(tr("saved in %s"), file_.path.filename().c_str());
+    ImGui::TextDisabled(tr("saved in %s"), file_.path().filename().c_str());
 }
 
 void MeasurePanel::choice_of_measure(Controls& c, bool keyboard) {
@@ -252,20 +249,20 @@ void MeasurePanel::under_pointer(Controls& c) const {
     c.explain("Standard uncertainty: the size of a pixel there, in the photo that shows it finest.");
 }
 
-void MeasurePanel::scale_section(Controls& c, Session& s, double now) {
+void MeasurePanel::scale_section(Controls& c) {
     ImGui::Separator();
     Scale& scale = survey_.scale;
     int unit = int(scale.unit), shown = int(shown_unit(scale));
     if (c.choice("Model's unit", &unit, unit_texts, int(std::size(unit_texts)))) {
         scale = unit_at(unit) == Unit::unknown ? Scale{} : Scale{1, unit_at(unit), unit_at(unit)};
-        changed(s, now);
+        changed();
     }
     c.explain("The unit of the input's coordinates, about which its files say nothing.");
     ImGui::BeginDisabled(scale.unit == Unit::unknown);
     if (c.choice("Shown in", &shown, unit_texts, int(std::size(unit_texts))) &&
         unit_at(shown) != Unit::unknown) {
         scale.shown = unit_at(shown);
-        changed(s, now);
+        changed();
     }
     ImGui::EndDisabled();
     if (scale.length != 1)
@@ -317,7 +314,7 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
         c.note("Name");
         if (ImGui::IsItemDeactivatedAfterEdit()) {
             survey_.measurements[at].name = name_.data();
-            changed(s, now);
+            changed();
         }
         if (c.button("Copy"))
             ImGui::SetClipboardText((survey_.measurements[at].name + ": " + text_of(values_[at])).c_str());
@@ -338,7 +335,7 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
                 scale_from(raw.value.value_or(0), raw.uncertainty.value_or(0), known_length_, unit);
             if (scale) {
                 survey_.scale = *scale;
-                changed(s, now);
+                changed();
             } else {
                 say(s, tr("A scale needs two different points and a length above 0"), now);
             }
@@ -347,7 +344,7 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
     if (!deleted) return;
     survey_.measurements.erase(survey_.measurements.begin() + std::ptrdiff_t(at));
     selected_.reset();
-    changed(s, now);
+    changed();
 }
 
 }  // namespace vantage

@@ -10,7 +10,7 @@
 #include "player/interface/session.h"
 #include "player/render/renderer.h"
 #include "player/survey/scene_point.h"
-#include "player/survey/survey_file.h"
+#include "player/survey/survey_saver.h"
 
 namespace vantage {
 
@@ -38,7 +38,7 @@ class MeasurePanel {
     /// Sets the point that is pointed at.
     void set_point(Session& session, double now);
     /// Ends a measurement with the points that it has, if these are enough.
-    void end(Session& session, double now);
+    void end();
     void remove_last_point();
     /// The panel's controls.
     void content(Controls& controls, Session& session, double now);
@@ -54,14 +54,14 @@ class MeasurePanel {
   private:
     void begin(Session& session, double now);
     void look_under_pointer(const Session& session, std::span<const PlacedMesh> meshes, const View& view);
-    void take_keys(Session& session, double now);
+    void take_keys(Session& session);
     void take_clicks(Session& session, std::span<const PlacedMesh> meshes, const View& view, double now);
-    void add(const SurveyPoint& point, Session& session, double now);
+    void add(const SurveyPoint& point);
     void evaluate_all();
-    void changed(Session& session, double now);
+    void changed();
     void choice_of_measure(Controls& controls, bool keyboard);
     void under_pointer(Controls& controls) const;
-    void scale_section(Controls& controls, Session& session, double now);
+    void scale_section(Controls& controls);
     void list(Controls& controls);
     void selected_section(Controls& controls, Session& session, double now);
     void select(std::size_t measurement);
@@ -70,7 +70,7 @@ class MeasurePanel {
 
     const PackageReader* package_;
     Eigen::Vector3d origin_;
-    SurveyFile file_;
+    SurveySaver file_;
     Survey survey_;
     std::vector<Measured> values_;  ///< of the measurements
     bool active_ = false;

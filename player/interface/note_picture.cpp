@@ -1,6 +1,7 @@
 #include "player/interface/note_picture.h"
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -99,23 +100,41 @@ Picture reduced_picture(Picture p, int most) {
     return out;
 }
 
-void NotePicture::load(const std::filesystem::path& file) {
-    if (file == file_) return;
-    file_ = file;
-    trouble_.clear();
-    texture_ = {};
-    if (file.empty()) return;
+NotePicture::Read NotePicture::read(const std::filesystem::path& file) {
     try {
-        const Picture p = reduced_picture(read_note_picture(file), most_side);
-        if (p.width < 1 || p.height < 1) return;  // narrower than the factor
-        texture_ = gl::make_texture_2d("picture of a note", GL_RGBA8, p.width, p.height, GL_LINEAR);
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTextureSubImage2D(texture_.id(), 0, 0, 0, p.width, p.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                            p.rgba.data());
-        width_ = p.width, height_ = p.height;
+        return {file, reduced_picture(read_note_picture(file), most_side), {}};
     } catch (const Error& e) {
-        trouble_ = e.what();
+        return {file, {}, e.what()};
     }
+}
+
+void NotePicture::load(const std::filesystem::path& file) {
+    if (file != file_) {
+        file_ = file;
+        trouble_.clear();
+        texture_ = {};
+    }
+    if (!file_.empty() && !texture_ && trouble_.empty() && !read_.valid())
+        read_ = std::async(std::launch::async, [file] { return read(file); });
+}
+
+void NotePicture::attend() {
+    if (!read_.valid() || read_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    if (const Read read = read_.get(); read.file == file_) take(read);
+}
+
+void NotePicture::take(const Read& read) {
+    const Picture& p = read.picture;
+    trouble_ = read.trouble;
+    if (!trouble_.empty()) return;
+    if (p.width < 1 || p.height < 1) {
+        trouble_ = read.file.string() + ": is too narrow";
+        return;
+    }
+    texture_ = gl::make_texture_2d("picture of a note", GL_RGBA8, p.width, p.height, GL_LINEAR);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(texture_.id(), 0, 0, 0, p.width, p.height, GL_RGBA, GL_UNSIGNED_BYTE, p.rgba.data());
+    width_ = p.width, height_ = p.height;
 }
 
 }  // namespace vantage

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <span>
 
 #include "gl/object.h"
@@ -17,9 +18,12 @@ Picture reduced_picture(Picture picture, int most);
 /// The picture of the note whose card is open, as a texture. Belongs to the OpenGL thread.
 class NotePicture {
   public:
-    /// Loads the file if it is not the one that was loaded last. Without a file, or if it cannot be read,
-    /// there is no picture.
+    /// Begins to load the file, in the background, if it is not the one that was loaded last. Until it is
+    /// there, without a file, or if it cannot be read, there is no picture.
     void load(const std::filesystem::path& file);
+    /// Once per frame: takes what was loaded.
+    void attend();
+    bool loading() const { return read_.valid(); }
     /// 0: there is none.
     GLuint texture() const { return texture_.id(); }
     int width() const { return width_; }
@@ -28,7 +32,16 @@ class NotePicture {
     const std::string& trouble() const { return trouble_; }
 
   private:
+    struct Read {
+        std::filesystem::path file;
+        Picture picture;
+        std::string trouble;
+    };
+    static Read read(const std::filesystem::path& file);
+    void take(const Read& read);
+
     std::filesystem::path file_;
+    std::future<Read> read_;
     std::string trouble_;
     gl::Texture texture_;
     int width_ = 0, height_ = 0;

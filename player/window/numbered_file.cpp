@@ -20,15 +20,20 @@ std::string free_name(const std::string& stem, const char* extension) {
     }
 }
 
-void write_numbered(Session& session, const std::string& stem, const char* extension, const std::string& what,
-                    double now, const std::function<void(const std::string& file)>& write) {
+std::string written_numbered(const std::string& stem, const char* extension, const std::string& what,
+                             const std::function<void(const std::string& file)>& write) {
     try {
         const std::string file = free_name(stem, extension);
         write(file);
-        say(session, formatted(tr("%s written to %s"), what.c_str(), file.c_str()), now);
+        return formatted(tr("%s written to %s"), what.c_str(), file.c_str());
     } catch (const Error& e) {
-        say(session, e.what(), now);
+        return e.what();
     }
+}
+
+void write_numbered(Session& session, const std::string& stem, const char* extension, const std::string& what,
+                    double now, const std::function<void(const std::string& file)>& write) {
+    say(session, written_numbered(stem, extension, what, write), now);
 }
 
 void write_text(const std::string& file, const std::string& text) {

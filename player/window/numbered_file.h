@@ -6,8 +6,11 @@
 
 namespace vantage {
 
-/// Writes to the file free_name(stem, extension); `extension` with its dot. Says "WHAT written to FILE", or
-/// why `write` threw an Error.
+/// Writes to the file free_name(stem, extension); `extension` with its dot. Returns "WHAT written to FILE",
+/// or why `write` threw an Error.
+std::string written_numbered(const std::string& stem, const char* extension, const std::string& what,
+                             const std::function<void(const std::string& file)>& write);
+/// Says that.
 void write_numbered(Session& session, const std::string& stem, const char* extension, const std::string& what,
                     double now, const std::function<void(const std::string& file)>& write);
 

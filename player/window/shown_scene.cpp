@@ -121,10 +121,11 @@ void ShownScene::frame(int width, int height, double now) {
     const View view = shown_view(s.camera, s, renderer_.scene(), width, height);
     shown_at_ = now;
     if (std::exchange(s.closes_menu, false)) controls_.close_menus();
+    note_picture_.attend();
     interface(view, now);
     record(now);
     add_objects(now);
-    write_asked_files(s, renderer_.package(), objects_, now);
+    asked_files_.attend(s, renderer_.package(), objects_, now);
     orthophotos_.attend(s, renderer_.package(), now);
     ImGui::Render();
     s.settings.points.pick = s.panels.expert && s.panels.points;
@@ -227,6 +228,7 @@ void ShownScene::tell(const View& view, double now) {
 double ShownScene::wakes_at() const {
     double at = kiosk_ ? attends_at(*kiosk_) : HUGE_VAL;
     if (!session_.message.empty()) at = session_.message_shown ? session_.message_until : shown_at_;
+    if (asked_files_.writes() || note_picture_.loading()) at = std::min(at, shown_at_ + 0.05);
     if (orthophotos_.writes() || chooser_.asks()) at = std::min(at, shown_at_ + 0.5);
     if (looks_again()) at = std::min(at, drawn_at_ + look_again_seconds);
     if (ImGui::GetIO().WantTextInput) at = std::min(at, shown_at_ + blink_seconds);

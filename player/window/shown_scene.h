@@ -16,6 +16,7 @@
 #include "player/options/show_options.h"
 #include "player/render/frame_clock.h"
 #include "player/render/renderer.h"
+#include "player/window/asked_files.h"
 #include "player/window/kiosk.h"
 #include "player/window/orthophoto_writer.h"
 #include "player/window/system_chooser.h"
@@ -108,6 +109,7 @@ class ShownScene {
     };
     std::optional<Recording> recording_;
     std::optional<Kiosk> kiosk_;
+    AskedFiles asked_files_;
     OrthophotoWriter orthophotos_;
     SystemChooser chooser_;
 };

@@ -1,0 +1,55 @@
+#include "player/survey/survey_saver.h"
+
+#include <utility>
+
+#include "scene/error.h"
+
+namespace vantage {
+
+SurveySaver::SurveySaver(SurveyFile file)
+    : path_(file.path),
+      file_(std::move(file)),
+      thread_([this](const std::stop_token& stop) { write_until(stop); }) {}
+
+SurveySaver::~SurveySaver() {
+    thread_.request_stop();
+    thread_.join();
+}
+
+Survey SurveySaver::read(const Survey& otherwise) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return !next_ && !writing_; });
+    return read_survey(file_, otherwise);
+}
+
+void SurveySaver::save(const Survey& survey) {
+    const std::lock_guard lock(mutex_);
+    next_ = survey;
+    changed_.notify_all();
+}
+
+std::string SurveySaver::take_trouble() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(trouble_, {});
+}
+
+void SurveySaver::write_until(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (changed_.wait(lock, stop, [&] { return next_.has_value(); })) {
+        const Survey survey = *std::exchange(next_, std::nullopt);
+        writing_ = true;
+        lock.unlock();
+        std::string trouble;
+        try {
+            write_survey(file_, survey);
+        } catch (const Error& e) {
+            trouble = e.what();
+        }
+        lock.lock();
+        writing_ = false;
+        trouble_ = trouble;
+        changed_.notify_all();
+    }
+}
+
+}  // namespace vantage
