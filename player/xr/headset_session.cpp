@@ -196,6 +196,11 @@ bool HeadsetSession::locate_eyes(HeadsetFrame& frame) {
     return true;
 }
 
+void HeadsetSession::take_pictures() {
+    for (EyeSwapchain& eye : colors_) eye.acquire();
+    for (EyeSwapchain& eye : depths_) eye.acquire();
+}
+
 void HeadsetSession::end_frame(std::span<const DrawnEye> eyes) {
     for (EyeSwapchain& pictures : colors_) pictures.release();
     for (EyeSwapchain& pictures : depths_) pictures.release();

@@ -55,9 +55,11 @@ class HeadsetSession {
 
     /// Waits until it is time for the next frame, and begins it.
     HeadsetFrame begin_frame();
-    /// The framebuffer of an eye in this frame; that of its depth, 0 if the runtime takes none.
-    GLuint color_target(std::size_t eye) { return colors_.at(eye).acquire(); }
-    GLuint depth_target(std::size_t eye) { return depths_.empty() ? 0 : depths_.at(eye).acquire(); }
+    /// Waits until the runtime no longer needs the pictures that this frame is to be drawn into.
+    void take_pictures();
+    /// The framebuffer of an eye, after take_pictures(); that of its depth, 0 if the runtime takes none.
+    GLuint color_target(std::size_t eye) const { return colors_.at(eye).target(); }
+    GLuint depth_target(std::size_t eye) const { return depths_.empty() ? 0 : depths_.at(eye).target(); }
     bool takes_depth() const { return !depths_.empty(); }
     /// Ends the frame with what was drawn for both eyes, or without a picture.
     void end_frame(std::span<const DrawnEye> eyes);
