@@ -134,6 +134,7 @@ const int background_bottom_uniform = 27;
 // surface count, farther than anything.
 const int depth_terms_uniform = 0;
 const int objects_uniform = 0;
+const int nearest_shown_uniform = 1;  // nearest_object
 const int compose_flip_uniform = 1;
 const int compose_fill_uniform = 2;
 const int compose_background_uniform = 3;

@@ -1,12 +1,14 @@
 #include "player/headset/depth_picture.h"
 
+#include <limits>
+
 #include "gl/context.h"
 #include "player/render/full_frame_program.h"
 #include "shaders/contract.h"
 
 namespace vantage {
 
-DepthLimits DepthPicture::copy(const Renderer& renderer, FrameSize size, double scale, GLuint target) {
+DepthLimits DepthPicture::copy(const DrawnDepth& depth, FrameSize size, double scale, GLuint target) {
     if (!program_) {
         program_ = full_frame_program("headset's depth", "depth_picture.frag");
         no_vertices_ = gl::make_vertex_array("no vertices");
@@ -16,13 +18,14 @@ DepthLimits DepthPicture::copy(const Renderer& renderer, FrameSize size, double 
     glDepthFunc(GL_ALWAYS);
     glDepthMask(GL_TRUE);
     glUniform2i(shader::frame_size_uniform, size.width, size.height);
-    glBindTextureUnit(shader::depth_unit, renderer.targets().depth.id());
+    glBindTextureUnit(shader::depth_unit, depth.texture);
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_DEPTH_TEST);
     gl::check("copying depth for a headset");
-    const auto [a, b] = std::pair(renderer.depth_terms().x(), renderer.depth_terms().y());
-    return {-b / a / scale, b / (1 - a) / scale};
+    const double a = depth.terms.x(), b = depth.terms.y();
+    const double at_zero = a == 0 ? std::numeric_limits<double>::infinity() : -b / a;
+    return {at_zero / scale, b / (1 - a) / scale};
 }
 
 }  // namespace vantage

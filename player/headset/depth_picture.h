@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/program.h"
-#include "player/render/renderer.h"
+#include "player/objects/object_set.h"
 #include "player/xr/headset_session.h"
 
 namespace vantage {
@@ -9,9 +9,9 @@ namespace vantage {
 /// head is by then. Belongs to the OpenGL thread.
 class DepthPicture {
   public:
-    /// Copies the depth of what the renderer drew last, a frame of this size, into the framebuffer `target`.
-    /// `scale`: scene units per meter.
-    DepthLimits copy(const Renderer& renderer, FrameSize size, double scale, GLuint target);
+    /// Copies the depth of a frame of this size into the framebuffer `target`. `scale`: scene units per
+    /// meter.
+    DepthLimits copy(const DrawnDepth& depth, FrameSize size, double scale, GLuint target);
 
   private:
     gl::Program program_;

@@ -267,30 +267,30 @@ void HeadsetScene::draw(HeadsetSession& headset, const HeadsetFrame& frame,
     s.report = objects_.draw_eyes(views, settings, s.photos, {}, frame.time, nullptr, [&](std::size_t eye) {
         const GLuint target = headset.color_target(eye);
         objects_.show(views[eye], settings, target, true, eye);
-        draw_over(views[eye], target);
-        if (eye == 0) seen(target, frame_size(views[eye]));
-        drawn_.push_back({frame_size(views[eye]), depth_of(headset, views[eye], eye)});
+        const FrameSize size = frame_size(views[eye]);
+        const DrawnDepth depth = objects_.depth(settings, nearest * walk_.stance.scale);
+        draw_over(views[eye], depth, target);
+        if (eye == 0) seen(target, size);
+        drawn_.push_back({size, depth_of(headset, depth, size, eye)});
     });
 }
 
-/// What is beside the model: only the first object hides it. The menu and the hands are never hidden.
-void HeadsetScene::draw_over(const View& view, GLuint target) {
+/// What is beside the model. The menu and the hands are never hidden.
+void HeadsetScene::draw_over(const View& view, const DrawnDepth& depth, GLuint target) {
     if (dims_edges_) vignette_.draw(view, target, walk_.vignette);
     EyePicture eye{view, nearest * walk_.stance.scale, target, true};
     EyePicture behind_model = eye;
-    if (objects_.at(0).shown)
-        behind_model.depth = {renderer_.targets().depth.id(), renderer_.depth_terms(), frame_size(view)};
+    behind_model.depth = {depth.texture, depth.terms, frame_size(view)};
     mark_pass_.draw(behind_model);
     interface_.draw_labels(behind_model);
     if (panel_) interface_.draw_menu(*panel_, eye);
     hand_pass_.draw(eye);
 }
 
-/// Not of several objects, whose depths are apart from each other.
-std::optional<DepthLimits> HeadsetScene::depth_of(HeadsetSession& headset, const View& view,
-                                                  std::size_t eye) {
-    if (!headset.takes_depth() || objects_.size() > 1) return {};
-    return depth_.copy(renderer_, frame_size(view), walk_.stance.scale, headset.depth_target(eye));
+std::optional<DepthLimits> HeadsetScene::depth_of(HeadsetSession& headset, const DrawnDepth& depth,
+                                                  FrameSize size, std::size_t eye) {
+    if (!headset.takes_depth()) return {};
+    return depth_.copy(depth, size, walk_.stance.scale, headset.depth_target(eye));
 }
 
 /// Sets the pace of frames to come by those that are finished.

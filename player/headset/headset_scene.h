@@ -49,8 +49,9 @@ class HeadsetScene {
     std::array<View, 2> views_of(const HeadsetFrame& frame, FrameSize size) const;
     void draw(HeadsetSession& headset, const HeadsetFrame& frame,
               const std::function<void(GLuint, FrameSize)>& seen);
-    void draw_over(const View& view, GLuint target);
-    std::optional<DepthLimits> depth_of(HeadsetSession& headset, const View& view, std::size_t eye);
+    void draw_over(const View& view, const DrawnDepth& depth, GLuint target);
+    std::optional<DepthLimits> depth_of(HeadsetSession& headset, const DrawnDepth& depth, FrameSize size,
+                                        std::size_t eye);
     void keep_pace();
 
     Renderer renderer_;

@@ -1,6 +1,7 @@
 #include "player/objects/composition.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "gl/context.h"
@@ -13,7 +14,8 @@ void Composition::fit(FrameSize room, std::size_t objects) {
     room_ = room;
     const auto [width, height] = room;
     layers_.clear();
-    colors_ = {}, depths_ = {};
+    nearest_target_ = {};
+    colors_ = {}, depths_ = {}, nearest_ = {};
     colors_ = gl::make_texture_array("objects", GL_RGBA8, width, height, int(objects), GL_NEAREST);
     depths_ = gl::make_texture_array("objects' depth", GL_R32F, width, height, int(objects), GL_NEAREST);
     for (int i = 0; i < int(objects); ++i)
@@ -39,6 +41,7 @@ void Composition::show(std::span<const ObjectFrame> frames, const View& view, co
                        GLuint target, bool flip, std::size_t eye) {
     frame_ = {view.intrinsics.width, view.intrinsics.height};
     fit(room_for(frame_, settings.room), std::max<std::size_t>(1, frames.size()));
+    shown_ = frames.size();
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const ObjectFrame& f = frames[i];
         f.renderer->show(f.view, f.settings, layers_[i].color.id(), false, eye);
@@ -60,6 +63,22 @@ void Composition::show(std::span<const ObjectFrame> frames, const View& view, co
     glBindTextureUnit(shader::object_depths_unit, depths_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     gl::check("composing objects");
+}
+
+const gl::Texture& Composition::nearest_depth(double near) {
+    if (!nearest_) {
+        nearest_ = gl::make_texture_2d("nearest object", GL_R32F, room_.width, room_.height, GL_NEAREST);
+        nearest_target_ = gl::make_framebuffer("nearest object", std::array{nearest_.id()}, 0);
+    }
+    if (!nearest_program_) nearest_program_ = full_frame_program("nearest object", "nearest_object.frag");
+    begin_full_frame(nearest_program_, nearest_target_.id(), frame_);
+    glUniform1i(shader::objects_uniform, GLint(shown_));
+    glUniform1f(shader::nearest_shown_uniform, float(near));
+    glBindTextureUnit(shader::object_depths_unit, depths_.id());
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    gl::check("finding the nearest object");
+    return nearest_;
 }
 
 }  // namespace vantage

@@ -26,6 +26,10 @@ class Composition {
     void show(std::span<const ObjectFrame> frames, const View& view, const RenderSettings& settings,
               GLuint target, bool flip, std::size_t eye);
 
+    /// How near the nearest object is at each pixel of the frame that was shown last: 32-bit depths `near /
+    /// z` from the first texel on, top row first, 0 where there is none. `near` in the scene's unit.
+    const gl::Texture& nearest_depth(double near);
+
   private:
     struct Layer {
         gl::Framebuffer color, depth;
@@ -34,9 +38,11 @@ class Composition {
     void copy_depth(const ObjectFrame& frame, const Layer& layer);
 
     FrameSize room_, frame_;
-    gl::Texture colors_, depths_;
+    gl::Texture colors_, depths_, nearest_;
     std::vector<Layer> layers_;
-    gl::Program depth_program_, compose_program_;
+    std::size_t shown_ = 0;  ///< objects in the frame
+    gl::Framebuffer nearest_target_;
+    gl::Program depth_program_, compose_program_, nearest_program_;
     gl::VertexArray no_vertices_;
 };
 

@@ -253,6 +253,12 @@ void ObjectSet::show(const View& view, const RenderSettings& settings, GLuint ta
     composition_.show(frames, view, settings, target, flip, eye);
 }
 
+DrawnDepth ObjectSet::depth(const RenderSettings& settings, double near) {
+    if (alone() || settings.compare != Compare::nothing)
+        return {first_.targets().depth.id(), first_.depth_terms()};
+    return {composition_.nearest_depth(near).id(), {0, near}};
+}
+
 FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSettings& settings,
                          std::span<const std::uint32_t> photos, int side, double now) {
     FrameReport report;

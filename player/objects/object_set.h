@@ -12,6 +12,13 @@
 
 namespace vantage {
 
+/// Depths of what was drawn: a + b / z, with `terms` a and b and z in the scene's unit; the picture's top row
+/// first. 0: nothing.
+struct DrawnDepth {
+    GLuint texture;
+    Eigen::Vector2d terms;
+};
+
 /// The objects of a scene: the first one, which the caller's renderer draws and whose coordinates are the
 /// scene's, and others with renderers of their own. Each blends its own photos; at each pixel the nearest
 /// object is shown. Belongs to the OpenGL thread.
@@ -61,6 +68,8 @@ class ObjectSet {
     /// Shows what was drawn last, as Renderer::show does. A comparison shows the first object alone.
     void show(const View& view, const RenderSettings& settings, GLuint target, bool flip,
               std::size_t eye = 0);
+    /// Of what was shown last. `near`: a distance that nothing is nearer than, in the scene's unit.
+    DrawnDepth depth(const RenderSettings& settings, double near);
 
   private:
     struct Other {

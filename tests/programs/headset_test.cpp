@@ -221,8 +221,9 @@ View players_view(const package::PhotoRecord& photo, const Vector3d& up, const R
     return view_of_eye(stance, *frustum, {v["rect"][2], v["rect"][3]});
 }
 
-/// The middle of a saved depth picture, as distance along the eye's axis in meters; `submitted`: its view.
-double middle_distance(const fs::path& pfm, const json& submitted) {
+/// A pixel of a saved depth picture, from its upper left corner, as distance along the eye's axis in meters;
+/// `submitted`: its view.
+double distance_at(const fs::path& pfm, const json& submitted, int x, int y) {
     std::ifstream in(pfm, std::ios::binary);
     std::string kind;
     int width = 0, height = 0;
@@ -231,10 +232,16 @@ double middle_distance(const fs::path& pfm, const json& submitted) {
     in.get();
     std::vector<float> rows(std::size_t(width) * std::size_t(height));
     in.read(reinterpret_cast<char*>(rows.data()), std::streamsize(rows.size() * sizeof(float)));
-    const double depth = double(rows[rows.size() / 2 + std::size_t(width / 2)]);
-    const double near = submitted["depth"]["near"].get<double>(),
-                 far = submitted["depth"]["far"].get<double>();
-    return 1 / (1 / near + depth * (1 / far - 1 / near));
+    const double depth = double(rows.at(std::size_t(height - 1 - y) * std::size_t(width) + std::size_t(x)));
+    const auto limit = [&](const char* name) {
+        const json& at = submitted["depth"][name];
+        return at.is_string() ? std::numeric_limits<double>::infinity() : at.get<double>();
+    };
+    return 1 / (1 / limit("near") + depth * (1 / limit("far") - 1 / limit("near")));
+}
+double middle_distance(const fs::path& pfm, const json& submitted) {
+    return distance_at(pfm, submitted, submitted["rect"][2].get<int>() / 2,
+                       submitted["rect"][3].get<int>() / 2);
 }
 
 /// What somebody does with the right hand, frame by frame, with a headset at (0, 1.6, 0) that looks ahead.
@@ -302,9 +309,8 @@ double meets(const Vector3d& from, const Vector3d& along, const Corners& c) {
     return inside ? x[2] : std::numeric_limits<double>::infinity();
 }
 
-/// Middles of triangles that are seen from a place, between two distances, one per so many triangles.
-std::vector<Vector3d> seen_middles(const PlanScene& scene, const Vector3d& from, double nearest,
-                                   double farthest, std::size_t wanted) {
+/// The mesh, without surroundings.
+std::vector<Corners> triangles_of(const PlanScene& scene) {
     std::vector<Corners> mesh;
     for (const package::ClusterRecord& c :
          std::span(scene.clusters)
@@ -314,6 +320,13 @@ std::vector<Vector3d> seen_middles(const PlanScene& scene, const Vector3d& from,
             for (std::size_t k = 0; k < 3; ++k)
                 corners[k] = scene.positions[scene.indices[3 * t + k]].cast<double>();
         }
+    return mesh;
+}
+
+/// Middles of triangles that are seen from a place, between two distances, one per so many triangles.
+std::vector<Vector3d> seen_middles(const PlanScene& scene, const Vector3d& from, double nearest,
+                                   double farthest, std::size_t wanted) {
+    const std::vector<Corners> mesh = triangles_of(scene);
     std::vector<Vector3d> out;
     for (std::size_t i = 0; i < mesh.size() && out.size() < wanted; i += 37) {
         const Vector3d middle = (mesh[i][0] + mesh[i][1] + mesh[i][2]) / 3, along = middle - from;
@@ -572,6 +585,47 @@ TEST_F(HeadsetProgram, TwoHandsMakeTheModelTwiceAsLarge) {
     const double after =
         middle_distance(dir / "out" / "0058-left-depth.pfm", run.frames[57]["layers"][0]["views"][0]);
     EXPECT_NEAR(after / before, 2, 0.01) << "about the middle between the hands, where the eyes are";
+}
+
+TEST_F(HeadsetProgram, HandsOverTheDepthOfTheNearestObject) {
+    const PackageReader package(file);
+    const package::PhotoRecord& photo = package.photos()[2];
+    const std::vector<Corners> mesh = triangles_of(make_plan_scene(package));
+    // The same again, nearer and to one side.
+    const Eigen::Matrix3d axes = view_of_photo(photo, 1).cam_from_origin.R;
+    const Vector3d moved = seen_distance(photo) * (0.2 * axes.row(0) - 0.3 * axes.row(2)).transpose();
+    SceneObject second{"second", file, {}};
+    second.placement.move = moved;
+    file = dir / "both.toml";
+    write_scene_file(file, {{"first", dir / package.path().filename(), {}}, second});
+    json s = scenario(20);
+    s["save"] = {18};
+    const Run run = play(s, "--fps 0 --unit-meters 1");
+    expect_sound(run);
+    const json& submitted = run.frames[17]["layers"][0]["views"][0];
+    const View view = Room(photo, Vector3d::UnitZ(), {0, 1.6, 0}, 1).view(submitted);
+    int of_first = 0, of_second = 0;
+    for (int y = 6; y < 108; y += 12)
+        for (int x = 6; x < 96; x += 12) {
+            const Intrinsics& k = view.intrinsics;
+            const Vector3d along = view.cam_from_origin.R.transpose() *
+                                   Vector3d((x + 0.5 - k.cx) / k.fx, (y + 0.5 - k.cy) / k.fy, 1),
+                           from = view.cam_from_origin.center();
+            constexpr double nowhere = std::numeric_limits<double>::infinity();
+            std::array<double, 2> away{nowhere, nowhere};
+            for (const Corners& c : mesh) {
+                away[0] = std::min(away[0], meets(from, along, c));
+                away[1] = std::min(away[1], meets(from - moved, along, c));
+            }
+            const double truth = std::min(away[0], away[1]);
+            if (!std::isfinite(truth)) continue;
+            ++(away[0] < away[1] ? of_first : of_second);
+            EXPECT_NEAR(distance_at(dir / "out" / "0018-left-depth.pfm", submitted, x, y), truth,
+                        0.02 * truth)
+                << x << ", " << y;
+        }
+    EXPECT_GT(of_first, 3);
+    EXPECT_GT(of_second, 3);
 }
 
 TEST_F(HeadsetProgram, MeasuresBetweenTwoPointsToAMillimeter) {
