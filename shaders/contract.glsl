@@ -172,10 +172,14 @@ const int edges_opaque_uniform = 28;
 // Uniform of enlarge.
 const int enlarged_size_uniform = 0;
 
-// Uniforms of panorama. The faces of a cube: ahead, right, behind, left, above, below.
+// Uniforms of panorama.
 const int face_focal_uniform = 0;
 const int face_overlap_uniform = 1;
+const int face_half_uniform = 8;
+const int face_count_uniform = 9;
+const int first_face_uniform = 10;
 const int face_from_panorama_uniform = 2;  // an array
+const int most_faces = 6;
 
 // Uniforms of stereo, and the values of its mode.
 const int stereo_mode_uniform = 0;

@@ -1,4 +1,4 @@
-// All directions around an eye, from the faces of a cube: longitudes along the rows, latitudes along the columns.
+// All directions around an eye, from pictures of parts of them, its faces: longitudes along the rows, latitudes along the columns.
 #include "contract.glsl"
 #include "srgb.glsl"
 
@@ -6,8 +6,11 @@ layout(location = 0) out vec4 shown;
 layout(binding = faces_unit) uniform sampler2DArray faces;
 layout(location = frame_size_uniform) uniform ivec2 frame_size;
 layout(location = face_focal_uniform) uniform float focal;  // of a face, pixels
-layout(location = face_overlap_uniform) uniform float overlap;  // of a face with the next ones, in halves of a face
-layout(location = face_from_panorama_uniform) uniform mat3 face_from_panorama[6];
+layout(location = face_overlap_uniform) uniform float overlap;  // of a face with the next ones, a tangent
+layout(location = face_half_uniform) uniform vec2 half_face;  // what it shows alone, as tangents from its middle
+layout(location = face_count_uniform) uniform int face_count;
+layout(location = first_face_uniform) uniform int first_face;
+layout(location = face_from_panorama_uniform) uniform mat3 face_from_panorama[most_faces];
 
 const float pi = 3.14159265358979;
 const int taps = 2;  // per side of a pixel
@@ -35,13 +38,13 @@ vec4 seen(vec2 at) {
     vec2 middle = vec2(textureSize(faces, 0).xy) / 2.0;
     vec4 sum = vec4(0.0);
     float all = 0.0;
-    for (int face = 0; face < 6; ++face) {
+    for (int face = 0; face < face_count; ++face) {
         vec3 p = face_from_panorama[face] * d;
         if (p.z <= 0.0) continue;
         vec2 on_face = p.xy / p.z;
-        float out_by = max(abs(on_face.x), abs(on_face.y)) - 1.0;
-        float weight = clamp(0.5 - 0.5 * out_by / overlap, 0.0, 1.0);
-        if (weight > 0.0) sum += weight * light_at(focal * on_face + middle, face);
+        vec2 out_by = abs(on_face) - half_face;
+        float weight = clamp(0.5 - 0.5 * max(out_by.x, out_by.y) / overlap, 0.0, 1.0);
+        if (weight > 0.0) sum += weight * light_at(focal * on_face + middle, first_face + face);
         all += weight;
     }
     return sum / all;

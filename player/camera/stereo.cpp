@@ -6,6 +6,13 @@
 #include "scene/error.h"
 
 namespace vantage {
+namespace {
+
+double convergence_of(const Eyes& eyes, double looked_at) {
+    return eyes.convergence > 0 ? eyes.convergence : looked_at;
+}
+
+}  // namespace
 
 FrameSize eye_size(StereoMode mode, FrameSize frame) {
     if (mode == StereoMode::side_by_side) frame.width = std::max(1, frame.width / 2);
@@ -19,11 +26,17 @@ FrameSize stereo_size(StereoMode mode, FrameSize eye) {
     return eye;
 }
 
+double eye_distance(const Eyes& eyes, double looked_at) {
+    const double distance = eyes.distance > 0 ? eyes.distance : eyes.share * convergence_of(eyes, looked_at);
+    if (!(distance > 0) || !std::isfinite(distance))
+        throw Error(Exit::usage, "--stereo: the eyes' distance must be finite and above 0");
+    return distance;
+}
+
 std::vector<View> eye_views(const View& middle, const Eyes& eyes, double looked_at) {
-    const double convergence = eyes.convergence > 0 ? eyes.convergence : looked_at;
-    const double distance = eyes.distance > 0 ? eyes.distance : eyes.share * convergence;
+    const double convergence = convergence_of(eyes, looked_at), distance = eye_distance(eyes, looked_at);
     const double shear = middle.intrinsics.fx * distance / convergence;  // pixels
-    if (!(distance > 0) || !(convergence > 0) || !std::isfinite(distance) || !std::isfinite(shear))
+    if (!(convergence > 0) || !std::isfinite(shear))
         throw Error(Exit::usage, "--stereo: the eyes' distance and convergence must be finite and above 0");
     if (middle.orthographic_depth > 0)
         throw Error(Exit::usage, "--stereo: an orthographic view is the same for both eyes");

@@ -33,6 +33,10 @@ inline bool divides_frame(StereoMode mode) {
     return mode == StereoMode::side_by_side || mode == StereoMode::over_under;
 }
 
+/// In scene units. `looked_at`: the depth at which the eyes converge unless `eyes` says so. Throws
+/// Error(usage) if it is not finite and above 0.
+double eye_distance(const Eyes& eyes, double looked_at);
+
 /// The views of the left and of the right eye, to both sides of `middle`: parallel, with frusta that are
 /// sheared so that they meet at the convergence (Woods, Docherty and Koch 1993); turned toward each other,
 /// the eyes would see heights that differ. `looked_at`: the depth at which they converge unless `eyes` says

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "cli/step_progress.h"
 #include "gl/context.h"
 #include "output/make_folder.h"
 #include "output/output_file.h"
@@ -47,9 +48,9 @@ std::vector<Shot> shots(const PackageReader& package, const ShowOptions& options
     return out;
 }
 
-/// With a panorama's metadata if it is one.
-void write_picture(const std::filesystem::path& file, const Picture& picture, bool panorama) {
-    if (!panorama) return write_png(file, picture);
+/// With the metadata by which viewers know a panorama, if it is one for one eye: they have none for two.
+void write_picture(const std::filesystem::path& file, const Picture& picture, const ShowOptions& o) {
+    if (!o.pictures.panorama || o.stereo.mode != StereoMode::off) return write_png(file, picture);
     PngRows out(file, picture.width, picture.height, panorama_xmp({picture.width, picture.height}));
     const std::size_t row = 4 * std::size_t(picture.width);
     for (std::size_t at = 0; at < picture.rgba.size(); at += row)
@@ -88,6 +89,28 @@ double colored_share(const Picture& p) {
     return p.rgba.empty() ? 0 : 4.0 * double(colored) / double(p.rgba.size());
 }
 
+std::string consisted_of(const FrameReport& r) {
+    return "  " + std::to_string(r.photos) + " photos in " + std::to_string(r.passes) + " passes  " +
+           std::to_string(r.tiles) + " tiles" +
+           (r.tiles_missing ? " (" + std::to_string(r.tiles_missing) + " missing)" : "");
+}
+
+/// For one eye or two.
+Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader& package, const Shot& shot,
+                    RenderSettings settings, std::span<const std::uint32_t> photos, const ShowOptions& o) {
+    const FrameSize size = o.output.size.empty() ? FrameSize{4096, 2048} : parse_size(o.output.size);
+    const int side = o.pictures.samples ? o.pictures.samples : 1;
+    const Panorama middle = panorama_at(shot.view, survey_up(package.photos()), size);
+    if (o.stereo.mode == StereoMode::off) return take_panorama(scene, middle, settings, photos, side);
+    settings.every_tile = false;  // hundreds of views read nearly the same ones
+    const StereoPanorama panorama =
+        stereo_panorama(middle, eye_distance(o.stereo.eyes, shot.distance),
+                        nearest_around(scene.meshes(), middle.eye, shot.distance));
+    StepProgress progress("slice", o.output.quiet);
+    return take_stereo_panorama(scene, stereo, o.stereo.mode, panorama, settings, photos, side,
+                                [&](std::size_t done, std::size_t count) { progress.show(done, count); });
+}
+
 /// What the ends of the color map stand for, if a layer was shown.
 void print_legend(const Renderer& renderer, const RenderSettings& settings) {
     if (settings.layer.layer < 0) return;
@@ -102,8 +125,9 @@ void print_legend(const Renderer& renderer, const RenderSettings& settings) {
 int run_offscreen(const PackageReader& package, const ShowOptions& options,
                   const std::vector<SceneObject>& objects) {
     const PictureOptions& o = options.pictures;
-    if (o.panorama && options.stereo.mode != StereoMode::off)
-        throw Error(Exit::usage, "--panorama is a picture for one eye: leave out --stereo");
+    if (o.panorama && options.stereo.mode == StereoMode::checkerboard)
+        throw Error(Exit::usage,
+                    "--panorama with --stereo checkerboard: expected over-under, side-by-side or anaglyph");
     const std::vector<Shot> wanted = shots(package, options);
     const std::vector<std::filesystem::path> files = picture_files(package, options, wanted);
     const std::vector<std::uint32_t> photos = photos_in_use(package, options.package);
@@ -117,12 +141,8 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
     const bool own_pixels = o.scale == 1 && options.output.size.empty() && o.view.empty() && o.path.empty();
     const int side = o.samples ? o.samples : own_pixels ? 1 : 2;
     StereoPicture stereo;
-    const FrameSize around =
-        options.output.size.empty() ? FrameSize{4096, 2048} : parse_size(options.output.size);
     const auto picture_of_shot = [&](const Shot& shot) {
-        if (o.panorama)
-            return take_panorama(scene, panorama_at(shot.view, survey_up(package.photos()), around), settings,
-                                 photos, o.samples ? o.samples : 1);
+        if (o.panorama) return panorama_of(scene, stereo, package, shot, settings, photos, options);
         const std::vector<View> eyes = views_of(options.stereo, shot.view, shot.distance);
         return take_picture(scene, stereo, options.stereo.mode, eyes, settings, photos, side, 0);
     };
@@ -135,15 +155,13 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
         const Picture picture = picture_of_shot(shot);
         if (i == 0 && !options.output.quiet) print_legend(renderer, settings);
         if (file.has_parent_path()) make_folder(file.parent_path());
-        write_picture(file, picture, o.panorama);
+        write_picture(file, picture, options);
         const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const FrameReport& r = picture.report;
         damaged = r.tiles_damaged;
         if (!options.output.quiet)
-            std::printf("%s  %dx%d  %zu photos in %zu passes  %zu tiles%s  %.3f %% colored  %.2f s\n",
-                        file.c_str(), picture.width, picture.height, r.photos, r.passes, r.tiles,
-                        r.tiles_missing ? (" (" + std::to_string(r.tiles_missing) + " missing)").c_str() : "",
-                        100 * colored_share(picture), s);
+            std::printf("%s  %dx%d%s  %.3f %% colored  %.2f s\n", file.c_str(), picture.width, picture.height,
+                        o.panorama ? "" : consisted_of(r).c_str(), 100 * colored_share(picture), s);
         if (r.fragments_approximated > 0)
             std::fprintf(
                 stderr,

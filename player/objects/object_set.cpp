@@ -266,6 +266,17 @@ FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSetti
     return report;
 }
 
+FrameReport draw_eye_samples(ObjectSet& objects, std::span<const View> eyes, const RenderSettings& settings,
+                             std::span<const std::uint32_t> photos, int side, double now,
+                             const std::function<GLuint(std::size_t eye)>& target) {
+    FrameReport report;
+    for (int i = 0; i < side * side; ++i)
+        report = objects.draw_eyes(eyes, settings, photos, {i, side}, now, nullptr, [&](std::size_t eye) {
+            if (i + 1 == side * side) objects.show(eyes[eye], settings, target(eye), false, eye);
+        });
+    return report;
+}
+
 Picture take_picture(ObjectSet& objects, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side, double now) {
     const FrameReport report = draw_samples(objects, view, settings, photos, side, now);

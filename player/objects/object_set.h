@@ -108,6 +108,11 @@ class ObjectSet {
 FrameReport draw_samples(ObjectSet& objects, const View& view, const RenderSettings& settings,
                          std::span<const std::uint32_t> photos, int side, double now = 0);
 
+/// The same for one eye or two; shows each in the framebuffer that `target` names.
+FrameReport draw_eye_samples(ObjectSet& objects, std::span<const View> eyes, const RenderSettings& settings,
+                             std::span<const std::uint32_t> photos, int side, double now,
+                             const std::function<GLuint(std::size_t eye)>& target);
+
 /// Renders all objects with `side` * `side` samples per pixel, as take_picture() does one; `now` as for
 /// Renderer::draw.
 Picture take_picture(ObjectSet& objects, const View& view, const RenderSettings& settings,

@@ -1,6 +1,7 @@
 #pragma once
-#include "player/camera/panorama.h"
+#include "player/camera/stereo_panorama.h"
 #include "player/objects/object_set.h"
+#include "player/objects/stereo_picture.h"
 
 namespace vantage {
 
@@ -9,5 +10,16 @@ namespace vantage {
 /// draw.
 Picture take_panorama(ObjectSet& objects, const Panorama& panorama, const RenderSettings& settings,
                       std::span<const std::uint32_t> photos, int side);
+
+/// The same for two eyes that turn to where they look, in one picture. `finished`: called with the number of
+/// slices that are, of all.
+Picture take_stereo_panorama(ObjectSet& objects, StereoPicture& stereo, StereoMode mode,
+                             const StereoPanorama& panorama, const RenderSettings& settings,
+                             std::span<const std::uint32_t> photos, int side,
+                             const std::function<void(std::size_t done, std::size_t count)>& finished);
+
+/// The distance of the nearest surface around a point, relative to the scene's origin, by rays in all
+/// directions; `otherwise` if there is none.
+double nearest_around(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& point, double otherwise);
 
 }  // namespace vantage

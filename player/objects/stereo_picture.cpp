@@ -39,11 +39,8 @@ Picture take_picture(ObjectSet& objects, StereoPicture& stereo, StereoMode mode,
                      double now) {
     if (eyes.size() == 1) return take_picture(objects, eyes.front(), settings, photos, side, now);
     stereo.fit(frame_size(eyes.front()));
-    FrameReport report;
-    for (int i = 0; i < side * side; ++i)
-        report = objects.draw_eyes(eyes, settings, photos, {i, side}, now, nullptr, [&](std::size_t eye) {
-            if (i + 1 == side * side) objects.show(eyes[eye], settings, stereo.target(eye), false, eye);
-        });
+    const FrameReport report = draw_eye_samples(objects, eyes, settings, photos, side, now,
+                                                [&](std::size_t eye) { return stereo.target(eye); });
     const FrameSize frame = stereo_size(mode, frame_size(eyes.front()));
     Picture p = picture_of(frame, [&](GLuint target) { stereo.show(mode, frame, target, false); });
     p.report = report;

@@ -1,12 +1,11 @@
 #include "player/orthophoto/orthophoto.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/step_progress.h"
 #include "gl/context.h"
 #include "output/make_folder.h"
 #include "output/output_file.h"
@@ -143,17 +142,13 @@ int run_orthophoto(const PackageReader& package, const OrthophotoOptions& o) {
     const gl::HeadlessContext context;
     Renderer renderer(package, memory_budget(o.memory));
     if (files.picture.has_parent_path()) make_folder(files.picture.parent_path());
-    const bool shows = !o.output.quiet && ::isatty(STDERR_FILENO);
-    const auto progress = [&](std::size_t done, std::size_t all) {
-        if (shows) std::fprintf(stderr, "\rorthophoto  %zu of %zu tiles  ", done, all);
-    };
     std::size_t damaged = 0;
     const auto write = [&](auto&& file) {
+        StepProgress progress("tile", o.output.quiet);
         damaged = draw_orthophoto(
             renderer, picture, settings, photos_in_use(package, o.package), o.samples,
             tile_size_for(picture.width), [&](std::span<const std::uint8_t> row) { file.add(row); },
-            progress);
-        if (shows) std::fprintf(stderr, "\r\033[K");
+            [&](std::size_t done, std::size_t all) { progress.show(done, all); });
         file.finish();
     };
     if (files.world.empty()) {

@@ -57,7 +57,7 @@ void ViewPlan::update(const View& view, const PlanSettings& settings, std::span<
         return;
     const std::vector<std::uint32_t> previous = photos_of(plan_.photos);
     if (!at_rest) {
-        uses_seen_ = (!settings.complete || settings.photos > 0) && !seen.triangles.empty() &&
+        uses_seen_ = reads_seen(settings) && !seen.triangles.empty() &&
                      shows_much_of(seen.view, view, *scene_);
         at_rest_.clear();
         // After other settings, the triangles may be from before the change.

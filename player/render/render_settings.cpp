@@ -19,7 +19,8 @@ PlanSettings plan_settings(const RenderSettings& s) {
     p.angle_limit = s.photos > 0 ? s.angle_limit * std::numbers::pi / 180 : 0;
     // The plan keeps footprints up to 4 times longer than wide sharp; more taps read finer levels.
     p.samples = std::exp2(-s.lod_bias) * std::max(1.0, s.anisotropy / 4.0);
-    if (!s.complete) p.worth = 0.1;  // half the bytes, and at least 47 dB from all tiles that may be sampled
+    if (!s.complete || !s.every_tile)
+        p.worth = 0.1;  // half the bytes, and at least 47 dB from all tiles that may be sampled
     const bool falls = s.weights.angle && !s.weights.angle_per_photo && s.show != Show::coverage;
     if (falls && !takes_one(s.blend)) p.sharpness = s.weights.sharpness;
     return p;

@@ -148,7 +148,8 @@ struct RenderSettings {
     double wiper = 0.5;                     ///< share of the width
     bool refined_colors = true;             ///< apply gains and falloff if the package's effects are on
     std::optional<std::uint32_t> exposure;  ///< of this photo, instead of the view's
-    bool complete = true;  ///< wait for all tiles that the view needs; else show what is resident
+    bool complete = true;    ///< wait for all tiles that the view needs; else show what is resident
+    bool every_tile = true;  ///< with `complete`: also those of which little is shown
     /// Without `complete`: photos fade as in a window, but each frame waits for its tiles and for the
     /// triangles that the frame before it showed. The same frames at the same times then give the same
     /// pictures.

@@ -235,8 +235,8 @@ void Renderer::plan_eye(Eye& eye, PixelSample sample) {
     for (std::size_t b = 0; b < eye.bands.size(); ++b) {
         const BandFrame& band = eye.bands[b];
         const RenderSettings& settings = band.settings;
-        if (settings.complete && settings.photos > 0 && sample.index == 0) find_seen(eye, band, sample);
         PlanSettings how = plan_settings(settings);
+        if (settings.complete && reads_seen(how) && sample.index == 0) find_seen(eye, band, sample);
         const PhotoChoice* photos = nullptr;
         if (&eye != &eyes_[0] && !settings.complete) {
             photos = &eyes_[0].bands[b].plan->plan().choice;

@@ -1,13 +1,12 @@
 #include "player/video/run_video.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
 
+#include "cli/step_progress.h"
 #include "gl/context.h"
 #include "output/make_folder.h"
 #include "output/output_file.h"
@@ -27,12 +26,6 @@ namespace vantage {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// Of each eye's picture.
 FrameSize size_of_eye(const ShowOptions& o) {
     return o.output.size.empty() ? FrameSize{1280, 720} : parse_size(o.output.size);
@@ -109,34 +102,9 @@ class Frames {
     bool settled_ = false;
 };
 
-/// One line that is replaced on a terminal; elsewhere, one every ten seconds.
-class FrameProgress {
-  public:
-    FrameProgress(std::size_t count, bool quiet) : count_(count), quiet_(quiet) {}
-    ~FrameProgress() {
-        if (shown_ && terminal_) std::fputc('\n', stderr);
-    }
-    void show(std::size_t done) {
-        const double passed = seconds_since(start_);
-        if (quiet_ || (!terminal_ && passed < next_)) return;
-        next_ = passed + 10;
-        const double left = passed / double(done) * double(count_ - done);
-        std::fprintf(stderr, "%sframe %zu of %zu, %.0f s left   %s", terminal_ ? "\r" : "", done, count_,
-                     left, terminal_ ? "" : "\n");
-        shown_ = true;
-    }
-    double seconds() const { return seconds_since(start_); }
-
-  private:
-    std::size_t count_;
-    bool quiet_, terminal_ = ::isatty(STDERR_FILENO) == 1, shown_ = false;
-    Clock::time_point start_ = Clock::now();
-    double next_ = 10;
-};
-
 /// Renders all frames to the output. Returns how many tiles were damaged.
 std::size_t write_frames(Frames& frames, const std::vector<Navigation>& flight, const Output& output,
-                         VideoEncoder* encoder, const ShowOptions& o, FrameProgress& progress) {
+                         VideoEncoder* encoder, const ShowOptions& o, StepProgress& progress) {
     const FrameSize size = size_of_eye(o);
     const std::atomic<bool>& stop = stop_requested();
     std::size_t damaged = 0;
@@ -151,7 +119,7 @@ std::size_t write_frames(Frames& frames, const std::vector<Navigation>& flight, 
             encoder->write(picture, stop);
         else
             write_png(output.frames[i], picture);
-        progress.show(i + 1);
+        progress.show(i + 1, flight.size());
     }
     if (encoder) encoder->finish(stop);
     return damaged;
@@ -189,7 +157,7 @@ int run_video(const PackageReader& package, const ShowOptions& o, const std::vec
     std::size_t damaged = 0;
     double seconds = 0;
     {
-        FrameProgress progress(flight.size(), o.output.quiet);
+        StepProgress progress("frame", o.output.quiet);
         damaged = write_frames(frames, flight, output, encoder ? &*encoder : nullptr, o, progress);
         seconds = progress.seconds();
     }

@@ -78,6 +78,53 @@ TEST_F(Panoramas, ShowEachDirectionWhereAViewerLooksForIt) {
     }
 }
 
+TEST_F(Panoramas, ShowToEachEyeWhatItSeesWhereItTurns) {
+    // Far apart, to tell the eyes apart. What is straight ahead is seen from both sides of the middle.
+    const PackageReader package(file);
+    constexpr double apart = 0.4;
+    constexpr int w = 768, h = 384;
+    const auto both = read_png(offscreen("both",
+                                         "--view 4,-7,2,4,-3,2 --panorama --stereo over-under --eye-distance "
+                                         "0.4 --size 768x384 --holes shade"));
+    ASSERT_EQ(both.width, w);
+    ASSERT_EQ(both.height, 2 * h);
+    for (const Eigen::Vector2d& ahead : {Eigen::Vector2d(0, 1), {0.6, 0.8}, {-0.8, 0.6}}) {
+        for (const int eye : {0, 1}) {
+            const double side = (eye - 0.5) * apart;
+            const Eigen::Vector2d at(4 + side * ahead.y(), -7 - side * ahead.x()), to = at + 4 * ahead;
+            char text[200];
+            std::snprintf(text, sizeof(text), "%.6f,%.6f,2,%.6f,%.6f,1.8,70", at.x(), at.y(), to.x(), to.y());
+            const Picture direct = read_png(offscreen(
+                "direct", std::string("--view ") + text + " --size 480x360 --holes shade --samples 2"));
+            const View view = parse_view(text, package, {480, 360});
+            const Intrinsics& k = view.intrinsics;
+            // Blocks of 4 rows, within 2 columns from where this eye looks straight ahead.
+            const double middle = (std::atan2(ahead.x(), ahead.y()) / (2 * pi) + 0.5) * w;
+            std::array<double, 2> psnr{};
+            for (const int half : {0, 1}) {
+                double sum = 0;
+                int counted = 0;
+                for (int top = h / 2 - 52; top < h / 2 + 52; top += 4, ++counted) {
+                    Eigen::Vector3d off = Eigen::Vector3d::Zero();
+                    for (int y = top; y < top + 4; ++y)
+                        for (int x = int(middle) - 2; x < int(middle) + 2; ++x) {
+                            const double l = ((x + 0.5) / w - 0.5) * 2 * pi, b = (0.5 - (y + 0.5) / h) * pi;
+                            const Eigen::Vector3d d = view.cam_from_origin.R *
+                                                      Eigen::Vector3d(std::cos(b) * std::sin(l),
+                                                                      std::cos(b) * std::cos(l), std::sin(b));
+                            off += color_at(both, x + 0.5, half * h + y + 0.5) -
+                                   color_at(direct, k.fx * d.x() / d.z() + k.cx, k.fy * d.y() / d.z() + k.cy);
+                        }
+                    sum += (off / 16).squaredNorm() / 3;
+                }
+                psnr[std::size_t(half)] = 10 * std::log10(255 * 255 * counted / sum);
+            }
+            EXPECT_GT(psnr[std::size_t(eye)], 30) << ahead.transpose() << ", eye " << eye;
+            EXPECT_GT(psnr[std::size_t(eye)], psnr[std::size_t(1 - eye)] + 3) << "it is the other eye's";
+        }
+    }
+}
+
 TEST_F(Panoramas, SayWhatTheyAreToViewers) {
     const std::string bytes = slurp(offscreen("around", "--photo 0001 --panorama --size 256x128"));
     const std::size_t begin = bytes.find("<x:xmpmeta"), end = bytes.find("</x:xmpmeta>");
@@ -107,6 +154,6 @@ TEST_F(Panoramas, AreRefusedInOneLineIfTheyCannotBeMade) {
     };
     EXPECT_NE(says("--panorama --size 300x200").find("twice as wide as high"), std::string::npos);
     EXPECT_NE(says("--panorama --size 200000x100000").find("expected up to"), std::string::npos);
-    EXPECT_NE(says("--panorama --stereo anaglyph").find("one eye"), std::string::npos);
+    EXPECT_NE(says("--panorama --stereo checkerboard").find("over-under"), std::string::npos);
     EXPECT_FALSE(fs::exists(dir / "x.png"));
 }
