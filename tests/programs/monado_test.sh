@@ -1,31 +1,74 @@
 #!/usr/bin/env bash
-# Shows a demo scene in Monado's simulated headset, without a compositor's window.
+# Shows a demo scene in Monado's simulated headset, without a compositor's window: without a display; through X11, with the
+# validation layer of Khronos; and through the loss of the runtime.
 # usage: monado_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if Monado is not installed.
 set -euo pipefail
 vantage=$1 player=$2 source=$3
 runtime=/usr/share/openxr/1/openxr_monado.json
 command -v monado-service >/dev/null && [ -e $runtime ] ||
   { echo "skipped: Monado is not installed (Ubuntu 24.04: monado-service, libopenxr1-monado)"; exit 77; }
-command -v xvfb-run >/dev/null || { echo "skipped: xvfb-run is not installed"; exit 77; }
+. "$source/tests/programs/window.sh"
+under_xvfb 1280x1024 "$@"
 
-work=$(mktemp -d)
-service=
-finish() {
-  [ -z "$service" ] || kill "$service" 2>/dev/null || true
-  wait 2>/dev/null || true
-  rm -rf "$work"
+fail() {
+  tail -n 40 "$dir"/*.log
+  echo "FAILED: $1"
+  exit 1
 }
-trap finish EXIT
-mkdir -m 700 "$work/run"
-export XDG_RUNTIME_DIR=$work/run SIMULATED_ENABLE=1 XRT_COMPOSITOR_NULL=1 XR_RUNTIME_JSON=$runtime
-"$vantage" synth "$source/data/tiny.toml" -o "$work/scene" >/dev/null
-"$vantage" prepare "$work/scene" -o "$work/scene.vantage" --progress none --no-report >/dev/null
-monado-service </dev/null >"$work/service.log" 2>&1 &
-service=$!
-for _ in $(seq 100); do
-  [ -e "$work/run/monado_comp_ipc" ] && break
-  kill -0 $service 2>/dev/null || { cat "$work/service.log"; echo "skipped: monado-service does not start here"; exit 77; }
-  sleep 0.1
+mkdir -m 700 run
+mkfifo stdin  # something that the service can wait for: it ends when a line comes
+exec 3<>stdin
+export XDG_RUNTIME_DIR=$dir/run SIMULATED_ENABLE=1 XRT_COMPOSITOR_NULL=1 XR_RUNTIME_JSON=$runtime
+service=
+trap '[ -z "$service" ] || kill $service' EXIT
+start_service() {
+  rm -f run/monado_comp_ipc
+  monado-service <&3 >service.log 2>&1 &
+  service=$!
+  for _ in $(seq 100); do
+    [ ! -e run/monado_comp_ipc ] || return 0
+    kill -0 $service 2>/dev/null || break
+    sleep 0.1
+  done
+  cat service.log
+  echo "skipped: monado-service does not start here"
+  service=
+  exit 77
+}
+# The number of different colors on the screen.
+colors() {
+  screenshot screen.ppm
+  tail -c +16 screen.ppm | od -An -v -w3 -tx1 | sort -u | wc -l
+}
+
+"$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null 2>&1
+"$vantage" prepare scene -o scene.vantage --progress none --no-report >/dev/null
+shown=("$player" scene.vantage --xr --fresh --fps 0)
+start_service
+
+env -u DISPLAY timeout 120 "${shown[@]}" --frames 40 >egl.log 2>&1 || fail "without a display, the player ended with $?"
+grep -q "^OpenXR: Monado" egl.log || fail "the player did not say what it shows the scene in"
+
+if ls /usr/share/openxr/1/api_layers/explicit.d/*core_validation* >/dev/null 2>&1; then
+  XR_ENABLE_API_LAYERS=XR_APILAYER_LUNARG_core_validation XR_CORE_VALIDATION_EXPORT_TYPE=text \
+    timeout 120 "${shown[@]}" --frames 40 >layer.log 2>&1 || fail "with the validation layer, the player ended with $?"
+  grep -q "Core Validation" layer.log || fail "the validation layer was not loaded"
+  ! grep -q "VUID-" layer.log || fail "the validation layer found something"
+fi
+
+timeout 120 "${shown[@]}" --frames 200 >player.log 2>&1 &
+running=$!
+for _ in $(seq 60); do
+  sleep 0.2
+  [ "$(colors)" -lt 300 ] || break
 done
-xvfb-run -a timeout 120 "$player" "$work/scene.vantage" --xr --fresh --frames 60 ||
-  { cat "$work/service.log"; echo "FAILED: vantage-player ended with $?"; exit 1; }
+[ "$(colors)" -ge 300 ] || fail "the mirror shows no picture"
+kill -9 $service
+wait $service || true
+for _ in $(seq 50); do
+  ! grep -q "the OpenXR runtime was lost; waiting for it" player.log || break
+  sleep 0.2
+done
+grep -q "the OpenXR runtime was lost; waiting for it" player.log || fail "the player did not say that the runtime is gone"
+start_service
+wait $running || fail "after the loss of the runtime, the player ended with $?"
