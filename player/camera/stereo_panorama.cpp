@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+
+#include "scene/error.h"
 
 namespace vantage {
 namespace {
@@ -23,10 +26,13 @@ double longitude(const StereoPanorama& p, int slice) {
 }  // namespace
 
 StereoPanorama stereo_panorama(const Panorama& middle, double eye_distance, double nearest) {
+    const double most = middle.size.width * widest / 360;
+    if (most < 1)
+        throw Error(Exit::usage, "--panorama: a picture " + std::to_string(middle.size.width) +
+                                     " pixels wide for two eyes, expected at least 12");
     // From one slice to the next, an eye moves by `columns` columns' angle on a circle.
     const double moves = eye_distance / 2;
     const double columns = largest_jump * nearest / std::max(moves, 1e-300);
-    const double most = std::max(1.0, middle.size.width * widest / 360);
     return {middle, eye_distance, int(std::clamp(columns, 1.0, most))};
 }
 

@@ -16,7 +16,7 @@ struct StereoPanorama {
 };
 
 /// With slices so narrow that, where they meet, what is at the distance `nearest` jumps by half a pixel at
-/// most; they have at least one column.
+/// most; they have at least one column. Throws Error(usage) for a panorama that is less than 12 pixels wide.
 StereoPanorama stereo_panorama(const Panorama& middle, double eye_distance, double nearest);
 
 int slice_count(const StereoPanorama& panorama);

@@ -48,7 +48,7 @@ std::vector<Shot> shots(const PackageReader& package, const ShowOptions& options
     return out;
 }
 
-/// With the metadata by which viewers know a panorama, if it is one for one eye: they have none for two.
+/// With the metadata by which viewers know a panorama, if it is one for one eye: GPano has no field for two.
 void write_picture(const std::filesystem::path& file, const Picture& picture, const ShowOptions& o) {
     if (!o.pictures.panorama || o.stereo.mode != StereoMode::off) return write_png(file, picture);
     PngRows out(file, picture.width, picture.height, panorama_xmp({picture.width, picture.height}));

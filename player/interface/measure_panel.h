@@ -33,6 +33,8 @@ class MeasurePanel {
     /// The same in steps, for pointers that are not in the window. Begins and ends the mode as the session
     /// says; whether it is on.
     bool attend(Session& session, double now);
+    /// Measurements are being saved, or attend() has something to say about that.
+    bool saves() const { return file_.busy(); }
     /// The point of the surface that is pointed at; nothing: none.
     void point_at(const std::optional<SurveyPoint>& point) { under_ = point; }
     /// Sets the point that is pointed at.

@@ -15,7 +15,8 @@ Picture read_note_picture(const std::filesystem::path& file);
 /// Reduces a picture by whole factors until neither side exceeds `most` pixels.
 Picture reduced_picture(Picture picture, int most);
 
-/// The picture of the note whose card is open, as a texture. Belongs to the OpenGL thread.
+/// The picture of the note whose card is open, as a texture. Belongs to the OpenGL thread. Its destructor
+/// waits for a file that is being read.
 class NotePicture {
   public:
     /// Begins to load the file, in the background, if it is not the one that was loaded last. Until it is

@@ -22,8 +22,9 @@ void Composition::fit(FrameSize room, std::size_t objects) {
         layers_.push_back({gl::make_layer_framebuffer("color of an object", colors_, i),
                            gl::make_layer_framebuffer("depth of an object", depths_, i)});
     depth_program_ = full_frame_program("object depth", "object_depth.frag");
-    compose_program_ =
-        full_frame_program("compose", "compose.frag", {"MOST_OBJECTS " + std::to_string(objects)});
+    const std::vector<std::string> defines{"MOST_OBJECTS " + std::to_string(objects)};
+    compose_program_ = full_frame_program("compose", "compose.frag", defines);
+    nearest_program_ = full_frame_program("nearest object", "nearest_object.frag", defines);
     if (!no_vertices_) no_vertices_ = gl::make_vertex_array("no vertices");
 }
 
@@ -41,7 +42,8 @@ void Composition::show(std::span<const ObjectFrame> frames, const View& view, co
                        GLuint target, bool flip, std::size_t eye) {
     frame_ = {view.intrinsics.width, view.intrinsics.height};
     fit(room_for(frame_, settings.room), std::max<std::size_t>(1, frames.size()));
-    shown_ = frames.size();
+    opacities_.clear();
+    for (const ObjectFrame& f : frames) opacities_.push_back(float(f.opacity));
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const ObjectFrame& f = frames[i];
         f.renderer->show(f.view, f.settings, layers_[i].color.id(), false, eye);
@@ -52,8 +54,7 @@ void Composition::show(std::span<const ObjectFrame> frames, const View& view, co
     glBindVertexArray(no_vertices_.id());
     glUniform2i(shader::frame_size_uniform, frame_.width, frame_.height);
     glUniform1i(shader::objects_uniform, GLint(frames.size()));
-    for (std::size_t i = 0; i < frames.size(); ++i)
-        glUniform1f(shader::compose_opacity_uniform + GLint(i), float(frames[i].opacity));
+    glUniform1fv(shader::compose_opacity_uniform, GLsizei(opacities_.size()), opacities_.data());
     glUniform1i(shader::compose_flip_uniform, flip);
     glUniform1i(shader::compose_fill_uniform, settings.fill_holes);
     glUniform3fv(shader::compose_background_uniform, 1, settings.background.top.data());
@@ -70,9 +71,9 @@ const gl::Texture& Composition::nearest_depth(double near) {
         nearest_ = gl::make_texture_2d("nearest object", GL_R32F, room_.width, room_.height, GL_NEAREST);
         nearest_target_ = gl::make_framebuffer("nearest object", std::array{nearest_.id()}, 0);
     }
-    if (!nearest_program_) nearest_program_ = full_frame_program("nearest object", "nearest_object.frag");
     begin_full_frame(nearest_program_, nearest_target_.id(), frame_);
-    glUniform1i(shader::objects_uniform, GLint(shown_));
+    glUniform1i(shader::objects_uniform, GLint(opacities_.size()));
+    glUniform1fv(shader::compose_opacity_uniform, GLsizei(opacities_.size()), opacities_.data());
     glUniform1f(shader::nearest_shown_uniform, float(near));
     glBindTextureUnit(shader::object_depths_unit, depths_.id());
     glBindVertexArray(no_vertices_.id());

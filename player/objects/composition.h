@@ -26,8 +26,9 @@ class Composition {
     void show(std::span<const ObjectFrame> frames, const View& view, const RenderSettings& settings,
               GLuint target, bool flip, std::size_t eye);
 
-    /// How near the nearest object is at each pixel of the frame that was shown last: 32-bit depths `near /
-    /// z` from the first texel on, top row first, 0 where there is none. `near` in the scene's unit.
+    /// How near the nearest object whose opacity is above 0 is at each pixel of the frame that was shown
+    /// last: 32-bit depths `near / z` from the first texel on, top row first, 0 where there is none. `near`
+    /// in the scene's unit; depths of what is nearer are above 1.
     const gl::Texture& nearest_depth(double near);
 
   private:
@@ -40,7 +41,7 @@ class Composition {
     FrameSize room_, frame_;
     gl::Texture colors_, depths_, nearest_;
     std::vector<Layer> layers_;
-    std::size_t shown_ = 0;  ///< objects in the frame
+    std::vector<float> opacities_;  ///< of the objects in the frame
     gl::Framebuffer nearest_target_;
     gl::Program depth_program_, compose_program_, nearest_program_;
     gl::VertexArray no_vertices_;

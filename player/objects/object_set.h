@@ -68,7 +68,7 @@ class ObjectSet {
     /// Shows what was drawn last, as Renderer::show does. A comparison shows the first object alone.
     void show(const View& view, const RenderSettings& settings, GLuint target, bool flip,
               std::size_t eye = 0);
-    /// Of what was shown last. `near`: a distance that nothing is nearer than, in the scene's unit.
+    /// Of what was shown last; of several objects, of the nearest one, as Composition::nearest_depth().
     DrawnDepth depth(const RenderSettings& settings, double near);
 
   private:

@@ -16,9 +16,16 @@ constexpr double finer = 1.5;  ///< faces than the panorama: four samples then s
 /// Share of a face by which it overlaps the next ones where it fills holes: without, the fillings would end
 /// at its edges.
 constexpr double fading = 0.2;
+constexpr double slice_fading = 0.2;  ///< the same for slices, as a tangent
 
-double margin(const RenderSettings& settings) {
-    return settings.surroundings != ShowSurroundings::off ? fading : 0;
+bool fills(const RenderSettings& settings) { return settings.surroundings != ShowSurroundings::off; }
+
+/// What two views consisted of, one after the other: what was found of late is that of the second.
+FrameReport followed(const FrameReport& first, const FrameReport& second) {
+    FrameReport out = joined(first, second);
+    out.tiles_damaged = second.tiles_damaged;
+    out.tiles_absent = second.tiles_absent;
+    return out;
 }
 
 void expect_size(FrameSize size) {
@@ -45,14 +52,14 @@ double overlap(const Intrinsics& view, const Eigen::Vector2d& half) {
 Picture take_panorama(ObjectSet& objects, const Panorama& panorama, const RenderSettings& settings,
                       std::span<const std::uint32_t> photos, int side) {
     expect_size(panorama.size);
-    const std::array<View, 6> views = cube_views(panorama, finer, margin(settings));
+    const std::array<View, 6> views = cube_views(panorama, finer, fills(settings) ? fading : 0);
     const gl::Texture faces = make_faces(frame_size(views.front()), views.size());
     FrameReport report;
     for (std::size_t f = 0; f < views.size(); ++f) {
         const gl::Framebuffer target = gl::make_layer_framebuffer("face", faces, GLint(f));
         const FrameReport of_face = draw_samples(objects, views[f], settings, photos, side);
         objects.show(views[f], settings, target.id(), false);
-        report = f == 0 ? of_face : joined(report, of_face);
+        report = f == 0 ? of_face : followed(report, of_face);
     }
     const auto axes = cube_axes();
     const Intrinsics& face = views.front().intrinsics;
@@ -72,7 +79,8 @@ Picture take_stereo_panorama(ObjectSet& objects, StereoPicture& stereo, StereoMo
                              const std::function<void(std::size_t done, std::size_t count)>& finished) {
     const FrameSize size = panorama.middle.size, frame = stereo_size(mode, size);
     expect_size(frame);
-    const Intrinsics k = eyes_of_slice(panorama, 0, finer, margin(settings))[0][0].intrinsics;
+    const double margin = fills(settings) ? slice_fading : 0;
+    const Intrinsics k = eyes_of_slice(panorama, 0, finer, margin)[0][0].intrinsics;
     const gl::Texture faces = make_faces({k.width, k.height}, 2 * slice_views);
     std::array<gl::Framebuffer, 2 * slice_views> targets;
     for (std::size_t i = 0; i < targets.size(); ++i)
@@ -83,12 +91,12 @@ Picture take_stereo_panorama(ObjectSet& objects, StereoPicture& stereo, StereoMo
     FrameReport report;
     const int count = slice_count(panorama);
     for (int slice = 0; slice < count; ++slice) {
-        const auto views = eyes_of_slice(panorama, slice, finer, margin(settings));
+        const auto views = eyes_of_slice(panorama, slice, finer, margin);
         for (std::size_t v = 0; v < slice_views; ++v) {
             const FrameReport drawn =
                 draw_eye_samples(objects, views[v], settings, photos, side, 0,
                                  [&](std::size_t eye) { return targets[eye * slice_views + v].id(); });
-            report = slice == 0 && v == 0 ? drawn : joined(report, drawn);
+            report = slice == 0 && v == 0 ? drawn : followed(report, drawn);
         }
         const auto axes = slice_axes(panorama, slice);
         const ColumnRange columns = columns_of(panorama, slice);

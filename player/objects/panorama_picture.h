@@ -11,8 +11,8 @@ namespace vantage {
 Picture take_panorama(ObjectSet& objects, const Panorama& panorama, const RenderSettings& settings,
                       std::span<const std::uint32_t> photos, int side);
 
-/// The same for two eyes that turn to where they look, in one picture. `finished`: called with the number of
-/// slices that are, of all.
+/// The same for two eyes that turn to where they look, in one picture. `finished`: called after each
+/// slice, with the number finished and the total.
 Picture take_stereo_panorama(ObjectSet& objects, StereoPicture& stereo, StereoMode mode,
                              const StereoPanorama& panorama, const RenderSettings& settings,
                              std::span<const std::uint32_t> photos, int side,

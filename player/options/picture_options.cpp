@@ -22,7 +22,8 @@ void add_picture_options(CLI::App& app, PictureOptions& o) {
         ->group(group);
     app.add_flag("--panorama", o.panorama,
                  "all directions around the eye in one picture, for viewers of panoramas (equirectangular; "
-                 "--size is twice as wide as high, by default 4096x2048)")
+                 "--size is twice as wide as high, by default 4096x2048); with --stereo over-under, for two "
+                 "eyes")
         ->group(group);
     app.add_option("--samples", o.samples,
                    "samples per side of a pixel (default 2; 1 from a photo's own camera at full size)")

@@ -103,7 +103,8 @@ Plan make_plan(const PlanScene& scene, const View& view, const PlanSettings& set
         const bool by_points = settings.worth > 0 && !surface.triangles.empty();
         p.needs = by_points ? needs_of_points(surface, p, settings.worth)
                             : needs_of_clusters(surface, p, true, settings.samples);
-        if (settings.complete && settings.worth == 0) p.later = needs_of_clusters(surface, p, false, settings.samples);
+        if (settings.complete && settings.worth == 0)
+            p.later = needs_of_clusters(surface, p, false, settings.samples);
     }
     std::erase_if(plan.photos, [](const PlannedPhoto& p) { return p.clusters.empty(); });
     plan.clusters = std::move(surface.clusters);

@@ -17,7 +17,7 @@ struct PlannedPhoto {
     std::vector<std::uint32_t> clusters;  ///< drawn with this photo, ascending
     std::vector<float> weights;           ///< of each, relative to the best photo's, at most 1
     TileNeeds needs;                      ///< for clusters that are seen, see make_plan
-    TileNeeds later;                      ///< for clusters in view that were not seen; complete plans only
+    TileNeeds later;  ///< of those in view that were not seen; complete plans with all tiles
 };
 
 /// The clusters and photos that a view is drawn from; photos by decreasing agreement.

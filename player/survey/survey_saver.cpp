@@ -1,5 +1,6 @@
 #include "player/survey/survey_saver.h"
 
+#include <cstdio>
 #include <utility>
 
 #include "scene/error.h"
@@ -14,6 +15,7 @@ SurveySaver::SurveySaver(SurveyFile file)
 SurveySaver::~SurveySaver() {
     thread_.request_stop();
     thread_.join();
+    if (!trouble_.empty()) std::fprintf(stderr, "vantage-player: %s\n", trouble_.c_str());
 }
 
 Survey SurveySaver::read(const Survey& otherwise) {
@@ -31,6 +33,11 @@ void SurveySaver::save(const Survey& survey) {
 std::string SurveySaver::take_trouble() {
     const std::lock_guard lock(mutex_);
     return std::exchange(trouble_, {});
+}
+
+bool SurveySaver::busy() const {
+    const std::lock_guard lock(mutex_);
+    return next_ || writing_ || !trouble_.empty();
 }
 
 void SurveySaver::write_until(const std::stop_token& stop) {

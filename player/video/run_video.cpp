@@ -26,6 +26,7 @@ namespace vantage {
 namespace {
 
 namespace fs = std::filesystem;
+
 /// Of each eye's picture.
 FrameSize size_of_eye(const ShowOptions& o) {
     return o.output.size.empty() ? FrameSize{1280, 720} : parse_size(o.output.size);

@@ -1,26 +1,35 @@
 #pragma once
+#include <deque>
 #include <functional>
 #include <future>
+#include <string>
 
 #include "player/interface/session.h"
 #include "player/objects/object_set.h"
 
 namespace vantage {
 
-/// Writes what a session asks for into the current folder, one file at a time, while the caller goes on: the
-/// table of measurements, the scene file, the drawing of the cut. Its destructor waits for the last one.
+/// Writes what a session asks for into the current folder, one file after the other, while the caller goes
+/// on: the table of measurements, the scene file, the drawing of the cut.
 class AskedFiles {
   public:
-    /// Starts what is asked for, and says when it is done.
+    AskedFiles() = default;
+    /// Writes what is still to be written, and says on stderr what became of it.
+    ~AskedFiles();
+    AskedFiles(const AskedFiles&) = delete;
+
+    /// Takes what is asked for, and says when it is done.
     void attend(Session& session, const PackageReader& package, const ObjectSet& objects, double now);
-    bool writes() const { return said_.valid(); }
+    bool busy() const { return said_.valid(); }
 
   private:
+    using Job = std::function<std::string()>;  ///< writes a file and returns what is to be said
     /// As write_numbered().
-    void start(const std::string& stem, const char* extension, const std::string& what,
-               std::function<void(const std::string& file)> write);
+    void add(const std::string& stem, const char* extension, const std::string& what,
+             std::function<void(const std::string& file)> write);
 
-    std::future<std::string> said_;  ///< by what is being written
+    std::deque<Job> jobs_;
+    std::future<std::string> said_;  ///< by the job that is being done
 };
 
 }  // namespace vantage

@@ -54,7 +54,8 @@ struct GlfwWindow::Callbacks {
         std::vector<int>& held = window(w).held_;
         if (action != GLFW_REPEAT) std::erase(held, key);
         if (action == GLFW_RELEASE) return;
-        if (action == GLFW_PRESS) held.push_back(key);
+        // Keys without a code may never be released.
+        if (action == GLFW_PRESS && key != GLFW_KEY_UNKNOWN) held.push_back(key);
         const int with = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
         e.input.keys.push_back({key_of(key, scancode), key,
                                 with == 0                  ? With::nothing

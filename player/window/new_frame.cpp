@@ -28,6 +28,7 @@ PointerState mouse_of(GLFWwindow* window) {
     glfwGetCursorPos(window, &out.x, &out.y);
     for (std::size_t b = 0; b < out.down.size(); ++b)
         out.down[b] = glfwGetMouseButton(window, int(b)) == GLFW_PRESS;
+    out.there = glfwGetWindowAttrib(window, GLFW_FOCUSED) || glfwGetWindowAttrib(window, GLFW_HOVERED);
     return out;
 }
 

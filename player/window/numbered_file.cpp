@@ -21,11 +21,12 @@ std::string free_name(const std::string& stem, const char* extension) {
 }
 
 std::string written_numbered(const std::string& stem, const char* extension, const std::string& what,
+                             const std::string& done,
                              const std::function<void(const std::string& file)>& write) {
     try {
         const std::string file = free_name(stem, extension);
         write(file);
-        return formatted(tr("%s written to %s"), what.c_str(), file.c_str());
+        return formatted(done.c_str(), what.c_str(), file.c_str());
     } catch (const Error& e) {
         return e.what();
     }
@@ -33,7 +34,7 @@ std::string written_numbered(const std::string& stem, const char* extension, con
 
 void write_numbered(Session& session, const std::string& stem, const char* extension, const std::string& what,
                     double now, const std::function<void(const std::string& file)>& write) {
-    say(session, written_numbered(stem, extension, what, write), now);
+    say(session, written_numbered(stem, extension, what, tr("%s written to %s"), write), now);
 }
 
 void write_text(const std::string& file, const std::string& text) {

@@ -6,11 +6,12 @@
 
 namespace vantage {
 
-/// Writes to the file free_name(stem, extension); `extension` with its dot. Returns "WHAT written to FILE",
-/// or why `write` threw an Error.
+/// Writes to the file free_name(stem, extension); `extension` with its dot. Returns `done` with WHAT and FILE
+/// for its two %s, or why `write` threw an Error. May be called by any thread.
 std::string written_numbered(const std::string& stem, const char* extension, const std::string& what,
+                             const std::string& done,
                              const std::function<void(const std::string& file)>& write);
-/// Says that.
+/// Says that, with "WHAT written to FILE".
 void write_numbered(Session& session, const std::string& stem, const char* extension, const std::string& what,
                     double now, const std::function<void(const std::string& file)>& write);
 

@@ -228,7 +228,8 @@ void ShownScene::tell(const View& view, double now) {
 double ShownScene::wakes_at() const {
     double at = kiosk_ ? attends_at(*kiosk_) : HUGE_VAL;
     if (!session_.message.empty()) at = session_.message_shown ? session_.message_until : shown_at_;
-    if (asked_files_.writes() || note_picture_.loading()) at = std::min(at, shown_at_ + 0.05);
+    if (asked_files_.busy() || note_picture_.loading() || measure_.saves())
+        at = std::min(at, shown_at_ + 0.05);
     if (orthophotos_.writes() || chooser_.asks()) at = std::min(at, shown_at_ + 0.5);
     if (looks_again()) at = std::min(at, drawn_at_ + look_again_seconds);
     if (ImGui::GetIO().WantTextInput) at = std::min(at, shown_at_ + blink_seconds);

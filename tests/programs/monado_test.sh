@@ -19,8 +19,8 @@ mkdir -m 700 run
 mkfifo stdin  # something that the service can wait for: it ends when a line comes
 exec 3<>stdin
 export XDG_RUNTIME_DIR=$dir/run SIMULATED_ENABLE=1 XRT_COMPOSITOR_NULL=1 XR_RUNTIME_JSON=$runtime
-service=
-trap '[ -z "$service" ] || kill $service' EXIT
+service= running=
+trap 'kill $service $running 2>/dev/null' EXIT
 start_service() {
   rm -f run/monado_comp_ipc
   monado-service <&3 >service.log 2>&1 &
@@ -31,9 +31,7 @@ start_service() {
     sleep 0.1
   done
   cat service.log
-  echo "skipped: monado-service does not start here"
-  service=
-  exit 77
+  return 1
 }
 # The number of different colors on the screen.
 colors() {
@@ -44,7 +42,7 @@ colors() {
 "$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null 2>&1
 "$vantage" prepare scene -o scene.vantage --progress none --no-report >/dev/null
 shown=("$player" scene.vantage --xr --fresh --fps 0)
-start_service
+start_service || { echo "skipped: monado-service does not start here"; exit 77; }
 
 env -u DISPLAY timeout 120 "${shown[@]}" --frames 40 >egl.log 2>&1 || fail "without a display, the player ended with $?"
 grep -q "^OpenXR: Monado" egl.log || fail "the player did not say what it shows the scene in"
@@ -70,5 +68,5 @@ for _ in $(seq 50); do
   sleep 0.2
 done
 grep -q "the OpenXR runtime was lost; waiting for it" player.log || fail "the player did not say that the runtime is gone"
-start_service
+start_service || fail "monado-service does not start again"
 wait $running || fail "after the loss of the runtime, the player ended with $?"

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "scene/error.h"
 #include "tests/player/test_scene.h"
 
 using namespace vantage;
@@ -82,6 +83,16 @@ TEST(StereoPanorama, SlicesShowEveryColumnOnce) {
         EXPECT_EQ(next, 2000) << near;
         EXPECT_LE(p.columns, 2000 / 12) << "views stay narrow";
     }
+}
+
+TEST(StereoPanorama, TooSmallOnesAreRefused) {
+    Panorama small = middle();
+    small.size = {2, 1};
+    EXPECT_THROW(stereo_panorama(small, apart, nearest), Error);
+    small.size = {12, 6};
+    const StereoPanorama p = stereo_panorama(small, apart, nearest);
+    EXPECT_EQ(slice_count(p), 12);
+    EXPECT_LT(eyes_of_slice(p, 3, 1.5, 0)[1][0].intrinsics.width, 100);
 }
 
 TEST(StereoPanorama, NearerThingsTakeNarrowerSlices) {
