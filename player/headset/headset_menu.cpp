@@ -140,7 +140,10 @@ void measure_page(Controls& c, Session& s, const MenuContent& m, double now) {
 
 void story_page(Controls& c, Session& s, const MenuContent& m, double now) {
     if (!m.told.open || *m.told.open >= m.told.story.notes.size()) return story_content(c, m.told, s, now);
-    if (c.button("All notes")) return m.told.open.reset();
+    if (c.button("All notes")) {
+        m.told.playing.reset();
+        return m.told.open.reset();
+    }
     ImGui::TextUnformatted(note_label(m.told, *m.told.open).c_str());
     note_content(c, m.told, m.note_picture, s, ImGui::GetContentRegionAvail().x, 260, now);
 }

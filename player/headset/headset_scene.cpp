@@ -9,6 +9,7 @@
 #include "player/interface/story_panel.h"
 #include "player/options/frame_goal.h"
 #include "player/render/pace.h"
+#include "player/story/tour_stop.h"
 #include "player/survey/survey.h"
 #include "player/survey/survey_file.h"
 #include "player/window/start_session.h"
@@ -105,7 +106,7 @@ void HeadsetScene::act(const HeadsetFrame& frame) {
         if (session_.panels.measure)
             measure_.set_point(session_, now);
         else if (p.note)
-            told_.open = *p.note, page_ = MenuPage::story;
+            told_.playing.reset(), told_.open = *p.note, page_ = MenuPage::story;
         else if (p.photo)
             fly_to(session_, *p.photo, renderer_.scene().photos[*p.photo], now);
         if (p.note && !menu_) menu_ = menu_in_front_of(frame.head);
@@ -138,9 +139,35 @@ void HeadsetScene::walk(const HeadsetFrame& frame, double seconds) {
     walk_on(walk_, hands, free_hands(), frame.head, seconds, surface);
 }
 
+/// Of a tour, from the time at which the window begins to fly there. Somebody who moves leaves the tour.
+void HeadsetScene::stand_at_stop(const HeadsetFrame& frame) {
+    const Session::Flight& flight = *session_.flight;
+    const double seconds = frame.time - told_.playing->start;
+    const TourStop to = tour_stop(told_.story.tours[told_.playing->tour], seconds);
+    const bool there = stop_ && stop_->number == to.stop && stop_->started == told_.playing->start;
+    if (there && walk_.stance.at != stop_->stood.at) return session_.flight.reset();
+    if (there) return;
+    const Navigation camera = flight.along->at(to.reached);
+    walk_.stance = standing(frame.head, camera.eye, camera.target, up_, walk_.stance.scale);
+    stop_ = Stop{to.stop, told_.playing->start, walk_.stance};
+}
+
+/// Shows the note that a tour has opened.
+void HeadsetScene::continue_tour(const HeadsetFrame& frame) {
+    if (!told_.playing) return stop_.reset();
+    if (session_.flight && frame.time - told_.playing->start >= session_.flight->seconds)
+        session_.flight.reset();
+    const auto before = told_.open;
+    vantage::continue_tour(told_, session_, frame.time);
+    if (!told_.open || told_.open == before) return;
+    page_ = MenuPage::story;
+    if (!menu_) menu_ = menu_in_front_of(frame.head);
+}
+
 /// Flights of the window are jumps here: moving somebody's eyes makes them sick.
 void HeadsetScene::stand_where_sent(const HeadsetFrame& frame) {
     if (!session_.flight) return;
+    if (session_.flight->along) return told_.playing ? stand_at_stop(frame) : session_.flight.reset();
     const Navigation to = session_.flight->stops.back();
     session_.flight.reset();
     walk_.stance = standing(frame.head, to.eye, to.target, up_, walk_.stance.scale);
@@ -178,6 +205,7 @@ void HeadsetScene::write_interface(const HeadsetFrame& frame, double seconds) {
     note_picture_.attend();
     interface_.begin(menu_pointer_.pointer, seconds);
     follow_language(told_, language_, session_.language);
+    continue_tour(frame);
     measured_.clear();
     if (measure_.attend(session_, frame.time)) measured_ = measure_.drawn();
     const MenuContent content{renderer_,     objects_, measure_,     told_,

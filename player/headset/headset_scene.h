@@ -44,7 +44,9 @@ class HeadsetScene {
     void walk(const HeadsetFrame& frame, double seconds);
     void write_interface(const HeadsetFrame& frame, double seconds);
     std::vector<SceneLabel> labels(const HeadsetFrame& frame) const;
+    void continue_tour(const HeadsetFrame& frame);
     void stand_where_sent(const HeadsetFrame& frame);
+    void stand_at_stop(const HeadsetFrame& frame);
     void mark(const HeadsetFrame& frame);
     std::array<View, 2> views_of(const HeadsetFrame& frame, FrameSize size) const;
     void draw(HeadsetSession& headset, const HeadsetFrame& frame,
@@ -71,6 +73,12 @@ class HeadsetScene {
     MenuPage page_ = MenuPage::move;
     MeasurePanel measure_;
     ToldStory told_;
+    struct Stop {
+        std::size_t number;
+        double started;  ///< the tour, seconds
+        Stance stood;
+    };
+    std::optional<Stop> stop_;  ///< of the tour that plays
     NotePicture note_picture_;
     AskedFiles asked_files_;
     std::array<Pointed, 2> pointed_;

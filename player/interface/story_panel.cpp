@@ -63,7 +63,7 @@ void story_content(Controls& c, ToldStory& told, Session& s, double now) {
         c.note(("List " + std::to_string(i + 1)).c_str());
         ImGui::PopID();
     }
-    if (s.keyboard) tour_buttons(c, told, s, now);  // else flights are jumps
+    tour_buttons(c, told, s, now);
     if (!told.trouble.empty()) ImGui::TextWrapped("%s", told.trouble.c_str());
 }
 

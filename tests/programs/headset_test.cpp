@@ -16,6 +16,7 @@
 #include "player/options/blending_options.h"
 #include "player/walk/eye_frustum.h"
 #include "scene/error.h"
+#include "story/story_file.h"
 #include "tests/one_line.h"
 #include "tests/programs/garden_package.h"
 
@@ -323,6 +324,17 @@ std::vector<Corners> triangles_of(const PlanScene& scene) {
     return mesh;
 }
 
+/// How far a mesh that was moved is along a view's axis, at a pixel; infinity if it is not there.
+double distance_by_hand(const View& view, int x, int y, const std::vector<Corners>& mesh,
+                        const Vector3d& moved = Vector3d::Zero()) {
+    const Intrinsics& k = view.intrinsics;
+    const Vector3d along =
+        view.cam_from_origin.R.transpose() * Vector3d((x + 0.5 - k.cx) / k.fx, (y + 0.5 - k.cy) / k.fy, 1);
+    double out = std::numeric_limits<double>::infinity();
+    for (const Corners& c : mesh) out = std::min(out, meets(view.cam_from_origin.center() - moved, along, c));
+    return out;
+}
+
 /// Middles of triangles that are seen from a place, between two distances, one per so many triangles.
 std::vector<Vector3d> seen_middles(const PlanScene& scene, const Vector3d& from, double nearest,
                                    double farthest, std::size_t wanted) {
@@ -594,10 +606,10 @@ TEST_F(HeadsetProgram, HandsOverTheDepthOfTheNearestObject) {
     // The same again, nearer and to one side.
     const Eigen::Matrix3d axes = view_of_photo(photo, 1).cam_from_origin.R;
     const Vector3d moved = seen_distance(photo) * (0.2 * axes.row(0) - 0.3 * axes.row(2)).transpose();
-    SceneObject second{"second", file, {}};
-    second.placement.move = moved;
+    SceneObject other{"second", file, {}};
+    other.placement.move = moved;
     file = dir / "both.toml";
-    write_scene_file(file, {{"first", dir / package.path().filename(), {}}, second});
+    write_scene_file(file, {{"first", dir / package.path().filename(), {}}, other});
     json s = scenario(20);
     s["save"] = {18};
     const Run run = play(s, "--fps 0 --unit-meters 1");
@@ -607,25 +619,89 @@ TEST_F(HeadsetProgram, HandsOverTheDepthOfTheNearestObject) {
     int of_first = 0, of_second = 0;
     for (int y = 6; y < 108; y += 12)
         for (int x = 6; x < 96; x += 12) {
-            const Intrinsics& k = view.intrinsics;
-            const Vector3d along = view.cam_from_origin.R.transpose() *
-                                   Vector3d((x + 0.5 - k.cx) / k.fx, (y + 0.5 - k.cy) / k.fy, 1),
-                           from = view.cam_from_origin.center();
-            constexpr double nowhere = std::numeric_limits<double>::infinity();
-            std::array<double, 2> away{nowhere, nowhere};
-            for (const Corners& c : mesh) {
-                away[0] = std::min(away[0], meets(from, along, c));
-                away[1] = std::min(away[1], meets(from - moved, along, c));
-            }
-            const double truth = std::min(away[0], away[1]);
+            const double first = distance_by_hand(view, x, y, mesh),
+                         second = distance_by_hand(view, x, y, mesh, moved), truth = std::min(first, second);
             if (!std::isfinite(truth)) continue;
-            ++(away[0] < away[1] ? of_first : of_second);
+            ++(first < second ? of_first : of_second);
             EXPECT_NEAR(distance_at(dir / "out" / "0018-left-depth.pfm", submitted, x, y), truth,
                         0.02 * truth)
                 << x << ", " << y;
         }
     EXPECT_GT(of_first, 3);
     EXPECT_GT(of_second, 3);
+}
+
+TEST_F(HeadsetProgram, TakesAVisitorFromStopToStopOfATour) {
+    const PackageReader package(file);
+    const std::vector<Corners> mesh = triangles_of(make_plan_scene(package));
+    const Vector3d origin = Eigen::Map<const Vector3d>(package.scene().origin);
+    const auto looking = [&](std::size_t p) {
+        const Pose camera = view_of_photo(package.photos()[p], 1).cam_from_origin;
+        return StoryView{
+            camera.center() + origin,
+            camera.center() + origin + camera.R.row(2).transpose() * seen_distance(package.photos()[p])};
+    };
+    const std::array<StoryView, 2> stops{looking(0), looking(4)};
+    Story story;
+    story.notes = {{"gate", {"Gate", {}}, {"Of iron.", {}}, "", stops[1], {}}};
+    story.tours = {{"round", {"Round", {}}, {{"", stops[0], 0.15, 0.3}, {"gate", {}, 0.15, 0.3}}}};
+    write_story(story_file_of(file), story);
+    Script script;
+    script.open_or_close_menu();
+    const auto played = [&](const Script& with) {
+        json s = scenario(with.frame + 4);
+        s["hands"] = with.hands;
+        expect_sound(play(
+            s, "--fps 0 --unit-meters 1 --blended 1 --thumbnails --controls " + (dir / "controls").string()));
+        return controls_in(slurp(dir / "controls"));
+    };
+    const auto has = [](const auto& controls, const std::string& name) {
+        return std::ranges::any_of(controls, [&](const auto& c) { return c.first == name; });
+    };
+    script.click(place_of(played(script), "Page Story"));
+    script.click(place_of(played(script), "Play Round"));
+    const std::array<int, 2> at{script.frame + 20, script.frame + 20 + 40};
+    json s = scenario(at[1] + 30);
+    s["hands"] = script.hands;
+    s["save"] = at;
+    const Run run =
+        play(s, "--fps 0 --unit-meters 1 --blended 1 --thumbnails --controls " + (dir / "controls").string());
+    expect_sound(run);
+    for (const std::size_t stop : {0, 1}) {
+        const json& views = run.frames[std::size_t(at[stop]) - 1]["layers"][0]["views"];
+        const Stance stance = standing(head_between(views), stops[stop].eye - origin,
+                                       stops[stop].target - origin, Vector3d::UnitZ(), 1);
+        const auto angle = [&](std::size_t i) { return double(views[0]["fov"][i].get<float>()); };
+        const View view = view_of_eye(
+            stance, *eye_frustum(eye_pose(views[0]), angle(0), angle(1), angle(2), angle(3)), {96, 108});
+        char name[32];
+        std::snprintf(name, sizeof name, "%04d-left-depth.pfm", at[stop]);
+        int right = 0, all = 0;
+        for (int y = 6; y < 108; y += 16)
+            for (int x = 6; x < 96; x += 16) {
+                const double truth = distance_by_hand(view, x, y, mesh);
+                if (!std::isfinite(truth)) continue;
+                ++all;
+                right += std::abs(distance_at(dir / "out" / name, views[0], x, y) - truth) < 0.02 * truth;
+            }
+        EXPECT_GT(all, 8);
+        EXPECT_GE(right, all - 2) << "stop " << stop << ": but for outlines";
+    }
+    // The card of the last stop stays open when the tour is over.
+    Script after = script;
+    after.frame = at[1] + 30;
+    after.click(place_of(controls_in(slurp(dir / "controls")), "All notes"));
+    EXPECT_TRUE(has(played(after), "Play Round"));
+
+    // Somebody who flies leaves the tour before its note.
+    Script leaves = script;
+    for (const int y : {0, 1, 0}) {
+        leaves.frame += 6;
+        leaves.hands.push_back(hand(leaves.frame, "left", pointing({-0.2, 1.3, -0.1}, {-3, 1.3, -0.1}),
+                                    {{"/input/thumbstick", {0, y}}}));
+    }
+    leaves.frame = at[1];
+    EXPECT_TRUE(has(played(leaves), "Play Round"));
 }
 
 TEST_F(HeadsetProgram, MeasuresBetweenTwoPointsToAMillimeter) {
