@@ -12,6 +12,8 @@ packages=(g++ cmake ninja-build pkg-config ca-certificates
   libxxhash-dev libcurl4-openssl-dev libutf8proc-dev libeigen3-dev libepoxy-dev libegl-dev libgl-dev libglfw3-dev libx11-dev libxcb-xinput-dev libimgui-dev libopenxr-dev openxr-layer-corevalidation
   libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libgtest-dev librapidcheck-dev
   fonts-dejavu-core xvfb xauth xserver-xorg-core xserver-xorg-video-dummy xdotool python3-xlib gettext bash-completion desktop-file-utils man-db shared-mime-info)
+# Since glibc 2.39, the window's languages need a locale besides C.
+grep -q '^ID=ubuntu' /etc/os-release && packages+=(language-pack-en-base)
 missing=()
 for p in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$p" 2>/dev/null | grep -q 'ok installed' || missing+=("$p")

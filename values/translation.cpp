@@ -6,6 +6,7 @@
 #include <clocale>
 #include <cstdlib>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 extern "C" int _nl_msg_cat_cntr;  // glibc: to be increased when LANGUAGE has changed
@@ -27,6 +28,16 @@ std::string variable(const char* name) {
     return value ? value : "";
 }
 
+/// In every locale but C, gettext follows LANGUAGE; before glibc 2.39 also in C.UTF-8, which is always there.
+void use_locale_with_languages() {
+    for (const char* name : {"", "en_US.UTF-8", "en_GB.UTF-8", "de_DE.UTF-8", "fr_FR.UTF-8"}) {
+        const char* const taken = std::setlocale(LC_MESSAGES, name);
+        const std::string_view locale = taken ? taken : "C";
+        if (locale != "C" && locale != "POSIX" && !locale.starts_with("C.")) return;
+    }
+    std::setlocale(LC_MESSAGES, "C.UTF-8");
+}
+
 }  // namespace
 
 const char* tr(const char* text) { return *text ? ::dgettext(domain, text) : text; }
@@ -38,8 +49,7 @@ const char* tr_count(const char* one, const char* several, std::size_t count) {
 void use_language(const std::string& language) {
     std::string code = language.empty() ? "en" : language;
     std::ranges::replace(code, '-', '_');
-    // In every locale but C, gettext follows LANGUAGE; this one needs no locale to be generated.
-    std::setlocale(LC_MESSAGES, "C.UTF-8");
+    use_locale_with_languages();
     ::setenv("LANGUAGE", code.c_str(), 1);
     ::bindtextdomain(domain, catalogs().c_str());
     ::bind_textdomain_codeset(domain, "UTF-8");
