@@ -13,6 +13,7 @@
 #include "gl/context.h"
 #include "player/interface/keys.h"
 #include "player/interface/style.h"
+#include "player/window/new_frame.h"
 #include "scene/error.h"
 #include "values/translation.h"
 
@@ -86,6 +87,10 @@ struct GlfwWindow::Callbacks {
             show(false);  // what was dragged follows
         release(m, std::size_t(button), events(w).input);
         show(false);
+    }
+    static void wheel(GLFWwindow* w, double, double) {
+        events(w);
+        point_before_wheel(w);
     }
     static void cursor(GLFWwindow* w, double x, double y) {
         events(w);
@@ -176,7 +181,7 @@ void GlfwWindow::watch_events() {
     constexpr auto note = [](GLFWwindow* w, auto...) { Callbacks::events(w); };
     glfwSetCharCallback(window_, note);
     glfwSetCursorEnterCallback(window_, note);
-    glfwSetScrollCallback(window_, note);
+    glfwSetScrollCallback(window_, Callbacks::wheel);
     glfwSetWindowFocusCallback(window_, note);
     glfwSetWindowRefreshCallback(window_, note);
     glfwSetWindowIconifyCallback(window_, note);

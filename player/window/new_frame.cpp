@@ -34,6 +34,11 @@ PointerState mouse_of(GLFWwindow* window) {
 
 }  // namespace
 
+void point_before_wheel(GLFWwindow* window) {
+    const ImVec2 at = position(mouse_of(window));
+    ImGui::GetIO().AddMousePosEvent(at.x, at.y);
+}
+
 // Keys are in ImGui's queue, in which those that were released again have a frame of their own.
 void new_frame(GLFWwindow* window, const Session& session) {
     ImGuiIO& io = ImGui::GetIO();
@@ -45,6 +50,8 @@ void new_frame(GLFWwindow* window, const Session& session) {
 }
 
 #else
+
+void point_before_wheel(GLFWwindow*) {}
 
 void new_frame(GLFWwindow*, const Session& session) {
     ImGuiIO& io = ImGui::GetIO();

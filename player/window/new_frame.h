@@ -10,4 +10,7 @@ namespace vantage {
 /// it was not down before. The pointer is where the input says, or where the window has the mouse.
 void new_frame(GLFWwindow* window, const Session& session);
 
+/// Before a turn of the wheel: since ImGui 1.87, tells it where the mouse is by now, which the wheel is for.
+void point_before_wheel(GLFWwindow* window);
+
 }  // namespace vantage
