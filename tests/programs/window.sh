@@ -106,6 +106,15 @@ finger() {
 # screenshot FILE.ppm [LEFT TOP WIDTH HEIGHT]: with the libraries of the system's Python
 screenshot() { /usr/bin/python3 "$source_of_tests/screenshot.py" "$@" || exit 1; }
 
+# soon COMMAND...: runs it until it succeeds, for up to five seconds
+soon() {
+  for _ in $(seq 50); do
+    "$@" && return
+    sleep 0.1
+  done
+  return 1
+}
+
 failed=0
 fail() { echo "FAILED: $*"; failed=1; }
 

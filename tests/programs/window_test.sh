@@ -183,7 +183,7 @@ press "left"
 press "Opacity of right" 0.4
 press "Position of right"
 press "Move x of right" 0.4
-press "Turn z of right" 0.4
+press "Turn z of right" 0.3
 press "Scale of right" 0.3
 press "Save scene"
 press "Remove right"
