@@ -22,9 +22,8 @@ void Composition::fit(FrameSize room, std::size_t objects) {
         layers_.push_back({gl::make_layer_framebuffer("color of an object", colors_, i),
                            gl::make_layer_framebuffer("depth of an object", depths_, i)});
     depth_program_ = full_frame_program("object depth", "object_depth.frag");
-    const std::vector<std::string> defines{"MOST_OBJECTS " + std::to_string(objects)};
-    compose_program_ = full_frame_program("compose", "compose.frag", defines);
-    nearest_program_ = full_frame_program("nearest object", "nearest_object.frag", defines);
+    compose_program_ =
+        full_frame_program("compose", "compose.frag", {"MOST_OBJECTS " + std::to_string(objects)});
     if (!no_vertices_) no_vertices_ = gl::make_vertex_array("no vertices");
 }
 
@@ -70,6 +69,8 @@ const gl::Texture& Composition::nearest_depth(double near) {
     if (!nearest_) {
         nearest_ = gl::make_texture_2d("nearest object", GL_R32F, room_.width, room_.height, GL_NEAREST);
         nearest_target_ = gl::make_framebuffer("nearest object", std::array{nearest_.id()}, 0);
+        nearest_program_ = full_frame_program("nearest object", "nearest_object.frag",
+                                              {"MOST_OBJECTS " + std::to_string(layers_.size())});
     }
     begin_full_frame(nearest_program_, nearest_target_.id(), frame_);
     glUniform1i(shader::objects_uniform, GLint(opacities_.size()));
