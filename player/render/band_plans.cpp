@@ -11,6 +11,10 @@ void BandPlans::choose(const RenderSettings& settings, double now) {
         const bool ready = !first_.drawn().empty() || first_.plan().photos.empty();
         wanted = change_.update(wanted, now, ready);
     }
+    show(wanted);
+}
+
+void BandPlans::show(const ShownBands& wanted) {
     if (wanted.first != shown_.first) {
         std::optional<ViewPlan> former(std::move(first_));
         first_ = second_ && shown_.second == wanted.first ? std::move(*second_) : ViewPlan(*scene_);

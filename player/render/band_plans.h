@@ -25,7 +25,9 @@ class BandPlans {
 
     /// Chooses the bands of the frame at `now` seconds.
     void choose(const RenderSettings& settings, double now);
-    /// The chosen bands, drawn from those of `photos` that are theirs. Valid until the next choose().
+    /// Instead of choose(): shows the bands that another eye's plans have chosen.
+    void follow(const BandPlans& other) { show(other.shown_); }
+    /// The chosen bands, drawn from those of `photos` that are theirs. Valid until the next choice.
     std::vector<BandFrame> frames(const RenderSettings& settings, std::span<const std::uint32_t> photos);
 
     const ShownBands& shown() const { return shown_; }
@@ -36,6 +38,7 @@ class BandPlans {
     bool settled() const;
 
   private:
+    void show(const ShownBands& wanted);
     std::vector<const ViewPlan*> plans() const;
 
     const PlanScene* scene_;

@@ -239,7 +239,7 @@ void Renderer::plan_eye(Eye& eye, PixelSample sample) {
         if (settings.complete && reads_seen(how) && sample.index == 0) find_seen(eye, band, sample);
         const PhotoChoice* photos = nullptr;
         if (&eye != &eyes_[0] && !settings.complete) {
-            photos = &eyes_[0].bands[b].plan->plan().choice;
+            photos = &eyes_[0].bands.at(b).plan->plan().choice;
             how.tiles = false;
         }
         const bool both = !settings.complete && eyes_.size() > 1;
@@ -291,7 +291,10 @@ FrameReport Renderer::prepare(std::span<const View> views, const RenderSettings&
     for (std::size_t i = 0; i < views.size(); ++i) {
         Eye& eye = eyes_[i];
         eye.view = views[i];
-        eye.plans.choose(settings, now);
+        if (i == 0)
+            eye.plans.choose(settings, now);
+        else
+            eye.plans.follow(eyes_[0].plans);  // else one eye might fade while the other has done so
         eye.bands = eye.plans.frames(settings, photos);
         bands.insert(bands.end(), eye.bands.begin(), eye.bands.end());
     }

@@ -282,6 +282,39 @@ TEST_F(Bands, ABandThatTakesAnothersPlaceLeavesNoHole) {
     EXPECT_LE(largest_error(before, shown.back(), shown_picture(renderer, front(), s), 0.5), 2);
 }
 
+TEST_F(Bands, BothEyesSeeThem) {
+    make(small_scene());
+    const PackageReader package = prepared();
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    std::array<View, 2> eyes{front(), front()};
+    eyes[1].cam_from_origin.t.x() -= 0.3;
+    RenderSettings s;
+    s.complete = false;
+    s.fill_holes = true;
+    double now = 0;
+    const auto settle = [&] {
+        for (int i = 0; i < 600; ++i) {
+            now += 1.0 / 30;
+            FrameReport report = renderer.prepare(eyes, s, all(package), {}, now);
+            for (const std::size_t eye : {0, 1}) renderer.paint(eye, report);
+            if (report.settled) return true;
+        }
+        return false;
+    };
+    ASSERT_TRUE(settle());
+    s.bands = {.shown = infrared, .other = visible, .share = 0.5};
+    ASSERT_TRUE(settle());
+    Renderer alone(package, MemoryBudget{});
+    for (const std::size_t eye : {0, 1}) {
+        const Picture of_pair = picture_of(
+            frame_size(eyes[eye]), [&](GLuint target) { renderer.show(eyes[eye], s, target, false, eye); });
+        RenderSettings single = s;
+        single.complete = true;
+        EXPECT_LT(mean_difference(of_pair, take_picture(alone, eyes[eye], single, all(package), 1)), 1);
+    }
+}
+
 TEST_F(Bands, ExposureIsDecidedPerBand) {
     SynthSpec spec = small_scene();
     spec.infrared.stops = 1;
