@@ -91,6 +91,15 @@ Texture make_texture_array(const char* label, GLenum format, int width, int heig
     return Texture(id);
 }
 
+Texture make_layer_view(const char* label, const Texture& array, GLenum format, int layer) {
+    GLuint id = 0;
+    glGenTextures(1, &id);  // a view needs a name that is no texture yet
+    glTextureView(id, GL_TEXTURE_2D, array.id(), format, 0, 1, GLuint(layer), 1);
+    set_sampling(id, GL_NEAREST);
+    glObjectLabel(GL_TEXTURE, id, -1, label);
+    return Texture(id);
+}
+
 Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, GLuint depth) {
     GLuint id = 0;
     glCreateFramebuffers(1, &id);

@@ -62,8 +62,10 @@ Texture make_texture_2d(const char* label, GLenum format, int width, int height,
 /// Array texture of one level with immutable storage, clamped at its edges.
 Texture make_texture_array(const char* label, GLenum format, int width, int height, int layers,
                            GLenum filter = GL_LINEAR);
+/// One layer of an array texture of this format, as a 2D texture that shares its storage and keeps it alive.
+Texture make_layer_view(const char* label, const Texture& array, GLenum format, int layer);
 /// Framebuffer of the given color textures (in order of attachment, 8 at most) and depth texture (0 for
-/// none). Throws Failure if it is incomplete.
+/// none); layered if they are array textures. Throws Failure if it is incomplete.
 Framebuffer make_framebuffer(const char* label, std::span<const GLuint> colors, GLuint depth);
 /// Framebuffer of one layer of an array texture. Throws Failure if it is incomplete.
 Framebuffer make_layer_framebuffer(const char* label, const Texture& array, int layer);

@@ -71,7 +71,6 @@ const int shown_picture_unit = 6;  // panel, mark; what hides them is in depth_u
 
 // Uniforms of surface and blend.
 const int clip_from_origin_uniform = 0;
-const int surface_eye_uniform = 1;
 const int vertex_count_uniform = 1;
 const int pass_count_uniform = 2;
 const int eye_uniform = 3;
@@ -87,9 +86,12 @@ const int half_scale_uniform = 12;
 const int surroundings_distance_uniform = 13;
 const int layer_scale_uniform = 14;
 const int isolines_uniform = 15;
-const int lamp_uniform = 2;  // surface
+// Of surface: the kind of light; arrays of EYES.
 const int light_uniform = 3;
-const int camera_rows_uniform = 4;
+const int clip_from_eye_uniform = 5;
+const int surface_eye_uniform = 7;
+const int lamp_uniform = 9;
+const int camera_rows_uniform = 11;
 const int pass_slots_uniform = 16;  // an array, PASS_PHOTOS long
 const int nearness_uniform = 24;    // surface, of what is transparent
 const int frame_width_uniform = 25;

@@ -1,5 +1,8 @@
 // Lambertian shading with a lamp at the viewer, in linear light; with the mesh's own colors if the scene has the effect.
 // Surroundings have their quiet color, what has a value in the scalar layer that is shown its color in the color map.
+#ifndef EYES
+#define EYES 1
+#endif
 #include "contract.glsl"
 #include "srgb.glsl"
 
@@ -20,7 +23,12 @@ flat in uint draw_bits;
 layout(location = 0) out vec4 shaded;  // alpha: 1, shows_surroundings or shows_value
 layout(location = 1) out uint triangle;  // its number plus 1; 0: none
 #endif
-layout(location = surface_eye_uniform) uniform vec3 eye;
+#if EYES == 2
+flat in int eye_number;
+#else
+const int eye_number = 0;
+#endif
+layout(location = surface_eye_uniform) uniform vec3 eye[EYES];
 
 #ifdef SCALAR_LAYER
 in vec2 surface_value;
@@ -44,23 +52,23 @@ vec4 layer_color() {
 #endif
 
 #ifdef LIGHT
-layout(location = lamp_uniform) uniform vec4 lamp;            // direction to the raking light; 1 / the brightness of a surface that
+layout(location = lamp_uniform) uniform vec4 lamp[EYES];      // direction to the raking light; 1 / the brightness of a surface that
                                                               // faces the viewer
 layout(location = light_uniform) uniform uint light_kind;     // light_lamp, light_raking or light_normals
-layout(location = camera_rows_uniform) uniform mat3 camera;   // from the scene's axes: right, down, forward
+layout(location = camera_rows_uniform) uniform mat3 camera[EYES];  // from the scene's axes: right, down, forward
 
 // The brightness that Phong's model (1975) gives a matt surface, relative to one that faces the viewer; or the normal in the
 // viewer's axes (right, up, toward the viewer), as a color.
 vec3 lit(vec3 n, vec3 v) {
     if (dot(n, v) < 0.0) n = -n;
     if (light_kind == light_normals) {
-        vec3 c = camera * n;
+        vec3 c = camera[eye_number] * n;
         return decode(vec3(c.x, -c.y, -c.z) * 0.5 + 0.5);  // sRGB, as normal maps are stored
     }
-    vec3 l = light_kind == light_lamp ? v : lamp.xyz;
+    vec3 l = light_kind == light_lamp ? v : lamp[eye_number].xyz;
     float facing = max(dot(n, l), 0.0);
     float glint = facing > 0.0 ? pow(max(dot(reflect(-l, n), v), 0.0), 24.0) : 0.0;
-    return vec3(min((light_ambient + light_diffuse * facing + light_specular * glint) * lamp.w, 3.0));  // white on gray
+    return vec3(min((light_ambient + light_diffuse * facing + light_specular * glint) * lamp[eye_number].w, 3.0));  // white on gray
 }
 #endif
 
@@ -84,7 +92,7 @@ vec3 own_color(vec3 n, vec3 v) {
 void main() {
     float alpha = clamp(surface_color.a, 0.0, 1.0);
     if (!(alpha > 0.0)) discard;
-    put_fragment(own_color(unit(surface_normal), unit(eye - surface_position)), alpha,
+    put_fragment(own_color(unit(surface_normal), unit(eye[eye_number] - surface_position)), alpha,
                  draw_first + uint(gl_PrimitiveID) + 1u);
 }
 #else
@@ -92,7 +100,7 @@ void main() {
 #ifdef FLAT
     const float light = 0.4;
 #else
-    vec3 n = normalize(surface_normal), v = normalize(eye - surface_position);
+    vec3 n = normalize(surface_normal), v = normalize(eye[eye_number] - surface_position);
     float light = 0.12 + 0.35 * abs(dot(n, v));
 #endif
     vec3 base = vec3(1.0);

@@ -1,11 +1,20 @@
 // The bare model: depth and triangles for the blending passes, and plain shading for holes. FLAT: an even gray, for frames in
-// motion.
+// motion. With EYES 2, instances are the eyes, each with its layer.
+#ifndef EYES
+#define EYES 1
+#endif
+#if EYES == 2
+#extension GL_ARB_shader_viewport_layer_array : require
+#endif
 #include "contract.glsl"
 
 layout(location = position_attribute) in vec3 position;
 layout(location = normal_attribute) in vec3 normal;
 layout(location = draw_attribute) in uvec2 of_draw;  // first triangle; photos
-layout(location = clip_from_origin_uniform) uniform mat4 clip_from_origin;
+layout(location = clip_from_eye_uniform) uniform mat4 clip_from_eye[EYES];
+#if EYES == 2
+flat out int eye_number;
+#endif
 #if defined(VERTEX_COLORS) || defined(SURROUNDINGS)
 layout(location = color_attribute) in vec4 color;
 out vec4 surface_color;
@@ -48,5 +57,10 @@ void main() {
         gl_ClipDistance[i] =
             (of_draw.y & surroundings_bit) != 0u ? 1.0 : dot(section_planes[i], vec4(position, 1.0));
 #endif
-    gl_Position = clip_from_origin * vec4(position, 1.0);
+#if EYES == 2
+    eye_number = gl_Layer = gl_InstanceID;
+#else
+    const int eye_number = 0;
+#endif
+    gl_Position = clip_from_eye[eye_number] * vec4(position, 1.0);
 }

@@ -33,7 +33,7 @@ void Composition::copy_depth(const ObjectFrame& frame, const Layer& layer) {
     glUseProgram(depth_program_.id());
     const Eigen::Vector2d terms = frame.renderer->depth_terms();
     glUniform3f(shader::depth_terms_uniform, float(terms.x()), float(terms.y()), float(frame.scale));
-    glBindTextureUnit(shader::depth_unit, frame.renderer->targets().depth.id());
+    glBindTextureUnit(shader::depth_unit, frame.renderer->targets().surface().depth.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -255,7 +255,7 @@ void ObjectSet::show(const View& view, const RenderSettings& settings, GLuint ta
 
 DrawnDepth ObjectSet::depth(const RenderSettings& settings, double near) {
     if (alone() || settings.compare != Compare::nothing)
-        return {first_.targets().depth.id(), first_.depth_terms()};
+        return {first_.targets().surface().depth.id(), first_.depth_terms()};
     return {composition_.nearest_depth(near).id(), {0, near}};
 }
 

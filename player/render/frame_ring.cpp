@@ -13,12 +13,12 @@ constexpr std::size_t aligned(std::size_t bytes) { return (bytes + alignment - 1
 
 }  // namespace
 
-FrameRing::FrameRing(std::size_t region_bytes)
+FrameRing::FrameRing(const char* label, std::size_t region_bytes)
     : region_bytes_(aligned(region_bytes)),
       fences_(std::clamp<std::size_t>((std::size_t(16) << 20) / region_bytes_, 4, 32), nullptr) {
     constexpr GLbitfield flags = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
     const std::size_t bytes = region_bytes_ * fences_.size();
-    buffer_ = gl::make_buffer("frame constants", bytes, nullptr, flags);
+    buffer_ = gl::make_buffer(label, bytes, nullptr, flags);
     mapped_ = static_cast<std::byte*>(glMapNamedBufferRange(buffer_.id(), 0, GLsizeiptr(bytes), flags));
     if (!mapped_) throw gl::Failure("the frame's buffer cannot be mapped");
 }

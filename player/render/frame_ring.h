@@ -10,7 +10,7 @@ namespace vantage {
 /// commands. Its regions are used in turn, each guarded by a fence.
 class FrameRing {
   public:
-    explicit FrameRing(std::size_t region_bytes);
+    FrameRing(const char* label, std::size_t region_bytes);
     ~FrameRing();
     FrameRing(const FrameRing&) = delete;
     FrameRing& operator=(const FrameRing&) = delete;

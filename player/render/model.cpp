@@ -120,7 +120,7 @@ Model load_model(const PackageReader& package, const PlanScene& scene) {
     for (const Type type : {Type::positions, Type::indices}) package.forget(package.records<std::byte>(type));
     glVertexArrayAttribIFormat(m.vertices.id(), draw_attribute, 2, GL_UNSIGNED_INT, 0);
     glVertexArrayAttribBinding(m.vertices.id(), draw_attribute, draw_attribute);
-    glVertexArrayBindingDivisor(m.vertices.id(), draw_attribute, 1);
+    glVertexArrayBindingDivisor(m.vertices.id(), draw_attribute, 2);  // the same for both eyes
     glEnableVertexArrayAttrib(m.vertices.id(), draw_attribute);
     if (!effect_on(package.scene(), Effect::vertex_colors) &&
         !effect_on(package.scene(), Effect::transparency) && !scene.has_surroundings())

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <tuple>
 
+#include "gl/context.h"
 #include "player/plan/visible_surface.h"
 #include "player/render/blend_table.h"
 #include "points/point_cloud.h"
@@ -42,9 +44,9 @@ void uniform(GLint location, const Eigen::Vector3d& v) {
     glUniform3f(location, float(v.x()), float(v.y()), float(v.z()));
 }
 
-void bind_target(const gl::Framebuffer& framebuffer, const FrameTargets& targets) {
+void bind_target(const gl::Framebuffer& framebuffer, FrameSize frame) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-    glViewport(0, 0, targets.width, targets.height);
+    glViewport(0, 0, frame.width, frame.height);
 }
 
 std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos) {
@@ -53,13 +55,18 @@ std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos
     return out;
 }
 
-/// Upper bound on the bytes that one pass writes: photos, their pages, draws, and the alignment of each.
-std::size_t pass_bytes(const PackagePages& pages, std::size_t clusters) {
+/// Upper bound on the bytes that one pass writes for photos: their records, their pages and the bits of
+/// clusters.
+std::size_t photo_bytes(const PackagePages& pages, std::size_t clusters) {
     std::size_t largest = 0;
     for (const PhotoPages& p : pages.photos)
         largest = std::max<std::size_t>(largest, p.color_count + p.mask_count);
-    return std::size_t(most_photos_per_pass) * (sizeof(PhotoBlock) + 4 * largest) +
-           clusters * (sizeof(DrawCommand) + sizeof(DrawRecord) + 4) + 4096;
+    return std::size_t(most_photos_per_pass) * (sizeof(PhotoBlock) + 4 * largest) + clusters * 4 + 4096;
+}
+
+/// Likewise, of draws.
+std::size_t draw_bytes(std::size_t clusters) {
+    return clusters * (sizeof(DrawCommand) + sizeof(DrawRecord)) + 4096;
 }
 
 std::vector<std::string> surface_defines(const PackageReader& package, const PlanScene& scene) {
@@ -111,9 +118,12 @@ ModelPasses::ModelPasses(const PackageReader& package, const PlanScene& scene, c
       measured_(layers_.size()),
       model_(load_model(package, scene)),
       blocks_(make_blocks(scene.photos)),
-      ring_(pass_bytes(store.pages(), scene.clusters.size())),
+      ring_("frame constants", photo_bytes(store.pages(), scene.clusters.size())),
+      draws_("draws", draw_bytes(scene.clusters.size())),
       surface_program_(make_surface_program(surface_defines(package, scene))),
-      no_vertices_(gl::make_vertex_array("no vertices")) {}
+      no_vertices_(gl::make_vertex_array("no vertices")),
+      software_(gl::current_device().software),
+      layers_by_vertex_(epoxy_has_gl_extension("GL_ARB_shader_viewport_layer_array")) {}
 
 void ModelPasses::use_records(std::span<const package::PhotoRecord> photos) { blocks_ = make_blocks(photos); }
 
@@ -141,33 +151,63 @@ bool ModelPasses::per_fragment(const RenderSettings& settings) const {
     return effect_on(package_->scene(), Effect::per_fragment);
 }
 
+EyeSurfaces ModelPasses::eye_surfaces(const RenderSettings& settings) const {
+    const bool can = layers_by_vertex_ && by_triangle(settings);
+    switch (settings.eye_surfaces) {
+        case EyeSurfaces::automatic:
+            return software_ ? EyeSurfaces::overlapped : can ? EyeSurfaces::at_once : EyeSurfaces::in_turn;
+        case EyeSurfaces::at_once:
+            return can ? EyeSurfaces::at_once : EyeSurfaces::overlapped;
+        default:
+            return settings.eye_surfaces;
+    }
+}
+
 void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targets) {
+    draw_surfaces(std::array{&drawn}, targets.surface().target, {targets.width, targets.height});
+}
+
+void ModelPasses::draw_surfaces(const DrawnView& left, const DrawnView& right, const FrameTargets& targets) {
+    draw_surfaces(std::array{&left, &right}, targets.layers.target, {targets.width, targets.height});
+}
+
+void ModelPasses::draw_surfaces(DrawnEyes eyes, const gl::Framebuffer& target, FrameSize frame) {
+    const RenderSettings& settings = eyes.front()->settings;
     const std::array<float, 4> zero{};
     const float farthest = 0;
     const std::array<GLuint, 4> no_triangle{};
-    glClearNamedFramebufferfv(targets.surface_target.id(), GL_COLOR, 0, zero.data());
-    glClearNamedFramebufferuiv(targets.surface_target.id(), GL_COLOR, 1, no_triangle.data());
     glDepthMask(GL_TRUE);
-    glClearNamedFramebufferfv(targets.surface_target.id(), GL_DEPTH, 0, &farthest);
-    bind_target(targets.surface_target, targets);
+    glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, zero.data());
+    glClearNamedFramebufferuiv(target.id(), GL_COLOR, 1, no_triangle.data());
+    glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
+    bind_target(target, frame);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDepthFunc(GL_GREATER);
-    glUseProgram(surface_program(drawn.settings).id());
-    set_surface(drawn);
-    ring_.begin();
+    glUseProgram(surface_program(settings, eyes.size()).id());
+    set_surface(eyes);
     cluster_photos_.assign(scene_->clusters.size(), 1);
-    std::span<const std::uint32_t> clusters = drawn.plan.plan().clusters;
-    if (suits_coarse(drawn)) {
-        draw_coarse();
+    std::span<const std::uint32_t> clusters = clusters_of(eyes);
+    draws_.begin();
+    if (eyes.front()->coarse) {
+        draw_coarse(eyes.size());
         clusters = clusters.subspan(
             std::size_t(std::ranges::lower_bound(clusters, scene_->first_surrounding) - clusters.begin()));
     }
-    draw_clusters(clusters);
-    ring_.end();
-    end_sections(drawn.settings.sections);
+    draw_clusters(clusters, eyes.size());
+    draws_.end();
+    end_sections(settings.sections);
+}
+
+/// The clusters that are in view of any eye, in order. Valid until the next call.
+std::span<const std::uint32_t> ModelPasses::clusters_of(DrawnEyes eyes) {
+    const std::vector<std::uint32_t>& first = eyes.front()->plan.plan().clusters;
+    if (eyes.size() == 1) return first;
+    clusters_of_both_.clear();
+    std::ranges::set_union(first, eyes.back()->plan.plan().clusters, std::back_inserter(clusters_of_both_));
+    return clusters_of_both_;
 }
 
 void ModelPasses::use_coarse(CoarseMesh mesh) {
@@ -175,10 +215,10 @@ void ModelPasses::use_coarse(CoarseMesh mesh) {
 }
 
 /// The distance within which a tenth of the mesh's clusters in view are, scene units.
-double ModelPasses::nearness(const DrawnView& drawn) const {
-    const Eigen::Vector3d eye = drawn.view.cam_from_origin.center();
+double ModelPasses::nearness(const View& view, const Plan& plan) const {
+    const Eigen::Vector3d eye = view.cam_from_origin.center();
     std::vector<double> distances;
-    for (const std::uint32_t c : drawn.plan.plan().clusters)
+    for (const std::uint32_t c : plan.clusters)
         if (c < scene_->first_surrounding) distances.push_back((center(scene_->clusters[c]) - eye).norm());
     if (distances.empty()) return 0;
     const auto tenth = distances.begin() + std::ptrdiff_t(distances.size() / 10);
@@ -186,40 +226,45 @@ double ModelPasses::nearness(const DrawnView& drawn) const {
     return *tenth;
 }
 
-bool ModelPasses::suits_coarse(const DrawnView& drawn) const {
+bool ModelPasses::suits_coarse(const View& view, const RenderSettings& settings, const Plan& plan) const {
     constexpr double most_pixels = 1;  // of the frame, which is enlarged
-    if (!drawn.settings.swift || drawn.settings.light.wireframe || coarse_.indices.empty() ||
-        !by_triangle(drawn.settings) || drawn.view.orthographic_depth > 0)
+    if (!settings.swift || settings.light.wireframe || coarse_.indices.empty() || !by_triangle(settings) ||
+        view.orthographic_depth > 0)
         return false;
-    return coarse_.error * drawn.view.intrinsics.fx <= most_pixels * nearness(drawn);
+    return coarse_.error * view.intrinsics.fx <= most_pixels * nearness(view, plan);
 }
 
 /// All of it, in one draw: it is small.
-void ModelPasses::draw_coarse() {
-    const FrameRing::Space records = ring_.take(sizeof(DrawRecord));
+void ModelPasses::draw_coarse(std::size_t eyes) {
+    const FrameRing::Space records = draws_.take(sizeof(DrawRecord));
     const DrawRecord record{std::uint32_t(scene_->triangles), 1};
     std::memcpy(records.memory, &record, sizeof record);
-    glVertexArrayVertexBuffer(model_.vertices.id(), shader::draw_attribute, ring_.buffer(), records.offset,
+    glVertexArrayVertexBuffer(model_.vertices.id(), shader::draw_attribute, draws_.buffer(), records.offset,
                               sizeof(DrawRecord));
     glBindVertexArray(model_.vertices.id());
-    glDrawElements(GL_TRIANGLES, GLsizei(coarse_.indices.size()), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(scene_->indices.size() * sizeof(std::uint32_t)));
+    glDrawElementsInstanced(GL_TRIANGLES, GLsizei(coarse_.indices.size()), GL_UNSIGNED_INT,
+                            reinterpret_cast<const void*>(scene_->indices.size() * sizeof(std::uint32_t)),
+                            GLsizei(eyes));
 }
 
 /// The uniforms of a surface program; the sections that it is drawn with.
-void ModelPasses::set_surface(const DrawnView& drawn) {
-    glUniformMatrix4fv(shader::clip_from_origin_uniform, 1, GL_FALSE, drawn.clip_from_origin.data());
-    uniform(shader::surface_eye_uniform, drawn.view.cam_from_origin.center());
-    if (drawn.settings.light.light != Light::photos) set_light(drawn);
-    if (shows_layer(drawn.settings)) set_layer(drawn.settings.layer);
-    set_sections(drawn.settings.sections);
+void ModelPasses::set_surface(DrawnEyes eyes) {
+    for (int i = 0; const DrawnView* eye : eyes) {
+        glUniformMatrix4fv(shader::clip_from_eye_uniform + i, 1, GL_FALSE, eye->clip_from_origin.data());
+        uniform(shader::surface_eye_uniform + i, eye->view.cam_from_origin.center());
+        ++i;
+    }
+    const RenderSettings& settings = eyes.front()->settings;
+    if (settings.light.light != Light::photos) set_light(eyes);
+    if (shows_layer(settings)) set_layer(settings.layer);
+    set_sections(settings.sections);
 }
 
 std::size_t ModelPasses::draw_transparent(const DrawnView& drawn, const TransparentTarget& target) {
     const LightSettings& light = drawn.settings.light;
     const bool normals = light.light == Light::normals;
     glUseProgram(transparent_program(drawn.settings, target.lists).id());
-    set_surface(drawn);
+    set_surface(std::array{&drawn});
     const double near = drawn.depth_range.x(), depth = drawn.depth_range.y() - near;
     const double scale = depth > 0 ? 1 / depth : 0;
     glUniform2f(shader::nearness_uniform, float(-near * scale), float(scale));
@@ -233,10 +278,10 @@ std::size_t ModelPasses::draw_transparent(const DrawnView& drawn, const Transpar
         glUniform1i(shader::own_light_on_photos_uniform, light.on_photos && !normals);
         glUniform1f(shader::own_light_scale_uniform, normals ? 1.0f : shader::light_gray);
     }
-    ring_.begin();
+    draws_.begin();
     cluster_photos_.assign(scene_->clusters.size(), 1);
     const std::size_t draws = draw_run(drawn.plan.plan().transparent, 0);
-    ring_.end();
+    draws_.end();
     end_sections(drawn.settings.sections);
     return draws;
 }
@@ -254,10 +299,11 @@ const gl::Program& ModelPasses::transparent_program(const RenderSettings& settin
     return program = make_surface_program(defines);
 }
 
-const gl::Program& ModelPasses::surface_program(const RenderSettings& settings) {
+const gl::Program& ModelPasses::surface_program(const RenderSettings& settings, std::size_t eyes) {
     std::vector<std::string> asked = asked_defines(settings);
     if (settings.swift && asked.empty()) asked.emplace_back("FLAT");
     if (!settings.sections.empty()) asked.push_back(section_define(settings));
+    if (eyes == 2) asked.emplace_back("EYES 2");
     if (asked.empty()) return surface_program_;
     gl::Program& program = other_surface_programs_[asked];
     if (!program) {
@@ -268,23 +314,25 @@ const gl::Program& ModelPasses::surface_program(const RenderSettings& settings) 
     return program;
 }
 
-void ModelPasses::set_light(const DrawnView& drawn) {
-    const LightSettings& s = drawn.settings.light;
+void ModelPasses::set_light(DrawnEyes eyes) {
+    const LightSettings& s = eyes.front()->settings.light;
     const double a = s.azimuth * std::numbers::pi / 180, e = s.elevation * std::numbers::pi / 180;
-    const Eigen::Matrix3d& R = drawn.view.cam_from_origin.R;
-    const Eigen::Vector3f to =
-        (R.transpose() * Eigen::Vector3d(std::cos(e) * std::cos(a), -std::cos(e) * std::sin(a), -std::sin(e)))
-            .cast<float>();
+    const Eigen::Vector3d in_camera(std::cos(e) * std::cos(a), -std::cos(e) * std::sin(a), -std::sin(e));
     const bool raking = s.light == Light::raking;
     const auto facing = raking ? float(std::sin(e)) : 1.0f;
     // What faces the viewer reflects a light at this angle to its normal away from the viewer by as much.
     const float glint = std::pow(std::max(raking ? facing : 1.0f, 0.0f), 24.0f);
-    glUniform4f(
-        shader::lamp_uniform, to.x(), to.y(), to.z(),
-        1 / (shader::light_ambient + shader::light_diffuse * facing + shader::light_specular * glint));
+    const float scale =
+        1 / (shader::light_ambient + shader::light_diffuse * facing + shader::light_specular * glint);
     glUniform1ui(shader::light_uniform, GLuint(s.light));
-    const Eigen::Matrix3f camera = R.cast<float>();
-    glUniformMatrix3fv(shader::camera_rows_uniform, 1, GL_FALSE, camera.data());
+    for (int i = 0; const DrawnView* eye : eyes) {
+        const Eigen::Matrix3d& R = eye->view.cam_from_origin.R;
+        const Eigen::Vector3f to = (R.transpose() * in_camera).cast<float>();
+        const Eigen::Matrix3f camera = R.cast<float>();
+        glUniform4f(shader::lamp_uniform + i, to.x(), to.y(), to.z(), scale);
+        glUniformMatrix3fv(shader::camera_rows_uniform + i, 1, GL_FALSE, camera.data());
+        ++i;
+    }
 }
 
 bool ModelPasses::load_layer(const RenderSettings& settings) {
@@ -323,27 +371,32 @@ void ModelPasses::set_layer(const LayerSettings& settings) {
     glBindTextureUnit(shader::color_map_unit, color_map_.id());
 }
 
-std::size_t ModelPasses::draw_clusters(std::span<const std::uint32_t> clusters) {
+std::size_t ModelPasses::draw_clusters(std::span<const std::uint32_t> clusters, std::size_t eyes) {
     const auto behind = std::ranges::lower_bound(clusters, scene_->first_surrounding);
     const auto of_mesh = std::size_t(behind - clusters.begin());
-    std::size_t draws = draw_run(clusters.first(of_mesh), 0);
-    if (of_mesh == clusters.size()) return draws;
-    // Whatever is wrong with their depth, surroundings never hide the mesh, and from outside they are not
-    // seen.
+    std::size_t draws = draw_run(clusters.first(of_mesh), 0, eyes);
+    if (of_mesh < clusters.size()) draws += draw_surroundings(clusters.subspan(of_mesh), eyes);
+    return draws;
+}
+
+/// Whatever is wrong with their depth, surroundings never hide the mesh, and from outside they are not seen.
+std::size_t ModelPasses::draw_surroundings(std::span<const std::uint32_t> clusters, std::size_t eyes) {
     glDepthRangef(0, surroundings_depth);
     glEnable(GL_CULL_FACE);
     glFrontFace(GL_CW);  // row 0 of a frame is its top row, which mirrors triangles
-    draws += draw_run(clusters.subspan(of_mesh), shader::surroundings_bit);
+    const std::size_t draws = draw_run(clusters, shader::surroundings_bit, eyes);
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
     glDepthRangef(0, 1);
     return draws;
 }
 
-std::size_t ModelPasses::draw_run(std::span<const std::uint32_t> clusters, std::uint32_t bits) {
+std::size_t ModelPasses::draw_run(std::span<const std::uint32_t> clusters, std::uint32_t bits,
+                                  std::size_t eyes) {
     const std::size_t most = clusters.size();
-    const FrameRing::Space commands = ring_.take(most * sizeof(DrawCommand)),
-                           records = ring_.take(most * sizeof(DrawRecord));
+    if (most == 0) return 0;
+    const FrameRing::Space commands = draws_.take(most * sizeof(DrawCommand)),
+                           records = draws_.take(most * sizeof(DrawRecord));
     std::uint32_t draws = 0;
     for (std::size_t i = 0; i < most;) {
         const std::uint32_t first = clusters[i];
@@ -353,16 +406,16 @@ std::size_t ModelPasses::draw_run(std::span<const std::uint32_t> clusters, std::
                cluster_photos_[clusters[i]] == cluster_photos_[first]);
         if (!cluster_photos_[first]) continue;
         const std::uint32_t start = scene_->clusters[first].first_triangle;
-        const DrawCommand command{3 * triangles, 1, 3 * start, 0, draws};
+        const DrawCommand command{3 * triangles, std::uint32_t(eyes), 3 * start, 0, draws};
         const DrawRecord record{start, cluster_photos_[first] | bits};
         std::memcpy(commands.memory + draws * sizeof command, &command, sizeof command);
         std::memcpy(records.memory + draws * sizeof record, &record, sizeof record);
         ++draws;
     }
-    glVertexArrayVertexBuffer(model_.vertices.id(), shader::draw_attribute, ring_.buffer(), records.offset,
+    glVertexArrayVertexBuffer(model_.vertices.id(), shader::draw_attribute, draws_.buffer(), records.offset,
                               sizeof(DrawRecord));
     glBindVertexArray(model_.vertices.id());
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, ring_.buffer());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, draws_.buffer());
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(commands.offset),
                                 GLsizei(draws), 0);
     return draws;
@@ -402,7 +455,7 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
                                      const FrameTargets& targets, const PointSurface& points, bool consensus,
                                      int into) {
     const RenderSettings& settings = drawn.settings;
-    bind_target(targets.sums_target[into], targets);
+    bind_target(targets.sums_target(into), {targets.width, targets.height});
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_EQUAL);
@@ -434,7 +487,11 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
     bind_photos(photos, drawn.weights);
     std::size_t draws = 0;
     if (!points.alone && frame_wise) draw_on_frame(targets, points), ++draws;
-    if (!points.alone && !frame_wise) draws += draw_clusters(drawn.plan.plan().clusters);
+    if (!points.alone && !frame_wise) {
+        draws_.begin();
+        draws += draw_clusters(drawn.plan.plan().clusters);
+        draws_.end();
+    }
     if (points.places) draw_on_points(pass, drawn, points, consensus), ++draws;
     ring_.end();
     return draws;
@@ -458,7 +515,7 @@ void ModelPasses::draw_on_frame(const FrameTargets& targets, const PointSurface&
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::cluster_photos_buffer, ring_.buffer(), photos.offset,
                       photos.bytes);
     glUniform2i(shader::frame_size_uniform, targets.width, targets.height);
-    glBindTextureUnit(shader::triangles_unit, targets.triangles.id());
+    glBindTextureUnit(shader::triangles_unit, targets.surface().triangles.id());
     if (points.places) glBindTextureUnit(shader::places_unit, points.places);
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(no_vertices_.id());

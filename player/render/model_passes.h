@@ -32,6 +32,7 @@ struct DrawnView {
     Eigen::Vector2d depth_range;  ///< nearest and farthest, scene units
     Eigen::Matrix4f clip_from_origin;
     std::vector<double> weights;  ///< dynamic, per photo
+    bool coarse;                  ///< the coarse mesh stands for the mesh
 };
 
 /// Where transparent surfaces are collected.
@@ -71,8 +72,16 @@ class ModelPasses {
     /// Swift frames may be drawn with this mesh from now on.
     void use_coarse(CoarseMesh mesh);
     const CoarseMesh& coarse() const { return coarse_; }
-    /// Depth, plain shading and the triangles' numbers; those of the coarse mesh follow the scene's.
+    /// Whether the coarse mesh is fine enough for a view that is planned.
+    bool suits_coarse(const View& view, const RenderSettings& settings, const Plan& plan) const;
+    /// The settings' choice; never automatic. At once only if photos are blended by triangle: drawn again,
+    /// the model would have to match the surface's depth exactly.
+    EyeSurfaces eye_surfaces(const RenderSettings& settings) const;
+    /// Depth, plain shading and the triangles' numbers, of the eye that is drawn; those of the coarse mesh
+    /// follow the scene's.
     void draw_surface(const DrawnView& drawn, const FrameTargets& targets);
+    /// Likewise, of both eyes in one pass, into targets.layers.
+    void draw_surfaces(const DrawnView& left, const DrawnView& right, const FrameTargets& targets);
     /// The transparent surfaces, into the lists or sums of a TransparentPass. Returns the number of draws.
     std::size_t draw_transparent(const DrawnView& drawn, const TransparentTarget& target);
     /// Adds photos to the sums `into`; best photo and consensus read the other sums. Returns the number of
@@ -88,17 +97,20 @@ class ModelPasses {
     void trace_texels(GLuint buffer) { trace_ = buffer; }
 
   private:
+    /// Of one eye or two.
+    using DrawnEyes = std::span<const DrawnView* const>;
+    void draw_surfaces(DrawnEyes eyes, const gl::Framebuffer& target, FrameSize frame);
+    std::span<const std::uint32_t> clusters_of(DrawnEyes eyes);
     /// Draws the given clusters that have bits in cluster_photos_, in one call. Returns the number of draws.
-    std::size_t draw_clusters(std::span<const std::uint32_t> clusters);
-    std::size_t draw_run(std::span<const std::uint32_t> clusters, std::uint32_t bits);
-    /// The coarse mesh is fine enough for the view.
-    bool suits_coarse(const DrawnView& drawn) const;
-    double nearness(const DrawnView& drawn) const;
-    void draw_coarse();
-    const gl::Program& surface_program(const RenderSettings& settings);
+    std::size_t draw_clusters(std::span<const std::uint32_t> clusters, std::size_t eyes = 1);
+    std::size_t draw_surroundings(std::span<const std::uint32_t> clusters, std::size_t eyes);
+    std::size_t draw_run(std::span<const std::uint32_t> clusters, std::uint32_t bits, std::size_t eyes = 1);
+    double nearness(const View& view, const Plan& plan) const;
+    void draw_coarse(std::size_t eyes);
+    const gl::Program& surface_program(const RenderSettings& settings, std::size_t eyes);
     const gl::Program& transparent_program(const RenderSettings& settings, bool lists);
-    void set_surface(const DrawnView& drawn);
-    void set_light(const DrawnView& drawn);
+    void set_surface(DrawnEyes eyes);
+    void set_light(DrawnEyes eyes);
     void set_layer(const LayerSettings& settings);
     /// What a program blends photos on: the model, drawn again; the triangles that the frame shows, where no
     /// points are in front of them; points.
@@ -122,7 +134,9 @@ class ModelPasses {
     CoarseMesh coarse_;
     int loaded_layer_ = -1;  ///< whose values the model has
     std::vector<PhotoBlock> blocks_;
-    FrameRing ring_;
+    FrameRing ring_;  ///< photos and their pages
+    /// Apart: a software rasterizer waits before it reads draws from a buffer that photos use.
+    FrameRing draws_;
     gl::Program surface_program_;
     std::map<std::vector<std::string>, gl::Program> other_surface_programs_;  ///< by what was asked for
     std::map<std::vector<std::string>, gl::Program> transparent_programs_;    ///< likewise
@@ -131,7 +145,10 @@ class ModelPasses {
     ColorMap mapped_ = ColorMap::automatic;
     std::map<BlendVariant, gl::Program> blend_programs_;
     std::vector<std::uint32_t> cluster_photos_;  ///< per cluster: one bit per photo of the pass
+    std::vector<std::uint32_t> clusters_of_both_;
     GLuint trace_ = 0;
+    bool software_;
+    bool layers_by_vertex_;  ///< a vertex can choose the layer that it is drawn into
 };
 
 }  // namespace vantage

@@ -70,9 +70,9 @@ PointPass::PointPass(const PackageReader& package, PointCloud cloud, std::uint64
       spacings_(points_only(package.scene()) ? local_spacings(cloud_.nodes) : own_spacings(cloud_)),
       only_(points_only(package.scene())),
       store_(package, cloud_, bytes),
-      ring_(std::min(most_point_nodes, cloud_.nodes.size()) *
-                (sizeof(Command) + sizeof(Record) + sizeof(shader::PointSizes)) +
-            1024),
+      ring_("drawn points", std::min(most_point_nodes, cloud_.nodes.size()) *
+                                    (sizeof(Command) + sizeof(Record) + sizeof(shader::PointSizes)) +
+                                1024),
       program_(make_point_program({})),
       vertices_(make_vertices()) {
     if (cloud_.nodes.empty()) return;
@@ -87,13 +87,14 @@ void PointPass::fit(const FrameTargets& targets, bool placed) {
     release();
     picture_ = gl::make_texture_2d("frame points", GL_RGBA16F, width, height);
     if (!placed) {
-        target_ = gl::make_framebuffer("frame points", std::array{picture_.id()}, targets.depth.id());
+        target_ =
+            gl::make_framebuffer("frame points", std::array{picture_.id()}, targets.surface().depth.id());
         return;
     }
     places_ = gl::make_texture_2d("points' places", GL_RG32F, width, height);
     numbers_ = gl::make_texture_2d("points' numbers", GL_R32UI, width, height);
     target_ = gl::make_framebuffer("frame points", std::array{picture_.id(), places_.id(), numbers_.id()},
-                                   targets.depth.id());
+                                   targets.surface().depth.id());
     if (!placed_program_) placed_program_ = make_point_program({"PLACED"});
 }
 

@@ -117,6 +117,14 @@ struct Background {
     bool operator==(const Background&) const = default;
 };
 
+/// How the bare surface is drawn for two eyes. The pictures are the same.
+enum class EyeSurfaces {
+    automatic,   ///< at once if the graphics card can; on a software rasterizer overlapped; else in turn
+    in_turn,     ///< into the same targets, each when its eye is painted
+    overlapped,  ///< each into its own; the second while the first eye's photos are blended
+    at_once      ///< in one pass; without support for it, overlapped
+};
+
 /// How a view is rendered.
 struct RenderSettings {
     Blend blend = Blend::lumigraph;
@@ -133,8 +141,9 @@ struct RenderSettings {
     bool trilinear = true;        ///< between two levels; otherwise the nearest level
     int anisotropy = 1;           ///< taps along the longer side of a sample's footprint, 1 to 16
     bool by_triangle = true;      ///< photos are blended once per pixel, not once per triangle and pixel
-    bool half_sums = false;       ///< sums of a pass in half floats: half the bandwidth
-    bool thumbnails = false;      ///< nothing finer than thumbnails
+    EyeSurfaces eye_surfaces = EyeSurfaces::automatic;
+    bool half_sums = false;   ///< sums of a pass in half floats: half the bandwidth
+    bool thumbnails = false;  ///< nothing finer than thumbnails
     Show show = Show::colors;
     ShowSurroundings surroundings = ShowSurroundings::on;
     Transparency transparency = Transparency::exact;

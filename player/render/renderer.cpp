@@ -186,8 +186,10 @@ void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
     const bool veiled =
         transparent_ && settings.transparency != Transparency::off && scene_.has_surroundings();
     const std::size_t eyes = eyes_.size();
+    const std::size_t surfaces = may_have_own_surfaces(settings) ? eyes : 1;
     const bool fits = targets_.room == room && targets_.half_sums == settings.half_sums &&
-                      targets_.samples.size() == eyes && (store_.has_coordinates() || !coordinates) &&
+                      targets_.samples.size() == eyes && targets_.surfaces.size() >= surfaces &&
+                      (store_.has_coordinates() || !coordinates) &&
                       (!points_ || points_->placed() || !placed) &&
                       (!transparent_ || transparent_->mode() == settings.transparency);
     if (!fits) {
@@ -197,7 +199,7 @@ void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
         if (transparent_) transparent_->release();
         const std::uint64_t others =
             gl::memory_held() - budget_.elsewhere - store_.bytes() +
-            FrameTargets::bytes(width, height, settings.half_sums, eyes) +
+            FrameTargets::bytes(room, settings.half_sums, eyes, surfaces) +
             (scene_.bands.size() > 1 ? eyes * PictureSamples::bytes(width, height) : 0) +
             (veiled ? eyes * PictureSamples::veil_bytes(width, height) : 0) +
             (filling_ ? HoleFilling::bytes(width, height) : 0) +
@@ -207,12 +209,13 @@ void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
         graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
         store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
         graphics_budget_ = std::max(graphics_budget_, others + store_.residency().layout().bytes());
-        targets_ = make_frame_targets(room, settings.half_sums, eyes);
+        targets_ = make_frame_targets(room, settings.half_sums, eyes, surfaces);
         if (filling_) filling_->fit(width, height);
         if (points_) points_->fit(targets_, placed);
         if (transparent_) transparent_->fit(targets_, settings.transparency);
     }
     targets_.width = frame.width, targets_.height = frame.height;
+    targets_.surface_number = 0;
     for (PictureSamples& samples : targets_.samples) {
         if (bands.size() > 1) samples.add_other();
         if (veiled) samples.add_veil();
@@ -291,6 +294,9 @@ FrameReport Renderer::prepare(std::span<const View> views, const RenderSettings&
     for (std::size_t i = 0; i < views.size(); ++i) {
         Eye& eye = eyes_[i];
         eye.view = views[i];
+        eye.sampled = sampled(views[i], sample);
+        eye.prepared.reset();
+        eye.has_surface = false;
         if (i == 0)
             eye.plans.choose(settings, now);
         else
@@ -314,12 +320,41 @@ FrameReport Renderer::prepare(std::span<const View> views, const RenderSettings&
     report.clusters = plan().clusters.size();
     report.uncovered = plan().uncovered;
     const View* ahead = settings.swift ? nullptr : next;
-    if (!settings.complete) tiles_.stream(sampled(views.front(), sample), bands, sample.side, ahead, report);
+    if (!settings.complete) tiles_.stream(eyes_[0].sampled, bands, sample.side, ahead, report);
     for (const BandFrame& band : bands)
         band.plan->fade(plan_settings(band.settings), now,
                         tiles_.ready_photos(band.settings, band.plan->plan()));
+    prepare_surfaces();
     held_ += gl::memory_held() - held_before;
     return report;
+}
+
+/// Points and transparent surfaces share the depth of one surface, and two bands may differ in theirs.
+EyeSurfaces Renderer::eye_surfaces() const {
+    const std::vector<BandFrame>& bands = eyes_[0].bands;
+    const RenderSettings& settings = bands.front().settings;
+    const bool own = bands.size() == 1 && !shows_points(settings) && may_have_own_surfaces(settings);
+    return own ? passes_.eye_surfaces(settings) : EyeSurfaces::in_turn;
+}
+
+/// What is shown for a while only does not decide, because new targets take the place of tiles.
+bool Renderer::may_have_own_surfaces(const RenderSettings& settings) const {
+    const bool transparent = transparent_ && settings.transparency != Transparency::off;
+    return eyes_.size() == 2 && !transparent && !points_only(package_->scene()) &&
+           passes_.eye_surfaces(settings) != EyeSurfaces::in_turn;
+}
+
+void Renderer::prepare_surfaces() {
+    coarse_ = std::ranges::all_of(eyes_, [&](const Eye& eye) {
+        const BandFrame& band = eye.bands.front();
+        return passes_.suits_coarse(eye.sampled, band.settings, band.plan->plan());
+    });
+    surfaces_ = eye_surfaces();
+    if (surfaces_ == EyeSurfaces::in_turn) return;
+    for (Eye& eye : eyes_) eye.prepared.emplace(drawn_view(eye));
+    if (surfaces_ != EyeSurfaces::at_once) return;
+    passes_.draw_surfaces(*eyes_[0].prepared, *eyes_[1].prepared, targets_);
+    for (Eye& eye : eyes_) eye.has_surface = true;
 }
 
 void Renderer::paint(std::size_t number, FrameReport& report) {
@@ -328,14 +363,15 @@ void Renderer::paint(std::size_t number, FrameReport& report) {
     const RenderSettings& settings = eye.bands.front().settings;
     const DrawnRegion region(targets_);
     if (number > 0) stream_points(eye, report);
-    const View point = sampled(eye.view, sample_);
-    Frame frame{drawn_view(point, eye.bands.front(), sample_.side), sample_, now_, report, number};
-    depth_terms_ = terms_of(point, frame.drawn.depth_range);
-    passes_.draw_surface(frame.drawn, targets_);
+    Frame frame{eye.prepared ? std::move(*eye.prepared) : drawn_view(eye), sample_, now_, report, number};
+    eye.prepared.reset();
+    depth_terms_ = terms_of(eye.sampled, frame.drawn.depth_range);
+    draw_surface(number, frame.drawn);
+    eye.has_surface = false;  // once it is painted, it may be drawn over
     if (!settings.complete) eye.readback.capture(targets_, eye.view);
     draw_present(frame);
     for (const BandFrame& band : std::span(eye.bands).subspan(1)) {
-        Frame second{drawn_view(point, band, sample_.side), sample_, now_, {}, number, true};
+        Frame second{drawn_view(eye.sampled, band, sample_.side, coarse_), sample_, now_, {}, number, true};
         draw_band(second);
         add_work(second.report, frame.report);
     }
@@ -350,6 +386,22 @@ void Renderer::paint(std::size_t number, FrameReport& report) {
     held_ += gl::memory_held() - held_before;
     gl::check("rendering a view");
     report = r;
+}
+
+/// The bare surface that an eye sees, unless it has been drawn.
+void Renderer::draw_surface(std::size_t number, const DrawnView& drawn) {
+    Eye& eye = eyes_[number];
+    targets_.surface_number = surfaces_ == EyeSurfaces::in_turn ? 0 : number;
+    if (!eye.has_surface) passes_.draw_surface(drawn, targets_);
+    eye.has_surface = true;
+}
+
+/// A software rasterizer prepares triangles on one thread, while others can blend an eye's photos.
+void Renderer::draw_next_surface(std::size_t number) {
+    const std::size_t next = number + 1;
+    if (next >= eyes_.size() || !eyes_[next].prepared) return;
+    draw_surface(next, *eyes_[next].prepared);
+    targets_.surface_number = number;
 }
 
 std::string Renderer::failure() const {
@@ -367,8 +419,9 @@ void Renderer::redraw(const View& view, const RenderSettings& given) {
     check_view(view);
     const RenderSettings settings = usable(given);
     if (settings.weights_from) check_view(*settings.weights_from);
+    targets_.surface_number = 0;
     for (const BandFrame& band : eyes_[0].plans.frames(settings, {})) {
-        Frame frame{drawn_view(view, band, 1), {}, 0, {}, 0, band.second};
+        Frame frame{drawn_view(view, band, 1, coarse_), {}, 0, {}, 0, band.second};
         draw_band(frame);
     }
     gl::check("rendering a view again");
@@ -390,6 +443,7 @@ void Renderer::draw_present(Frame& frame) {
         resolve_before(draw_set(before, frame), frame);
     }
     const int sums = draw_set(drawn, frame);
+    draw_next_surface(frame.eye);
     if (shows && !first) draw_points(frame);
     if (shows_transparent(frame.drawn.settings)) draw_transparent(frame);
     resolve(sums, frame);
@@ -414,8 +468,8 @@ PointSurface Renderer::point_surface(const RenderSettings& settings) const {
 int Renderer::draw_set(Pass photos, Frame& frame) {
     const RenderSettings& settings = frame.drawn.settings;
     const std::array<float, 4> zero{};
-    for (const gl::Framebuffer& sums : targets_.sums_target)
-        glClearNamedFramebufferfv(sums.id(), GL_COLOR, 0, zero.data());
+    for (const int sums : {0, 1})
+        glClearNamedFramebufferfv(targets_.sums_target(sums).id(), GL_COLOR, 0, zero.data());
     int into = 0;
     draw_passes(photos, frame, false, into);
     if (settings.consensus && !takes_one(settings.blend)) {
@@ -425,17 +479,22 @@ int Renderer::draw_set(Pass photos, Frame& frame) {
     return into;
 }
 
-DrawnView Renderer::drawn_view(const View& view, const BandFrame& band, int side) const {
+DrawnView Renderer::drawn_view(const Eye& eye) const {
+    return drawn_view(eye.sampled, eye.bands.front(), sample_.side, coarse_);
+}
+
+DrawnView Renderer::drawn_view(const View& view, const BandFrame& band, int side, bool coarse) const {
     const RenderSettings& settings = band.settings;
     const Eigen::Vector2d range = depth_range_of(view, settings, *band.plan);
-    return {view,
-            settings,
-            *band.plan,
-            side,
-            range,
-            clip_from_origin(view, range).cast<float>(),
-            weights_in_band(settings.weights_from.value_or(view), settings.weights, settings.bands.shown,
-                            scene_)};
+    return {
+        view,
+        settings,
+        *band.plan,
+        side,
+        range,
+        clip_from_origin(view, range).cast<float>(),
+        weights_in_band(settings.weights_from.value_or(view), settings.weights, settings.bands.shown, scene_),
+        coarse};
 }
 
 /// Of the model, and of points if they are shown.
@@ -460,7 +519,8 @@ Eigen::Vector2d Renderer::depth_range_of(const View& view, const RenderSettings&
 /// Finds out which triangles the view shows before photos are chosen for it. Waits for the graphics card.
 void Renderer::find_seen(Eye& eye, const BandFrame& band, PixelSample sample) {
     band.plan->update(eye.view, plan_settings(band.settings), band.photos, sample.side, eye.readback.seen());
-    passes_.draw_surface(drawn_view(eye.view, band, sample.side), targets_);
+    const bool coarse = passes_.suits_coarse(eye.view, band.settings, band.plan->plan());
+    passes_.draw_surface(drawn_view(eye.view, band, sample.side, coarse), targets_);
     take_seen(eye, true);
     eye.readback.capture(targets_, eye.view);
     take_seen(eye, true);
@@ -510,7 +570,8 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     const double progress = before ? 1 : frame.drawn.plan.progress();
     // The picture that is being replaced is lit, and gets its layer, with the one that replaces it.
     glUseProgram((before ? resolve_program_ : resolve_program(settings)).id());
-    if (!before && settings.light.wireframe) glBindTextureUnit(shader::wire_unit, targets_.triangles.id());
+    if (!before && settings.light.wireframe)
+        glBindTextureUnit(shader::wire_unit, targets_.surface().triangles.id());
     const bool lit = !before && settings.light.light != Light::photos;
     if (lit) {
         const bool normals = settings.light.light == Light::normals;
@@ -548,7 +609,7 @@ void Renderer::draw_resolved(int sums, const Frame& frame, bool before) {
     glUniform1f(shader::most_uniform, counts ? float(std::max<std::size_t>(1, frame.report.photos)) : 0.0f);
     expose(frame.drawn);
     glBindTextureUnit(shader::sums_unit, targets_.sums[sums].id());
-    glBindTextureUnit(shader::surface_unit, targets_.surface.id());
+    glBindTextureUnit(shader::surface_unit, targets_.surface().shaded.id());
     glBindTextureUnit(shader::before_unit, progress < 1 ? targets_.before.id() : 0);
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -599,7 +660,7 @@ void Renderer::set_points(const DrawnView& drawn, bool before) const {
     glUniform4f(shader::eye_dome_uniform, float(terms.x()), float(terms.y()),
                 float(drawn.settings.points.eye_dome), float(apart));
     glBindTextureUnit(shader::points_unit, points_->picture());
-    glBindTextureUnit(shader::depth_unit, targets_.depth.id());
+    glBindTextureUnit(shader::depth_unit, targets_.surface().depth.id());
 }
 
 /// Only colors: between counts or false colors, others would say what is not so.
@@ -639,7 +700,7 @@ void Renderer::expose(const DrawnView& drawn) const {
 std::vector<std::uint32_t> Renderer::triangles() const {
     std::vector<std::uint32_t> out(std::size_t(targets_.width) * std::size_t(targets_.height));
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glGetTextureSubImage(targets_.triangles.id(), 0, 0, 0, 0, targets_.width, targets_.height, 1,
+    glGetTextureSubImage(targets_.surface().triangles.id(), 0, 0, 0, 0, targets_.width, targets_.height, 1,
                          GL_RED_INTEGER, GL_UNSIGNED_INT, GLsizei(out.size() * 4), out.data());
     return out;
 }

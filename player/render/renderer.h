@@ -44,8 +44,9 @@ class Renderer {
     FrameReport draw(const View& view, const RenderSettings& settings, std::span<const std::uint32_t> photos,
                      PixelSample sample, double now, const View* next = nullptr);
     /// The same in steps, for the views of one eye or two, of the same size. Plans for all of them, and
-    /// streams what they need; paint() then draws one. Unless settings.complete, photos and tiles are chosen
-    /// once, for what both eyes see: these would see different colors otherwise, and it takes most of a plan.
+    /// streams what they need; paint() then draws one, and may draw the surface of the next. Unless
+    /// settings.complete, photos and tiles are chosen once, for what both eyes see: these would see different
+    /// colors otherwise, and it takes most of a plan.
     FrameReport prepare(std::span<const View> eyes, const RenderSettings& settings,
                         std::span<const std::uint32_t> photos, PixelSample sample, double now,
                         const View* next = nullptr);
@@ -73,7 +74,7 @@ class Renderer {
     /// Waits for the graphics card.
     std::vector<std::uint32_t> triangles() const;
 
-    /// The targets of the last draw().
+    /// The targets of the last draw(); their surface() is that of the eye painted last.
     const FrameTargets& targets() const { return targets_; }
     /// Of the last draw(), the terms a and b of its depth, a + b / z. Not of an orthographic view.
     Eigen::Vector2d depth_terms() const { return depth_terms_; }
@@ -117,9 +118,12 @@ class Renderer {
     struct Eye {
         explicit Eye(const PlanScene& scene) : plans(scene) {}
         View view{};
+        View sampled{};  ///< its pixel centers are the samples' positions
         BandPlans plans;
         std::vector<BandFrame> bands{};  ///< of the frame that was prepared last
         TriangleReadback readback{};
+        std::optional<DrawnView> prepared{};  ///< if it has a surface of its own: the frame to paint
+        bool has_surface = false;             ///< drawn already for that frame
     };
     struct Frame {
         DrawnView drawn;
@@ -137,8 +141,14 @@ class Renderer {
     void plan_eye(Eye& eye, PixelSample sample);
     SeenTriangles seen_by_both(const Eye& eye);
     void stream_points(const Eye& eye, FrameReport& report);
+    EyeSurfaces eye_surfaces() const;
+    bool may_have_own_surfaces(const RenderSettings& settings) const;
+    void prepare_surfaces();
+    void draw_surface(std::size_t eye, const DrawnView& drawn);
+    void draw_next_surface(std::size_t eye);
     void draw_band(Frame& frame);
-    DrawnView drawn_view(const View& view, const BandFrame& band, int side) const;
+    DrawnView drawn_view(const Eye& eye) const;
+    DrawnView drawn_view(const View& view, const BandFrame& band, int side, bool coarse) const;
     void draw_present(Frame& frame);
     void draw_points(Frame& frame);
     PointSurface point_surface(const RenderSettings& settings) const;
@@ -184,8 +194,11 @@ class Renderer {
     gl::Program resolve_program_, show_program_;
     std::map<std::vector<std::string>, gl::Program> other_resolve_programs_;  ///< by what was asked for
     gl::VertexArray no_vertices_;
-    PixelSample sample_;  ///< of the frame that was prepared last
-    double now_ = 0;      ///< likewise, seconds
+    // Of the frame that was prepared last.
+    PixelSample sample_;
+    double now_ = 0;  ///< seconds
+    EyeSurfaces surfaces_ = EyeSurfaces::in_turn;
+    bool coarse_ = false;  ///< the coarse mesh is fine enough for all eyes
 };
 
 }  // namespace vantage

@@ -49,7 +49,7 @@ void TransparentPass::fit(const FrameTargets& targets, Transparency mode) {
     sums_ = gl::make_texture_2d("transparent sums", GL_RGBA32F, width, height);
     transmitted_ = gl::make_texture_2d("transmitted light", GL_R32F, width, height);
     target_ = gl::make_framebuffer("transparent surfaces", std::array{sums_.id(), transmitted_.id()},
-                                   targets.depth.id());
+                                   targets.surface().depth.id());
     if (mode == Transparency::approximate) return;
     capacity_ = capacity_for(width, height);
     heads_ = gl::make_buffer("fragment heads", head_bytes(width, height));

@@ -24,8 +24,8 @@ void TriangleReadback::capture(const FrameTargets& targets, const View& view) {
     if (!pixels_) return;
     const int width = smaller(targets.width), height = smaller(targets.height);
     captured_pixels_ = std::size_t(width) * std::size_t(height);
-    glNamedFramebufferReadBuffer(targets.surface_target.id(), GL_COLOR_ATTACHMENT1);
-    glBlitNamedFramebuffer(targets.surface_target.id(), small_target_.id(), 0, 0, targets.width,
+    glNamedFramebufferReadBuffer(targets.surface().target.id(), GL_COLOR_ATTACHMENT1);
+    glBlitNamedFramebuffer(targets.surface().target.id(), small_target_.id(), 0, 0, targets.width,
                            targets.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, pixels_.id());
     glGetTextureSubImage(small_.id(), 0, 0, 0, 0, width, height, 1, GL_RED_INTEGER, GL_UNSIGNED_INT,

@@ -19,8 +19,8 @@ std::size_t count(const gl::Texture& texture, const FrameTargets& t, GLenum layo
 
 NonFinite count_non_finite(const FrameTargets& t) {
     NonFinite found;
-    found.depth = count(t.depth, t, GL_DEPTH_COMPONENT, 1);
-    found.surface = count(t.surface, t, GL_RGBA, 4);
+    found.depth = count(t.surface().depth, t, GL_DEPTH_COMPONENT, 1);
+    found.surface = count(t.surface().shaded, t, GL_RGBA, 4);
     for (const gl::Texture& sums : t.sums) found.sums += count(sums, t, GL_RGBA, 4);
     found.samples = count(t.samples.front().sum, t, GL_RGBA, 4);
     return found;

@@ -320,12 +320,12 @@ namespace {
 double summed(const std::vector<double>& weights, const std::vector<double>& colors, bool half) {
     FrameTargets t = make_frame_targets({1, 1}, half);
     const std::array<float, 4> zero{};
-    glClearNamedFramebufferfv(t.sums_target[0].id(), GL_COLOR, 0, zero.data());
+    glClearNamedFramebufferfv(t.sums_target(0).id(), GL_COLOR, 0, zero.data());
     const gl::Texture one = gl::make_texture_2d("a pass", GL_RGBA32F, 1, 1);
     const gl::Program add =
         gl::make_program("add", {{GL_VERTEX_SHADER, "resolve.vert"}, {GL_FRAGMENT_SHADER, "resolve.frag"}});
     const gl::VertexArray none = gl::make_vertex_array("none");
-    glBindFramebuffer(GL_FRAMEBUFFER, t.sums_target[0].id());
+    glBindFramebuffer(GL_FRAMEBUFFER, t.sums_target(0).id());
     glViewport(0, 0, 1, 1);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);

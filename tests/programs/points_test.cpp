@@ -19,6 +19,7 @@
 #include "pipeline/results/extract.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/synth/synthesize.h"
+#include "player/camera/stereo.h"
 #include "player/render/picture.h"
 #include "points/point_cloud.h"
 #include "tests/temporary_folder.h"
@@ -181,6 +182,31 @@ TEST_F(Points, FillGapsOfASheetWhateverTheBudget) {
         for (std::size_t i = 0; i < picture.rgba.size() / 4; ++i)
             red += is_near(code_at(picture, i), {200, 40, 40, 255});
         EXPECT_GT(double(red), 0.995 * double(picture.rgba.size() / 4)) << budget;
+    }
+}
+
+TEST_F(Points, OfTwoEyesHideAndAreHiddenAsForOne) {
+    scatter(3000);
+    const PackageReader package = prepared();
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    const auto both =
+        eye_views(view_of_photo(package.photos()[0], 0.5), {.distance = 0.4, .convergence = 6}, 1);
+    // Without points, each eye has its own surface; with them, they share one.
+    for (const bool shown : {false, true, false}) {
+        RenderSettings s = plain();
+        s.points.show = shown;
+        std::array<Picture, 2> pair;
+        FrameReport report = renderer.prepare(both, s, all(package), {}, 0);
+        for (const std::size_t eye : {0, 1}) {
+            renderer.paint(eye, report);
+            pair[eye] = picture_of(frame_size(both[eye]),
+                                   [&](GLuint target) { renderer.show(both[eye], s, target, false, eye); });
+        }
+        for (const std::size_t eye : {0, 1})
+            EXPECT_EQ(pair[eye].rgba, taken(renderer, both[eye], s).rgba)
+                << "eye " << eye << ", points " << shown;
+        EXPECT_NE(pair[0].rgba, pair[1].rgba);
     }
 }
 

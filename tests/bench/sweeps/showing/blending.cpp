@@ -88,7 +88,7 @@ Job pictures_job(const char* name, const BenchScene& scene, const Effort& effort
                 const Intrinsics& k = scene.views.front().view.intrinsics;
                 for (std::size_t i = 0; i < out.size(); ++i)
                     out[i].values["target_bytes"] =
-                        double(FrameTargets::bytes(k.width, k.height, all[i].settings.half_sums));
+                        double(FrameTargets::bytes({k.width, k.height}, all[i].settings.half_sums));
                 return out;
             }};
 }
