@@ -1,12 +1,12 @@
 #include "tests/bench/measure/pictures.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 
 #include "gl/context.h"
 #include "player/evaluate/picture_metrics.h"
+#include "player/measure/flight.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/scenes/evenly_spread.h"
@@ -34,8 +34,7 @@ class Frames {
           settings_(s.settings),
           photos_(allowed(view, s)),
           side_(s.timed_whole ? s.side : 1),
-          color_(gl::make_texture_2d("bench", GL_RGBA8, view_.intrinsics.width, view_.intrinsics.height)),
-          target_(gl::make_framebuffer("bench", std::array{color_.id()}, 0)) {
+          target_(make_flight_target(frame_size(view_))) {
         settings_.complete = false;
     }
     FrameReport draw() const {
@@ -44,7 +43,7 @@ class Frames {
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
                 .count();
         const FrameReport report = renderer_.draw(view_, settings_, photos_, {0, side_}, now);
-        renderer_.show(view_, settings_, target_.id(), false);
+        renderer_.show(view_, settings_, target_.framebuffer.id(), false);
         glFinish();
         return report;
     }
@@ -55,8 +54,7 @@ class Frames {
     RenderSettings settings_;
     std::vector<std::uint32_t> photos_;
     int side_;
-    gl::Texture color_;
-    gl::Framebuffer target_;
+    FlightTarget target_;
 };
 
 /// PSNR of a picture against the exact one, without gains, where both are colored.

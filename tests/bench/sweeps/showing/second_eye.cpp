@@ -1,5 +1,4 @@
 // What the second eye costs, by the way in which the bare surface is drawn for both.
-#include <array>
 #include <deque>
 #include <span>
 #include <vector>
@@ -7,7 +6,9 @@
 #include "gl/context.h"
 #include "player/camera/camera_path.h"
 #include "player/camera/stereo.h"
+#include "player/measure/flight.h"
 #include "player/render/renderer.h"
+#include "tests/bench/measure/looked_at.h"
 #include "tests/bench/measure/pictures.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/sweeps/sweep.h"
@@ -19,13 +20,14 @@ constexpr int rounds = 10;  ///< of each repeat: the differences are small
 
 struct EyesSetting {
     const char* name;
-    std::size_t eyes;
+    StereoMode mode;
     EyeSurfaces surfaces;
 };
-constexpr EyesSetting eyes_settings[] = {{"one eye", 1, EyeSurfaces::automatic},
-                                         {"two eyes, in turn", 2, EyeSurfaces::in_turn},
-                                         {"two eyes, overlapped", 2, EyeSurfaces::overlapped},
-                                         {"two eyes, at once", 2, EyeSurfaces::at_once}};
+constexpr EyesSetting eyes_settings[] = {
+    {"one eye", StereoMode::off, EyeSurfaces::automatic},
+    {"two eyes, in turn", StereoMode::side_by_side, EyeSurfaces::in_turn},
+    {"two eyes, overlapped", StereoMode::side_by_side, EyeSurfaces::overlapped},
+    {"two eyes, at once", StereoMode::side_by_side, EyeSurfaces::at_once}};
 
 /// Draws the frames of a path with the photos of a window. The tiles of complete pictures are resident.
 class EyesFlight {
@@ -34,18 +36,13 @@ class EyesFlight {
                std::span<const std::uint32_t> photos)
         : renderer_(package, ample_memory()),
           photos_(photos.begin(), photos.end()),
-          size_(frame_size(path.front())),
-          color_(gl::make_texture_2d("bench", GL_RGBA8, size_.width, size_.height)),
-          target_(gl::make_framebuffer("bench", std::array{color_.id()}, 0)) {
+          target_(make_flight_target(frame_size(path.front()))) {
         settings_.photos = window_photos;
         settings_.fill_holes = true;
         settings_.eye_surfaces = setting.surfaces;
-        for (const View& view : path) {
-            const double distance = depth_in(view, Eigen::Vector3d::Zero());
-            const double convergence = distance > 0 ? distance : renderer_.scene().size;
-            const auto both = eye_views(view, {.share = 1.0 / 30}, convergence);
-            frames_.emplace_back(both.begin(), both.begin() + std::ptrdiff_t(setting.eyes));
-        }
+        for (const View& view : path)
+            frames_.push_back(views_of({.mode = setting.mode, .eyes = {.share = 1.0 / 30}}, view,
+                                       looked_at(view, renderer_.scene())));
         for (const auto& eyes : frames_) draw(eyes);  // complete, which makes the tiles resident
         settings_.complete = false;
         settings_.wait_for_tiles = true;
@@ -56,20 +53,18 @@ class EyesFlight {
 
   private:
     void draw(std::span<const View> eyes) {
-        now_ += 1.0 / 30;
+        now_ += frame_seconds;
         FrameReport report = renderer_.prepare(eyes, settings_, photos_, {}, now_);
         for (std::size_t eye = 0; eye < eyes.size(); ++eye) {
             renderer_.paint(eye, report);
-            renderer_.show(eyes[eye], settings_, target_.id(), false, eye);
+            renderer_.show(eyes[eye], settings_, target_.framebuffer.id(), false, eye);
         }
         glFinish();
     }
 
     Renderer renderer_;
     std::vector<std::uint32_t> photos_;
-    FrameSize size_;
-    gl::Texture color_;
-    gl::Framebuffer target_;
+    FlightTarget target_;
     RenderSettings settings_;
     std::vector<std::vector<View>> frames_;
     std::size_t next_ = 0;
@@ -88,7 +83,7 @@ std::vector<Measurement> measure_eyes(const BenchScene& scene, const Effort& eff
     std::vector<Measurement> out;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const EyesSetting& s = eyes_settings[i];
-        out.push_back({"", "", curve, s.name, s.eyes == 1, s.surfaces == chosen, {}, {}});
+        out.push_back({"", "", curve, s.name, s.mode == StereoMode::off, s.surfaces == chosen, {}, {}});
         out.back().values["frame_ms"] = ms[i];
     }
     return out;

@@ -3,6 +3,7 @@
 
 #include "gl/context.h"
 #include "player/camera/stereo.h"
+#include "tests/bench/measure/looked_at.h"
 #include "tests/bench/measure/pictures.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/sweeps/sweep.h"
@@ -32,9 +33,8 @@ RenderSettings render_settings_of(const PairSetting& s) {
 
 /// A viewer at a reference view, whose right eye is beside it; what is seen is where both eyes converge.
 std::vector<View> eyes_at(const View& view, const PlanScene& scene) {
-    const double distance = depth_in(view, Eigen::Vector3d::Zero());
     const Eyes eyes{.share = 1.0 / 30};
-    std::vector<View> out = eye_views(view, eyes, distance > 0 ? distance : scene.size);
+    std::vector<View> out = eye_views(view, eyes, looked_at(view, scene));
     View& right = out[1];
     right.cam_from_origin.t.x() -= out[0].cam_from_origin.t.x() - view.cam_from_origin.t.x();
     right.intrinsics.cx += view.intrinsics.cx - out[0].intrinsics.cx;

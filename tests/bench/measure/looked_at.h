@@ -1,0 +1,13 @@
+#pragma once
+#include "player/camera/view.h"
+#include "player/plan/plan_scene.h"
+
+namespace vantage::bench {
+
+/// The depth at which two eyes converge on the middle of a scene; the scene's size if it is not in front.
+inline double looked_at(const View& view, const PlanScene& scene) {
+    const double depth = depth_in(view, Eigen::Vector3d::Zero());
+    return depth > 0 ? depth : scene.size;
+}
+
+}  // namespace vantage::bench
