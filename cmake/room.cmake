@@ -13,7 +13,7 @@ function(vantage_precompile target)
   target_precompile_headers(${target} REUSE_FROM vantage_precompiled)
 endfunction()
 
-# vantage_room(FOLDER [UNITY] [USES folder...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [SOURCES file...])
+# vantage_room(FOLDER [USES folder...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...] [SOURCES file...] [LOOPS file...])
 #
 # Makes a library of a folder, named vantage_ and its path with _ for / (player/plan: vantage_player_plan). Its sources
 # see its own headers and those of the rooms it uses, directly or through another, and no others: the source folder is
@@ -23,12 +23,17 @@ endfunction()
 #   LIBRARIES          libraries that the room's headers include
 #   PRIVATE_LIBRARIES  libraries that only its sources include
 #   SOURCES            default: FOLDER/*.cpp; a room without sources is an INTERFACE library
-#   UNITY              compile all sources as one: for rooms whose libraries (CLI11) cost far more than their own code
+#   LOOPS              sources with loops over every pixel. -O2 does not vectorize them, and neither does -O3 if comparisons may
+#                      trap or square roots set errno. The results are the same. Vectors are passed between inlined functions
+#                      only, so that it does not matter how calls pass them.
+# All sources of a room are compiled as one, which saves most of the build's time (-DCMAKE_UNITY_BUILD=OFF: one by one).
 function(vantage_room folder)
-  cmake_parse_arguments(ROOM "UNITY" "" "USES;LIBRARIES;PRIVATE_LIBRARIES;SOURCES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "USES;LIBRARIES;PRIVATE_LIBRARIES;SOURCES;LOOPS" ${ARGN})
   string(REPLACE "/" "_" target vantage_${folder})
+  list(TRANSFORM ROOM_LOOPS PREPEND ${CMAKE_SOURCE_DIR}/${folder}/)
   if(NOT ROOM_SOURCES)
     file(GLOB ROOM_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
+    list(REMOVE_ITEM ROOM_SOURCES ${ROOM_LOOPS})
   endif()
   set(include_directory ${CMAKE_BINARY_DIR}/rooms/${target})
   get_filename_component(parent ${include_directory}/${folder} DIRECTORY)
@@ -45,7 +50,13 @@ function(vantage_room folder)
     target_include_directories(${target} PUBLIC ${include_directory})
     target_link_libraries(${target} PUBLIC ${used} ${ROOM_LIBRARIES} PRIVATE ${ROOM_PRIVATE_LIBRARIES})
     vantage_precompile(${target})
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ${ROOM_UNITY} UNITY_BUILD_BATCH_SIZE 0)
+    if(ROOM_LOOPS)
+      add_library(${target}_loops OBJECT ${ROOM_LOOPS})
+      target_include_directories(${target}_loops PRIVATE ${include_directory})
+      target_link_libraries(${target}_loops PRIVATE ${used} ${ROOM_LIBRARIES} ${ROOM_PRIVATE_LIBRARIES})
+      target_compile_options(${target}_loops PRIVATE -O3 -fno-trapping-math -fno-math-errno -Wno-psabi)
+      target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_loops>)
+    endif()
   else()
     add_library(${target} INTERFACE)
     target_include_directories(${target} INTERFACE ${include_directory})

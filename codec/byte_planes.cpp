@@ -9,7 +9,7 @@ namespace vantage::codec {
 namespace {
 
 constexpr std::size_t planes = 4;
-constexpr int level = 3;  ///< of zstd
+constexpr int plane_effort = 3;  ///< level of zstd
 
 /// Differences modulo 256, folded into bytes.
 void append_plane(const Grid<const std::uint8_t>& plane, std::byte* out) {
@@ -37,7 +37,7 @@ std::vector<std::byte> encode_planes(std::span<const std::byte> texels, int widt
             append_plane({values.data(), width, height}, &out[at]);
         at += one ? 1 : n;
     }
-    return compress(std::span(out).first(at), level);
+    return compress(std::span(out).first(at), plane_effort);
 }
 
 bool decode_planes(std::span<const std::byte> coded, int width, int height, std::span<std::byte> texels) {

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
+#include "codec/jpeg_bytes.h"
+
 namespace vantage::codec {
 namespace {
 
-constexpr int start_of_image = 0xd8, baseline_frame = 0xc0, huffman_tables = 0xc4, arithmetic_tables = 0xcc,
-              restart_interval = 0xdd, start_of_scan = 0xda;
-
-int byte_at(std::span<const std::byte> b, std::size_t i) { return std::to_integer<int>(b[i]); }
-int word_at(std::span<const std::byte> b, std::size_t i) { return byte_at(b, i) << 8 | byte_at(b, i + 1); }
+constexpr int start_of_image = 0xd8, baseline_frame = 0xc0, arithmetic_tables = 0xcc, restart_marker = 0xdd,
+              start_of_scan = 0xda;
 
 /// `segment` begins with its length. False if this kind of frame is not read.
 bool read_frame(std::span<const std::byte> segment, JpegHeader& out) {
@@ -53,7 +52,7 @@ std::optional<JpegHeader> parse_jpeg_header(std::span<const std::byte> jpeg) {
             if (out.frame_at || !read_frame(segment, out)) return std::nullopt;
             out.frame_at = at;
         }
-        if (marker == restart_interval) {
+        if (marker == restart_marker) {
             if (length != 4) return std::nullopt;
             out.restart_interval = word_at(segment, 2);
         }

@@ -6,15 +6,15 @@
 #include <cstdint>
 #include <cstring>
 
+#include "codec/jpeg_bytes.h"
+
 namespace vantage::codec {
 namespace {
 
-constexpr int huffman_tables = 0xc4, end_of_image = 0xd9, first_restart = 0xd0;
+constexpr int end_of_image = 0xd9, first_restart = 0xd0;
 constexpr int most_blocks = 10;  ///< in an MCU (B.2.3)
 constexpr int most_size = 11;    ///< bits of a DC difference
 constexpr int peek_bits = 10;    ///< codes up to this length are found by one look at a table
-
-int byte_at(std::span<const std::byte> b, std::size_t i) { return std::to_integer<int>(b[i]); }
 
 /// A Huffman table (C.2): codes by symbol, and symbols by code.
 struct HuffmanTable {

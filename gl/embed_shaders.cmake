@@ -1,6 +1,6 @@
 # Writes OUT, a C++ file with the text of every shader in DIR.
 file(GLOB files ${DIR}/*.vert ${DIR}/*.frag ${DIR}/*.comp ${DIR}/*.glsl)
-set(text "#include <array>\n#include <span>\n#include <string_view>\nnamespace vantage::gl {\nstruct EmbeddedShader {\n    std::string_view file, text;\n};\nstd::span<const EmbeddedShader> embedded_shaders();\nnamespace {\nconst EmbeddedShader table[] = {\n")
+set(text "#include \"gl/embedded_shaders.h\"\nnamespace vantage::gl {\nnamespace {\nconst EmbeddedShader table[] = {\n")
 foreach(f ${files})
   get_filename_component(n ${f} NAME)
   file(READ ${f} t)

@@ -2,15 +2,10 @@
 
 #include <algorithm>
 
+#include "gl/embedded_shaders.h"
 #include "gl/failure.h"
 
 namespace vantage::gl {
-
-struct EmbeddedShader {
-    std::string_view file, text;
-};
-/// Generated at build time from shaders/.
-std::span<const EmbeddedShader> embedded_shaders();
 
 std::string_view shader_source(std::string_view file) {
     for (const EmbeddedShader& s : embedded_shaders())

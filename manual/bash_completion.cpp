@@ -22,7 +22,7 @@ std::string value_case(const DescribedOption& o) {
 }
 
 /// A branch for the options and arguments after a verb, or without one.
-std::string verb_case(const DescribedCommand& c, const std::string& pattern) {
+std::string bash_verb_case(const DescribedCommand& c, const std::string& pattern) {
     std::vector<std::string> names;
     for (const DescribedOption& o : c.options) names.insert(names.end(), o.names.begin(), o.names.end());
     std::string out = "        " + pattern + ")\n            options='" + joined(names, " ") + "'";
@@ -88,8 +88,8 @@ std::string bash_completion(const DescribedCommand& program) {
     std::vector<std::string> verbs;
     for (const DescribedCommand& v : program.verbs) verbs.push_back(v.name);
     std::string out = replaced(beginning, "VERBS", joined(verbs, " "));
-    for (const DescribedCommand& v : program.verbs) out += verb_case(v, v.name);
-    out += verb_case(program, "*") + end;
+    for (const DescribedCommand& v : program.verbs) out += bash_verb_case(v, v.name);
+    out += bash_verb_case(program, "*") + end;
     return replaced(replaced(out, "FUNCTION", function), "PROGRAM", program.name);
 }
 

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t longest_limit = 7;  ///< digits; larger limits only say that there is one
 
 /// As the text is printed: no character of it is an instruction. Hyphens stay what is typed.
-std::string escaped(const std::string& text) {
+std::string roff_escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
         if (c == '\\')
@@ -27,8 +27,8 @@ std::string escaped(const std::string& text) {
     return out.starts_with('.') ? "\\&" + out : out;
 }
 
-std::string bold(const std::string& text) { return "\\fB" + escaped(text) + "\\fR"; }
-std::string italic(const std::string& text) { return "\\fI" + escaped(text) + "\\fR"; }
+std::string bold(const std::string& text) { return "\\fB" + roff_escaped(text) + "\\fR"; }
+std::string italic(const std::string& text) { return "\\fI" + roff_escaped(text) + "\\fR"; }
 
 /// A sentence: with a capital letter, unless it starts with a name or a value, and a period.
 std::string sentence(std::string text) {
@@ -71,7 +71,8 @@ std::string limits_of(const DescribedOption& o) {
 
 std::string described(const DescribedOption& o) {
     const std::string limits = limits_of(o);
-    return escaped(sentence(o.description)) + (limits.empty() ? "" : "\n(" + escaped(limits) + ")") + "\n";
+    return roff_escaped(sentence(o.description)) +
+           (limits.empty() ? "" : "\n(" + roff_escaped(limits) + ")") + "\n";
 }
 
 std::string option_entry(const DescribedOption& o) {
@@ -94,7 +95,7 @@ std::string option_sections(const DescribedCommand& c) {
         if (!std::ranges::count(groups, o.group)) groups.push_back(o.group);
     std::string out = ".SH OPTIONS\n";
     for (const std::string& group : groups) {
-        if (group != plain) out += ".SS " + escaped(group) + "\n";
+        if (group != plain) out += ".SS " + roff_escaped(group) + "\n";
         for (const DescribedOption& o : c.options)
             if (o.group == group) out += option_entry(o);
     }
@@ -117,7 +118,7 @@ std::string commands_section(const DescribedCommand& program) {
     std::string out = ".SH COMMANDS\n";
     for (const DescribedCommand& v : program.verbs)
         out += ".TP\n" + bold(program.name + " " + v.name) + "\n" +
-               escaped(sentence(summary(v.description, program.name, v.name))) + "\nSee " +
+               roff_escaped(sentence(summary(v.description, program.name, v.name))) + "\nSee " +
                bold(program.name + "-" + v.name) + "(1).\n";
     return out;
 }
@@ -125,7 +126,7 @@ std::string commands_section(const DescribedCommand& program) {
 std::string examples_section(const std::vector<std::string>& examples) {
     if (examples.empty()) return {};
     std::string out = ".SH EXAMPLES\n.nf\n";
-    for (const std::string& line : examples) out += escaped(line) + "\n";
+    for (const std::string& line : examples) out += roff_escaped(line) + "\n";
     return out + ".fi\n";
 }
 
@@ -142,20 +143,21 @@ ManPage page(const DescribedCommand& c, const std::string& program, const std::s
     std::ranges::replace(out.name, ' ', '-');
     const Notes notes = divided(c.notes);
     const std::string what = summary(c.description, program, c.name);
-    out.text = ".TH \"" + escaped(out.name) + "\" 1 \"\" \"Vantage " + version + "\" \"Vantage\"\n";
+    out.text = ".TH \"" + roff_escaped(out.name) + "\" 1 \"\" \"Vantage " + version + "\" \"Vantage\"\n";
     out.text += ".nh\n.ad l\n";  // option names are not divided
-    out.text += ".SH NAME\n" + escaped(out.name) + " \\- " + escaped(what) + "\n";
+    out.text += ".SH NAME\n" + roff_escaped(out.name) + " \\- " + roff_escaped(what) + "\n";
     out.text += synopsis(command, c);
     if (!c.verbs.empty() && c.arguments.empty())
         out.text += ".br\n" + bold(command) + " " + italic("COMMAND") + " ...\n";
     const bool of_name = c.description.starts_with(program + " ");  // keeps its lower case
-    out.text += ".SH DESCRIPTION\n" + escaped(of_name ? c.description : sentence(c.description)) + "\n";
-    for (const std::string& p : notes.paragraphs) out.text += ".PP\n" + escaped(p) + "\n";
+    out.text += ".SH DESCRIPTION\n" + roff_escaped(of_name ? c.description : sentence(c.description)) + "\n";
+    for (const std::string& p : notes.paragraphs) out.text += ".PP\n" + roff_escaped(p) + "\n";
     out.text += commands_section(c);
     if (!c.arguments.empty()) out.text += ".SH ARGUMENTS\n";
     for (const DescribedOption& a : c.arguments) out.text += argument_entry(a);
     out.text += option_sections(c) + examples_section(notes.examples);
-    if (!notes.exit_codes.empty()) out.text += ".SH \"EXIT STATUS\"\n" + escaped(notes.exit_codes) + "\n";
+    if (!notes.exit_codes.empty())
+        out.text += ".SH \"EXIT STATUS\"\n" + roff_escaped(notes.exit_codes) + "\n";
     out.text += see_also(others);
     return out;
 }

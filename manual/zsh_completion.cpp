@@ -8,7 +8,7 @@ namespace vantage {
 namespace {
 
 /// In single quotes, for _arguments, to which brackets and colons have a meaning.
-std::string escaped(const std::string& text) {
+std::string argument_escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
         if (c == '[' || c == ']' || c == ':' || c == '\\') out += '\\';
@@ -38,20 +38,20 @@ std::string divided_action(const DescribedOption& o) {
 
 /// '(-o --output)'{-o,--output}'[the package to write]:FILE:_files'
 std::string specification_of(const DescribedOption& o) {
-    const std::string value = o.type.empty() ? "" : ":" + escaped(o.type) + ":" + divided_action(o);
+    const std::string value = o.type.empty() ? "" : ":" + argument_escaped(o.type) + ":" + divided_action(o);
     const std::string others = o.several ? "'*'" : "'(" + joined(o.names, " ") + ")'";
     const std::string names = joined(o.names, ",");
-    return others + (o.names.size() == 1 ? names : "{" + names + "}") + "'[" + escaped(o.description) + "]" +
-           value + "'";
+    return others + (o.names.size() == 1 ? names : "{" + names + "}") + "'[" +
+           argument_escaped(o.description) + "]" + value + "'";
 }
 
 /// A branch for the options and arguments after a verb, or without one.
-std::string verb_case(const DescribedCommand& c, const std::string& pattern) {
+std::string zsh_verb_case(const DescribedCommand& c, const std::string& pattern) {
     std::string out = "    " + pattern + ")\n        _arguments";
     for (const DescribedOption& o : c.options) out += " \\\n            " + specification_of(o);
     for (const DescribedOption& a : c.arguments)
-        out += std::string(" \\\n            '") + (a.several ? "*" : "") + ":" + escaped(a.names.front()) +
-               ":" + divided_action(a) + "'";
+        out += std::string(" \\\n            '") + (a.several ? "*" : "") + ":" +
+               argument_escaped(a.names.front()) + ":" + divided_action(a) + "'";
     return out + " ;;\n";
 }
 
@@ -61,8 +61,8 @@ std::string zsh_completion(const DescribedCommand& program) {
     std::string list, cases;
     std::vector<std::string> names;
     for (const DescribedCommand& v : program.verbs) {
-        list += "    '" + v.name + ":" + escaped(v.description) + "'\n";
-        cases += verb_case(v, v.name);
+        list += "    '" + v.name + ":" + argument_escaped(v.description) + "'\n";
+        cases += zsh_verb_case(v, v.name);
         names.push_back(v.name);
     }
     const std::string files =
@@ -72,7 +72,7 @@ std::string zsh_completion(const DescribedCommand& program) {
            ")\nif ((CURRENT == 2)) && [[ $words[2] != -* ]]; then\n    _describe verb verbs\n" + files +
            "    return\nfi\nif [[ $words[2] == (" + joined(names, "|") +
            ") ]]; then\n    shift words\n    ((CURRENT--))\nfi\ncase $words[1] in\n" + cases +
-           verb_case(program, "*") + "esac\n";
+           zsh_verb_case(program, "*") + "esac\n";
 }
 
 }  // namespace vantage

@@ -20,7 +20,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using package::PairRecord;
 
-constexpr int long_side = 400;       ///< texels of the depth
+constexpr int depth_side = 400;      ///< texels of the depth
 constexpr int reach = 3;             ///< texels around a cell's center that are on one surface
 constexpr double depth_step = 0.02;  ///< relative depth difference on one surface
 constexpr double max_stretch = 5;    ///< of the second photo's pixels in the first
@@ -65,7 +65,7 @@ class Surface {
   public:
     Surface(const RegistrationInput& in, std::uint32_t photo) : pose_(cam_from_origin(in.photos[photo])) {
         const package::PhotoRecord& r = in.photos[photo];
-        const int level = coarse_level(r, long_side);
+        const int level = coarse_level(r, depth_side);
         const Level size = level_size(int(r.width), int(r.height), level);
         k_ = intrinsics(r).at_level(level);
         width_ = size.width, height_ = size.height;

@@ -19,7 +19,7 @@ using package::PairRecord;
 
 constexpr double explained = 0.5;       ///< share of the displacement that must be left at most
 constexpr double noticed_common = 1;    ///< px
-constexpr int long_side = 384;          ///< texels at which poses are judged
+constexpr int judged_side = 384;        ///< texels at which poses are judged
 constexpr std::size_t max_judged = 12;  ///< photos
 
 /// The pairs of which no photo is among `photos`.
@@ -138,7 +138,7 @@ class PoseChoice {
         : out_(out),
           judge_(in.judge && !out.decision.forced),
           rounds_(in),
-          folds_({in.package, in.photos, in.samples, in.discs, in.border_width, in.threads, long_side,
+          folds_({in.package, in.photos, in.samples, in.discs, in.border_width, in.threads, judged_side,
                   max_judged}),
           gains_(colors_without(folds_, lenses_of(in.photos), false).gains) {}
 

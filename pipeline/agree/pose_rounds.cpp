@@ -15,7 +15,7 @@ constexpr int coarse = 800, fine = 1600;  ///< px on the photos' longer side
 /// Weight of the anchor, in observations: small against thousands of corners, but above 1, because errors in
 /// the mesh make those of the corners correlated.
 constexpr double anchor = 5;
-constexpr double converged = 0.05;  ///< px
+constexpr double converged_motion = 0.05;  ///< px
 constexpr int attempts = 3;
 
 enum class Subset { fitting, holdout };
@@ -97,7 +97,7 @@ std::vector<PoseChange> PoseRounds::solve(const std::vector<FittedCamera>& camer
         const Matching m = match(before, pairs, long_side);
         if (!fit_poses(cameras, subset(m.tracks, Subset::fitting), anchor, sigma, change).usable) break;
         if (long_side == fine &&
-            median_motion(intrinsics_, before, poses_of(cameras, change), m.tracks) < converged)
+            median_motion(intrinsics_, before, poses_of(cameras, change), m.tracks) < converged_motion)
             break;
     }
     return change;

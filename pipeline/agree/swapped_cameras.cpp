@@ -12,7 +12,7 @@ namespace {
 
 using package::PairRecord;
 
-constexpr int long_side = 800, corners = 300;
+constexpr int matched_side = 800, corners_of_neighbor = 300;
 /// Shares of the longer side: a pair that is displaced farther is suspect, and a match that is displaced
 /// farther does not fit. The first tells cameras from their neighbors, the second allows for inexact ones.
 constexpr double near = 0.003, far_away = 0.01;
@@ -55,7 +55,7 @@ class CameraFits {
         : in_(in),
           near_(photo_pairs(in.photos, in.samples, in.discs, 8)),
           views_(cached_views, [&in](auto photo) {
-              return read_match_view(in.package, in.photos[photo], photo, long_side);
+              return read_match_view(in.package, in.photos[photo], photo, matched_side);
           }) {}
 
     /// The best fit over a few neighbors of the camera: the share of their corners that match the photo's
@@ -79,7 +79,7 @@ class CameraFits {
         const auto from = views_.get(neighbor);
         MatchView other = *views_.get(camera);
         other.gray = views_.get(pixels)->gray;
-        SurfaceChart chart(*from, from->pose, neighbor, corners);
+        SurfaceChart chart(*from, from->pose, neighbor, corners_of_neighbor);
         const std::size_t compared = chart.match(other, other.pose, camera);
         Eigen::Array2d found = Eigen::Array2d::Zero();
         for (const Track& t : chart.tracks())

@@ -30,7 +30,7 @@ constexpr double pose_prior = 0.5, lens_prior = 1e-3;  ///< 1/px^2
 constexpr double weak = 0.03;   ///< prior of the common motion, relative to its best known unknown
 constexpr int max_groups = 12;  ///< of photos left out by the jackknife
 constexpr int iterations = 15;
-constexpr double converged = 1e-4;  ///< px
+constexpr double converged_step = 1e-4;  ///< px
 
 /// What is fitted.
 struct Model {
@@ -60,7 +60,7 @@ class SystematicFit {
             const VectorXd step = newton_step(model, used, x);
             if (!step.allFinite()) break;
             x += step;
-            if (step.norm() < converged) break;
+            if (step.norm() < converged_step) break;
         }
         return x;
     }

@@ -33,7 +33,7 @@ constexpr double far_off = 0.005, misfit = 0.005;
 constexpr std::size_t enough = 60;
 constexpr double some_agreement = 0.15;
 /// Agreement relative to as read, and to every other convention.
-constexpr double clearly = 2;
+constexpr double clear_ratio = 2;
 
 Similarity turn(const Eigen::Matrix3d& R) { return {R, Eigen::Vector3d::Zero(), 1}; }
 
@@ -151,7 +151,7 @@ bool is_enough(const ConventionTrial& t) { return t.defined >= enough && t.agree
 const ConventionTrial& best_of(std::span<const ConventionTrial> trials) {
     const ConventionTrial& best = *std::ranges::max_element(trials, {}, &ConventionTrial::agreement);
     const bool clear = std::ranges::all_of(trials, [&](const ConventionTrial& t) {
-        return &t == &best || best.agreement >= clearly * t.agreement;
+        return &t == &best || best.agreement >= clear_ratio * t.agreement;
     });
     return clear && is_enough(best) ? best : trials.front();
 }

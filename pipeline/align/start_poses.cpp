@@ -14,7 +14,7 @@ namespace vantage {
 namespace {
 
 using Eigen::Vector3d;
-using Points = std::vector<Vector3d>;
+using PointSet = std::vector<Vector3d>;
 
 constexpr std::size_t rotations = 600, used_points = 200;
 constexpr double scales[] = {0.5, 0.7, 1, 1.4, 2};  ///< times that of the sizes
@@ -36,7 +36,7 @@ struct Extent {
     Vector3d middle;
     double size;
 };
-Extent extent_of(const Points& points) {
+Extent extent_of(const PointSet& points) {
     Extent out;
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> values;
@@ -50,22 +50,22 @@ Extent extent_of(const Points& points) {
 }
 
 /// Every n-th, up to `count`.
-Points some_of(std::span<const Vector3d> all, std::size_t count) {
-    Points out;
+PointSet some_of(std::span<const Vector3d> all, std::size_t count) {
+    PointSet out;
     for (std::size_t i = 0; i < std::min(count, all.size()); ++i)
         out.push_back(all[i * all.size() / std::min(count, all.size())]);
     return out;
 }
 
 /// The middles of triangles, as many as their area calls for.
-Points on_surface(const Mesh& mesh, std::size_t count) {
+PointSet on_surface(const Mesh& mesh, std::size_t count) {
     std::vector<double> until;
     double area = 0;
     for (const auto& t : mesh.triangles) {
         const Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
         until.push_back(area += (b - a).cross(c - a).norm());
     }
-    Points out;
+    PointSet out;
     for (std::size_t i = 0; i < count && area > 0; ++i) {
         const auto at = std::ranges::lower_bound(until, area * (double(i) + 0.5) / double(count));
         const auto& t = mesh.triangles[std::size_t(std::min(at, until.end() - 1) - until.begin())];
@@ -77,7 +77,7 @@ Points on_surface(const Mesh& mesh, std::size_t count) {
 /// The nearest points of a surface, of the middles of cells in and around its box.
 class NearestGrid {
   public:
-    NearestGrid(const Points& mesh, const NearestSurface& surface, unsigned threads) {
+    NearestGrid(const PointSet& mesh, const NearestSurface& surface, unsigned threads) {
         Eigen::AlignedBox3d box;
         for (const Vector3d& p : mesh) box.extend(p);
         const Vector3d margin = Vector3d::Constant(0.25 * box.sizes().maxCoeff());
@@ -107,7 +107,7 @@ class NearestGrid {
     Vector3d low_;
     double cell_;
     Eigen::Array3i count_;
-    Points nearest_;
+    PointSet nearest_;
 };
 
 /// A start and how far its points are from the surface, in units of the points.
@@ -117,7 +117,7 @@ struct Start {
 };
 
 /// From `p` to `q`, in the least squares of rotation; the scale treats both alike (Horn 1987).
-Similarity fit(const Points& p, const Points& q, std::span<const std::size_t> which) {
+Similarity fit(const PointSet& p, const PointSet& q, std::span<const std::size_t> which) {
     Vector3d mp = Vector3d::Zero(), mq = Vector3d::Zero();
     for (const std::size_t i : which) mp += p[i] / double(which.size()), mq += q[i] / double(which.size());
     Eigen::Matrix3d both = Eigen::Matrix3d::Zero();
@@ -136,9 +136,9 @@ Similarity fit(const Points& p, const Points& q, std::span<const std::size_t> wh
 }
 
 /// Iterates closest points, of which the nearer share counts.
-void improve(Start& start, const Points& points, const NearestGrid& surface, int times) {
+void improve(Start& start, const PointSet& points, const NearestGrid& surface, int times) {
     const auto used = std::size_t(overlap * double(points.size()));
-    Points nearest(points.size());
+    PointSet nearest(points.size());
     std::vector<double> distance(points.size());
     std::vector<std::size_t> order(points.size());
     for (int n = 0; n <= times; ++n) {
@@ -161,7 +161,7 @@ void improve(Start& start, const Points& points, const NearestGrid& surface, int
     }
 }
 
-std::vector<Start> all_starts(const Points& points, const Points& mesh) {
+std::vector<Start> all_starts(const PointSet& points, const PointSet& mesh) {
     const Extent from = extent_of(points), to = extent_of(mesh);
     std::vector<Start> out;
     if (!(from.size > 0) || !(to.size > 0)) return out;
@@ -178,8 +178,8 @@ std::vector<Start> all_starts(const Points& points, const Points& mesh) {
 
 std::vector<Similarity> start_poses(std::span<const Vector3d> all, const Mesh& mesh,
                                     const NearestSurface& surface, std::size_t count, unsigned threads) {
-    const Points points = some_of(all, used_points);
-    const Points on_mesh = on_surface(mesh, 2000);
+    const PointSet points = some_of(all, used_points);
+    const PointSet on_mesh = on_surface(mesh, 2000);
     std::vector<Start> starts = all_starts(points, on_mesh);
     if (starts.empty()) return {};
     const NearestGrid grid(on_mesh, surface, threads);

@@ -78,7 +78,7 @@ void add_shape(const ShapeFacts& shape, const std::vector<std::filesystem::path>
     out.add(label, "{}", has);
 }
 
-const char* name(CameraSet::Unit unit) {
+const char* plural_name(CameraSet::Unit unit) {
     switch (unit) {
         case CameraSet::Unit::photo_width:
             return "photo widths";
@@ -100,7 +100,7 @@ std::string in_words(const LensFacts& lens) {
     std::string out = counted(lens.cameras, "camera");
     if (lens.width > 0) out += fmt::format(" of {}x{}", lens.width, lens.height);
     if (lens.calibrations == 0) return out + ": no usable calibration";
-    out += ": focal length " + in_words(lens.focal_x, lens.focal_y, 6, name(lens.unit));
+    out += ": focal length " + in_words(lens.focal_x, lens.focal_y, 6, plural_name(lens.unit));
     if (!lens.view_x.empty()) out += "; field of view " + in_words(lens.view_x, lens.view_y, 3, "degrees");
     if (lens.cameras > 1)
         out += lens.calibrations == 1              ? "; one calibration"

@@ -115,7 +115,7 @@ bool is_written_last(const DirectoryEntry& e) {
            type == Type::pairs || type == Type::registration_without || type == Type::surroundings;
 }
 
-void copy_scene(const PackageReader& from, PackageWriter& writer) {
+void copy_merged_scene(const PackageReader& from, PackageWriter& writer) {
     for (const DirectoryEntry& e : from.directory()) {
         if (e.photo != package::scene_wide || is_written_last(e)) continue;
         if (!from.sound(e))
@@ -157,7 +157,7 @@ PhotoTables copy_parts(std::span<const PackageReader> parts, const fs::path& out
     if (writer.resumed()) holders.push_back(std::make_unique<EarlierPackage>(part_of(out), true));
     for (const PackageReader& part : parts)
         holders.push_back(std::make_unique<EarlierPackage>(part.path(), false));
-    copy_scene(first, writer);
+    copy_merged_scene(first, writer);
     for (std::uint32_t i = 0; i < planned.size(); ++i) {
         merge_photo(i, holders, writer, photos.records[i], photos.states[i]);
         if (progress) progress({"copy", photos.records[i].name, i + 1, planned.size()});

@@ -38,7 +38,7 @@ LayoutSizes sizes_of(const PackageReader& from, std::size_t meta_bytes, bool coo
 /// Chunks that depend on all photos come behind the planned ones.
 bool is_appended(Type type) { return type == Type::surroundings || type == Type::registration_without; }
 
-void copy_scene(const PackageReader& from, PackageWriter& to) {
+void copy_repacked_scene(const PackageReader& from, PackageWriter& to) {
     for (const DirectoryEntry& e : from.directory()) {
         const Type type{e.type};
         const bool rewritten = type == Type::meta || type == Type::scene || type == Type::states;
@@ -111,7 +111,7 @@ void repack(const std::filesystem::path& file, bool compact, const std::filesyst
         has_coordinates(from) && stores_coordinates(scene, scene_settings_in(meta).vertex_coordinates);
     PackageWriter to(out, plan_chunks(scene, sizes_of(from, meta.size(), coordinates), photos),
                      names_checksum(photos));
-    copy_scene(from, to);
+    copy_repacked_scene(from, to);
     std::mutex mutex;
     std::size_t done = 0;
     for_each_photo(photos.size(), threads, [&](std::size_t i) {

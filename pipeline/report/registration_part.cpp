@@ -16,7 +16,8 @@ using package::PairRecord;
 using package::PhotoRecord;
 
 constexpr std::size_t most_maps = 12;
-constexpr double cell = 22, arrow = 10;  ///< CSS px: side of a cell, length of a displacement of 1 px
+constexpr double cell_side = 22,
+                 arrow_length = 10;  ///< CSS px: side of a cell, length of a displacement of 1 px
 
 /// Arrows from where each part of a photo is expected in another to where it was found.
 std::string map(const PairRecord& p) {
@@ -25,9 +26,9 @@ std::string map(const PairRecord& p) {
         for (int column = 0; column < package::pair_columns; ++column) {
             const PairRecord::Cell& c = p.cells[row * package::pair_columns + column];
             if (c.matches == 0) continue;
-            const double x = (column + 0.5) * cell, y = (row + 0.5) * cell, right = c.moved[0] / 64.0,
-                         down = c.moved[1] / 64.0, far = std::hypot(right, down);
-            const double shown = arrow * std::min(1.0, 4 / std::max(far, 1e-9));
+            const double x = (column + 0.5) * cell_side, y = (row + 0.5) * cell_side,
+                         right = c.moved[0] / 64.0, down = c.moved[1] / 64.0, far = std::hypot(right, down);
+            const double shown = arrow_length * std::min(1.0, 4 / std::max(far, 1e-9));
             arrows += fmt::format(
                 "<circle cx={0:.0f} cy={1:.0f} r=1.5 /><path d=\"M{0:.0f} {1:.0f}l{2:.1f} {3:.1f}\" "
                 "stroke={4} />",
@@ -36,7 +37,7 @@ std::string map(const PairRecord& p) {
     return fmt::format(
         "<svg width={0:.0f} height={1:.0f} viewBox=\"0 0 {0:.0f} {1:.0f}\" style=\"border:1px solid "
         "#ddd\" stroke-width=2 fill=#666>{2}</svg>",
-        cell * package::pair_columns, cell * package::pair_rows, arrows);
+        cell_side * package::pair_columns, cell_side * package::pair_rows, arrows);
 }
 
 double shift(const PairRecord& p) { return std::hypot(double(p.shift[0]), double(p.shift[1])); }

@@ -11,12 +11,12 @@ namespace vantage {
 namespace {
 
 constexpr std::size_t most_planes = 3;
-constexpr int tries = 300;
-constexpr std::size_t most_compared = 5000;             ///< discs per try
-constexpr double least_share = 0.04, thickness = 0.01;  ///< of the mesh's extent
-constexpr float same_way = 0.9f;                        ///< cosine between normals
-constexpr double level = 0.966;                         ///< cosine between a floor's normal and down
-constexpr double least_floor = 0.004;                   ///< share of the discs
+constexpr int plane_tries = 300;
+constexpr std::size_t most_compared = 5000;                   ///< discs per try
+constexpr double least_plane_share = 0.04, thickness = 0.01;  ///< of the mesh's extent
+constexpr float same_way = 0.9f;                              ///< cosine between normals
+constexpr double level = 0.966;                               ///< cosine between a floor's normal and down
+constexpr double least_floor = 0.004;                         ///< share of the discs
 
 using Disc = SurfaceDisc;
 
@@ -58,7 +58,7 @@ const Disc& best_seed(const std::vector<const Disc*>& discs, double thick, std::
         sample.push_back(*discs[i]);
     const Disc* best = discs.front();
     std::ptrdiff_t most = 0;
-    for (int i = 0; i < tries; ++i) {
+    for (int i = 0; i < plane_tries; ++i) {
         const Disc* seed = discs[random() % discs.size()];
         const auto on =
             std::ranges::count_if(sample, [&](const Disc& d) { return lies_on(d, *seed, thick); });
@@ -70,7 +70,7 @@ const Disc& best_seed(const std::vector<const Disc*>& discs, double thick, std::
 std::vector<Plane> largest_planes(std::vector<const Disc*> left, double thick) {
     std::vector<Plane> planes;
     std::mt19937_64 random(1);
-    const double least = least_share * double(left.size());
+    const double least = least_plane_share * double(left.size());
     while (planes.size() < most_planes && double(left.size()) > least) {
         const Disc& seed = best_seed(left, thick, random);
         std::vector<const Disc*> on;

@@ -14,7 +14,7 @@
 namespace vantage {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A slowly varying random value in [-1, 1]: the mean of three sine waves.
 class Waves {

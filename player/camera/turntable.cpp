@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The horizontal direction, from the middle of the model, in which most cameras are.
 Eigen::Vector3d side_of_photos(const PackageReader& package, const Eigen::Vector3d& up) {

@@ -11,7 +11,7 @@ namespace {
 /// An explanation must account for this share of the error. For fine detail more is asked: smoothing takes
 /// half away from almost any error.
 constexpr double explained = 0.5, explained_as_detail = 0.75;
-constexpr int block = 4;              ///< px, of coarse differences
+constexpr int coarse_block = 4;       ///< px, of coarse differences
 constexpr double least_judged = 0.5;  ///< share of the colored pixels that the compared pictures show
 
 /// Mean differences of two pictures over blocks of 4x4 px and their neighbors: a low-pass filter with a
@@ -47,13 +47,14 @@ void smooth(CoarseDifference& d) {
 /// Over the pixels `where`.
 template <class Where>
 CoarseDifference coarse_difference(const Picture& a, const Picture& b, const Where& where) {
-    CoarseDifference d{(a.width + block - 1) / block, (a.height + block - 1) / block, {}};
+    CoarseDifference d{
+        (a.width + coarse_block - 1) / coarse_block, (a.height + coarse_block - 1) / coarse_block, {}};
     d.blocks.resize(std::size_t(d.columns) * std::size_t(d.rows));
     std::size_t i = 0;
     for (int y = 0; y < a.height; ++y)
         for (int x = 0; x < a.width; ++x, ++i) {
             if (!where(i)) continue;
-            auto& sums = d.blocks[std::size_t(y / block * d.columns + x / block)];
+            auto& sums = d.blocks[std::size_t(y / coarse_block * d.columns + x / coarse_block)];
             for (std::size_t c = 0; c < 3; ++c)
                 sums[c] += float(int(a.rgba[4 * i + c]) - int(b.rgba[4 * i + c]));
             ++sums[3];
@@ -136,8 +137,8 @@ Judge::Judge(const CauseEvidence& e) : e_(e), cells_{e.photo.width, e.photo.heig
 
 template <class Sum>
 void Judge::each_block(const Place& p, const Sum& sum) const {
-    for (int y = p.y / block; y < (p.y + p.height + block - 1) / block; ++y)
-        for (int x = p.x / block; x < (p.x + p.width + block - 1) / block; ++x)
+    for (int y = p.y / coarse_block; y < (p.y + p.height + coarse_block - 1) / coarse_block; ++y)
+        for (int x = p.x / coarse_block; x < (p.x + p.width + coarse_block - 1) / coarse_block; ++x)
             sum(std::size_t(y * off_.columns + x));
 }
 

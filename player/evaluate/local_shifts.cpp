@@ -8,8 +8,8 @@ namespace {
 
 using Line = Eigen::Map<const Eigen::ArrayXf>;
 
-constexpr int block = cell_margin;  // px: cells and margins are whole blocks
-static_assert(cell_size == 2 * block);
+constexpr int shift_block = cell_margin;  // px: cells and margins are whole blocks
+static_assert(cell_size == 2 * shift_block);
 
 /// The plane with `most_shift` more pixels on all sides, equal to the nearest of the edge.
 Plane extended(const Plane& p) {
@@ -23,26 +23,27 @@ Plane extended(const Plane& p) {
 
 /// Squared differences at one shift, summed over each block: the frame's blocks, row by row.
 Plane block_sums(const Plane& photo, const Plane& wide, const Plane& mask, PixelShift s) {
-    Plane out((photo.width + block - 1) / block, (photo.height + block - 1) / block);
-    Eigen::ArrayXf columns(out.width * block);
+    Plane out((photo.width + shift_block - 1) / shift_block, (photo.height + shift_block - 1) / shift_block);
+    Eigen::ArrayXf columns(out.width * shift_block);
     for (int b = 0; b < out.height; ++b) {
         columns.setZero();
-        for (int y = b * block; y < std::min(photo.height, (b + 1) * block); ++y)
+        for (int y = b * shift_block; y < std::min(photo.height, (b + 1) * shift_block); ++y)
             columns.head(photo.width) +=
                 Line(mask.row(y), photo.width) *
                 (Line(photo.row(y), photo.width) -
                  Line(wide.row(y + most_shift + s.y) + most_shift + s.x, photo.width))
                     .square();
         Eigen::Map<Eigen::ArrayXf>(out.row(b), out.width) =
-            columns.reshaped(block, out.width).colwise().sum().transpose();
+            columns.reshaped(shift_block, out.width).colwise().sum().transpose();
     }
     return out;
 }
 
 float sum_over(const Plane& blocks, Place p) {
     float sum = 0;
-    for (int y = p.y / block; y < (p.y + p.height + block - 1) / block; ++y)
-        for (int x = p.x / block; x < (p.x + p.width + block - 1) / block; ++x) sum += blocks.row(y)[x];
+    for (int y = p.y / shift_block; y < (p.y + p.height + shift_block - 1) / shift_block; ++y)
+        for (int x = p.x / shift_block; x < (p.x + p.width + shift_block - 1) / shift_block; ++x)
+            sum += blocks.row(y)[x];
     return sum;
 }
 

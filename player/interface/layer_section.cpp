@@ -17,7 +17,7 @@
 namespace vantage {
 namespace {
 
-float bar_height() { return ImGui::GetFontSize(); }
+float legend_height() { return ImGui::GetFontSize(); }
 float histogram_height() { return 3 * ImGui::GetFontSize(); }
 
 /// The value under the pointer, from the triangles that the last frames showed.
@@ -51,7 +51,7 @@ void legend(const ValueLayer& layer, const LayerSettings& s, std::optional<doubl
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float width = ImGui::GetContentRegionAvail().x;
-    const float top = low.y + histogram_height(), bottom = top + bar_height();
+    const float top = low.y + histogram_height(), bottom = top + legend_height();
     const float most = std::max(1.0f, *std::ranges::max_element(layer.counts));
     const double bin = (layer.high - layer.low) / double(layer.counts.size());
     list.PushClipRect(low, ImVec2(low.x + width, bottom), true);
@@ -78,7 +78,7 @@ void legend(const ValueLayer& layer, const LayerSettings& s, std::optional<doubl
         list.AddLine(ImVec2(x, low.y), ImVec2(x, bottom), IM_COL32(255, 255, 255, 255), 2);
     }
     list.PopClipRect();
-    ImGui::Dummy(ImVec2(width, histogram_height() + bar_height()));
+    ImGui::Dummy(ImVec2(width, histogram_height() + legend_height()));
     char text[32];
     std::snprintf(text, sizeof text, "%.5g", range.low);
     ImGui::TextUnformatted(text);

@@ -14,7 +14,7 @@
 namespace vantage {
 namespace {
 
-constexpr double most_pixels = 30000;  // a side: about a gigapixel
+constexpr double longest_side = 30000;  // a side: about a gigapixel
 
 /// 1, 2 or 5 times a power of ten, such that a side has 2000 to 5000 pixels.
 double fitting_pixel(double longer_side) {
@@ -54,7 +54,7 @@ void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {
     ImGui::InputDouble(shown_name("Size of a pixel").c_str(), &o.pixel, 0, 0, "%.6g");
     c.note("Size of a pixel");
     c.explain("In the model's unit.");
-    const double least = std::max(size.maxCoeff() / most_pixels, 1e-12);
+    const double least = std::max(size.maxCoeff() / longest_side, 1e-12);
     o.pixel = std::isfinite(o.pixel) ? std::clamp(o.pixel, least, std::max(least, size.maxCoeff())) : least;
     const Eigen::Vector2d pixels = (size / o.pixel).array().ceil().max(1);
     ImGui::Text(tr("%.0f x %.0f pixels"), pixels.x(), pixels.y());

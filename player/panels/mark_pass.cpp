@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-gl::VertexArray make_vertices() {
+gl::VertexArray mark_vertices() {
     gl::VertexArray out = gl::make_vertex_array("marks");
     const GLuint id = out.id();
     const auto enable = [&](int attribute) {
@@ -50,7 +50,7 @@ void set_view(const EyePicture& eye, const Eigen::Matrix4f& clip) {
 MarkPass::MarkPass()
     : program_(
           gl::make_program("marks", {{GL_VERTEX_SHADER, "mark.vert"}, {GL_FRAGMENT_SHADER, "mark.frag"}})),
-      vertices_(make_vertices()) {}
+      vertices_(mark_vertices()) {}
 
 void MarkPass::upload(const Marks& marks) {
     const std::span bytes = std::as_bytes(std::span(marks.marks));

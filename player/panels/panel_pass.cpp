@@ -45,7 +45,7 @@ gl::Texture upload_letters(const DistanceField& font) {
     return out;
 }
 
-gl::VertexArray make_vertices() {
+gl::VertexArray panel_vertices() {
     gl::VertexArray out = gl::make_vertex_array("panel");
     const GLuint id = out.id();
     glVertexArrayAttribFormat(id, shader::position_attribute, 2, GL_FLOAT, GL_FALSE,
@@ -100,7 +100,7 @@ PanelPass::PanelPass(const DistanceField& font)
       spread_(font.spread),
       program_(
           gl::make_program("panel", {{GL_VERTEX_SHADER, "panel.vert"}, {GL_FRAGMENT_SHADER, "panel.frag"}})),
-      vertices_(make_vertices()) {}
+      vertices_(panel_vertices()) {}
 
 void PanelPass::draw(const PanelDrawing& drawing, const Panel& panel, const EyePicture& eye) {
     const Eigen::Matrix4f clip = (clip_from_origin(eye) * origin_from_panel(panel)).cast<float>();

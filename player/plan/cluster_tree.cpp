@@ -7,11 +7,11 @@
 #include "player/plan/frustum.h"
 
 namespace vantage {
+Eigen::Vector3d center(const package::ClusterRecord& c) { return {c.center[0], c.center[1], c.center[2]}; }
+
 namespace {
 
 constexpr std::uint32_t leaf_clusters = 8;
-
-Eigen::Vector3d center(const package::ClusterRecord& c) { return {c.center[0], c.center[1], c.center[2]}; }
 
 std::uint32_t add_node(ClusterTree& tree, std::span<const package::ClusterRecord> clusters,
                        std::uint32_t first, std::uint32_t count) {

@@ -10,6 +10,9 @@
 
 namespace vantage {
 
+/// Relative to the origin of the scene.
+Eigen::Vector3d center(const package::ClusterRecord& cluster);
+
 /// A tree of boxes over runs of consecutive clusters, halved down to at most 8; parents precede their
 /// children.
 struct ClusterTree {

@@ -108,8 +108,6 @@ bool sees(const PlanScene& scene, std::uint32_t photo, std::uint32_t t) {
     return scene.visible[photo][package::visible_words(scene.triangles) + t / 64] >> (t % 64) & 1;
 }
 
-Eigen::Vector3d center(const package::ClusterRecord& c) { return {c.center[0], c.center[1], c.center[2]}; }
-
 double ray_angle(const Eigen::Vector3d& point, const Eigen::Vector3d& eye, const Eigen::Vector3d& photo) {
     const Eigen::Vector3d a = eye - point, b = photo - point;
     return std::atan2(a.cross(b).norm(), a.dot(b));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "player/camera/view.h"
+#include "player/plan/cluster_tree.h"
 #include "player/plan/plan_scene.h"
 #include "player/plan/shown_tiles.h"
 
@@ -40,7 +41,6 @@ double agreement(const VisibleSurface& surface, std::uint32_t photo);
 /// The photo sees a triangle at least in part.
 bool sees(const PlanScene& scene, std::uint32_t photo, std::uint32_t triangle);
 
-Eigen::Vector3d center(const package::ClusterRecord& cluster);
 /// Angle between the rays from a point to the viewer and to a photo, radians.
 double ray_angle(const Eigen::Vector3d& point, const Eigen::Vector3d& eye, const Eigen::Vector3d& photo);
 

@@ -21,17 +21,17 @@ using Eigen::Vector3d;
 
 constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
-struct Row {
+struct MeasureRow {
     const char* name;
     std::size_t fewest, most;
 };
-constexpr std::array<Row, std::size_t(Measure::count)> rows{{{"point", 1, 1},
-                                                             {"distance", 2, 2},
-                                                             {"polyline", 2, any_number},
-                                                             {"area", 3, any_number},
-                                                             {"angle", 3, 3},
-                                                             {"height", 2, 2}}};
-const Row& row_of(Measure m) { return rows[std::size_t(m)]; }
+constexpr std::array<MeasureRow, std::size_t(Measure::count)> measure_rows{{{"point", 1, 1},
+                                                                            {"distance", 2, 2},
+                                                                            {"polyline", 2, any_number},
+                                                                            {"area", 3, any_number},
+                                                                            {"angle", 3, 3},
+                                                                            {"height", 2, 2}}};
+const MeasureRow& row_of(Measure m) { return measure_rows[std::size_t(m)]; }
 
 /// Units of lengths and areas, as they are shown.
 struct Named {
@@ -210,9 +210,10 @@ bool is_finite(const Measured& m) {
 const char* name_of(Measure measure) { return row_of(measure).name; }
 
 std::optional<Measure> measure_named(std::string_view name) {
-    const auto at = std::ranges::find(rows, name, [](const Row& r) { return std::string_view(r.name); });
-    if (at == rows.end()) return {};
-    return Measure(at - rows.begin());
+    const auto at =
+        std::ranges::find(measure_rows, name, [](const MeasureRow& r) { return std::string_view(r.name); });
+    if (at == measure_rows.end()) return {};
+    return Measure(at - measure_rows.begin());
 }
 
 std::size_t fewest_points(Measure measure) { return row_of(measure).fewest; }

@@ -7,14 +7,14 @@
 namespace vantage {
 namespace {
 
-struct Row {
+struct UnitRow {
     const char* name;
     double meters;
 };
-constexpr std::array<Row, std::size_t(Unit::count)> rows{
+constexpr std::array<UnitRow, std::size_t(Unit::count)> unit_rows{
     {{"units", 1}, {"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"ft", 0.3048}, {"in", 0.0254}}};
 
-const Row& row_of(Unit unit) { return rows[std::size_t(unit)]; }
+const UnitRow& row_of(Unit unit) { return unit_rows[std::size_t(unit)]; }
 
 }  // namespace
 
@@ -23,9 +23,10 @@ const char* name_of(Unit unit) { return row_of(unit).name; }
 double meters_in(Unit unit) { return row_of(unit).meters; }
 
 std::optional<Unit> unit_named(std::string_view name) {
-    const auto at = std::ranges::find(rows, name, [](const Row& r) { return std::string_view(r.name); });
-    if (at == rows.end()) return {};
-    return Unit(at - rows.begin());
+    const auto at =
+        std::ranges::find(unit_rows, name, [](const UnitRow& r) { return std::string_view(r.name); });
+    if (at == unit_rows.end()) return {};
+    return Unit(at - unit_rows.begin());
 }
 
 Unit shown_unit(const Scale& s) {

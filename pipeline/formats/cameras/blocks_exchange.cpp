@@ -81,7 +81,7 @@ Camera read_group(const XmlFile& file, pugi::xml_node group) {
 }
 
 /// World to the camera's axes. Metadata beside it has the pose of the navigation device.
-Eigen::Matrix3d rotation_of(const XmlFile& file, pugi::xml_node rotation) {
+Eigen::Matrix3d blocks_rotation(const XmlFile& file, pugi::xml_node rotation) {
     Eigen::Matrix3d R;
     if (!rotation.child("M_00"))
         file.fail(rotation, "a matrix, M_00 to M_22", "angles: export the matrix instead");
@@ -113,7 +113,7 @@ void read_photos(const XmlFile& file, pugi::xml_node group, CameraSet& set, Left
             left_out.add(name, "no pose");
             continue;
         }
-        const Eigen::Matrix3d R = axes * rotation_of(file, rotation);
+        const Eigen::Matrix3d R = axes * blocks_rotation(file, rotation);
         const Eigen::Vector3d c(file.number(center, "x"), file.number(center, "y"), file.number(center, "z"));
         set.entries.push_back({name, camera, CameraSet::Unit::pixels});
         set.entries.back().camera.cam_from_world = {R, -R * c};

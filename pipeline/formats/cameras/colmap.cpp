@@ -13,7 +13,7 @@ namespace {
 
 /// A camera model of COLMAP. Elements of `focal_center` and `distortion` are indices into COLMAP's
 /// parameters.
-struct Model {
+struct ColmapModel {
     const char* name;
     std::size_t parameters;
     std::array<int, 4> focal_center;  ///< fx fy cx cy
@@ -21,7 +21,7 @@ struct Model {
     std::vector<int> distortion{};  ///< as Lens::p; what is beyond the end is 0
 };
 /// In the order of COLMAP's model IDs.
-const Model models[] = {
+const ColmapModel colmap_models[] = {
     {"SIMPLE_PINHOLE", 3, {0, 0, 1, 2}, LensModel::none},
     {"PINHOLE", 4, {0, 1, 2, 3}, LensModel::none},
     {"SIMPLE_RADIAL", 4, {0, 0, 1, 2}, LensModel::opencv, {3}},
@@ -45,7 +45,7 @@ const Model models[] = {
     {"EUCM", 6, {0, 1, 2, 3}, LensModel::unified, {4, 5}},
 };
 
-Camera camera_of(const Model& m, int width, int height, const std::vector<double>& p) {
+Camera camera_of(const ColmapModel& m, int width, int height, const std::vector<double>& p) {
     const auto at = [&](int i) { return p[std::size_t(i)]; };
     Camera c;
     c.intrinsics = {width,
@@ -119,8 +119,8 @@ std::map<std::uint32_t, Camera> text_cameras(const std::filesystem::path& file) 
         if (in.at_end()) return cameras;
         const auto id = in.number<std::uint32_t>("a camera ID");
         const std::string wanted(in.word("a camera model"));
-        const Model* model = nullptr;
-        for (const Model& m : models)
+        const ColmapModel* model = nullptr;
+        for (const ColmapModel& m : colmap_models)
             if (wanted == m.name) model = &m;
         if (!model) in.fail("a COLMAP camera model", "'" + wanted + "'");
         const int width = in.number<int>("a width"), height = in.number<int>("a height");
@@ -137,16 +137,16 @@ std::map<std::uint32_t, Camera> binary_cameras(const std::filesystem::path& file
     for (std::uint64_t n = in.count(24); n > 0; --n) {
         const auto id = in.read<std::uint32_t>();
         const auto model = in.read<std::int32_t>();
-        if (model < 0 || std::size_t(model) >= std::size(models))
+        if (model < 0 || std::size_t(model) >= std::size(colmap_models))
             throw Error(Exit::input, file.string() + ": camera model " + std::to_string(model) +
                                          " is not known, or no perspective one");
         const auto width = in.read<std::uint64_t>(), height = in.read<std::uint64_t>();
         if (width > 1u << 20 || height > 1u << 20)
             throw Error(Exit::input,
                         file.string() + ": camera " + std::to_string(id) + " has an invalid size");
-        std::vector<double> p(models[model].parameters);
+        std::vector<double> p(colmap_models[model].parameters);
         for (double& v : p) v = in.read<double>();
-        cameras[id] = camera_of(models[model], int(width), int(height), p);
+        cameras[id] = camera_of(colmap_models[model], int(width), int(height), p);
     }
     return cameras;
 }

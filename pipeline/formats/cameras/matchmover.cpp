@@ -14,7 +14,7 @@ namespace vantage {
 namespace {
 
 /// Angles in degrees: camera to world, with z backward, is Rz Ry Rx.
-Eigen::Matrix3d rotation_of(const XmlFile& file, pugi::xml_node frame) {
+Eigen::Matrix3d matchmover_rotation(const XmlFile& file, pugi::xml_node frame) {
     const pugi::xml_node r = frame.child("R");
     const auto turn = [&](const char* name, const Eigen::Vector3d& axis) {
         return Eigen::AngleAxisd(file.attribute(r, name, 0) * std::numbers::pi / 180, axis);
@@ -41,7 +41,7 @@ Camera read_frame(const XmlFile& file, pugi::xml_node shot, pugi::xml_node frame
     const pugi::xml_node t = frame.child("T");
     const Eigen::Vector3d center(file.attribute(t, "x", 0), file.attribute(t, "y", 0),
                                  file.attribute(t, "z", 0));
-    c.cam_from_world = from_camera_to_world(backward(rotation_of(file, frame)), center);
+    c.cam_from_world = from_camera_to_world(backward(matchmover_rotation(file, frame)), center);
     return c;
 }
 

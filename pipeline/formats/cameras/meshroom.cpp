@@ -79,7 +79,7 @@ Camera read_intrinsic(const LocatedJson& i, const Version& version) {
 }
 
 /// The rotation, world to camera, is stored by columns.
-Pose read_pose(const LocatedJson& pose) {
+Pose meshroom_pose(const LocatedJson& pose) {
     const LocatedJson transform = pose.at("pose").at("transform");
     const std::vector<double> r = numerals(transform.at("rotation"), 9),
                               c = numerals(transform.at("center"), 3);
@@ -102,7 +102,7 @@ CameraSet read_meshroom(const std::filesystem::path& file) {
     std::map<std::string, Pose> poses;
     if (root.has("poses"))
         for (const LocatedJson& p : root.at("poses").items(most_cameras))
-            poses[identifier(p.at("poseId"))] = read_pose(p);
+            poses[identifier(p.at("poseId"))] = meshroom_pose(p);
     CameraSet set{"Meshroom", {}, {}};
     LeftOut left_out;
     for (const LocatedJson& view : root.at("views").items(most_cameras)) {

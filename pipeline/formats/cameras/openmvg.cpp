@@ -11,17 +11,17 @@ namespace vantage {
 namespace {
 
 /// A type of camera: its coefficients' key, and how many there are.
-struct Model {
+struct OpenmvgModel {
     const char *name, *key;
     std::size_t count;
 };
-constexpr Model models[] = {{"pinhole", nullptr, 0},
-                            {"pinhole_radial_k1", "disto_k1", 1},
-                            {"pinhole_radial_k3", "disto_k3", 3},
-                            {"pinhole_brown_t2", "disto_t2", 5},
-                            {"fisheye", "fisheye", 4}};
+constexpr OpenmvgModel openmvg_models[] = {{"pinhole", nullptr, 0},
+                                           {"pinhole_radial_k1", "disto_k1", 1},
+                                           {"pinhole_radial_k3", "disto_k3", 3},
+                                           {"pinhole_brown_t2", "disto_t2", 5},
+                                           {"fisheye", "fisheye", 4}};
 
-Lens lens_of(const Model& m, const LocatedJson& data) {
+Lens lens_of(const OpenmvgModel& m, const LocatedJson& data) {
     if (m.count == 0) return {};
     const std::vector<double> c = numerals(data.at(m.key), m.count);
     if (m.count == 4) return {LensModel::fisheye, {c[0], c[1], c[2], c[3]}};
@@ -46,8 +46,9 @@ class TypeNames {
 
 Camera read_intrinsic(const LocatedJson& value, TypeNames& names) {
     const std::string name = names.of(value);
-    const auto model = std::ranges::find(models, name, [](const Model& m) { return std::string(m.name); });
-    if (model == std::end(models))
+    const auto model =
+        std::ranges::find(openmvg_models, name, [](const OpenmvgModel& m) { return std::string(m.name); });
+    if (model == std::end(openmvg_models))
         value.at("polymorphic_id").fail("a perspective or fisheye camera, not '" + name + "'");
     const LocatedJson data = value.at("ptr_wrapper").at("data");
     const LocatedJson pinhole = data.has("value0") ? data.at("value0") : data;
@@ -65,7 +66,7 @@ Camera read_intrinsic(const LocatedJson& value, TypeNames& names) {
     return c;
 }
 
-Pose read_pose(const LocatedJson& value) {
+Pose openmvg_pose(const LocatedJson& value) {
     Pose pose;
     const std::vector<LocatedJson> rows = value.at("rotation").items(3);
     if (rows.size() != 3) value.at("rotation").fail("3 rows");
@@ -88,7 +89,7 @@ CameraSet read_openmvg(const std::filesystem::path& file) {
     for (const LocatedJson& i : root.at("intrinsics").items(most_cameras))
         cameras[identifier(i.at("key"))] = read_intrinsic(i.at("value"), names);
     for (const LocatedJson& e : root.at("extrinsics").items(most_cameras))
-        poses[identifier(e.at("key"))] = read_pose(e.at("value"));
+        poses[identifier(e.at("key"))] = openmvg_pose(e.at("value"));
     CameraSet set{"OpenMVG", {}, {}};
     LeftOut left_out;
     for (const LocatedJson& v : root.at("views").items(most_cameras)) {

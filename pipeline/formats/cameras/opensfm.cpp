@@ -36,7 +36,7 @@ Camera read_camera(const LocatedJson& c) {
     return out;
 }
 
-Pose read_pose(const LocatedJson& shot) {
+Pose opensfm_pose(const LocatedJson& shot) {
     const Eigen::Vector3d axis = shot.at("rotation").vector();
     const double angle = axis.norm();
     Pose pose{Eigen::Matrix3d::Identity(), shot.at("translation").vector()};
@@ -67,7 +67,7 @@ CameraSet read_opensfm(const std::filesystem::path& file) {
         const auto camera = cameras.find(shot.at("camera").text(1000));
         if (camera == cameras.end()) shot.at("camera").fail("a camera of this file");
         set.entries.push_back({photo, camera->second, CameraSet::Unit::pixels});
-        set.entries.back().camera.cam_from_world = read_pose(shot);
+        set.entries.back().camera.cam_from_world = opensfm_pose(shot);
     }
     if (set.entries.empty()) world.at("shots").fail("a shot");
     return set;

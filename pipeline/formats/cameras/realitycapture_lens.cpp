@@ -4,25 +4,25 @@
 namespace vantage {
 namespace {
 
-struct Model {
+struct RealityCaptureModel {
     const char* name;
     int radial;  ///< how many of k1 to k4 it has
     bool tangential;
 };
-constexpr Model models[] = {{"none", 0, false},   {"perspective", 0, false}, {"division", 1, false},
-                            {"brown3", 3, false}, {"brown3t2", 3, true},     {"brown4", 4, false},
-                            {"brown4t2", 4, true}};
+constexpr RealityCaptureModel lens_rows[] = {
+    {"none", 0, false},    {"perspective", 0, false}, {"division", 1, false}, {"brown3", 3, false},
+    {"brown3t2", 3, true}, {"brown4", 4, false},      {"brown4t2", 4, true}};
 
 }  // namespace
 
 std::string realitycapture_models() {
     std::string out;
-    for (const Model& m : models) out += (out.empty() ? "" : ", ") + std::string(m.name);
+    for (const RealityCaptureModel& m : lens_rows) out += (out.empty() ? "" : ", ") + std::string(m.name);
     return out;
 }
 
 std::optional<Lens> realitycapture_lens(std::string_view name, const std::array<double, 6>& c, double skew) {
-    for (const Model& m : models) {
+    for (const RealityCaptureModel& m : lens_rows) {
         if (name != m.name) continue;
         // x / (1 + k1 r^2), of the undistorted radius
         if (name == "division")

@@ -1,0 +1,14 @@
+#pragma once
+#include <span>
+#include <string_view>
+
+namespace vantage::gl {
+
+/// A file of shaders/, compiled into the program.
+struct EmbeddedShader {
+    std::string_view file, text;
+};
+/// All of them. The build writes the source (embed_shaders.cmake).
+std::span<const EmbeddedShader> embedded_shaders();
+
+}  // namespace vantage::gl
