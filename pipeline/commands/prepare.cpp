@@ -43,7 +43,7 @@ namespace {
 
 struct PrepareOptions {
     InputOptions input;
-    std::string out, distance = "auto", resampling = "cubic", render_by = "auto", config;
+    std::string out, distance = "auto", render_by = "auto", config;
     std::string progress = "auto", share, trace, report, refine = "full", tiles = "auto";
     std::vector<std::string> effects, conventions{convention_auto};
     PrepareSettings settings;
@@ -202,7 +202,6 @@ void print_explanation(const PrepareOptions& o, const SceneInput& scene, const T
 
 int run_prepare(PrepareOptions o) {
     o.settings.distance = distance_method(o.distance);
-    o.settings.resampling = resampling(o.resampling);
     o.settings.render_by = render_by(o.render_by);
     o.settings.convention = wanted_conventions(o.conventions);
     for (const EffectRow& row : effect_table())
@@ -316,9 +315,6 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--photo-size", o->settings.photo_size,
                   "reduce photos to this long side in px; 0 = full size")
         ->check(CLI::Range(0, 1 << 16))
-        ->capture_default_str();
-    c->add_option("--resampling", o->resampling, "filter for photos with lens distortion")
-        ->check(known_values({"nearest", "linear", "cubic", "lanczos"}))
         ->capture_default_str();
     c->add_option(
          "--tiles", o->tiles,

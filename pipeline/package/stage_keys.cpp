@@ -13,6 +13,9 @@ using package::Stage;
 /// Incremented whenever a change to the code changes the colors of photos that have a color profile.
 constexpr std::uint32_t color_conversion = 1;
 
+/// The value of bicubic interpolation in the keys of photos that are undistorted.
+constexpr int bicubic = 2;
+
 /// Compact chunks hold other bytes, and depth and colors that other stages read are rounded.
 Fingerprint start(const StageRow& row, const SceneKey& scene) {
     Fingerprint f;
@@ -27,8 +30,7 @@ std::uint64_t tiles_key(const SceneKey& scene, const PhotoInput& photo, std::uin
     f.add(file).add(photo.decoded.width).add(photo.decoded.height).add(k.width).add(k.height);
     if (photo.profile.converts) f.add(color_conversion);
     // The camera matters to the pixels only if they are resampled.
-    if (scene.undistortion && photo.camera.lens.distorts())
-        f.add(k).add(photo.camera.lens).add(scene.settings.resampling);
+    if (scene.undistortion && photo.camera.lens.distorts()) f.add(k).add(photo.camera.lens).add(bicubic);
     return f.value();
 }
 

@@ -8,9 +8,6 @@
 namespace vantage {
 namespace {
 
-/// Indexed by Resampling.
-constexpr int interpolations[] = {cv::INTER_NEAREST, cv::INTER_LINEAR, cv::INTER_CUBIC, cv::INTER_LANCZOS4};
-
 /// The pixel at which the lens images what a pinhole camera images at (u, v); NaN if the ray is beyond
 /// `range`, the lens's lens_range().
 Eigen::Vector2d distorted_pixel(const Camera& camera, double range, double u, double v) {
@@ -38,7 +35,7 @@ double largest_displacement(const Camera& camera) {
     return largest;
 }
 
-RgbaImage undistort(const RgbaImage& photo, const Camera& camera, Resampling resampling) {
+RgbaImage undistort(const RgbaImage& photo, const Camera& camera) {
     const double range = lens_range(camera.lens);
     cv::Mat map(photo.height, photo.width, CV_32FC2);
     for (int y = 0; y < photo.height; ++y)
@@ -52,7 +49,7 @@ RgbaImage undistort(const RgbaImage& photo, const Camera& camera, Resampling res
     RgbaImage out = blank_image(photo.width, photo.height);
     const cv::Mat from(photo.height, photo.width, CV_8UC4, const_cast<std::uint8_t*>(photo.rgba.data()));
     cv::Mat to(out.height, out.width, CV_8UC4, out.rgba.data());
-    cv::remap(from, to, map, {}, interpolations[int(resampling)], cv::BORDER_REPLICATE);
+    cv::remap(from, to, map, {}, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x) {
             const cv::Vec2f p = map.at<cv::Vec2f>(y, x);

@@ -1,5 +1,4 @@
 #pragma once
-#include "pipeline/settings/settings.h"
 #include "scene/camera.h"
 #include "values/rgba_image.h"
 
@@ -9,8 +8,8 @@ namespace vantage {
 /// photo. 0 for a camera without distortion; never NaN.
 double largest_displacement(const Camera& camera);
 
-/// Resamples the photo to the pinhole camera of the same intrinsics (OpenCV). Pixels whose ray is outside the
-/// photo get alpha 0.
-RgbaImage undistort(const RgbaImage& photo, const Camera& camera, Resampling resampling);
+/// Resamples the photo to the pinhole camera of the same intrinsics, by bicubic interpolation (OpenCV).
+/// Pixels whose ray is outside the photo get alpha 0.
+RgbaImage undistort(const RgbaImage& photo, const Camera& camera);
 
 }  // namespace vantage

@@ -58,7 +58,7 @@ Pixels decode_pixels(const PhotoJob& job, PhotoFile& file, package::PhotoRecord&
     if (!key.undistortion || !job.photo.camera.lens.distorts()) return {std::move(image), own};
     r.flags |= package::photo_undistorted;
     const Traced traced(job.context.trace, "undistort", job.photo.name);
-    return {undistort(image, job.photo.camera, key.settings.resampling), false};
+    return {undistort(image, job.photo.camera), false};
 }
 
 /// Writes thumbnail and tile pyramid. `jpeg`: the photo's file, if level 0 can be taken from it, else empty.

@@ -119,15 +119,6 @@ std::string explain_distance(const std::vector<Cost>& costs, const std::string& 
                        value("exact", "photo_ms"), off);
 }
 
-std::string explain_resampling(const std::vector<Cost>& costs, const std::string& wanted) {
-    std::string out;
-    for (const std::string& r : measured_values(costs, "resampling"))
-        out += fmt::format("{}{} {:.0f} ms per photo, {:.1f} dB against a photo without distortion",
-                           out.empty() ? "" : "; ", r == wanted ? "this: " : r,
-                           plain(costs, "resampling", r, "photo_ms"), plain(costs, "resampling", r, "psnr"));
-    return out.empty() ? "not measured" : out;
-}
-
 /// The measured value nearest in ratio.
 std::string nearest(const std::vector<Cost>& costs, const std::string& option, double value) {
     std::string best;
@@ -192,8 +183,6 @@ std::vector<std::string> explain(const PrepareSettings& s, const SceneInput& sce
     number("thumbnail", s.thumbnail, defaults.thumbnail);
     out.back() += "; PSNR of the first picture, rendered from thumbnails only";
     number("cluster-triangles", s.cluster_triangles, defaults.cluster_triangles);
-    if (effect_on(package.scene(), Effect::undistortion))
-        out.push_back(line("resampling", name(s.resampling), explain_resampling(costs, name(s.resampling))));
     const bool fragment = effect_on(package.scene(), Effect::per_fragment);
     out.push_back(line(
         "per-fragment", fragment ? "on" : "off",

@@ -10,7 +10,6 @@ namespace {
 /// Names in the order of the enumerators.
 constexpr std::array renderers{"auto", "opengl", "processor"};
 constexpr std::array methods{"auto", "exact", "jfa", "jfa+1", "1+jfa", "jfa^2"};
-constexpr std::array resamplings{"nearest", "linear", "cubic", "lanczos"};
 
 template <class Enum, std::size_t n>
 Enum parse(const std::array<const char*, n>& names, const std::string& wanted, const std::string& what) {
@@ -30,11 +29,6 @@ RenderBy render_by(const std::string& wanted) { return parse<RenderBy>(renderers
 const char* name(DistanceMethod method) { return methods[std::size_t(method)]; }
 DistanceMethod distance_method(const std::string& wanted) {
     return parse<DistanceMethod>(methods, wanted, "distance method");
-}
-
-const char* name(Resampling resampling) { return resamplings[std::size_t(resampling)]; }
-Resampling resampling(const std::string& wanted) {
-    return parse<Resampling>(resamplings, wanted, "resampling");
 }
 
 }  // namespace vantage

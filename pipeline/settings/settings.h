@@ -23,12 +23,6 @@ const char* name(DistanceMethod method);
 /// Throws Error(usage) for an unknown name.
 DistanceMethod distance_method(const std::string& name);
 
-/// How colors are interpolated between a photo's pixels.
-enum class Resampling { nearest, linear, cubic, lanczos };
-const char* name(Resampling resampling);
-/// Throws Error(usage) for an unknown name.
-Resampling resampling(const std::string& name);
-
 /// Settings of `vantage prepare`; most trade accuracy for time.
 struct PrepareSettings {
     DistanceMethod distance = DistanceMethod::automatic;
@@ -37,7 +31,6 @@ struct PrepareSettings {
     double border_threshold = 0.01;  ///< depth step that makes a border, relative to depth, per mask pixel
     int thumbnail = 512;             ///< longer side, in px
     int photo_size = 0;              ///< longer side to which photos are reduced, in px; 0: full size
-    Resampling resampling = Resampling::cubic;  ///< for undistortion
     unsigned cluster_triangles = 256;
     unsigned threads = 0;                     ///< also the number of photos in flight; 0: one per core
     std::uint64_t memory = 0;                 ///< bytes; limits the number of photos in flight; 0: no limit

@@ -15,7 +15,6 @@
 #include "pipeline/input/read_scene.h"
 #include "pipeline/pixels/undistort.h"
 #include "pipeline/prepare/prepare.h"
-#include "pipeline/settings/settings.h"
 #include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
@@ -160,7 +159,7 @@ TEST(Lenses, PhotoIsShownExactlyWithinTheFold) {
         Camera c;
         c.intrinsics = {240, 180, 60, 60, 120, 90};  // 127 degrees wide: beyond the strong folds
         c.lens = k.lens;
-        const RgbaImage out = undistort(chart(240, 180), c, Resampling::linear);
+        const RgbaImage out = undistort(chart(240, 180), c);
         int beyond = 0;
         for (int y = 0; y < 180; ++y)
             for (int x = 0; x < 240; ++x) {
@@ -186,7 +185,7 @@ TEST(Lenses, FisheyeWiderThan180DegreesShowsWhatIsInFront) {
     Camera c;
     c.intrinsics = {200, 200, 50, 50, 100, 100};  // 229 degrees on the sensor
     c.lens.model = LensModel::fisheye;
-    const RgbaImage out = undistort(chart(200, 200), c, Resampling::linear);
+    const RgbaImage out = undistort(chart(200, 200), c);
     const auto at = [&](int x, int y) { return &out.rgba[4 * (std::size_t(y) * 200 + std::size_t(x))]; };
     EXPECT_EQ(at(100, 100)[3], 255);
     // The fisheye images the frame's corner at this distance from the center.
@@ -203,7 +202,7 @@ TEST(Lenses, ExtremeParametersGiveFiniteValues) {
         c.intrinsics = {60, 40, 30, 30, 30, 20};
         c.lens.model = LensModel(1 + trial % int(last_lens_model));
         for (double& p : c.lens.p) p = std::pow(10, 3 * normal(random)) * (random() % 2 ? 1 : -1);
-        const RgbaImage out = undistort(chart(60, 40), c, Resampling::cubic);
+        const RgbaImage out = undistort(chart(60, 40), c);
         EXPECT_TRUE(std::isfinite(largest_displacement(c))) << trial;
         for (std::size_t i = 0; i < out.rgba.size(); i += 4)
             ASSERT_TRUE(out.rgba[i + 3] > 0 || (out.rgba[i] | out.rgba[i + 1] | out.rgba[i + 2]) == 0)

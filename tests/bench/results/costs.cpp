@@ -16,8 +16,6 @@ struct Value {
 };
 Value value_of(const Measurement& m, double most_pixels) {
     if (m.sweep == "border" && m.curve == "masks at 1/2") return {"distance", m.setting};
-    if (m.sweep == "undistortion" && !m.exact && m.curve == "as undistorted")
-        return {"resampling", m.setting};
     if (m.sweep == "preparing") return {m.curve, m.setting};
     if (m.sweep == "presets" && m.setting == "full exact")
         return {"per-fragment", m.curve == "coordinates per fragment" ? "on" : "off"};
