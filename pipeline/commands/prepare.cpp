@@ -23,14 +23,12 @@
 #include "pipeline/formats/import/number.h"
 #include "pipeline/input/input_paths.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/package/effect_costs.h"
 #include "pipeline/package/meta.h"
 #include "pipeline/package/stage_table.h"
 #include "pipeline/package/staleness.h"
 #include "pipeline/prepare/finish.h"
 #include "pipeline/prepare/resources.h"
 #include "pipeline/report/report.h"
-#include "pipeline/results/explain.h"
 #include "pipeline/run/trace.h"
 #include "pipeline/settings/config_files.h"
 #include "pipeline/settings/settings.h"
@@ -193,13 +191,6 @@ ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& setting
     return trials;
 }
 
-/// What effects are worth and cost here, and what settings cost elsewhere.
-void print_explanation(const PrepareOptions& o, const SceneInput& scene, const Trace& trace) {
-    const PackageReader package(o.out);
-    for (const std::string& l : table_of(effect_costs(package, trace.spans()))) fmt::print("{}\n", l);
-    for (const std::string& l : explain(o.settings, scene, package)) fmt::print("{}\n", l);
-}
-
 int run_prepare(PrepareOptions o) {
     o.settings.distance = distance_method(o.distance);
     o.settings.render_by = render_by(o.render_by);
@@ -226,8 +217,7 @@ int run_prepare(PrepareOptions o) {
     SceneInput scene = read_traced(files, trace);
     const ConventionTrials fit = settle_traced(scene, o.settings, trace);
     print_scene(scene, fit);
-    const PrepareResult done =
-        prepare_shown(o, o.explain ? scene : std::move(scene), identities, trace, start);
+    const PrepareResult done = prepare_shown(o, std::move(scene), identities, trace, start);
     if (!o.trace.empty()) write_trace(o.trace, trace.spans());
     const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (o.writes_report())
@@ -240,7 +230,6 @@ int run_prepare(PrepareOptions o) {
                s);
     fmt::print("memory   {:.0f} MB peak\n", double(memory_peak()) / 1e6);
     if (o.writes_report()) fmt::print("report   {}\n", o.report);
-    if (o.explain && o.share.empty()) print_explanation(o, scene, trace);
     return int(report_left_out(done.left_out));
 }
 
@@ -359,9 +348,7 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--hold-out", o->settings.hold_out, "photos to store as cameras only, without their pixels")
         ->type_name("PHOTO")
         ->delimiter(',');
-    c->add_flag(
-        "--explain", o->explain,
-        "print why each stage ran, and the cost and loss of each setting as measured by vantage-bench");
+    c->add_flag("--explain", o->explain, "print how often each stage ran, and why");
     c->add_flag("--strict", o->strict, "stop at the first unusable photo instead of leaving it out");
     c->add_flag("--rehash", o->rehash, "detect changed files by content, not by size and timestamps");
     c->add_option("--shard", o->share, "i/n: only every n-th photo, for 'vantage merge'")->type_name("I/N");

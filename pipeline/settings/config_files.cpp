@@ -19,11 +19,6 @@ std::optional<fs::path> in_configs(const std::string& name) {
 
 }  // namespace
 
-fs::path find_config_file(const std::string& name) {
-    if (const auto file = in_configs(name)) return *file;
-    throw Error(Exit::usage, "configs/" + name + ": not found");
-}
-
 fs::path find_preset(const std::string& name) {
     if (fs::is_regular_file(name)) return name;
     if (const auto preset = in_configs(name + ".toml")) return *preset;

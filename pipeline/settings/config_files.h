@@ -5,14 +5,11 @@
 
 namespace vantage {
 
-/// A file of configs/, either installed with the program (../share/vantage/configs) or in the source tree.
-/// Throws Error(usage) if neither has it.
-std::filesystem::path find_config_file(const std::string& name);
-
 /// The names of the presets in configs/.
 inline constexpr std::array presets{"preview", "default", "overnight", "ci"};
 
-/// The file `name` if it exists, else the preset configs/NAME.toml. Throws Error(usage) if neither exists.
+/// The file `name` if it exists, else the preset configs/NAME.toml, either installed with the program
+/// (../share/vantage/configs) or in the source tree. Throws Error(usage) if there is none.
 std::filesystem::path find_preset(const std::string& name);
 
 }  // namespace vantage

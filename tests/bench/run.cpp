@@ -19,7 +19,6 @@
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/page/page.h"
 #include "tests/bench/plots/gnuplot.h"
-#include "tests/bench/results/costs.h"
 #include "tests/bench/results/log.h"
 #include "tests/bench/results/tables.h"
 #include "tests/bench/sweeps/sweep.h"
@@ -123,7 +122,6 @@ int write_results(const RunOptions& o, const Run& now) {
     if (!o.against.empty()) before = read_json(o.against);
     write_csv(o.folder / "results.csv", now.measurements);
     write_json(o.folder / "results.json", now);
-    if (!o.costs.empty()) write_costs(o.costs, now.machine, now.measurements);
     write_page(o.folder, {"What accuracy costs", sweeps(), now, before});
     fmt::print("{}\n", (o.folder / "index.html").string());
     return int(Exit::ok);
@@ -143,7 +141,6 @@ void add_run_options(CLI::App& app, RunOptions& o) {
         ->capture_default_str();
     app.add_option("--against", o.against,
                    "results.json of an earlier run; the page shows what has changed since");
-    app.add_option("--costs", o.costs, "also write the costs file that 'vantage prepare --explain' reads");
     app.add_option("--redraw", o.redraw, "results.json of a run; write its page again without measuring");
     app.add_flag("--list", o.list, "list the sweeps and exit");
     app.footer(

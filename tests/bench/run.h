@@ -9,7 +9,7 @@ namespace vantage::bench {
 struct RunOptions {
     std::vector<std::string> inputs, only;
     std::string set = "short";
-    std::filesystem::path folder = "accuracy", against, costs, redraw;
+    std::filesystem::path folder = "accuracy", against, redraw;
     bool list = false;
 };
 void add_run_options(CLI::App& app, RunOptions& options);
