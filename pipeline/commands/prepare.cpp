@@ -285,10 +285,10 @@ void add_prepare(CLI::App& app, Run& run) {
                   "preset to use, or a TOML file with settings; the command line overrides them")
         ->type_name("FILE")
         ->check(known_values({presets.begin(), presets.end()}));
-    c->add_option(
-         "--distance", o->distance,
-         "how the distance from depth borders is computed: exactly, or by a variant of jump flooding")
-        ->check(known_values({"auto", "exact", "jfa", "jfa+1", "1+jfa", "jfa^2"}))
+    c->add_option("--distance", o->distance,
+                  "how the distance from depth borders is computed: exactly, or by jump flooding with "
+                  "OpenGL; auto: by jump flooding on a GPU")
+        ->check(known_values({"auto", "exact", "jfa^2"}))
         ->capture_default_str();
     c->add_option("--border-width", o->settings.border_width,
                   "distance at which the border mask reaches 1, in px of a photo 3072 px wide")

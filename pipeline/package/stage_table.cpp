@@ -13,8 +13,11 @@ using package::Type;
 
 void key_thumbnail(Fingerprint& f, const SceneKey& scene) { f.add(scene.settings.thumbnail); }
 
+/// The methods of distances in the keys of masks.
+constexpr int exact_distances = 1, flooded_distances = 5;
+
 void key_masks(Fingerprint& f, const SceneKey& scene) {
-    f.add(scene.distance)
+    f.add(scene.distance == DistanceMethod::exact ? exact_distances : flooded_distances)
         .add(scene.settings.border_width)
         .add(scene.settings.border_threshold)
         .add(scene.reference_density);

@@ -9,7 +9,7 @@ namespace {
 
 /// Names in the order of the enumerators.
 constexpr std::array renderers{"auto", "opengl", "processor"};
-constexpr std::array methods{"auto", "exact", "jfa", "jfa+1", "1+jfa", "jfa^2"};
+constexpr std::array methods{"auto", "exact", "jfa^2"};
 
 template <class Enum, std::size_t n>
 Enum parse(const std::array<const char*, n>& names, const std::string& wanted, const std::string& what) {

@@ -16,9 +16,8 @@ const char* name(RenderBy by);
 /// Throws Error(usage) for an unknown name.
 RenderBy render_by(const std::string& name);
 
-/// How the distance to the nearest border is computed. `automatic`: jfa_squared on a GPU, else exact. All
-/// others except `exact` are variants of jump flooding.
-enum class DistanceMethod { automatic, exact, jfa, jfa_plus_1, one_plus_jfa, jfa_squared };
+/// How the distance to the nearest border is computed. `automatic`: by jump flooding on a GPU, else exact.
+enum class DistanceMethod { automatic, exact, jump_flooding };
 const char* name(DistanceMethod method);
 /// Throws Error(usage) for an unknown name.
 DistanceMethod distance_method(const std::string& name);

@@ -15,14 +15,11 @@ namespace vantage {
 namespace {
 
 /// The steps of jump flooding, in pixels, for a map whose longer side is `long_side`.
-std::vector<int> strides(int long_side, DistanceMethod variant) {
+std::vector<int> strides(int long_side) {
     std::vector<int> s;
-    if (variant == DistanceMethod::one_plus_jfa) s.push_back(1);
     const int first = int(std::bit_ceil(unsigned(std::max(2, long_side)))) / 2;
-    const int rounds = variant == DistanceMethod::jfa_squared ? 2 : 1;
-    for (int r = 0; r < rounds; ++r)
+    for (int round = 0; round < 2; ++round)
         for (int k = first; k >= 1; k /= 2) s.push_back(k);
-    if (variant == DistanceMethod::jfa_plus_1) s.push_back(1);
     return s;
 }
 
@@ -49,7 +46,7 @@ gl::Program jump_flood_program() {
 }
 
 std::vector<float> flood_distance(const gl::Program& jump_flood, const std::vector<std::uint8_t>& borders,
-                                  int width, int height, DistanceMethod variant) {
+                                  int width, int height) {
     std::vector<Seed> seeds(borders.size());
     const Grid<Seed> seed{seeds.data(), width, height};
     const Grid<const std::uint8_t> border{borders.data(), width, height};
@@ -64,7 +61,7 @@ std::vector<float> flood_distance(const gl::Program& jump_flood, const std::vect
         return GLuint(texels + shader::flood_group_texels - 1) / GLuint(shader::flood_group_texels);
     };
     glUseProgram(jump_flood.id());
-    for (const int stride : strides(std::max(width, height), variant)) {
+    for (const int stride : strides(std::max(width, height))) {
         glBindImageTexture(shader::known_seeds_image, current.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RG16I);
         glBindImageTexture(shader::improved_seeds_image, next.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG16I);
         glUniform1i(shader::stride_uniform, stride);

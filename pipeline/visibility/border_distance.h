@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "gl/program.h"
-#include "pipeline/settings/settings.h"
 
 namespace vantage {
 
@@ -14,9 +13,9 @@ std::vector<float> exact_distance(const std::vector<std::uint8_t>& borders, int 
 /// The compute program for flood_distance.
 gl::Program jump_flood_program();
 
-/// The same by jump flooding in the current OpenGL context (Rong and Tan 2006). Distances are never too
-/// small; by how much they may be too large depends on the variant.
+/// The same by jump flooding, all steps twice, in the current OpenGL context (Rong and Tan 2006). Distances
+/// are never too small, and hardly ever too large.
 std::vector<float> flood_distance(const gl::Program& jump_flood, const std::vector<std::uint8_t>& borders,
-                                  int width, int height, DistanceMethod variant);
+                                  int width, int height);
 
 }  // namespace vantage

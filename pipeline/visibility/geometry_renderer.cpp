@@ -14,20 +14,14 @@
 #include "scene/error.h"
 
 namespace vantage {
-namespace {
-
-bool uses_jump_flooding(DistanceMethod method) {
-    return method != DistanceMethod::automatic && method != DistanceMethod::exact;
-}
-
-}  // namespace
 
 bool renders_by_opengl(const PrepareSettings& settings) {
-    if (settings.render_by == RenderBy::processor && uses_jump_flooding(settings.distance))
+    const bool floods = settings.distance == DistanceMethod::jump_flooding;
+    if (settings.render_by == RenderBy::processor && floods)
         throw Error(Exit::usage,
                     std::string("--distance ") + name(settings.distance) +
                         ": jump flooding needs OpenGL and cannot be combined with --render-by processor");
-    return settings.render_by == RenderBy::opengl || uses_jump_flooding(settings.distance) ||
+    return settings.render_by == RenderBy::opengl || floods ||
            (settings.render_by == RenderBy::automatic && gl::has_hardware());
 }
 
@@ -52,12 +46,13 @@ GeometryRenderer::GeometryRenderer(const PackedModel& model, const std::vector<E
     if (renders_by_opengl(settings)) gl_ = std::make_unique<OpenGl>();
     const bool hardware = gl_ && !gl_->thread.device().software;
     if (distance_ == DistanceMethod::automatic)
-        distance_ = hardware ? DistanceMethod::jfa_squared : DistanceMethod::exact;
+        distance_ = hardware ? DistanceMethod::jump_flooding : DistanceMethod::exact;
     if (!gl_) return;
     gl_->uploaded = gl_->thread
                         .submit([this] {
                             gl_->buffers = upload_model(model_.positions, normals_);
-                            if (uses_jump_flooding(distance_)) gl_->buffers.jump_flood = jump_flood_program();
+                            if (distance_ == DistanceMethod::jump_flooding)
+                                gl_->buffers.jump_flood = jump_flood_program();
                         })
                         .share();
 }
@@ -106,8 +101,7 @@ std::vector<float> GeometryRenderer::distances(const std::vector<std::uint8_t>& 
         return reach <= max_near_distance ? near_distance(borders, width, height, reach)
                                           : exact_distance(borders, width, height);
     const ModelBuffers& buffers = gl_->model();
-    return gl_->thread
-        .submit([&] { return flood_distance(buffers.jump_flood, borders, width, height, distance_); })
+    return gl_->thread.submit([&] { return flood_distance(buffers.jump_flood, borders, width, height); })
         .get();
 }
 

@@ -63,7 +63,7 @@ TEST_F(Prepare, OpenGlAndProcessorAgree) {
     }
     PrepareSettings flooded;
     flooded.render_by = RenderBy::processor;
-    flooded.distance = DistanceMethod::jfa;
+    flooded.distance = DistanceMethod::jump_flooding;
     EXPECT_THROW(prepare(read_scene(discover(dir / "scene")), flooded, dir / "none", quiet), Error);
 }
 

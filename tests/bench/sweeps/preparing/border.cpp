@@ -25,7 +25,7 @@ namespace {
 
 // Chamfer distances (Borgefors 1986, OpenCV's 5x5) are not an option of prepare: they are slower than the
 // exact ones here, and approximate.
-constexpr const char* methods[] = {"exact", "chamfer", "jfa", "jfa+1", "1+jfa", "jfa^2"};
+constexpr const char* methods[] = {"exact", "chamfer", "jfa^2"};
 
 /// A photo's depth at a fraction of its size, and the full border width there, pixels.
 struct Map {
@@ -54,7 +54,7 @@ std::vector<float> distances(const std::string& method, const std::vector<std::u
     const int w = map.depth.width, h = map.depth.height;
     if (method == "exact") return exact_distance(borders, w, h);
     if (method == "chamfer") return chamfer_distance(borders, w, h);
-    return flood_distance(jump_flood, borders, w, h, distance_method(method));
+    return flood_distance(jump_flood, borders, w, h);
 }
 
 /// The mask as the player samples it, bilinearly.

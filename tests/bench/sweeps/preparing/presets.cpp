@@ -21,7 +21,7 @@ std::vector<Candidate> candidates(bool full) {
     for (const char* preset : {"preview", "default", "overnight", "ci"})
         out.push_back({"presets", preset, {"--config", preset}});
     for (const int size : full ? std::vector{0, 2048, 1024, 640} : std::vector{0, 1024})
-        for (const char* distance : {"exact", "jfa"})
+        for (const char* distance : {"exact", "jfa^2"})
             for (const char* fragment : {"on", "off"}) {
                 if (!full && (distance[0] != 'e' || (fragment[1] == 'f' && size))) continue;
                 out.push_back({std::string("coordinates per ") + (fragment[1] == 'n' ? "fragment" : "vertex"),
