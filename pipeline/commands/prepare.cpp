@@ -319,7 +319,6 @@ void add_prepare(CLI::App& app, Run& run) {
                   "full: correct cameras and colors and mask moving objects where photos disagree; color: "
                   "correct colors only; off: change nothing")
         ->check(CLI::IsMember({"off", "color", "full"}))
-        ->transform([](const std::string& s) { return s == "colour" ? "color" : s; })  // the former name
         ->capture_default_str();
     c->add_option(
          "--judge", o->settings.judge,
@@ -329,9 +328,6 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--render-by", o->render_by,
                   "renderer of the model as seen from the photos; auto: a GPU if there is one")
         ->check(known_values({"auto", "opengl", "processor"}))
-        ->capture_default_str();
-    c->add_option("--cluster-triangles", o->settings.cluster_triangles, "triangles per cluster")
-        ->check(CLI::Range(1, 512))
         ->capture_default_str();
     c->add_option("--threads", o->settings.threads, "photos in flight; 0 = all cores")
         ->check(CLI::Range(0, 1024))

@@ -12,6 +12,8 @@ using package::Type;
 
 namespace {
 
+constexpr unsigned cluster_triangles = 256;
+
 /// Each vertex's position in the order of first use; unused vertices come last.
 std::vector<std::uint32_t> first_use_order(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
     constexpr std::uint32_t unused = ~0u;
@@ -45,8 +47,7 @@ void order_vertices(PackedModel& m, Mesh& mesh) {
 }
 
 /// Orders the triangles by cluster; those that are not opaque come last.
-void cluster_in_two_parts(PackedModel& m, const Mesh& mesh, unsigned cluster_triangles,
-                          const Eigen::AlignedBox3f& scene) {
+void cluster_in_two_parts(PackedModel& m, const Mesh& mesh, const Eigen::AlignedBox3f& scene) {
     std::vector<std::uint32_t> opaque, transparent;
     for (std::size_t t = 0; t < m.indices.size() / 3; ++t) {
         auto& part = is_transparent(m.indices, t, mesh.colors) ? transparent : opaque;
@@ -65,8 +66,7 @@ void cluster_in_two_parts(PackedModel& m, const Mesh& mesh, unsigned cluster_tri
 
 }  // namespace
 
-PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles, bool transparency,
-                       const Eigen::AlignedBox3d* bounds) {
+PackedModel pack_model(Mesh& mesh, bool transparency, const Eigen::AlignedBox3d* bounds) {
     PackedModel m;
     const MainBox box =
         bounds ? MainBox{bounds->min(), bounds->max(), {}} : main_box(mesh.positions, mesh.triangles);
@@ -79,7 +79,7 @@ PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles, bool transparency
                                           ? Eigen::AlignedBox3f()
                                           : Eigen::AlignedBox3f(from_origin(box.low), from_origin(box.high));
     if (transparency)
-        cluster_in_two_parts(m, mesh, cluster_triangles, scene);
+        cluster_in_two_parts(m, mesh, scene);
     else
         m.clusters = make_clusters(m.positions, m.indices, cluster_triangles, scene);
     order_vertices(m, mesh);

@@ -35,8 +35,7 @@ struct PackedModel {
 /// Also reorders `mesh` the same way: triangles by cluster, vertices by first use (for memory locality),
 /// unused vertices last. `transparency`: triangles that are not opaque come last, in clusters of their own;
 /// otherwise all count as opaque. `bounds`: of what a stand-in stands for, instead of the mesh's main_box.
-PackedModel pack_model(Mesh& mesh, unsigned cluster_triangles, bool transparency = false,
-                       const Eigen::AlignedBox3d* bounds = nullptr);
+PackedModel pack_model(Mesh& mesh, bool transparency = false, const Eigen::AlignedBox3d* bounds = nullptr);
 
 /// Writes geometry, clusters and vertex attributes. Throws Error(storage).
 void write_model(PackageWriter& writer, const PackedModel& model, const Mesh& mesh);

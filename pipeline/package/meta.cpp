@@ -146,7 +146,6 @@ json settings_json(const PrepareSettings& s) {
              {"border_width", s.border_width},
              {"border_threshold", s.border_threshold},
              {"thumbnail", s.thumbnail},
-             {"cluster_triangles", s.cluster_triangles},
              {"photo_size", s.photo_size},
              {"hold_out", s.hold_out},
              {"judge", s.judge},

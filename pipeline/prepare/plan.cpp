@@ -73,13 +73,13 @@ void add_deviations(SceneInput& scene, Trace* trace) {
 }
 
 /// Its facets are seen from both sides, because the surface of points has none.
-PackedModel pack_stand_in(SceneInput& scene, unsigned cluster_triangles) {
+PackedModel pack_stand_in(SceneInput& scene) {
     std::vector<Eigen::Vector3d> eyes;
     for (const PhotoInput& photo : scene.photos) eyes.push_back(photo.camera.cam_from_world.center());
     scene.mesh = stand_in(scene.points, eyes);
     Eigen::AlignedBox3d bounds;
     for (const Eigen::Vector3d& p : scene.points.positions) bounds.extend(p);
-    PackedModel model = pack_model(scene.mesh, cluster_triangles, false, &bounds);
+    PackedModel model = pack_model(scene.mesh, false, &bounds);
     for (package::ClusterRecord& c : model.clusters) c.cone_cutoff = 1;
     return model;
 }
@@ -106,10 +106,10 @@ void reduce_photos(SceneInput& scene, int longest) {
 
 PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace* trace) {
     const Traced traced(trace, "model");
-    if (has_points_only(scene)) return pack_stand_in(scene, settings.cluster_triangles);
+    if (has_points_only(scene)) return pack_stand_in(scene);
     subdivide_large_triangles(scene.mesh);
     add_deviations(scene, trace);
-    return pack_model(scene.mesh, settings.cluster_triangles, has_transparency(scene.mesh, settings.effects));
+    return pack_model(scene.mesh, has_transparency(scene.mesh, settings.effects));
 }
 
 PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const PrepareSettings& settings,

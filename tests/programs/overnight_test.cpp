@@ -325,11 +325,6 @@ TEST_F(Overnight, ChangedSettingRerunsOnlyItsStages) {
     for (const Stage s : {Stage::tiles, Stage::masks, Stage::coordinates, Stage::coverage})
         EXPECT_EQ(made(small, s), 0u) << int(s);
     expect_whole(undisturbed(settings), "smaller thumbnails");
-    settings.cluster_triangles = 64;
-    const PrepareResult clusters = prepare_here(settings);
-    EXPECT_EQ(made(clusters, Stage::tiles), 0u);
-    EXPECT_EQ(made(clusters, Stage::coverage), 6u);
-    expect_whole(undisturbed(settings), "smaller clusters");
 }
 
 TEST_F(Overnight, InterruptedUpdateResumes) {

@@ -555,8 +555,6 @@ std::vector<Row> rows() {
         {"options", "--photo-size 32", nothing(), Command{with("--photo-size 32")}},
         {"options", "--photo-size -1", nothing(), Exit::usage, Says{"--photo-size"}, no_package, Command{with("--photo-size -1")}},
         {"options", "--thumbnail 5", nothing(), Exit::usage, Says{"--thumbnail"}, no_package, Command{with("--thumbnail 5")}},
-        {"options", "--cluster-triangles 0", nothing(), Exit::usage, Says{"--cluster-triangles"}, no_package, Command{with("--cluster-triangles 0")}},
-        {"options", "--refine colour, the former name", nothing(), Command{with("--refine colour")}},
         {"options", "--refine some", nothing(), Exit::usage, Says{"--refine"}, no_package, Command{with("--refine some")}},
         {"options", "--progress loud", nothing(), Exit::usage, Says{"expected auto, bar, lines, json or none"}, no_package, Command{with("--progress loud")}},
         {"options", "--strict and a photo without a camera", with_file("images/D.jpg", red()), Exit::input, Says{"D.jpg: has no camera"}, no_package, Command{with("--strict")}},

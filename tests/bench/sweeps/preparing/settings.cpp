@@ -24,7 +24,6 @@ std::vector<Knob> knobs() {
     const auto text = [](auto value) { return fmt::format("{:g}", double(value)); };
     return {{"border-width", {"16", "32", "64", "128"}, text(usual.border_width)},
             {"border-threshold", {"0.0025", "0.01", "0.04"}, text(usual.border_threshold)},
-            {"cluster-triangles", {"64", "256", "512"}, text(usual.cluster_triangles)},
             {"thumbnail", {"128", "256", "512", "1024"}, text(usual.thumbnail)},
             {"tiles", {"raw", "jpeg"}, "jpeg"}};
 }
@@ -33,7 +32,7 @@ std::vector<Knob> knobs() {
 PictureSetting picture_setting(const Knob& knob, const std::string& value) {
     PictureSetting s{knob.option, value, false, value == knob.usual, {}};
     s.settings.photos = window_photos;
-    s.timed = std::string(knob.option) == "cluster-triangles";
+    s.timed = false;
     s.settings.thumbnails = std::string(knob.option) == "thumbnail";
     return s;
 }
@@ -61,15 +60,15 @@ std::vector<Job> jobs(const BenchScene& scene, const Effort& effort, const fs::p
 }  // namespace
 
 extern const Sweep preparing_sweep;
-const Sweep preparing_sweep{"preparing",
-                            "Settings of prepare, one at a time",
-                            "How do border, cluster and thumbnail settings and the form of tiles affect the "
-                            "picture, the frame time and "
-                            "the package? (Thumbnails are judged by a picture made from them alone.)",
-                            "the held-out photo, or the ray-cast picture",
-                            "not applicable: no setting is exact",
-                            {{"prepare_s", "psnr"}, {"frame_ms", "psnr"}, {"package_bytes", "psnr"}},
-                            jobs,
-                            true};
+const Sweep preparing_sweep{
+    "preparing",
+    "Settings of prepare, one at a time",
+    "How do border and thumbnail settings and the form of tiles affect the "
+    "picture and the package? (Thumbnails are judged by a picture made from them alone.)",
+    "the held-out photo, or the ray-cast picture",
+    "not applicable: no setting is exact",
+    {{"prepare_s", "psnr"}, {"package_bytes", "psnr"}},
+    jobs,
+    true};
 
 }  // namespace vantage::bench
