@@ -123,16 +123,6 @@ TEST_F(BenchTables, JsonRoundTrips) {
     EXPECT_EQ(back.measurements[0].exhibits[0].file, "exhibits/a.jpg");
 }
 
-TEST_F(BenchTables, FormerNamesOfCurvesAndSettingsAreTranslated) {
-    bench::Run run{"0.1.0", "short", {}, {row("mesh as it is", {}), row("jfa", {})}};
-    run.measurements[0].curve = "float a vertex";
-    write_json(dir / "run.json", run);
-    const bench::Run back = read_json(dir / "run.json");
-    EXPECT_EQ(back.measurements[0].curve, "float per vertex");
-    EXPECT_EQ(back.measurements[0].setting, "full mesh");
-    EXPECT_EQ(back.measurements[1].setting, "jfa");
-}
-
 TEST_F(BenchTables, InvalidJsonIsReportedWithItsFile) {
     const auto complaint = [&](const char* text) -> std::string {
         std::ofstream(dir / "odd.json") << text;

@@ -51,26 +51,6 @@ constexpr Metric table[] = {
     {"triangle_px", "triangle size", "px", Kind::other, true, same},
 };
 
-/// Curves and settings that earlier versions wrote, and their present names.
-constexpr const char* renamed[][2] = {
-    {"photos a pass", "photos per pass"},
-    {"pixels a photo", "pixels per photo"},
-    {"a level coarser", "one level coarser"},
-    {"16 bit unorm a vertex", "16-bit unorm per vertex"},
-    {"float a vertex", "float per vertex"},
-    {"homogeneous float a vertex", "homogeneous float per vertex"},
-    {"mesh as it is", "full mesh"},
-    {"a ray each", "one ray per point"},
-    {"records that fit each other", "consistency of the records"},
-    {"where a lens folds back", "valid range of the lenses"},
-    {"counting what is no number (verify)", "counting non-finite pixels (verify)"},
-};
-std::string present_name(const std::string& name) {
-    for (const auto& [before, now] : renamed)
-        if (name == before) return now;
-    return name;
-}
-
 }  // namespace
 
 std::span<const Metric> metrics() { return table; }
@@ -95,14 +75,8 @@ nlohmann::json to_json(const Measurement& m) {
 }
 
 Measurement measurement(const nlohmann::json& j) {
-    Measurement m{j.at("sweep"),
-                  j.at("scene"),
-                  present_name(j.at("curve")),
-                  present_name(j.at("setting")),
-                  j.at("exact"),
-                  j.at("chosen"),
-                  j.at("values"),
-                  {}};
+    Measurement m{j.at("sweep"), j.at("scene"),  j.at("curve"),  j.at("setting"),
+                  j.at("exact"), j.at("chosen"), j.at("values"), {}};
     for (const auto& e : j.at("exhibits")) m.exhibits.push_back({e.at("caption"), e.at("file")});
     return m;
 }
