@@ -10,7 +10,6 @@ namespace vantage::package {
 inline constexpr char magic[8] = {'V', 'A', 'N', 'T', 'A', 'G', 'E', '\n'};
 inline constexpr char part_magic[8] = {'V', 'N', 'T', 'G', 'P', 'A', 'R', 'T'};  ///< while in preparation
 inline constexpr std::uint32_t version = 4;
-inline constexpr std::uint32_t oldest_version = 3;  ///< that is still read
 inline constexpr std::uint64_t alignment = 4096;    ///< of every raw chunk and its blocks
 constexpr std::uint64_t aligned(std::uint64_t n) { return (n + alignment - 1) / alignment * alignment; }
 inline constexpr std::uint64_t coded_alignment = 8;  ///< of every other chunk
@@ -51,7 +50,7 @@ enum class Type : std::uint32_t {
 
 /// How a chunk's content is stored; codec/ has the forms of tiles.
 enum class Form : std::uint32_t {
-    raw,     ///< as it is; all chunks of versions before 4
+    raw,     ///< as it is
     zstd,    ///< without blocks: u64 length of the content, then a zstd frame
     jpeg,    ///< tiles of color: JPEG without the header, which all tiles share
     cells,   ///< a level of color: the photo's own JPEG, in cells

@@ -209,11 +209,11 @@ struct PackageReader::Mapping {
             damaged(Defect::not_a_package, "header: not a Vantage package");
         if (h.header_checksum != checksum({data, offsetof(package::Header, header_checksum)}))
             damaged(Defect::header_checksum, "header: checksum does not match");
-        if (h.version < package::oldest_version || h.version > package::version) {
+        if (h.version != package::version) {
             const bool newer = h.version > package::version;
             damaged(newer ? Defect::newer_format : Defect::format_version,
                     "header: format version " + std::to_string(h.version) + ", this program reads " +
-                        std::to_string(package::oldest_version) + " to " + std::to_string(package::version) +
+                        std::to_string(package::version) +
                         (newer ? "; made by a newer version of vantage" : "; prepare it again"));
         }
         if (h.file_size != size)
@@ -229,15 +229,12 @@ struct PackageReader::Mapping {
         keep({data + h.directory_offset, h.directory_count * sizeof(DirectoryEntry)});
         const auto* first = reinterpret_cast<const DirectoryEntry*>(data + h.directory_offset);
         directory.assign(first, first + h.directory_count);
-        const bool forms = h.version >= 4;
         // A part's entries are written one by one; a torn one is ignored.
         const bool growing = is_part() && h.directory_checksum == 0;
         if (growing)
             std::erase_if(directory, [&](const DirectoryEntry& e) { return e.type == 0 || !fits(e); });
         else if (checksum(std::as_bytes(std::span(directory))) != h.directory_checksum)
             damaged(Defect::directory, "directory: checksum does not match");
-        for (DirectoryEntry& e : directory)
-            if (!forms) e.form = Form::raw, e.coded_blocks = 0;
         for (const DirectoryEntry& e : directory) {
             if (!fits(e))
                 damaged(Defect::directory, "directory: entry " + std::to_string(&e - directory.data()) +

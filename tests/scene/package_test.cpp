@@ -4,6 +4,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <span>
+#include <utility>
 
 #include "scene/checksum.h"
 #include "scene/error.h"
@@ -114,29 +116,24 @@ TEST_F(Package, FlippedByteIsDetectedInItsBlock) {
     EXPECT_TRUE(reader.block_sound(*e, 2));
 }
 
-TEST_F(Package, OfTheVersionBeforeCompactFormsIsRead) {
+TEST_F(Package, OfAnotherVersionIsRefused) {
     write(file);
-    // The same bytes: entries ended with eight that had no meaning.
-    std::string old = slurp(file);
+    std::string other = slurp(file);
     package::Header h;
-    std::memcpy(&h, old.data(), sizeof h);
-    h.version = 3;
-    for (std::uint32_t i = 0; i < h.directory_count; ++i)
-        std::memset(&old[h.directory_offset + i * sizeof(package::DirectoryEntry) + 56], 0x55, 8);
-    const auto bytes = [&](std::uint64_t at, std::size_t n) {
-        return std::as_bytes(std::span(old)).subspan(at, n);
-    };
-    h.directory_checksum =
-        checksum(bytes(h.directory_offset, h.directory_count * sizeof(package::DirectoryEntry)));
-    std::memcpy(old.data(), &h, sizeof h);
-    h.header_checksum = checksum(bytes(0, offsetof(package::Header, header_checksum)));
-    std::memcpy(old.data(), &h, sizeof h);
-    dump(old);
-    const PackageReader reader(file);
-    EXPECT_EQ(reader.meta(), text);
-    const auto* e = reader.find(Type::tiles, 0, 2);
-    ASSERT_NE(e, nullptr);
-    ASSERT_EQ(reader.blocks(*e), 3u);
-    EXPECT_TRUE(reader.sound(*e));
-    EXPECT_EQ(std::memcmp(reader.block(*e, 1).data(), blocks.data() + 4096, 4096), 0);
+    std::memcpy(&h, other.data(), sizeof h);
+    for (const auto& [version, says] : {std::pair{package::version - 1, "prepare it again"},
+                                        std::pair{package::version + 1, "made by a newer version"}}) {
+        h.version = version;
+        h.header_checksum =
+            checksum(std::as_bytes(std::span(&h, 1)).first(offsetof(package::Header, header_checksum)));
+        std::memcpy(other.data(), &h, sizeof h);
+        dump(other);
+        try {
+            const PackageReader reader(file);
+            ADD_FAILURE() << "version " << version << " is read";
+        } catch (const Error& e) {
+            EXPECT_EQ(e.code(), Exit::input);
+            EXPECT_NE(std::string(e.what()).find(says), std::string::npos) << e.what();
+        }
+    }
 }
