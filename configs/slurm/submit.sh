@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Prepares one package on a Slurm cluster: a job array with one share of the photos per job, followed by a merge.
 #   configs/slurm/submit.sh INPUT PACKAGE SHARES [OPTIONS OF vantage prepare]
-#   configs/slurm/submit.sh scans/chapel chapel.vantage 8 --config overnight
+#   configs/slurm/submit.sh scans/chapel chapel.vantage 8 --photo-size 4000
 # INPUT and PACKAGE are on a file system shared by all nodes. $VANTAGE: the program, if not on the PATH. $SBATCH_OPTIONS:
 # options for all jobs, such as "--partition=night --time=8:00:00". Interrupted jobs continue when submitted again.
 # Prints the job ID of the merge: 'srun --dependency=afterany:ID true' waits for it.

@@ -6,7 +6,7 @@
 namespace vantage {
 
 /// The names of the presets in configs/.
-inline constexpr std::array presets{"preview", "default", "overnight", "ci"};
+inline constexpr std::array presets{"preview", "default", "ci"};
 
 /// The file `name` if it exists, else the preset configs/NAME.toml, either installed with the program
 /// (../share/vantage/configs) or in the source tree. Throws Error(usage) if there is none.

@@ -17,7 +17,7 @@ chown -R visitor /home/visitor/scan
 as_visitor() { su - visitor -c "$1"; }
 
 step "prepare"
-as_visitor 'vantage prepare scan -o chapel.vantage --config overnight --progress none' | tail -n 3
+as_visitor 'vantage prepare scan -o chapel.vantage --progress none' | tail -n 3
 
 step "file type"
 type=$(as_visitor 'xdg-mime query filetype chapel.vantage')

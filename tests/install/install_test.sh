@@ -22,7 +22,7 @@ for program in vantage vantage-player; do
   $program --version >/dev/null
 done
 vantage synth "$source/data/tiny.toml" -o scene 2>/dev/null >/dev/null
-vantage prepare scene -o tiny.vantage --config overnight --progress none >/dev/null
+vantage prepare scene -o tiny.vantage --config default --progress none >/dev/null
 presets="$prefix/share/vantage/configs"
 [ -x "$presets/slurm/submit.sh" ] || fail "submit.sh is not executable"
 echo 'sparkle = 1' >"$presets/ci.toml"
@@ -82,7 +82,7 @@ expect_offered() {  # EXPECTED WORD...
 expect_offered 'prepare ' vantage pre
 expect_offered 'auto jpeg raw ' vantage prepare scene --tiles ''
 expect_offered 'jpeg ' vantage prepare scene --tiles = j
-expect_offered 'overnight ' vantage prepare --config o
+expect_offered 'preview ' vantage prepare --config p
 expect_offered 'stream,resident ' vantage-player bench --modes stream,r
 expect_offered 'average ' vantage-player tiny.vantage --blend a
 expect_offered ' ' vantage prepare --threads ''

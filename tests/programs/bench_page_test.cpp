@@ -368,13 +368,13 @@ TEST_F(BenchPage, NonFiniteValuesAreDashes) {
 
 TEST_F(BenchPage, ReportsHowFarPresetsAreFromTheFront) {
     for (const Measurement& m : {preset("preview", 1, 30), preset("default", 10, 31), preset("trial", 9, 33),
-                                 preset("overnight", 100, 36)})
+                                 preset("ci", 100, 36)})
         input.now.measurements.push_back(m);
     const std::string html = page();
     EXPECT_NE(html.find("<td>preview<td>on the front"), std::string::npos);
     EXPECT_NE(html.find("<td>default<td>2.00 dB below the best setting at no higher cost (trial)"),
               std::string::npos);
-    EXPECT_NE(html.find("<td>overnight<td>on the front"), std::string::npos);
+    EXPECT_NE(html.find("<td>ci<td>on the front"), std::string::npos);
 }
 
 TEST_F(BenchPage, EmptyRunMakesAPage) {

@@ -92,7 +92,7 @@ constexpr Plot preset_plots[] = {{"prepare_s", "psnr", true, false},
                                  {"prepare_s", "worst", true, false}};
 
 bool is_preset(const Measurement& row) {
-    constexpr std::array<std::string_view, 4> names = {"preview", "default", "overnight", "ci"};
+    constexpr std::array<std::string_view, 3> names = {"preview", "default", "ci"};
     return std::ranges::find(names, row.setting) != names.end();
 }
 

@@ -18,7 +18,7 @@ struct Candidate {
 
 std::vector<Candidate> candidates(bool full) {
     std::vector<Candidate> out;
-    for (const char* preset : {"preview", "default", "overnight", "ci"})
+    for (const char* preset : {"preview", "default", "ci"})
         out.push_back({"presets", preset, {"--config", preset}});
     for (const int size : full ? std::vector{0, 2048, 1024, 640} : std::vector{0, 1024})
         for (const char* distance : {"exact", "jfa^2"})
@@ -55,7 +55,7 @@ std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, 
     const std::vector<PrepareCost> costs = prepare_all(scene, all, full ? effort.repeats : 1);
     std::vector<Measurement> out;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        PictureSetting s{all[i].curve, all[i].name, all[i].name == "overnight", all[i].name == "default", {}};
+        PictureSetting s{all[i].curve, all[i].name, false, all[i].name == "default", {}};
         s.settings.photos = window_photos;
         out.push_back(
             measure_prepared(scene, effort, all[i].options, s, folder, fmt::format("presets-{}", i)));
@@ -78,7 +78,7 @@ const Sweep presets_sweep{
     "Presets among other settings",
     "Which settings are on the Pareto front, and how far from it are the presets?",
     "the held-out photo, or the ray-cast picture",
-    "not applicable; the preset overnight approximates nothing that prepare can do exactly",
+    "not applicable: no setting is exact",
     {{"prepare_s", "psnr"}, {"package_bytes", "psnr"}, {"frame_ms", "psnr"}},
     jobs};
 
