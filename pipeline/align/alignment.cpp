@@ -125,12 +125,12 @@ struct Candidate {
 
 class Aligner {
   public:
-    Aligner(const SceneInput& scene, unsigned threads)
-        : scene_(scene), threads_(threads), surface_(scene.mesh), rays_(cast_mesh(scene.mesh)) {
+    explicit Aligner(const SceneInput& scene)
+        : scene_(scene), surface_(scene.mesh), rays_(cast_mesh(scene.mesh)) {
         for (const PhotoInput& p : scene.photos) cameras_.push_back(p.camera);
         const MainBox box = main_box(scene.mesh.positions, scene.mesh.triangles);
         frame_ = {(box.low + box.high) / 2, box.diagonal() / 2};
-        const FeatureSettings how{.long_side = 1600, .features = 5000, .threads = threads};
+        const FeatureSettings how{.long_side = 1600, .features = 5000};
         constexpr std::size_t ranks[] = {0, 1, 2, 4}, most = 60;
         features_ = agreeing_features(
             shared_features(scene.photos, neighboring_photos(scene.photos, most, ranks), how), cameras_,
@@ -189,7 +189,7 @@ class Aligner {
     /// Fitted from each of `begin`; the best first.
     std::vector<Candidate> fitted_from(const std::vector<Similarity>& begin) const {
         std::vector<Candidate> out(begin.size());
-        for_each_photo(begin.size(), threads_, [&](std::size_t i) {
+        for_each_photo(begin.size(), 0, [&](std::size_t i) {
             out[i].s = fitted(quick_, begin[i], target(), 30);
             out[i].trial = tried(out[i].s);
         });
@@ -199,7 +199,7 @@ class Aligner {
     std::vector<Candidate> candidates() const {
         std::vector<Vector3d> positions;
         for (const FeaturePoint& p : points_) positions.push_back(p.point);
-        return fitted_from(start_poses(positions, scene_.mesh, surface_, starts, threads_));
+        return fitted_from(start_poses(positions, scene_.mesh, surface_, starts));
     }
 
     /// Moved along each axis and scaled as long as that agrees better, then fitted to all points.
@@ -252,7 +252,6 @@ class Aligner {
     }
 
     const SceneInput& scene_;
-    unsigned threads_;
     NearestSurface surface_;
     CastMesh rays_;
     std::vector<Camera> cameras_;
@@ -264,10 +263,10 @@ class Aligner {
 
 }  // namespace
 
-Alignment align(const SceneInput& scene, unsigned threads) {
+Alignment align(const SceneInput& scene) {
     if (scene.mesh.triangles.empty() || scene.photos.size() < 2)
         throw Error(Exit::input, "align: expected a mesh with triangles and two photos or more");
-    return Aligner(scene, threads).aligned();
+    return Aligner(scene).aligned();
 }
 
 }  // namespace vantage

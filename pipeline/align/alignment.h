@@ -24,6 +24,6 @@ struct Alignment {
 /// start_poses(), and fitted to it point to plane, each with its own uncertainty. Throws Error(misplaced) if
 /// the photos share too little, if no alignment agrees with them, if two do, or if it is less certain than
 /// 0.05 % of a photo's longer side.
-Alignment align(const SceneInput& scene, unsigned threads);
+Alignment align(const SceneInput& scene);
 
 }  // namespace vantage

@@ -77,7 +77,7 @@ PointSet on_surface(const Mesh& mesh, std::size_t count) {
 /// The nearest points of a surface, of the middles of cells in and around its box.
 class NearestGrid {
   public:
-    NearestGrid(const PointSet& mesh, const NearestSurface& surface, unsigned threads) {
+    NearestGrid(const PointSet& mesh, const NearestSurface& surface) {
         Eigen::AlignedBox3d box;
         for (const Vector3d& p : mesh) box.extend(p);
         const Vector3d margin = Vector3d::Constant(0.25 * box.sizes().maxCoeff());
@@ -86,7 +86,7 @@ class NearestGrid {
         cell_ = sizes.maxCoeff() / cells;
         count_ = (sizes / cell_).array().ceil().max(1).cast<int>();
         nearest_.resize(std::size_t(count_.prod()));
-        for_each_photo(std::size_t(count_.z()), threads, [&](std::size_t z) {
+        for_each_photo(std::size_t(count_.z()), 0, [&](std::size_t z) {
             for (int y = 0; y < count_.y(); ++y)
                 for (int x = 0; x < count_.x(); ++x) {
                     const Vector3d middle(x + 0.5, y + 0.5, double(z) + 0.5);
@@ -177,15 +177,14 @@ std::vector<Start> all_starts(const PointSet& points, const PointSet& mesh) {
 }  // namespace
 
 std::vector<Similarity> start_poses(std::span<const Vector3d> all, const Mesh& mesh,
-                                    const NearestSurface& surface, std::size_t count, unsigned threads) {
+                                    const NearestSurface& surface, std::size_t count) {
     const PointSet points = some_of(all, used_points);
     const PointSet on_mesh = on_surface(mesh, 2000);
     std::vector<Start> starts = all_starts(points, on_mesh);
     if (starts.empty()) return {};
-    const NearestGrid grid(on_mesh, surface, threads);
+    const NearestGrid grid(on_mesh, surface);
     for (const int times : iterations) {
-        for_each_photo(starts.size(), threads,
-                       [&](std::size_t i) { improve(starts[i], points, grid, times); });
+        for_each_photo(starts.size(), 0, [&](std::size_t i) { improve(starts[i], points, grid, times); });
         std::ranges::stable_sort(starts, {}, &Start::distance);
         starts.resize(std::min(starts.size(), std::max(count, starts.size() / 5)));
     }

@@ -42,7 +42,7 @@ int run_align(const AlignOptions& o) {
     fmt::print("mesh     {}\ncameras  {} ({})\nphotos   {} ({})\n", files.mesh.string(),
                files.cameras.string(), scene.camera_format, files.photos.string(), scene.photos.size());
     std::fflush(stdout);
-    const Alignment a = align(scene, o.settings.threads);
+    const Alignment a = align(scene);
     print(a);
     SceneObject object;
     object.name = out.stem().string();
@@ -67,7 +67,6 @@ void add_align(CLI::App& app, Run& run) {
         "  vantage align --mesh laser.ply --cameras sparse --photos images -o laser.toml");
     add_input_options(*c, o->input, o->settings);
     c->add_option("-o,--output", o->out, "the scene file to write, NAME.toml")->type_name("FILE")->required();
-    c->add_option("--threads", o->settings.threads, "0 = all cores");
     add_force(*c, o->force);
     c->callback([o, &run] {
         if (!is_scene_file(o->out)) throw Error(Exit::usage, o->out + ": expected a name that ends in .toml");

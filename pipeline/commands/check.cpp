@@ -21,7 +21,7 @@ struct CheckOptions {
     std::vector<std::string> files;
     std::string junit;
     CheckDepth depth;
-    bool json = false, rehash = false, list_findings = false;
+    bool json = false, rehash = false;
 };
 
 struct Checked {
@@ -76,17 +76,7 @@ void print_issues_json(const std::vector<Checked>& all) {
     fmt::print("{}\n", json_text(out));
 }
 
-void print_findings() {
-    for (const FindingRow& row : finding_table())
-        fmt::print("{:<22} {:<8} {:<17} {}\n", row.id, severity_name(row.severity), kind_name(row),
-                   row.meaning);
-}
-
 int run_check(const CheckOptions& o) {
-    if (o.list_findings) {
-        print_findings();
-        return int(Exit::ok);
-    }
     if (!o.junit.empty())
         output_file(o.junit, Product::junit, {{o.files.begin(), o.files.end()}, {}}, std::nullopt);
     IdentityCache identities(default_identity_cache(), o.rehash);
@@ -121,8 +111,8 @@ void add_check(CLI::App& app, Run& run) {
         "  vantage check shelf/*.vantage --against scans --junit checks.xml   (shelf/a.vantage against "
         "scans/a)\n"
         "Exit code, the worst of all packages: 3 unreadable, 4 damaged, 5 stale, 9 incomplete, 0 none of "
-        "these.\nEach finding has a stable identifier, see --list-findings.");
-    c->add_option("FILES", o->files, "the packages, or their URLs")->type_name("PACKAGE");
+        "these.\nEach finding has a stable identifier.");
+    c->add_option("FILES", o->files, "the packages, or their URLs")->type_name("PACKAGE")->required();
     c->add_flag("--deep", o->depth.deep, "read every tile");
     c->add_option(
          "--against", o->depth.against,
@@ -131,11 +121,7 @@ void add_check(CLI::App& app, Run& run) {
     c->add_flag("--rehash", o->rehash, "detect changed inputs by content, not by size and timestamps");
     c->add_flag("--json", o->json, "machine-readable output");
     c->add_option("--junit", o->junit, "write a JUnit file for CI")->type_name("FILE");
-    c->add_flag("--list-findings", o->list_findings, "list everything that can be found, and exit");
-    c->callback([o, &run] {
-        if (o->files.empty() && !o->list_findings) throw CLI::RequiredError("FILES");
-        run = [o] { return run_check(*o); };
-    });
+    c->callback([o, &run] { run = [o] { return run_check(*o); }; });
 }
 
 }  // namespace vantage

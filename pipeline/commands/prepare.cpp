@@ -15,6 +15,7 @@
 #include "pipeline/align/conventions.h"
 #include "pipeline/commands/apply_config.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/effect_option.h"
 #include "pipeline/commands/input_options.h"
 #include "pipeline/commands/left_out.h"
 #include "pipeline/commands/prepare_scene.h"
@@ -50,21 +51,6 @@ struct PrepareOptions {
     bool writes_report() const { return !no_report && share.empty(); }
 };
 
-/// Adds "NAME=on|off|auto" to the table of forced effects.
-void force_effect(const std::string& text, std::map<Effect, EffectChoice>& choices) {
-    const std::size_t eq = text.find('=');
-    const EffectRow& row = effect_row(text.substr(0, eq));
-    const std::string choice = eq == std::string::npos ? "" : text.substr(eq + 1);
-    if (choice == "on")
-        choices[row.effect] = EffectChoice::on;
-    else if (choice == "off")
-        choices[row.effect] = EffectChoice::off;
-    else if (choice == "auto")
-        choices.erase(row.effect);
-    else
-        throw Error(Exit::usage, "--effect " + text + ": expected " + row.option + "=on, off or auto");
-}
-
 /// "3/8": the third of eight shares.
 Share share(const std::string& text) {
     constexpr unsigned most = 65536;
@@ -82,8 +68,7 @@ Share share(const std::string& text) {
 void resolve_outputs(PrepareOptions& o, const InputFiles& files) {
     Inputs inputs{input_paths(files), {}};
     if (!o.config.empty()) inputs.files.push_back(find_preset(o.config));
-    if (o.writes_report() && o.report.empty())
-        o.report = std::filesystem::path(o.out).replace_extension(".html").string();
+    if (o.writes_report()) o.report = std::filesystem::path(o.out).replace_extension(".html").string();
     o.out = output_file(o.out, Product::package, inputs, o.force).string();
     for (const std::filesystem::path& own :
          {std::filesystem::path(o.out), part_of(o.out), packing_of(o.out), displaced_part_of(o.out)})
@@ -201,7 +186,7 @@ int run_prepare(PrepareOptions o) {
             o.settings.effects[row.effect] = EffectChoice::off;
     if (o.tiles != "auto")
         o.settings.effects[Effect::compact] = o.tiles == "jpeg" ? EffectChoice::on : EffectChoice::off;
-    for (const std::string& e : o.effects) force_effect(e, o.settings.effects);
+    choose_effects(o.effects, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const FoundInput found = find_input(o.input, o.settings);
     if (found.lacks) throw *found.lacks;
@@ -235,10 +220,9 @@ int run_prepare(PrepareOptions o) {
 
 /// The scene file's objects, with the same settings, into packages in the output folder.
 int run_prepare_scene(const PrepareOptions& o) {
-    if (!o.share.empty() || !o.report.empty() || !o.trace.empty())
-        throw Error(
-            Exit::usage,
-            o.input.input + ": --shard, --report and --trace are for one package, not for a scene file");
+    if (!o.share.empty() || !o.trace.empty())
+        throw Error(Exit::usage,
+                    o.input.input + ": --shard and --trace are for one package, not for a scene file");
     return prepare_scene(o.input.input, o.out, o.force, [&](const SceneObject& object) {
         PrepareOptions one = o;
         take_input(object.input, one.input, one.settings);
@@ -348,16 +332,12 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_flag("--strict", o->strict, "stop at the first unusable photo instead of leaving it out");
     c->add_flag("--rehash", o->rehash, "detect changed files by content, not by size and timestamps");
     c->add_option("--shard", o->share, "i/n: only every n-th photo, for 'vantage merge'")->type_name("I/N");
-    c->add_option("--report", o->report, "file for the HTML report (default: next to the package)")
-        ->type_name("FILE");
-    c->add_flag("--no-report", o->no_report, "do not write a report");
+    c->add_flag("--no-report", o->no_report, "do not write a report (NAME.html) next to the package");
     add_force(*c, o->force);
     c->add_option("--trace", o->trace, "write a trace of all threads for Perfetto or chrome://tracing")
         ->type_name("FILE");
     add_progress(*c, o->progress);
-    c->add_option("--effect", o->effects,
-                  "turn an effect on or off, or let the scene decide; 'vantage info' lists them")
-        ->type_name("NAME=on|off|auto");
+    add_effects(*c, o->effects);
     c->callback([o, c, &run] {
         if (!o->config.empty()) apply_config(*c, o->config);
         run = [o] {

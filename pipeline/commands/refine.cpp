@@ -9,8 +9,10 @@
 #include "cli/force_option.h"
 #include "output/output_file.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/effect_option.h"
 #include "pipeline/commands/progress_line.h"
 #include "pipeline/package/meta.h"
+#include "scene/error.h"
 #include "scene/package_reader.h"
 
 namespace vantage {
@@ -19,11 +21,20 @@ namespace {
 struct RefineOptions {
     std::string file, out, progress = "auto";
     bool force = false;
-    std::map<Effect, std::string> effects;  ///< of those that depend on all photos
+    std::vector<std::string> effects;
 };
 
-EffectChoice choice(const std::string& text) {
-    return text == "on" ? EffectChoice::on : text == "off" ? EffectChoice::off : EffectChoice::automatic;
+/// One for each effect that depends on all photos. Throws Error(usage) for others.
+std::map<Effect, EffectChoice> refined_effects(const std::vector<std::string>& texts) {
+    std::map<Effect, EffectChoice> choices;
+    choose_effects(texts, choices);
+    for (const auto& [effect, choice] : choices)
+        if (!from_all_photos(effect_row(effect)))
+            throw Error(Exit::usage, std::string("--effect ") + effect_row(effect).option +
+                                         ": is decided from the inputs; change it with 'vantage prepare'");
+    for (const EffectRow& row : effect_table())
+        if (from_all_photos(row)) choices.emplace(row.effect, EffectChoice::automatic);
+    return choices;
 }
 
 /// FILE may be replaced by the same package, refined.
@@ -35,16 +46,15 @@ std::filesystem::path refined_file(const RefineOptions& o) {
 }
 
 int run_refine(const RefineOptions& o) {
+    const std::map<Effect, EffectChoice> choices = refined_effects(o.effects);
     const std::string out = refined_file(o).string();
     {
         ProgressLine line(progress_style(o.progress));
-        std::map<Effect, EffectChoice> choices;
-        for (const auto& [effect, text] : o.effects) choices[effect] = choice(text);
         refine_package(o.file, choices, out, shown_until_signal(line));
     }
     const PackageReader package(out);
     const std::string meta(package.meta());
-    for (const auto& [effect, text] : o.effects)
+    for (const auto& [effect, choice] : choices)
         fmt::print("{:<13} {:<4} {}\n", effect_row(effect).option,
                    effect_on(package.scene(), effect) ? "on" : "off", decision_in(meta, effect).evidence);
     for (const std::string& w : findings_in(meta)) fmt::print("warning       {}\n", w);
@@ -60,18 +70,12 @@ void add_refine(CLI::App& app, Run& run) {
     c->footer(
         "Needs only the package: tiles are copied, and only data that depends on moved cameras is "
         "recomputed.\n"
-        "Examples:\n  vantage refine chapel.vantage --exposure off -o as-taken.vantage\n"
-        "  vantage refine chapel.vantage --registration on\n"
+        "Examples:\n  vantage refine chapel.vantage --effect exposure=off -o as-taken.vantage\n"
+        "  vantage refine chapel.vantage --effect registration=on\n"
         "  vantage refine chapel.vantage");
     c->add_option("FILE", o->file, "the package")->type_name("PACKAGE")->required();
     c->add_option("-o,--output", o->out, "the package to write (default: replace FILE)")->type_name("FILE");
-    for (const EffectRow& row : effect_table())
-        if (from_all_photos(row))
-            c->add_option(std::string("--") + row.option,
-                          o->effects.emplace(row.effect, "auto").first->second,
-                          "auto (on if the evidence calls for it), on or off")
-                ->check(CLI::IsMember({"auto", "on", "off"}))
-                ->capture_default_str();
+    add_effects(*c, o->effects);
     add_force(*c, o->force);
     add_progress(*c, o->progress);
     c->callback([o, &run] { run = [o] { return run_refine(*o); }; });

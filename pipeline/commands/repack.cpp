@@ -18,7 +18,6 @@ namespace {
 
 struct RepackOptions {
     std::string file, out, tiles = "jpeg", progress = "auto";
-    unsigned threads = 0;
     bool force = false;
 };
 
@@ -34,7 +33,7 @@ int run_repack(const RepackOptions& o) {
     }
     {
         ProgressLine line(progress_style(o.progress));
-        repack(o.file, o.tiles == "jpeg", out, o.threads, shown_until_signal(line));
+        repack(o.file, o.tiles == "jpeg", out, shown_until_signal(line));
     }
     fmt::print("package  {} ({:.1f} MB, before {:.1f} MB)\n", out, double(PackageReader(out).size()) / 1e6,
                double(before) / 1e6);
@@ -56,9 +55,6 @@ void add_repack(CLI::App& app, Run& run) {
     c->add_option("--tiles", o->tiles,
                   "jpeg: some 10 times shorter, decoded while shown; raw: as they are shown")
         ->check(CLI::IsMember({"raw", "jpeg"}))
-        ->capture_default_str();
-    c->add_option("--threads", o->threads, "photos in flight; 0 = all cores")
-        ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     add_force(*c, o->force);
     add_progress(*c, o->progress);

@@ -99,7 +99,7 @@ PhotoState state_of(const PackageReader& from, const PackageWriter& to, std::uin
 }  // namespace
 
 void repack(const std::filesystem::path& file, bool compact, const std::filesystem::path& out,
-            unsigned threads, const OnProgress& progress) {
+            const OnProgress& progress) {
     const PackageReader from(file);
     expect_shape(from);
     package::SceneRecord scene = from.scene();
@@ -114,7 +114,7 @@ void repack(const std::filesystem::path& file, bool compact, const std::filesyst
     copy_repacked_scene(from, to);
     std::mutex mutex;
     std::size_t done = 0;
-    for_each_photo(photos.size(), threads, [&](std::size_t i) {
+    for_each_photo(photos.size(), 0, [&](std::size_t i) {
         copy_photo(from, to, std::uint32_t(i), photos[i]);
         const std::scoped_lock lock(mutex);
         if (progress) progress({"repack", photos[i].name, ++done, photos.size()});

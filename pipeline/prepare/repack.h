@@ -9,6 +9,6 @@ namespace vantage {
 /// what compact forms round; a photo's own JPEG in it is kept, but not made, because the photos are not read.
 /// Throws Error(damaged) if a part of the package is damaged.
 void repack(const std::filesystem::path& file, bool compact, const std::filesystem::path& out,
-            unsigned threads, const OnProgress& progress = {});
+            const OnProgress& progress = {});
 
 }  // namespace vantage

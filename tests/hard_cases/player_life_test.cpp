@@ -244,7 +244,7 @@ TEST(LayerPoolLifetime, FrameCounterMayWrapAround) {
 
 TEST_F(PlayerLifetime, TruncatingTheOpenPackageIsReported) {
     // Of raw tiles: the compact ones of so small a scene are all in memory by then.
-    repack(file, false, dir / "raw.vantage", 1);
+    repack(file, false, dir / "raw.vantage");
     fs::rename(dir / "raw.vantage", file);
     const Outcome cut = play_while([&] { fs::resize_file(file, 4096); });
     EXPECT_EQ(cut.code, int(Exit::damaged)) << cut.message;

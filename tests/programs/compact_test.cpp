@@ -154,8 +154,8 @@ TEST_F(CompactPackages, AreTheSameBytesOnAnyNumberOfThreadsAndAfterAnInterruptio
 TEST_F(CompactPackages, AreRepackedFromRawAndBack) {
     VANTAGE_DATASET(scan, "sceaux-small");
     make(scan, settings(EffectChoice::on), dir / "compact.vantage");
-    repack(dir / "compact.vantage", false, dir / "raw.vantage", 2);
-    repack(dir / "raw.vantage", true, dir / "again.vantage", 2);
+    repack(dir / "compact.vantage", false, dir / "raw.vantage");
+    repack(dir / "raw.vantage", true, dir / "again.vantage");
     for (const char* file : {"raw.vantage", "again.vantage"}) expect_sound_package(dir / file);
     const PackageReader compact(dir / "compact.vantage"), raw(dir / "raw.vantage"),
         again(dir / "again.vantage");
@@ -196,7 +196,7 @@ TEST_F(CompactPackages, GiveThePhotosBackAsJpeg) {
 TEST_F(CompactPackages, AreReadByAProgramThatKnowsOnlyTheTextOfTheFormat) {
     VANTAGE_DATASET(scan, "sceaux-small");
     make(scan, settings(EffectChoice::on), dir / "compact.vantage");
-    repack(dir / "compact.vantage", false, dir / "raw.vantage", 2);
+    repack(dir / "compact.vantage", false, dir / "raw.vantage");
     const auto read = [&](const char* compact, const char* raw) {
         return std::system(
             (INDEPENDENT_READER " " + (dir / compact).string() + " " + (dir / raw).string()).c_str());

@@ -109,7 +109,6 @@ TEST_F(Contracts, PrepareReplacesOnlyPackagesReportsAndTracesOfItsOwn) {
         for (const fs::path& input :
              {mesh, images / "0000.jpg", images / "0001.mask.png", sparse / "images.txt"}) {
             expect_refused(prepare_to(input) + force, input);
-            expect_refused(prepare_to(file) + "--report " + input.string() + " " + force, input);
             expect_refused(prepare_to(file) + "--trace " + input.string() + " " + force, input);
         }
         expect_refused(prepare_to(images) + force, mesh);
@@ -123,7 +122,6 @@ TEST_F(Contracts, PrepareReplacesOnlyPackagesReportsAndTracesOfItsOwn) {
     }
     expect_refused(prepare_to(text), text);
     expect_refused(prepare_to(dir / "chapel.vantage"), page);
-    expect_refused(prepare_to(file) + "--report " + text.string(), text);
     expect_refused(prepare_to(file) + "--trace " + text.string(), text);
     EXPECT_FALSE(fs::exists(file));
 
@@ -155,7 +153,7 @@ TEST_F(Contracts, LinksAreFollowed) {
         EXPECT_TRUE(fs::is_regular_file(fs::read_symlink(out).is_absolute() ? fs::read_symlink(out)
                                                                             : dir / fs::read_symlink(out)));
     }
-    EXPECT_EQ(run("refine " + link.string() + " --exposure off").code, 0);
+    EXPECT_EQ(run("refine " + link.string() + " --effect exposure=off").code, 0);
     EXPECT_TRUE(fs::is_symlink(link));
     fs::remove(link);
     fs::create_symlink(mesh, link);

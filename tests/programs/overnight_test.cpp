@@ -198,7 +198,8 @@ TEST_F(Overnight, RefiningLaterGivesTheSamePackage) {
     PrepareSettings off;
     off.effects = {{Effect::exposure, EffectChoice::off}, {Effect::falloff, EffectChoice::off}};
     const Outcome refined =
-        run("refine " + file.string() + " --exposure off --falloff off -o " + (dir / "off.vantage").string());
+        run("refine " + file.string() + " --effect exposure=off --effect falloff=off -o " +
+            (dir / "off.vantage").string());
     EXPECT_EQ(refined.code, 0) << refined.err;
     undisturbed(off);
     const Outcome diff =
@@ -240,7 +241,7 @@ TEST_F(Overnight, RegisteringLaterOrByMergingGivesTheSamePackage) {
 
     PrepareSettings off;
     off.effects = {{Effect::registration, EffectChoice::off}};
-    EXPECT_EQ(run("refine " + merged + " --registration off").code, 0);
+    EXPECT_EQ(run("refine " + merged + " --effect registration=off").code, 0);
     undisturbed(off);
     const Outcome diff = run("diff " + merged + " " + (dir / "undisturbed.vantage").string());
     EXPECT_EQ(diff.code, 0) << diff.out;

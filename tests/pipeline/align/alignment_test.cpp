@@ -47,7 +47,7 @@ TEST(Align, FindsAMeshThatWasTurnedMovedAndScaled) {
         SceneInput moved = right;
         for (Vector3d& p : moved.mesh.positions)
             p = scale * (turn.normalized() * p) + Vector3d(100, -2000, 30);
-        const Alignment a = align(moved, 0);
+        const Alignment a = align(moved);
         const double off = median_off(right, moved, a.mesh_from_cameras);
         EXPECT_LT(off, 3 * a.pixels) << i;
         EXPECT_LT(off, 1) << i;
@@ -62,7 +62,7 @@ TEST(Align, RefusesAMeshThatIsNotOfThePhotos) {
     SceneInput scene = read_scene(discover(scan));
     scene.mesh = read_scene(discover(other)).mesh;
     try {
-        align(scene, 0);
+        align(scene);
         ADD_FAILURE() << "aligned";
     } catch (const Error& e) {
         EXPECT_EQ(e.code(), Exit::misplaced) << e.what();
