@@ -43,7 +43,7 @@ namespace {
 struct PrepareOptions {
     InputOptions input;
     std::string out, distance = "auto", render_by = "auto", config;
-    std::string progress = "auto", share, trace, report, refine = "full", tiles = "auto";
+    std::string progress = "auto", share, trace, report, refine = "full";
     std::vector<std::string> effects, conventions{convention_auto};
     PrepareSettings settings;
     bool explain = false, strict = false, rehash = false, no_report = false, force = false;
@@ -184,8 +184,6 @@ int run_prepare(PrepareOptions o) {
         if ((row.basis == Basis::pixels && o.refine != "full") ||
             (row.basis == Basis::colors && o.refine == "off"))
             o.settings.effects[row.effect] = EffectChoice::off;
-    if (o.tiles != "auto")
-        o.settings.effects[Effect::compact] = o.tiles == "jpeg" ? EffectChoice::on : EffectChoice::off;
     choose_effects(o.effects, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
     const FoundInput found = find_input(o.input, o.settings);
@@ -241,6 +239,7 @@ void add_prepare(CLI::App& app, Run& run) {
         "  vantage prepare --mesh m.ply --cameras bundle.out --photos images -o m.vantage\n"
         "  vantage prepare chapel -o look.vantage --config preview\n"
         "  vantage prepare chapel -o c.vantage --effect per-fragment=on --hold-out 0003,0007\n"
+        "  vantage prepare chapel -o raw.vantage --effect compact=off    # raw tiles, not JPEG\n"
         "  vantage prepare chapel -o c.vantage --deviation-from chapel-2019.ply\n"
         "  vantage prepare chapel -o c.vantage --points scanner.ply\n"
         "  vantage prepare panel -o panel.vantage --bands folders\n"
@@ -288,13 +287,6 @@ void add_prepare(CLI::App& app, Run& run) {
     c->add_option("--photo-size", o->settings.photo_size,
                   "reduce photos to this long side in px; 0 = full size")
         ->check(CLI::Range(0, 1 << 16))
-        ->capture_default_str();
-    c->add_option(
-         "--tiles", o->tiles,
-         "raw: as they are shown, exact, some 20 times as long as the photos' files; jpeg: the "
-         "photos' own JPEG and more of it, twice as long as the files, decoded while they are shown; "
-         "auto: jpeg unless raw tiles would be no longer than the photos' files")
-        ->check(CLI::IsMember({"raw", "jpeg", "auto"}))
         ->capture_default_str();
     c->add_flag("--vertex-coordinates", o->settings.vertex_coordinates,
                 "store texture coordinates per vertex, for the player's --coordinates vertex, even if the "

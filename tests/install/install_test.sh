@@ -80,8 +80,8 @@ expect_offered() {  # EXPECTED WORD...
   [ "$(offered "$@")" = "$expected" ] || fail "completion of '$*' offers '$(offered "$@")', expected '$expected'"
 }
 expect_offered 'prepare ' vantage pre
-expect_offered 'auto jpeg raw ' vantage prepare scene --tiles ''
-expect_offered 'jpeg ' vantage prepare scene --tiles = j
+expect_offered 'color full off ' vantage prepare scene --refine ''
+expect_offered 'color ' vantage prepare scene --refine = c
 expect_offered 'preview ' vantage prepare --config p
 expect_offered 'stream,resident ' vantage-player bench --modes stream,r
 expect_offered 'average ' vantage-player tiny.vantage --blend a

@@ -161,13 +161,13 @@ TEST_F(Overnight, UpdatesInPlaceWithoutRoomForBoth) {
     const std::string before = slurp(file);
     {
         const PackageReader somebody(file);
-        const Outcome refused = with_fault("statvfs:1:FULL", "--tiles raw");
+        const Outcome refused = with_fault("statvfs:1:FULL", "--effect compact=off");
         EXPECT_EQ(refused.code, int(Exit::storage));
         EXPECT_TRUE(one_line(refused.err)) << refused.err;
         EXPECT_NE(refused.err.find(" MB free"), std::string::npos) << refused.err;
         EXPECT_TRUE(slurp(file) == before) << "the package is open elsewhere";
     }
-    const Outcome done = with_fault("statvfs:1:FULL", "--tiles raw --explain");
+    const Outcome done = with_fault("statvfs:1:FULL", "--effect compact=off --explain");
     ASSERT_EQ(done.code, 0) << done.err;
     EXPECT_NE(done.out.find("tiles        1 made, 5 kept"), std::string::npos) << done.out;
     expect_whole(undisturbed(raw), "in place");

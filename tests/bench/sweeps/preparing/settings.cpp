@@ -25,7 +25,7 @@ std::vector<Knob> knobs() {
     return {{"border-width", {"16", "32", "64", "128"}, text(usual.border_width)},
             {"border-threshold", {"0.0025", "0.01", "0.04"}, text(usual.border_threshold)},
             {"thumbnail", {"128", "256", "512", "1024"}, text(usual.thumbnail)},
-            {"tiles", {"raw", "jpeg"}, "jpeg"}};
+            {"compact", {"off", "on"}, "on"}};
 }
 
 /// For the thumbnail option, a picture from thumbnails alone; otherwise the final picture.
@@ -37,14 +37,19 @@ PictureSetting picture_setting(const Knob& knob, const std::string& value) {
     return s;
 }
 
+std::vector<std::string> options(const Knob& knob, const std::string& value) {
+    const std::string name = knob.option;
+    if (name == "compact") return {"--effect", name + "=" + value};
+    return {"--" + name, value};
+}
+
 std::vector<Measurement> measure(const BenchScene& scene, const Effort& effort, const fs::path& folder,
                                  const Knob& knob) {
     std::vector<Measurement> out;
     for (const std::string& value : knob.values) {
         if (effort.name == "smoke" && value != knob.values.front() && value != knob.usual) continue;
         const PictureSetting s = picture_setting(knob, value);
-        out.push_back(measure_prepared(scene, effort, {std::string("--") + knob.option, s.setting}, s, folder,
-                                       "preparing"));
+        out.push_back(measure_prepared(scene, effort, options(knob, value), s, folder, "preparing"));
         out.back().exhibits.clear();
     }
     return out;
