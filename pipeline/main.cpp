@@ -7,8 +7,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "cli/describe.h"
-#include "cli/exit_codes.h"
+#include "cli/command.h"
 #include "cli/report_exception.h"
 #include "pipeline/commands/commands.h"
 #include "scene/error.h"
@@ -28,23 +27,17 @@ void keep_freed_memory() {
 
 int run(int argc, char** argv) {
     using namespace vantage;
-    CLI::App app{
-        "vantage prepares a scanned mesh and its calibrated photos into one package for vantage-player."};
-    app.set_version_flag("--version", "vantage " VANTAGE_VERSION);
-    app.require_subcommand(1);
-    app.footer(
+    const Command program(
+        "vantage", "Prepares a scanned mesh and its calibrated photos into one package for vantage-player.");
+    program.version("vantage " VANTAGE_VERSION);
+    program.notes(
         "Examples:\n"
         "  vantage prepare scans/chapel -o chapel.vantage\n"
         "  vantage check --deep chapel.vantage\n" +
         exit_codes_text());
-    Run command;
-    for (const auto add : all_commands) add(app, command);
-    if (describe_if_asked(app, argc, argv)) return int(Exit::ok);
+    for (const auto add : all_commands) add(program);
     try {
-        app.parse(argc, argv);
-        return command();
-    } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? 0 : int(Exit::usage);
+        return program.run({argv + 1, argv + argc});
     } catch (const cv::Exception& e) {
         if (e.code == cv::Error::StsNoMem) throw std::bad_alloc();
         throw;

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "cli/force_option.h"
 #include "objects/scene_file.h"
 #include "output/output_file.h"
 #include "pipeline/align/alignment.h"
@@ -31,6 +30,7 @@ void print(const Alignment& a) {
 }
 
 int run_align(const AlignOptions& o) {
+    if (!is_scene_file(o.out)) throw Error(Exit::usage, o.out + ": expected a name that ends in .toml");
     const FoundInput found = find_input(o.input, o.settings);
     if (found.lacks) throw *found.lacks;
     const InputFiles& files = found.files;
@@ -54,24 +54,21 @@ int run_align(const AlignOptions& o) {
 
 }  // namespace
 
-void add_align(CLI::App& app, Run& run) {
+void add_align(const Command& program) {
     auto o = std::make_shared<AlignOptions>();
-    CLI::App* c =
-        app.add_subcommand("align", "Find where a mesh belongs that is in another frame than its cameras");
-    c->footer(
+    const Command c =
+        program.verb("align", "Find where a mesh belongs that is in another frame than its cameras");
+    c.notes(
         "Features that photos share are triangulated and fitted to the mesh, with rotation, translation and "
         "scale.\n"
         "The scene file holds the similarity; it is refused where photos do not settle it.\n"
         "Examples:\n  vantage align scans/chapel -o chapel.toml\n"
         "  vantage prepare chapel.toml -o chapel\n"
         "  vantage align --mesh laser.ply --cameras sparse --photos images -o laser.toml");
-    add_input_options(*c, o->input, o->settings);
-    c->add_option("-o,--output", o->out, "the scene file to write, NAME.toml")->type_name("FILE")->required();
-    add_force(*c, o->force);
-    c->callback([o, &run] {
-        if (!is_scene_file(o->out)) throw Error(Exit::usage, o->out + ": expected a name that ends in .toml");
-        run = [o] { return run_align(*o); };
-    });
+    add_input_options(c, o->input, o->settings);
+    c.file("-o,--output", o->out, "the scene file to write, NAME.toml").required();
+    c.force(o->force);
+    c.action([o] { return run_align(*o); });
 }
 
 }  // namespace vantage

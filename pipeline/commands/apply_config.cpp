@@ -22,22 +22,17 @@ std::string text(const fs::path& file, std::string_view key, const toml::node& v
                                          file.string(), key));
 }
 
-void apply(CLI::Option& option, const fs::path& file, std::string_view key, const toml::node& value) {
-    if (const auto* list = value.as_array();
-        list && !list->empty())  // with no result, CLI11 flags read out of bounds
-        for (const toml::node& item : *list) option.add_result(text(file, key, item));
-    else
-        option.add_result(text(file, key, value));
-    try {
-        option.run_callback();
-    } catch (const CLI::ParseError& e) {
-        throw Error(Exit::usage, file.string() + ": " + e.what());
-    }
+std::vector<std::string> texts(const fs::path& file, std::string_view key, const toml::node& value) {
+    const auto* list = value.as_array();
+    if (!list || list->empty()) return {text(file, key, value)};
+    std::vector<std::string> out;
+    for (const toml::node& item : *list) out.push_back(text(file, key, item));
+    return out;
 }
 
 }  // namespace
 
-void apply_config(CLI::App& command, const std::string& name) {
+void apply_config(const Command& command, const std::string& name) {
     const fs::path file = find_preset(name);
     toml::table table;
     try {
@@ -47,11 +42,8 @@ void apply_config(CLI::App& command, const std::string& name) {
                     fmt::format("{}:{}: {}", file.string(), e.source().begin.line, e.description()));
     }
     for (const auto& [key, value] : table) {
-        CLI::Option* option = command.get_option_no_throw("--" + std::string(key.str()));
-        if (option == nullptr || key == "config")
-            throw Error(Exit::usage, fmt::format("{}: {}: unknown setting, see 'vantage {} --help'",
-                                                 file.string(), key.str(), command.get_name()));
-        if (option->count() == 0) apply(*option, file, key.str(), value);
+        if (key == "config") throw Error(Exit::usage, file.string() + ": config: not in a file of settings");
+        command.give(std::string(key.str()), texts(file, key.str(), value), file.string());
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
+
+#include "cli/command.h"
 
 namespace vantage {
 
@@ -8,6 +9,6 @@ namespace vantage {
 /// the command line would take (a list for options with several values). Options given on the command line
 /// take precedence. `name` is a file, or a preset in configs/ without its extension. Throws Error(usage) with
 /// file and key.
-void apply_config(CLI::App& command, const std::string& name);
+void apply_config(const Command& command, const std::string& name);
 
 }  // namespace vantage

@@ -100,28 +100,27 @@ int run_check(const CheckOptions& o) {
 
 }  // namespace
 
-void add_check(CLI::App& app, Run& run) {
+void add_check(const Command& program) {
     auto o = std::make_shared<CheckOptions>();
-    CLI::App* c = app.add_subcommand(
+    const Command c = program.verb(
         "check",
         "Check packages, and the stories beside them, for damage, changed inputs and missing photos");
-    c->footer(
+    c.notes(
         "Examples:\n  vantage check chapel.vantage\n"
         "  vantage check --deep --against scans/chapel chapel.vantage\n"
         "  vantage check shelf/*.vantage --against scans --junit checks.xml   (shelf/a.vantage against "
         "scans/a)\n"
         "Exit code, the worst of all packages: 3 unreadable, 4 damaged, 5 stale, 9 incomplete, 0 none of "
         "these.\nEach finding has a stable identifier.");
-    c->add_option("FILES", o->files, "the packages, or their URLs")->type_name("PACKAGE")->required();
-    c->add_flag("--deep", o->depth.deep, "read every tile");
-    c->add_option(
-         "--against", o->depth.against,
-         "compare with the input folder; for several packages, with its subfolders of the same names")
-        ->type_name("FOLDER");
-    c->add_flag("--rehash", o->rehash, "detect changed inputs by content, not by size and timestamps");
-    c->add_flag("--json", o->json, "machine-readable output");
-    c->add_option("--junit", o->junit, "write a JUnit file for CI")->type_name("FILE");
-    c->callback([o, &run] { run = [o] { return run_check(*o); }; });
+    c.list("FILES", o->files, "the packages, or their URLs").type("PACKAGE").required();
+    c.flag("--deep", o->depth.deep, "read every tile");
+    c.file("--against", o->depth.against,
+           "compare with the input folder; for several packages, with its subfolders of the same names")
+        .type("FOLDER");
+    c.flag("--rehash", o->rehash, "detect changed inputs by content, not by size and timestamps");
+    c.flag("--json", o->json, "machine-readable output");
+    c.file("--junit", o->junit, "write a JUnit file for CI");
+    c.action([o] { return run_check(*o); });
 }
 
 }  // namespace vantage

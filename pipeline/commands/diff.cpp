@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/force_option.h"
 #include "output/json_text.h"
 #include "pipeline/commands/commands.h"
 #include "scene/error.h"
@@ -42,21 +41,20 @@ int run_diff(const DiffOptions& o) {
 
 }  // namespace
 
-void add_diff(CLI::App& app, Run& run) {
+void add_diff(const Command& program) {
     auto o = std::make_shared<DiffOptions>();
-    CLI::App* c =
-        app.add_subcommand("diff", "List the differences between two packages, artifact by artifact");
-    c->footer(
+    const Command c = program.verb("diff", "List the differences between two packages, artifact by artifact");
+    c.notes(
         "Examples:\n  vantage diff chapel.vantage chapel-new.vantage\n"
         "  vantage diff a.vantage b.vantage -o differences   (as a page, with pictures)\n"
         "Exit code: 0 identical, 10 different.");
-    c->add_option("A", o->a, "a package")->type_name("PACKAGE")->required();
-    c->add_option("B", o->b, "the package to compare it with")->type_name("PACKAGE")->required();
-    c->add_option("-o,--output", o->folder, "folder for an HTML page of the differences, with pictures")
-        ->type_name("FOLDER");
-    add_force(*c, o->force);
-    c->add_flag("--json", o->json, "machine-readable output");
-    c->callback([o, &run] { run = [o] { return run_diff(*o); }; });
+    c.file("A", o->a, "a package").type("PACKAGE").required();
+    c.file("B", o->b, "the package to compare it with").type("PACKAGE").required();
+    c.file("-o,--output", o->folder, "folder for an HTML page of the differences, with pictures")
+        .type("FOLDER");
+    c.force(o->force);
+    c.flag("--json", o->json, "machine-readable output");
+    c.action([o] { return run_diff(*o); });
 }
 
 }  // namespace vantage

@@ -21,11 +21,12 @@ void choose_effect(const std::string& text, std::map<Effect, EffectChoice>& choi
 
 }  // namespace
 
-void add_effects(CLI::App& app, std::vector<std::string>& texts) {
-    app.add_option("--effect", texts,
-                   "turn an effect on or off, or let the scene decide; 'vantage info' lists them")
-        ->type_name("NAME=on|off|auto")
-        ->allow_extra_args(false);
+void add_effects(const Command& command, std::vector<std::string>& texts) {
+    command
+        .list("--effect", texts,
+              "turn an effect on or off, or let the scene decide; 'vantage info' lists them")
+        .type("NAME=on|off|auto")
+        .one_word();
 }
 
 void choose_effects(const std::vector<std::string>& texts, std::map<Effect, EffectChoice>& choices) {

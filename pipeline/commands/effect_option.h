@@ -1,15 +1,15 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "cli/command.h"
 #include "scene/effects.h"
 
 namespace vantage {
 
 /// Adds --effect. Its texts, such as "exposure=off", are for choose_effects().
-void add_effects(CLI::App& app, std::vector<std::string>& texts);
+void add_effects(const Command& command, std::vector<std::string>& texts);
 
 /// Applies "NAME=on|off|auto" to `choices`. Throws Error(usage) for a text of another form and an unknown
 /// effect.

@@ -1,6 +1,5 @@
 #include "pipeline/results/extract.h"
 
-#include "cli/force_option.h"
 #include "pipeline/commands/commands.h"
 
 namespace vantage {
@@ -14,11 +13,11 @@ struct ExtractOptions {
 
 }  // namespace
 
-void add_extract(CLI::App& app, Run& run) {
+void add_extract(const Command& program) {
     auto o = std::make_shared<ExtractOptions>();
-    CLI::App* c = app.add_subcommand(
+    const Command c = program.verb(
         "extract", "Write a package's photos, cameras, masks, depth, mesh and points as ordinary files");
-    c->footer(
+    c.notes(
         "Examples:\n  vantage extract chapel.vantage -o chapel-files\n"
         "  vantage extract chapel.vantage -o chapel-files --photo 0003\n"
         "In the folder: photos/ without lens distortion; sparse/, their cameras as COLMAP text, in the "
@@ -27,15 +26,13 @@ void add_extract(CLI::App& app, Run& run) {
         "depth/\n"
         "(EXR, along the optical axis); mesh.ply and points.ply. COLMAP, or vantage prepare, reads the "
         "folder.");
-    c->add_option("FILE", o->file, "the package")->type_name("PACKAGE")->required();
-    c->add_option("-o,--output", o->out, "folder to write into")->type_name("FOLDER")->required();
-    c->add_option("--photo", o->photos, "only these photos")->type_name("PHOTO")->delimiter(',');
-    add_force(*c, o->force);
-    c->callback([o, &run] {
-        run = [o] {
-            extract(o->file, o->out, o->photos, o->force);
-            return 0;
-        };
+    c.file("FILE", o->file, "the package").type("PACKAGE").required();
+    c.file("-o,--output", o->out, "folder to write into").type("FOLDER").required();
+    c.list("--photo", o->photos, "only these photos").type("PHOTO").commas();
+    c.force(o->force);
+    c.action([o] {
+        extract(o->file, o->out, o->photos, o->force);
+        return int(Exit::ok);
     });
 }
 

@@ -91,25 +91,22 @@ void print_package(const nlohmann::json& j, std::span<const EffectCost> costs) {
 
 }  // namespace
 
-void add_info(CLI::App& app, Run& run) {
+void add_info(const Command& program) {
     auto o = std::make_shared<InfoOptions>();
-    CLI::App* c =
-        app.add_subcommand("info", "Show what a package contains, and which effects are on and why");
-    c->footer(
+    const Command c = program.verb("info", "Show what a package contains, and which effects are on and why");
+    c.notes(
         "Examples:\n  vantage info --json chapel.vantage\n  vantage info "
         "https://example.org/scans/chapel.vantage");
-    c->add_option("FILE", o->file, "the package, or its URL")->type_name("PACKAGE")->required();
-    c->add_flag("--json", o->json, "machine-readable output");
-    c->callback([o, &run] {
-        run = [o] {
-            const PackageReader package = open_package(o->file);
-            const nlohmann::json j = describe_package(package);
-            if (o->json)
-                fmt::print("{}\n", json_text(j));
-            else
-                print_package(j, effect_costs(package, {}));
-            return 0;
-        };
+    c.file("FILE", o->file, "the package, or its URL").type("PACKAGE").required();
+    c.flag("--json", o->json, "machine-readable output");
+    c.action([o] {
+        const PackageReader package = open_package(o->file);
+        const nlohmann::json j = describe_package(package);
+        if (o->json)
+            fmt::print("{}\n", json_text(j));
+        else
+            print_package(j, effect_costs(package, {}));
+        return int(Exit::ok);
     });
 }
 

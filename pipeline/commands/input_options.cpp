@@ -1,31 +1,28 @@
 #include "pipeline/commands/input_options.h"
 
-#include "cli/known_values.h"
 #include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/import/mesh.h"
 #include "scene/error.h"
 
 namespace vantage {
 
-void add_input_options(CLI::App& c, InputOptions& o, PrepareSettings& settings) {
-    c.add_option("INPUT", o.input,
-                 "folder with a mesh or a point cloud, cameras and photos; or a scene file, NAME.toml, that "
-                 "lists several")
-        ->type_name("FILE");
-    c.add_option("--mesh", o.mesh, std::string("mesh file: ") + mesh_format_names)->type_name("FILE");
-    c.add_option("--cameras", o.cameras, camera_format_names())->type_name("FILE");
-    c.add_option("--photos", o.photos, "folder of photos")->type_name("FOLDER");
-    c.add_option("--points", settings.points,
-                 "point cloud to show, with the mesh in the same coordinates or alone: PLY, LAS, OBJ, STL, "
-                 "OFF; may be repeated")
-        ->type_name("FILE");
-    c.add_option("--bands", settings.bands,
-                 "photo sets that are shown one at a time: auto (by folders named visible, infrared, uvf, "
-                 "raking, before, ...), folders (each is a band), off, or a TOML file with the patterns of "
-                 "each band, such as infrared = [\"ir/*\", \"*_nir.tif\"]")
-        ->type_name("FILE")
-        ->check(known_values({"auto", "folders", "off"}))
-        ->capture_default_str();
+void add_input_options(const Command& c, InputOptions& o, PrepareSettings& settings) {
+    c.file("INPUT", o.input,
+           "folder with a mesh or a point cloud, cameras and photos; or a scene file, NAME.toml, that lists "
+           "several");
+    c.file("--mesh", o.mesh, std::string("mesh file: ") + mesh_format_names);
+    c.file("--cameras", o.cameras, camera_format_names());
+    c.file("--photos", o.photos, "folder of photos").type("FOLDER");
+    c.list(
+         "--points", settings.points,
+         "point cloud to show, with the mesh in the same coordinates or alone: PLY, LAS, OBJ, STL, OFF; may "
+         "be repeated")
+        .type("FILE");
+    c.file("--bands", settings.bands,
+           "photo sets that are shown one at a time: auto (by folders named visible, infrared, uvf, raking, "
+           "before, ...), folders (each is a band), off, or a TOML file with the patterns of each band, such "
+           "as infrared = [\"ir/*\", \"*_nir.tif\"]")
+        .suggests({"auto", "folders", "off"});
 }
 
 FoundInput find_input(const InputOptions& o, const PrepareSettings& settings) {

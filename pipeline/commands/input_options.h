@@ -1,7 +1,7 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "cli/command.h"
 #include "objects/scene_file.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/settings/settings.h"
@@ -14,7 +14,7 @@ struct InputOptions {
 };
 
 /// Adds INPUT, --mesh, --cameras, --photos, --points and --bands to a command.
-void add_input_options(CLI::App& command, InputOptions& options, PrepareSettings& settings);
+void add_input_options(const Command& command, InputOptions& options, PrepareSettings& settings);
 
 /// The parts of the input, as given or found in the folder. If they are not enough, `lacks` is Error(usage),
 /// or the error of search(). Throws Error(input) if the folder cannot be read, Error(usage) if nothing is

@@ -75,24 +75,21 @@ int inspect_objects(const InspectOptions& o) {
 
 }  // namespace
 
-void add_inspect(CLI::App& app, Run& run) {
+void add_inspect(const Command& program) {
     auto o = std::make_shared<InspectOptions>();
-    CLI::App* c = app.add_subcommand(
+    const Command c = program.verb(
         "inspect", "Show what an input holds, what would be left out, and what preparing it would need");
-    c->footer(
+    c.notes(
         "Reads the mesh, the cameras and the headers of the photos, decodes no photo and writes nothing.\n"
         "Examples:\n  vantage inspect scans/chapel\n"
         "  vantage inspect --mesh m.ply --cameras bundle.out --photos images --json\n"
         "Exit code: as 'vantage prepare' would end: 0 with all photos, 9 if photos would be left out, or "
         "that "
         "of\nthe error, which is printed after what was found.");
-    add_input_options(*c, o->input, o->settings);
-    c->add_flag("--json", o->json, "machine-readable output");
-    c->callback([o, &run] {
-        run = [o] {
-            return is_scene_of_objects(o->input, o->settings) ? inspect_objects(*o) : inspect_one(*o);
-        };
-    });
+    add_input_options(c, o->input, o->settings);
+    c.flag("--json", o->json, "machine-readable output");
+    c.action(
+        [o] { return is_scene_of_objects(o->input, o->settings) ? inspect_objects(*o) : inspect_one(*o); });
 }
 
 }  // namespace vantage

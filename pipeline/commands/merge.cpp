@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/force_option.h"
 #include "output/output_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
@@ -14,14 +13,15 @@ namespace {
 
 struct MergeOptions {
     std::vector<std::string> shares;
-    std::string out, progress = "auto";
+    std::string out;
+    ProgressStyle progress = ProgressStyle::automatic;
     bool remove = false, force = false;
 };
 
 int run_merge(MergeOptions o) {
     o.out = output_file(o.out, Product::package, {{o.shares.begin(), o.shares.end()}, {}}, o.force).string();
     {
-        ProgressLine line(progress_style(o.progress));
+        ProgressLine line(o.progress);
         merge({o.shares.begin(), o.shares.end()}, o.out, shown_until_signal(line));
     }
     if (o.remove)
@@ -33,22 +33,20 @@ int run_merge(MergeOptions o) {
 
 }  // namespace
 
-void add_merge(CLI::App& app, Run& run) {
+void add_merge(const Command& program) {
     auto o = std::make_shared<MergeOptions>();
-    CLI::App* c = app.add_subcommand("merge", "Join the shares of a preparation into one package");
-    c->footer(
+    const Command c = program.verb("merge", "Join the shares of a preparation into one package");
+    c.notes(
         "Each share is written by 'vantage prepare INPUT -o SHARE --shard i/n', on any machine. The result "
         "is\n"
         "byte-for-byte the package of a single run. An interrupted merge continues when it is run again.\n"
         "Example:\n  vantage merge chapel-*.share -o chapel.vantage --remove");
-    c->add_option("SHARES", o->shares, "all shares of one preparation, in any order")
-        ->type_name("FILE")
-        ->required();
-    c->add_option("-o,--output", o->out, "the package to write")->type_name("FILE")->required();
-    add_progress(*c, o->progress);
-    add_force(*c, o->force);
-    c->add_flag("--remove", o->remove, "remove the shares when the package is complete");
-    c->callback([o, &run] { run = [o] { return run_merge(*o); }; });
+    c.list("SHARES", o->shares, "all shares of one preparation, in any order").type("FILE").required();
+    c.file("-o,--output", o->out, "the package to write").required();
+    add_progress(c, o->progress);
+    c.force(o->force);
+    c.flag("--remove", o->remove, "remove the shares when the package is complete");
+    c.action([o] { return run_merge(*o); });
 }
 
 }  // namespace vantage

@@ -8,9 +8,6 @@
 #include <cstdio>
 #include <optional>
 
-#include "cli/force_option.h"
-#include "cli/known_values.h"
-#include "cli/real_range.h"
 #include "output/output_file.h"
 #include "pipeline/align/conventions.h"
 #include "pipeline/commands/apply_config.h"
@@ -40,10 +37,14 @@
 namespace vantage {
 namespace {
 
+/// What is corrected where photos disagree.
+enum class Refine { off, color, full };
+
 struct PrepareOptions {
     InputOptions input;
-    std::string out, distance = "auto", render_by = "auto", config;
-    std::string progress = "auto", share, trace, report, refine = "full";
+    std::string out, config, share, trace, report;
+    ProgressStyle progress = ProgressStyle::automatic;
+    Refine refine = Refine::full;
     std::vector<std::string> effects, conventions{convention_auto};
     PrepareSettings settings;
     bool explain = false, strict = false, rehash = false, no_report = false, force = false;
@@ -153,7 +154,7 @@ void print_needs(const ResourceEstimate& n) {
 
 PrepareResult prepare_shown(const PrepareOptions& o, SceneInput scene, IdentityCache& identities,
                             Trace& trace, std::chrono::steady_clock::time_point start) {
-    ProgressLine line(progress_style(o.progress));
+    ProgressLine line(o.progress);
     const PrepareRun run{&stop_on_signals(), o.strict, &identities, share(o.share), &trace,
                          print_needs,        true,     start};
     return prepare(
@@ -177,12 +178,10 @@ ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& setting
 }
 
 int run_prepare(PrepareOptions o) {
-    o.settings.distance = distance_method(o.distance);
-    o.settings.render_by = render_by(o.render_by);
     o.settings.convention = wanted_conventions(o.conventions);
     for (const EffectRow& row : effect_table())
-        if ((row.basis == Basis::pixels && o.refine != "full") ||
-            (row.basis == Basis::colors && o.refine == "off"))
+        if ((row.basis == Basis::pixels && o.refine != Refine::full) ||
+            (row.basis == Basis::colors && o.refine == Refine::off))
             o.settings.effects[row.effect] = EffectChoice::off;
     choose_effects(o.effects, o.settings.effects);
     const auto start = std::chrono::steady_clock::now();
@@ -229,12 +228,20 @@ int run_prepare_scene(const PrepareOptions& o) {
     });
 }
 
+/// By the names that META has, too.
+template <class Enum>
+std::vector<std::pair<std::string, Enum>> named(std::initializer_list<Enum> values) {
+    std::vector<std::pair<std::string, Enum>> out;
+    for (const Enum value : values) out.emplace_back(name(value), value);
+    return out;
+}
+
 }  // namespace
 
-void add_prepare(CLI::App& app, Run& run) {
+void add_prepare(const Command& program) {
     auto o = std::make_shared<PrepareOptions>();
-    CLI::App* c = app.add_subcommand("prepare", "Prepare a mesh and its photos into one package");
-    c->footer(
+    const Command c = program.verb("prepare", "Prepare a mesh and its photos into one package");
+    c.notes(
         "Examples:\n  vantage prepare scans/chapel -o chapel.vantage\n"
         "  vantage prepare --mesh m.ply --cameras bundle.out --photos images -o m.vantage\n"
         "  vantage prepare chapel -o look.vantage --config preview\n"
@@ -246,95 +253,63 @@ void add_prepare(CLI::App& app, Run& run) {
         "  vantage prepare chapel -o chapel-3.share --shard 3/8\n"
         "  vantage prepare church.toml -o church    # several objects, see the README\n"
         "Run again, it continues where it was interrupted and repeats only what a change affects.");
-    add_input_options(*c, o->input, o->settings);
-    c->add_option(
-         "--deviation-from", o->settings.deviation_from,
-         "measure the mesh's signed distance from this mesh or point cloud, as a scalar layer; may be "
-         "repeated")
-        ->type_name("FILE");
-    c->add_option(
-         "--convention", o->conventions,
-         "where cameras or mesh differ from what their format says: auto (the photos decide), as-read, "
-         "or one or more of the others")
-        ->type_name("NAME")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->check(known_values(convention_names()))
-        ->capture_default_str();
-    c->add_option("-o,--output", o->out, "the package to write; of a scene file: the folder for packages")
-        ->type_name("FILE")
-        ->required();
-    c->add_option("--config", o->config,
-                  "preset to use, or a TOML file with settings; the command line overrides them")
-        ->type_name("FILE")
-        ->check(known_values({presets.begin(), presets.end()}));
-    c->add_option("--distance", o->distance,
-                  "how the distance from depth borders is computed: exactly, or by jump flooding with "
-                  "OpenGL; auto: by jump flooding on a GPU")
-        ->check(known_values({"auto", "exact", "jfa^2"}))
-        ->capture_default_str();
-    c->add_option("--border-width", o->settings.border_width,
-                  "distance at which the border mask reaches 1, in px of a photo 3072 px wide")
-        ->check(real_range(1.0, 4096.0))
-        ->capture_default_str();
-    c->add_option("--border-threshold", o->settings.border_threshold,
-                  "relative depth step that makes a border")
-        ->check(real_range(1e-6, 10.0))
-        ->capture_default_str();
-    c->add_option("--thumbnail", o->settings.thumbnail, "long side of the thumbnails in px")
-        ->check(CLI::Range(16, 4096))
-        ->capture_default_str();
-    c->add_option("--photo-size", o->settings.photo_size,
-                  "reduce photos to this long side in px; 0 = full size")
-        ->check(CLI::Range(0, 1 << 16))
-        ->capture_default_str();
-    c->add_flag("--vertex-coordinates", o->settings.vertex_coordinates,
-                "store texture coordinates per vertex, for the player's --coordinates vertex, even if the "
-                "scene does not ask for them");
-    c->add_option("--refine", o->refine,
-                  "full: correct cameras and colors and mask moving objects where photos disagree; color: "
-                  "correct colors only; off: change nothing")
-        ->check(CLI::IsMember({"off", "color", "full"}))
-        ->capture_default_str();
-    c->add_option(
-         "--judge", o->settings.judge,
-         "on: left-out photos must confirm what --refine corrects; off: faster, thresholds alone decide")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, bool>{{"on", true}, {"off", false}}))
-        ->default_str("on");
-    c->add_option("--render-by", o->render_by,
-                  "renderer of the model as seen from the photos; auto: a GPU if there is one")
-        ->check(known_values({"auto", "opengl", "processor"}))
-        ->capture_default_str();
-    c->add_option("--threads", o->settings.threads, "photos in flight; 0 = all cores")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
-    c->add_option("--memory", o->settings.memory,
-                  "memory limit in bytes, such as 800M: fewer photos in flight")
-        ->transform(CLI::AsSizeValue(false))
-        ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 60))
-        ->transform([](const std::string& text) {  // applied first; CLI11 reads -5 as a large number
-            if (text.starts_with('-'))
-                throw CLI::ValidationError("--memory", "Value " + text + " is negative");
-            return text;
-        });
-    c->add_option("--hold-out", o->settings.hold_out, "photos to store as cameras only, without their pixels")
-        ->type_name("PHOTO")
-        ->delimiter(',');
-    c->add_flag("--explain", o->explain, "print how often each stage ran, and why");
-    c->add_flag("--strict", o->strict, "stop at the first unusable photo instead of leaving it out");
-    c->add_flag("--rehash", o->rehash, "detect changed files by content, not by size and timestamps");
-    c->add_option("--shard", o->share, "i/n: only every n-th photo, for 'vantage merge'")->type_name("I/N");
-    c->add_flag("--no-report", o->no_report, "do not write a report (NAME.html) next to the package");
-    add_force(*c, o->force);
-    c->add_option("--trace", o->trace, "write a trace of all threads for Perfetto or chrome://tracing")
-        ->type_name("FILE");
-    add_progress(*c, o->progress);
-    add_effects(*c, o->effects);
-    c->callback([o, c, &run] {
-        if (!o->config.empty()) apply_config(*c, o->config);
-        run = [o] {
-            return is_scene_of_objects(o->input, o->settings) ? run_prepare_scene(*o) : run_prepare(*o);
-        };
+    PrepareSettings& settings = o->settings;
+    add_input_options(c, o->input, settings);
+    c.list("--deviation-from", settings.deviation_from,
+           "measure the mesh's signed distance from this mesh or point cloud, as a scalar layer; may be "
+           "repeated")
+        .type("FILE");
+    c.list("--convention", o->conventions,
+           "where cameras or mesh differ from what their format says: auto (the photos decide), as-read, or "
+           "one or more of the others")
+        .type("NAME")
+        .suggests(convention_names())
+        .commas()
+        .one_word();
+    c.file("-o,--output", o->out, "the package to write; of a scene file: the folder for packages")
+        .required();
+    c.file("--config", o->config,
+           "preset to use, or a TOML file with settings; the command line overrides them")
+        .suggests({presets.begin(), presets.end()});
+    c.choice("--distance", settings.distance,
+             named({DistanceMethod::automatic, DistanceMethod::exact, DistanceMethod::jump_flooding}),
+             "how the distance from depth borders is computed: exactly, or by jump flooding with OpenGL; "
+             "auto: by jump flooding on a GPU");
+    c.real("--border-width", settings.border_width, 1, 4096,
+           "distance at which the border mask reaches 1, in px of a photo 3072 px wide");
+    c.real("--border-threshold", settings.border_threshold, 1e-6, 10,
+           "relative depth step that makes a border");
+    c.integer("--thumbnail", settings.thumbnail, 16, 4096, "long side of the thumbnails in px");
+    c.integer("--photo-size", settings.photo_size, 0, 1 << 16,
+              "reduce photos to this long side in px; 0 = full size");
+    c.flag("--vertex-coordinates", settings.vertex_coordinates,
+           "store texture coordinates per vertex, for the player's --coordinates vertex, even if the scene "
+           "does not ask for them");
+    c.choice("--refine", o->refine, {{"off", Refine::off}, {"color", Refine::color}, {"full", Refine::full}},
+             "full: correct cameras and colors and mask moving objects where photos disagree; color: correct "
+             "colors only; off: change nothing");
+    c.choice("--judge", settings.judge, {{"on", true}, {"off", false}},
+             "on: left-out photos must confirm what --refine corrects; off: faster, thresholds alone decide");
+    c.choice("--render-by", settings.render_by,
+             named({RenderBy::automatic, RenderBy::opengl, RenderBy::processor}),
+             "renderer of the model as seen from the photos; auto: a GPU if there is one");
+    c.integer("--threads", settings.threads, 0, 1024, "photos in flight; 0 = all cores");
+    c.bytes("--memory", settings.memory, "memory limit in bytes, such as 800M: fewer photos in flight");
+    c.list("--hold-out", settings.hold_out, "photos to store as cameras only, without their pixels")
+        .type("PHOTO")
+        .commas();
+    c.flag("--explain", o->explain, "print how often each stage ran, and why");
+    c.flag("--strict", o->strict, "stop at the first unusable photo instead of leaving it out");
+    c.flag("--rehash", o->rehash, "detect changed files by content, not by size and timestamps");
+    c.text("--shard", o->share, "i/n: only every n-th photo, for 'vantage merge'").type("I/N");
+    c.flag("--no-report", o->no_report, "do not write a report (NAME.html) next to the package");
+    c.force(o->force);
+    c.file("--trace", o->trace, "write a trace of all threads for Perfetto or chrome://tracing");
+    add_progress(c, o->progress);
+    add_effects(c, o->effects);
+    c.action([o, c] {
+        if (!o->config.empty()) apply_config(c, o->config);
+        return is_scene_of_objects(o->input, o->settings) ? run_prepare_scene(*o) : run_prepare(*o);
     });
 }
 

@@ -6,9 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "cli/known_values.h"
 #include "pipeline/commands/stop_signals.h"
-#include "scene/error.h"
 
 namespace vantage {
 namespace {
@@ -45,21 +43,20 @@ std::string json_line(const Progress& p, double seconds) {
 
 }  // namespace
 
-void add_progress(CLI::App& app, std::string& style) {
-    app.add_option(
-           "--progress", style,
-           "how to show progress; auto: a bar on a terminal, lines elsewhere; json: machine-readable lines")
-        ->check(known_values({"auto", "bar", "lines", "json", "none"}))
-        ->capture_default_str();
+void add_progress(const Command& command, ProgressStyle& style) {
+    command.choice(
+        "--progress", style,
+        {{"auto", ProgressStyle::automatic},
+         {"bar", ProgressStyle::bar},
+         {"lines", ProgressStyle::lines},
+         {"json", ProgressStyle::json},
+         {"none", ProgressStyle::none}},
+        "how to show progress; auto: a bar on a terminal, lines elsewhere; json: machine-readable lines");
 }
 
-ProgressStyle progress_style(const std::string& name) {
-    if (name == "auto") return ::isatty(STDERR_FILENO) == 1 ? ProgressStyle::bar : ProgressStyle::lines;
-    if (name == "bar") return ProgressStyle::bar;
-    if (name == "lines") return ProgressStyle::lines;
-    if (name == "json") return ProgressStyle::json;
-    if (name == "none") return ProgressStyle::none;
-    throw Error(Exit::usage, "--progress " + name + ": expected auto, bar, lines, json or none");
+ProgressLine::ProgressLine(ProgressStyle style) : style_(style) {
+    if (style == ProgressStyle::automatic)
+        style_ = ::isatty(STDERR_FILENO) == 1 ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
 ProgressLine::~ProgressLine() {

@@ -1,28 +1,28 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <string>
 
+#include "cli/command.h"
 #include "pipeline/run/progress.h"
 
 namespace vantage {
 
 /// How progress is shown: a bar that updates in place, plain lines, one JSON object per line, or not at all.
-enum class ProgressStyle { bar, lines, json, none };
-/// Adds --progress: the name of a style.
-void add_progress(CLI::App& app, std::string& style);
-/// "auto" is a bar on a terminal and lines elsewhere. Throws Error(usage).
-ProgressStyle progress_style(const std::string& name);
+/// `automatic`: a bar on a terminal, lines elsewhere.
+enum class ProgressStyle { automatic, bar, lines, json, none };
+/// Adds --progress.
+void add_progress(const Command& command, ProgressStyle& style);
 
 /// Shows progress on stderr, with the rate and remaining time of the current stage.
 class ProgressLine {
   public:
-    explicit ProgressLine(ProgressStyle style) : style_(style) {}
+    explicit ProgressLine(ProgressStyle style);
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
     void show(const Progress& progress);
+    ProgressStyle style() const { return style_; }  ///< never automatic
 
   private:
     ProgressStyle style_;

@@ -6,7 +6,6 @@
 #include <map>
 #include <string>
 
-#include "cli/force_option.h"
 #include "output/output_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/effect_option.h"
@@ -19,7 +18,8 @@ namespace vantage {
 namespace {
 
 struct RefineOptions {
-    std::string file, out, progress = "auto";
+    std::string file, out;
+    ProgressStyle progress = ProgressStyle::automatic;
     bool force = false;
     std::vector<std::string> effects;
 };
@@ -49,7 +49,7 @@ int run_refine(const RefineOptions& o) {
     const std::map<Effect, EffectChoice> choices = refined_effects(o.effects);
     const std::string out = refined_file(o).string();
     {
-        ProgressLine line(progress_style(o.progress));
+        ProgressLine line(o.progress);
         refine_package(o.file, choices, out, shown_until_signal(line));
     }
     const PackageReader package(out);
@@ -64,21 +64,21 @@ int run_refine(const RefineOptions& o) {
 
 }  // namespace
 
-void add_refine(CLI::App& app, Run& run) {
+void add_refine(const Command& program) {
     auto o = std::make_shared<RefineOptions>();
-    CLI::App* c = app.add_subcommand("refine", "Recompute registration, colors and consensus of a package");
-    c->footer(
+    const Command c = program.verb("refine", "Recompute registration, colors and consensus of a package");
+    c.notes(
         "Needs only the package: tiles are copied, and only data that depends on moved cameras is "
         "recomputed.\n"
         "Examples:\n  vantage refine chapel.vantage --effect exposure=off -o as-taken.vantage\n"
         "  vantage refine chapel.vantage --effect registration=on\n"
         "  vantage refine chapel.vantage");
-    c->add_option("FILE", o->file, "the package")->type_name("PACKAGE")->required();
-    c->add_option("-o,--output", o->out, "the package to write (default: replace FILE)")->type_name("FILE");
-    add_effects(*c, o->effects);
-    add_force(*c, o->force);
-    add_progress(*c, o->progress);
-    c->callback([o, &run] { run = [o] { return run_refine(*o); }; });
+    c.file("FILE", o->file, "the package").type("PACKAGE").required();
+    c.file("-o,--output", o->out, "the package to write (default: replace FILE)");
+    add_effects(c, o->effects);
+    c.force(o->force);
+    add_progress(c, o->progress);
+    c.action([o] { return run_refine(*o); });
 }
 
 }  // namespace vantage

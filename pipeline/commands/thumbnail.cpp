@@ -1,6 +1,5 @@
 #include "pipeline/results/thumbnail.h"
 
-#include "cli/force_option.h"
 #include "output/output_file.h"
 #include "output/package_inputs.h"
 #include "output/png_file.h"
@@ -26,21 +25,17 @@ int run_thumbnail(const ThumbnailOptions& o) {
 
 }  // namespace
 
-void add_thumbnail(CLI::App& app, Run& run) {
+void add_thumbnail(const Command& program) {
     auto o = std::make_shared<ThumbnailOptions>();
-    CLI::App* c = app.add_subcommand("thumbnail", "Write a small picture of a package, for file managers");
-    c->footer(
+    const Command c = program.verb("thumbnail", "Write a small picture of a package, for file managers");
+    c.notes(
         "It shows the photo at which the player opens, at most as large as the thumbnail in the package.\n"
         "Example:\n  vantage thumbnail chapel.vantage -o chapel.png --size 512");
-    c->add_option("FILE", o->file, "the package, or its URL")->type_name("PACKAGE")->required();
-    c->add_option("-o,--output", o->out, "the PNG to write, whatever its extension")
-        ->type_name("FILE")
-        ->required();
-    c->add_option("--size", o->size, "its long side in px, at most")
-        ->check(CLI::Range(1, 4096))
-        ->capture_default_str();
-    add_force(*c, o->force);
-    c->callback([o, &run] { run = [o] { return run_thumbnail(*o); }; });
+    c.file("FILE", o->file, "the package, or its URL").type("PACKAGE").required();
+    c.file("-o,--output", o->out, "the PNG to write, whatever its extension").required();
+    c.integer("--size", o->size, 1, 4096, "its long side in px, at most");
+    c.force(o->force);
+    c.action([o] { return run_thumbnail(*o); });
 }
 
 }  // namespace vantage

@@ -2,7 +2,6 @@
 // are within their bounds.
 #include <cstdlib>
 
-#include "cli/real_range.h"
 #include "pipeline/commands/apply_config.h"
 #include "pipeline/settings/config_files.h"
 #include "pipeline/synth/spec.h"
@@ -13,17 +12,17 @@ using namespace vantage;
 
 namespace {
 
-struct Command {
-    CLI::App app;
+struct Settings {
+    Command command{"fuzzed", ""};
     double width = 1;
     int threads = 1;
     bool trim = false;
     std::vector<std::string> names;
-    Command() {
-        app.add_option("--width", width)->check(real_range(1, 4096));
-        app.add_option("--threads", threads)->check(CLI::Range(0, 64));
-        app.add_flag("--trim", trim);
-        app.add_option("--names", names)->delimiter(',');
+    Settings() {
+        command.real("--width", width, 1, 4096, "");
+        command.integer("--threads", threads, 0, 64, "");
+        command.flag("--trim", trim, "");
+        command.list("--names", names, "").commas();
     }
 };
 
@@ -34,9 +33,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     folder.set("a.toml", fuzz::text_of(data, size));
     const std::filesystem::path file = folder.path() / "a.toml";
     try {
-        Command c;
-        apply_config(c.app, file.string());
-        if (!(c.width >= 1 && c.width <= 4096) || c.threads < 0 || c.threads > 64) std::abort();
+        Settings s;
+        apply_config(s.command, file.string());
+        if (!(s.width >= 1 && s.width <= 4096) || s.threads < 0 || s.threads > 64) std::abort();
     } catch (const Error&) {
     }
     try {

@@ -47,11 +47,11 @@ std::vector<std::string> matches(const std::string& text, const char* pattern) {
 }
 
 /// "{off,full}" or "{average->0,best->2} OR {0,2}": the words of the first braces. None for
-/// "FILE:{auto,off}", which also takes any file.
+/// "{auto,off} or FILE", which also takes any file.
 std::set<std::string> choices_in(const std::string& line) {
     std::smatch braces;
-    if (line.find(" FILE:{") != line.npos) return {};
-    if (!std::regex_search(line, braces, std::regex(R"((?::| in )\{([^}]*)\})"))) return {};
+    if (line.find(" FILE:{") != line.npos || line.find("} or FILE") != line.npos) return {};
+    if (!std::regex_search(line, braces, std::regex(R"((?::| in | )\{([^}]*)\})"))) return {};
     const auto words = matches(braces[1], R"(([a-z][a-z0-9+^-]*?)(?:->\d+)?(?:,|$))");
     return {words.begin(), words.end()};
 }
@@ -96,7 +96,7 @@ class Help : public TemporaryFolder {
         for (const fs::path path : {VANTAGE_PROGRAM, VANTAGE_PLAYER, VANTAGE_BENCH}) {
             Program p{help_of(path.string()), {}};
             p.verbs[""] = options_in(p.help);
-            const std::size_t listed = std::min(p.help.find("Subcommands:\n"), p.help.find("Verbs ("));
+            const std::size_t listed = std::min(p.help.find("\nVerbs:\n"), p.help.find("Verbs ("));
             const std::string list = listed == std::string::npos ? "" : p.help.substr(listed);
             const std::size_t end = std::min(list.find("\n\n"), list.find("\nExit codes:"));
             for (const std::string& verb : matches(list.substr(0, end), R"(\n  ([a-z]+) )"))
@@ -143,7 +143,7 @@ class Help : public TemporaryFolder {
         if (const auto found = programs.find(fs::path(words[0]).filename().string());
             found != programs.end()) {
             const auto& verbs = found->second.verbs;
-            const bool takes_verbs = found->second.help.find("SUBCOMMAND") != std::string::npos;
+            const bool takes_verbs = found->second.help.find("[VERB]") != std::string::npos;
             const auto verb = words.size() > 1 ? verbs.find(words[1]) : verbs.end();
             if (verb != verbs.end()) return mistake(verb->second, words, 2);
             if (takes_verbs && words.size() > 1 && !words[1].starts_with('-'))

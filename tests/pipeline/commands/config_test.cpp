@@ -15,15 +15,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Command {
-    CLI::App app;
+struct Settings {
+    Command command{"configured", ""};
     int size = 1;
     bool trim = false;
     std::vector<std::string> names;
-    Command() {
-        app.add_option("--size", size)->check(CLI::Range(1, 10));
-        app.add_flag("--trim", trim);
-        app.add_option("--names", names);
+    Settings() {
+        command.integer("--size", size, 1, 10, "");
+        command.flag("--trim", trim, "");
+        command.list("--names", names, "");
     }
 };
 
@@ -39,34 +39,38 @@ class Config : public TemporaryFolder {
 }  // namespace
 
 TEST_F(Config, CommandLineOverridesTheFile) {
-    Command c;
-    c.app.parse("--size 7");
-    apply_config(c.app, holding("size = 3\nnames = ['a', 'b']\n"));
-    EXPECT_EQ(c.size, 7);
-    EXPECT_EQ(c.names, (std::vector<std::string>{"a", "b"}));
-    Command plain;
-    apply_config(plain.app, file.string());
+    Settings s;
+    s.command.run({"--size", "7"});
+    apply_config(s.command, holding("size = 3\nnames = ['a', 'b']\n"));
+    EXPECT_EQ(s.size, 7);
+    EXPECT_EQ(s.names, (std::vector<std::string>{"a", "b"}));
+    Settings plain;
+    apply_config(plain.command, file.string());
     EXPECT_EQ(plain.size, 3);
 }
 
 TEST_F(Config, RejectsUnknownOrInvalidSettings) {
     for (const char* text : {"color = 3\n", "size = 99\n", "size = {}\n", "size = \n", "size = [3, 4]\n",
                              "size = []\n", "trim = []\n"}) {
-        Command c;
-        EXPECT_THROW(apply_config(c.app, holding(text)), Error) << text;
+        const Settings s;
+        EXPECT_THROW(apply_config(s.command, holding(text)), Error) << text;
     }
-    Command c;
-    EXPECT_THROW(apply_config(c.app, "no-such-preset"), Error);
+    const Settings s;
+    EXPECT_THROW(apply_config(s.command, "no-such-preset"), Error);
 }
 
 TEST_F(Config, PrepareAcceptsEveryPreset) {
     for (const auto& preset : fs::directory_iterator(VANTAGE_SOURCE_DIR "/configs")) {
         if (preset.path().extension() != ".toml") continue;
-        CLI::App app;
-        vantage::Run run;
-        add_prepare(app, run);
-        EXPECT_NO_THROW(app.parse("prepare scene -o out --config " + preset.path().string()))
-            << preset.path();
+        const Command program("vantage", "");
+        add_prepare(program);
+        try {
+            program.run({"prepare", (dir / "none").string(), "-o", (dir / "out").string(), "--config",
+                         preset.path().string()});
+            ADD_FAILURE() << "there is nothing to prepare";
+        } catch (const Error& e) {
+            EXPECT_EQ(e.code(), Exit::input) << preset.path() << ": " << e.what();
+        }
     }
 }
 
@@ -81,9 +85,7 @@ void expect_nan_rejected(CLI::App& app) {
 }
 
 TEST(Options, RejectNan) {
-    CLI::App app, player, bench, evaluate, verify;
-    vantage::Run run;
-    for (const auto add : all_commands) add(app, run);
+    CLI::App player, bench, evaluate, verify;
     ShowOptions options;
     BenchOptions b;
     EvaluateOptions e;
@@ -93,5 +95,5 @@ TEST(Options, RejectNan) {
     add_bench_options(bench, b, unused_by_bench);
     add_evaluate_options(evaluate, e, unused_by_evaluate);
     add_verify_options(verify, v);
-    for (CLI::App* a : {&app, &player, &bench, &evaluate, &verify}) expect_nan_rejected(*a);
+    for (CLI::App* a : {&player, &bench, &evaluate, &verify}) expect_nan_rejected(*a);
 }
