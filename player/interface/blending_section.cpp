@@ -78,10 +78,9 @@ void weight_controls(Controls& c, Session& s, const Renderer& renderer) {
 }
 
 void photo_controls(Controls& c, RenderSettings& r, const Renderer& renderer) {
-    static const char* const choices[] = {marked("cover the view"), marked("nearest"), marked("direction"),
-                                          marked("direction and normals")};
+    static const char* const choices[] = {marked("cover the view"), marked("nearest")};
     choice(c, "Choose to", r.choice, choices);
-    c.explain("Which photos are blended: those that cover the view together, or the first ones of an order.");
+    c.explain("Which photos are blended: those that cover the view together, or those nearest to you.");
     c.slider("Photos", &r.photos, 1, std::max(1, int(renderer.scene().photos.size())));
     c.explain("How many photos are blended. More photos take more time.");
     c.slider("Per pass", &r.photos_per_pass, 1, most_photos_per_pass);

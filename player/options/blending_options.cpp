@@ -35,13 +35,9 @@ void add_choices(CLI::App& app, RenderSettings& r) {
         ->default_str("auto")
         ->group(group);
     app.add_option("--choose", r.choice,
-                   "photos to blend: cover (each surface gets one that sees it, the best first), nearest, "
-                   "direction (most similar viewing direction), normals (as direction, plus photos that face "
-                   "what is still uncovered)")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, Choice>{{"cover", Choice::cover},
-                                                                          {"nearest", Choice::nearest},
-                                                                          {"direction", Choice::direction},
-                                                                          {"normals", Choice::normals}}))
+                   "photos to blend: cover (each surface gets one that sees it, the best first), nearest")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, Choice>{{"cover", Choice::cover}, {"nearest", Choice::nearest}}))
         ->default_str("cover")
         ->group(group);
     app.add_option("--show", r.show,

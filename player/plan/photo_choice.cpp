@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "player/plan/normal_clusters.h"
 #include "player/plan/photo_cover.h"
 
 namespace vantage {
@@ -24,12 +23,7 @@ std::vector<Candidate> candidates(const VisibleSurface& s, std::span<const std::
         const double a = agreement(s, p);
         if (!(a > 0)) continue;
         double rank = a;
-        if (choice == Choice::nearest)
-            rank = 1 / (1e-12 + (s.scene.poses[p].center() - s.eye).norm());
-        else if (choice != Choice::cover)
-            rank = std::max(1e-3, s.view.cam_from_origin.direction().dot(Eigen::Map<const Eigen::Vector3d>(
-                                      s.scene.photos[p].corrected_direction))) *
-                   std::max(0.01, s.scene.photos[p].hull_area);
+        if (choice == Choice::nearest) rank = 1 / (1e-12 + (s.scene.poses[p].center() - s.eye).norm());
         const bool chosen_before = std::ranges::count(previous, p) > 0;
         out.push_back({p, a, rank * (chosen_before ? hysteresis : 1), chosen_before});
     }
@@ -62,42 +56,6 @@ CoverProblem cover_problem(const VisibleSurface& s, const std::vector<Candidate>
     return problem;
 }
 
-/// Normals, facing the viewer, of visible points that no chosen photo sees.
-std::vector<Eigen::Vector3d> uncovered_normals(const VisibleSurface& s, const std::vector<Candidate>& all,
-                                               const std::vector<std::size_t>& chosen) {
-    std::vector<Eigen::Vector3d> normals;
-    for (std::size_t i = 0; i < s.points.samples.size(); ++i) {
-        const std::uint32_t t = s.points.triangles[i];
-        if (std::ranges::any_of(chosen, [&](std::size_t c) { return sees(s.scene, all[c].photo, t); }))
-            continue;
-        const SurfaceSample& sample = s.points.samples[i];
-        const Eigen::Vector3d n = sample.along_x.cross(sample.along_y).normalized();
-        normals.push_back(n.dot(s.eye - sample.position) < 0 ? Eigen::Vector3d(-n) : n);
-    }
-    return normals;
-}
-
-/// [P]: clusters the normals of the uncovered surface, and adds for each direction the photo that faces it
-/// best. Runs on the CPU, over points that the plan has anyway; [P] used an extra pass that took most of a
-/// frame.
-void add_against_normals(const VisibleSurface& s, const std::vector<Candidate>& all,
-                         std::vector<std::size_t>& chosen) {
-    for (const NormalCluster& cluster : cluster_normals(uncovered_normals(s, all, chosen), 4, 5)) {
-        std::size_t best = all.size();
-        double most = 0;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            const package::PhotoRecord& photo = s.scene.photos[all[i].photo];
-            const double against =
-                -cluster.direction.dot(Eigen::Map<const Eigen::Vector3d>(photo.corrected_direction)) *
-                std::max(0.01, photo.hull_area);
-            if (std::ranges::count(chosen, i) || !(against > most)) continue;
-            most = against;
-            best = i;
-        }
-        if (best < all.size()) chosen.push_back(best);
-    }
-}
-
 }  // namespace
 
 PhotoChoice choose_photos(const VisibleSurface& s, const PlanSettings& settings,
@@ -113,7 +71,6 @@ PhotoChoice choose_photos(const VisibleSurface& s, const PlanSettings& settings,
     };
     for (std::size_t i = 0; i < all.size() && chosen.size() < wanted; ++i)
         if (within(all[i]) && !std::ranges::count(chosen, i)) chosen.push_back(i);
-    if (settings.choice == Choice::normals) add_against_normals(s, all, chosen);
     PhotoChoice out{{}, uncovered_share(problem, chosen)};
     for (const std::size_t i : chosen) out.photos.push_back({all[i].photo, all[i].agreement});
     std::ranges::stable_sort(out.photos, std::ranges::greater{}, &ChosenPhoto::agreement);

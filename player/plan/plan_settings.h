@@ -4,10 +4,8 @@ namespace vantage {
 
 /// How photos are chosen.
 enum class Choice {
-    cover,      ///< weighted set cover: each surface in view that some photo sees gets one, the best first
-    nearest,    ///< those whose cameras are nearest to the viewer
-    direction,  ///< [P]: best corrected directions and largest hulls
-    normals,    ///< as `direction`, plus photos facing the normals of what is still uncovered [P]
+    cover,    ///< weighted set cover: each surface in view that some photo sees gets one, the best first
+    nearest,  ///< those whose cameras are nearest to the viewer
     count
 };
 

@@ -1,6 +1,5 @@
-// Clusters of normals, covers and frusta: degenerate cases, and planes that just touch a sphere.
+// Covers and frusta: degenerate cases, and planes that just touch a sphere.
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -12,7 +11,6 @@
 
 #include "pipeline/model/clusters.h"
 #include "player/plan/cluster_tree.h"
-#include "player/plan/normal_clusters.h"
 #include "player/plan/photo_cover.h"
 #include "player/plan/plan.h"
 
@@ -64,89 +62,6 @@ long double inside_by(const View& view, const Eigen::Vector3d& point) {
 }
 
 }  // namespace
-
-TEST(NormalClusterHardCases, FewerNormalsThanClustersGetOneClusterEach) {
-    std::mt19937 random(1);
-    for (std::size_t n = 1; n <= 6; ++n) {
-        std::vector<Eigen::Vector3d> normals;
-        while (normals.size() < n)
-            if (const Eigen::Vector3d d = random_unit(random);
-                std::ranges::all_of(normals, [&](const auto& o) { return o.dot(d) < 0.9; }))
-                normals.push_back(d);
-        const auto found = cluster_normals(normals, n + 5, 5);
-        ASSERT_EQ(found.size(), n);
-        for (const Eigen::Vector3d& d : normals)
-            EXPECT_EQ(std::ranges::count_if(found,
-                                            [&](const NormalCluster& c) {
-                                                return c.members == 1 && c.direction.dot(d) > 1 - 1e-12;
-                                            }),
-                      1);
-    }
-}
-
-TEST(NormalClusterHardCases, TwoDistinctDirectionsGiveTwoClusters) {
-    std::vector<Eigen::Vector3d> normals(3000, Eigen::Vector3d::UnitX());
-    for (std::size_t i = 0; i < 1000; ++i) normals[3 * i] = -Eigen::Vector3d::UnitX();
-    const auto found = cluster_normals(normals, 4, 5);
-    ASSERT_EQ(found.size(), 2u);
-    EXPECT_EQ(found[0].members, 2000u);
-    EXPECT_EQ(found[0].direction, Eigen::Vector3d::UnitX());
-    EXPECT_EQ(found[1].members, 1000u);
-}
-
-TEST(NormalClusterHardCases, SmallSetsComeCloseToTheBestPartition) {
-    std::mt19937 random(2);
-    for (int trial = 0; trial < 60; ++trial) {
-        std::vector<Eigen::Vector3d> normals;
-        for (int i = 0; i < 8; ++i) normals.push_back(random_unit(random));
-        // Spherical k-means maximizes the sum of the norms of the clusters' vector sums.
-        double best = 0;
-        for (unsigned bits = 0; bits < 128; ++bits) {
-            std::array<Eigen::Vector3d, 2> sums{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-            for (unsigned i = 0; i < 8; ++i) sums[bits >> i & 1] += normals[i];
-            best = std::max(best, sums[0].norm() + sums[1].norm());
-        }
-        double reached = 0;
-        std::size_t members = 0;
-        const auto found = cluster_normals(normals, 2, 50);
-        for (const NormalCluster& c : found) members += c.members;
-        for (const Eigen::Vector3d& n : normals) {
-            double cosine = -1;
-            for (const NormalCluster& c : found) cosine = std::max(cosine, c.direction.dot(n));
-            reached += cosine;
-        }
-        EXPECT_EQ(members, 8u);
-        EXPECT_LE(reached, best + 1e-9);
-        EXPECT_GE(reached, 0.7 * best) << "trial " << trial;
-    }
-}
-
-RC_GTEST_PROP(NormalClusterHardCases, AnyDirectionsFormClustersOfUnitLength, ()) {
-    // Few directions along two axes, so that many are equal and opposite ones cancel out.
-    const auto axes = *rc::gen::resize(8, rc::gen::container<std::vector<int>>(rc::gen::element(0, 1, 2, 3)));
-    std::vector<Eigen::Vector3d> normals;
-    for (const int a : axes) normals.push_back((a < 2 ? 1 : -1) * Eigen::Vector3d::Unit(a % 2));
-    const auto clusters = *rc::gen::inRange<std::size_t>(1, 5);
-    const auto iterations = *rc::gen::inRange(0, 6);  // 0: nothing is assigned
-    const auto found = cluster_normals(normals, clusters, iterations);
-    std::size_t members = 0;
-    for (const NormalCluster& c : found) {
-        members += c.members;
-        RC_ASSERT(c.members > 0u);
-        RC_ASSERT(c.members <= found.front().members);
-        RC_ASSERT(std::abs(c.direction.norm() - 1) < 1e-12);
-    }
-    RC_ASSERT(found.size() <= clusters);
-    RC_ASSERT(members == (iterations ? normals.size() : 0));
-}
-
-TEST(NormalClusterHardCases, NonFiniteAndZeroNormalsAreHandled) {
-    const std::vector<Eigen::Vector3d> none{{nan_value, 0, 0},
-                                            {0, std::numeric_limits<double>::infinity(), 0}};
-    EXPECT_TRUE(cluster_normals(none, 4, 5).empty());
-    const std::vector<Eigen::Vector3d> zero(5, Eigen::Vector3d::Zero());
-    for (const NormalCluster& c : cluster_normals(zero, 4, 5)) EXPECT_TRUE(c.direction.allFinite());
-}
 
 namespace {
 
@@ -422,7 +337,7 @@ TEST(PlanHardCases, PointClusterAtTheEyeIsPlannedAsUsual) {
     const TwoClusters t;
     const View view = view_towards({0, 0, 0}, {0, 0, 2}, {0, -1, 0}, 60, 64, 64);
     const std::vector<std::uint32_t> photos{0};
-    for (const Choice choice : {Choice::cover, Choice::nearest, Choice::direction, Choice::normals}) {
+    for (const Choice choice : {Choice::cover, Choice::nearest}) {
         PlanSettings s;
         s.choice = choice;
         s.photos = 1;

@@ -16,10 +16,7 @@ namespace {
 constexpr struct {
     Choice choice;
     const char* name;
-} choices[] = {{Choice::cover, "cover"},
-               {Choice::nearest, "nearest"},
-               {Choice::direction, "direction"},
-               {Choice::normals, "normals"}};
+} choices[] = {{Choice::cover, "cover"}, {Choice::nearest, "nearest"}};
 
 std::vector<PictureSetting> settings() {
     std::vector<PictureSetting> out{{"all", "all", true, false, {}}};
