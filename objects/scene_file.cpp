@@ -246,8 +246,7 @@ std::string scene_file_text(const std::vector<SceneObject>& objects, const fs::p
 
 void write_scene_file(const fs::path& file, const std::vector<SceneObject>& objects) {
     const fs::path folder = fs::absolute(file).parent_path();
-    if (!replace_file(file, scene_file_text(objects, folder)))
-        throw Error(Exit::storage, file.string() + ": cannot be written");
+    replace_file(file, scene_file_text(objects, folder));
 }
 
 }  // namespace vantage

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
+#include <sstream>
 
 #include "output/markup.h"
-#include "scene/error.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 namespace {
@@ -28,7 +28,7 @@ std::string seconds(double s) {
 
 void write_junit(const std::filesystem::path& file, const std::string& suite,
                  const std::vector<CheckCase>& cases) {
-    std::ofstream out(file);
+    std::ostringstream out;
     const auto failures = std::ranges::count_if(cases, [](const CheckCase& c) { return !c.kind.empty(); });
     double total = 0;
     for (const CheckCase& c : cases) total += c.seconds;
@@ -45,8 +45,7 @@ void write_junit(const std::filesystem::path& file, const std::string& suite,
                 << "\"/>\n  </testcase>\n";
     }
     out << "</testsuite>\n";
-    out.flush();
-    if (!out) throw Error(Exit::storage, file.string() + ": cannot write");
+    replace_file(file, out.view());
 }
 
 }  // namespace vantage

@@ -2,7 +2,7 @@
 
 #include <png.h>
 
-#include "output/unfinished_file.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "output/unfinished_file.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 

@@ -6,11 +6,10 @@
 #include <xxhash.h>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
-#include "remote/small_file.h"
 #include "remote/storage_error.h"
+#include "scene/replace_file.h"
 #include "values/xdg_folder.h"
 
 namespace vantage {
@@ -19,11 +18,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What a crash may leave of write_small_file().
-constexpr const char* origin_part = "origin.part";
+/// What a crash may leave of writing the origin.
+bool is_unfinished_origin(const fs::path& file) {
+    return file.filename().string().starts_with(std::string(cached::origin).append(unfinished_mark));
+}
 
-/// In the order in which they are deleted: the origin, which tells that the folder is ours, last.
-constexpr std::array files_of_ours = {cached::table, cached::data, origin_part, cached::origin};
+/// The files of a folder of ours in the order in which they are deleted: the origin, which tells that the
+/// folder is ours, last.
+std::vector<fs::path> files_of_ours(const fs::path& folder) {
+    std::vector<fs::path> files{folder / cached::table, folder / cached::data};
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        if (is_unfinished_origin(entry->path())) files.push_back(entry->path());
+    files.push_back(folder / cached::origin);
+    return files;
+}
 
 std::string folder_name(const std::string& url, std::uint64_t seed) {
     XXH128_canonical_t bytes;
@@ -44,20 +53,18 @@ bool is_folder(const fs::path& path) {
     return fs::symlink_status(path, error).type() == fs::file_type::directory;
 }
 
-bool ours(const fs::path& folder) {
-    return is_folder(folder) && begins_like_origin(read_small_file(folder / cached::origin));
-}
+bool ours(const fs::path& folder) { return is_folder(folder) && begins_like_origin(origin_text(folder)); }
 
 /// True if the folder is empty, but for what a crash left.
 bool unclaimed(const fs::path& folder) {
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        if (entry->path().filename() != origin_part) return false;
+        if (!is_unfinished_origin(entry->path())) return false;
     return !error && is_folder(folder);
 }
 
 void drop(const fs::path& folder) {
-    for (const char* name : files_of_ours) ::unlink((folder / name).c_str());
+    for (const fs::path& file : files_of_ours(folder)) ::unlink(file.c_str());
 }
 
 /// True unless a process has the file open.
@@ -75,11 +82,11 @@ struct Usage {
 
 Usage usage_of(const fs::path& folder) {
     Usage usage{folder};
-    for (const char* name : files_of_ours) {
+    for (const fs::path& file : files_of_ours(folder)) {
         struct stat st {};
-        if (::lstat((folder / name).c_str(), &st) != 0) continue;
+        if (::lstat(file.c_str(), &st) != 0) continue;
         usage.bytes += std::uint64_t(st.st_blocks) * 512;
-        if (name == cached::origin) usage.used = st.st_mtim;
+        if (file.filename() == cached::origin) usage.used = st.st_mtim;
     }
     return usage;
 }

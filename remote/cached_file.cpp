@@ -8,8 +8,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "remote/small_file.h"
 #include "remote/storage_error.h"
+#include "scene/replace_file.h"
+#include "values/descriptor.h"
 
 namespace vantage {
 
@@ -21,6 +22,18 @@ std::uint64_t hash_of(const Origin& origin) {
 }
 
 }  // namespace
+
+std::string origin_text(const std::filesystem::path& folder) {
+    constexpr std::size_t most_bytes = 64 << 10;
+    const Descriptor fd(
+        ::open((folder / cached::origin).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    struct stat st {};
+    if (!fd || ::fstat(fd.get(), &st) != 0 || !S_ISREG(st.st_mode)) return {};
+    std::string content(most_bytes, '\0');
+    const ssize_t n = ::pread(fd.get(), content.data(), content.size(), 0);
+    content.resize(n < 0 ? 0 : std::size_t(n));
+    return content;
+}
 
 CachedFile::CachedFile(std::filesystem::path folder, Origin origin, MappedFile data, BlockTable table)
     : folder_(std::move(folder)),
@@ -40,7 +53,7 @@ void CachedFile::note_use() const {
 }
 
 std::shared_ptr<CachedFile> CachedFile::open(const std::filesystem::path& folder) {
-    auto origin = parse_origin(read_small_file(folder / cached::origin));
+    auto origin = parse_origin(origin_text(folder));
     if (!origin) return {};
     auto table = BlockTable::open(folder / cached::table, number_of_blocks(origin->size), hash_of(*origin));
     auto data = MappedFile::open(folder / cached::data, origin->size, false);
@@ -50,7 +63,8 @@ std::shared_ptr<CachedFile> CachedFile::open(const std::filesystem::path& folder
 }
 
 std::shared_ptr<CachedFile> CachedFile::create(const std::filesystem::path& folder, const Origin& origin) {
-    write_small_file(folder / cached::origin, text_of(origin));  // first: the folder is ours from now on
+    // First: the folder is ours from now on.
+    replace_file(folder / cached::origin, text_of(origin), 0600);
     auto data = MappedFile::create(folder / cached::data, origin.size, false, false);
     auto table = BlockTable::create(folder / cached::table, number_of_blocks(origin.size), hash_of(origin));
     return std::shared_ptr<CachedFile>(new CachedFile(folder, origin, std::move(data), std::move(table)));

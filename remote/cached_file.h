@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "remote/block_holds.h"
@@ -24,6 +25,9 @@ inline constexpr const char* origin =
 inline constexpr const char* table = "blocks";          ///< BlockTable
 inline constexpr const char* data = "package.vantage";  ///< as large as the original; absent blocks are holes
 }  // namespace cached
+
+/// The first 64 KiB of the origin in a folder; empty if it is missing, a link or unreadable.
+std::string origin_text(const std::filesystem::path& folder);
 
 /// A file of the cache that is open. While it is, it holds a shared lock (flock) on the data, so that no
 /// process deletes it. If it is replaced by a newer version, it stays readable. Thread-safe.

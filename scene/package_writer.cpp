@@ -16,6 +16,7 @@
 #include "scene/error.h"
 #include "scene/flush_to_disk.h"
 #include "scene/package_reader.h"
+#include "scene/replace_file.h"
 #include "values/descriptor.h"
 
 namespace vantage {
@@ -413,9 +414,8 @@ void publish_interrupted(const std::filesystem::path& file) {
     }
     std::error_code error;
     std::filesystem::remove(part_of(file), error);
-    std::filesystem::rename(packing, file, error);
-    if (!error) return flush_to_disk(file.parent_path());
-    throw Error(Exit::storage, file.string() + ": cannot rename: " + error.message());
+    rename_file(packing, file);
+    flush_to_disk(file.parent_path());
 }
 
 void PackageWriter::finish() {

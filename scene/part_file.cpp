@@ -12,16 +12,10 @@
 
 #include "scene/error.h"
 #include "scene/flush_to_disk.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 namespace {
-
-void rename_or_throw(const std::filesystem::path& from, const std::filesystem::path& to,
-                     const std::filesystem::path& reported) {
-    std::error_code error;
-    std::filesystem::rename(from, to, error);
-    if (error) throw Error(Exit::storage, reported.string() + ": cannot rename: " + error.message());
-}
 
 /// Whether the file is the one of that name.
 bool is_at(int fd, const std::filesystem::path& path) {
@@ -159,7 +153,7 @@ void PartFile::start_flush([[maybe_unused]] std::uint64_t offset,
 void PartFile::displace() {
     struct stat st {};
     if (::fstat(fd_, &st) != 0 || st.st_size == 0) return;
-    rename_or_throw(part_, displaced_part_of(file_), part_);
+    rename_file(part_, displaced_part_of(file_));
     close();
     open();
 }
@@ -182,7 +176,7 @@ void PartFile::flush_with_name() const {
 
 void PartFile::publish() {
     flush();
-    rename_or_throw(part_, file_, file_);
+    rename_file(part_, file_);
     flush_to_disk(file_.parent_path());
     close();
     std::error_code ignored;

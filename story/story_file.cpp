@@ -6,9 +6,9 @@
 #include <set>
 #include <sstream>
 
+#include "json/located_json.h"
 #include "scene/error.h"
 #include "scene/replace_file.h"
-#include "json/located_json.h"
 #include "values/is_url.h"
 #include "values/lower_extension.h"
 
@@ -325,7 +325,7 @@ void write_story(const fs::path& file, const Story& story) {
     } catch (const std::exception& e) {  // also of texts that are not UTF-8
         throw Error(Exit::usage, file.string() + ": cannot be saved: " + e.what());
     }
-    if (!replace_file(file, text)) throw Error(Exit::storage, file.string() + ": cannot be written");
+    replace_file(file, text);
 }
 
 }  // namespace vantage

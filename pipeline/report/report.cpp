@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <future>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "bands/bands.h"
 #include "output/explained_table.h"
@@ -28,7 +28,7 @@
 #include "pipeline/run/for_each_photo.h"
 #include "points/point_cloud.h"
 #include "scene/error.h"
-#include "scene/flush_to_disk.h"
+#include "scene/replace_file.h"
 #include "scene/stored_tile.h"
 
 namespace vantage {
@@ -121,7 +121,8 @@ std::string effects_part(const PackageReader& package, const json& meta,
         const json& e = effects[i];
         const EffectCost& cost = costs[i];
         const std::string unit = e.value("unit", "");
-        out += "<tr>" + cell(effect_row(cost.name).option) + cell(cost.state) + cell(e.value("evidence", "")) +
+        out += "<tr>" + cell(effect_row(cost.name).option) + cell(cost.state) +
+               cell(e.value("evidence", "")) +
                number(fmt::format("{:.3g} {}", e.value("measured", 0.0), unit)) +
                number(fmt::format("{:g} {}", e.value("threshold", 0.0), unit)) + number(cost.gain) +
                number(cost.seams) + number(cost.seconds ? fmt::format("{:.2f} s", *cost.seconds) : "") +
@@ -192,7 +193,7 @@ std::string mask_legend() {
     return out + "</ul>\n";
 }
 
-void write_photos_part(std::ofstream& out, const PackageReader& package) {
+void write_photos_part(std::ostream& out, const PackageReader& package) {
     const auto photos = package.photos();
     out << "<h2>Photos</h2>\n<p>Below each photo, the weight it has when photos are blended, whatever the "
            "view: white for full weight, otherwise the color of what lowers it most; the deeper the color, "
@@ -251,24 +252,21 @@ void write_report(const fs::path& file, const PackageReader& package, const std:
     const json meta = json::parse(package.meta(), nullptr, false);
     if (!meta.is_object()) throw Error(Exit::damaged, package.path().string() + ": META: cannot be parsed");
     const std::vector<UnusablePhoto> left_out = left_out_of(package);
-    std::ofstream out(file, std::ios::binary);
-    out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << page_style << std::flush;
-    // Whatever a power cut leaves of the rest, the page is recognized as ours and may be replaced.
-    flush_to_disk(file);
-    out << report_style << "</style>\n"
-        << heading(package, meta, left_out, run) << left_out_part(left_out) << warnings_part(meta)
-        << effects_part(package, meta, run);
-    if (!package.photos().empty()) out << coverage_part(package);
-    if (run && run->prepared.agreement) {
-        out << registration_part(package.photos(), run->prepared.agreement->registration)
-            << colors_part(package.photos(), run->prepared.agreement->colors)
-            << consensus_part(package.photos(), run->prepared.agreement->consensus);
-    }
-    write_photos_part(out, package);
-    if (run) out << run_part(*run);
-    out << "</html>\n";
-    out.flush();
-    if (!out) throw Error(Exit::storage, file.string() + ": cannot write");
+    replace_file(file, [&](std::ostream& out) {
+        out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << page_style << report_style
+            << "</style>\n"
+            << heading(package, meta, left_out, run) << left_out_part(left_out) << warnings_part(meta)
+            << effects_part(package, meta, run);
+        if (!package.photos().empty()) out << coverage_part(package);
+        if (run && run->prepared.agreement) {
+            out << registration_part(package.photos(), run->prepared.agreement->registration)
+                << colors_part(package.photos(), run->prepared.agreement->colors)
+                << consensus_part(package.photos(), run->prepared.agreement->consensus);
+        }
+        write_photos_part(out, package);
+        if (run) out << run_part(*run);
+        out << "</html>\n";
+    });
 }
 
 }  // namespace vantage

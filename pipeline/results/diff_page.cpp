@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <span>
+#include <sstream>
 
 #include "output/explained_table.h"
 #include "output/make_folder.h"
@@ -15,7 +15,7 @@
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/results/diff.h"
-#include "scene/error.h"
+#include "scene/replace_file.h"
 #include "scene/stored_tile.h"
 
 namespace vantage {
@@ -137,7 +137,7 @@ void write_pictures(std::ostream& out, const Pictures& pictures) {
 fs::path write_page(const fs::path& folder, const PackageReader& a, const PackageReader& b,
                     const std::vector<Difference>& all, const Pictures& pictures) {
     const fs::path file = folder / page_name;
-    std::ofstream out(file);
+    std::ostringstream out;
     const auto name = [](const PackageReader& p) { return escaped(p.path().filename().string()); };
     const std::string title = name(a) + " and " + name(b);
     out << "<!doctype html>\n<html lang=en><meta charset=utf-8><title>" << title << "</title>\n<style>"
@@ -154,8 +154,7 @@ fs::path write_page(const fs::path& folder, const PackageReader& a, const Packag
         write_pictures(out, pictures);
     }
     out << "</html>\n";
-    out.flush();
-    if (!out) throw Error(Exit::storage, file.string() + ": cannot write");
+    replace_file(file, out.view());
     return file;
 }
 

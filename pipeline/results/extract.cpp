@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <fstream>
+#include <ostream>
 
 #include "bands/bands.h"
 #include "layers/value_layer.h"
@@ -17,6 +17,7 @@
 #include "points/point_cloud.h"
 #include "scene/damaged_package.h"
 #include "scene/package_reader.h"
+#include "scene/replace_file.h"
 #include "scene/stored_tile.h"
 #include "scene/tiling.h"
 
@@ -93,10 +94,10 @@ void write_jpeg(const PackageReader& reader, const package::DirectoryEntry& tile
     const std::size_t length = jpeg_mark.size() + 2;
     const char comment[] = {'\xff', '\xfe', char(length >> 8), char(length & 0xff)};
     const auto* bytes = reinterpret_cast<const char*>(jpeg->data());
-    std::ofstream out(file, std::ios::binary);
-    out.write(bytes, start_of_image).write(comment, sizeof comment) << jpeg_mark;
-    out.write(bytes + start_of_image, std::streamsize(jpeg->size() - start_of_image));
-    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+    replace_file(file, [&](std::ostream& out) {
+        out.write(bytes, start_of_image).write(comment, sizeof comment) << jpeg_mark;
+        out.write(bytes + start_of_image, std::streamsize(jpeg->size() - start_of_image));
+    });
 }
 
 void write_photo(const PackageReader& reader, std::uint32_t i, const package::PhotoRecord& p,

@@ -1,9 +1,8 @@
 #include "pipeline/run/trace.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "scene/error.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 
@@ -33,10 +32,7 @@ void write_trace(const std::filesystem::path& file, const std::vector<Trace::Spa
                           {"pid", 1},
                           {"tid", s.thread},
                           {"args", {{"photo", s.photo}}}});
-    std::ofstream out(file);
-    out << nlohmann::json{{"traceEvents", events}}.dump() << '\n';
-    out.flush();
-    if (!out) throw Error(Exit::storage, file.string() + ": cannot write");
+    replace_file(file, nlohmann::json{{"traceEvents", events}}.dump() + '\n');
 }
 
 }  // namespace vantage

@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 #include <atomic>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <random>
+#include <sstream>
 
 #include "pipeline/formats/export/colmap.h"
 #include "pipeline/formats/export/ply.h"
@@ -16,7 +16,7 @@
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/garden.h"
 #include "pipeline/synth/glass_case.h"
-#include "scene/error.h"
+#include "scene/replace_file.h"
 #include "values/photo_names.h"
 
 namespace vantage {
@@ -70,13 +70,13 @@ SynthBand band_of(const SynthSpec& spec, std::size_t photo) {
 
 void write_gains(const std::filesystem::path& file, std::span<const NamedCamera> photos,
                  std::span<const PhotoExposure> exposures) {
-    std::ofstream out(file);
+    std::ostringstream out;
     out << "photo,red,green,blue\n";
     for (std::size_t i = 0; i < photos.size(); ++i) {
         const auto& g = exposures[i].gain;
         out << fmt::format("{},{},{},{}\n", photos[i].photo, g[0], g[1], g[2]);
     }
-    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot write");
+    replace_file(file, out.view());
 }
 
 std::filesystem::path depth_of(const NamedCamera& photo) {

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <numbers>
 #include <random>
+#include <sstream>
 
 #include "player/camera/shots.h"
 #include "scene/error.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 namespace {
@@ -150,7 +151,7 @@ std::string view_text(const Navigation& n, const PackageReader& package) {
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,
                 const PackageReader& package, std::span<const std::string> bands,
                 std::optional<double> per_second) {
-    std::ofstream out(file);
+    std::ostringstream out;
     out << "# EX EY EZ TX TY TZ, vertical field of view in degrees\n";
     const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
     for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -163,7 +164,7 @@ void write_path(const std::filesystem::path& file, const std::vector<Navigation>
         if (per_second) out << "  at=" << double(i) / *per_second;
         out << (i < bands.size() ? "  band=" + bands[i] : "") << '\n';
     }
-    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+    replace_file(file, out.view());
 }
 
 }  // namespace vantage

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <optional>
+#include <sstream>
 
 #include "agreement/consensus_without.h"
 #include "agreement/registered_without.h"
@@ -17,6 +17,7 @@
 #include "player/evaluate/evaluation_table.h"
 #include "player/evaluate/left_out.h"
 #include "scene/error.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 namespace {
@@ -52,7 +53,7 @@ void compare(const EvaluateOptions& o, LeftOut& r, const LeftOutPictures& p) {
 
 void write_regions(const std::filesystem::path& file, const PackageReader& package,
                    const std::vector<RegionError>& regions) {
-    std::ofstream out(file);
+    std::ostringstream out;
     out.precision(10);
     out << "x,y,z,radius,pixels,uncoloured,rms\n";
     const auto clusters = package.records<package::ClusterRecord>(package::Type::clusters);
@@ -63,7 +64,7 @@ void write_regions(const std::filesystem::path& file, const PackageReader& packa
         out << clusters[c].radius << ',' << regions[c].pixels << ',' << regions[c].uncolored << ','
             << regions[c].rms() << '\n';
     }
-    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+    replace_file(file, out.view());
 }
 
 /// Green to red for 0 to 40 gray levels, blue where mostly no other photo shows what a photo sees, gray where
@@ -81,7 +82,7 @@ void write_model(const std::filesystem::path& file, const PackageReader& package
     const auto positions = package.records<Eigen::Vector3f>(package::Type::positions);
     const auto indices = package.records<std::uint32_t>(package::Type::indices);
     const auto clusters = package.records<package::ClusterRecord>(package::Type::clusters);
-    std::ofstream out(file);
+    std::ostringstream out;
     out << "ply\nformat ascii 1.0\nelement vertex " << positions.size()
         << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << indices.size() / 3
         << "\nproperty list uchar uint vertex_indices\nproperty uchar red\nproperty uchar green\n"
@@ -94,7 +95,7 @@ void write_model(const std::filesystem::path& file, const PackageReader& package
             out << "3 " << indices[3 * t] << ' ' << indices[3 * t + 1] << ' ' << indices[3 * t + 2] << ' '
                 << red << ' ' << green << ' ' << blue << '\n';
     }
-    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+    replace_file(file, out.view());
 }
 
 void print_changes(const std::filesystem::path& against, const std::vector<LeftOut>& results) {

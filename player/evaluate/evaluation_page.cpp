@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <initializer_list>
 #include <numeric>
+#include <sstream>
 
 #include "output/explained_table.h"
 #include "output/markup.h"
 #include "output/page_style.h"
 #include "player/evaluate/cause_page.h"
-#include "scene/error.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 namespace {
@@ -166,7 +166,7 @@ std::vector<std::size_t> worst_first(const std::vector<LeftOut>& results) {
 
 void write_evaluation_page(const std::filesystem::path& folder, const std::string& title,
                            const std::vector<LeftOut>& results, int worst) {
-    std::ofstream out(folder / "index.html");
+    std::ostringstream out;
     out << "<!doctype html><html lang=en><meta charset=utf-8><title>" << escaped(title) << "</title>\n<style>"
         << page_style << evaluation_style << "</style>\n<h1>" << escaped(title)
         << "</h1>\n<p>Each photo was left out, its view rendered from the others, and compared with the "
@@ -187,7 +187,7 @@ void write_evaluation_page(const std::filesystem::path& folder, const std::strin
     out << "<h2>Other photos</h2>\n<div class=rest>\n";
     for (std::size_t i = first; i < order.size(); ++i) figure(out, results[order[i]]);
     out << "</div></html>\n";
-    if (!out.flush()) throw Error(Exit::storage, (folder / "index.html").string() + ": cannot be written");
+    replace_file(folder / "index.html", out.view());
 }
 
 }  // namespace vantage

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <functional>
+#include <sstream>
 
-#include "scene/error.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 namespace {
@@ -87,7 +87,7 @@ void print_causes(const std::vector<LeftOut>& results) {
 }
 
 void write_photos(const std::filesystem::path& file, const std::vector<LeftOut>& results) {
-    std::ofstream out(file);
+    std::ostringstream out;
     out << "photo,pixels,psnr,psnr_gain,ssim,ssim_gain,frame_pixels,frame_psnr,frame_psnr_gain,frame_ssim,"
            "frame_ssim_gain,over_nearest,coloured,gain_red,gain_green,gain_blue,shift_right,shift_down,"
            "sharpness";
@@ -102,7 +102,7 @@ void write_photos(const std::filesystem::path& file, const std::vector<LeftOut>&
         for (const CauseRow& row : cause_table()) out << ',' << r.causes.share(row.cause);
         out << '\n';
     }
-    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+    replace_file(file, out.view());
 }
 
 }  // namespace vantage

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "scene/replace_file.h"
 #include "values/translation.h"
 
 namespace vantage {
@@ -25,16 +26,15 @@ void Controls::note(const char* name) {
 }
 
 void Controls::write_places(const std::filesystem::path& file) const {
-    const std::filesystem::path part = file.string() + ".part";
+    const UnfinishedFile unfinished(file);  // not flushed to the disk in every frame
     {
-        std::ofstream out(part);
+        std::ofstream out(unfinished.part());
         out << "frame\t" << frame_ << '\n';
         for (const Place& p : places_)
             out << p.name << '\t' << p.low.x << '\t' << p.low.y << '\t' << p.high.x - p.low.x << '\t'
                 << p.high.y - p.low.y << '\n';
     }
-    std::error_code error;
-    std::filesystem::rename(part, file, error);
+    unfinished.finish();
 }
 
 void Controls::explain(const char* text) {

@@ -1,7 +1,6 @@
 #include "player/measure/bench.h"
 
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "gl/context.h"
@@ -10,6 +9,7 @@
 #include "player/measure/plot.h"
 #include "player/render/frame_statistics.h"
 #include "scene/error.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 namespace {
@@ -92,9 +92,7 @@ int run_bench(const PackageReader& package, const BenchOptions& o) {
         std::ranges::move(flights, std::back_inserter(all));
     }
     write_frames(o.folder / "frames.csv", all);
-    std::ofstream out(o.folder / "summary.json");
-    if (!(out << summaries.dump(1) << "\n").flush())
-        throw Error(Exit::storage, (o.folder / "summary.json").string() + ": cannot be written");
+    replace_file(o.folder / "summary.json", summaries.dump(1) + "\n");
     return int(Exit::ok);
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "player/render/frame_statistics.h"
-#include "scene/error.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 
@@ -89,7 +89,7 @@ void print_summary(const nlohmann::json& s) {
 }
 
 void write_frames(const std::filesystem::path& file, const std::vector<Flight>& flights) {
-    std::ofstream out(file);
+    std::ostringstream out;
     out << "path,mode,repeat,frame,ms,scale,uploaded_bytes,tiles,tiles_missing,tiles_damaged,photos,passes,"
            "draws,"
            "graphics_bytes,process_bytes,anonymous_bytes,plan_ms\n";
@@ -102,7 +102,7 @@ void write_frames(const std::filesystem::path& file, const std::vector<Flight>& 
                 << r.report.draws << ',' << r.graphics << ',' << r.process.resident << ','
                 << r.process.anonymous << ',' << r.report.plan_ms << '\n';
         }
-    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+    replace_file(file, out.view());
 }
 
 }  // namespace vantage

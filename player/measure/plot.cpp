@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 
-#include "scene/error.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 namespace {
@@ -68,8 +67,7 @@ void write_plot(const std::filesystem::path& file, const std::string& title, con
         svg += "'/>\n" + text(width - right, 22 + 16 * double(c), "end", curves[c].name, color);
     }
     svg += "</svg>\n";
-    std::ofstream out(file);
-    if (!(out << svg).flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+    replace_file(file, svg);
 }
 
 }  // namespace vantage

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "gl/context.h"
 #include "output/make_folder.h"
 #include "output/side_by_side.h"
 #include "player/measure/plot.h"
 #include "scene/error.h"
+#include "scene/replace_file.h"
 #include "values/quantile.h"
 
 namespace vantage {
@@ -73,7 +74,7 @@ void keep_worst(std::vector<ShownStep>& shown, int most, std::size_t frame, cons
 }
 
 void write_steps(const std::filesystem::path& file, const std::vector<FrameStep>& steps) {
-    std::ofstream out(file);
+    std::ostringstream out;
     out << "frame,degrees,mean,p99,max,compared,photos,photos_changed,tiles_missing\n";
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const FrameStep& s = steps[i];
@@ -81,7 +82,7 @@ void write_steps(const std::filesystem::path& file, const std::vector<FrameStep>
             << ',' << s.color.compared << ',' << s.photos << ',' << s.changed << ',' << s.tiles_missing
             << '\n';
     }
-    if (!out.flush()) throw Error(Exit::storage, file.string() + ": cannot be written");
+    replace_file(file, out.view());
 }
 
 std::size_t frames_with_tiles_missing(const std::vector<FrameStep>& steps) {
@@ -99,9 +100,7 @@ void write_summary(const std::filesystem::path& file, const Smoothness& s,
                              {"patches", of(s.patches, s.patches_per_degree)},
                              {"worst_frame", s.worst},
                              {"frames_with_tiles_missing", frames_with_tiles_missing(steps)}};
-    std::ofstream stream(file);
-    if (!(stream << out.dump(1) << "\n").flush())
-        throw Error(Exit::storage, file.string() + ": cannot be written");
+    replace_file(file, out.dump(1) + "\n");
 }
 
 void write_pictures(const std::filesystem::path& folder, const std::vector<ShownStep>& shown) {

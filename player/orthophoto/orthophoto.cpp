@@ -77,11 +77,6 @@ Files output_files(const PackageReader& package, const OrthophotoOptions& o) {
             output_file(world, Product::world, inputs, o.output.force)};
 }
 
-void write_world_file(const std::filesystem::path& file, const Orthophoto& o) {
-    if (!replace_file(file, world_file_text(o.upper_left, o.resolution)))
-        throw Error(Exit::storage, file.string() + ": cannot be written");
-}
-
 }  // namespace
 
 Orthophoto orthophoto_of(const PicturePlane& plane, const Eigen::AlignedBox2d& extent, double resolution) {
@@ -155,7 +150,7 @@ int run_orthophoto(const PackageReader& package, const OrthophotoOptions& o) {
         write(TiffRows(files.picture, picture.width, picture.height, picture.upper_left, picture.resolution));
     } else {
         write(PngRows(files.picture, picture.width, picture.height));
-        write_world_file(files.world, picture);
+        replace_file(files.world, world_file_text(picture.upper_left, picture.resolution));
     }
     if (!o.output.quiet)
         std::printf("%s  %dx%d, %g units per pixel, upper left corner %.10g, %.10g%s\n",

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "output/unfinished_file.h"
+#include "scene/replace_file.h"
 
 struct tiff;  // libtiff's TIFF
 

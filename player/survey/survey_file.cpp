@@ -173,8 +173,7 @@ void write_survey(SurveyFile& file, const Survey& survey) {
                                        ": is not as it was left, so that it is not replaced; "
                                        "move it away to save measurements");
     const std::string text = survey_text(survey);
-    if (!replace_file(file.path, text))
-        throw Error(Exit::storage, file.path.string() + ": cannot be written; measurements are not saved");
+    replace_file(file.path, text);
     file.content = text;
 }
 

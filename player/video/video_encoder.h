@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "output/unfinished_file.h"
 #include "player/render/picture.h"
+#include "scene/replace_file.h"
 #include "values/descriptor.h"
 
 namespace vantage {

@@ -6,6 +6,7 @@
 
 #include "player/survey/section.h"
 #include "player/window/numbered_file.h"
+#include "scene/replace_file.h"
 #include "values/formatted.h"
 #include "values/translation.h"
 
@@ -23,7 +24,7 @@ void AskedFiles::attend(Session& s, const PackageReader& package, const ObjectSe
     const std::string stem = package.path().stem().string();
     if (!s.table.empty())
         add(stem + "-measurements", ".csv", tr("measurements"),
-            [table = std::exchange(s.table, "")](const std::string& file) { write_text(file, table); });
+            [table = std::exchange(s.table, "")](const std::string& file) { replace_file(file, table); });
     if (std::exchange(s.save_scene, false))
         add("scene", ".toml", tr("scene"),
             [all = objects.objects()](const std::string& file) { write_scene_file(file, all); });
@@ -32,7 +33,7 @@ void AskedFiles::attend(Session& s, const PackageReader& package, const ObjectSe
         auto lines = section_lines(objects.meshes(), s.settings.sections);
         const std::string what = formatted(tr("%zu lines"), lines.size());
         add(stem + "-cut", ".dxf", what, [lines = std::move(lines), origin](const std::string& file) {
-            write_text(file, section_dxf(lines, origin));
+            replace_file(file, section_dxf(lines, origin));
         });
     }
     if (said_.valid() && said_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)

@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 #include "scene/error.h"
 #include "values/formatted.h"
@@ -35,11 +34,6 @@ std::string written_numbered(const std::string& stem, const char* extension, con
 void write_numbered(Session& session, const std::string& stem, const char* extension, const std::string& what,
                     double now, const std::function<void(const std::string& file)>& write) {
     say(session, written_numbered(stem, extension, what, tr("%s written to %s"), write), now);
-}
-
-void write_text(const std::string& file, const std::string& text) {
-    if (std::ofstream out(file, std::ios::binary); (out << text).flush()) return;
-    throw Error(Exit::storage, file + ": cannot be written");
 }
 
 }  // namespace vantage

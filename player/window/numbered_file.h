@@ -18,7 +18,4 @@ void write_numbered(Session& session, const std::string& stem, const char* exten
 /// The first of STEM-0001.EXT, STEM-0002.EXT, ... that does not exist in the current folder.
 std::string free_name(const std::string& stem, const char* extension);
 
-/// Writes a text file. Throws Error(storage).
-void write_text(const std::string& file, const std::string& text);
-
 }  // namespace vantage

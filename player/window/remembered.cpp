@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "scene/replace_file.h"
 #include "values/is_url.h"
 #include "values/xdg_folder.h"
 
@@ -129,9 +130,7 @@ void write_settings(const std::filesystem::path& folder, const Remembered& r) {
     nlohmann::json j;
     for_fields(r, [&](const char* name, const auto& value) { j[name] = value; });
     for_choices(r, [&](const char* name, const auto& value) { j[name] = int(value); });
-    const auto part = folder / "player.json.part";
-    if (std::ofstream out(part); !(out << j.dump(1) << '\n').flush()) return;
-    std::filesystem::rename(part, folder / "player.json", error);
+    replace_file(folder / "player.json", j.dump(1) + '\n');
 }
 
 }  // namespace vantage

@@ -26,7 +26,7 @@ struct Remembered {
 Remembered read_settings(const std::filesystem::path& folder, Remembered otherwise);
 /// Notes that a package or scene file was opened.
 void remember_opened(Remembered& remembered, const std::string& file);
-/// Writes player.json. Ignores errors: the window works without remembered settings.
+/// Writes player.json. Throws Error(storage).
 void write_settings(const std::filesystem::path& folder, const Remembered& remembered);
 
 }  // namespace vantage

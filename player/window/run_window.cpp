@@ -248,7 +248,11 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     glfwGetWindowSize(window.get(), &remembered.window.width, &remembered.window.height);
     if (session.text_scale != window.fitting_text_scale()) remembered.text_scale = double(session.text_scale);
     if (session.language != language && !o.window.kiosk) remembered.language = session.language;
-    write_settings(folder, remembered);
+    try {
+        write_settings(folder, remembered);
+    } catch (const Error& e) {  // the window works without them
+        std::fprintf(stderr, "settings are not kept: %s\n", e.what());
+    }
     return damaged ? int(Exit::damaged) : int(Exit::ok);
 }
 

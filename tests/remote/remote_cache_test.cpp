@@ -224,7 +224,7 @@ TEST_F(RemoteCache, TableOfAnotherVersionIsNotBelieved) {
 TEST_F(RemoteCache, FilesOfOthersAreLeftAlone) {
     const fs::path folder = folder_of_scan();
     fs::remove_all(folder);
-    write(folder / "origin.part", "vant");  // of a crash
+    write(folder / "origin.part-7", "vant");  // of a crash
     EXPECT_EQ(folder_of_scan(), folder);
     fs::remove_all(folder);
     const std::string other = std::string(32, 'a'), third = std::string(32, 'b');

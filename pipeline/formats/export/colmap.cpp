@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <fstream>
+#include <sstream>
 
 #include "output/make_folder.h"
 #include "output/output_file.h"
 #include "scene/error.h"
+#include "scene/replace_file.h"
 
 namespace vantage {
 namespace {
@@ -36,8 +37,7 @@ std::string image_line(std::size_t id, const NamedCamera& photo) {
 void write_colmap_text(const std::filesystem::path& folder, std::span<const NamedCamera> photos,
                        const std::string& comment) {
     make_folder(folder);
-    std::ofstream cameras(folder / colmap_text_files[0]), images(folder / colmap_text_files[1]),
-        points(folder / colmap_text_files[2]);
+    std::ostringstream cameras, images, points;
     cameras << cameras_mark << comment << "# CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]\n";
     images << cameras_mark << comment
            << "# IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, then the image's points (none)\n";
@@ -46,8 +46,8 @@ void write_colmap_text(const std::filesystem::path& folder, std::span<const Name
         cameras << camera_line(i + 1, photos[i]);
         images << image_line(i + 1, photos[i]);
     }
-    if (!cameras.flush() || !images.flush() || !points.flush())
-        throw Error(Exit::storage, folder.string() + ": cannot write cameras");
+    const std::string_view texts[] = {cameras.view(), images.view(), points.view()};
+    for (std::size_t i = 0; i < std::size(texts); ++i) replace_file(folder / colmap_text_files[i], texts[i]);
 }
 
 }  // namespace vantage
