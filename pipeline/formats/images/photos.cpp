@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "pipeline/formats/images/color_profile.h"
-#include "pipeline/formats/images/jpeg_profile.h"
+#include "pipeline/formats/images/jpeg_photo.h"
 #include "pipeline/run/read_file.h"
 #include "values/grid.h"
 
@@ -17,15 +17,9 @@ namespace {
     throw Error(Exit::input, file.string() + ": " + reason);
 }
 
-const unsigned char* data(std::span<const std::byte> b) {
-    return reinterpret_cast<const unsigned char*>(b.data());
-}
-
 bool is_jpeg(std::span<const std::byte> b) {
     return b.size() > 3 && b[0] == std::byte(0xff) && b[1] == std::byte(0xd8);
 }
-
-using Decoder = std::unique_ptr<void, int (*)(tjhandle)>;
 
 /// Adobe stores CMYK inverted, 255 meaning no ink, so each color channel is multiplied by K.
 RgbaImage from_cmyk(const RgbaImage& cmyk) {
@@ -38,31 +32,8 @@ RgbaImage from_cmyk(const RgbaImage& cmyk) {
     return out;
 }
 
-struct JpegHeader {
-    Decoder decoder;
-    bool readable = false;
-    int width = 0, height = 0, space = 0;
-};
-
-JpegHeader jpeg_header(std::span<const std::byte> bytes) {
-    JpegHeader h{Decoder(tjInitDecompress(), tjDestroy)};
-    int subsampling = 0;
-    // Of bytes that end before the size, libjpeg-turbo returns 0 x 0 and no error.
-    h.readable = tjDecompressHeader3(h.decoder.get(), data(bytes), bytes.size(), &h.width, &h.height,
-                                     &subsampling, &h.space) == 0 &&
-                 h.width > 0 && h.height > 0;
-    return h;
-}
-
-PixelColors colors_of(const JpegHeader& h) {
-    if (h.space == TJCS_GRAY) return PixelColors::gray;
-    return h.space == TJCS_CMYK || h.space == TJCS_YCCK ? PixelColors::cmyk : PixelColors::rgb;
-}
-
-/// The ICC profile of a JPEG or of its beginning; null if it has none.
-std::shared_ptr<const ColorProfile> profile_of(std::span<const std::byte> bytes, const JpegHeader& h) {
-    const auto icc = jpeg_profile(bytes);
-    return icc ? color_profile(*icc, colors_of(h)) : nullptr;
+std::shared_ptr<const ColorProfile> profile_of(const JpegPhoto& jpeg) {
+    return jpeg.profile ? color_profile(*jpeg.profile, jpeg.colors) : nullptr;
 }
 
 [[noreturn]] void fail_size(const std::filesystem::path& file, PhotoSize actual, PhotoSize expected) {
@@ -82,17 +53,19 @@ enum class Profiles { used, ignored };
 
 RgbaImage decode_jpeg(const std::filesystem::path& file, std::span<const std::byte> bytes, PhotoSize expected,
                       Profiles profiles) {
-    const JpegHeader h = jpeg_header(bytes);
-    if (!h.readable) fail(file, std::string("not a readable JPEG: ") + tjGetErrorStr2(h.decoder.get()));
+    const JpegPhoto h = read_jpeg_photo(bytes);
+    if (!h.flaw.empty()) fail(file, "not a readable JPEG: " + h.flaw);
     // Checked before memory is allocated: a corrupt header may claim any size.
     if (!fits({h.width, h.height}, expected)) fail_size(file, {h.width, h.height}, expected);
     RgbaImage photo = blank_image(h.width, h.height);
     photo.opaque = true;
-    const bool cmyk = colors_of(h) == PixelColors::cmyk;
-    if (tjDecompress2(h.decoder.get(), data(bytes), bytes.size(), photo.rgba.data(), h.width, 0, h.height,
-                      cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_ACCURATEDCT))
-        fail(file, std::string("JPEG is corrupt or truncated: ") + tjGetErrorStr2(h.decoder.get()));
-    const auto profile = profiles == Profiles::used ? profile_of(bytes, h) : nullptr;
+    const bool cmyk = h.colors == PixelColors::cmyk;
+    const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), tjDestroy);
+    if (tjDecompress2(decoder.get(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
+                      photo.rgba.data(), h.width, 0, h.height, cmyk ? TJPF_CMYK : TJPF_RGBA,
+                      TJFLAG_ACCURATEDCT))
+        fail(file, std::string("JPEG is corrupt or truncated: ") + tjGetErrorStr2(decoder.get()));
+    const auto profile = profiles == Profiles::used ? profile_of(h) : nullptr;
     if (!profile || !profile->use.converts) return cmyk ? from_cmyk(photo) : photo;
     profile->convert(photo.rgba);
     return photo;
@@ -131,15 +104,15 @@ RgbaImage decode(const std::filesystem::path& file, std::span<const std::byte> b
 
 PhotoHeader read_photo_header(const std::filesystem::path& file) {
     // In a JPEG, the size and the profile come before the image data, after metadata of any length.
-    std::size_t bytes = std::size_t(1) << 18;
-    std::vector<std::byte> head = read_file(file, bytes);
-    while (is_jpeg(head) && head.size() == bytes && !jpeg_header(head).readable)
-        head = read_file(file, bytes *= 4);
-    if (is_jpeg(head))
-        if (const JpegHeader jpeg = jpeg_header(head); jpeg.readable) {
-            const auto profile = profile_of(head, jpeg);
+    for (std::size_t bytes = std::size_t(1) << 18;; bytes *= 4) {
+        const std::vector<std::byte> head = read_file(file, bytes);
+        if (!is_jpeg(head)) break;
+        if (const JpegPhoto jpeg = read_jpeg_photo(head); jpeg.flaw.empty()) {
+            const auto profile = profile_of(jpeg);
             return {{jpeg.width, jpeg.height}, profile ? profile->use : ProfileUse{}};
         }
+        if (head.size() < bytes) break;
+    }
     return image_files().header(file);
 }
 
@@ -157,8 +130,9 @@ RgbaImage read_unprofiled(const std::filesystem::path& file, PhotoSize expected)
 }
 
 bool is_upright_jpeg(std::span<const std::byte> bytes, PhotoSize size) {
-    const JpegHeader h = jpeg_header(bytes);
-    return is_jpeg(bytes) && h.readable && h.width == size.width && h.height == size.height;
+    if (!is_jpeg(bytes)) return false;
+    const JpegPhoto h = read_jpeg_photo(bytes);
+    return h.flaw.empty() && h.width == size.width && h.height == size.height;
 }
 
 std::string reason_of(const Error& error, const std::filesystem::path& file) {
