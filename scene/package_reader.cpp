@@ -15,6 +15,7 @@
 
 #include "codec/zstd_bytes.h"
 #include "scene/checksum.h"
+#include "scene/chunk_table.h"
 #include "scene/damaged_package.h"
 #include "scene/mapped_package.h"
 #include "scene/tiling.h"
@@ -430,18 +431,14 @@ package::SceneRecord PackageReader::checked_scene() const {
     for (int i = 0; i < 3; ++i)
         if (!std::isfinite(s.origin[i]) || !(s.bounds_min[i] <= s.bounds_max[i]))
             map_->damaged(Defect::invalid_record, "SCEN: origin or bounds are not finite");
-    const auto expect_count = [&](Type type, std::uint64_t count, std::uint64_t record,
-                                  const std::string& what) {
+    for (const Type type : {Type::photos, Type::positions, Type::normals, Type::indices, Type::clusters}) {
+        const ChunkRow& row = chunk_row(type);
         const DirectoryEntry* e = find(type);
-        const std::uint64_t length = content_length(e);
-        if (!e || count > length / record || length != count * record)
-            map_->damaged(Defect::invalid_record, what + ": length does not match the scene's counts");
-    };
-    expect_count(Type::photos, s.photos, sizeof(package::PhotoRecord), "PHOT");
-    expect_count(Type::positions, s.vertices, 12, "VPOS");
-    expect_count(Type::normals, s.vertices, 12, "VNRM");
-    expect_count(Type::indices, s.triangles, 12, "INDX");
-    expect_count(Type::clusters, s.clusters, sizeof(package::ClusterRecord), "CLUS");
+        const std::uint64_t length = content_length(e), count = row.count(s, {});
+        if (!e || count > length / row.record || length != count * row.record)
+            map_->damaged(Defect::invalid_record,
+                          fourcc_of(type) + ": length does not match the scene's counts");
+    }
     return s;
 }
 
@@ -560,12 +557,17 @@ bool effect_on(const package::SceneRecord& scene, Effect effect) {
     return scene.effects & effect_bit(effect);
 }
 
-std::string describe(const DirectoryEntry& e, const PackageReader& reader) {
+std::string fourcc_of(Type type) {
     std::string text;
     for (int i = 0; i < 4; ++i) {
-        const char c = char(e.type >> (8 * i) & 0xff);
+        const char c = char(std::uint32_t(type) >> (8 * i) & 0xff);
         text += c >= 32 && c < 127 ? c : '?';
     }
+    return text;
+}
+
+std::string describe(const DirectoryEntry& e, const PackageReader& reader) {
+    std::string text = fourcc_of(Type{e.type});
     if (e.photo == package::scene_wide) return text;
     text += " of photo " + std::to_string(e.photo);
     const DirectoryEntry* photos = reader.find(Type::photos);

@@ -159,6 +159,8 @@ Eigen::AlignedBox3d bounds_from_origin(const package::SceneRecord& scene);
 double model_reach(const package::SceneRecord& scene, const Pose& cam_from_origin);
 bool effect_on(const package::SceneRecord& scene, Effect effect);
 
+/// A type's name in messages: "TILE".
+std::string fourcc_of(package::Type type);
 /// A chunk's name in messages: "TILE of photo 3 (00003.jpg), level 2".
 std::string describe(const package::DirectoryEntry& entry, const PackageReader& reader);
 

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <set>
 
+#include "scene/chunk_table.h"
 #include "scene/error.h"
 #include "scene/opaque_part.h"
 #include "scene/stored_tile.h"
@@ -96,25 +97,20 @@ void blocks_shape(const PackageReader& reader, Type type, std::uint32_t i, std::
 
 void photo_shape(const PackageReader& reader, const package::SceneRecord& scene, const PhotoRecord& p,
                  std::uint32_t i, Lines& out) {
-    const auto size = [&](int level) { return level_size(int(p.width), int(p.height), level); };
-    for (int l = 0; l < int(p.levels); ++l)
-        blocks_shape(reader, Type::tiles, i, std::uint32_t(l), size(l), out);
-    for (int l = mask_level; l < mask_levels_end(int(p.levels)); ++l)
-        for (const Type type : {Type::masks, Type::depth})
-            blocks_shape(reader, type, i, std::uint32_t(l), size(l), out);
-    const auto expect = [&](Type type, std::uint64_t bytes, const char* message) {
-        const DirectoryEntry* e = reader.find(type, i);
-        if (reader.content_length(e) != bytes) out.push_back(std::string(p.name) + ": " + message);
-    };
-    if (const DirectoryEntry* e = reader.find(Type::thumbnail, i); !e || e->form != package::Form::jpeg)
-        expect(Type::thumbnail, std::uint64_t(p.thumbnail_width) * p.thumbnail_height * 4,
-               "THMB does not have the size in its record");
-    if (!effect_on(scene, Effect::per_fragment) || reader.find(Type::coordinates, i))
-        expect(Type::coordinates, scene.vertices * 8, "TEXC does not have one entry per vertex");
-    expect(Type::coverage, scene.clusters * sizeof(package::CoverageRecord),
-           "COVR does not have one entry per cluster");
-    expect(Type::visible, 16 * package::visible_words(scene.triangles),
-           "VISB does not have two bits per triangle");
+    for (const auto& [row, level] : chunks_of_photo(int(p.levels))) {
+        if (row->levels != ChunkLevels::single) {
+            blocks_shape(reader, row->type, i, level, level_size(int(p.width), int(p.height), int(level)),
+                         out);
+            continue;
+        }
+        const DirectoryEntry* e = reader.find(row->type, i);
+        const bool may_be_missing = row->type == Type::samples || (row->type == Type::coordinates &&
+                                                                   effect_on(scene, Effect::per_fragment));
+        if (e ? e->form == package::Form::jpeg : may_be_missing) continue;
+        if (reader.content_length(e) != row->length(scene, p))
+            out.push_back(std::string(p.name) + ": " + fourcc_of(row->type) + " does not have " +
+                          row->counted);
+    }
 }
 
 }  // namespace

@@ -70,9 +70,9 @@ bool EarlierPackage::reuse(Stage stage, std::uint32_t from, std::uint32_t to, in
     std::vector<const DirectoryEntry*> entries;
     std::vector<std::uint64_t> checksums;
     if (levels > 0)
-        for (const auto& [type, level] : chunks_of(stage_row(stage), levels)) {
-            if (!writer.plans(type, to, level)) continue;
-            const DirectoryEntry* e = reader_.find(type, from, level);
+        for (const auto& [row, level] : chunks_of(stage, levels)) {
+            if (!writer.plans(row->type, to, level)) continue;
+            const DirectoryEntry* e = reader_.find(row->type, from, level);
             if (e == nullptr) return false;
             entries.push_back(e);
             checksums.push_back(e->checksum);
@@ -112,8 +112,9 @@ EarlierPackages earlier_packages(const std::filesystem::path& out, bool resumed)
 std::uint64_t content_of(Stage stage, std::uint32_t photo, int levels, const PackageWriter& writer) {
     std::vector<std::uint64_t> checksums;
     if (levels > 0)
-        for (const auto& [type, level] : chunks_of(stage_row(stage), levels))
-            if (writer.plans(type, photo, level)) checksums.push_back(writer.checksum_of(type, photo, level));
+        for (const auto& [row, level] : chunks_of(stage, levels))
+            if (writer.plans(row->type, photo, level))
+                checksums.push_back(writer.checksum_of(row->type, photo, level));
     return content(checksums);
 }
 

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 
-#include "scene/tiling.h"
-
 namespace vantage {
 namespace {
 
 using package::PhotoRecord;
 using package::Stage;
-using package::Type;
 
 void key_thumbnail(Fingerprint& f, const SceneKey& scene) { f.add(scene.settings.thumbnail); }
 
@@ -38,18 +35,6 @@ void adopt_coordinates(const PhotoRecord& from, PhotoRecord& to) {
     to.visible_vertices = from.visible_vertices;
 }
 
-std::pair<int, int> level_range(ChunkLevels which, int levels) {
-    switch (which) {
-        case ChunkLevels::single:
-            return {0, 1};
-        case ChunkLevels::tiles:
-            return {0, levels};
-        case ChunkLevels::masks:
-            return {mask_level, mask_levels_end(levels)};
-    }
-    return {0, 0};
-}
-
 }  // namespace
 
 std::span<const StageRow> stage_table() {
@@ -60,8 +45,6 @@ std::span<const StageRow> stage_table() {
          .pixels = PixelInput::all,
          .model = false,
          .held_out = false,
-         .levels = ChunkLevels::single,
-         .chunks = {Type::thumbnail},
          .settings = {"photo_size", "thumbnail"},
          .key = key_thumbnail,
          .adopt = nullptr},
@@ -71,8 +54,6 @@ std::span<const StageRow> stage_table() {
          .pixels = PixelInput::all,
          .model = false,
          .held_out = false,
-         .levels = ChunkLevels::tiles,
-         .chunks = {Type::tiles},
          .settings = {"photo_size"},
          .key = nullptr,
          .adopt = adopt_tiles},
@@ -82,8 +63,6 @@ std::span<const StageRow> stage_table() {
          .pixels = PixelInput::alpha,
          .model = true,
          .held_out = false,
-         .levels = ChunkLevels::masks,
-         .chunks = {Type::masks, Type::depth},
          .settings = {"photo_size", "distance", "render_by", "border_width", "border_threshold"},
          .key = key_masks,
          .adopt = nullptr},
@@ -93,8 +72,6 @@ std::span<const StageRow> stage_table() {
          .pixels = PixelInput::none,
          .model = true,
          .held_out = true,
-         .levels = ChunkLevels::single,
-         .chunks = {Type::coordinates},
          .settings = {"photo_size", "render_by"},
          .key = nullptr,
          .adopt = adopt_coordinates},
@@ -104,8 +81,6 @@ std::span<const StageRow> stage_table() {
          .pixels = PixelInput::none,
          .model = true,
          .held_out = false,
-         .levels = ChunkLevels::single,
-         .chunks = {Type::coverage, Type::visible},
          .settings = {"photo_size", "render_by"},
          .key = nullptr,
          .adopt = nullptr},
@@ -115,8 +90,6 @@ std::span<const StageRow> stage_table() {
          .pixels = PixelInput::all,
          .model = true,
          .held_out = false,
-         .levels = ChunkLevels::single,
-         .chunks = {Type::samples},
          .settings = {"photo_size", "render_by"},
          .key = key_samples,
          .adopt = nullptr},
@@ -126,11 +99,9 @@ std::span<const StageRow> stage_table() {
 
 const StageRow& stage_row(Stage stage) { return stage_table()[std::size_t(stage)]; }
 
-std::vector<std::pair<Type, std::uint32_t>> chunks_of(const StageRow& row, int levels) {
-    std::vector<std::pair<Type, std::uint32_t>> chunks;
-    const auto [first, end] = level_range(row.levels, levels);
-    for (int level = first; level < end; ++level)
-        for (const Type type : row.chunks) chunks.push_back({type, std::uint32_t(level)});
+std::vector<LeveledChunk> chunks_of(Stage stage, int levels) {
+    std::vector<LeveledChunk> chunks = chunks_of_photo(levels);
+    std::erase_if(chunks, [&](const LeveledChunk& c) { return c.row->stage != stage; });
     return chunks;
 }
 

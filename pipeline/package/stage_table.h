@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "pipeline/package/fingerprint.h"
 #include "pipeline/settings/settings.h"
+#include "scene/chunk_table.h"
 #include "scene/package_format.h"
 
 namespace vantage {
@@ -17,9 +17,6 @@ inline constexpr std::size_t stage_count = std::size_t(package::Stage::count);
 
 /// The pixel data that a stage reads. `alpha`: only which pixels are transparent.
 enum class PixelInput { none, alpha, all };
-
-/// The pyramid levels for which a stage writes its chunks.
-enum class ChunkLevels { single, tiles, masks };
 
 /// The scene-wide inputs of the per-photo stages.
 struct SceneKey {
@@ -38,10 +35,8 @@ struct StageRow {
     const char* name;
     std::uint32_t version;  ///< incremented whenever a change to the code changes the stage's output
     PixelInput pixels;
-    bool model;     ///< renders or projects the model from the photo's pose
-    bool held_out;  ///< runs for held-out photos, too
-    ChunkLevels levels;
-    std::vector<package::Type> chunks;  ///< written for each of the levels
+    bool model;                         ///< renders or projects the model from the photo's pose
+    bool held_out;                      ///< runs for held-out photos, too
     std::vector<std::string> settings;  ///< read by the stage, named as in META's configuration
     /// Adds the settings that no other input covers to the stage's key; may be null.
     void (*key)(Fingerprint&, const SceneKey&);
@@ -52,8 +47,8 @@ struct StageRow {
 std::span<const StageRow> stage_table();
 const StageRow& stage_row(package::Stage stage);
 
-/// The chunks that a stage writes for a photo of `levels` pyramid levels: type and level.
-std::vector<std::pair<package::Type, std::uint32_t>> chunks_of(const StageRow& row, int levels);
+/// The chunks that a stage writes for a photo of `levels` pyramid levels.
+std::vector<LeveledChunk> chunks_of(package::Stage stage, int levels);
 
 /// The stages that run for a photo: all, or those for held-out photos.
 std::vector<package::Stage> stages_of(const package::PhotoRecord& record);

@@ -12,6 +12,7 @@
 #include "pipeline/package/stage_keys.h"
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/run/for_each_photo.h"
+#include "scene/chunk_table.h"
 #include "scene/error.h"
 #include "scene/package_shape.h"
 #include "scene/stored_tile.h"
@@ -75,12 +76,13 @@ void copy_tiles(const PackageReader& from, PackageWriter& to, std::uint32_t phot
 void copy_photo(const PackageReader& from, PackageWriter& to, std::uint32_t i, const PhotoRecord& r) {
     if (r.flags & package::photo_left_out) to.leave_out(i);
     if (r.levels == 0) return;
-    copy_thumbnail(from, to, i, r);
-    for (const Type type : {Type::coverage, Type::visible, Type::samples, Type::coordinates})
-        if (to.plans(type, i)) to.write(type, i, from.records<std::byte>(type, i));
-    for (int l = 0; l < int(r.levels); ++l) copy_tiles(from, to, i, r, Type::tiles, std::uint32_t(l));
-    for (int l = mask_level; l < mask_levels_end(int(r.levels)); ++l)
-        for (const Type type : {Type::masks, Type::depth}) copy_tiles(from, to, i, r, type, std::uint32_t(l));
+    for (const auto& [row, level] : chunks_of_photo(int(r.levels)))
+        if (row->type == Type::thumbnail)
+            copy_thumbnail(from, to, i, r);
+        else if (row->levels != ChunkLevels::single)
+            copy_tiles(from, to, i, r, row->type, level);
+        else if (to.plans(row->type, i))
+            to.write(row->type, i, from.records<std::byte>(row->type, i));
 }
 
 /// The photo's state, with its chunks' checksums. They have no keys: `prepare` would make other bytes.

@@ -61,9 +61,9 @@ void check_photo(const PackageReader& reader, const package::PhotoRecord& p, std
             break;
         }
     }
-    if (reader.records<package::SampleRecord>(Type::samples, i).size() != package::surface_discs)
-        add(out, Finding::chunk_length,
-            fmt::format("{}: SAMP does not have {} discs", p.name, package::surface_discs));
+    // Players do without.
+    if (!reader.find(Type::samples, i))
+        add(out, Finding::chunk_length, fmt::format("{}: SAMP is missing", p.name));
 }
 
 /// Depth is positive or +inf, and a texel of the mask is valid exactly if its depth is finite.

@@ -11,7 +11,7 @@
 #include <set>
 
 #include "bands/bands.h"
-#include "pipeline/package/stage_table.h"
+#include "scene/chunk_table.h"
 #include "scene/stored_tile.h"
 #include "scene/tiling.h"
 
@@ -21,7 +21,6 @@ namespace {
 using nlohmann::json;
 using package::DirectoryEntry;
 using package::PhotoRecord;
-using package::Stage;
 using package::Type;
 using Differences = std::vector<Difference>;
 
@@ -112,18 +111,9 @@ void diff_model(const PackageReader& a, const PackageReader& b, Differences& out
         out.push_back({"model", "size",
                        fmt::format("{} vertices, {} triangles vs. {}, {}", of_a.vertices, of_a.triangles,
                                    of_b.vertices, of_b.triangles)});
-    const std::pair<Type, const char*> parts[] = {{Type::positions, "positions"},
-                                                  {Type::normals, "normals"},
-                                                  {Type::indices, "triangles"},
-                                                  {Type::clusters, "clusters"},
-                                                  {Type::colors, "colors"},
-                                                  {Type::scalars, "scalars"},
-                                                  {Type::surroundings, "surroundings"},
-                                                  {Type::point_nodes, "octree of points"},
-                                                  {Type::points, "points"},
-                                                  {Type::bands, "bands"}};
-    for (const auto& [type, what] : parts)
-        if (!same_content(a, a.find(type), b, b.find(type))) out.push_back({"model", what, "different"});
+    for (const ChunkRow& row : chunk_table())
+        if (row.name && !row.per_photo() && !same_content(a, a.find(row.type), b, b.find(row.type)))
+            out.push_back({"model", row.name, "different"});
 }
 
 /// Differences between byte texels, or between depths relative to the depth.
@@ -249,18 +239,15 @@ void diff_photo(const PackageReader& a, const PackageReader& b, std::uint32_t i,
         out.push_back({p.name, "exposure",
                        fmt::format("gains {:.4f} {:.4f} {:.4f} vs. {:.4f} {:.4f} {:.4f}", p.gain[0],
                                    p.gain[1], p.gain[2], q.gain[0], q.gain[1], q.gain[2])});
-    for (std::size_t s = 0; s < stage_count; ++s) {
-        std::set<Type> reported;
-        for (const auto& [type, level] : chunks_of(stage_row(Stage(s)), int(std::max(p.levels, q.levels))))
-            if (!reported.contains(type) && !same_chunk(a.find(type, i, level), b.find(type, j, level))) {
-                const char* what = type == Type::depth     ? "depth"
-                                   : type == Type::visible ? "visible triangles"
-                                                           : stage_row(Stage(s)).name;
-                const std::string text = compare_chunk(a, b, type, level, i, j, p);
-                if (text.empty()) continue;
-                out.push_back({p.name, what, text});
-                reported.insert(type);
-            }
+    std::set<Type> reported;
+    for (const auto& [row, level] : chunks_of_photo(int(std::max(p.levels, q.levels)))) {
+        if (reported.contains(row->type) ||
+            same_chunk(a.find(row->type, i, level), b.find(row->type, j, level)))
+            continue;
+        const std::string text = compare_chunk(a, b, row->type, level, i, j, p);
+        if (text.empty()) continue;
+        out.push_back({p.name, row->name, text});
+        reported.insert(row->type);
     }
 }
 
