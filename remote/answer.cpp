@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "remote/parse_number.h"
+#include "values/parse_number.h"
 
 namespace vantage {
 
@@ -41,7 +41,7 @@ bool same_word(std::string_view a, std::string_view b) {
 int status_of(std::string_view line) {
     const auto space = line.find(' ');
     if (space == std::string_view::npos) return 0;
-    const auto status = parse_number(line.substr(space + 1, 3));
+    const auto status = parse_digits(line.substr(space + 1, 3));
     return status && *status >= 100 && *status < 1000 ? int(*status) : 0;
 }
 
@@ -117,7 +117,7 @@ void take_header_line(Answer& answer, std::string_view line) {
         answer.content_range_text = printable(value);
         answer.content_range = parse_content_range(value);
     } else if (same_word(name, "content-length")) {
-        answer.content_length = parse_number(value);
+        answer.content_length = parse_digits(value);
     } else if (same_word(name, "etag")) {
         answer.etag = value.starts_with('"') ? printable(value) : "";
     } else if (same_word(name, "last-modified")) {

@@ -2,7 +2,7 @@
 
 #include <strings.h>
 
-#include "remote/parse_number.h"
+#include "values/parse_number.h"
 
 namespace vantage {
 
@@ -12,7 +12,7 @@ namespace {
 std::optional<ByteRange> parse_bytes(std::string_view text) {
     const auto dash = text.find('-');
     if (dash == std::string_view::npos) return {};
-    const auto first = parse_number(text.substr(0, dash)), last = parse_number(text.substr(dash + 1));
+    const auto first = parse_digits(text.substr(0, dash)), last = parse_digits(text.substr(dash + 1));
     if (!first || !last || *first > *last || *last == UINT64_MAX) return {};
     return ByteRange{*first, *last + 1};
 }
@@ -29,7 +29,7 @@ std::optional<ContentRange> parse_content_range(std::string_view value) {
 
     ContentRange range;
     if (bytes != "*" && !(range.bytes = parse_bytes(bytes))) return {};
-    if (total != "*" && !(range.total = parse_number(total))) return {};
+    if (total != "*" && !(range.total = parse_digits(total))) return {};
     if (!range.bytes && !range.total) return {};
     if (range.bytes && range.total && range.bytes->end > *range.total) return {};
     return range;

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "remote/parse_number.h"
+#include "values/parse_number.h"
 
 namespace vantage {
 
@@ -43,7 +43,7 @@ std::optional<Origin> parse_origin(std::string_view text) {
     const auto url = take_line(text, "url "), size = take_line(text, "size "),
                etag = take_line(text, "etag "), last_modified = take_line(text, "last-modified ");
     if (!url || !size || !etag || !last_modified || !text.empty()) return {};
-    const auto bytes = parse_number(*size);
+    const auto bytes = parse_digits(*size);
     if (url->empty() || !bytes || *bytes == 0 || *bytes > largest_remote_file) return {};
     if (etag->empty() && last_modified->empty()) return {};
     return Origin{std::string(*url), *bytes, std::string(*etag), std::string(*last_modified)};

@@ -18,7 +18,6 @@
 #include "pipeline/commands/prepare_scene.h"
 #include "pipeline/commands/progress_line.h"
 #include "pipeline/commands/stop_signals.h"
-#include "pipeline/formats/import/number.h"
 #include "pipeline/input/input_paths.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/package/meta.h"
@@ -33,6 +32,7 @@
 #include "scene/damaged_package.h"
 #include "scene/error.h"
 #include "scene/part_file.h"
+#include "values/parse_number.h"
 
 namespace vantage {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "pipeline/formats/import/number.h"
 #include "pipeline/run/read_file.h"
+#include "values/parse_number.h"
 
 namespace vantage {
 

@@ -9,10 +9,10 @@
 #include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/cameras/conventions.h"
 #include "pipeline/formats/cameras/realitycapture.h"
-#include "pipeline/formats/import/number.h"
 #include "pipeline/run/read_file.h"
 #include "scene/error.h"
 #include "values/lower_extension.h"
+#include "values/parse_number.h"
 
 namespace vantage {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "pipeline/formats/import/number.h"
 #include "pipeline/run/read_file.h"
 #include "scene/error.h"
+#include "values/parse_number.h"
 
 namespace vantage {
 namespace {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "pipeline/formats/import/color_bytes.h"
-#include "pipeline/formats/import/number.h"
 #include "pipeline/formats/import/ply.h"
 #include "pipeline/formats/import/tokens.h"
 #include "pipeline/formats/materials/color_by_material.h"
 #include "pipeline/formats/materials/mtl.h"
+#include "values/parse_number.h"
 
 namespace vantage {
 namespace {

@@ -10,9 +10,9 @@
 #include <sstream>
 
 #include "pipeline/formats/import/color_bytes.h"
-#include "pipeline/formats/import/number.h"
 #include "pipeline/run/read_file.h"
 #include "scene/error.h"
+#include "values/parse_number.h"
 
 namespace vantage {
 namespace {

@@ -1,7 +1,9 @@
 #pragma once
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 
@@ -28,6 +30,13 @@ bool parse_number(std::string_view text, T& value) {
         return whole;
     }
     return false;
+}
+
+/// A number that consists of decimal digits only; nothing if it is anything else or exceeds 64 bits.
+inline std::optional<std::uint64_t> parse_digits(std::string_view digits) {
+    std::uint64_t number = 0;
+    const bool only = digits.find_first_not_of("0123456789") == digits.npos && parse_number(digits, number);
+    return only ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace vantage
