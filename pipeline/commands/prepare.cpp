@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "cli/stop_signals.h"
 #include "output/output_file.h"
 #include "pipeline/align/conventions.h"
 #include "pipeline/commands/apply_config.h"
@@ -17,7 +18,6 @@
 #include "pipeline/commands/left_out.h"
 #include "pipeline/commands/prepare_scene.h"
 #include "pipeline/commands/progress_line.h"
-#include "pipeline/commands/stop_signals.h"
 #include "pipeline/input/input_paths.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/package/meta.h"
@@ -155,8 +155,14 @@ void print_needs(const ResourceEstimate& n) {
 PrepareResult prepare_shown(const PrepareOptions& o, SceneInput scene, IdentityCache& identities,
                             Trace& trace, std::chrono::steady_clock::time_point start) {
     ProgressLine line(o.progress);
-    const PrepareRun run{&stop_on_signals(), o.strict, &identities, share(o.share), &trace,
-                         print_needs,        true,     start};
+    const PrepareRun run{&stop_on_signals(InFlight::finished),
+                         o.strict,
+                         &identities,
+                         share(o.share),
+                         &trace,
+                         print_needs,
+                         true,
+                         start};
     return prepare(
         std::move(scene), o.settings, o.out, [&](const Progress& p) { line.show(p); }, run);
 }

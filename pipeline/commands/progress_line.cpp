@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/commands/stop_signals.h"
+#include "cli/stop_signals.h"
 
 namespace vantage {
 namespace {
@@ -80,7 +80,7 @@ void ProgressLine::show(const Progress& p) {
 }
 
 OnProgress shown_until_signal(ProgressLine& line) {
-    return until_stopped(&stop_on_signals(),
+    return until_stopped(&stop_on_signals(InFlight::finished),
                          "stopped: what was copied is kept; run the same command again to continue",
                          [&line](const Progress& p) { line.show(p); });
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cli/step_progress.h"
+#include "cli/stop_signals.h"
 #include "gl/context.h"
 #include "output/make_folder.h"
 #include "output/output_file.h"
@@ -17,7 +18,6 @@
 #include "player/story/story_background.h"
 #include "player/video/flight_frames.h"
 #include "player/video/frame_files.h"
-#include "player/video/stop_request.h"
 #include "player/video/video_encoder.h"
 #include "scene/error.h"
 #include "story/story_file.h"
@@ -107,7 +107,7 @@ class Frames {
 std::size_t write_frames(Frames& frames, const std::vector<Navigation>& flight, const Output& output,
                          VideoEncoder* encoder, const ShowOptions& o, StepProgress& progress) {
     const FrameSize size = size_of_eye(o);
-    const std::atomic<bool>& stop = stop_requested();
+    const std::atomic<bool>& stop = stop_on_signals(InFlight::abandoned);
     std::size_t damaged = 0;
     for (std::size_t i = 0; i < flight.size(); ++i) {
         const Picture picture = frames.picture(flight[i], size, double(i) / o.video.frame_rate);
@@ -147,7 +147,7 @@ int run_video(const PackageReader& package, const ShowOptions& o, const std::vec
     const bool to_folder = output.video.empty();
     const fs::path& any = to_folder ? output.frames.front() : output.video;
     if (any.has_parent_path()) make_folder(any.parent_path());
-    stop_requested();
+    stop_on_signals(InFlight::abandoned);
     std::optional<VideoEncoder> encoder;
     const bool transparent = o.blending.holes == "transparent";
     const FrameSize frame = size_of_frame(o);
