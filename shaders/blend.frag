@@ -38,7 +38,6 @@ layout(location = lod_bias_uniform) uniform float lod_bias;
 layout(location = surroundings_distance_uniform) uniform float surroundings_distance;
 #endif
 layout(location = blend_show_uniform) uniform uint show;
-layout(location = half_scale_uniform) uniform float half_scale;  // factor of a pass's sums in half floats; 0: full floats
 #ifdef TAKES_ONE
 layout(binding = best_so_far_unit) uniform sampler2D best_so_far;
 #endif
@@ -46,9 +45,8 @@ layout(binding = best_so_far_unit) uniform sampler2D best_so_far;
 layout(binding = first_sums_unit) uniform sampler2D first_sums;
 #endif
 
-const float least = 0.001;               // minimum of each mask: a photo that sees the surface keeps some weight
-const float half_least = 1.0 / 16384.0;  // the smallest half float with full precision
-const float consensus_scale = 0.08;      // square root of linear color: a difference of this much halves the weight
+const float least = 0.001;           // minimum of each mask: a photo that sees the surface keeps some weight
+const float consensus_scale = 0.08;  // square root of linear color: a difference of this much halves the weight
 
 #ifdef SURROUNDINGS
 bool surrounds() { return (draw_photos & surroundings_bit) != 0u; }
@@ -101,10 +99,10 @@ float angle_weight(float theta) { return (switches & angle_switch) != 0u ? max(e
 // Share in [0, 1] of a photo in its own view: 1 at its camera, 1/2 at `own_angle`.
 float own_share(float theta) { return own_angle * own_angle / (own_angle * own_angle + theta * theta); }
 
-// Factor by which a photo outweighs the others near its own camera. Half floats have no range for it.
+// Factor by which a photo outweighs the others near its own camera.
 float own_view(float theta) {
     float r = own_angle / max(theta, own_least);
-    return (switches & angle_switch) == 0u || half_scale > 0.0 ? 1.0 : 1.0 + r * r;
+    return (switches & angle_switch) == 0u ? 1.0 : 1.0 + r * r;
 }
 
 #ifdef SURROUNDINGS
@@ -303,7 +301,7 @@ void main() {
 #endif
         if (!(w > 0.0)) continue;
 #ifdef TAKES_ONE
-        w = sqrt(sqrt(w));  // compresses 22 orders of magnitude to about 6, which fit half floats
+        w = sqrt(sqrt(w));  // compresses 22 orders of magnitude to about 6
         if (w > accumulated.a) {
             accumulated.a = w;
             chosen = int(photo);
@@ -330,9 +328,5 @@ void main() {
         vec4 c = as_shown(uint(chosen), photo_color(uint(chosen), chosen_pixel, chosen_footprint, chosen_theta));
         accumulated = c.a > 0.5 ? vec4(c.rgb, accumulated.a) : before;
     }
-#else
-    // Sums too small for half floats are scaled up as a whole: the proportions of the pass's photos stay the same.
-    if (half_scale > 0.0 && show != show_coverage && accumulated.a > 0.0)
-        accumulated *= max(half_scale, half_least / accumulated.a);
 #endif
 }

@@ -82,7 +82,6 @@ const int lod_bias_uniform = 8;
 const int blend_show_uniform = 9;
 const int first_layers_uniform = 10;
 const int weight_eye_uniform = 11;
-const int half_scale_uniform = 12;
 const int surroundings_distance_uniform = 13;
 const int layer_scale_uniform = 14;
 const int isolines_uniform = 15;

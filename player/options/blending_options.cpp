@@ -76,7 +76,6 @@ void add_sampling(CLI::App& app, RenderSettings& r) {
         ->check(CLI::Range(1, 16))
         ->capture_default_str()
         ->group(group);
-    app.add_flag("--half-float", r.half_sums, "sums of a pass in half precision")->group(group);
     app.add_flag("--thumbnails", r.thumbnails, "use only thumbnails")->group(group);
     app.add_option("--photos-per-pass", r.photos_per_pass, "photos blended per pass")
         ->check(CLI::Range(1, most_photos_per_pass))

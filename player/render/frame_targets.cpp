@@ -45,7 +45,7 @@ SurfaceTargets layer_of(const SurfaceTargets& layers, int layer) {
 
 }  // namespace
 
-FrameTargets make_frame_targets(FrameSize room, bool half_sums, std::size_t eyes, std::size_t surfaces) {
+FrameTargets make_frame_targets(FrameSize room, std::size_t eyes, std::size_t surfaces) {
     const auto [width, height] = room;
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
@@ -56,15 +56,13 @@ FrameTargets make_frame_targets(FrameSize room, bool half_sums, std::size_t eyes
     t.room = room;
     t.width = width;
     t.height = height;
-    t.half_sums = half_sums;
     if (surfaces > 1) {
         t.layers = make_layers(room);
         for (const int layer : {0, 1}) t.surfaces.push_back(layer_of(t.layers, layer));
     } else {
         t.surfaces.push_back(make_surface(room));
     }
-    for (gl::Texture& sums : t.sums)
-        sums = gl::make_texture_2d("frame sums", half_sums ? GL_RGBA16F : GL_RGBA32F, width, height);
+    for (gl::Texture& sums : t.sums) sums = gl::make_texture_2d("frame sums", GL_RGBA32F, width, height);
     const auto sums_target = [](const gl::Texture& sums, const SurfaceTargets& surface) {
         return gl::make_framebuffer("frame sums", std::array{sums.id()}, surface.depth.id());
     };
@@ -76,10 +74,9 @@ FrameTargets make_frame_targets(FrameSize room, bool half_sums, std::size_t eyes
     return t;
 }
 
-std::uint64_t FrameTargets::bytes(FrameSize room, bool half_sums, std::size_t eyes, std::size_t surfaces) {
+std::uint64_t FrameTargets::bytes(FrameSize room, std::size_t eyes, std::size_t surfaces) {
     const auto [width, height] = room;
-    return std::uint64_t(width) * std::uint64_t(height) *
-               (surfaces * (4 + 8 + 4) + 8 + (half_sums ? 16 : 32)) +
+    return std::uint64_t(width) * std::uint64_t(height) * (surfaces * (4 + 8 + 4) + 8 + 32) +
            eyes * PictureSamples::bytes(width, height);
 }
 

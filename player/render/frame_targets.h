@@ -19,9 +19,8 @@ struct SurfaceTargets {
 /// float targets of sums (best photo and consensus read one and write the other), and the samples of each
 /// eye's picture. They may have room for larger frames.
 struct FrameTargets {
-    int width = 0, height = 0;  ///< of the frame, pixels; up to `room`
-    FrameSize room;             ///< of the textures
-    bool half_sums = false;
+    int width = 0, height = 0;             ///< of the frame, pixels; up to `room`
+    FrameSize room;                        ///< of the textures
     SurfaceTargets layers;                 ///< of both eyes, if each has its own surface
     std::vector<SurfaceTargets> surfaces;  ///< one per eye, from `layers`; or one that eyes use in turn
     std::size_t surface_number = 0;        ///< of the eye that was painted last
@@ -35,13 +34,11 @@ struct FrameTargets {
     const gl::Framebuffer& sums_target(int sums) const {
         return sums_targets[surface_number][std::size_t(sums)];
     }
-    static std::uint64_t bytes(FrameSize room, bool half_sums, std::size_t eyes = 1,
-                               std::size_t surfaces = 1);
+    static std::uint64_t bytes(FrameSize room, std::size_t eyes = 1, std::size_t surfaces = 1);
 };
 
-/// For frames of at most this size, drawn for one eye or two, with as many surfaces or one. `half_sums`: sums
-/// in half floats. Throws Error(usage) for a size that the graphics card cannot draw.
-FrameTargets make_frame_targets(FrameSize room, bool half_sums, std::size_t eyes = 1,
-                                std::size_t surfaces = 1);
+/// For frames of at most this size, drawn for one eye or two, with as many surfaces or one. Throws
+/// Error(usage) for a size that the graphics card cannot draw.
+FrameTargets make_frame_targets(FrameSize room, std::size_t eyes = 1, std::size_t surfaces = 1);
 
 }  // namespace vantage

@@ -554,9 +554,6 @@ void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
     glUniform1f(shader::sharpness_uniform, float(settings.weights.sharpness));
     glUniform1f(shader::lod_bias_uniform, float(settings.lod_bias - std::log2(drawn.side)));
     glUniform1ui(shader::blend_show_uniform, GLuint(settings.show));
-    // All photos of the scene at full weight, in colors eight times as bright as white, stay below the
-    // largest half float, 65504.
-    glUniform1f(shader::half_scale_uniform, settings.half_sums ? 8000 / float(scene_->photos.size()) : 0.0f);
     if (shows_surroundings(settings))
         glUniform1f(shader::surroundings_distance_uniform, float(2 * scene_->spread));
     if (trace_) {

@@ -142,7 +142,6 @@ struct RenderSettings {
     int anisotropy = 1;           ///< taps along the longer side of a sample's footprint, 1 to 16
     bool by_triangle = true;      ///< photos are blended once per pixel, not once per triangle and pixel
     EyeSurfaces eye_surfaces = EyeSurfaces::automatic;
-    bool half_sums = false;   ///< sums of a pass in half floats: half the bandwidth
     bool thumbnails = false;  ///< nothing finer than thumbnails
     Show show = Show::colors;
     ShowSurroundings surroundings = ShowSurroundings::on;

@@ -187,9 +187,8 @@ void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
         transparent_ && settings.transparency != Transparency::off && scene_.has_surroundings();
     const std::size_t eyes = eyes_.size();
     const std::size_t surfaces = may_have_own_surfaces(settings) ? eyes : 1;
-    const bool fits = targets_.room == room && targets_.half_sums == settings.half_sums &&
-                      targets_.samples.size() == eyes && targets_.surfaces.size() >= surfaces &&
-                      (store_.has_coordinates() || !coordinates) &&
+    const bool fits = targets_.room == room && targets_.samples.size() == eyes &&
+                      targets_.surfaces.size() >= surfaces && (store_.has_coordinates() || !coordinates) &&
                       (!points_ || points_->placed() || !placed) &&
                       (!transparent_ || transparent_->mode() == settings.transparency);
     if (!fits) {
@@ -199,7 +198,7 @@ void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
         if (transparent_) transparent_->release();
         const std::uint64_t others =
             gl::memory_held() - budget_.elsewhere - store_.bytes() +
-            FrameTargets::bytes(room, settings.half_sums, eyes, surfaces) +
+            FrameTargets::bytes(room, eyes, surfaces) +
             (scene_.bands.size() > 1 ? eyes * PictureSamples::bytes(width, height) : 0) +
             (veiled ? eyes * PictureSamples::veil_bytes(width, height) : 0) +
             (filling_ ? HoleFilling::bytes(width, height) : 0) +
@@ -209,7 +208,7 @@ void Renderer::fit(FrameSize frame, std::span<const BandFrame> bands) {
         graphics_budget_ = budget_.graphics ? budget_.graphics : others + tiles_for(width, height);
         store_.fit(graphics_budget_ > others ? graphics_budget_ - others : 0, coordinates);
         graphics_budget_ = std::max(graphics_budget_, others + store_.residency().layout().bytes());
-        targets_ = make_frame_targets(room, settings.half_sums, eyes, surfaces);
+        targets_ = make_frame_targets(room, eyes, surfaces);
         if (filling_) filling_->fit(width, height);
         if (points_) points_->fit(targets_, placed);
         if (transparent_) transparent_->fit(targets_, settings.transparency);

@@ -53,12 +53,11 @@ class FinitePictures : public PreparedScene {
 std::vector<std::pair<std::string, RenderSettings>> kinds() {
     std::vector<std::pair<std::string, RenderSettings>> out;
     for (const Blend blend : {Blend::lumigraph, Blend::average, Blend::best})
-        for (const bool half : {false, true}) {
+        for (const bool filled : {false, true}) {
             RenderSettings s;
             s.blend = blend;
-            s.half_sums = half;
-            s.fill_holes = half;
-            const std::string name = "blend " + std::to_string(int(blend)) + (half ? ", half floats" : "");
+            s.fill_holes = filled;
+            const std::string name = "blend " + std::to_string(int(blend)) + (filled ? ", filled" : "");
             out.emplace_back(name, s);
             s.weights.sharpness = 0.005;
             s.weights.exponent = 64;
@@ -71,8 +70,6 @@ std::vector<std::pair<std::string, RenderSettings>> kinds() {
     out.emplace_back("sources", shown);
     shown.show = Show::coverage;
     out.emplace_back("coverage", shown);
-    shown.half_sums = true;
-    out.emplace_back("coverage, half floats", shown);
     RenderSettings taps;
     taps.coordinates = Coordinates::fragment;
     taps.anisotropy = 4;

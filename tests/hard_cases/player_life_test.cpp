@@ -103,7 +103,6 @@ TEST_F(PlayerLifetime, WindowResizedEveryFrame) {
     for (int frame = 0; frame < 20; ++frame) {
         const int w = frame == 7 ? 1 : 1 + int(random() % 90), h = frame == 7 ? 1 : 1 + int(random() % 90);
         RenderSettings s = streamed();
-        s.half_sums = frame % 3 == 0;
         renderer->draw(between(0, 1, w, h), s, photos, {}, frame / 30.0);
         s.complete = true;
         s.photos = 0;

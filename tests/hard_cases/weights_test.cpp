@@ -1,4 +1,4 @@
-// Weights that are equal up to rounding, that span twelve orders of magnitude, and that exceed half floats.
+// Weights that are equal up to rounding, and that span twelve orders of magnitude.
 #include "player/plan/weights.h"
 
 #include <gtest/gtest.h>
@@ -255,70 +255,23 @@ std::vector<Extreme> extremes() {
 
 }  // namespace
 
-TEST_F(BlendedWeights, ExtremeSettingsLoseNoPixelAndHalfMatchesFloat) {
+TEST_F(BlendedWeights, ExtremeSettingsLoseNoPixel) {
     for (const bool own : {true, false}) {
         const View view = own ? own_view(2, 0.3) : between(0, 1, 120, 90);
         const Picture usual = picture(view, {});
-        for (Extreme e : extremes()) {
-            const Picture floats = picture(view, e.settings);
-            e.settings.half_sums = true;
-            const Picture halves = picture(view, e.settings);
-            ASSERT_GT(compare(usual, floats).colored, 3000u);
-            EXPECT_EQ(compare(usual, floats).lost, 0u) << e.name << ", blend " << int(e.settings.blend);
-            EXPECT_EQ(compare(usual, halves).lost, 0u) << e.name << ", blend " << int(e.settings.blend);
-            // From a photo's own camera the lumigraph shows that photo alone, for which half floats have no
-            // range.
-            if (own && e.settings.blend == Blend::lumigraph) continue;
-            EXPECT_LE(compare(floats, halves).worst, 2) << e.name << ", blend " << int(e.settings.blend);
+        for (const Extreme& e : extremes()) {
+            const Compared c = compare(usual, picture(view, e.settings));
+            ASSERT_GT(c.colored, 3000u);
+            EXPECT_EQ(c.lost, 0u) << e.name << ", blend " << int(e.settings.blend);
         }
     }
-}
-
-// Half floats lack the range of a pass's weights, so passes with negligible weights are raised to the same
-// minimum. This loses no pixel and does not change pixels with a significant weight.
-TEST_F(BlendedWeights, OnePhotoPerPassLosesNoPixelInHalfFloats) {
-    for (const Blend blend : {Blend::lumigraph, Blend::average, Blend::best})
-        for (const double sharpness : {RenderSettings{}.weights.sharpness, 0.005}) {
-            RenderSettings s;
-            s.blend = blend;
-            s.photos_per_pass = 1;
-            s.weights.sharpness = sharpness;
-            const View view = between(0, 1, 120, 90);
-            const Picture floats = picture(view, s);
-            s.half_sums = true;
-            const Compared c = compare(floats, picture(view, s));
-            EXPECT_EQ(c.lost, 0u) << int(blend) << ' ' << sharpness;
-            if (sharpness == RenderSettings{}.weights.sharpness) {
-                EXPECT_LT(double(c.off), 0.05 * double(c.colored)) << int(blend);
-            }
-        }
-}
-
-// The largest half float is 65504; a photo's weight from its own camera is a thousand times larger.
-TEST_F(BlendedWeights, BestPhotoWeightFitsHalfFloats) {
-    RenderSettings s;
-    s.blend = Blend::best;
-    const View view = own_view(2, 0.3);
-    const auto best_weights = [&](bool half) {
-        s.half_sums = half;
-        picture(view, s);
-        std::vector<float> sums(std::size_t(view.intrinsics.width) * std::size_t(view.intrinsics.height) * 4);
-        for (const gl::Texture& t : renderer->targets().sums)
-            if (std::ranges::all_of(sums, [](float v) { return v == 0; }))
-                glGetTextureImage(t.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(sums.size() * 4), sums.data());
-        return sums;
-    };
-    const auto floats = best_weights(false), halves = best_weights(true);
-    EXPECT_GT(*std::ranges::max_element(floats), 10);
-    for (std::size_t i = 3; i < floats.size(); i += 4)
-        ASSERT_NEAR(halves[i], floats[i], 1e-3 * double(floats[i])) << "pixel " << i / 4;
 }
 
 namespace {
 
 /// The weighted mean of `colors`, with one pass each, summed as resolve sums the output of blend.frag.
-double summed(const std::vector<double>& weights, const std::vector<double>& colors, bool half) {
-    FrameTargets t = make_frame_targets({1, 1}, half);
+double summed(const std::vector<double>& weights, const std::vector<double>& colors) {
+    FrameTargets t = make_frame_targets({1, 1});
     const std::array<float, 4> zero{};
     glClearNamedFramebufferfv(t.sums_target(0).id(), GL_COLOR, 0, zero.data());
     const gl::Texture one = gl::make_texture_2d("a pass", GL_RGBA32F, 1, 1);
@@ -362,7 +315,7 @@ double summed(const std::vector<double>& weights, const std::vector<double>& col
 TEST_F(BlendedWeights, SumsOverTwelveOrdersOfMagnitudeMatchDoubles) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> orders(-12, 0), color(0.02, 1);
-    double worst_float = 0, worst_half = 0;
+    double worst = 0;
     for (int trial = 0; trial < 12; ++trial) {
         std::vector<double> weights, colors;
         for (int i = 0; i < (trial < 8 ? 8 : 500); ++i) {
@@ -372,14 +325,8 @@ TEST_F(BlendedWeights, SumsOverTwelveOrdersOfMagnitudeMatchDoubles) {
         double sum = 0, all = 0;
         for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * colors[i], all += weights[i];
         const double truth = sum / all;
-        worst_float = std::max(worst_float, std::abs(summed(weights, colors, false) / truth - 1));
-        // Scaled and lifted as in blend.frag.
-        std::vector<double> held;
-        const double scale = 8000 / double(weights.size());
-        for (const double w : weights) held.push_back(std::max(w * scale, 1 / 16384.0) / scale);
-        worst_half = std::max(worst_half, std::abs(summed(held, colors, true) / truth - 1));
+        worst = std::max(worst, std::abs(summed(weights, colors) / truth - 1));
     }
-    std::printf("off by at most %.2g in floats, %.2g in half floats\n", worst_float, worst_half);
-    EXPECT_LT(worst_float, 1e-4);
-    EXPECT_LT(worst_half, 0.1);
+    std::printf("off by at most %.2g\n", worst);
+    EXPECT_LT(worst, 1e-4);
 }

@@ -87,8 +87,6 @@ TEST_F(VantageBench, ExactSettingsReproduceTheReference) {
               value("border", "masks at 1/2", "exact", "mask_mean"));
     EXPECT_LT(value("filtering", "samples", "1x1", "psnr_exact"),
               value("filtering", "samples", "2x2", "psnr_exact"));
-    EXPECT_LT(value("sums", "average", "half float", "psnr_exact"), 90);
-    EXPECT_GT(value("sums", "average", "half float", "psnr_exact"), 60) << "no color is lost to underflow";
     EXPECT_LT(value("loading", "tiles", "3 levels coarser", "psnr"),
               value("loading", "tiles", "full resolution", "psnr"));
     EXPECT_TRUE(fs::exists(dir / "out" / "index.html"));

@@ -42,7 +42,6 @@ constexpr Metric table[] = {
     {"read_bytes", "read per view", "B", Kind::bytes, true, same},
     {"texel_bytes", "per texel", "B", Kind::bytes, true, same},
     {"vertex_bytes", "per vertex and photo", "B", Kind::bytes, true, same},
-    {"target_bytes", "render targets", "B", Kind::bytes, true, same},
     {"memory_bytes", "peak memory", "B", Kind::bytes, true, timed},
     {"photos", "photos blended", "", Kind::other, true, same},
     {"pixels", "photo pixels", "MP", Kind::other, true, same},

@@ -21,7 +21,7 @@ struct Color {
 std::vector<float> filled(int width, int height, const std::function<Color(int x, int y)>& drawn,
                           float samples = 1) {
     const gl::HeadlessContext context;
-    const FrameTargets frame = make_frame_targets({width, height}, false);
+    const FrameTargets frame = make_frame_targets({width, height});
     std::vector<float> texels;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {

@@ -1,7 +1,6 @@
-// How photos are blended: mode, number, sharpness, photos per pass, and precision.
+// How photos are blended: mode, number, sharpness, and photos per pass.
 #include <fmt/format.h>
 
-#include "player/render/frame_targets.h"
 #include "tests/bench/measure/pictures.h"
 #include "tests/bench/sweeps/sweep.h"
 
@@ -66,30 +65,12 @@ std::vector<PictureSetting> passes(int) {
     return out;
 }
 
-std::vector<PictureSetting> precisions(int) {
-    std::vector<PictureSetting> out;
-    for (const auto& mode : modes)
-        for (const bool half : {false, true}) {
-            PictureSetting s{
-                mode.name, half ? "half float" : "float", !half, !half && mode.blend == Blend::lumigraph, {}};
-            s.settings.blend = mode.blend;
-            s.settings.half_sums = half;
-            out.push_back(s);
-        }
-    return out;
-}
-
 Job pictures_job(const char* name, const BenchScene& scene, const Effort& effort,
                  const std::filesystem::path& folder, std::vector<PictureSetting> (*settings)(int photos)) {
     return {name, [=, &scene] {
-                const std::vector<PictureSetting> all = settings(int(scene.views.front().photos.size()));
-                std::vector<Measurement> out = measure_pictures(scene.package, scene, effort, all, folder,
-                                                                std::string("blending-") + name);
-                const Intrinsics& k = scene.views.front().view.intrinsics;
-                for (std::size_t i = 0; i < out.size(); ++i)
-                    out[i].values["target_bytes"] =
-                        double(FrameTargets::bytes({k.width, k.height}, all[i].settings.half_sums));
-                return out;
+                return measure_pictures(scene.package, scene, effort,
+                                        settings(int(scene.views.front().photos.size())), folder,
+                                        std::string("blending-") + name);
             }};
 }
 
@@ -103,8 +84,7 @@ std::vector<Job> exponent_jobs(const BenchScene& scene, const Effort& effort,
 }
 std::vector<Job> sum_jobs(const BenchScene& scene, const Effort& effort,
                           const std::filesystem::path& folder) {
-    return {pictures_job("passes", scene, effort, folder, passes),
-            pictures_job("precision", scene, effort, folder, precisions)};
+    return {pictures_job("passes", scene, effort, folder, passes)};
 }
 
 }  // namespace
@@ -127,14 +107,13 @@ const Sweep exponent_sweep{
     {{"sharpness", "psnr"}, {"exponent", "psnr"}, {"frame_ms", "psnr"}},
     exponent_jobs,
     true};
-const Sweep sums_sweep{
-    "sums",
-    "Photos per pass and precision of the sums",
-    "Fewer, larger passes and smaller sums need less bandwidth. Do they change the picture?",
-    "all photos in one pass, in single precision",
-    "at least 50 dB with any number of passes",
-    {{"frame_ms", "psnr_exact"}, {"target_bytes", "psnr_exact", true}},
-    sum_jobs,
-    true};
+const Sweep sums_sweep{"sums",
+                       "Photos per pass",
+                       "Fewer, larger passes need less bandwidth. Do they change the picture?",
+                       "all photos in one pass",
+                       "at least 50 dB with any number of passes",
+                       {{"frame_ms", "psnr_exact"}},
+                       sum_jobs,
+                       true};
 
 }  // namespace vantage::bench
