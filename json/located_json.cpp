@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
@@ -51,6 +52,12 @@ LocatedJson LocatedJson::at(const char* key) const {
     }
     return {*this, *found, path_.empty() ? key : path_ + "." + key};
 }
+
+bool LocatedJson::has(const char* key) const { return value_->contains(key); }
+bool LocatedJson::is_object() const { return value_->is_object(); }
+bool LocatedJson::is_text() const { return value_->is_string(); }
+bool LocatedJson::is_true() const { return value_->is_boolean() && value_->get<bool>(); }
+bool LocatedJson::is_null() const { return value_->is_null(); }
 
 std::vector<LocatedJson> LocatedJson::items(std::size_t most) const {
     if (!value_->is_array() || value_->size() > most)

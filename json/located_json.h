@@ -1,10 +1,11 @@
 #pragma once
 #include <Eigen/Core>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace vantage {
@@ -24,7 +25,7 @@ class LocatedJson {
 
     /// Expects an object; reports keys other than these.
     void expect_object(std::initializer_list<std::string_view> known) const;
-    bool has(const char* key) const { return value_->contains(key); }
+    bool has(const char* key) const;
     /// Expects that the object has the key.
     LocatedJson at(const char* key) const;
     /// Expects an array of at most so many.
@@ -32,9 +33,10 @@ class LocatedJson {
     /// Expects an object of at most so many keys.
     std::vector<std::pair<std::string, LocatedJson>> entries(std::size_t most) const;
 
-    bool is_object() const { return value_->is_object(); }
-    bool is_text() const { return value_->is_string(); }
-    bool is_true() const { return value_->is_boolean() && value_->get<bool>(); }
+    bool is_object() const;
+    bool is_text() const;
+    bool is_true() const;
+    bool is_null() const;
     /// At most so many bytes, without control characters other than line feeds if `lines`.
     std::string text(std::size_t most, bool lines = false) const;
     /// Finite, within the range.

@@ -1,5 +1,7 @@
 #include "pipeline/facts/facts_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "pipeline/facts/file_facts.h"
 #include "pipeline/input/file_name.h"
 #include "pipeline/package/disk_space.h"

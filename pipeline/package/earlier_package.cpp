@@ -1,6 +1,7 @@
 #include "pipeline/package/earlier_package.h"
 
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "scene/checksum.h"
 #include "scene/error.h"
@@ -42,7 +43,7 @@ EarlierPackage::EarlierPackage(const std::filesystem::path& file, bool in_place)
       in_place_(in_place),
       records_(copy_records<PhotoRecord>(reader_, Type::photos)),
       states_(copy_records<PhotoState>(reader_, Type::states)),
-      settings_(read_settings(reader_)) {
+      settings_(std::make_shared<json>(read_settings(reader_))) {
     states_.resize(records_.size());
     for (std::uint32_t i = 0; i < records_.size(); ++i)
         if (records_[i].name[sizeof records_[i].name - 1] == 0 && sealed(states_[i], records_[i]))

@@ -1,7 +1,7 @@
 #pragma once
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +29,7 @@ class EarlierPackage {
     }
     const PackageReader& reader() const { return reader_; }
     /// The settings it was prepared with, as stored in META; null if META cannot be read.
-    const nlohmann::json& settings() const { return settings_; }
+    const nlohmann::json& settings() const { return *settings_; }
 
     /// Passes a stage's chunks to the writer if all are present and intact, and were made with the key and
     /// pose in `wanted` for a photo with the same number of levels. Sets the stage's content in `wanted`.
@@ -46,7 +46,7 @@ class EarlierPackage {
     std::vector<package::PhotoRecord> records_;
     std::vector<package::PhotoState> states_;
     std::map<std::string, std::uint32_t> by_name_;
-    nlohmann::json settings_;
+    std::shared_ptr<const nlohmann::json> settings_;
 };
 using EarlierPackages = std::vector<std::unique_ptr<EarlierPackage>>;
 

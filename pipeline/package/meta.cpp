@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/input/band_groups.h"

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "json/located_json.h"
 #include "scene/error.h"
 #include "scene/replace_file.h"
 
@@ -48,74 +49,48 @@ Json json_of(const Measurement& m, const Survey& s) {
             {"note", is.note}};
 }
 
-/// Reads values, and says where in the file one is missing or wrong.
-class Reading {
-  public:
-    explicit Reading(const std::filesystem::path& file) : file_(file) {}
-    [[noreturn]] void fail(const std::string& what) const {
-        throw Error(Exit::input, file_.string() + ": " + what);
-    }
+constexpr double most = 1e12;
 
-    const Json& at(const Json& j, const char* key, const std::string& where) const {
-        if (!j.is_object() || !j.contains(key)) fail(where + " has no \"" + key + "\"");
-        return j[key];
-    }
-    double number(const Json& j, const std::string& what) const {
-        if (!j.is_number() || !std::isfinite(j.get<double>())) fail(what + ": expected a number");
-        return j.get<double>();
-    }
-    std::string text(const Json& j, const std::string& what) const {
-        if (!j.is_string()) fail(what + ": expected text");
-        return j.get<std::string>();
-    }
-    const Json& list(const Json& j, const std::string& what) const {
-        if (!j.is_array()) fail(what + ": expected a list");
-        return j;
-    }
-    Eigen::Vector3d vector(const Json& j, const std::string& what) const {
-        if (list(j, what).size() != 3) fail(what + ": expected three numbers");
-        return {number(j[0], what), number(j[1], what), number(j[2], what)};
-    }
-    Unit unit(const Json& j, const std::string& what) const {
-        const auto unit = unit_named(text(j, what));
-        if (!unit) fail(what + ": expected m, cm, mm, ft, in or units");
-        return *unit;
-    }
+double number_in(const LocatedJson& object, const char* key) { return object.at(key).number(-most, most); }
 
-  private:
-    const std::filesystem::path& file_;
-};
+std::string text_in(const LocatedJson& object, const char* key) {
+    constexpr std::size_t most_bytes = 1 << 20;
+    return object.at(key).text(most_bytes, true);
+}
 
-Scale scale_in(const Json& j, const Reading& read) {
-    Scale out{read.number(read.at(j, "length", "the scale"), "the scale's length"),
-              read.unit(read.at(j, "unit", "the scale"), "the scale's unit"),
-              read.unit(read.at(j, "shown", "the scale"), "the scale's shown unit"),
-              read.number(read.at(j, "relative_uncertainty", "the scale"), "the scale's uncertainty")};
-    if (!(out.length > 0) || !(out.relative >= 0)) read.fail("the scale: expected a length above 0");
+Unit unit_in(const LocatedJson& scale, const char* key) {
+    const auto unit = unit_named(text_in(scale, key));
+    if (!unit) scale.at(key).fail("m, cm, mm, ft, in or units");
+    return *unit;
+}
+
+Scale scale_in(const LocatedJson& j) {
+    Scale out{number_in(j, "length"), unit_in(j, "unit"), unit_in(j, "shown"),
+              number_in(j, "relative_uncertainty")};
+    if (!(out.length > 0)) j.at("length").fail("a number above 0");
+    if (!(out.relative >= 0)) j.at("relative_uncertainty").fail("a number of at least 0");
     if (out.unit == Unit::unknown) out = {};
     return out;
 }
 
-SurveyPoint point_in(const Json& j, const std::string& where, const Reading& read) {
-    SurveyPoint out{read.vector(read.at(j, "position", where), where + "'s position")};
-    const Json& uncertainty = read.at(j, "uncertainty", where);
-    if (!uncertainty.is_null()) out.uncertainty = read.number(uncertainty, where + "'s uncertainty");
-    if (out.uncertainty && *out.uncertainty < 0) read.fail(where + "'s uncertainty: expected at least 0");
-    if (j.contains("photo")) out.photo = read.text(j["photo"], where + "'s photo");
+SurveyPoint point_in(const LocatedJson& j) {
+    SurveyPoint out{j.at("position").vector()};
+    if (const LocatedJson uncertainty = j.at("uncertainty"); !uncertainty.is_null())
+        out.uncertainty = uncertainty.number(0, most);
+    if (j.has("photo")) out.photo = text_in(j, "photo");
     return out;
 }
 
-Measurement measurement_in(const Json& j, const std::string& where, const Reading& read) {
-    Measurement out{read.text(read.at(j, "name", where), where + "'s name"), Measure::point, {}};
-    const std::string measure = read.text(read.at(j, "measure", where), where + "'s measure");
-    const auto known = measure_named(measure);
-    if (!known) read.fail(where + ": unknown measure \"" + measure + "\"");
+Measurement measurement_in(const LocatedJson& j) {
+    constexpr std::size_t most_listed = 1 << 20;
+    Measurement out{text_in(j, "name"), Measure::point, {}};
+    const auto known = measure_named(text_in(j, "measure"));
+    if (!known) j.at("measure").fail("a kind of measurement");
     out.measure = *known;
-    for (const Json& p : read.list(read.at(j, "points", where), where + "'s points"))
-        out.points.push_back(point_in(p, where + ", point " + std::to_string(out.points.size() + 1), read));
+    const LocatedJson points = j.at("points");
+    for (const LocatedJson& p : points.items(most_listed)) out.points.push_back(point_in(p));
     if (out.points.size() < fewest_points(*known) || out.points.size() > most_points(*known))
-        read.fail(where + ": " + std::to_string(out.points.size()) +
-                  " points are not what a measurement of " + measure + " has");
+        points.fail("as many points as the measurement has");
     return out;
 }
 
@@ -142,21 +117,22 @@ std::string survey_text(const Survey& s) {
 }
 
 Survey survey_from(const std::string& text, const std::filesystem::path& file) {
-    const Reading read(file);
-    const Json j = Json::parse(text, nullptr, false);
-    if (j.is_discarded() || !j.is_object() || !j.contains("format") || j["format"] != format)
-        read.fail("is not a file of measurements, or is incomplete");
-    if (read.number(read.at(j, "version", "the file"), "the version") != version)
-        read.fail("is of another version than " + std::to_string(version));
+    constexpr int deepest = 8;
+    constexpr std::size_t most_listed = 1 << 20;
+    const std::string name = file.string();
+    const nlohmann::json value = parsed_json(text, name, deepest);
+    std::vector<std::string> unknown;
+    const LocatedJson all(name, value, unknown);
+    if (text_in(all, "format") != format) all.at("format").fail(format);
+    if (number_in(all, "version") != version) all.at("version").fail(std::to_string(version));
     Survey out;
-    out.scale = scale_in(read.at(j, "scale", "the file"), read);
-    out.up = read.vector(read.at(j, "up", "the file"), "\"up\"");
+    out.scale = scale_in(all.at("scale"));
+    out.up = all.at("up").vector();
     const double length = out.up.stableNorm();
-    if (!(length > 0)) read.fail("\"up\": expected a direction");
+    if (!(length > 0)) all.at("up").fail("a direction");
     out.up /= length;
-    for (const Json& m : read.list(read.at(j, "measurements", "the file"), "\"measurements\""))
-        out.measurements.push_back(
-            measurement_in(m, "measurement " + std::to_string(out.measurements.size() + 1), read));
+    for (const LocatedJson& m : all.at("measurements").items(most_listed))
+        out.measurements.push_back(measurement_in(m));
     return out;
 }
 

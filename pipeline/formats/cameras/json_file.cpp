@@ -1,6 +1,7 @@
 #include "pipeline/formats/cameras/json_file.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "pipeline/run/read_file.h"
 #include "values/parse_number.h"
@@ -10,7 +11,8 @@ namespace vantage {
 constexpr int deepest = 64;
 
 JsonFile::JsonFile(const std::filesystem::path& file)
-    : name_(file.string()), value_(parsed_json(read_plain_text(file), name_, deepest)) {}
+    : name_(file.string()),
+      value_(std::make_shared<nlohmann::json>(parsed_json(read_plain_text(file), name_, deepest))) {}
 
 double numeral(const LocatedJson& value) {
     if (!value.is_text()) return value.number(-most_value, most_value);

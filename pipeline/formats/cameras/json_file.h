@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,11 @@ class JsonFile {
   public:
     /// Throws Error(input) if it cannot be read or is no JSON.
     explicit JsonFile(const std::filesystem::path& file);
-    LocatedJson root() { return {name_, value_, unknown_}; }
+    LocatedJson root() { return {name_, *value_, unknown_}; }
 
   private:
     std::string name_;
-    nlohmann::json value_;
+    std::shared_ptr<const nlohmann::json> value_;
     std::vector<std::string> unknown_;
 };
 

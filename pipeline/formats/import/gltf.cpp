@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
 #include "json/located_json.h"
 #include "pipeline/run/read_file.h"
