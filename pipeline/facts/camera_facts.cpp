@@ -94,6 +94,17 @@ double field_of_view(const Camera& camera, int axis) {
     return angle * 180 / std::numbers::pi;
 }
 
+const char* name(CameraSet::Unit unit) {
+    switch (unit) {
+        case CameraSet::Unit::photo_width:
+            return "photo width";
+        case CameraSet::Unit::longer_side:
+            return "longer side";
+        default:
+            return "px";
+    }
+}
+
 CameraFacts camera_facts(std::span<const CameraSet::Entry> cameras) {
     CameraFacts facts{.cameras = cameras.size(), .centers = {}, .lenses = {}};
     std::map<Kind, std::vector<const CameraSet::Entry*>> kinds;

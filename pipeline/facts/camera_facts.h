@@ -35,6 +35,9 @@ struct CameraFacts {
 /// Numbers that are not finite, and focal lengths that are not positive, do not count.
 CameraFacts camera_facts(std::span<const CameraSet::Entry> cameras);
 
+/// "px", "photo width" or "longer side".
+const char* name(CameraSet::Unit unit);
+
 /// The angle in degrees that a camera sees between the left and the right edge of its frame (`axis` 0), or
 /// the upper and the lower (1), through its principal point and its lens. Where the lens's equation ends
 /// inside the frame, the angle ends as well. NaN without the frame's size.

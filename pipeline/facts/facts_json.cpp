@@ -44,17 +44,6 @@ json points_json(const InputFacts& facts) {
     return out;
 }
 
-const char* name(CameraSet::Unit unit) {
-    switch (unit) {
-        case CameraSet::Unit::photo_width:
-            return "photo width";
-        case CameraSet::Unit::longer_side:
-            return "longer side";
-        default:
-            return "px";
-    }
-}
-
 json json_of(const LensFacts& lens) {
     json coefficients = json::object();
     for (const LensFacts::Coefficient& c : lens.coefficients) coefficients[c.name] = json_of(c.value);

@@ -78,17 +78,6 @@ void add_shape(const ShapeFacts& shape, const std::vector<std::filesystem::path>
     out.add(label, "{}", has);
 }
 
-const char* plural_name(CameraSet::Unit unit) {
-    switch (unit) {
-        case CameraSet::Unit::photo_width:
-            return "photo widths";
-        case CameraSet::Unit::longer_side:
-            return "longer sides of the photo";
-        default:
-            return "px";
-    }
-}
-
 /// Across and down.
 std::string in_words(const Range& x, const Range& y, int digits, std::string_view unit) {
     const std::string across = in_words(x, digits), down = in_words(y, digits);
@@ -100,7 +89,8 @@ std::string in_words(const LensFacts& lens) {
     std::string out = counted(lens.cameras, "camera");
     if (lens.width > 0) out += fmt::format(" of {}x{}", lens.width, lens.height);
     if (lens.calibrations == 0) return out + ": no usable calibration";
-    out += ": focal length " + in_words(lens.focal_x, lens.focal_y, 6, plural_name(lens.unit));
+    const std::string unit = name(lens.unit);
+    out += ": focal length " + in_words(lens.focal_x, lens.focal_y, 6, unit == "px" ? unit : unit + "s");
     if (!lens.view_x.empty()) out += "; field of view " + in_words(lens.view_x, lens.view_y, 3, "degrees");
     if (lens.cameras > 1)
         out += lens.calibrations == 1              ? "; one calibration"
