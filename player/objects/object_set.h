@@ -118,7 +118,4 @@ FrameReport draw_eye_samples(ObjectSet& objects, std::span<const View> eyes, con
 Picture take_picture(ObjectSet& objects, const View& view, const RenderSettings& settings,
                      std::span<const std::uint32_t> photos, int side, double now = 0);
 
-/// The sum of what frames consisted of; settled if all are.
-FrameReport joined(const FrameReport& a, const FrameReport& b);
-
 }  // namespace vantage

@@ -45,6 +45,11 @@ SurfaceTargets layer_of(const SurfaceTargets& layers, int layer) {
 
 }  // namespace
 
+void bind_target(GLuint framebuffer, FrameSize size) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, size.width, size.height);
+}
+
 FrameTargets make_frame_targets(FrameSize room, std::size_t eyes, std::size_t surfaces) {
     const auto [width, height] = room;
     GLint most = 0;

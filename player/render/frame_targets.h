@@ -29,6 +29,7 @@ struct FrameTargets {
     gl::Framebuffer before_target;
     std::vector<PictureSamples> samples;  ///< per eye
 
+    FrameSize size() const { return {width, height}; }
     /// Of the eye that was painted last. There must be targets.
     const SurfaceTargets& surface() const { return surfaces[surface_number]; }
     const gl::Framebuffer& sums_target(int sums) const {
@@ -36,6 +37,9 @@ struct FrameTargets {
     }
     static std::uint64_t bytes(FrameSize room, std::size_t eyes = 1, std::size_t surfaces = 1);
 };
+
+/// Draws into a framebuffer, in a frame of this size.
+void bind_target(GLuint framebuffer, FrameSize size);
 
 /// For frames of at most this size, drawn for one eye or two, with as many surfaces or one. Throws
 /// Error(usage) for a size that the graphics card cannot draw.

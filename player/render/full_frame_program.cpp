@@ -1,5 +1,7 @@
 #include "player/render/full_frame_program.h"
 
+#include "player/render/frame_targets.h"
+
 namespace vantage {
 
 gl::Program full_frame_program(const char* label, const char* fragment_shader,
@@ -9,8 +11,7 @@ gl::Program full_frame_program(const char* label, const char* fragment_shader,
 }
 
 void begin_full_frame(const gl::Program& program, GLuint target, FrameSize size) {
-    glBindFramebuffer(GL_FRAMEBUFFER, target);
-    glViewport(0, 0, size.width, size.height);
+    bind_target(target, size);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     glUseProgram(program.id());

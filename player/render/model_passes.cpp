@@ -44,11 +44,6 @@ void uniform(GLint location, const Eigen::Vector3d& v) {
     glUniform3f(location, float(v.x()), float(v.y()), float(v.z()));
 }
 
-void bind_target(const gl::Framebuffer& framebuffer, FrameSize frame) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-    glViewport(0, 0, frame.width, frame.height);
-}
-
 std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos) {
     std::vector<PhotoBlock> out;
     for (std::uint32_t i = 0; i < photos.size(); ++i) out.push_back(make_photo_block(photos[i], i));
@@ -164,11 +159,11 @@ EyeSurfaces ModelPasses::eye_surfaces(const RenderSettings& settings) const {
 }
 
 void ModelPasses::draw_surface(const DrawnView& drawn, const FrameTargets& targets) {
-    draw_surfaces(std::array{&drawn}, targets.surface().target, {targets.width, targets.height});
+    draw_surfaces(std::array{&drawn}, targets.surface().target, targets.size());
 }
 
 void ModelPasses::draw_surfaces(const DrawnView& left, const DrawnView& right, const FrameTargets& targets) {
-    draw_surfaces(std::array{&left, &right}, targets.layers.target, {targets.width, targets.height});
+    draw_surfaces(std::array{&left, &right}, targets.layers.target, targets.size());
 }
 
 void ModelPasses::draw_surfaces(DrawnEyes eyes, const gl::Framebuffer& target, FrameSize frame) {
@@ -180,7 +175,7 @@ void ModelPasses::draw_surfaces(DrawnEyes eyes, const gl::Framebuffer& target, F
     glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, zero.data());
     glClearNamedFramebufferuiv(target.id(), GL_COLOR, 1, no_triangle.data());
     glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
-    bind_target(target, frame);
+    bind_target(target.id(), frame);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
@@ -455,7 +450,7 @@ std::size_t ModelPasses::draw_photos(std::span<const PlannedPhoto* const> pass, 
                                      const FrameTargets& targets, const PointSurface& points, bool consensus,
                                      int into) {
     const RenderSettings& settings = drawn.settings;
-    bind_target(targets.sums_target(into), {targets.width, targets.height});
+    bind_target(targets.sums_target(into).id(), targets.size());
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_EQUAL);

@@ -13,6 +13,7 @@
 #include "player/plan/point_plan.h"
 #include "player/plan/section_plane.h"
 #include "player/plan/weights.h"
+#include "player/render/frame_report.h"
 
 namespace vantage {
 
@@ -175,24 +176,6 @@ struct RenderSettings {
 
 /// The plan settings that follow from these, for one sample per pixel.
 PlanSettings plan_settings(const RenderSettings& settings);
-
-/// What a frame consisted of.
-struct FrameReport {
-    std::size_t clusters = 0, photos = 0, passes = 0, draws = 0;
-    std::size_t tiles = 0;          ///< needed
-    std::size_t tiles_missing = 0;  ///< needed and not resident: coarser ones were shown
-    std::size_t tiles_to_come = 0;  ///< and thumbnails: of those missing, as many as there is space for
-    std::size_t tiles_damaged = 0;  ///< found of late
-    std::size_t tiles_absent = 0;   ///< that a server did not give of late
-    std::size_t points = 0;         ///< of the cloud, drawn
-    std::size_t nodes_missing = 0;  ///< of the cloud, needed and not resident
-    std::size_t fragments = 0;      ///< of transparent surfaces, in the last frame that was read back
-    std::size_t fragments_approximated = 0;  ///< of these: not sorted, for lack of room
-    std::size_t uploaded = 0;                ///< bytes
-    double plan_ms = 0;                      ///< spent on choosing photos and tiles
-    double uncovered = 0;  ///< share of the surface visible in photos that no chosen photo sees
-    bool settled = false;  ///< nothing more is to come, and all has faded in
-};
 
 /// Memory limits in bytes.
 struct MemoryBudget {

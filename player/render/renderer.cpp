@@ -28,11 +28,6 @@ Eigen::Vector2d terms_of(const View& view, const Eigen::Vector2d& range) {
     return {clip(2, 2), clip(2, 3)};
 }
 
-void bind_target(const gl::Framebuffer& framebuffer, int width, int height) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-    glViewport(0, 0, width, height);
-}
-
 /// While it lives, nothing is cleared or drawn outside of the frame: its targets may be much larger.
 class DrawnRegion {
   public:
@@ -96,15 +91,6 @@ void expect_perspective(const View& view, bool points, bool surroundings) {
 
 double milliseconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-}
-
-/// Adds what a second band took.
-void add_work(const FrameReport& more, FrameReport& report) {
-    report.photos += more.photos;
-    report.passes += more.passes;
-    report.draws += more.draws;
-    report.tiles += more.tiles;
-    report.tiles_missing += more.tiles_missing;
 }
 
 gl::Program make_show_program(const PackageReader& package, const PlanScene& scene) {
@@ -372,7 +358,7 @@ void Renderer::paint(std::size_t number, FrameReport& report) {
     for (const BandFrame& band : std::span(eye.bands).subspan(1)) {
         Frame second{drawn_view(eye.sampled, band, sample_.side, coarse_), sample_, now_, {}, number, true};
         draw_band(second);
-        add_work(second.report, frame.report);
+        frame.report = joined(frame.report, second.report);
     }
     count_fragments(frame);
     FrameReport& r = frame.report;
@@ -548,7 +534,7 @@ void Renderer::resolve(int sums, const Frame& frame) {
         if (!frame.second) samples.count = 0;
     }
     if (!frame.second) ++samples.count;
-    bind_target(veiled ? samples.veiled_target : target, targets_.width, targets_.height);
+    bind_target((veiled ? samples.veiled_target : target).id(), targets_.size());
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -557,7 +543,7 @@ void Renderer::resolve(int sums, const Frame& frame) {
 
 /// The picture of the photos that are being replaced, with transparent holes.
 void Renderer::resolve_before(int sums, const Frame& frame) {
-    bind_target(targets_.before_target, targets_.width, targets_.height);
+    bind_target(targets_.before_target.id(), targets_.size());
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     draw_resolved(sums, frame, true);
@@ -622,7 +608,7 @@ bool Renderer::shows_transparent(const RenderSettings& settings) const {
 }
 
 void Renderer::draw_transparent(Frame& frame) {
-    transparent_->collect({targets_.width, targets_.height}, [&] {
+    transparent_->collect(targets_.size(), [&] {
         frame.report.draws += passes_.draw_transparent(
             frame.drawn,
             {transparent_->mode() == Transparency::exact, transparent_->row(), transparent_->capacity()});
