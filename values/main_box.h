@@ -23,6 +23,8 @@ struct MainBox {
 /// vertices.
 MainBox main_box(std::span<const Eigen::Vector3d> positions,
                  std::span<const std::array<std::uint32_t, 3>> triangles);
+/// Of a mesh. It takes a moment: what needs the box of a scene is given it.
+MainBox main_box(const auto& mesh) { return main_box(mesh.positions, mesh.triangles); }
 
 /// Whether a triangle has a stray: a corner farther from `bounds`, the box without strays, than its diagonal.
 /// False if `bounds` is empty.

@@ -17,7 +17,6 @@
 #include "pipeline/run/for_each_photo.h"
 #include "scene/error.h"
 #include "scene/small_motion.h"
-#include "values/main_box.h"
 #include "values/quantile.h"
 
 namespace vantage {
@@ -128,8 +127,7 @@ class Aligner {
     explicit Aligner(const SceneInput& scene)
         : scene_(scene), surface_(scene.mesh), rays_(cast_mesh(scene.mesh)) {
         for (const PhotoInput& p : scene.photos) cameras_.push_back(p.camera);
-        const MainBox box = main_box(scene.mesh.positions, scene.mesh.triangles);
-        frame_ = {(box.low + box.high) / 2, box.diagonal() / 2};
+        frame_ = {rays_.origin, rays_.box.diagonal() / 2};
         const FeatureSettings how{.long_side = 1600, .features = 5000};
         constexpr std::size_t ranks[] = {0, 1, 2, 4}, most = 60;
         features_ = agreeing_features(

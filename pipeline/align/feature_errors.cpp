@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "pipeline/align/photo_rays.h"
-#include "values/main_box.h"
 
 namespace vantage {
 namespace {
@@ -54,12 +54,13 @@ std::vector<SharedFeature> agreeing_features(std::span<const SharedFeature> feat
 }
 
 CastMesh cast_mesh(const Mesh& mesh) {
-    const MainBox box = main_box(mesh.positions, mesh.triangles);
+    MainBox box = main_box(mesh);
     const Vector3d origin = (box.low + box.high) / 2;
     std::vector<Eigen::Vector3f> positions;
     positions.reserve(mesh.positions.size());
     for (const Vector3d& p : mesh.positions) positions.push_back((p - origin).cast<float>());
-    return {origin, RayScene(positions, {mesh.triangles.front().data(), 3 * mesh.triangles.size()})};
+    return {std::move(box), origin,
+            RayScene(positions, {mesh.triangles.front().data(), 3 * mesh.triangles.size()})};
 }
 
 std::vector<double> surface_errors(std::span<const SharedFeature> features, std::span<const Camera> cameras,

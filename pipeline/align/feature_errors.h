@@ -6,6 +6,7 @@
 #include "pipeline/align/shared_features.h"
 #include "pipeline/rays/ray_scene.h"
 #include "scene/camera.h"
+#include "values/main_box.h"
 
 namespace vantage {
 
@@ -22,7 +23,8 @@ std::vector<SharedFeature> agreeing_features(std::span<const SharedFeature> feat
 
 /// A mesh for rays in input coordinates of any size.
 struct CastMesh {
-    Eigen::Vector3d origin;  ///< of the rays' single precision
+    MainBox box;
+    Eigen::Vector3d origin;  ///< of the rays' single precision: the middle of the box
     RayScene rays;
 };
 /// The mesh must have triangles.

@@ -41,7 +41,10 @@ void add_scene(const SceneInput& scene, InputFacts& facts) {
     }
     facts.warnings = scene.warnings;
     facts.left_out = scene.left_out;
-    facts.scene = {.photos = scene.photos.size(), .bands = {}, .scale = scale_facts(scene)};
+    const auto& shape = has_points_only(scene) ? facts.points : facts.mesh;
+    facts.scene = {.photos = scene.photos.size(),
+                   .bands = {},
+                   .scale = shape ? scale_facts(scene, shape->diagonal()) : std::nullopt};
     for (std::uint32_t b = 0; scene.bands.size() > 1 && b < scene.bands.size(); ++b)
         facts.scene->bands.push_back(
             {scene.bands[b], std::size_t(std::ranges::count(scene.photos, b, &PhotoInput::band))});

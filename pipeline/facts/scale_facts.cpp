@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "values/main_box.h"
 #include "values/quantile.h"
 
 namespace vantage {
@@ -30,7 +29,7 @@ std::vector<double> depths_in(const PhotoInput& photo, const Mesh& shape) {
 
 }  // namespace
 
-std::optional<ScaleFacts> scale_facts(const SceneInput& scene) {
+std::optional<ScaleFacts> scale_facts(const SceneInput& scene, double diagonal) {
     const Mesh& shape = has_points_only(scene) ? scene.points : scene.mesh;
     std::vector<double> distances, pixels;
     ScaleFacts facts;
@@ -43,7 +42,6 @@ std::optional<ScaleFacts> scale_facts(const SceneInput& scene) {
         facts.distance.add(distances.back());
     }
     if (distances.empty()) return {};
-    const double diagonal = main_box(shape.positions, shape.triangles).diagonal();
     facts.typical = quantile(distances, 0.5);
     facts.in_model = diagonal > 0 ? facts.typical / diagonal : 0;
     facts.pixel = quantile(pixels, 0.5);

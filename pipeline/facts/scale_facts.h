@@ -17,8 +17,9 @@ struct ScaleFacts {
     double pixel = 0;     ///< width of a pixel at that depth, median over the photos
 };
 
-/// Of the scene's mesh, or of its points if there is no mesh. Nothing if no photo sees any of it.
-std::optional<ScaleFacts> scale_facts(const SceneInput& scene);
+/// Of the scene's mesh, or of its points if there is no mesh; `diagonal`: of its main_box. Nothing if no
+/// photo sees any of it.
+std::optional<ScaleFacts> scale_facts(const SceneInput& scene, double diagonal);
 
 /// Units ("m", "cm", "mm") in which `distance` is one from which people take photos: 0.1 to 500 m.
 std::vector<std::string> plausible_units(double distance);

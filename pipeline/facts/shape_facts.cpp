@@ -6,7 +6,7 @@
 namespace vantage {
 
 ShapeFacts shape_facts(const Mesh& mesh) {
-    const MainBox box = main_box(mesh.positions, mesh.triangles);
+    const MainBox box = main_box(mesh);
     ShapeFacts facts{.vertices = mesh.positions.size(),
                      .triangles = mesh.triangles.size(),
                      .low = box.low,

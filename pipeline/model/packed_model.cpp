@@ -4,7 +4,6 @@
 
 #include "pipeline/model/clusters.h"
 #include "values/bytes_of.h"
-#include "values/main_box.h"
 
 namespace vantage {
 
@@ -66,10 +65,8 @@ void cluster_in_two_parts(PackedModel& m, const Mesh& mesh, const Eigen::Aligned
 
 }  // namespace
 
-PackedModel pack_model(Mesh& mesh, bool transparency, const Eigen::AlignedBox3d* bounds) {
+PackedModel pack_model(Mesh& mesh, const MainBox& box, bool transparency) {
     PackedModel m;
-    const MainBox box =
-        bounds ? MainBox{bounds->min(), bounds->max(), {}} : main_box(mesh.positions, mesh.triangles);
     m.origin = box.low + (box.high - box.low) / 2;
     m.positions.reserve(mesh.positions.size());
     for (const Eigen::Vector3d& p : mesh.positions) m.positions.push_back((p - m.origin).cast<float>());

@@ -9,6 +9,7 @@
 #include "scene/opaque_part.h"
 #include "scene/package_format.h"
 #include "scene/package_writer.h"
+#include "values/main_box.h"
 
 namespace vantage {
 
@@ -34,8 +35,8 @@ struct PackedModel {
 
 /// Also reorders `mesh` the same way: triangles by cluster, vertices by first use (for memory locality),
 /// unused vertices last. `transparency`: triangles that are not opaque come last, in clusters of their own;
-/// otherwise all count as opaque. `bounds`: of what a stand-in stands for, instead of the mesh's main_box.
-PackedModel pack_model(Mesh& mesh, bool transparency = false, const Eigen::AlignedBox3d* bounds = nullptr);
+/// otherwise all count as opaque. `box`: the main_box of the mesh, or of what it stands for.
+PackedModel pack_model(Mesh& mesh, const MainBox& box, bool transparency = false);
 
 /// Writes geometry, clusters and vertex attributes. Throws Error(storage).
 void write_model(PackageWriter& writer, const PackedModel& model, const Mesh& mesh);

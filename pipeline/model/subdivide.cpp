@@ -6,8 +6,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "values/main_box.h"
-
 namespace vantage {
 namespace {
 
@@ -104,9 +102,8 @@ std::optional<Mesh> subdivided(const Mesh& mesh, const Limit& limit) {
 
 }  // namespace
 
-std::size_t subdivide_large_triangles(Mesh& mesh) {
+std::size_t subdivide_large_triangles(Mesh& mesh, const MainBox& box) {
     const std::size_t before = mesh.triangles.size();
-    const MainBox box = main_box(mesh.positions, mesh.triangles);
     const double extent = box.diagonal();
     for (double longest = extent / 64; longest > 0 && longest < extent; longest *= 2) {
         const Limit limit{longest, box.strays};

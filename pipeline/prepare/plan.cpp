@@ -79,7 +79,7 @@ PackedModel pack_stand_in(SceneInput& scene) {
     scene.mesh = stand_in(scene.points, eyes);
     Eigen::AlignedBox3d bounds;
     for (const Eigen::Vector3d& p : scene.points.positions) bounds.extend(p);
-    PackedModel model = pack_model(scene.mesh, false, &bounds);
+    PackedModel model = pack_model(scene.mesh, {bounds.min(), bounds.max(), {}});
     for (package::ClusterRecord& c : model.clusters) c.cone_cutoff = 1;
     return model;
 }
@@ -107,9 +107,10 @@ void reduce_photos(SceneInput& scene, int longest) {
 PackedModel make_model(SceneInput& scene, const PrepareSettings& settings, Trace* trace) {
     const Traced traced(trace, "model");
     if (has_points_only(scene)) return pack_stand_in(scene);
-    subdivide_large_triangles(scene.mesh);
+    const MainBox box = main_box(scene.mesh);
+    subdivide_large_triangles(scene.mesh, box);
     add_deviations(scene, trace);
-    return pack_model(scene.mesh, has_transparency(scene.mesh, settings.effects));
+    return pack_model(scene.mesh, box, has_transparency(scene.mesh, settings.effects));
 }
 
 PreparePlan make_plan(const PackedModel& model, const SceneInput& scene, const PrepareSettings& settings,

@@ -51,7 +51,7 @@ std::vector<std::string> photos_not_seeing_mesh(const SceneInput& scene) {
 
 void expect_mesh_in_view(const SceneInput& scene, std::size_t blind) {
     if (2 * blind <= scene.photos.size()) return;
-    const MainBox box = main_box(scene.mesh.positions, scene.mesh.triangles);
+    const MainBox box = main_box(scene.mesh);
     const Eigen::AlignedBox3d mesh(box.low, box.high);
     Eigen::AlignedBox3d cameras;
     for (const PhotoInput& photo : scene.photos) cameras.extend(photo.camera.cam_from_world.center());

@@ -105,7 +105,8 @@ class ScaleAndPlace : public TemporaryFolder {
         spec.photos.samples = 2;
         synthesize(spec, dir / "scene", {});
         scene = read_scene(discover(dir / "scene"));
-        subdivide_large_triangles(scene.mesh);  // so that preparing adds no vertices, and their numbers stay
+        subdivide_large_triangles(
+            scene.mesh, main_box(scene.mesh));  // so that preparing adds no vertices, and their numbers stay
         ScalarLayer number{"number", {}};
         for (std::size_t v = 0; v < scene.mesh.positions.size(); ++v) number.values.push_back(float(v));
         scene.mesh.scalars.push_back(number);

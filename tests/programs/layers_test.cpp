@@ -34,7 +34,7 @@ class Layers : public TemporaryFolder {
         SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
         synthesize(spec, dir / "scene", {});
         scene = read_scene(discover(dir / "scene"));
-        subdivide_large_triangles(scene.mesh);
+        subdivide_large_triangles(scene.mesh, main_box(scene.mesh));
     }
     /// Linear in the position, so that its value is known everywhere on the surface.
     static double height(const Eigen::Vector3d& p) { return p.z() + 0.25 * p.x(); }

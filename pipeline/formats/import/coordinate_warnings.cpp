@@ -94,7 +94,7 @@ std::string rounded_axes(const Mesh& mesh, const MainBox& box) {
 std::vector<std::string> coordinate_warnings(const Mesh& mesh, double rounding) {
     std::vector<std::string> out;
     if (mesh.points_only()) return out;
-    const MainBox box = main_box(mesh.positions, mesh.triangles);
+    const MainBox box = main_box(mesh);
     if (!box.strays.empty()) out.push_back(stray_warning(mesh, box));
     if (rounding > least_step * box.diagonal())
         out.push_back(fmt::format(

@@ -55,7 +55,7 @@ TEST(Deviation, FromABoxIsItsClosedForm) {
                               high = at + Eigen::Vector3d(2, 1, 1.25);
         const Mesh points = around(low, high);
         Mesh coarse = box(low, high), fine = coarse;
-        subdivide_large_triangles(fine);
+        subdivide_large_triangles(fine, main_box(fine));
         for (const Mesh& reference : {coarse, fine}) {
             const std::vector<float> found = deviation(points, reference);
             ASSERT_EQ(found.size(), points.positions.size());

@@ -49,7 +49,7 @@ TEST(Subdivide, SurfaceStaysClosedAndEdgesBecomeShort) {
     const Eigen::Vector3d size(3, 2, 0.1);
     const Mesh before = box(size);
     Mesh m = before;
-    const std::size_t added = subdivide_large_triangles(m);
+    const std::size_t added = subdivide_large_triangles(m, main_box(m));
     EXPECT_EQ(m.triangles.size(), before.triangles.size() + added);
     EXPECT_GT(m.triangles.size(), 1000u);
     EXPECT_NEAR(area(m), area(before), 1e-9);
@@ -66,7 +66,7 @@ TEST(Subdivide, SurfaceStaysClosedAndEdgesBecomeShort) {
 
 TEST(Subdivide, AttributesAreInterpolated) {
     Mesh m = box({2, 2, 2});
-    subdivide_large_triangles(m);
+    subdivide_large_triangles(m, main_box(m));
     ASSERT_EQ(m.normals.size(), m.positions.size());
     ASSERT_EQ(m.colors.size(), m.positions.size());
     ASSERT_EQ(m.scalars[0].values.size(), m.positions.size());
@@ -79,12 +79,12 @@ TEST(Subdivide, AttributesAreInterpolated) {
 
 TEST(Subdivide, FineOrEmptyMeshesStayUnchanged) {
     Mesh m = box({1, 1, 1});
-    subdivide_large_triangles(m);
-    EXPECT_EQ(subdivide_large_triangles(m), 0u);
+    subdivide_large_triangles(m, main_box(m));
+    EXPECT_EQ(subdivide_large_triangles(m, main_box(m)), 0u);
     Mesh point = box({0, 0, 0});
-    EXPECT_EQ(subdivide_large_triangles(point), 0u);
+    EXPECT_EQ(subdivide_large_triangles(point, main_box(point)), 0u);
     Mesh empty;
-    EXPECT_EQ(subdivide_large_triangles(empty), 0u);
+    EXPECT_EQ(subdivide_large_triangles(empty, main_box(empty)), 0u);
 }
 
 TEST(Subdivide, ManyLongSliversDoNotExplode) {
@@ -99,6 +99,6 @@ TEST(Subdivide, ManyLongSliversDoNotExplode) {
         m.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
     const double before = area(m);
-    EXPECT_LE(subdivide_large_triangles(m), std::size_t(1) << 18);
+    EXPECT_LE(subdivide_large_triangles(m, main_box(m)), std::size_t(1) << 18);
     EXPECT_NEAR(area(m), before, 1e-9 * before);
 }

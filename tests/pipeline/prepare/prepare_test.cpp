@@ -98,7 +98,7 @@ TEST_F(Prepare, ReorderedVerticesKeepTheirAttributes) {
     spec.photos.count = 1;
     synthesize(spec, dir / "scene", {});
     SceneInput scene = read_scene(discover(dir / "scene"));
-    subdivide_large_triangles(scene.mesh);  // so that preparing adds none
+    subdivide_large_triangles(scene.mesh, main_box(scene.mesh));  // so that preparing adds none
     const auto code = [](const Eigen::Vector3f& p) {
         return std::uint8_t(std::abs(int(p.x() * 31 + p.y() * 17 + p.z() * 7)) % 256);
     };

@@ -113,7 +113,7 @@ TEST_F(Rasterize, AgreesWithOpenGl) {
     spec.photos.samples = 1;
     synthesize(spec, dir / "scene", {});
     SceneInput scene = read_scene(discover(dir / "scene"));
-    const PackedModel model = pack_model(scene.mesh);
+    const PackedModel model = pack_model(scene.mesh, main_box(scene.mesh));
     const gl::HeadlessContext context(gl::Debug::on);
     const ModelBuffers buffers = upload_model(model.positions, scene.mesh.normals);
     for (const PhotoInput& photo : scene.photos) {
