@@ -23,7 +23,7 @@ struct Command::Node {
     std::shared_ptr<CLI::App> app;
     std::deque<Option::Entry> options;  ///< with arguments
     std::vector<Command> verbs;
-    std::function<int()> action;
+    std::function<int(const Command&)> action;
 };
 
 namespace {
@@ -36,7 +36,7 @@ constexpr std::size_t longest_limit = 6;
 }
 
 std::string limits_text(const std::string& least, const std::string& most) {
-    return most.size() <= longest_limit ? "from " + least + " to " + most : "of at least " + least;
+    return most.size() <= longest_limit ? "from " + least + " to " + most : "from " + least + " up";
 }
 
 /// The whole text as a number within limits.
@@ -273,7 +273,11 @@ void Command::version(const std::string& text) const {
 
 void Command::notes(const std::string& text) const { node_->app->footer(text); }
 
-void Command::action(std::function<int()> run) const { node_->action = std::move(run); }
+void Command::action(std::function<int(const Command&)> run) const { node_->action = std::move(run); }
+
+void Command::action(std::function<int()> run) const {
+    node_->action = [run = std::move(run)](const Command&) { return run(); };
+}
 
 Command Command::verb(const std::string& name, const std::string& description) const {
     const Command out(name, description);
@@ -299,12 +303,13 @@ int Command::run(const std::vector<std::string>& arguments) const {
     try {
         node_->app->parse(Words(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::CallForHelp&) {
+        if (!node_->action) node_->app->require_subcommand(1);  // as the usage says
         std::fputs(node_->app->help(node_->program).c_str(), stdout);
         return int(Exit::ok);
     } catch (const CLI::ParseError& e) {
         return node_->app->exit(e) == 0 ? int(Exit::ok) : int(Exit::usage);
     }
-    return node_->action ? node_->action() : int(Exit::ok);
+    return node_->action ? node_->action(*this) : int(Exit::ok);
 }
 
 void Command::give(const std::string& name, const std::vector<std::string>& values,

@@ -104,7 +104,8 @@ class Command {
 
     /// Paragraphs, examples and exit codes at the end of --help.
     void notes(const std::string& text) const;
-    /// What the command does: it returns the exit code.
+    /// What the command does: it returns the exit code. It gets this command, whose options may be asked for.
+    void action(std::function<int(const Command&)> run) const;
     void action(std::function<int()> run) const;
     Command verb(const std::string& name, const std::string& description) const;
 

@@ -1,6 +1,5 @@
 // Writes the manual pages of programs and their completion by bash and zsh, into the folders man1, bash and
-// zsh of FOLDER. Each FILE is what a program prints with --describe: a line for each verb that is a program
-// of its own, and at the end one for the program.
+// zsh of FOLDER. Each FILE is the line that a program prints with --describe.
 #include <fstream>
 #include <iostream>
 
@@ -18,13 +17,9 @@ namespace fs = std::filesystem;
 
 DescribedCommand read_program(const fs::path& file) {
     std::ifstream in(file);
-    std::vector<DescribedCommand> lines;
-    for (std::string line; std::getline(in, line);) lines.push_back(from_line(line));
-    if (lines.empty()) throw Error(Exit::input, file.string() + ": describes no program");
-    DescribedCommand program = std::move(lines.back());
-    lines.pop_back();
-    for (DescribedCommand& verb : lines) program.verbs.push_back(std::move(verb));
-    return program;
+    std::string line;
+    if (!std::getline(in, line)) throw Error(Exit::input, file.string() + ": describes no program");
+    return from_line(line);
 }
 
 void write(const fs::path& file, const std::string& text) {

@@ -38,10 +38,8 @@ std::string sentence(std::string text) {
     return text.empty() || text.ends_with('.') ? text : text + ".";
 }
 
-/// "vantage-player bench flies paths." as "flies paths"; "Show what ..." as "show what ...".
-std::string summary(std::string text, const std::string& program, const std::string& verb) {
-    for (const std::string& subject : {program + " " + verb + " ", program + " "})
-        if (text.starts_with(subject)) text = text.substr(subject.size());
+/// "Show what ..." as "show what ...".
+std::string summary(std::string text) {
     if (text.ends_with('.')) text.pop_back();
     const auto lower = [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; };
     if (text.size() > 1 && lower(text[1])) text[0] = char(std::tolower(static_cast<unsigned char>(text[0])));
@@ -118,8 +116,8 @@ std::string commands_section(const DescribedCommand& program) {
     std::string out = ".SH COMMANDS\n";
     for (const DescribedCommand& v : program.verbs)
         out += ".TP\n" + bold(program.name + " " + v.name) + "\n" +
-               roff_escaped(sentence(summary(v.description, program.name, v.name))) + "\nSee " +
-               bold(program.name + "-" + v.name) + "(1).\n";
+               roff_escaped(sentence(summary(v.description))) + "\nSee " + bold(program.name + "-" + v.name) +
+               "(1).\n";
     return out;
 }
 
@@ -137,20 +135,19 @@ std::string see_also(const std::set<std::string>& pages) {
 }
 
 /// `command`: as it is typed; `others`: the pages to refer to.
-ManPage page(const DescribedCommand& c, const std::string& program, const std::string& command,
-             const std::set<std::string>& others, const std::string& version) {
+ManPage page(const DescribedCommand& c, const std::string& command, const std::set<std::string>& others,
+             const std::string& version) {
     ManPage out{command, {}};
     std::ranges::replace(out.name, ' ', '-');
     const Notes notes = divided(c.notes);
-    const std::string what = summary(c.description, program, c.name);
+    const std::string what = summary(c.description);
     out.text = ".TH \"" + roff_escaped(out.name) + "\" 1 \"\" \"Vantage " + version + "\" \"Vantage\"\n";
     out.text += ".nh\n.ad l\n";  // option names are not divided
     out.text += ".SH NAME\n" + roff_escaped(out.name) + " \\- " + roff_escaped(what) + "\n";
     out.text += synopsis(command, c);
     if (!c.verbs.empty() && c.arguments.empty())
         out.text += ".br\n" + bold(command) + " " + italic("COMMAND") + " ...\n";
-    const bool of_name = c.description.starts_with(program + " ");  // keeps its lower case
-    out.text += ".SH DESCRIPTION\n" + roff_escaped(of_name ? c.description : sentence(c.description)) + "\n";
+    out.text += ".SH DESCRIPTION\n" + roff_escaped(sentence(c.description)) + "\n";
     for (const std::string& p : notes.paragraphs) out.text += ".PP\n" + roff_escaped(p) + "\n";
     out.text += commands_section(c);
     if (!c.arguments.empty()) out.text += ".SH ARGUMENTS\n";
@@ -172,10 +169,10 @@ std::vector<ManPage> man_pages(const std::vector<DescribedCommand>& programs, co
             if (other.name != program.name) related.insert(other.name);
         for (const DescribedCommand& verb : program.verbs) {
             const std::string command = program.name + " " + verb.name;
-            out.push_back(page(verb, program.name, command, {program.name}, version));
+            out.push_back(page(verb, command, {program.name}, version));
             related.insert(out.back().name);
         }
-        out.push_back(page(program, program.name, program.name, related, version));
+        out.push_back(page(program, program.name, related, version));
     }
     return out;
 }

@@ -5,36 +5,55 @@
 #include "output/output_file.h"
 #include "output/package_inputs.h"
 #include "player/commands/commands.h"
-#include "player/commands/parse.h"
 #include "player/options/opened_package.h"
 
 namespace vantage {
+namespace {
 
-void add_evaluate_options(CLI::App& app, EvaluateOptions& o, UnusedOptions& unused) {
-    add_package_options(app, o.package);
-    add_output_options(app, o.output);
-    add_memory_options(app, o.memory);
-    add_blending_options(app, o.blending);
-    add_unused_options(app, unused);
-    hide(app, {"--size", "--quiet", "--upload", "--transparency"});
+/// Throws Error(usage) if the evaluation would overwrite anything but an earlier one.
+void expect_evaluation_folder(const PackageReader& package, const EvaluateOptions& o) {
+    const Inputs inputs = inputs_of(package);
+    expect_result_folder(o.folder, "index.html", Product::page, {"photos.csv", "regions.csv", "regions.ply"},
+                         inputs, o.output.force);
+    // Pictures are named for their photos.
+    const std::vector<std::string> stems = package.photo_stems();
+    const auto for_photo = [&](const std::string& name) {
+        return std::ranges::any_of(stems, [&](const auto& stem) { return name.starts_with(stem + "-"); });
+    };
+    expect_result_pictures(o.folder, for_photo, inputs, o.output.force);
+}
+
+int evaluate(EvaluateOptions o) {
+    if (!o.output.file.empty()) o.folder = o.output.file;
+    const PackageReader package = opened_package(o.package.file, o.memory, false);
+    expect_evaluation_folder(package, o);
+    return run_evaluate(package, o);
+}
+
+}  // namespace
+
+void add_evaluate(const Command& program) {
+    const auto o = std::make_shared<EvaluateOptions>();
+    const Command c = program.verb(
+        "evaluate", "Leave out each photo in turn and compare it with the picture that the others give");
+    add_package_argument(c, o->package).required();
+    add_exclude_option(c, o->package);
+    add_photo_option(c, o->package);
+    add_output_options(c, o->output);
+    add_memory_options(c, o->memory);
+    add_blending_options(c, o->blending);
+    add_blended_option(c, o->blending);
+    add_surroundings_option(c, o->blending);
     const std::string group = "Evaluation";
-    app.add_option("--level", o.level, "pyramid level to compare: 0 full size, 1 half size")
-        ->check(CLI::Range(0, 8))
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--every", o.every, "leave out only every n-th photo (or those of --photo)")
-        ->check(CLI::Range(1, 1 << 20))
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--worst", o.worst, "number of worst photos to show first")
-        ->check(CLI::Range(0, 1 << 20))
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--against", o.against,
-                   "folder of an earlier evaluation: shows what has changed per photo, and where most")
-        ->type_name("FOLDER")
-        ->group(group);
-    app.footer(
+    c.integer("--level", o->level, 0, 8, "pyramid level to compare: 0 full size, 1 half size").group(group);
+    c.integer("--every", o->every, 1, 1 << 20, "leave out only every n-th photo (or those of --photo)")
+        .group(group);
+    c.integer("--worst", o->worst, 0, 1 << 20, "number of worst photos to show first").group(group);
+    c.file("--against", o->against,
+           "folder of an earlier evaluation: shows what has changed per photo, and where most")
+        .type("FOLDER")
+        .group(group);
+    c.notes(
         "Writes index.html, photos.csv, regions.csv, regions.ply and pictures into the folder given by -o "
         "(default\n"
         "evaluation).\n"
@@ -55,37 +74,7 @@ void add_evaluate_options(CLI::App& app, EvaluateOptions& o, UnusedOptions& unus
         "  vantage-player evaluate chapel.vantage --blend average --photo 0003 0007\n"
         "  vantage-player evaluate chapel.vantage --original-colors -o before\n"
         "  vantage-player evaluate chapel.vantage -o after --against before");
-}
-
-namespace {
-
-/// Throws Error(usage) if the evaluation would overwrite anything but an earlier one.
-void expect_evaluation_folder(const PackageReader& package, const EvaluateOptions& o) {
-    const Inputs inputs = inputs_of(package);
-    expect_result_folder(o.folder, "index.html", Product::page, {"photos.csv", "regions.csv", "regions.ply"},
-                         inputs, o.output.force);
-    // Pictures are named for their photos.
-    const std::vector<std::string> stems = package.photo_stems();
-    const auto for_photo = [&](const std::string& name) {
-        return std::ranges::any_of(stems, [&](const auto& stem) { return name.starts_with(stem + "-"); });
-    };
-    expect_result_pictures(o.folder, for_photo, inputs, o.output.force);
-}
-
-}  // namespace
-
-int evaluate_command(int argc, char** argv) {
-    CLI::App app{
-        "vantage-player evaluate leaves out each photo in turn and compares it with the picture that the "
-        "others give."};
-    EvaluateOptions options;
-    UnusedOptions unused;
-    add_evaluate_options(app, options, unused);
-    if (const auto code = parse(app, argc, argv)) return *code;
-    if (!options.output.file.empty()) options.folder = options.output.file;
-    const PackageReader package = opened_package(options.package.file, options.memory, options.output.quiet);
-    expect_evaluation_folder(package, options);
-    return run_evaluate(package, options);
+    c.action([o] { return evaluate(*o); });
 }
 
 }  // namespace vantage

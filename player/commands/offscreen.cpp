@@ -134,8 +134,8 @@ int run_offscreen(const PackageReader& package, const ShowOptions& options,
     RenderSettings settings = render_settings(package, options.blending, Purpose::pictures);
     settings.layer = layer_settings(package, options.layer);
     settings.light = light_settings(options.light);
-    settings.points = options.points;
-    const gl::HeadlessContext context(options.window.debug_gl);
+    settings.points = point_settings(options.points);
+    const gl::HeadlessContext context;
     Renderer renderer(package, memory_budget(options.memory));
     ObjectSet scene(renderer, objects, memory_budget(options.memory));
     const bool own_pixels = o.scale == 1 && options.output.size.empty() && o.view.empty() && o.path.empty();

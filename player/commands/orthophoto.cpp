@@ -1,38 +1,37 @@
 #include "player/orthophoto/orthophoto.h"
 
-#include "cli/real_range.h"
 #include "player/commands/commands.h"
-#include "player/commands/parse.h"
 #include "player/options/opened_package.h"
 
 namespace vantage {
 
-void add_orthophoto_options(CLI::App& app, OrthophotoOptions& o) {
-    add_package_options(app, o.package);
-    add_output_options(app, o.output);
-    add_memory_options(app, o.memory);
-    add_blending_options(app, o.blending);
-    add_light_options(app, o.light);
-    hide(app, {"--size", "--photo", "--upload", "--blended", "--surroundings"});
+void add_orthophoto(const Command& program) {
+    const auto o = std::make_shared<OrthophotoOptions>();
+    const Command c = program.verb(
+        "orthophoto", "Project the model on a plane, at right angles, and write a picture true to scale");
+    add_package_argument(c, o->package).required();
+    add_exclude_option(c, o->package);
+    add_output_options(c, o->output);
+    add_quiet_option(c, o->output);
+    add_memory_options(c, o->memory);
+    add_blending_options(c, o->blending);
+    add_holes_option(c, o->blending);
+    add_show_option(c, o->blending);
+    add_transparency_option(c, o->blending);
+    add_light_options(c, o->light);
     const std::string group = "Orthophoto";
-    app.add_option(
-           "--plane", o.plane,
+    c.text("--plane", o->plane,
            "top, bottom, front, back, left or right; or a point, the normal toward the viewer and the "
            "picture's up direction: PX,PY,PZ,NX,NY,NZ[,UX,UY,UZ]")
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--resolution", o.resolution, "units of the model per pixel")
-        ->check(real_range(1e-12, 1e12))
-        ->required()
-        ->group(group);
-    app.add_option("--extent", o.extent,
-                   "LEFT,BOTTOM,RIGHT,TOP in coordinates of the plane (default: the whole model)")
-        ->group(group);
-    app.add_option("--samples", o.samples, "samples per side of a pixel")
-        ->check(CLI::Range(1, 8))
-        ->capture_default_str()
-        ->group(group);
-    app.footer(
+        .group(group);
+    c.real("--resolution", o->resolution, 1e-12, 1e12, "units of the model per pixel")
+        .required()
+        .group(group);
+    c.text("--extent", o->extent,
+           "LEFT,BOTTOM,RIGHT,TOP in coordinates of the plane (default: the whole model)")
+        .group(group);
+    c.integer("--samples", o->samples, 1, 8, "samples per side of a pixel").group(group);
+    c.notes(
         "Writes a picture, transparent where nothing is: a GeoTIFF (.tif), or a PNG and beside it a world "
         "file\n"
         "(.pgw). Both tell its place on the plane.\n"
@@ -45,18 +44,7 @@ void add_orthophoto_options(CLI::App& app, OrthophotoOptions& o) {
         "door.png\n"
         "  vantage-player orthophoto chapel.vantage --plane 0,0,0,1,-1,0 --resolution 0.01 --light raking -o "
         "relief.png");
-}
-
-int orthophoto_command(int argc, char** argv) {
-    CLI::App app{
-        "vantage-player orthophoto projects the model on a plane, at right angles, and writes a picture true "
-        "to "
-        "scale."};
-    OrthophotoOptions options;
-    add_orthophoto_options(app, options);
-    if (const auto code = parse(app, argc, argv)) return *code;
-    const PackageReader package = opened_package(options.package.file, options.memory, options.output.quiet);
-    return run_orthophoto(package, options);
+    c.action([o] { return run_orthophoto(opened_package(o->package.file, o->memory, o->output.quiet), *o); });
 }
 
 }  // namespace vantage

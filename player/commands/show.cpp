@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "bands/bands.h"
-#include "cli/exit_codes.h"
 #include "cli/report_exception.h"
 #include "player/commands/commands.h"
 #include "player/commands/offscreen.h"
-#include "player/commands/parse.h"
 #include "player/commands/supervise.h"
 #ifdef VANTAGE_OPENXR
 #include "player/headset/run_headset.h"
@@ -19,6 +17,7 @@
 #include "player/window/run_window.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "values/lower_extension.h"
 
 namespace vantage {
 namespace {
@@ -55,39 +54,57 @@ int show(const ShowOptions& options, const std::vector<SceneObject>& objects) {
     return supervise(run, kiosk_log());
 }
 
-/// One line per verb.
-std::string verbs_text() {
-    std::string out;
-    for (const Verb& verb : verbs) {
-        std::string name = verb.name;
-        name.resize(12, ' ');
-        out += "  " + name + verb.description + "\n";
+int show_or_write(const ShowOptions& o) {
+    const bool video = wants_video(o);
+    if (o.headset.on && (o.window.kiosk || o.list || o.pictures.offscreen || video))
+        throw Error(Exit::usage, "--xr: neither with --kiosk nor with --list, pictures or videos");
+    if (!o.window.screenshot.empty() && lower_extension(o.window.screenshot) != ".png")
+        throw Error(Exit::usage,
+                    "--screenshot: " + o.window.screenshot + ": expected a name that ends with .png");
+    if (o.package.file.empty()) {
+        if (o.list || o.pictures.offscreen || video || o.window.kiosk || o.headset.on ||
+            !o.objects.added.empty())
+            throw Error(Exit::usage, "expected a package: vantage-player FILE");
+        return run_window(o, {});
     }
-    return out;
+    const std::vector<SceneObject> objects = named_objects(o.package, o.objects);
+    if (!o.list && !o.pictures.offscreen && !video) return show(o, objects);
+    const PackageReader package = opened_package(objects.front().package, o.memory, o.output.quiet);
+    package.meta();  // not needed for showing, but reports damage
+    if (o.list) return list_photos(package), 0;
+    return video ? run_video(package, o, objects) : run_offscreen(package, o, objects);
 }
 
 }  // namespace
 
-void add_show_options(CLI::App& app, ShowOptions& o) {
-    add_package_options(app, o.package);
-    app.get_option("FILE")->required(false)->description(
-        "package: a file, or its URL on a server (http:// or https://); without one, a window that lists "
-        "those opened before");
-    add_object_options(app, o.objects);
-    app.add_flag("--list", o.list, "list the photos and exit");
-    add_output_options(app, o.output);
-    add_memory_options(app, o.memory);
-    add_blending_options(app, o.blending);
-    add_second_band_options(app, o.blending.bands);
-    add_layer_options(app, o.layer);
-    add_light_options(app, o.light);
-    add_point_options(app, o.points);
-    add_picture_options(app, o.pictures);
-    add_stereo_options(app, o.stereo);
-    add_video_options(app, o.video);
-    add_window_options(app, o.window);
-    add_headset_options(app, o.headset);
-    app.footer(
+void add_show(const Command& c) {
+    const auto o = std::make_shared<ShowOptions>();
+    add_package_argument(c, o->package, "; without one, a window that lists those opened before");
+    add_exclude_option(c, o->package);
+    add_photo_option(c, o->package);
+    add_object_options(c, o->objects);
+    c.flag("--list", o->list, "list the photos and exit");
+    add_size_option(c, o->output);
+    add_output_options(c, o->output);
+    add_quiet_option(c, o->output);
+    add_memory_options(c, o->memory);
+    add_upload_option(c, o->memory);
+    add_blending_options(c, o->blending);
+    add_blended_option(c, o->blending);
+    add_holes_option(c, o->blending);
+    add_show_option(c, o->blending);
+    add_surroundings_option(c, o->blending);
+    add_transparency_option(c, o->blending);
+    add_second_band_options(c, o->blending.bands);
+    add_layer_options(c, o->layer);
+    add_light_options(c, o->light);
+    add_point_options(c, o->points);
+    add_picture_options(c, o->pictures);
+    add_stereo_options(c, o->stereo);
+    add_video_options(c, o->video);
+    add_window_options(c, o->window);
+    add_headset_options(c, o->headset);
+    c.notes(
         "Examples:\n"
         "  vantage-player\n"
         "  vantage-player chapel.vantage\n"
@@ -106,34 +123,14 @@ void add_show_options(CLI::App& app, ShowOptions& o) {
         "  vantage-player chapel.vantage --add altar.vantage --add scanner.vantage\n"
         "  vantage-player church.toml\n"
         "  vantage-player chapel.vantage --xr --unit-meters 0.01\n"
-        "  vantage-player panel.vantage --offscreen --photo 0003 --band visible --band-mix infrared=0.5 -o "
-        "mixed.png\n"
-        "Verbs (vantage-player VERB --help):\n" +
-        verbs_text() + exit_codes_text());
-}
-
-int show_command(int argc, char** argv) {
-    CLI::App app{"vantage-player shows a prepared package: a scanned object through its own photos."};
-    app.set_version_flag("--version", "vantage-player " VANTAGE_VERSION);
-    ShowOptions options;
-    add_show_options(app, options);
-    if (const auto code = parse(app, argc, argv)) return *code;
-    const bool video = wants_video(options);
-    if (options.headset.on && (options.window.kiosk || options.list || options.pictures.offscreen || video))
-        throw Error(Exit::usage, "--xr: neither with --kiosk nor with --list, pictures or videos");
-    if (options.package.file.empty()) {
-        if (options.list || options.pictures.offscreen || video || options.window.kiosk ||
-            options.headset.on || !options.objects.added.empty())
-            throw Error(Exit::usage, "expected a package: vantage-player FILE");
-        return run_window(options, {});
-    }
-    const std::vector<SceneObject> objects = named_objects(options.package, options.objects);
-    if (!options.list && !options.pictures.offscreen && !video) return show(options, objects);
-    const PackageReader package =
-        opened_package(objects.front().package, options.memory, options.output.quiet);
-    package.meta();  // not needed for showing, but reports damage
-    if (options.list) return list_photos(package), 0;
-    return video ? run_video(package, options, objects) : run_offscreen(package, options, objects);
+        "  vantage-player panel.vantage --offscreen --photo 0003 --band visible --second-band infrared=0.5 "
+        "-o "
+        "mixed.png\n" +
+        exit_codes_text());
+    c.action([o](const Command& given) {
+        o->blending.given = given.given(blending_group);
+        return show_or_write(*o);
+    });
 }
 
 }  // namespace vantage

@@ -21,10 +21,10 @@ FrameSize window_size(const ShowOptions& o) {
 Mirror::Mirror(const ShowOptions& o) {
     const char* display = std::getenv("DISPLAY");
     if (display == nullptr || *display == 0) {
-        context_.emplace(o.window.debug_gl);
+        context_.emplace();
         return;
     }
-    window_.emplace(window_size(o), "Vantage", o.window.debug_gl == gl::Debug::on);
+    window_.emplace(window_size(o), "Vantage", gl::debug_from_environment() == gl::Debug::on);
     glfwSwapInterval(0);  // the headset sets the pace
 }
 

@@ -7,45 +7,11 @@
 #include "output/make_folder.h"
 #include "player/measure/flight_summary.h"
 #include "player/measure/plot.h"
-#include "player/render/frame_statistics.h"
 #include "scene/error.h"
 #include "scene/replace_file.h"
 
 namespace vantage {
 namespace {
-
-/// Measures the median frame time of a still view, everything resident, for each value of a setting (de Melo
-/// 2017, 5.1 and 5.2).
-void run_sweep(const PackageReader& package, const BenchOptions& o, const FlightTarget& target) {
-    const bool passes = o.sweep == "passes";
-    const int all =
-        int(photos_in_use(package, o.package, band_settings(package, o.blending.bands).shown).size());
-    std::vector<int> values;
-    for (int v = 1; v <= (passes ? most_photos_per_pass : all); v *= 2) values.push_back(v);
-    if (!passes && values.back() != all) values.push_back(all);
-    std::vector<std::vector<double>> ms(values.size());
-    for (int repeat = 0; repeat < o.repeats; ++repeat)
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            BenchOptions one = o;
-            one.warm = true;
-            (passes ? one.blending.render.photos_per_pass : one.blending.photos) = values[i];
-            if (passes && o.blending.photos < 0) one.blending.photos = all;
-            const Flight f =
-                fly(package, one, path_named("still", package, one, repeat), "resident", repeat, target);
-            for (const double t : frame_times(f)) ms[i].push_back(t);
-        }
-    Curve medians{passes ? "photos per pass" : "photos blended", {}};
-    std::vector<std::string> labels;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const FrameStatistics s = frame_statistics(ms[i]);
-        medians.values.push_back(s.median);
-        labels.push_back(std::to_string(values[i]));
-        std::printf("%s %2d  median %7.2f ms  99 %% %7.2f ms\n",
-                    passes ? "photos per pass" : "photos blended", values[i], s.median, s.p99);
-    }
-    write_plot(o.folder / ("sweep-" + o.sweep + ".svg"), "median frame time, " + medians.name, "ms",
-               {medians}, labels);
-}
 
 /// All repeats and modes of one path. Repeats alternate between modes, so that a machine that slows down
 /// slows all of them.
@@ -83,7 +49,6 @@ int run_bench(const PackageReader& package, const BenchOptions& o) {
     std::printf("%s, %dx%d, %d repeats\n", gl::current_device().renderer.c_str(), size.width, size.height,
                 o.repeats);
     std::fflush(stdout);
-    if (!o.sweep.empty()) return run_sweep(package, o, target), int(Exit::ok);
     std::vector<Flight> all;
     nlohmann::json summaries = nlohmann::json::array();
     for (const std::string& name : o.paths) {

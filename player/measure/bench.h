@@ -10,7 +10,6 @@ struct BenchOptions : FlightOptions {
     std::vector<std::string> paths{"still", "orbit", "approach", "jump"};
     std::vector<std::string> modes{"stream", "resident", "whole"};
     int repeats = 3;
-    std::string sweep;
     OutputOptions output;
 };
 

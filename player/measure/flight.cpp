@@ -41,22 +41,10 @@ double time_at_rest(ObjectSet& objects, Enlargement& enlargement, const View& vi
     return ms;
 }
 
-/// Whether a frame is one of `pictures`, evenly spread over `frames`.
-bool pictured(int frame, int frames, int pictures) {
-    return std::int64_t(frame) * pictures % frames < pictures;
-}
-
-void write_picture(const std::filesystem::path& file, const FlightTarget& target) {
-    Picture p{target.size.width, target.size.height, {}, {}};
-    p.rgba.resize(std::size_t(p.width) * std::size_t(p.height) * 4);
-    glGetTextureImage(target.color.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(p.rgba.size()), p.rgba.data());
-    write_png(file, p);
-}
-
 RenderSettings flight_settings(const PackageReader& package, const FlightOptions& o,
                                const std::string& mode) {
-    RenderSettings settings = render_settings(package, o.blending, o.purpose);
-    settings.points = o.points;
+    RenderSettings settings = render_settings(package, o.blending, Purpose::window);
+    settings.points = point_settings(o.points);
     settings.fill_holes = true;
     settings.complete = false;
     settings.upload_bytes = o.memory.upload_bytes();
@@ -161,11 +149,6 @@ Flight fly(const PackageReader& package, const FlightOptions& o, const CameraPat
         flight.frames.push_back(
             {ms, pace.scale, report, gl::memory_held(), memory_without(flight.frames.size())});
         pacing = next_pacing(pacing, pace, ms, goal);
-        if (repeat == 0 && pictured(i, frames, o.pictures)) {
-            char number[16];
-            std::snprintf(number, sizeof number, "-%05d.png", i);
-            write_picture(o.folder / (path.name + "-" + mode + number), target);
-        }
         const bool exact = objects.size() == 1 && report.tiles_missing == 0 &&
                            report.photos == renderer.plan().photos.size();
         if (stays_from >= 0 && i > stays_from && flight.frames_to_exact < 0 && exact) {

@@ -27,15 +27,13 @@ struct FlightOptions {
     std::vector<SceneObject> scene;  ///< what is shown; the first object is the package
     BlendingOptions blending;
     MemoryOptions memory;
-    PointSettings points;
+    PointOptions points;
     StereoSettings stereo;  ///< frames are drawn for both eyes unless off
-    Purpose purpose = Purpose::window;
     int frames = 120;
     double fps = -1;           ///< of the mode "adaptive", see frame_goal()
     double minutes = 0;        ///< instead of `frames`
     bool until_exact = false;  ///< end a path whose view stays the same when its picture is exact
     bool warm = false;         ///< keep the package in the page cache
-    int pictures = 0;          ///< frames to save as PNG
     std::filesystem::path folder = "bench";
 };
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "player/render/render_settings.h"
@@ -7,16 +6,19 @@
 
 namespace vantage {
 
+class Command;
+
 /// The bands to show.
 struct BandOptions {
-    std::string band;                ///< empty: the default
-    std::string mix, wiper, beside;  ///< a second band; NAME=SHARE, NAME=SHARE, NAME
-    bool given() const { return !(band + mix + wiper + beside).empty(); }
+    std::string band;    ///< empty: the default
+    std::string second;  ///< NAME or NAME=SHARE; empty: none
+    BandView view = BandView::mix;
+    bool given() const { return !(band + second).empty(); }
 };
 /// --band.
-void add_band_option(CLI::App& app, BandOptions& options);
+void add_band_option(const Command& command, BandOptions& options);
 /// Those that show a second band.
-void add_second_band_options(CLI::App& app, BandOptions& options);
+void add_second_band_options(const Command& command, BandOptions& options);
 
 /// Throws Error(usage) for a band that the package lacks, or a share that is none.
 BandSettings band_settings(const PackageReader& package, const BandOptions& options);

@@ -1,5 +1,4 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "player/options/band_options.h"
@@ -8,15 +7,24 @@
 
 namespace vantage {
 
+class Command;
+
 /// What is blended, and how.
 struct BlendingOptions {
     RenderSettings render;
     int photos = -1;  ///< to blend; -1: default, 0: all
-    std::string holes, fov_normalization = "auto", exposure;
+    std::string holes, exposure;
     BandOptions bands;
-    bool given = false;  ///< an option of the group Blending was on the command line
+    bool given = false;  ///< an option of blending_group was on the command line
 };
-void add_blending_options(CLI::App& app, BlendingOptions& options);
+inline constexpr const char* blending_group = "Blending";
+/// Those that all commands use that draw photos, with --band.
+void add_blending_options(const Command& command, BlendingOptions& options);
+void add_blended_option(const Command& command, BlendingOptions& options);
+void add_holes_option(const Command& command, BlendingOptions& options);
+void add_show_option(const Command& command, BlendingOptions& options);
+void add_surroundings_option(const Command& command, BlendingOptions& options);
+void add_transparency_option(const Command& command, BlendingOptions& options);
 
 /// Determines defaults: a window blends few photos and shades holes; pictures blend all and leave holes
 /// transparent.

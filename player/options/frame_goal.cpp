@@ -1,17 +1,15 @@
 #include "player/options/frame_goal.h"
 
-#include "cli/real_range.h"
+#include "cli/command.h"
 #include "gl/context.h"
 
 namespace vantage {
 
-void add_fps_option(CLI::App& app, double& fps, const std::string& group) {
-    app.add_option(
-           "--fps", fps,
-           "frames per second to keep in motion, by a lower resolution and fewer photos; 0: always in "
-           "full (default 30, 15 with a software renderer; in a headset, as many as it shows)")
-        ->check(real_range(0, 1000))
-        ->group(group);
+void add_fps_option(const Command& c, double& fps, const std::string& group) {
+    c.real("--fps", fps, 0, 1000,
+           "frames per second to keep in motion, by a lower resolution and fewer photos; 0: always in full "
+           "(default 30, 15 with a software renderer; in a headset, as many as it shows)")
+        .group(group);
 }
 
 double frame_goal(double fps) {

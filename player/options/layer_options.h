@@ -1,5 +1,4 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
@@ -8,13 +7,15 @@
 
 namespace vantage {
 
+class Command;
+
 /// A scalar layer to show.
 struct LayerOptions {
     std::string name;           ///< empty: none
     std::vector<double> range;  ///< empty, or two
     LayerSettings shown;
 };
-void add_layer_options(CLI::App& app, LayerOptions& options);
+void add_layer_options(const Command& command, LayerOptions& options);
 
 /// Throws Error(usage) for an unknown layer, or for a range that is none.
 LayerSettings layer_settings(const PackageReader& package, const LayerOptions& options);

@@ -1,14 +1,15 @@
 #include "player/options/object_options.h"
 
+#include "cli/command.h"
+
 namespace vantage {
 
-void add_object_options(CLI::App& app, ObjectOptions& o) {
-    app.add_option(
-           "--add", o.added,
+void add_object_options(const Command& c, ObjectOptions& o) {
+    c.list("--add", o.added,
            "show this package, too, in the same coordinates; a scene file (NAME.toml, in place of the "
            "package) also moves, turns, scales and fades objects")
-        ->type_name("PACKAGE")
-        ->delimiter(',');
+        .type("PACKAGE")
+        .commas();
 }
 
 std::vector<SceneObject> named_objects(const PackageOptions& package, const ObjectOptions& o) {

@@ -1,5 +1,4 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
@@ -8,11 +7,13 @@
 
 namespace vantage {
 
+class Command;
+
 /// What is shown with the package.
 struct ObjectOptions {
     std::vector<std::string> added;  ///< packages
 };
-void add_object_options(CLI::App& app, ObjectOptions& options);
+void add_object_options(const Command& command, ObjectOptions& options);
 
 /// The objects of the scene that the command line names: those of a scene file in place of the package, or
 /// the package; then those that are added. Throws Error(input).

@@ -1,16 +1,22 @@
 #include "player/options/output_options.h"
 
-#include "cli/force_option.h"
+#include "cli/command.h"
 
 namespace vantage {
 
-void add_output_options(CLI::App& app, OutputOptions& o) {
-    app.add_option("--size", o.size,
-                   "size of the window or the pictures, in pixels (default 1280x720, or the photo's size)")
-        ->type_name("WIDTHxHEIGHT");
-    app.add_option("-o,--output", o.file, "file, or folder for several files")->type_name("FILE");
-    add_force(app, o.force);
-    app.add_flag("-q,--quiet", o.quiet, "print only errors");
+void add_size_option(const Command& c, OutputOptions& o) {
+    c.text("--size", o.size,
+           "size of the window or the pictures, in pixels (default 1280x720, or the photo's size)")
+        .type("WIDTHxHEIGHT");
+}
+
+void add_output_options(const Command& c, OutputOptions& o) {
+    c.file("-o,--output", o.file, "file, or folder for several files");
+    c.force(o.force);
+}
+
+void add_quiet_option(const Command& c, OutputOptions& o) {
+    c.flag("-q,--quiet", o.quiet, "print only errors");
 }
 
 }  // namespace vantage

@@ -1,8 +1,9 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 
 namespace vantage {
+
+class Command;
 
 struct OutputOptions {
     std::string size;    ///< WIDTHxHEIGHT of window or pictures; empty: default
@@ -10,6 +11,9 @@ struct OutputOptions {
     bool force = false;  ///< see output_file
     bool quiet = false;
 };
-void add_output_options(CLI::App& app, OutputOptions& options);
+void add_size_option(const Command& command, OutputOptions& options);
+/// -o and --force.
+void add_output_options(const Command& command, OutputOptions& options);
+void add_quiet_option(const Command& command, OutputOptions& options);
 
 }  // namespace vantage

@@ -2,18 +2,22 @@
 
 #include <algorithm>
 
+#include "cli/command.h"
 #include "player/camera/shots.h"
 
 namespace vantage {
 
-void add_package_options(CLI::App& app, PackageOptions& o) {
-    app.add_option("FILE", o.file, "package: a file, or its URL on a server (http:// or https://)")
-        ->type_name("PACKAGE")
-        ->required();
-    app.add_option("--exclude", o.exclude, "photos not to blend")->type_name("PHOTO")->delimiter(',');
-    app.add_option("--photo", o.photos, "photos to look from or to leave out, or 'all'")
-        ->type_name("PHOTO")
-        ->delimiter(',');
+Option add_package_argument(const Command& c, PackageOptions& o, const std::string& more) {
+    return c.file("FILE", o.file, "package: a file, or its URL on a server (http:// or https://)" + more)
+        .type("PACKAGE");
+}
+
+void add_exclude_option(const Command& c, PackageOptions& o) {
+    c.list("--exclude", o.exclude, "photos not to blend").type("PHOTO").commas();
+}
+
+void add_photo_option(const Command& c, PackageOptions& o) {
+    c.list("--photo", o.photos, "photos to look from or to leave out, or 'all'").type("PHOTO").commas();
 }
 
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& o) {

@@ -1,5 +1,4 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
@@ -7,13 +6,19 @@
 
 namespace vantage {
 
+class Command;
+class Option;
+
 /// The package, and a selection of its photos.
 struct PackageOptions {
     std::string file;
     std::vector<std::string> exclude;  ///< photos that are not blended
     std::vector<std::string> photos;   ///< to look from, or to leave out
 };
-void add_package_options(CLI::App& app, PackageOptions& options);
+/// FILE, whose help ends in `more`.
+Option add_package_argument(const Command& command, PackageOptions& options, const std::string& more = {});
+void add_exclude_option(const Command& command, PackageOptions& options);
+void add_photo_option(const Command& command, PackageOptions& options);
 
 /// All photos but the excluded ones. Throws Error(usage) for an unknown name.
 std::vector<std::uint32_t> photos_in_use(const PackageReader& package, const PackageOptions& options);

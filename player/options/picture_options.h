@@ -1,8 +1,9 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 
 namespace vantage {
+
+class Command;
 
 /// Pictures without a display.
 struct PictureOptions {
@@ -11,8 +12,8 @@ struct PictureOptions {
     std::string path;  ///< file, see read_path
     double scale = 1;
     bool panorama = false;  ///< of all directions
-    int samples = 0;  ///< per side of a pixel; 0: depends on what is shown
+    int samples = 0;        ///< per side of a pixel; 0: depends on what is shown
 };
-void add_picture_options(CLI::App& app, PictureOptions& options);
+void add_picture_options(const Command& command, PictureOptions& options);
 
 }  // namespace vantage

@@ -1,50 +1,41 @@
 #include "player/options/point_options.h"
 
-#include <map>
-#include <string>
+#include <cstdlib>
 
-#include "cli/real_range.h"
+#include "cli/command.h"
+#include "scene/error.h"
 
 namespace vantage {
 
-void add_point_options(CLI::App& app, PointSettings& o) {
+void add_point_options(const Command& c, PointOptions& o) {
     const std::string group = "Point cloud";
-    app.add_option_function<std::string>(
-           "--points",
-           [&o](const std::string& text) {
-               o.show = text != "off";
-               o.alone = text == "alone";
-           },
-           "on: with the model (default); off; alone: without the model")
-        ->check(CLI::IsMember({"on", "off", "alone"}))
-        ->group(group);
-    app.add_option(
-           "--point-color", o.color,
-           "photos: those of the photos, where one shows the point (default without a mesh); own: their "
-           "own (default with a mesh)")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, PointColor>{{"photos", PointColor::photos}, {"own", PointColor::own}}))
-        ->group(group);
-    app.add_option("--point-size-by", o.by,
-                   "gaps: points are as large as they are apart; pixels; world: input units")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, PointSize>{
-            {"gaps", PointSize::gaps}, {"pixels", PointSize::pixels}, {"world", PointSize::world}}))
-        ->default_str("gaps")
-        ->group(group);
-    app.add_option("--point-size", o.size, "diameter: pixels, input units, or a factor for gaps")
-        ->check(real_range(1e-6, 1e6))
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--point-budget", o.budget,
-                   "points per frame, at most (but the coarsest level is always drawn): the nearest and "
-                   "coarsest first")
-        ->check(CLI::Range(std::uint64_t(1), std::uint64_t(20'000'000)))
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--eye-dome", o.eye_dome, "strength of the shading of points by depth, 0 for none")
-        ->check(real_range(0.0, 10.0))
-        ->capture_default_str()
-        ->group(group);
+    c.choice("--points", o.show, {"on", "off", "alone"}, "on: with the model; off; alone: without the model")
+        .group(group);
+    c.choice("--point-color", o.color, {{"photos", PointColor::photos}, {"own", PointColor::own}},
+             "photos: those of the photos, where one shows the point (default without a mesh); own: their "
+             "own (default with a mesh)")
+        .group(group);
+    c.text("--point-size", o.size,
+           "diameter: a factor for the gaps between points (2), pixels (2px), or input units (0.02u)")
+        .type("SIZE")
+        .group(group);
+}
+
+PointSettings point_settings(const PointOptions& o) {
+    PointSettings out;
+    out.show = o.show != "off";
+    out.alone = o.show == "alone";
+    out.color = o.color;
+    char* unit = nullptr;
+    out.size = std::strtod(o.size.c_str(), &unit);
+    const std::string by = unit;
+    if (by == "px") out.by = PointSize::pixels;
+    if (by == "u") out.by = PointSize::world;
+    if (!(out.size >= 1e-6 && out.size <= 1e6) || (!by.empty() && out.by == PointSize::gaps))
+        throw Error(Exit::usage, "--point-size " + o.size +
+                                     ": expected a factor such as 2, pixels such as 2px, or input units such "
+                                     "as 0.02u, from 0.000001 to 1000000");
+    return out;
 }
 
 }  // namespace vantage

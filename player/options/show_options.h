@@ -22,7 +22,7 @@ struct ShowOptions {
     BlendingOptions blending;
     LayerOptions layer;
     LightOptions light;
-    PointSettings points;
+    PointOptions points;
     MemoryOptions memory;
     OutputOptions output;
     PictureOptions pictures;

@@ -1,10 +1,11 @@
 #pragma once
-#include <CLI/CLI.hpp>
 
 #include "player/camera/stereo.h"
 
 namespace vantage {
 
-void add_stereo_options(CLI::App& app, StereoSettings& stereo);
+class Command;
+
+void add_stereo_options(const Command& command, StereoSettings& stereo);
 
 }  // namespace vantage

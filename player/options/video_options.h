@@ -1,8 +1,9 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 
 namespace vantage {
+
+class Command;
 
 /// A video without a display. Its way is --turntable, --tour or PictureOptions::path.
 struct VideoOptions {
@@ -12,6 +13,6 @@ struct VideoOptions {
     double seconds = 0;      ///< 0: as long as the tour or path; a turntable, 12
     double frame_rate = 30;  ///< per second
 };
-void add_video_options(CLI::App& app, VideoOptions& options);
+void add_video_options(const Command& command, VideoOptions& options);
 
 }  // namespace vantage

@@ -1,25 +1,23 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 
-#include "gl/context.h"
-
 namespace vantage {
+
+class Command;
 
 struct WindowOptions {
     int frames = 0;         ///< 0: until the window is closed
     double fps = -1;        ///< see frame_goal()
     double text_scale = 0;  ///< 0: by the display
     bool kiosk = false;
-    double home_after = 0;  ///< seconds; 0: as the story says, or 60
-    std::string language;   ///< such as "de"; empty: that of the system
-    std::string tour;       ///< file of a path, for a kiosk
-    int signs = -1;         ///< file descriptor for signs of life; -1: none
-    bool fresh = false;     ///< neither read nor write remembered settings
-    gl::Debug debug_gl = gl::debug_from_environment();
+    double home_after = 0;   ///< seconds; 0: as the story says, or 60
+    std::string language;    ///< such as "de"; empty: that of the system
+    std::string tour;        ///< file of a path, for a kiosk
+    int signs = -1;          ///< file descriptor for signs of life; -1: none
+    bool fresh = false;      ///< neither read nor write remembered settings
     std::string controls;    ///< file for the positions of the controls
     std::string screenshot;  ///< file for the last frame
 };
-void add_window_options(CLI::App& app, WindowOptions& options);
+void add_window_options(const Command& command, WindowOptions& options);
 
 }  // namespace vantage

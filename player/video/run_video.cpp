@@ -56,8 +56,7 @@ class Frames {
   public:
     Frames(const PackageReader& package, const ShowOptions& o, const std::vector<SceneObject>& objects,
            const Story& story)
-        : context_(o.window.debug_gl),
-          renderer_(package, memory_budget(o.memory)),
+        : renderer_(package, memory_budget(o.memory)),
           objects_(renderer_, objects, memory_budget(o.memory)),
           stereo_(o.stereo),
           photos_(photos_in_use(package, o.package)),
@@ -66,7 +65,7 @@ class Frames {
         settings_.fill_holes = o.blending.holes != "transparent";
         settings_.layer = layer_settings(package, o.layer);
         settings_.light = light_settings(o.light);
-        settings_.points = o.points;
+        settings_.points = point_settings(o.points);
         if (story.background) settings_.background = background_of(*story.background);
         // Of few photos, which ones changes from frame to frame: they fade, as in the window.
         settings_.complete = settings_.photos == 0;

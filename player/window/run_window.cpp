@@ -196,7 +196,7 @@ int run_window(const ShowOptions& o, const std::vector<SceneObject>& objects) {
     if (!objects.empty() && !is_url(objects.front().package.native()))
         start(PackageReader(objects.front().package));
     GlfwWindow window(o.output.size.empty() ? remembered.window : parse_size(o.output.size), "Vantage",
-                      o.window.debug_gl == gl::Debug::on);
+                      gl::debug_from_environment() == gl::Debug::on);
     Controls controls;
     std::optional<Requested> other, next;
     double requested_at = glfwGetTime() - process_seconds();

@@ -63,7 +63,7 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     s.settings.layer = layer_settings(package, o.layer);
     if (read_layers(package).empty()) s.panels.layers = s.settings.layer.layer >= 0;
     if (o.light.shown != LightSettings{}) s.settings.light = light_settings(o.light);
-    s.settings.points = o.points;
+    s.settings.points = point_settings(o.points);
     s.lamp_follows = o.light.lamp.empty();
     s.settings.bands = chosen_bands(package, o, remembered);
     const auto named =

@@ -12,6 +12,7 @@
 #include <optional>
 #include <thread>
 
+#include "cli/command.h"
 #include "gl/context.h"
 #include "output/make_folder.h"
 #include "pipeline/input/file_identity.h"
@@ -129,26 +130,25 @@ int write_results(const RunOptions& o, const Run& now) {
 
 }  // namespace
 
-void add_run_options(CLI::App& app, RunOptions& o) {
-    app.add_option(
-        "INPUT", o.inputs,
-        "folders of scans, or specifications of synthetic scenes (TOML); default: those of the set, with "
-        "real scans from $VANTAGE_DATASETS");
-    app.add_option("--set", o.set, "how much to measure: smoke (about a minute), short (about ten), full")
-        ->capture_default_str();
-    app.add_option("--only", o.only, "sweeps to run, comma-separated; see --list")->delimiter(',');
-    app.add_option("-o,--output", o.folder, "output folder; an interrupted run there is resumed")
-        ->capture_default_str();
-    app.add_option("--against", o.against,
-                   "results.json of an earlier run; the page shows what has changed since");
-    app.add_option("--redraw", o.redraw, "results.json of a run; write its page again without measuring");
-    app.add_flag("--list", o.list, "list the sweeps and exit");
-    app.footer(
+void add_run_options(const Command& c, RunOptions& o) {
+    c.list("INPUT", o.inputs,
+           "folders of scans, or specifications of synthetic scenes (TOML); default: those of the set, with "
+           "real scans from $VANTAGE_DATASETS")
+        .type("FILE");
+    c.choice("--set", o.set, {"smoke", "short", "full"},
+             "how much to measure: smoke (about a minute), short (about ten), full");
+    c.list("--only", o.only, "sweeps to run; see --list").commas();
+    c.file("-o,--output", o.folder, "output folder; an interrupted run there is resumed").type("FOLDER");
+    c.file("--against", o.against, "results.json of an earlier run; the page shows what has changed since");
+    c.file("--redraw", o.redraw, "results.json of a run; write its page again without measuring");
+    c.flag("--list", o.list, "list the sweeps and exit");
+    c.notes(
         "Writes index.html (self-contained), results.csv and results.json. An interrupted run resumes where\n"
         "it stopped, unless --set or the program has changed since.\n"
         "Examples:\n  vantage-bench\n  vantage-bench --set full -o full\n"
         "  vantage-bench scans/chapel --only blending,selection -o chapel\n"
         "  vantage-bench --set short -o new --against old/results.json");
+    c.action([&o] { return run(o); });
 }
 
 int run(const RunOptions& o) {

@@ -1,8 +1,11 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace vantage {
+class Command;
+}
 
 namespace vantage::bench {
 
@@ -12,7 +15,8 @@ struct RunOptions {
     std::filesystem::path folder = "accuracy", against, redraw;
     bool list = false;
 };
-void add_run_options(CLI::App& app, RunOptions& options);
+/// `options` must outlive the command, which runs them.
+void add_run_options(const Command& command, RunOptions& options);
 
 /// Runs the sweeps, resuming an interrupted run, and writes the page. Returns the exit code. Throws Error.
 int run(const RunOptions& options);

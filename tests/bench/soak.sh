@@ -18,7 +18,7 @@ ln "$shown" "$opened"  # keeps the file that the player has opened reachable aft
 bytes=$(stat -c %s "$sound")
 
 "$player" bench "$shown" --paths flight --modes stream --repeats 1 --minutes "$minutes" --warm \
-  --graphics-memory 96 --memory 8 --size 640x360 -o "$folder" "$@" >"$folder/bench.txt" 2>&1 &
+  --graphics-memory 96 --size 640x360 -o "$folder" "$@" >"$folder/bench.txt" 2>&1 &
 flight=$!
 trap 'kill $flight 2>/dev/null || true; rm -f "$shown" "$opened" "$folder/next.vantage"' EXIT
 sleep 10  # until the first frames

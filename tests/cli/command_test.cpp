@@ -112,7 +112,7 @@ TEST(CommandLine, SaysInWordsWhatWasExpected) {
     for (const char* samples : {"0", "9", "many", "2.5", "3 ", "nan"})
         EXPECT_EQ(refused("--samples", samples),
                   std::string("--samples: expected an integer from 1 to 8, not '") + samples + "'");
-    EXPECT_EQ(refused("--threads", "-1"), "--threads: expected an integer of at least 0, not '-1'");
+    EXPECT_EQ(refused("--threads", "-1"), "--threads: expected an integer from 0 up, not '-1'");
     for (const char* scale : {"0.49", "nan", "inf", "1x", ""})
         EXPECT_EQ(refused("--scale", scale),
                   std::string("--scale: expected a number from 0.5 to 8, not '") + scale + "'");
@@ -170,6 +170,16 @@ TEST(CommandLine, VerbsAreSelectedByTheFirstArgument) {
     c.action([] { return 8; });
     EXPECT_EQ(run(c, {"chekc"}).code, 8);
     EXPECT_EQ(file, "chekc");
+}
+
+TEST(CommandLine, ActionsMayAskWhatWasGiven) {
+    const Command c("program", "");
+    bool on = false, quiet = false;
+    c.flag("--on", on, "").group("Blending");
+    c.flag("--quiet", quiet, "");
+    c.action([](const Command& command) { return command.given("Blending") ? 1 : 2; });
+    EXPECT_EQ(run(c, {"--quiet", "--on"}).code, 1);
+    EXPECT_EQ(run(c, {"--quiet"}).code, 2);
 }
 
 TEST(CommandLine, SettingsOfFilesYieldToTheCommandLine) {

@@ -86,7 +86,7 @@ expect_offered 'preview ' vantage prepare --config p
 expect_offered 'stream,resident ' vantage-player bench --modes stream,r
 expect_offered 'average ' vantage-player tiny.vantage --blend a
 expect_offered ' ' vantage prepare --threads ''
-expect_offered ' ' vantage-player tiny.vantage --no-angle-mask x
+expect_offered ' ' vantage-player tiny.vantage --original-colors x
 if [ -f /usr/share/bash-completion/bash_completion ]; then
   touch notes.txt tidy.toml
   expect_offered 'tidy.toml tiny.vantage ' vantage-player ti

@@ -457,13 +457,13 @@ TEST_F(Bands, ProgramsKnowThem) {
     const std::string own = shoot("--photo infrared_0001");
     EXPECT_EQ(own, shoot("--photo infrared_0001 --band INFRARED")) << "a photo's camera shows its own band";
     EXPECT_NE(own, shoot("--photo infrared_0001 --band visible"));
-    EXPECT_NE(own, shoot("--photo infrared_0001 --band visible --band-mix infrared=0.5"));
-    EXPECT_EQ(own, shoot("--photo infrared_0001 --band visible --band-mix infrared=1"));
+    EXPECT_NE(own, shoot("--photo infrared_0001 --band visible --second-band infrared=0.5"));
+    EXPECT_EQ(own, shoot("--photo infrared_0001 --band visible --second-band infrared=1"));
     EXPECT_EQ(shoot("--photo infrared_0001 --band uv"),
               "vantage-player: " + file + ": has no band 'uv', expected one of visible, infrared\n");
-    EXPECT_EQ(shoot("--photo infrared_0001 --band-mix infrared=2"),
-              "vantage-player: --band-mix infrared=2: expected NAME=SHARE with a share from 0 to 1\n");
-    EXPECT_EQ(shoot("--photo infrared_0001 --band-beside visible"),
+    EXPECT_EQ(shoot("--photo infrared_0001 --second-band infrared=2"),
+              "vantage-player: --second-band infrared=2: expected NAME or NAME=SHARE with a share from 0 to 1\n");
+    EXPECT_EQ(shoot("--photo infrared_0001 --second-band visible --band-view side-by-side"),
               "vantage-player: band 'visible' is shown already, expected another one\n");
     EXPECT_NE(run(player + file + " --list").says.find("infrared_0001.jpg  infrared  260x200"),
               std::string::npos);

@@ -1,5 +1,5 @@
-// README.md and docs/ agree with the programs: every verb, option and choice that they mention is in the
-// output of --help, and the exit codes are those of Exit.
+// README.md and docs/ agree with the programs: every verb, option and choice that they mention is one
+// that the programs describe, and the exit codes are those of Exit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "manual/described_command.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
 
@@ -20,12 +21,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The options of one --help output, with the allowed values of those that list them.
+/// The options of a command, with the values of those that take no others.
 using Options = std::map<std::string, std::set<std::string>>;
 
 struct Program {
-    std::string help;
+    std::string notes;
     std::map<std::string, Options> verbs;  ///< "": without a verb
+    bool takes_arguments;
 };
 
 /// A command or a part of one, as quoted in a document.
@@ -46,25 +48,12 @@ std::vector<std::string> matches(const std::string& text, const char* pattern) {
     return out;
 }
 
-/// "{off,full}" or "{average->0,best->2} OR {0,2}": the words of the first braces. None for
-/// "{auto,off} or FILE", which also takes any file.
-std::set<std::string> choices_in(const std::string& line) {
-    std::smatch braces;
-    if (line.find(" FILE:{") != line.npos || line.find("} or FILE") != line.npos) return {};
-    if (!std::regex_search(line, braces, std::regex(R"((?::| in | )\{([^}]*)\})"))) return {};
-    const auto words = matches(braces[1], R"(([a-z][a-z0-9+^-]*?)(?:->\d+)?(?:,|$))");
-    return {words.begin(), words.end()};
-}
-
-Options options_in(const std::string& help) {
+Options options_of(const DescribedCommand& command) {
     Options out;
-    std::istringstream in(help);
-    const std::regex option(R"(^  (?:(-\w),)?(--[a-z][a-z0-9-]*))");
-    std::smatch found;
-    for (std::string line; std::getline(in, line);)
-        if (std::regex_search(line, found, option))
-            for (const std::string& name : {found[1].str(), found[2].str()})
-                if (!name.empty()) out[name] = choices_in(line);
+    for (const DescribedOption& o : command.options)
+        for (const std::string& name : o.names)
+            out[name] = o.type == "FILE" ? std::set<std::string>()
+                                         : std::set<std::string>(o.values.begin(), o.values.end());
     return out;
 }
 
@@ -94,20 +83,16 @@ class Help : public TemporaryFolder {
     void SetUp() override {
         TemporaryFolder::SetUp();
         for (const fs::path path : {VANTAGE_PROGRAM, VANTAGE_PLAYER, VANTAGE_BENCH}) {
-            Program p{help_of(path.string()), {}};
-            p.verbs[""] = options_in(p.help);
-            const std::size_t listed = std::min(p.help.find("\nVerbs:\n"), p.help.find("Verbs ("));
-            const std::string list = listed == std::string::npos ? "" : p.help.substr(listed);
-            const std::size_t end = std::min(list.find("\n\n"), list.find("\nExit codes:"));
-            for (const std::string& verb : matches(list.substr(0, end), R"(\n  ([a-z]+) )"))
-                p.verbs[verb] = options_in(help_of(path.string() + " " + verb));
-            programs[path.filename().string()] = p;
+            const DescribedCommand c = described(path);
+            Program p{c.notes, {{"", options_of(c)}}, !c.arguments.empty()};
+            for (const DescribedCommand& verb : c.verbs) p.verbs[verb.name] = options_of(verb);
+            programs[c.name] = p;
         }
     }
-    std::string help_of(const std::string& command) const {
-        const fs::path out = dir / "help";
-        EXPECT_EQ(std::system((command + " --help >" + out.string()).c_str()), 0) << command;
-        return slurp(out);
+    DescribedCommand described(const fs::path& program) const {
+        const fs::path out = dir / "description";
+        EXPECT_EQ(std::system((program.string() + " --describe >" + out.string()).c_str()), 0) << program;
+        return from_line(slurp(out));
     }
     std::vector<Quote> quotes() const {
         const fs::path root = VANTAGE_SOURCE_DIR;
@@ -143,10 +128,9 @@ class Help : public TemporaryFolder {
         if (const auto found = programs.find(fs::path(words[0]).filename().string());
             found != programs.end()) {
             const auto& verbs = found->second.verbs;
-            const bool takes_verbs = found->second.help.find("[VERB]") != std::string::npos;
             const auto verb = words.size() > 1 ? verbs.find(words[1]) : verbs.end();
             if (verb != verbs.end()) return mistake(verb->second, words, 2);
-            if (takes_verbs && words.size() > 1 && !words[1].starts_with('-'))
+            if (!found->second.takes_arguments && words.size() > 1 && !words[1].starts_with('-'))
                 return "has no verb " + words[1];
             return mistake(verbs.at(""), words, 1);
         }
@@ -257,12 +241,12 @@ TEST_F(Help, ExitCodesAgree) {
     expect_described(promised);
     EXPECT_EQ(promised.size(), table.size());
     for (const char* name : {"vantage", "vantage-player"}) {
-        const std::string& help = programs.at(name).help;
-        const std::size_t footer = help.find("Exit codes:");
+        const std::string& notes = programs.at(name).notes;
+        const std::size_t footer = notes.find("Exit codes:");
         ASSERT_NE(footer, std::string::npos) << name;
-        const auto listed = codes_in(help.substr(footer), R"((\d+) ([^,.]+)[,.])");
+        const auto listed = codes_in(notes.substr(footer), R"((\d+) ([^,.]+)[,.])");
         expect_described(listed);
         for (const auto& [code, text] : listed) EXPECT_TRUE(table.contains(code)) << name << ": " << code;
-        EXPECT_TRUE(name != std::string("vantage") || listed.size() == table.size()) << help.substr(footer);
+        EXPECT_TRUE(name != std::string("vantage") || listed.size() == table.size()) << notes.substr(footer);
     }
 }

@@ -6,7 +6,6 @@
 
 #include "pipeline/commands/apply_config.h"
 #include "pipeline/commands/commands.h"
-#include "player/commands/commands.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
 
@@ -72,28 +71,4 @@ TEST_F(Config, PrepareAcceptsEveryPreset) {
             EXPECT_EQ(e.code(), Exit::input) << preset.path() << ": " << e.what();
         }
     }
-}
-
-/// NaN would pass every comparison with a bound.
-void expect_nan_rejected(CLI::App& app) {
-    for (CLI::Option* option : app.get_options())
-        if (option->get_type_name().starts_with("FLOAT")) {
-            option->add_result("nan");
-            EXPECT_THROW(option->run_callback(), CLI::ParseError) << option->get_name();
-        }
-    for (CLI::App* sub : app.get_subcommands({})) expect_nan_rejected(*sub);
-}
-
-TEST(Options, RejectNan) {
-    CLI::App player, bench, evaluate, verify;
-    ShowOptions options;
-    BenchOptions b;
-    EvaluateOptions e;
-    VerifyOptions v;
-    UnusedOptions unused_by_bench, unused_by_evaluate;
-    add_show_options(player, options);
-    add_bench_options(bench, b, unused_by_bench);
-    add_evaluate_options(evaluate, e, unused_by_evaluate);
-    add_verify_options(verify, v);
-    for (CLI::App* a : {&player, &bench, &evaluate, &verify}) expect_nan_rejected(*a);
 }
