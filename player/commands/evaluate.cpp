@@ -43,7 +43,6 @@ void add_evaluate(const Command& program) {
     add_memory_options(c, o->memory);
     add_blending_options(c, o->blending);
     add_blended_option(c, o->blending);
-    add_surroundings_option(c, o->blending);
     const std::string group = "Evaluation";
     c.integer("--level", o->level, 0, 8, "pyramid level to compare: 0 full size, 1 half size").group(group);
     c.integer("--every", o->every, 1, 1 << 20, "leave out only every n-th photo (or those of --photo)")
