@@ -5,7 +5,7 @@
 #include "output/output_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
-#include "pipeline/commands/progress_line.h"
+#include "pipeline/commands/progress_option.h"
 #include "pipeline/package/staleness.h"
 
 namespace vantage {

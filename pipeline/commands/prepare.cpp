@@ -17,7 +17,7 @@
 #include "pipeline/commands/input_options.h"
 #include "pipeline/commands/left_out.h"
 #include "pipeline/commands/prepare_scene.h"
-#include "pipeline/commands/progress_line.h"
+#include "pipeline/commands/progress_option.h"
 #include "pipeline/input/input_paths.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/package/meta.h"

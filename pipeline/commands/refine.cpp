@@ -9,7 +9,7 @@
 #include "output/output_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/effect_option.h"
-#include "pipeline/commands/progress_line.h"
+#include "pipeline/commands/progress_option.h"
 #include "pipeline/package/meta.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"

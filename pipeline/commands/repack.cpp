@@ -8,7 +8,7 @@
 #include "output/output_file.h"
 #include "output/package_inputs.h"
 #include "pipeline/commands/commands.h"
-#include "pipeline/commands/progress_line.h"
+#include "pipeline/commands/progress_option.h"
 #include "scene/effects.h"
 #include "scene/package_reader.h"
 

@@ -4,8 +4,9 @@
 
 #include "output/output_file.h"
 #include "pipeline/commands/commands.h"
-#include "pipeline/commands/progress_line.h"
+#include "pipeline/commands/progress_option.h"
 #include "pipeline/synth/synthesize.h"
+#include "scene/error.h"
 
 namespace vantage {
 

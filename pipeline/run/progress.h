@@ -1,17 +1,11 @@
 #pragma once
 #include <atomic>
-#include <cstddef>
 #include <functional>
 #include <string>
 
-namespace vantage {
+#include "values/progress.h"
 
-/// The state of a long operation, for a progress line.
-struct Progress {
-    const char* stage;
-    std::string photo;  ///< empty if the step concerns the whole scene
-    std::size_t done, total;
-};
+namespace vantage {
 
 /// Called during long operations, by one thread at a time. An exception from it aborts the operation.
 using OnProgress = std::function<void(const Progress&)>;

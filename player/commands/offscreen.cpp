@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "cli/step_progress.h"
+#include "cli/progress_line.h"
 #include "gl/context.h"
 #include "output/make_folder.h"
 #include "output/output_file.h"
@@ -106,9 +106,11 @@ Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader
     const StereoPanorama panorama =
         stereo_panorama(middle, eye_distance(o.stereo.eyes, shot.distance),
                         nearest_around(scene.meshes(), middle.eye, shot.distance));
-    StepProgress progress("slice", o.output.quiet);
+    ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
     return take_stereo_panorama(scene, stereo, o.stereo.mode, panorama, settings, photos, side,
-                                [&](std::size_t done, std::size_t count) { progress.show(done, count); });
+                                [&](std::size_t done, std::size_t count) {
+                                    progress.show({"slices", "", done, count});
+                                });
 }
 
 /// What the ends of the color map stand for, if a layer was shown.

@@ -8,24 +8,25 @@
 #include <mutex>
 #include <thread>
 
+#include "cli/progress_line.h"
 #include "remote/remote_package.h"
 
 namespace vantage {
 namespace {
 
-/// Shows what has been fetched, four times per second, in a line that is replaced.
+/// Shows what has been fetched, four times per second.
 void show_progress(const PackageReader& package, std::stop_token stop) {
+    ProgressLine line(ProgressStyle::bar);
     std::mutex mutex;
     std::condition_variable_any stopped;
     std::unique_lock lock(mutex);
     while (!stopped.wait_for(lock, stop, std::chrono::milliseconds(250),
                              [&] { return stop.stop_requested(); })) {
         const SourceTraffic t = *package.traffic();
-        std::fprintf(stderr, "\rfetching %s  %.1f of %.1f MB, %.0f kB/s  ", package.path().filename().c_str(),
-                     double(t.bytes_received + t.bytes_from_cache) / 1e6, double(package.scene_bytes()) / 1e6,
-                     t.bytes_per_second / 1e3);
+        line.show({"fetching", "kB of " + package.path().filename().string(),
+                   std::size_t(t.bytes_received + t.bytes_from_cache) / 1000,
+                   std::size_t(package.scene_bytes()) / 1000});
     }
-    std::fprintf(stderr, "\r\033[K");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "cli/step_progress.h"
+#include "cli/progress_line.h"
 #include "gl/context.h"
 #include "output/make_folder.h"
 #include "output/output_file.h"
@@ -139,11 +139,13 @@ int run_orthophoto(const PackageReader& package, const OrthophotoOptions& o) {
     if (files.picture.has_parent_path()) make_folder(files.picture.parent_path());
     std::size_t damaged = 0;
     const auto write = [&](auto&& file) {
-        StepProgress progress("tile", o.output.quiet);
+        ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
         damaged = draw_orthophoto(
             renderer, picture, settings, photos_in_use(package, o.package), o.samples,
             tile_size_for(picture.width), [&](std::span<const std::uint8_t> row) { file.add(row); },
-            [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+            [&](std::size_t done, std::size_t all) {
+                progress.show({"tiles", "", done, all});
+            });
         file.finish();
     };
     if (files.world.empty()) {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "cli/step_progress.h"
+#include "cli/progress_line.h"
 #include "cli/stop_signals.h"
 #include "gl/context.h"
 #include "output/make_folder.h"
@@ -104,10 +104,11 @@ class Frames {
 
 /// Renders all frames to the output. Returns how many tiles were damaged.
 std::size_t write_frames(Frames& frames, const std::vector<Navigation>& flight, const Output& output,
-                         VideoEncoder* encoder, const ShowOptions& o, StepProgress& progress) {
+                         VideoEncoder* encoder, const ShowOptions& o, ProgressLine& progress) {
     const FrameSize size = size_of_eye(o);
     const std::atomic<bool>& stop = stop_on_signals(InFlight::abandoned);
     std::size_t damaged = 0;
+    progress.show({"frames", "", 0, flight.size()});
     for (std::size_t i = 0; i < flight.size(); ++i) {
         const Picture picture = frames.picture(flight[i], size, double(i) / o.video.frame_rate);
         damaged = std::max(damaged, picture.report.tiles_damaged);
@@ -119,7 +120,7 @@ std::size_t write_frames(Frames& frames, const std::vector<Navigation>& flight, 
             encoder->write(picture, stop);
         else
             write_png(output.frames[i], picture);
-        progress.show(i + 1, flight.size());
+        progress.show({"frames", "", i + 1, flight.size()});
     }
     if (encoder) encoder->finish(stop);
     return damaged;
@@ -157,7 +158,7 @@ int run_video(const PackageReader& package, const ShowOptions& o, const std::vec
     std::size_t damaged = 0;
     double seconds = 0;
     {
-        StepProgress progress("frame", o.output.quiet);
+        ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
         damaged = write_frames(frames, flight, output, encoder ? &*encoder : nullptr, o, progress);
         seconds = progress.seconds();
     }

@@ -1,12 +1,11 @@
-#include "pipeline/commands/progress_line.h"
+#include "cli/progress_line.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-
-#include "cli/stop_signals.h"
 
 namespace vantage {
 namespace {
@@ -22,13 +21,13 @@ constexpr double measurable = 0.1;  ///< seconds; before, there is no rate to te
 
 std::string rate(const Progress& p, double seconds) {
     if (p.done == 0 || p.done >= p.total || seconds < measurable) return {};
-    return fmt::format("  {:.1f} photos/s, {} left", double(p.done) / seconds,
+    return fmt::format("  {:.1f}/s, {} left", double(p.done) / seconds,
                        duration(seconds / double(p.done) * double(p.total - p.done)));
 }
 
 std::string bar(const Progress& p, double seconds) {
     constexpr std::size_t width = 30;
-    const std::size_t full = p.total ? p.done * width / p.total : 0;
+    const std::size_t full = p.total ? std::min(p.done, p.total) * width / p.total : 0;
     return fmt::format("\r\033[K{:>8} [{}{}] {}/{}{}  {}", p.stage, std::string(full, '='),
                        std::string(width - full, ' '), p.done, p.total, rate(p, seconds), p.photo);
 }
@@ -43,18 +42,8 @@ std::string json_line(const Progress& p, double seconds) {
 
 }  // namespace
 
-void add_progress(const Command& command, ProgressStyle& style) {
-    command.choice(
-        "--progress", style,
-        {{"auto", ProgressStyle::automatic},
-         {"bar", ProgressStyle::bar},
-         {"lines", ProgressStyle::lines},
-         {"json", ProgressStyle::json},
-         {"none", ProgressStyle::none}},
-        "how to show progress; auto: a bar on a terminal, lines elsewhere; json: machine-readable lines");
-}
-
-ProgressLine::ProgressLine(ProgressStyle style) : style_(style) {
+ProgressLine::ProgressLine(ProgressStyle style, double seconds_between_lines)
+    : style_(style), seconds_between_lines_(seconds_between_lines), next_line_(seconds_between_lines) {
     if (style == ProgressStyle::automatic)
         style_ = ::isatty(STDERR_FILENO) == 1 ? ProgressStyle::bar : ProgressStyle::lines;
 }
@@ -67,22 +56,23 @@ void ProgressLine::show(const Progress& p) {
     if (p.stage != stage_) {
         stage_ = p.stage;
         start_ = std::chrono::steady_clock::now();
+        next_line_ = seconds_between_lines_;
     }
-    const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const double s = seconds();
     shown_ = true;
     if (style_ == ProgressStyle::bar)
         std::fputs(bar(p, s).c_str(), stderr);
     else if (style_ == ProgressStyle::json)
         std::fputs(json_line(p, s).c_str(), stderr);
-    else if (style_ == ProgressStyle::lines)
+    else if (style_ == ProgressStyle::lines && s >= next_line_) {
+        next_line_ = s + seconds_between_lines_;
         std::fputs(fmt::format("{:>8}  {}/{}  {}{}\n", p.stage, p.done, p.total, p.photo, rate(p, s)).c_str(),
                    stderr);
+    }
 }
 
-OnProgress shown_until_signal(ProgressLine& line) {
-    return until_stopped(&stop_on_signals(InFlight::finished),
-                         "stopped: what was copied is kept; run the same command again to continue",
-                         [&line](const Progress& p) { line.show(p); });
+double ProgressLine::seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
 }  // namespace vantage

@@ -1,0 +1,14 @@
+#pragma once
+#include <cstddef>
+#include <string>
+
+namespace vantage {
+
+/// The state of a long operation.
+struct Progress {
+    const char* stage;
+    std::string photo;  ///< or another item; empty if the step concerns the whole scene
+    std::size_t done, total;
+};
+
+}  // namespace vantage
