@@ -7,6 +7,7 @@
 
 #include "colors/color_fit.h"
 #include "shaders/contract.h"
+#include "values/angle_between.h"
 
 namespace vantage {
 namespace {
@@ -71,9 +72,6 @@ float visibility(const Projector& p, const Corners& c, const Vector3f& at, const
     if (at.z() > farthest + slack || !(farthest > 0)) return 0;
     return at.z() > nearest + slack ? shader::beside : 1;
 }
-
-/// Accurate for small angles, which a cosine is not.
-float angle_between(const Vector3f& a, const Vector3f& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 /// angle_weight() times own_view() in blend.frag.
 float angle_weight(float theta) {

@@ -15,13 +15,12 @@
 #include <stdexcept>
 
 #include "scene/error.h"
+#include "values/angle_between.h"
 
 namespace vantage {
 namespace {
 
 using Eigen::Vector3d;
-
-double angle_between(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 /// The point of a triangle or cloud point nearest to another point, and the normal there, weighted by the
 /// angle that the triangle fills around it.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/package_reader.h"
+#include "values/angle_between.h"
 
 namespace vantage {
 namespace {
@@ -16,10 +17,6 @@ Eigen::Vector3d normalized_center(const package::PhotoRecord& photo, const View&
     const Pose pose = cam_from_origin(photo);
     const double own = photo.fx / photo.width, wanted = view.intrinsics.fx / view.intrinsics.width;
     return pose.center() + pose.direction() * photo.seen_distance * (1 - wanted / own);
-}
-
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 }  // namespace
