@@ -25,7 +25,7 @@ pid_t start_player(const std::filesystem::path& folder, std::size_t length) {
     const pid_t child = ::fork();
     if (child != 0) return child;
     try {
-        for (int n = 0; n < 200; ++n) write_settings(folder, with_recent(length));
+        for (int n = 0; n < 40; ++n) write_settings(folder, with_recent(length));
     } catch (const Error&) {
         ::_exit(1);
     }
