@@ -1,11 +1,11 @@
 #include "output/junit.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 
 #include "output/markup.h"
 #include "scene/replace_file.h"
+#include "values/formatted.h"
 
 namespace vantage {
 namespace {
@@ -18,11 +18,7 @@ std::string attribute(const std::string& text) {
     return out;
 }
 
-std::string seconds(double s) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3f", s);
-    return text;
-}
+std::string seconds(double s) { return formatted("%.3f", s); }
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 #include "story/story_file.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -10,6 +9,7 @@
 #include "json/located_json.h"
 #include "scene/error.h"
 #include "scene/replace_file.h"
+#include "values/formatted.h"
 #include "values/is_url.h"
 #include "values/lower_extension.h"
 
@@ -216,11 +216,7 @@ ordered_json json_of(const std::vector<StoryStop>& stops) {
     return out;
 }
 
-std::string text_of(const StoryColor& c) {
-    char out[8];
-    std::snprintf(out, sizeof out, "#%02x%02x%02x", c[0], c[1], c[2]);
-    return out;
-}
+std::string text_of(const StoryColor& c) { return formatted("#%02x%02x%02x", c[0], c[1], c[2]); }
 
 ordered_json json_of(const StoryBackground& b) {
     ordered_json out;

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "output/markup.h"
+#include "values/round_up.h"
 
 namespace vantage {
 namespace {
@@ -23,11 +24,7 @@ const char* color_of(const std::map<std::string, std::size_t>& order, const std:
 }
 
 /// 1, 2 or 5 times a power of ten, so that there are at most ten ticks.
-double tick_step(double end) {
-    double step = 1e-3;
-    for (int i = 0; end / step > 10; ++i) step *= i % 3 == 1 ? 2.5 : 2;
-    return step;
-}
+double tick_step(double end) { return round_up(std::max(end / 10, 1e-3)); }
 
 std::string ticks(double end, double height) {
     std::string out;

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <random>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "player/camera/shots.h"
 #include "scene/error.h"
 #include "scene/replace_file.h"
+#include "values/formatted.h"
 
 namespace vantage {
 namespace {
@@ -142,10 +142,8 @@ std::vector<Navigation> in_steps(const std::vector<Navigation>& stops, double st
 std::string view_text(const Navigation& n, const PackageReader& package) {
     const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
     const Eigen::Vector3d e = n.eye + origin, t = n.target + origin;
-    char text[256];
-    std::snprintf(text, sizeof text, "%.10g,%.10g,%.10g,%.10g,%.10g,%.10g,%.6g", e.x(), e.y(), e.z(), t.x(),
-                  t.y(), t.z(), n.fov);
-    return text;
+    return formatted("%.10g,%.10g,%.10g,%.10g,%.10g,%.10g,%.6g", e.x(), e.y(), e.z(), t.x(), t.y(), t.z(),
+                     n.fov);
 }
 
 void write_path(const std::filesystem::path& file, const std::vector<Navigation>& positions,
@@ -157,10 +155,8 @@ void write_path(const std::filesystem::path& file, const std::vector<Navigation>
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const Navigation& n = positions[i];
         const Eigen::Vector3d e = n.eye + origin, t = n.target + origin;
-        char line[256];
-        std::snprintf(line, sizeof line, "%.9g %.9g %.9g  %.9g %.9g %.9g  %.4g", e.x(), e.y(), e.z(), t.x(),
-                      t.y(), t.z(), n.fov);
-        out << line;
+        out << formatted("%.9g %.9g %.9g  %.9g %.9g %.9g  %.4g", e.x(), e.y(), e.z(), t.x(), t.y(), t.z(),
+                         n.fov);
         if (per_second) out << "  at=" << double(i) / *per_second;
         out << (i < bands.size() ? "  band=" + bands[i] : "") << '\n';
     }

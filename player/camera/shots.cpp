@@ -10,6 +10,7 @@
 
 #include "bands/bands.h"
 #include "scene/error.h"
+#include "values/formatted.h"
 
 namespace vantage {
 
@@ -119,8 +120,7 @@ std::vector<Shot> read_path(const std::string& file, const PackageReader& packag
     for (int number = 1; std::getline(in, line); ++number) {
         if (number == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);  // byte order mark
         if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
-        char name[16];
-        std::snprintf(name, sizeof name, "%04zu", shots.size());
+        const std::string name = formatted("%04zu", shots.size());
         try {
             const std::optional<std::uint32_t> band = take_band(line, package);
             const std::optional<double> at = take_time(line, shots.empty() ? 0 : shots.back().at.value_or(0));

@@ -1,23 +1,17 @@
 #include "player/evaluate/cause_page.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 
 #include "output/explained_table.h"
 #include "output/markup.h"
 #include "player/evaluate/evaluation_table.h"
+#include "values/formatted.h"
 
 namespace vantage {
 namespace {
 
 constexpr std::size_t regions_per_cause = 3;
-
-std::string text(const char* format, double value) {
-    char out[64];
-    std::snprintf(out, sizeof out, format, value);
-    return out;
-}
 
 /// A square in the color of the cause on maps.
 std::string swatch(Cause cause) {
@@ -28,7 +22,7 @@ std::string swatch(Cause cause) {
 
 /// A cell with a share in percent; empty for causes that have no such share.
 std::string cell(double share, bool given = true) {
-    return "<td>" + (given ? text("%.1f %%", 100 * share) : std::string());
+    return "<td>" + (given ? formatted("%.1f %%", 100 * share) : std::string());
 }
 
 void write_total(std::ostream& out, const std::vector<CauseTotal>& totals,
@@ -46,9 +40,9 @@ void write_total(std::ostream& out, const std::vector<CauseTotal>& totals,
     for (const CauseTotal& t : totals) {
         const bool colored = !is_hole(t.cause);
         out << "<tr><td>" << swatch(t.cause) << cause_row(t.cause).name << cell(t.share) << "<td>"
-            << text("%+.2f", t.decibels) << cell(t.colored_share, colored) << "<td>"
-            << (colored ? text("%+.2f", t.colored_decibels) : "") << "<td>" << escaped(results[t.worst].name)
-            << "<td>" << cause_row(t.cause).meaning << "</tr>\n";
+            << formatted("%+.2f", t.decibels) << cell(t.colored_share, colored) << "<td>"
+            << (colored ? formatted("%+.2f", t.colored_decibels) : "") << "<td>"
+            << escaped(results[t.worst].name) << "<td>" << cause_row(t.cause).meaning << "</tr>\n";
     }
     out << "</table>\n";
 }
@@ -66,7 +60,7 @@ void write_per_photo(std::ostream& out, const std::vector<CauseTotal>& totals,
     columns.push_back({});
     out << explained_table(columns);
     for (const LeftOut& r : results) {
-        out << "<tr><td>" << escaped(r.name) << "<td>" << text("%.2f", r.frame.psnr_gain);
+        out << "<tr><td>" << escaped(r.name) << "<td>" << formatted("%.2f", r.frame.psnr_gain);
         for (const bool holes : {true, false})
             for (const CauseTotal& t : totals)
                 if (is_hole(t.cause) == holes)
@@ -79,9 +73,10 @@ void write_per_photo(std::ostream& out, const std::vector<CauseTotal>& totals,
 void write_region(std::ostream& out, const LeftOut& r, const WorstRegion& w) {
     const std::string name = escaped(r.name);
     out << "<figure><figcaption>" << swatch(w.cause) << "<b>" << name << "</b> " << cause_row(w.cause).name
-        << ": " << text("%.1f %%", 100 * w.squares / r.causes.all()) << " of the frame's error";
+        << ": " << formatted("%.1f %%", 100 * w.squares / r.causes.all()) << " of the frame's error";
     if (!is_hole(w.cause))
-        out << ", " << text("%.1f %%", 100 * w.squares / r.causes.colored()) << " of that at colored pixels";
+        out << ", " << formatted("%.1f %%", 100 * w.squares / r.causes.colored())
+            << " of that at colored pixels";
     out << "</figcaption><img class=crop loading=lazy alt='" << name << ' ' << cause_row(w.cause).name
         << "' src='" << escaped(region_file(r, w)) << "'></figure>\n";
 }

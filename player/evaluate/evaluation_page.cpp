@@ -1,7 +1,6 @@
 #include "player/evaluate/evaluation_page.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <initializer_list>
 #include <numeric>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "output/page_style.h"
 #include "player/evaluate/cause_page.h"
 #include "scene/replace_file.h"
+#include "values/formatted.h"
 
 namespace vantage {
 namespace {
@@ -32,12 +32,6 @@ img.map { image-rendering: pixelated; }
 .swatch { display: inline-block; width: .8em; height: .8em; margin-right: .4em; }
 )";
 
-std::string number(const char* format, double value) {
-    char out[64];
-    std::snprintf(out, sizeof out, format, value);
-    return out;
-}
-
 std::string remarks(const LeftOut& r) {
     std::string out;
     for (const std::string& s : r.remarks) out += (out.empty() ? "" : "; ") + s;
@@ -53,11 +47,12 @@ void row(std::ostream& out, const LeftOut& r, std::initializer_list<std::string>
 
 void row(std::ostream& out, const LeftOut& r) {
     row(out, r,
-        {number("%.2f", r.score.psnr), number("%.2f", r.score.psnr_gain), number("%.4f", r.score.ssim),
-         number("%.4f", r.score.ssim_gain), number("%.2f", r.frame.psnr_gain),
-         number("%.4f", r.frame.ssim_gain), number("%+.2f", r.over_nearest),
-         number("%.1f %%", 100 * r.colored), number("%+.2f", r.brightness.stops), number("%+.2f", r.shift[0]),
-         number("%+.2f", r.shift[1]), number("%.2f", r.score.sharpness)},
+        {formatted("%.2f", r.score.psnr), formatted("%.2f", r.score.psnr_gain),
+         formatted("%.4f", r.score.ssim), formatted("%.4f", r.score.ssim_gain),
+         formatted("%.2f", r.frame.psnr_gain), formatted("%.4f", r.frame.ssim_gain),
+         formatted("%+.2f", r.over_nearest), formatted("%.1f %%", 100 * r.colored),
+         formatted("%+.2f", r.brightness.stops), formatted("%+.2f", r.shift[0]),
+         formatted("%+.2f", r.shift[1]), formatted("%.2f", r.score.sharpness)},
         "");
 }
 
@@ -73,8 +68,8 @@ void write_remarks(std::ostream& out, const std::vector<LeftOut>& results) {
 
 void figure(std::ostream& out, const LeftOut& r) {
     const std::string name = escaped(r.name);
-    out << "<figure><figcaption><b>" << name << "</b> " << number("%.2f dB", r.score.psnr_gain) << ", SSIM "
-        << number("%.4f", r.score.ssim) << (r.remarks.empty() ? "" : ": ") << remarks(r)
+    out << "<figure><figcaption><b>" << name << "</b> " << formatted("%.2f dB", r.score.psnr_gain)
+        << ", SSIM " << formatted("%.4f", r.score.ssim) << (r.remarks.empty() ? "" : ": ") << remarks(r)
         << "</figcaption><div>";
     for (const char* kind : {"photo", "rendered", "difference", "causes"})
         out << "<img" << (kind == std::string_view("causes") ? " class=map" : "") << " loading=lazy alt='"
@@ -130,9 +125,10 @@ void changes(std::ostream& out, const std::vector<LeftOut>& results) {
     for (const std::size_t i : order) {
         const auto& [before, after, better, worse] = *results[i].change;
         row(out, results[i],
-            {number("%.2f", before.psnr_gain), number("%.2f", after.psnr_gain),
-             number("%+.2f", after.psnr_gain - before.psnr_gain), number("%+.4f", after.ssim - before.ssim),
-             number("%.2f", before.sharpness), number("%.2f", after.sharpness)},
+            {formatted("%.2f", before.psnr_gain), formatted("%.2f", after.psnr_gain),
+             formatted("%+.2f", after.psnr_gain - before.psnr_gain),
+             formatted("%+.4f", after.ssim - before.ssim), formatted("%.2f", before.sharpness),
+             formatted("%.2f", after.sharpness)},
             "");
     }
     out << "</table>\n<div class=rest>\n";

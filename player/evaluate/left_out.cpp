@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "player/evaluate/photo_pixels.h"
 #include "scene/tiling.h"
+#include "values/formatted.h"
 #include "values/grid.h"
 #include "values/quantile.h"
 
@@ -124,13 +124,6 @@ void judge_frame(LeftOutPictures& p, std::span<const std::uint32_t> triangles, L
         p.worst.push_back(region_picture(causes, w, p.photo, p.shown, p.alone));
 }
 
-template <class... Args>
-std::string text(const char* format, Args... args) {
-    char out[200];
-    std::snprintf(out, sizeof out, format, args...);
-    return out;
-}
-
 }  // namespace
 
 double RegionError::rms() const {
@@ -176,18 +169,18 @@ void remark(std::vector<LeftOut>& results) {
             continue;
         }
         const double off = std::hypot(r.shift[0], r.shift[1]);
-        if (off > 1) r.remarks.push_back(text("offset by %.1f px: its camera, or the mesh", off));
+        if (off > 1) r.remarks.push_back(formatted("offset by %.1f px: its camera, or the mesh", off));
         if (const double stops = r.brightness.stops; std::abs(stops) > 0.15 && r.brightness.throughout())
-            r.remarks.push_back(
-                text("%.2f stops %s than the others", std::abs(stops), stops > 0 ? "brighter" : "darker"));
+            r.remarks.push_back(formatted("%.2f stops %s than the others", std::abs(stops),
+                                          stops > 0 ? "brighter" : "darker"));
         if (const double odd = r.causes.colored_share(Cause::odd_photo);
             odd > 0.5 && std::sqrt(r.causes.of(Cause::odd_photo) / (3.0 * double(r.score.pixels))) > odd_rms)
             r.remarks.push_back(
-                text("the others agree on something else in a part of it (%.0f %% of the error): "
-                     "something in front of it, gloss, or other light",
-                     100 * odd));
+                formatted("the others agree on something else in a part of it (%.0f %% of the error): "
+                          "something in front of it, gloss, or other light",
+                          100 * odd));
         if (r.colored < 0.95)
-            r.remarks.push_back(text("the others show %.0f %% of what it sees", 100 * r.colored));
+            r.remarks.push_back(formatted("the others show %.0f %% of what it sees", 100 * r.colored));
         if (r.remarks.empty() && r.score.ssim < middle - 3 * usual)
             r.remarks.emplace_back("differs for another reason: motion, gloss, or a rough mesh");
     }

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <array>
-#include <cstdio>
 #include <iterator>
 
 #include "player/interface/band_section.h"
@@ -20,6 +19,7 @@
 #include "player/interface/story_panel.h"
 #include "player/interface/unit_texts.h"
 #include "points/point_cloud.h"
+#include "values/formatted.h"
 #include "values/translation.h"
 
 namespace vantage {
@@ -103,9 +103,7 @@ void move_page(Controls& c, Session& s, const MenuContent& m, double now) {
     ImGui::TextUnformatted(tr("Turn by"));
     for (const int by : {15, 30, 45, 90}) {
         ImGui::SameLine();
-        char name[16];
-        std::snprintf(name, sizeof name, "%d°##%d", by, by);
-        c.radio(name, &degrees, by);
+        c.radio(formatted("%d°##%d", by, by).c_str(), &degrees, by);
     }
     w.snap_degrees = degrees;
     c.checkbox("Fly with the stick", &w.smooth);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "player/interface/choice.h"
 #include "player/interface/seen_triangle.h"
 #include "player/interface/value_at_pixel.h"
+#include "values/formatted.h"
 #include "values/translation.h"
 
 namespace vantage {
@@ -79,12 +79,10 @@ void legend(const ValueLayer& layer, const LayerSettings& s, std::optional<doubl
     }
     list.PopClipRect();
     ImGui::Dummy(ImVec2(width, histogram_height() + legend_height()));
-    char text[32];
-    std::snprintf(text, sizeof text, "%.5g", range.low);
-    ImGui::TextUnformatted(text);
-    std::snprintf(text, sizeof text, "%.5g", range.high);
-    ImGui::SameLine(width + ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(text).x);
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(formatted("%.5g", range.low).c_str());
+    const std::string text = formatted("%.5g", range.high);
+    ImGui::SameLine(width + ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::TextUnformatted(text.c_str());
 }
 
 void range_sliders(Controls& c, const ValueLayer& layer, LayerSettings& s) {

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "player/interface/choice.h"
 #include "player/survey/picture_plane.h"
 #include "player/survey/survey.h"
+#include "values/formatted.h"
+#include "values/round_up.h"
 #include "values/translation.h"
 
 namespace vantage {
@@ -17,13 +18,7 @@ namespace {
 constexpr double longest_side = 30000;  // a side: about a gigapixel
 
 /// 1, 2 or 5 times a power of ten, such that a side has 2000 to 5000 pixels.
-double fitting_pixel(double longer_side) {
-    const double wanted = std::max(longer_side / 5000, 1e-12),
-                 power = std::pow(10, std::floor(std::log10(wanted)));
-    for (const double digit : {1.0, 2.0, 5.0})
-        if (digit * power >= wanted) return digit * power;
-    return 10 * power;
-}
+double fitting_pixel(double longer_side) { return round_up(std::max(longer_side / 5000, 1e-12)); }
 
 /// The rectangle that the model covers on the plane, in the input's unit.
 Eigen::Vector2d size_on(const std::string& plane, const PackageReader& package) {
@@ -36,10 +31,8 @@ std::string plane_option(OrthophotoRequest::Plane plane, const Navigation& camer
     static const char* const names[] = {"top", "front", "back", "left", "right"};
     if (plane != OrthophotoRequest::Plane::facing) return names[int(plane)];
     const Eigen::Vector3d normal = -camera.R.row(2).transpose(), up = -camera.R.row(1).transpose();
-    char text[256];
-    std::snprintf(text, sizeof text, "0,0,0,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g", normal.x(), normal.y(),
-                  normal.z(), up.x(), up.y(), up.z());
-    return text;
+    return formatted("0,0,0,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g", normal.x(), normal.y(), normal.z(), up.x(),
+                     up.y(), up.z());
 }
 
 void orthophoto_section(Controls& c, Session& s, const PackageReader& package) {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "scene/replace_file.h"
+#include "values/formatted.h"
+#include "values/round_up.h"
 
 namespace vantage {
 namespace {
@@ -12,27 +13,13 @@ namespace {
 constexpr double width = 900, height = 360, left = 64, right = 20, top = 40, bottom = 36;
 constexpr const char* colors[] = {"#1b6ca8", "#d1495b", "#3a7d44", "#8d6a9f"};
 
-/// The smallest of 1, 2, 5 times a power of ten that is at least `value`.
-double round_up(double value) {
-    const double power = std::pow(10, std::floor(std::log10(std::max(value, 1e-9))));
-    for (const double step : {1.0, 2.0, 5.0, 10.0})
-        if (step * power >= value) return step * power;
-    return 10 * power;
-}
-
 std::string text(double x, double y, const char* anchor, const std::string& words,
                  const char* color = "#333") {
-    char out[512];
-    std::snprintf(out, sizeof out, "<text x='%.1f' y='%.1f' text-anchor='%s' fill='%s'>%s</text>\n", x, y,
-                  anchor, color, words.c_str());
-    return out;
+    return formatted("<text x='%.1f' y='%.1f' text-anchor='%s' fill='%s'>%s</text>\n", x, y, anchor, color,
+                     words.c_str());
 }
 
-std::string number(double v) {
-    char out[32];
-    std::snprintf(out, sizeof out, "%.4g", v);
-    return out;
-}
+std::string number(double v) { return formatted("%.4g", v); }
 
 }  // namespace
 
@@ -43,7 +30,7 @@ void write_plot(const std::filesystem::path& file, const std::string& title, con
         for (const double v : c.values) highest = std::max(highest, v);
         longest = std::max(longest, double(c.values.size()));
     }
-    const double scale = round_up(highest);
+    const double scale = round_up(std::max(highest, 1e-9));
     const auto x = [&](double i) { return left + i / (longest - 1) * (width - left - right); };
     const auto y = [&](double v) { return height - bottom - v / scale * (height - top - bottom); };
     std::string svg =

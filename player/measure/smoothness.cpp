@@ -12,6 +12,7 @@
 #include "player/measure/plot.h"
 #include "scene/error.h"
 #include "scene/replace_file.h"
+#include "values/formatted.h"
 #include "values/quantile.h"
 
 namespace vantage {
@@ -105,8 +106,7 @@ void write_summary(const std::filesystem::path& file, const Smoothness& s,
 
 void write_pictures(const std::filesystem::path& folder, const std::vector<ShownStep>& shown) {
     for (const ShownStep& s : shown) {
-        char name[32];
-        std::snprintf(name, sizeof name, "step-%05zu.png", s.frame);
+        const std::string name = formatted("step-%05zu.png", s.frame);
         write_png(folder / name, {3 * s.now.width,
                                   s.now.height,
                                   side_by_side(s.now.rgba, s.then.rgba, std::size_t(s.now.width)),

@@ -17,6 +17,7 @@
 #include "points/point_cloud.h"
 #include "scene/error.h"
 #include "scene/replace_file.h"
+#include "values/formatted.h"
 
 namespace vantage {
 namespace {
@@ -82,14 +83,12 @@ Files output_files(const PackageReader& package, const OrthophotoOptions& o) {
 Orthophoto orthophoto_of(const PicturePlane& plane, const Eigen::AlignedBox2d& extent, double resolution) {
     constexpr double rounding = 1 - 1e-9;
     const Eigen::Vector2d pixels = (extent.sizes() * (rounding / resolution)).array().ceil().max(1);
-    if (!(pixels.maxCoeff() <= PngRows::most_pixels)) {
-        char text[160];
-        std::snprintf(
-            text, sizeof text,
-            "--resolution %g: the picture would have %.6g x %.6g pixels, at most %d a side are possible",
-            resolution, pixels.x(), pixels.y(), PngRows::most_pixels);
-        throw Error(Exit::usage, text);
-    }
+    if (!(pixels.maxCoeff() <= PngRows::most_pixels))
+        throw Error(
+            Exit::usage,
+            formatted(
+                "--resolution %g: the picture would have %.6g x %.6g pixels, at most %d a side are possible",
+                resolution, pixels.x(), pixels.y(), PngRows::most_pixels));
     return {plane, {extent.min().x(), extent.max().y()}, resolution, int(pixels.x()), int(pixels.y())};
 }
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "values/formatted.h"
 
 namespace vantage {
 namespace {
@@ -13,19 +14,11 @@ int decimals_for(double uncertainty) {
     return int(std::clamp(1 - std::floor(std::log10(uncertainty * 1.005)), 0.0, 12.0));
 }
 
-std::string with_decimals(double value, int decimals) {
-    char text[400];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
-}
+std::string with_decimals(double value, int decimals) { return formatted("%.*f", decimals, value); }
 
 }  // namespace
 
-std::string number_text(double value, int digits) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-    return text;
-}
+std::string number_text(double value, int digits) { return formatted("%.*g", digits, value); }
 
 std::string number_text(double value, double uncertainty) {
     return with_decimals(value, decimals_for(uncertainty));

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 #include <vector>
 
 #include "scene/error.h"
+#include "values/formatted.h"
 
 namespace vantage {
 namespace {
@@ -93,10 +93,8 @@ Eigen::AlignedBox2d parse_extent(const std::string& text) {
 
 std::string world_file_text(const Eigen::Vector2d& upper_left, double resolution) {
     const double half = resolution / 2;
-    char text[256];
-    std::snprintf(text, sizeof text, "%.15g\n0\n0\n%.15g\n%.15g\n%.15g\n", resolution, -resolution,
-                  upper_left.x() + half, upper_left.y() - half);
-    return text;
+    return formatted("%.15g\n0\n0\n%.15g\n%.15g\n%.15g\n", resolution, -resolution, upper_left.x() + half,
+                     upper_left.y() - half);
 }
 
 }  // namespace vantage

@@ -1,7 +1,8 @@
 #include "player/survey/section.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "values/formatted.h"
 
 namespace vantage {
 namespace {
@@ -75,12 +76,9 @@ std::string section_dxf(std::span<const SectionLine> lines, const Eigen::Vector3
     for (const SectionLine& line : lines) {
         out += "0\nLINE\n8\nSECTION\n";
         for (int end = 0; end < 2; ++end)
-            for (int axis = 0; axis < 3; ++axis) {
-                char text[64];
-                std::snprintf(text, sizeof text, "%d\n%.12g\n", 10 * (axis + 1) + end,
-                              line[std::size_t(end)][axis] + origin[axis]);
-                out += text;
-            }
+            for (int axis = 0; axis < 3; ++axis)
+                out += formatted("%d\n%.12g\n", 10 * (axis + 1) + end,
+                                 line[std::size_t(end)][axis] + origin[axis]);
     }
     return out + "0\nENDSEC\n0\nEOF\n";
 }

@@ -20,6 +20,7 @@
 #include "player/verify/finite_targets.h"
 #include "player/verify/golden.h"
 #include "scene/error.h"
+#include "values/formatted.h"
 
 namespace vantage {
 namespace {
@@ -46,11 +47,7 @@ fs::path golden_of(const VerifyOptions& o, const std::string& package) {
     return o.packages.size() == 1 ? o.golden : o.golden / fs::path(package).stem();
 }
 
-std::string percent(double share) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g %%", 100 * share);
-    return text;
-}
+std::string percent(double share) { return formatted("%.3g %%", 100 * share); }
 
 std::string words(const GoldenDifference& d, int tolerance) {
     if (!d.problem.empty()) return d.view + ": " + d.problem;

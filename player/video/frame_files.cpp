@@ -1,15 +1,14 @@
 #include "player/video/frame_files.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "values/formatted.h"
 
 namespace vantage {
 namespace {
 
 std::string frame_name(const std::string& name, std::size_t number) {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "-%04zu.png", number);
-    return name + digits;
+    return name + formatted("-%04zu.png", number);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "player/window/numbered_file.h"
 
-#include <cstdio>
 #include <filesystem>
 
 #include "scene/error.h"
@@ -11,9 +10,7 @@ namespace vantage {
 
 std::string free_name(const std::string& stem, const char* extension) {
     for (int n = 1;; ++n) {
-        char number[16];
-        std::snprintf(number, sizeof number, "-%04d", n);
-        const std::string name = stem + number + extension;
+        const std::string name = stem + formatted("-%04d", n) + extension;
         std::error_code unknown;
         if (!std::filesystem::exists(name, unknown)) return name;
     }

@@ -1,6 +1,5 @@
 #include "player/window/orthophoto_writer.h"
 
-#include <cstdio>
 #include <utility>
 
 #include "bands/bands.h"
@@ -28,8 +27,7 @@ void OrthophotoWriter::attend(Session& s, const PackageReader& package, double n
 }
 
 void OrthophotoWriter::start(Session& s, const PackageReader& package, double now) {
-    char pixel[32];
-    std::snprintf(pixel, sizeof pixel, "%.12g", s.orthophoto.pixel);
+    const std::string pixel = formatted("%.12g", s.orthophoto.pixel);
     file_ = free_name(package.path().stem().string() + "-orthophoto",
                       s.orthophoto.file == OrthophotoRequest::File::tiff ? ".tif" : ".png");
     std::vector<std::string> arguments = {"orthophoto",   package.path().string(),
