@@ -17,6 +17,7 @@
 #include "pipeline/surroundings/find_surroundings.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "scene/replace_file.h"
 #include "values/lower_extension.h"
 
 namespace vantage {
@@ -196,7 +197,11 @@ void remember_speed(double expected, double took) {
     const double speed = machine_speed() * std::sqrt(took / expected);
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
-    std::ofstream(file) << speed << '\n';
+    try {
+        replace_file(file, fmt::format("{:g}\n", speed));
+    } catch (const Error&) {
+        // It improves estimates; runs do without.
+    }
 }
 
 }  // namespace vantage
