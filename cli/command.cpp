@@ -250,7 +250,7 @@ Option Command::list(const std::string& names, std::vector<std::string>& values,
 }
 
 Option Command::pair(const std::string& names, std::vector<double>& values, const std::string& help) const {
-    DescribedOption d = described_value("NUMBER,NUMBER", "", help);
+    DescribedOption d = described_value("NUMBER", "", help);
     const Option out = add(names, std::move(d), [&values](const Words& words) {
         values.clear();
         for (const std::string& word : words)

@@ -66,7 +66,6 @@ void add_bench(const Command& program) {
     add_blending_options(c, o->blending);
     add_second_band_options(c, o->blending.bands);
     add_blended_option(c, o->blending);
-    add_show_option(c, o->blending);
     add_surroundings_option(c, o->blending);
     add_transparency_option(c, o->blending);
     add_point_options(c, o->points);

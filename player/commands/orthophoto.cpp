@@ -16,7 +16,6 @@ void add_orthophoto(const Command& program) {
     add_memory_options(c, o->memory);
     add_blending_options(c, o->blending);
     add_holes_option(c, o->blending);
-    add_show_option(c, o->blending);
     add_transparency_option(c, o->blending);
     add_light_options(c, o->light);
     const std::string group = "Orthophoto";

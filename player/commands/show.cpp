@@ -92,7 +92,6 @@ void add_show(const Command& c) {
     add_blending_options(c, o->blending);
     add_blended_option(c, o->blending);
     add_holes_option(c, o->blending);
-    add_show_option(c, o->blending);
     add_surroundings_option(c, o->blending);
     add_transparency_option(c, o->blending);
     add_second_band_options(c, o->blending.bands);

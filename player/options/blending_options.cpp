@@ -51,13 +51,6 @@ void add_holes_option(const Command& c, BlendingOptions& o) {
         .group(blending_group);
 }
 
-void add_show_option(const Command& c, BlendingOptions& o) {
-    c.choice("--show", o.render.show,
-             {{"colors", Show::colors}, {"sources", Show::sources}, {"coverage", Show::coverage}},
-             "colors, or false colors: sources (which photo), coverage (how many photos)")
-        .group(blending_group);
-}
-
 void add_surroundings_option(const Command& c, BlendingOptions& o) {
     c.choice(
          "--surroundings", o.render.surroundings,

@@ -22,7 +22,6 @@ inline constexpr const char* blending_group = "Blending";
 void add_blending_options(const Command& command, BlendingOptions& options);
 void add_blended_option(const Command& command, BlendingOptions& options);
 void add_holes_option(const Command& command, BlendingOptions& options);
-void add_show_option(const Command& command, BlendingOptions& options);
 void add_surroundings_option(const Command& command, BlendingOptions& options);
 void add_transparency_option(const Command& command, BlendingOptions& options);
 

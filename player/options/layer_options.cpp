@@ -14,16 +14,6 @@ void add_layer_options(const Command& c, LayerOptions& o) {
                "them under scalar-layers), photo-count (how many photos see the surface) or photo-density "
                "(pixels per input unit of the finest of them)")
             .group(group);
-    c.choice("--color-map", o.shown.map,
-             {{"auto", ColorMap::automatic},
-              {"viridis", ColorMap::viridis},
-              {"magma", ColorMap::magma},
-              {"cividis", ColorMap::cividis},
-              {"coolwarm", ColorMap::coolwarm}},
-             "colors from the lowest to the highest value: viridis, magma, cividis (also for the "
-             "color-blind), coolwarm (about 0), or auto: coolwarm for values of both signs, else viridis")
-        .group(group)
-        .needs(name);
     c.pair("--layer-range", o.range,
            "values at the ends of the color map, LOW,HIGH; beyond, the end's color (default: lowest and "
            "highest value)")

@@ -22,8 +22,6 @@ void add_light_options(const Command& c, LightOptions& o) {
            "picture, 90 from above; elevation over the picture's plane, 1 to 90 (default 135,15)")
         .group(group)
         .needs(light);
-    c.flag("--wireframe", o.shown.wireframe, "the borders of the mesh's triangles, over the picture")
-        .group(group);
 }
 
 LightSettings light_settings(const LightOptions& o) {
