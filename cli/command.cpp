@@ -29,7 +29,7 @@ struct Command::Node {
 namespace {
 
 /// Larger limits only stand for "no limit".
-constexpr std::size_t longest_limit = 6;
+constexpr std::size_t longest_limit = 7;
 
 [[noreturn]] void refuse(const std::string& expected, const std::string& text) {
     throw Error(Exit::usage, "expected " + expected + ", not '" + text + "'");
