@@ -2,16 +2,18 @@
 
 #include <fstream>
 
+#include "tests/made_scenes.h"
+
 namespace vantage {
 
 void WrittenPackage::SetUp() {
     TemporaryFolder::SetUp();
     ::setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    SynthSpec spec = spec_named("tiny");
     spec.photos.count = 3;
     spec.photos.samples = 1;
     spec.object.triangles = 1500;
-    synthesize(spec, scene, {});
+    copy_scene(spec, scene);
     const fs::path changed = dir / "changed";
     fs::copy(scene, changed, fs::copy_options::recursive);
     fs::copy_file(photos()[0], discover(changed).photos / photos()[2].filename(),

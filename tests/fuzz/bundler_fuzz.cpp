@@ -1,11 +1,12 @@
 // Bundler cameras: list.txt and the .out file, separated by a line of "----".
 #include "pipeline/formats/cameras/cameras.h"
 #include "scene/error.h"
+#include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"
 
 using namespace vantage;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FUZZ_TARGET(bundler)(const std::uint8_t* data, std::size_t size) {
     static const fuzz::MemoryFolder folder;
     const auto [list, cameras] = fuzz::divided(fuzz::text_of(data, size));
     folder.set("list.txt", list);

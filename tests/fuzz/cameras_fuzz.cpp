@@ -1,17 +1,21 @@
-// Cameras in the format CAMERA_FORMAT: one file, or the two files of a folder, divided by a line of "----".
-// If the format has two forms, a leading zero byte selects the first.
+// Cameras of one format: one file, or the two files of a folder, divided by a line of "----". If the format
+// has two forms, a leading zero byte selects the first.
+#include <algorithm>
+#include <set>
+
 #include "pipeline/formats/cameras/cameras.h"
 #include "scene/error.h"
+#include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"
 
 using namespace vantage;
 
 namespace {
 
-std::vector<CameraFormat> forms() {
+std::vector<CameraFormat> forms(std::string_view name) {
     std::vector<CameraFormat> forms;
     for (const CameraFormat& f : camera_formats())
-        if (std::string_view(f.name) == CAMERA_FORMAT) forms.push_back(f);
+        if (f.name == name) forms.push_back(f);
     if (forms.empty()) std::abort();
     return forms;
 }
@@ -30,11 +34,8 @@ std::filesystem::path put(const fuzz::MemoryFolder& folder, const CameraFormat& 
     return folder.path();
 }
 
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int read_cameras_of(const std::vector<CameraFormat>& formats, const std::uint8_t* data, std::size_t size) {
     static const fuzz::MemoryFolder folder;
-    static const std::vector<CameraFormat> formats = forms();
     const bool binary = formats.size() > 1 && size > 0 && data[0] == 0;
     const CameraFormat& format = binary ? formats.front() : formats.back();
     try {
@@ -44,3 +45,27 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     return 0;
 }
+
+}  // namespace
+
+#ifdef FUZZ_CORPUS
+/// A format's corpus has its name, in small letters.
+TEST(Fuzz, cameras) {
+    std::set<std::string> names;
+    for (const CameraFormat& f : camera_formats()) names.insert(f.name);
+    names.erase("Bundler");  // has a target of its own
+    for (const std::string& name : names) {
+        std::string folder = name;
+        std::ranges::transform(folder, folder.begin(),
+                               [](char c) { return c == ' ' ? '_' : char(std::tolower(c)); });
+        fuzz::replay(folder, [formats = forms(name)](auto* data, std::size_t size) {
+            read_cameras_of(formats, data, size);
+        });
+    }
+}
+#else
+FUZZ_TARGET(cameras)(const std::uint8_t* data, std::size_t size) {
+    static const std::vector<CameraFormat> formats = forms(CAMERA_FORMAT);
+    return read_cameras_of(formats, data, size);
+}
+#endif

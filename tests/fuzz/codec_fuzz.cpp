@@ -12,6 +12,7 @@
 #include "codec/depth_values.h"
 #include "codec/jpeg_cells.h"
 #include "codec/jpeg_pixels.h"
+#include "tests/fuzz/fuzz_target.h"
 
 using namespace vantage::codec;
 
@@ -53,7 +54,7 @@ void divide_and_join(std::span<const std::byte> data) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+FUZZ_TARGET(codec)(const std::uint8_t* bytes, std::size_t size) {
     if (size < 3) return 0;
     const int width = 1 + bytes[1] % 64, height = 1 + bytes[2] % 64;
     const std::span<const std::byte> data(reinterpret_cast<const std::byte*>(bytes) + 3, size - 3);

@@ -6,19 +6,20 @@
 #include "pipeline/settings/config_files.h"
 #include "pipeline/synth/spec.h"
 #include "scene/error.h"
+#include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"
 
 using namespace vantage;
 
 namespace {
 
-struct Settings {
+struct ReadSettings {
     Command command{"fuzzed", ""};
     double width = 1;
     int threads = 1;
     bool trim = false;
     std::vector<std::string> names;
-    Settings() {
+    ReadSettings() {
         command.real("--width", width, 1, 4096, "");
         command.integer("--threads", threads, 0, 64, "");
         command.flag("--trim", trim, "");
@@ -28,12 +29,12 @@ struct Settings {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FUZZ_TARGET(config)(const std::uint8_t* data, std::size_t size) {
     static const fuzz::MemoryFolder folder;
     folder.set("a.toml", fuzz::text_of(data, size));
     const std::filesystem::path file = folder.path() / "a.toml";
     try {
-        Settings s;
+        ReadSettings s;
         apply_config(s.command, file.string());
         if (!(s.width >= 1 && s.width <= 4096) || s.threads < 0 || s.threads > 64) std::abort();
     } catch (const Error&) {

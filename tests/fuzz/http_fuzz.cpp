@@ -10,6 +10,7 @@
 #include "remote/origin.h"
 #include "remote/url.h"
 #include "scene/error.h"
+#include "tests/fuzz/fuzz_target.h"
 
 using namespace vantage;
 
@@ -45,7 +46,7 @@ void judge(const Answer& answer, ByteRange asked, const Origin* known) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+FUZZ_TARGET(http)(const std::uint8_t* bytes, std::size_t size) {
     if (size < 2) return 0;
     const std::string_view text(reinterpret_cast<const char*>(bytes) + 2, size - 2);
     const ByteRange asked{std::uint64_t(bytes[0]) << 12, (std::uint64_t(bytes[0]) + bytes[1] + 1) << 12};

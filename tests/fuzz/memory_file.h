@@ -38,7 +38,9 @@ class MemoryFile {
 /// An in-memory folder, for inputs of several files.
 class MemoryFolder {
   public:
-    MemoryFolder() : path_("/dev/shm/vantage-fuzz-" + std::to_string(::getpid())) {
+    MemoryFolder() {
+        static int folders = 0;
+        path_ = "/dev/shm/vantage-fuzz-" + std::to_string(::getpid()) + "-" + std::to_string(folders++);
         std::filesystem::create_directories(path_);
     }
     ~MemoryFolder() { std::filesystem::remove_all(path_); }

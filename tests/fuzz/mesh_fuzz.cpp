@@ -5,11 +5,12 @@
 
 #include "pipeline/formats/import/mesh.h"
 #include "scene/error.h"
+#include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"
 
 using namespace vantage;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FUZZ_TARGET(mesh)(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     static const fuzz::MemoryFolder folder;
     const char* name = data[0] == 'o' || data[0] == 'm' ? "mesh.obj"

@@ -17,6 +17,7 @@
 #include "scene/checksum.h"
 #include "scene/error.h"
 #include "scene/package_shape.h"
+#include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/sound_package.h"
 
@@ -98,7 +99,7 @@ void play(const PackageReader& package) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FUZZ_TARGET(package)(const std::uint8_t* data, std::size_t size) {
     static const fuzz::SoundPackage sound;
     static fuzz::MemoryFile file;
     static std::vector<std::uint8_t> bytes;

@@ -4,12 +4,13 @@
 #include "player/camera/camera_path.h"
 #include "player/camera/shots.h"
 #include "scene/error.h"
+#include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/sound_package.h"
 
 using namespace vantage;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FUZZ_TARGET(path)(const std::uint8_t* data, std::size_t size) {
     static const fuzz::SoundPackage sound;
     static fuzz::MemoryFile file;
     static const PackageReader package = [] {

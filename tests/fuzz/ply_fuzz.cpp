@@ -4,11 +4,12 @@
 
 #include "pipeline/formats/import/mesh.h"
 #include "scene/error.h"
+#include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"
 
 using namespace vantage;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FUZZ_TARGET(ply)(const std::uint8_t* data, std::size_t size) {
     static const fuzz::MemoryFolder folder;
     folder.set("mesh.ply", fuzz::text_of(data, size));
     try {

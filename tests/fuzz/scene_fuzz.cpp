@@ -6,6 +6,7 @@
 
 #include "objects/scene_file.h"
 #include "scene/error.h"
+#include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"
 
 using namespace vantage;
@@ -36,7 +37,7 @@ std::optional<std::vector<SceneObject>> accepted(const std::filesystem::path& fi
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FUZZ_TARGET(scene)(const std::uint8_t* data, std::size_t size) {
     static const fuzz::MemoryFolder folder;
     folder.set("church.toml", fuzz::text_of(data, size));
     const std::filesystem::path file = folder.path() / "church.toml";

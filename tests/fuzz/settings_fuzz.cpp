@@ -3,11 +3,12 @@
 #include <cstdlib>
 
 #include "player/window/remembered.h"
+#include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"
 
 using namespace vantage;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FUZZ_TARGET(settings)(const std::uint8_t* data, std::size_t size) {
     static const fuzz::MemoryFolder folder;
     folder.set("player.json", fuzz::text_of(data, size));
     const Remembered r = read_settings(folder.path(), {});

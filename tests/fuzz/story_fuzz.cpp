@@ -7,6 +7,7 @@
 #include "scene/error.h"
 #include "story/story_file.h"
 #include "story/story_references.h"
+#include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"
 
 using namespace vantage;
@@ -51,7 +52,7 @@ std::optional<ReadStory> accepted(const std::string& text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FUZZ_TARGET(story)(const std::uint8_t* data, std::size_t size) {
     const auto read = accepted(std::string(fuzz::text_of(data, size)));
     if (!read) return 0;
     check_story(read->story);

@@ -5,11 +5,12 @@
 
 #include "player/survey/survey_file.h"
 #include "scene/error.h"
+#include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"
 
 using namespace vantage;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FUZZ_TARGET(survey)(const std::uint8_t* data, std::size_t size) {
     try {
         const Survey survey = survey_from(std::string(fuzz::text_of(data, size)), "fuzz.measurements.json");
         for (const Measurement& m : survey.measurements) {

@@ -14,19 +14,16 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/pixels/undistort.h"
-#include "pipeline/prepare/prepare.h"
-#include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "tests/hard_cases/special_numbers.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Camera good() {
     Camera c;
@@ -103,11 +100,11 @@ TEST(Cameras, NearlyOrthogonalRotationIsOrthonormalized) {
 }
 
 TEST(Cameras, InvalidNumbersAreRejectedNamingTheCamera) {
-    for (const double bad : {0.0, -300.0, nan_value, infinite, -infinite}) {
+    for (const double bad : {0.0, -300.0, not_a_number, infinite, -infinite}) {
         expect_rejected("fx", [&](Camera& c) { c.intrinsics.fx = bad; });
         expect_rejected("fy", [&](Camera& c) { c.intrinsics.fy = bad; });
     }
-    for (const double bad : {nan_value, infinite}) {
+    for (const double bad : {not_a_number, infinite}) {
         expect_rejected("cx", [&](Camera& c) { c.intrinsics.cx = bad; });
         expect_rejected("R", [&](Camera& c) { c.cam_from_world.R(1, 2) = bad; });
         expect_rejected("t", [&](Camera& c) { c.cam_from_world.t.z() = bad; });
@@ -136,7 +133,7 @@ TEST(Cameras, PointsBehindOrAtInfinityAreNotInThePhoto) {
     const Eigen::Vector3d behind = pose.center() - 2 * pose.direction();
     EXPECT_FALSE(project(c.intrinsics, pose, behind));
     EXPECT_FALSE(project(c.intrinsics, pose, pose.center()));
-    EXPECT_FALSE(project(c.intrinsics, pose, {nan_value, 0, 0}));
+    EXPECT_FALSE(project(c.intrinsics, pose, {not_a_number, 0, 0}));
     EXPECT_FALSE(project(c.intrinsics, pose, {infinite, infinite, infinite}));
     const auto edge_on = project(c.intrinsics, Pose(), {1e300, 0, 1e-300});
     EXPECT_FALSE(edge_on) << "not a finite pixel";
@@ -216,10 +213,10 @@ class CameraFiles : public TemporaryFolder {
   protected:
     void SetUp() override {
         TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+        SynthSpec spec = spec_named("tiny");
         spec.photos.count = 3;
         spec.photos.samples = 1;
-        synthesize(spec, dir / "scene", {});
+        copy_scene(spec, dir / "scene");
     }
     /// Replaces the first line of a file that begins with `from`.
     void replace(const char* file, const std::string& from, const std::string& line) {

@@ -13,13 +13,12 @@
 #include "player/plan/cluster_tree.h"
 #include "player/plan/photo_cover.h"
 #include "player/plan/plan.h"
+#include "tests/hard_cases/special_numbers.h"
 
 using namespace vantage;
 using package::ClusterRecord;
 
 namespace {
-
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 Eigen::Vector3d random_unit(std::mt19937& random) {
     std::normal_distribution<double> normal;
@@ -289,7 +288,7 @@ TEST(FrustumHardCases, NanSpheresDoNotHideOthers) {
             if (random() % 8) continue;
             float* const parts[] = {&clusters.back().center[0], &clusters.back().center[2],
                                     &clusters.back().radius};
-            *parts[random() % 3] = float(nan_value);
+            *parts[random() % 3] = float(not_a_number);
         }
         const auto found = clusters_in_view(make_cluster_tree(clusters), clusters, view);
         for (std::uint32_t i = 0; i < clusters.size(); ++i)

@@ -16,7 +16,6 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/stages/vertex_coordinates.h"
-#include "pipeline/synth/synthesize.h"
 #include "pipeline/visibility/frame_triangles.h"
 #include "pipeline/visibility/gl_geometry.h"
 #include "pipeline/visibility/photo_geometry.h"
@@ -24,14 +23,15 @@
 #include "player/plan/cluster_tree.h"
 #include "player/render/picture.h"
 #include "scene/package_reader.h"
+#include "tests/hard_cases/special_numbers.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
 
 namespace {
 
-constexpr double nowhere = std::numeric_limits<double>::infinity();
-const Intrinsics camera{150, 110, 120, 125, 71.3, 57.6};
+const Intrinsics depth_camera{150, 110, 120, 125, 71.3, 57.6};
 
 /// Unconnected triangles.
 struct Soup {
@@ -50,14 +50,14 @@ struct Soup {
     }
 };
 
-/// Distance to a two-sided triangle along `ray`, in lengths of `ray`; `nowhere` if it is missed.
+/// Distance to a two-sided triangle along `ray`, in lengths of `ray`; `infinite` if it is missed.
 double met_at(const Eigen::Vector3d& from, const Eigen::Vector3d& ray,
               const std::array<Eigen::Vector3d, 3>& p) {
     const Eigen::Vector3d a = p[0] - from, b = p[1] - from, c = p[2] - from;
     const double u = ray.dot(b.cross(c)), v = ray.dot(c.cross(a)), w = ray.dot(a.cross(b));
-    if (!((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) || u + v + w == 0) return nowhere;
+    if (!((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) || u + v + w == 0) return infinite;
     const double t = a.dot((p[1] - p[0]).cross(p[2] - p[0])) / (u + v + w);
-    return t > 0 ? t : nowhere;
+    return t > 0 ? t : infinite;
 }
 
 /// Brute-force ray casting against triangles, in the order of `indices`.
@@ -70,7 +70,7 @@ class Rays {
                                   positions[indices[t + 2]].cast<double>()});
     }
     double first(const Eigen::Vector3d& from, const Eigen::Vector3d& ray) const {
-        double nearest = nowhere;
+        double nearest = infinite;
         for (const auto& t : triangles_) nearest = std::min(nearest, met_at(from, ray, t));
         return nearest;
     }
@@ -121,7 +121,7 @@ class Depth : public TemporaryFolder {
         std::size_t wrong = 0;
         for (int y = 0; y < g.height; ++y)
             for (int x = 0; x < g.width; ++x) {
-                double least = nowhere, most = 0;
+                double least = infinite, most = 0;
                 for (const auto& [dx, dy] : {std::pair(0, 0),
                                              {-1, -1},
                                              {1, -1},
@@ -173,8 +173,9 @@ TEST_F(Depth, EveryPixelMatchesItsFirstRayHit) {
             soup.add(a, b, t % 3 ? center + size * random.vector() : along + 1e-4 * size * random.vector());
         }
         const Pose pose{random.rotation(), 0.5 * random.vector()};
-        for (const Seen& s : seen(soup, camera, pose))
-            EXPECT_EQ(count_wrong(s.geometry, soup, camera, pose, 1 / 64.0), 0u) << s.by << " seed " << seed;
+        for (const Seen& s : seen(soup, depth_camera, pose))
+            EXPECT_EQ(count_wrong(s.geometry, soup, depth_camera, pose, 1 / 64.0), 0u)
+                << s.by << " seed " << seed;
     }
 }
 
@@ -187,11 +188,12 @@ TEST_F(Depth, DepthsAreExactOverANearFarRatioOfAMillion) {
             const double z = side * std::pow(10, strip);
             for (const double behind : {1.001, 1.0})
                 soup.add_square(
-                    behind * z * Eigen::Vector3d((10 + 20 * strip - camera.cx) / camera.fx, -1, 1),
-                    behind * z * Eigen::Vector3d(19 / camera.fx, 0, 0),
+                    behind * z *
+                        Eigen::Vector3d((10 + 20 * strip - depth_camera.cx) / depth_camera.fx, -1, 1),
+                    behind * z * Eigen::Vector3d(19 / depth_camera.fx, 0, 0),
                     behind * z * Eigen::Vector3d(0, 2, 0));
         }
-    for (const Seen& s : seen(soup, camera, Pose{}))
+    for (const Seen& s : seen(soup, depth_camera, Pose{}))
         for (int y = 0; y < s.geometry.height; ++y)
             for (int strip = 0; strip < 7; ++strip) {
                 const auto x = std::size_t(5 + 10 * strip + 4);
@@ -217,16 +219,16 @@ TEST_F(Depth, ClosedModelHasNoHolesFromInside) {
         const Eigen::Vector3d eye(3.9, random(-3.9, 3.9), 3.98);
         Pose pose{random.rotation(), {}};
         pose.t = -pose.R * eye;
-        for (const Seen& s : seen(soup, camera, pose)) {
+        for (const Seen& s : seen(soup, depth_camera, pose)) {
             // OpenGL has only 24-bit positions, some of which the offset to the near side uses up.
-            EXPECT_LE(count_wrong(s.geometry, soup, camera, pose, 1 / 64.0), s.by[0] == 'O' ? 4u : 0u)
+            EXPECT_LE(count_wrong(s.geometry, soup, depth_camera, pose, 1 / 64.0), s.by[0] == 'O' ? 4u : 0u)
                 << s.by << " turn " << turn;
             EXPECT_TRUE(std::ranges::all_of(s.geometry.z, [](float z) { return std::isfinite(z); })) << s.by;
         }
-        const auto found = coordinates(soup, camera, pose);
+        const auto found = coordinates(soup, depth_camera, pose);
         for (std::size_t v = 0; v < found.size(); ++v) {
-            const auto at = project(camera, pose, soup.positions[v].cast<double>());
-            EXPECT_EQ(found[v].x() >= 0, at && in_frame(camera, at->pixel))
+            const auto at = project(depth_camera, pose, soup.positions[v].cast<double>());
+            EXPECT_EQ(found[v].x() >= 0, at && in_frame(depth_camera, at->pixel))
                 << "turn " << turn << " vertex " << v;
         }
     }
@@ -235,16 +237,16 @@ TEST_F(Depth, ClosedModelHasNoHolesFromInside) {
 TEST_F(Depth, HugeFloorKeepsItsDepth) {
     Soup soup;
     soup.add({-1e6, 1, -3}, {2e6, 1, -7}, {-3e5, 1, 10});
-    for (const Seen& s : seen(soup, camera, Pose{}))
-        EXPECT_EQ(count_wrong(s.geometry, soup, camera, Pose{}, 1 / 64.0), 0u) << s.by;
+    for (const Seen& s : seen(soup, depth_camera, Pose{}))
+        EXPECT_EQ(count_wrong(s.geometry, soup, depth_camera, Pose{}, 1 / 64.0), 0u) << s.by;
 }
 
 TEST_F(Depth, NoTriangleOccludesItsOwnVertices) {
     Random random(8);
-    Intrinsics tele = camera;  // a pixel's footprint is smaller than a float's last digit
+    Intrinsics tele = depth_camera;  // a pixel's footprint is smaller than a float's last digit
     tele.fx = tele.fy = 1e8;
     for (int trial = 0; trial < 20000; ++trial) {
-        const Intrinsics& k = trial % 2 ? tele : camera;
+        const Intrinsics& k = trial % 2 ? tele : depth_camera;
         // Slivers of the smallest areas that are rasterized, with corners at different depths.
         const double reach = trial % 4 < 2 ? 100 : 3;
         const Eigen::Vector2d a(random(5, 145), random(5, 105)),
@@ -271,10 +273,10 @@ TEST_F(Depth, GeometryBehindTheCameraIsNotSeen) {
     soup.add({-1, -1, 0}, {1, -1, 0}, {0, 1, 0});  // in its plane, around the camera
     soup.add({0, 0, 0}, {1, 0, -1}, {0, 1, -1});   // from its center backwards
     EXPECT_EQ(depth_range(soup.positions, Pose{}), Eigen::Vector2d(0, 0));
-    for (const Seen& s : seen(soup, camera, Pose{}))
+    for (const Seen& s : seen(soup, depth_camera, Pose{}))
         for (const float z : s.geometry.z) ASSERT_TRUE(std::isinf(z) && z > 0) << s.by;
-    for (const auto& uv : coordinates(soup, camera, Pose{})) EXPECT_EQ(uv, Eigen::Vector2f(-1, -1));
-    const PhotoProjection nothing = project_model(soup.positions, map_intrinsics(camera), Pose{}, 0);
+    for (const auto& uv : coordinates(soup, depth_camera, Pose{})) EXPECT_EQ(uv, Eigen::Vector2f(-1, -1));
+    const PhotoProjection nothing = project_model(soup.positions, map_intrinsics(depth_camera), Pose{}, 0);
     for (std::size_t i = 0; i < soup.indices.size(); i += 3)
         EXPECT_EQ(clipped(nothing, &soup.indices[i]).count, 0) << "nothing is left of pieces infinitely near";
 }
@@ -395,16 +397,16 @@ TEST_F(Depth, VertexVisibilityMatchesRayCastingAtAllDistances) {
                      t % 4 ? corner(c)
                            : Eigen::Vector3d(a + random(0, 1) * (b - a) + 1e-3 * size * z * random.vector()));
         }
-        const auto found = coordinates(soup, camera, Pose{});
+        const auto found = coordinates(soup, depth_camera, Pose{});
         const Rays rays(soup.positions, soup.indices);
         for (std::size_t v = 0; v < soup.positions.size(); ++v) {
             const Eigen::Vector3d p = soup.positions[v].cast<double>();
-            const auto at = project(camera, Pose{}, p);
-            if (!at || !in_frame(camera, at->pixel)) {
+            const auto at = project(depth_camera, Pose{}, p);
+            if (!at || !in_frame(depth_camera, at->pixel)) {
                 EXPECT_EQ(found[v], Eigen::Vector2f(-1, -1)) << "seed " << seed << " vertex " << v;
                 continue;
             }
-            const bool free = rays.first(Eigen::Vector3d::Zero(), p) > 1 - 0.3 / camera.fy;
+            const bool free = rays.first(Eigen::Vector3d::Zero(), p) > 1 - 0.3 / depth_camera.fy;
             ++(free ? visible : hidden);
             differ += free != (found[v].x() >= 0);
         }
@@ -426,16 +428,16 @@ TEST_F(Depth, FrustumCullingKeepsEveryHitTriangle) {
         const Pose pose{random.rotation(), 3 * random.vector()};
         const auto clusters = make_clusters(soup.positions, soup.indices, 1 + seed * 7 % 50);
         std::vector<bool> kept(soup.indices.size() / 3, false), drawn = kept;
-        for (const auto& source : triangles_in_frame(clusters, soup.indices, camera, pose).sources)
+        for (const auto& source : triangles_in_frame(clusters, soup.indices, depth_camera, pose).sources)
             kept[source.triangle] = true;
-        const View view{camera, pose};
+        const View view{depth_camera, pose};
         for (const std::uint32_t c : clusters_in_view(make_cluster_tree(clusters), clusters, view))
             for (std::uint32_t t = 0; t < clusters[c].triangles; ++t)
                 drawn[clusters[c].first_triangle + t] = true;
         const Rays rays(soup.positions, soup.indices);
         for (int i = 0; i < 300; ++i) {
             const Eigen::Vector3d ray =
-                ray_of(camera, pose, random(0, camera.width), random(0, camera.height));
+                ray_of(depth_camera, pose, random(0, depth_camera.width), random(0, depth_camera.height));
             for (std::size_t t = 0; t < kept.size(); ++t)
                 ASSERT_TRUE(!std::isfinite(rays.at(t, pose.center(), ray)) || (kept[t] && drawn[t]))
                     << "seed " << seed << " triangle " << t;
@@ -444,10 +446,10 @@ TEST_F(Depth, FrustumCullingKeepsEveryHitTriangle) {
 }
 
 TEST_F(Depth, PlayerShowsTheNearestSurfaceOverANearFarRatioOfAMillion) {
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    SynthSpec spec = spec_named("tiny");
     spec.photos.count = 2;
     spec.photos.samples = 1;
-    synthesize(spec, dir / "scene", {});
+    copy_scene(spec, dir / "scene");
     SceneInput scene = read_scene(discover(dir / "scene"));
     const Intrinsics k = scene.photos[0].camera.intrinsics;
     scene.mesh = {};

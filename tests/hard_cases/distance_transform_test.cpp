@@ -11,12 +11,12 @@
 #include "pipeline/stages/borders.h"
 #include "pipeline/visibility/border_distance.h"
 #include "pipeline/visibility/near_distance.h"
+#include "tests/hard_cases/special_numbers.h"
 
 using namespace vantage;
 
 namespace {
 
-constexpr float nowhere = std::numeric_limits<float>::infinity();
 
 struct Size {
     int width, height;
@@ -62,7 +62,7 @@ TEST_F(DistanceTransform, NoBorderIsInfiniteAndAllBorderIsZero) {
         for (const bool only : {false, true})
             for (const Result& r : all(std::vector<std::uint8_t>(s.pixels(), only), s))
                 for (const float d : r.distance)
-                    ASSERT_EQ(d, only ? 0 : nowhere) << r.method << ' ' << s.width << 'x' << s.height;
+                    ASSERT_EQ(d, only ? 0 : float(infinite)) << r.method << ' ' << s.width << 'x' << s.height;
 }
 
 TEST_F(DistanceTransform, SingleSeedInACornerMatchesTheClosedForm) {

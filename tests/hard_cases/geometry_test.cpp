@@ -25,21 +25,19 @@
 #include "pipeline/run/progress.h"
 #include "pipeline/stages/seen_hull.h"
 #include "pipeline/stages/surface_samples.h"
-#include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
 #include "player/verify/finite_targets.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
+#include "tests/hard_cases/special_numbers.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
 using package::Type;
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity(),
-                 nan_value = std::numeric_limits<double>::quiet_NaN();
 
 class Geometry : public TemporaryFolder {
   protected:
@@ -48,14 +46,14 @@ class Geometry : public TemporaryFolder {
 
     void SetUp() override {
         TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+        SynthSpec spec = spec_named("tiny");
         spec.photos.count = 2;
         spec.photos.arc = 25;
         spec.photos.samples = 1;
         spec.photos.width = 200;
         spec.photos.height = 150;
         spec.object.triangles = 1500;
-        synthesize(spec, dir / "scene", {});
+        copy_scene(spec, dir / "scene");
         scene = read_scene(discover(dir / "scene"));
     }
 
@@ -220,7 +218,7 @@ TEST_F(Geometry, UnusedVerticesChangeNothing) {
     const Result sound = shown(scene.mesh);
     Mesh mesh = scene.mesh;
     for (const double far : {1e3, -1e6, 1e12, 1e200}) add(mesh, {far, -far, far});
-    add(mesh, {nan_value, 0, 0});
+    add(mesh, {not_a_number, 0, 0});
     add(mesh, {infinite, -infinite, 0});
     expect_same(sound.pictures, shown(mesh).pictures);
 }
@@ -228,7 +226,7 @@ TEST_F(Geometry, UnusedVerticesChangeNothing) {
 TEST_F(Geometry, TrianglesWithNonFiniteVerticesAreDropped) {
     const Result sound = shown(scene.mesh);
     Mesh mesh = scene.mesh;
-    for (const double bad : {nan_value, infinite, -infinite, 1e300, -1e30})
+    for (const double bad : {not_a_number, infinite, -infinite, 1e300, -1e30})
         for (int axis = 0; axis < 3; ++axis) {
             Eigen::Vector3d p = mesh.positions[0];
             p[axis] = bad;

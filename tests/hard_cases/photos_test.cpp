@@ -19,11 +19,11 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/results/check.h"
 #include "pipeline/run/progress.h"
-#include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 #include "scene/halve.h"
 #include "tests/icc_profile.h"
 #include "tests/image_file.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -188,13 +188,13 @@ TEST_F(HardPhotos, SinglePixelsRowsAndColumnsHaveAPyramid) {
 
 // 100,000 pixels wide: beyond the limits of JPEG and of textures, but not of tiles.
 TEST_F(HardPhotos, PreparesPhotosWiderThanAnyTexture) {
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    SynthSpec spec = spec_named("tiny");
     spec.photos.count = 1;
     spec.photos.samples = 1;
     const int width = 100000, height = 3;
     spec.photos.width = 1000;  // replaced below by a wider one
     spec.photos.height = 3;
-    synthesize(spec, dir / "scene", {});
+    copy_scene(spec, dir / "scene");
     fs::remove_all(dir / "scene" / "images");
     fs::create_directories(dir / "scene" / "images");
     std::vector<std::uint8_t> pixels(std::size_t(width) * height * 3);
@@ -224,10 +224,10 @@ TEST_F(HardPhotos, PreparesPhotosWiderThanAnyTexture) {
 }
 
 TEST_F(HardPhotos, AspectRatioMismatchIsLeftOutAndListed) {
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    SynthSpec spec = spec_named("tiny");
     spec.photos.count = 3;
     spec.photos.samples = 1;
-    synthesize(spec, dir / "scene", {});
+    copy_scene(spec, dir / "scene");
     const fs::path second = dir / "scene" / "images" / "0001.jpg";
     fs::remove(second);
     write("scene/images/0001.jpg", 50, 70, 3, noise(50, 70, 3));

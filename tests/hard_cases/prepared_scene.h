@@ -2,16 +2,12 @@
 #include <memory>
 #include <numeric>
 
-#include "../temporary_folder.h"
 #include "gl/context.h"
-#include "pipeline/input/discover.h"
-#include "pipeline/input/read_scene.h"
-#include "pipeline/prepare/prepare.h"
-#include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
 #include "scene/package_reader.h"
+#include "tests/made_scenes.h"
+#include "tests/temporary_folder.h"
 
 namespace vantage {
 
@@ -26,9 +22,9 @@ class PreparedScene : public TemporaryFolder {
 
     void SetUp() override {
         TemporaryFolder::SetUp();
-        synthesize(spec(), dir / "scene", {});
+        copy_scene(spec(), dir / "scene");
         change(dir / "scene");
-        prepare(read_scene(discover(dir / "scene")), settings(), file, [](const Progress&) {});
+        copy_package(dir / "scene", settings(), file);
         package = std::make_unique<PackageReader>(file);
         context = std::make_unique<gl::HeadlessContext>(gl::Debug::on);
         renderer = std::make_unique<Renderer>(*package, MemoryBudget{});
@@ -41,7 +37,7 @@ class PreparedScene : public TemporaryFolder {
         package.reset();
         TemporaryFolder::TearDown();
     }
-    virtual SynthSpec spec() const { return read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"); }
+    virtual SynthSpec spec() const { return spec_named("tiny"); }
     virtual PrepareSettings settings() const { return {}; }
     /// Hook to change the scene's files before they are prepared.
     virtual void change(const std::filesystem::path&) const {}

@@ -17,10 +17,10 @@
 #include "pipeline/results/check.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -99,11 +99,11 @@ class ScaleAndPlace : public TemporaryFolder {
 
     void SetUp() override {
         TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+        SynthSpec spec = spec_named("tiny");
         spec.photos.count = 3;
         spec.photos.arc = 50;
         spec.photos.samples = 2;
-        synthesize(spec, dir / "scene", {});
+        copy_scene(spec, dir / "scene");
         scene = read_scene(discover(dir / "scene"));
         subdivide_large_triangles(
             scene.mesh, main_box(scene.mesh));  // so that preparing adds no vertices, and their numbers stay

@@ -10,6 +10,7 @@
 #include "pipeline/input/read_scene.h"
 #include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -98,9 +99,9 @@ TEST_F(BandGroupsTest, WhatIsWrongWithAFileIsOneLine) {
 }
 
 TEST_F(BandGroupsTest, EachBandMayHaveItsOwnCameraFile) {
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/bands.toml");
+    SynthSpec spec = spec_named("bands");
     spec.photos.samples = 1;
-    synthesize(spec, dir / "scene", {});
+    copy_scene(spec, dir / "scene");
     const SceneInput whole = read_scene(discover(dir / "scene"));
     fs::remove_all(dir / "scene" / "sparse");
     fs::remove_all(dir / "scene" / "truth");

@@ -23,10 +23,10 @@
 #include "pipeline/prepare/refine.h"
 #include "pipeline/results/check.h"
 #include "pipeline/run/progress.h"
-#include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
 #include "scene/error.h"
 #include "tests/fuzz/sound_package.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 #include "values/srgb.h"
 
@@ -38,7 +38,7 @@ namespace {
 constexpr std::uint32_t visible = 0, infrared = 1;
 
 SynthSpec small_scene() {
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/bands.toml");
+    SynthSpec spec = spec_named("bands");
     spec.photos.samples = 1;
     spec.infrared.stops = 0;
     return spec;
@@ -47,14 +47,17 @@ SynthSpec small_scene() {
 class Bands : public TemporaryFolder {
   protected:
     void make(const SynthSpec& spec, const std::string& name = "scene") const {
-        synthesize(spec, dir / name, {});
+        copy_scene(spec, dir / name);
     }
     PackageReader prepared(const std::string& scene = "scene", const PrepareSettings& settings = {},
                            const std::string& how = "auto") const {
         InputFiles given;
         given.bands = how;
-        prepare(read_scene(discover(dir / scene, given)), settings, dir / (scene + ".vantage"),
-                [](const Progress&) {});
+        if (how == "auto")
+            copy_package(dir / scene, settings, dir / (scene + ".vantage"));
+        else
+            prepare(read_scene(discover(dir / scene, given)), settings, dir / (scene + ".vantage"),
+                    [](const Progress&) {});
         return PackageReader(dir / (scene + ".vantage"));
     }
     /// Every pixel of a band's photos, at random.
@@ -461,8 +464,9 @@ TEST_F(Bands, ProgramsKnowThem) {
     EXPECT_EQ(own, shoot("--photo infrared_0001 --band visible --second-band infrared=1"));
     EXPECT_EQ(shoot("--photo infrared_0001 --band uv"),
               "vantage-player: " + file + ": has no band 'uv', expected one of visible, infrared\n");
-    EXPECT_EQ(shoot("--photo infrared_0001 --second-band infrared=2"),
-              "vantage-player: --second-band infrared=2: expected NAME or NAME=SHARE with a share from 0 to 1\n");
+    EXPECT_EQ(
+        shoot("--photo infrared_0001 --second-band infrared=2"),
+        "vantage-player: --second-band infrared=2: expected NAME or NAME=SHARE with a share from 0 to 1\n");
     EXPECT_EQ(shoot("--photo infrared_0001 --second-band visible --band-view side-by-side"),
               "vantage-player: band 'visible' is shown already, expected another one\n");
     EXPECT_NE(run(player + file + " --list").says.find("infrared_0001.jpg  infrared  260x200"),

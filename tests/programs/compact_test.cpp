@@ -21,6 +21,7 @@
 #include "scene/part_file.h"
 #include "scene/stored_tile.h"
 #include "tests/datasets.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -46,10 +47,9 @@ class CompactPackages : public TemporaryFolder {
             if (from_all_photos(row)) s.effects[row.effect] = EffectChoice::off;
         return s;
     }
-    static void make(const std::filesystem::path& scan, const PrepareSettings& s,
-                     const std::filesystem::path& out, const PrepareRun& run = {}) {
-        prepare(
-            read_scene(discover(scan)), s, out, [](const Progress&) {}, run);
+    static void make_anew(const std::filesystem::path& scan, const PrepareSettings& s,
+                          const std::filesystem::path& out) {
+        prepare(read_scene(discover(scan)), s, out, [](const Progress&) {});
     }
     static std::vector<std::byte> level(const PackageReader& p, Type type, std::uint32_t photo, int l) {
         return read_level(p, p.photos()[photo], photo, type, l);
@@ -72,8 +72,8 @@ double psnr(const std::vector<std::byte>& a, const std::vector<std::byte>& b) {
 
 TEST_F(CompactPackages, ShowThePhotosOwnPixelsAndTheSameMasks) {
     VANTAGE_DATASET(scan, "sceaux-small");
-    make(scan, settings(EffectChoice::off), dir / "raw.vantage");
-    make(scan, settings(EffectChoice::on), dir / "compact.vantage");
+    copy_package(scan, settings(EffectChoice::off), dir / "raw.vantage");
+    copy_package(scan, settings(EffectChoice::on), dir / "compact.vantage");
     expect_sound_package(dir / "compact.vantage");
     const PackageReader raw(dir / "raw.vantage"), compact(dir / "compact.vantage");
     EXPECT_LT(compact.size(), raw.size() / 6);
@@ -101,11 +101,11 @@ TEST_F(CompactPackages, ShowThePhotosOwnPixelsAndTheSameMasks) {
 TEST_F(CompactPackages, AreTheDefaultUnlessPhotosTakeMoreThanRawTiles) {
     VANTAGE_DATASET(scan, "sceaux-small");
     PrepareSettings automatic = settings(EffectChoice::automatic);
-    make(scan, automatic, dir / "default.vantage");
+    copy_package(scan, automatic, dir / "default.vantage");
     EXPECT_TRUE(effect_on(PackageReader(dir / "default.vantage").scene(), Effect::compact));
     PrepareSettings reduced = automatic;
     reduced.photo_size = 640;
-    make(scan, reduced, dir / "reduced.vantage");
+    copy_package(scan, reduced, dir / "reduced.vantage");
     EXPECT_TRUE(effect_on(PackageReader(dir / "reduced.vantage").scene(), Effect::compact));
     std::filesystem::copy(scan, dir / "large", std::filesystem::copy_options::recursive);
     for (const auto& entry : std::filesystem::recursive_directory_iterator(dir / "large"))
@@ -113,13 +113,13 @@ TEST_F(CompactPackages, AreTheDefaultUnlessPhotosTakeMoreThanRawTiles) {
             std::filesystem::permissions(entry.path(), std::filesystem::perms::owner_all);
             std::filesystem::resize_file(entry.path(), 50'000'000);  // zeros after the picture
         }
-    make(dir / "large", automatic, dir / "large.vantage");
+    make_anew(dir / "large", automatic, dir / "large.vantage");
     EXPECT_FALSE(effect_on(PackageReader(dir / "large.vantage").scene(), Effect::compact));
 }
 
 TEST_F(CompactPackages, GeometryIsTheSameAfterItsMemoryWasGivenBack) {
     VANTAGE_DATASET(scan, "sceaux-small");
-    make(scan, settings(EffectChoice::on), dir / "compact.vantage");
+    copy_package(scan, settings(EffectChoice::on), dir / "compact.vantage");
     const PackageReader package(dir / "compact.vantage");
     ASSERT_EQ(package.find(Type::positions)->form, package::Form::zstd);
     const auto positions = package.records<Eigen::Vector3f>(Type::positions);
@@ -130,9 +130,9 @@ TEST_F(CompactPackages, GeometryIsTheSameAfterItsMemoryWasGivenBack) {
 
 TEST_F(CompactPackages, AreTheSameBytesOnAnyNumberOfThreadsAndAfterAnInterruption) {
     VANTAGE_DATASET(scan, "sceaux-small");
-    make(scan, settings(EffectChoice::on, 1), dir / "one.vantage");
+    make_anew(scan, settings(EffectChoice::on, 1), dir / "one.vantage");
     const Bytes expected = content(dir / "one.vantage");
-    make(scan, settings(EffectChoice::on, 3), dir / "three.vantage");
+    make_anew(scan, settings(EffectChoice::on, 3), dir / "three.vantage");
     EXPECT_TRUE(content(dir / "three.vantage") == expected);
 
     std::atomic<bool> stop = false;
@@ -145,7 +145,7 @@ TEST_F(CompactPackages, AreTheSameBytesOnAnyNumberOfThreadsAndAfterAnInterruptio
         prepare(read_scene(discover(scan)), settings(EffectChoice::on), dir / "late.vantage", stopping, run),
         Error);
     EXPECT_TRUE(std::filesystem::exists(part_of(dir / "late.vantage")));
-    make(scan, settings(EffectChoice::on), dir / "late.vantage");
+    make_anew(scan, settings(EffectChoice::on), dir / "late.vantage");
     EXPECT_TRUE(content(dir / "late.vantage") == expected);
     EXPECT_FALSE(std::filesystem::exists(part_of(dir / "late.vantage")));
     EXPECT_FALSE(std::filesystem::exists(packing_of(dir / "late.vantage")));
@@ -153,7 +153,7 @@ TEST_F(CompactPackages, AreTheSameBytesOnAnyNumberOfThreadsAndAfterAnInterruptio
 
 TEST_F(CompactPackages, AreRepackedFromRawAndBack) {
     VANTAGE_DATASET(scan, "sceaux-small");
-    make(scan, settings(EffectChoice::on), dir / "compact.vantage");
+    copy_package(scan, settings(EffectChoice::on), dir / "compact.vantage");
     repack(dir / "compact.vantage", false, dir / "raw.vantage");
     repack(dir / "raw.vantage", true, dir / "again.vantage");
     for (const char* file : {"raw.vantage", "again.vantage"}) expect_sound_package(dir / file);
@@ -170,7 +170,7 @@ TEST_F(CompactPackages, AreRepackedFromRawAndBack) {
 
 TEST_F(CompactPackages, GiveThePhotosBackAsJpeg) {
     VANTAGE_DATASET(scan, "sceaux-small");
-    make(scan, settings(EffectChoice::on), dir / "compact.vantage");
+    copy_package(scan, settings(EffectChoice::on), dir / "compact.vantage");
     for (int twice = 0; twice < 2; ++twice) extract(dir / "compact.vantage", dir / "files", {}, false);
     const PackageReader package(dir / "compact.vantage");
     std::size_t compared = 0;
@@ -195,7 +195,7 @@ TEST_F(CompactPackages, GiveThePhotosBackAsJpeg) {
 
 TEST_F(CompactPackages, AreReadByAProgramThatKnowsOnlyTheTextOfTheFormat) {
     VANTAGE_DATASET(scan, "sceaux-small");
-    make(scan, settings(EffectChoice::on), dir / "compact.vantage");
+    copy_package(scan, settings(EffectChoice::on), dir / "compact.vantage");
     repack(dir / "compact.vantage", false, dir / "raw.vantage");
     const auto read = [&](const char* compact, const char* raw) {
         return std::system(
@@ -207,7 +207,7 @@ TEST_F(CompactPackages, AreReadByAProgramThatKnowsOnlyTheTextOfTheFormat) {
 
 TEST_F(CompactPackages, ADamagedCellCostsTheTilesThatShowIt) {
     VANTAGE_DATASET(scan, "sceaux-small");
-    make(scan, settings(EffectChoice::on), dir / "compact.vantage");
+    copy_package(scan, settings(EffectChoice::on), dir / "compact.vantage");
     std::uint64_t at = 0;
     {
         const PackageReader p(dir / "compact.vantage");

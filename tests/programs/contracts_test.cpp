@@ -10,6 +10,7 @@
 #include "pipeline/formats/images/photos.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "tests/made_scenes.h"
 #include "tests/one_line.h"
 #include "tests/programs/overnight.h"
 
@@ -161,7 +162,7 @@ TEST_F(Contracts, LinksAreFollowed) {
 }
 
 TEST_F(Contracts, OtherCommandsReplaceOnlyTheirOwnFiles) {
-    ASSERT_EQ(prepare_program().code, 0);
+    copy_package(scene, {}, file);
     const fs::path text = dir / "notes.txt", files = dir / "files", share = dir / "1.share",
                    page = dir / "page";
     write(text, "mine");
@@ -241,11 +242,11 @@ TEST_F(Contracts, PlayerReplacesPicturesButNoInputs) {
 TEST_F(Contracts, RepairedPhotosAreTakenUpAgain) {
     const fs::path photo = images / "0002.jpg";
     const std::string sound = slurp(photo), bytes = undisturbed();
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    SynthSpec spec = spec_named("tiny");
     spec.photos.count = 1;
     spec.photos.width = 120;
     spec.photos.height = 110;
-    synthesize(spec, dir / "other", {});
+    copy_scene(spec, dir / "other");
     const std::string broken[] = {"", sound.substr(0, 100), sound.substr(0, sound.size() / 2),
                                   slurp(dir / "other" / "images" / "0000.jpg")};
     for (const std::string& bad : broken) {
@@ -282,7 +283,7 @@ TEST_F(Contracts, DamagedPackagesAreFoundByAllThatReadThem) {
     settings.vertex_coordinates = true;
     const std::string bytes = undisturbed(settings);
     const auto prepare_again = [&] { return prepare_program("--vertex-coordinates"); };
-    ASSERT_EQ(prepare_again().code, 0);
+    copy_package(scene, settings, file);
     const fs::path sound = dir / "sound.vantage", files = dir / "files";
     fs::copy_file(file, sound);
     for (const package::Type type : {package::Type::tiles, package::Type::masks, package::Type::thumbnail,

@@ -6,8 +6,8 @@
 #include <regex>
 
 #include "pipeline/formats/images/image_files.h"
-#include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -21,9 +21,8 @@ class Diff : public TemporaryFolder {
 
     void SetUp() override {
         TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
-        spec.photos.samples = 1;
-        synthesize(spec, dir / "scan", {});
+        SynthSpec spec = tiny_spec();
+        copy_scene(spec, dir / "scan");
         prepare("a");
     }
     void prepare(const std::string& name, const std::string& options = "") const {

@@ -18,11 +18,11 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesize.h"
 #include "player/evaluate/colors_without.h"
 #include "player/evaluate/left_out.h"
 #include "player/evaluate/photo_pixels.h"
 #include "scene/error.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 #include "values/srgb.h"
 
@@ -37,7 +37,7 @@ class Evaluate : public TemporaryFolder {
     SceneInput scene;
     /// Five photos close together.
     static SynthSpec close_photos() {
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+        SynthSpec spec = spec_named("tiny");
         spec.photos.width = 800;
         spec.photos.height = 600;
         spec.photos.arc = 40;
@@ -47,7 +47,7 @@ class Evaluate : public TemporaryFolder {
         TemporaryFolder::SetUp();
         SynthSpec spec = close_photos();
         spec.photos.samples = 2;
-        synthesize(spec, dir / "scene", {});
+        copy_scene(spec, dir / "scene");
         scene = read_scene(discover(dir / "scene"));
         for (PhotoInput& photo : scene.photos) photo.read.clear();  // tests repaint photos on purpose
     }
@@ -129,8 +129,7 @@ TEST_F(Evaluate, ComparesWithThePhotoItselfWhateverTheFormOfTiles) {
     const auto truth = [&](EffectChoice compact, int level) {
         PrepareSettings settings;
         settings.effects[Effect::compact] = compact;
-        prepare(scene, settings, file, [](const Progress&) {});
-        return photo_at_level(PackageReader(file), 1, level).rgba;
+        return photo_at_level(PackageReader(made_package(dir / "scene", settings)), 1, level).rgba;
     };
     for (const int level : {0, 2})
         EXPECT_TRUE(truth(EffectChoice::on, level) == truth(EffectChoice::off, level)) << level;
@@ -245,7 +244,7 @@ TEST_F(Evaluate, HolesAreWhereTheMeshEndsOrNoOtherPhotoLooks) {
 }
 
 TEST_F(Evaluate, WholeFrameIsThatOfTheWindow) {
-    prepare(scene, {}, file, [](const Progress&) {});
+    copy_package(dir / "scene", {}, file);
     const PackageReader package(file);
     const gl::HeadlessContext context(gl::Debug::on);
     Renderer renderer(package, {});
@@ -270,7 +269,7 @@ TEST_F(Evaluate, WholeFrameIsThatOfTheWindow) {
 }
 
 TEST_F(Evaluate, WritesTablePagePicturesAndRegions) {
-    prepare(scene, {}, file, [](const Progress&) {});
+    copy_package(dir / "scene", {}, file);
     const PackageReader package(file);
     EvaluateOptions options;
     options.folder = dir / "evaluation";
@@ -308,7 +307,7 @@ TEST_F(Evaluate, WritesTablePagePicturesAndRegions) {
 }
 
 TEST_F(Evaluate, ComparesWithAnEarlierEvaluation) {
-    prepare(scene, {}, file, [](const Progress&) {});
+    copy_package(dir / "scene", {}, file);
     const PackageReader package(file);
     EvaluateOptions options;
     options.folder = dir / "before";
@@ -416,12 +415,12 @@ TEST_F(Evaluate, CamerasAreRegisteredWithoutTheLeftOutPhoto) {
 TEST_F(Evaluate, JudgeFindsTheGainsThatThePlayerShows) {
     SynthSpec spec = close_photos();
     spec.exposure.stops = 0.3;
-    synthesize(spec, dir / "exposed", {});
+    copy_scene(spec, dir / "exposed");
     PrepareSettings corrected;
     corrected.effects[Effect::exposure] = EffectChoice::on;
     corrected.effects[Effect::falloff] = EffectChoice::off;
     corrected.effects[Effect::registration] = EffectChoice::off;
-    prepare(read_scene(discover(dir / "exposed")), corrected, file, [](const Progress&) {});
+    copy_package(dir / "exposed", corrected, file);
     const PackageReader package(file);
     const gl::HeadlessContext context(gl::Debug::on);
     Renderer renderer(package, {});

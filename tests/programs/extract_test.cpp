@@ -8,15 +8,15 @@
 #include <regex>
 
 #include "bands/bands.h"
+#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/export/colmap.h"
 #include "pipeline/formats/export/ply.h"
-#include "pipeline/formats/cameras/cameras.h"
 #include "pipeline/formats/import/mesh.h"
-#include "pipeline/input/discover.h"
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/synth/synthesize.h"
 #include "points/point_cloud.h"
 #include "scene/package_reader.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 #include "values/photo_names.h"
 
@@ -30,8 +30,7 @@ class Extract : public TemporaryFolder {
     const fs::path scan = dir / "scan", files = dir / "files";
 
     static SynthSpec tiny() {
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
-        spec.photos.samples = 1;
+        SynthSpec spec = tiny_spec();
         return spec;
     }
     void vantage(const std::string& words) const {
@@ -100,7 +99,7 @@ TEST_F(Extract, FolderIsAScanWithTheSamePhotosAndRefinedCameras) {
     spec.photos.height = 600;
     spec.photos.arc = 40;
     spec.lens.k1 = -0.1;  // photos are resampled
-    synthesize(spec, scan, {});
+    copy_scene(spec, scan);
     const Eigen::Vector3d far(3000, -2000, 500);
     move_scan(far, "0003.jpg");
     round_trip("--effect registration=on --hold-out 0000");
@@ -138,7 +137,7 @@ TEST_F(Extract, FolderOfBandsHasTheSameBands) {
     spec.infrared.count = 4;
     spec.infrared.width = 260;
     spec.infrared.height = 200;
-    synthesize(spec, scan, {});
+    copy_scene(spec, scan);
     round_trip();
     const PackageReader a = first(), b = again();
     ASSERT_EQ(b.photos().size(), 9u);
@@ -152,7 +151,7 @@ TEST_F(Extract, FolderOfBandsHasTheSameBands) {
 }
 
 TEST_F(Extract, FolderWithoutMeshIsAPointCloudWithItsPhotos) {
-    synthesize(tiny(), scan, {});
+    copy_scene(tiny(), scan);
     std::vector<std::string> warnings;
     const Mesh mesh = read_mesh(scan / "mesh.ply", warnings);
     fs::remove(scan / "mesh.ply");
@@ -167,7 +166,7 @@ TEST_F(Extract, FolderWithoutMeshIsAPointCloudWithItsPhotos) {
 }
 
 TEST_F(Extract, CamerasAreThoseOfThePhotosInTheFolder) {
-    synthesize(tiny(), scan, {});
+    copy_scene(tiny(), scan);
     const std::string package = (dir / "first.vantage").string();
     vantage("prepare " + scan.string() + " -o " + package + " --no-report --hold-out 0004");
     const auto named = [&] {

@@ -36,9 +36,7 @@ class CalmScene : public TemporaryFolder {
         write_scan(dir / "scan", b.model, cameras);
     }
     PackageReader prepared(const PrepareSettings& settings) const {
-        std::filesystem::remove(dir / "scene.vantage");
-        prepare(read_scene(discover(dir / "scan")), settings, dir / "scene.vantage", [](const Progress&) {});
-        return PackageReader(dir / "scene.vantage");
+        return PackageReader(made_package(dir / "scan", settings));
     }
     /// Between the photos, where all of them show the wall: next to the frame of one, exact coordinates end a
     /// pixel later.

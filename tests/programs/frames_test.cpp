@@ -11,6 +11,7 @@
 #include "player/render/pace.h"
 #include "player/render/picture.h"
 #include "player/survey/section.h"
+#include "tests/made_scenes.h"
 #include "tests/programs/garden_package.h"
 
 using namespace vantage;
@@ -114,12 +115,11 @@ TEST_F(Frames, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
 }
 
 TEST_F(Frames, ACoarseMeshInMotionLooksLikeTheMesh) {
-    const fs::path fine = dir / "fine.vantage";
-    synthesize(garden_spec(60000, 400, 300), dir / "fine", {});
+    copy_scene(garden_spec(60000, 400, 300), dir / "fine");
     PrepareSettings prepared;
     prepared.effects[Effect::surroundings] = EffectChoice::on;
     prepared.effects[Effect::per_fragment] = EffectChoice::on;
-    prepare(read_scene(discover(dir / "fine")), prepared, fine, [](const Progress&) {});
+    const fs::path fine = made_package(dir / "fine", prepared);
     const PackageReader package(fine);
     const gl::HeadlessContext context;
     Renderer renderer(package, MemoryBudget{});

@@ -8,11 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/input/discover.h"
-#include "pipeline/input/read_scene.h"
-#include "pipeline/prepare/prepare.h"
-#include "pipeline/run/progress.h"
 #include "scene/package_reader.h"
+#include "tests/made_scenes.h"
 #include "tests/programs/garden_spec.h"
 #include "tests/temporary_folder.h"
 
@@ -22,10 +19,10 @@ namespace vantage {
 class GardenPackage : public TemporaryFolder {
   protected:
     void make_package(const std::map<Effect, EffectChoice>& effects) const {
-        synthesize(garden_spec(3000, 400, 300), dir / "scene", {});
+        copy_scene(garden_spec(3000, 400, 300), dir / "scene");
         PrepareSettings settings;
         settings.effects = effects;
-        prepare(read_scene(discover(dir / "scene")), settings, file, [](const Progress&) {});
+        copy_package(dir / "scene", settings, file);
     }
     static std::vector<std::uint32_t> all(const PackageReader& package) {
         std::vector<std::uint32_t> photos(package.photos().size());

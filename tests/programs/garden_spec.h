@@ -1,11 +1,11 @@
 #pragma once
-#include "pipeline/synth/synthesize.h"
+#include "tests/made_scenes.h"
 
 namespace vantage {
 
 /// A lawn and a hill around a small building, seen in wide photos of this size.
 inline SynthSpec garden_spec(int triangles, int width, int height) {
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
+    SynthSpec spec = spec_named("small");
     spec.building.width = 7, spec.building.height = 4.5, spec.building.bays = 3;
     spec.garden = {.radius = 30, .hill = 8, .railing = 0.04};
     spec.object.triangles = triangles;

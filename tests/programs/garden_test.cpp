@@ -7,14 +7,11 @@
 #include <numeric>
 
 #include "gl/context.h"
-#include "pipeline/input/discover.h"
-#include "pipeline/input/read_scene.h"
-#include "pipeline/prepare/prepare.h"
-#include "pipeline/run/progress.h"
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
 #include "scene/surroundings.h"
+#include "tests/made_scenes.h"
 #include "tests/programs/garden_spec.h"
 #include "tests/temporary_folder.h"
 
@@ -28,14 +25,13 @@ class Garden : public TemporaryFolder {
     void SetUp() override {
         TemporaryFolder::SetUp();
         spec = garden_spec(4000, 600, 450);
-        synthesize(spec, dir / "scene", {});
+        copy_scene(spec, dir / "scene");
         cameras = place_cameras(spec);
     }
     PackageReader prepared(const std::vector<std::string>& held_out) {
         PrepareSettings settings;
         settings.hold_out = held_out;
-        prepare(read_scene(discover(dir / "scene")), settings, dir / "scene.vantage", [](const Progress&) {});
-        return PackageReader(dir / "scene.vantage");
+        return PackageReader(made_package(dir / "scene", settings));
     }
     SynthSpec spec;
     std::vector<NamedCamera> cameras;

@@ -18,7 +18,9 @@
 #include "pipeline/formats/export/colmap.h"
 #include "pipeline/synth/synthesize.h"
 #include "tests/datasets.h"
+#include "tests/made_scenes.h"
 #include "tests/one_line.h"
+#include "tests/programs/run_program.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -29,11 +31,6 @@ namespace {
 
 constexpr double degrees = std::numbers::pi / 180;
 
-struct Outcome {
-    int code;
-    std::string out, err;
-};
-
 class Inspect : public TemporaryFolder {
   protected:
     const fs::path scan = dir / "scan";
@@ -41,20 +38,14 @@ class Inspect : public TemporaryFolder {
     void SetUp() override {
         TemporaryFolder::SetUp();
         ::setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);
-        synthesize(tiny(), scan, {});
+        copy_scene(tiny(), scan);
         fs::remove_all(scan / "truth");
     }
     static SynthSpec tiny() {
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
-        spec.photos.samples = 1;
+        SynthSpec spec = tiny_spec();
         return spec;
     }
-    Outcome run(const std::string& words) const {
-        const fs::path out = dir / "out.txt", err = dir / "err.txt";
-        const int status =
-            std::system((VANTAGE_PROGRAM " " + words + " >" + out.string() + " 2>" + err.string()).c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(err)};
-    }
+    Outcome run(const std::string& words) const { return run_command(VANTAGE_PROGRAM " " + words, dir); }
     Outcome inspect(const std::string& words = "") const {
         return run("inspect " + (words.empty() ? scan.string() : words));
     }
@@ -201,7 +192,7 @@ TEST_F(Inspect, TextAndJsonAgree) {
 TEST_F(Inspect, CoefficientsOfTheLensAreNamed) {
     SynthSpec spec = tiny();
     spec.lens = {.k1 = -0.08, .k2 = 0.015};
-    synthesize(spec, dir / "lens", {});
+    copy_scene(spec, dir / "lens");
     const json j = facts((dir / "lens").string());
     const json& lens = j["cameras"]["lenses"][0];
     EXPECT_EQ(lens["coefficients"], (json{{"k1", {-0.08, -0.08}}, {"k2", {0.015, 0.015}}}));

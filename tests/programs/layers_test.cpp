@@ -18,6 +18,7 @@
 #include "player/interface/value_at_pixel.h"
 #include "player/render/picture.h"
 #include "scene/package_shape.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -31,8 +32,8 @@ class Layers : public TemporaryFolder {
   protected:
     void SetUp() override {
         TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
-        synthesize(spec, dir / "scene", {});
+        SynthSpec spec = spec_named("tiny");
+        copy_scene(spec, dir / "scene");
         scene = read_scene(discover(dir / "scene"));
         subdivide_large_triangles(scene.mesh, main_box(scene.mesh));
     }
@@ -99,7 +100,7 @@ int difference(const Picture& p, std::size_t pixel, const std::array<std::uint8_
     return most;
 }
 
-std::array<std::uint8_t, 4> code_at(const Picture& p, std::size_t pixel) {
+std::array<std::uint8_t, 4> layer_code_at(const Picture& p, std::size_t pixel) {
     return {p.rgba[4 * pixel], p.rgba[4 * pixel + 1], p.rgba[4 * pixel + 2], p.rgba[4 * pixel + 3]};
 }
 
@@ -164,11 +165,11 @@ TEST_F(Layers, PhotosAreShownWhereALayerHasNoValueAndMixedWhereAsked) {
         if (!at) continue;
         if (at->x() >= 0) {
             ++right;
-            EXPECT_EQ(code_at(layer, i), code_at(photos, i)) << at->transpose();
+            EXPECT_EQ(layer_code_at(layer, i), layer_code_at(photos, i)) << at->transpose();
             continue;
         }
         ++left;
-        const auto mixed = code_at(half, i), a = code_at(photos, i), b = code_at(layer, i);
+        const auto mixed = layer_code_at(half, i), a = layer_code_at(photos, i), b = layer_code_at(layer, i);
         shown += difference(layer, i, a) > 0;
         for (std::size_t c = 0; c < 3; ++c) {
             EXPECT_GE(mixed[c] + 1, std::min(a[c], b[c]));
@@ -200,7 +201,7 @@ TEST_F(Layers, LogarithmsAndLinesAreWhereTheyBelong) {
                      y = double(i / std::size_t(plain.width)) + 0.5;
         const auto at = rays.surface(x, y);
         if (!at) continue;
-        const bool differs = code_at(plain, i) != code_at(lines, i);
+        const bool differs = layer_code_at(plain, i) != layer_code_at(lines, i);
         changed += differs;
         const double turns = height(*at) / 3 / 0.5, away = std::abs(turns - std::round(turns));
         if (away < 0.25) continue;

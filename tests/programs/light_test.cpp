@@ -7,13 +7,9 @@
 #include <numeric>
 
 #include "gl/context.h"
-#include "pipeline/input/discover.h"
-#include "pipeline/input/read_scene.h"
-#include "pipeline/prepare/prepare.h"
-#include "pipeline/run/progress.h"
-#include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
 #include "shaders/contract.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 #include "values/srgb.h"
 
@@ -25,8 +21,8 @@ class LightOnGeometry : public TemporaryFolder {
   protected:
     void SetUp() override {
         TemporaryFolder::SetUp();
-        synthesize(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
-        prepare(read_scene(discover(dir / "scene")), {}, dir / "scene.vantage", [](const Progress&) {});
+        copy_scene(spec_named("tiny"), dir / "scene");
+        copy_package(dir / "scene", {}, dir / "scene.vantage");
     }
     Picture taken(Renderer& renderer, const RenderSettings& settings) const {
         std::vector<std::uint32_t> photos(renderer.package().photos().size());

@@ -10,13 +10,12 @@
 #include "gl/context.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/prepare/prepare.h"
 #include "pipeline/rays/ray_scene.h"
-#include "pipeline/run/progress.h"
 #include "pipeline/synth/synthesize.h"
 #include "player/objects/object_set.h"
 #include "player/objects/object_view.h"
 #include "scene/error.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 #include "values/srgb.h"
 
@@ -32,15 +31,15 @@ class Objects : public TemporaryFolder {
         TemporaryFolder::SetUp();
         for (unsigned i = 0; i < 3; ++i) {
             const std::string name = "object" + std::to_string(i);
-            SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+            SynthSpec spec = spec_named("tiny");
             spec.seed = 3 + i;
             spec.building.width = 5 + 1.5 * i;
             spec.object.triangles = 2000;
             spec.photos.count = 4, spec.photos.samples = 1;
-            synthesize(spec, dir / name, {});
+            copy_scene(spec, dir / name);
             SceneInput input = read_scene(discover(dir / name));
             meshes.push_back(input.mesh);
-            prepare(std::move(input), {}, file(i), [](const Progress&) {});
+            copy_package(dir / name, {}, file(i));
             scene.push_back({name, file(i), {}, true});
         }
         scene[1].placement = {{3, -2, 0}, {0, 0, 40}, 0.7};

@@ -11,13 +11,10 @@
 #include <numeric>
 
 #include "gl/context.h"
-#include "pipeline/input/discover.h"
-#include "pipeline/input/read_scene.h"
-#include "pipeline/prepare/prepare.h"
 #include "pipeline/rays/ray_scene.h"
-#include "pipeline/run/progress.h"
 #include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 #include "values/srgb.h"
 
@@ -28,7 +25,7 @@ namespace fs = std::filesystem;
 namespace {
 
 SynthSpec spec() {
-    SynthSpec s = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    SynthSpec s = spec_named("tiny");
     s.photos.width = 700;
     s.photos.height = 525;
     s.photos.samples = 2;
@@ -72,8 +69,8 @@ class OrthophotoProgram : public TemporaryFolder {
     static fs::path package() { return shelf / "scene.vantage"; }
     static void SetUpTestSuite() {
         shelf = fs::temp_directory_path() / ("vantage-orthophoto-" + std::to_string(::getpid()));
-        synthesize(spec(), shelf / "scene", {});
-        prepare(read_scene(discover(shelf / "scene")), {}, package(), [](const Progress&) {});
+        copy_scene(spec(), shelf / "scene");
+        copy_package(shelf / "scene", {}, package());
     }
     static void TearDownTestSuite() { fs::remove_all(shelf); }
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -13,19 +12,15 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesize.h"
 #include "scene/package_writer.h"
 #include "scene/part_file.h"
+#include "tests/made_scenes.h"
+#include "tests/programs/run_program.h"
 #include "tests/temporary_folder.h"
 
 namespace vantage {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-    int code;  ///< -1 if killed by a signal
-    std::string out, err;
-};
 
 class Overnight : public TemporaryFolder {
   protected:
@@ -33,10 +28,10 @@ class Overnight : public TemporaryFolder {
 
     void SetUp() override {
         TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+        SynthSpec spec = spec_named("tiny");
         spec.photos.count = 6;
         spec.photos.samples = 1;
-        synthesize(spec, scene, {});
+        copy_scene(spec, scene);
         ::setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);
         ::setenv("MESA_SHADER_CACHE_DIR", fs::temp_directory_path().c_str(),
                  1);  // shared by all tests
@@ -44,11 +39,7 @@ class Overnight : public TemporaryFolder {
 
     Outcome run(const std::string& words, const std::string& before = "",
                 const std::string& program = VANTAGE_PROGRAM) const {
-        const fs::path out = dir / "out.txt", err = dir / "err.txt";
-        const int status = std::system(
-            (before + " " + program + " " + words + " >" + out.string() + " 2>" + err.string()).c_str());
-        const bool exited = WIFEXITED(status) && WEXITSTATUS(status) < 128;
-        return {exited ? WEXITSTATUS(status) : -1, slurp(out), slurp(err)};
+        return run_command(before + " " + program + " " + words, dir);
     }
     Outcome prepare_program(const std::string& options = "", const std::string& before = "") const {
         return run("prepare --progress none " + scene.string() + " -o " + file.string() + " " + options,
@@ -60,8 +51,7 @@ class Overnight : public TemporaryFolder {
     /// The bytes of an undisturbed run's package.
     std::string undisturbed(const PrepareSettings& settings = {}) const {
         const fs::path other = dir / "undisturbed.vantage";
-        fs::remove(other);
-        prepare(read_scene(discover(scene)), settings, other, [](const Progress&) {});
+        copy_package(scene, settings, other);
         return slurp(other);
     }
     PrepareResult prepare_here(const PrepareSettings& settings = {}) const {

@@ -12,10 +12,10 @@
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
-#include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "tests/made_scenes.h"
 #include "tests/one_line.h"
 #include "tests/temporary_folder.h"
 
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Outcome {
+struct Rendered {
     int code;
     std::string message, picture;
 };
@@ -34,11 +34,11 @@ class PlayerProgram : public TemporaryFolder {
     fs::path file = dir / "scene.vantage";
     void SetUp() override {
         TemporaryFolder::SetUp();
-        synthesize(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
-        prepare(read_scene(discover(dir / "scene")), {}, file, [](const Progress&) {});
+        copy_scene(spec_named("tiny"), dir / "scene");
+        copy_package(dir / "scene", {}, file);
     }
 
-    Outcome play(const std::string& options) const {
+    Rendered play(const std::string& options) const {
         const fs::path picture = dir / "picture.png", message = dir / "message";
         fs::remove(picture);
         const std::string command = std::string(VANTAGE_PLAYER " ") + file.string() + " --offscreen -q -o " +
@@ -62,22 +62,22 @@ class PlayerProgram : public TemporaryFolder {
 }  // namespace
 
 TEST_F(PlayerProgram, DamageIsReportedInOneLineOrDoesNotMatter) {
-    const Outcome good = play("--photo 0002");
+    const Rendered good = play("--photo 0002");
     ASSERT_EQ(good.code, 0) << good.message;
     for (const package::DirectoryEntry& e : chunks()) {
         if (e.length == 0) continue;
         const std::string type(reinterpret_cast<const char*>(&e.type), 4);
         flip(e.offset + e.length / 2);
-        const Outcome outcome = play("--photo 0002");
+        const Rendered found = play("--photo 0002");
         flip(e.offset + e.length / 2);
-        if (outcome.code == 0)
-            EXPECT_TRUE(outcome.picture == good.picture && outcome.message.empty()) << type << " " << e.photo;
+        if (found.code == 0)
+            EXPECT_TRUE(found.picture == good.picture && found.message.empty()) << type << " " << e.photo;
         else
-            EXPECT_TRUE(outcome.code == int(Exit::damaged) && one_line(outcome.message))
-                << type << " " << e.photo << ": " << outcome.code << " " << outcome.message;
+            EXPECT_TRUE(found.code == int(Exit::damaged) && one_line(found.message))
+                << type << " " << e.photo << ": " << found.code << " " << found.message;
         const bool read = e.photo == package::scene_wide && type != "STAT" && type != "REGI" &&
                           type != "PAIR";  // which the player does not read
-        EXPECT_TRUE(!read || outcome.code != 0) << type;
+        EXPECT_TRUE(!read || found.code != 0) << type;
     }
     EXPECT_EQ(play("--photo 0002").picture, good.picture);
 }
@@ -86,10 +86,10 @@ TEST_F(PlayerProgram, TruncatedPackageIsReportedInOneLine) {
     const auto all = chunks();
     for (auto e = all.rbegin(); e != all.rend(); ++e) {
         fs::resize_file(file, e->offset);
-        const Outcome outcome = play("--photo 0002");
-        EXPECT_EQ(outcome.code, int(Exit::damaged));
-        EXPECT_TRUE(one_line(outcome.message)) << outcome.message;
-        EXPECT_TRUE(outcome.picture.empty());
+        const Rendered found = play("--photo 0002");
+        EXPECT_EQ(found.code, int(Exit::damaged));
+        EXPECT_TRUE(one_line(found.message)) << found.message;
+        EXPECT_TRUE(found.picture.empty());
     }
 }
 
@@ -121,7 +121,7 @@ TEST_F(PlayerProgram, RejectsInvalidRequests) {
     EXPECT_EQ(play("--path " + (dir / "none").string()).code, int(Exit::input));
     EXPECT_EQ(play("").code, int(Exit::usage));
     fs::remove(file);
-    const Outcome gone = play("--photo 0002");
+    const Rendered gone = play("--photo 0002");
     EXPECT_EQ(gone.code, int(Exit::input));
     EXPECT_TRUE(one_line(gone.message)) << gone.message;
 }
@@ -130,7 +130,7 @@ TEST_F(PlayerProgram, CoordinatesPerVertexAreRefusedWhereThereAreNone) {
     PrepareSettings settings;
     settings.effects[Effect::per_fragment] = EffectChoice::on;
     prepare(read_scene(discover(dir / "scene")), settings, file, [](const Progress&) {});
-    const Outcome none = play("--photo 0002 --coordinates vertex");
+    const Rendered none = play("--photo 0002 --coordinates vertex");
     EXPECT_EQ(none.code, int(Exit::usage));
     EXPECT_TRUE(one_line(none.message)) << none.message;
     EXPECT_NE(none.message.find("--vertex-coordinates"), std::string::npos) << none.message;

@@ -19,11 +19,11 @@
 #include "pipeline/results/check.h"
 #include "pipeline/results/extract.h"
 #include "pipeline/run/progress.h"
-#include "pipeline/synth/synthesize.h"
 #include "player/camera/camera_path.h"
 #include "player/camera/navigation.h"
 #include "player/render/picture.h"
 #include "points/point_cloud.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -37,9 +37,8 @@ class PointScenes : public TemporaryFolder {
   protected:
     void SetUp() override {
         TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
-        spec.photos.samples = 1;
-        synthesize(spec, dir / "scene", {});
+        SynthSpec spec = tiny_spec();
+        copy_scene(spec, dir / "scene");
         with_mesh = read_scene(discover(dir / "scene"));
         mesh_file = with_mesh.files.mesh;
     }

@@ -22,22 +22,22 @@
 #include "player/camera/stereo.h"
 #include "player/render/picture.h"
 #include "points/point_cloud.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
 
 namespace {
 
-using Color = std::array<std::uint8_t, 4>;
+using PointCode = std::array<std::uint8_t, 4>;
 
 /// A small building, and points around and inside it.
 class Points : public TemporaryFolder {
   protected:
     void SetUp() override {
         TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
-        spec.photos.samples = 1;
-        synthesize(spec, dir / "scene", {});
+        SynthSpec spec = tiny_spec();
+        copy_scene(spec, dir / "scene");
         input = read_scene(discover(dir / "scene"));
     }
     void scatter(std::size_t count) {
@@ -77,11 +77,11 @@ RenderSettings plain() {
     return s;
 }
 
-Color code_at(const Picture& p, std::size_t pixel) {
+PointCode code_at(const Picture& p, std::size_t pixel) {
     return {p.rgba[4 * pixel], p.rgba[4 * pixel + 1], p.rgba[4 * pixel + 2], p.rgba[4 * pixel + 3]};
 }
 
-bool is_near(const Color& a, const Color& b) {
+bool is_near(const PointCode& a, const PointCode& b) {
     for (std::size_t c = 0; c < 3; ++c)
         if (std::abs(int(a[c]) - int(b[c])) > 1) return false;
     return true;
@@ -90,7 +90,7 @@ bool is_near(const Color& a, const Color& b) {
 /// The nearest point at each pixel: its depth and color.
 struct Nearest {
     double z = 1e300, next = 1e300;  ///< of the second nearest
-    Color color{};
+    PointCode color{};
 };
 
 std::vector<Nearest> projected(const Mesh& points, const Eigen::Vector3d& origin, const View& view) {

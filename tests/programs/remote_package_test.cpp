@@ -21,7 +21,7 @@ class RemotePackages : public Overnight {
         Overnight::SetUp();
         for (const char* name : {"http_proxy", "https_proxy", "all_proxy", "ALL_PROXY", "HTTPS_PROXY"})
             ::unsetenv(name);
-        prepare_here();
+        copy_package(scene, {}, file);
         content = slurp(file);
     }
     FaultServer::Handler good() const {

@@ -17,7 +17,7 @@
 using namespace vantage;
 namespace fs = std::filesystem;
 using Eigen::Matrix3d, Eigen::Vector3d, Eigen::Vector3f;
-using Color = std::array<int, 3>;
+using Rgb = std::array<int, 3>;
 
 namespace {
 
@@ -90,23 +90,23 @@ class Report : public TemporaryFolder {
         return image_files().read(file);
     }
     /// Names and colors of a legend's entries.
-    std::map<std::string, Color> legend() const {
+    std::map<std::string, Rgb> legend() const {
         const std::string html = page();
         const std::regex entry("<i style=\"background:rgb\\((\\d+),(\\d+),(\\d+)\\)\"></i><b>([a-z ]+)</b>");
-        std::map<std::string, Color> out;
+        std::map<std::string, Rgb> out;
         for (std::sregex_iterator m(html.begin(), html.end(), entry), end; m != end; ++m)
             out[(*m)[4]] = {std::stoi((*m)[1]), std::stoi((*m)[2]), std::stoi((*m)[3])};
         return out;
     }
 };
 
-Color at(const RgbaImage& p, double x, double y) {
+Rgb at(const RgbaImage& p, double x, double y) {
     const std::size_t i = 4 * (std::size_t(y * p.height) * std::size_t(p.width) + std::size_t(x * p.width));
     return {p.rgba[i], p.rgba[i + 1], p.rgba[i + 2]};
 }
 
 /// The legend's entry that a color is, or between which and white it is.
-std::string meaning(const Color& color, const std::map<std::string, Color>& legend) {
+std::string meaning(const Rgb& color, const std::map<std::string, Rgb>& legend) {
     const Vector3d white = Vector3d::Constant(255), off = Vector3d(color[0], color[1], color[2]) - white;
     if (off.norm() < 25) return "full weight";
     std::string best;

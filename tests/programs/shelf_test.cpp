@@ -26,7 +26,7 @@ class Shelf : public Overnight {
     void SetUp() override {
         Overnight::SetUp();
         for (const auto& folder : {shelf, scans}) fs::create_directories(folder);
-        prepare_here();
+        copy_package(scene, {}, file);
         for (int i = 0; i < count; ++i) {
             fs::copy_file(file, package(i));
             fs::create_directory_symlink(scene, scans / name(i));

@@ -12,10 +12,8 @@
 #include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/prepare/prepare.h"
-#include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesize.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 #include "values/srgb.h"
 
@@ -32,9 +30,9 @@ class SmoothnessOfFlights : public TemporaryFolder {
     fs::path file = dir / "scene.vantage";
     void SetUp() override {
         TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+        SynthSpec spec = spec_named("tiny");
         spec.photos.arc = 60;
-        synthesize(spec, dir / "scene", {});
+        copy_scene(spec, dir / "scene");
     }
     void make_package(EffectChoice gains = EffectChoice::off) {
         PrepareSettings settings;
@@ -42,7 +40,7 @@ class SmoothnessOfFlights : public TemporaryFolder {
         settings.effects[Effect::exposure] = gains;
         settings.effects[Effect::falloff] = EffectChoice::off;
         settings.effects[Effect::consensus] = EffectChoice::off;
-        prepare(read_scene(discover(dir / "scene")), settings, file, [](const Progress&) {});
+        copy_package(dir / "scene", settings, file);
     }
     /// Multiplies the light of photo 2, in the middle of the five.
     void brighten() {

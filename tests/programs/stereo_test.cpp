@@ -10,6 +10,7 @@
 #include "gl/context.h"
 #include "player/objects/stereo_picture.h"
 #include "player/render/pace.h"
+#include "tests/made_scenes.h"
 #include "tests/programs/garden_package.h"
 
 using namespace vantage;
@@ -49,13 +50,13 @@ Pixel light_at(const Picture& p, std::size_t i) {
     };
     return {light(0), light(1), light(2)};
 }
-double code(double light) {
+double srgb_code(double light) {
     const double l = std::clamp(light, 0.0, 1.0);
     return 255 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055);
 }
 
 /// Mean difference of codes, of the upper part of two pictures of the same width.
-double mean_difference(const Picture& a, const Picture& b) {
+double difference_of_frames(const Picture& a, const Picture& b) {
     double sum = 0;
     for (std::size_t i = 0; i < std::min(a.rgba.size(), b.rgba.size()); ++i)
         sum += std::abs(int(a.rgba[i]) - int(b.rgba[i]));
@@ -99,11 +100,10 @@ TEST_F(StereoPictures, AreTwoSinglePicturesToTheBit) {
 }
 
 TEST_F(StereoPictures, AreTheSameHoweverTheirSurfaceIsDrawn) {
-    const fs::path fine = dir / "fine.vantage";  // fine enough for a coarse mesh
-    synthesize(garden_spec(60000, 400, 300), dir / "fine", {});
+    copy_scene(garden_spec(60000, 400, 300), dir / "fine");
     PrepareSettings prepared;
     prepared.effects[Effect::surroundings] = EffectChoice::on;
-    prepare(read_scene(discover(dir / "fine")), prepared, fine, [](const Progress&) {});
+    const fs::path fine = made_package(dir / "fine", prepared);  // fine enough for a coarse mesh
     const PackageReader package(fine);
     const gl::HeadlessContext context;
     // As in some headsets, the eyes look apart.
@@ -199,7 +199,7 @@ TEST_F(StereoPictures, OfTheProgramAreArrangedAsAsked) {
             -0.040 * l.r - 0.038 * l.g - 0.016 * l.b + 0.378 * r.r + 0.734 * r.g - 0.018 * r.b,
             -0.015 * l.r - 0.021 * l.g - 0.005 * l.b - 0.072 * r.r - 0.113 * r.g + 1.226 * r.b};
         for (std::size_t c = 0; c < 3; ++c)
-            most = std::max(most, std::abs(code(expected[c]) - glasses.rgba[4 * i + c]));
+            most = std::max(most, std::abs(srgb_code(expected[c]) - glasses.rgba[4 * i + c]));
     }
     EXPECT_LE(most, 1) << "codes";
 }
@@ -219,9 +219,9 @@ TEST_F(StereoPictures, OfAWindowAreThoseOfTwoEyes) {
     const Picture mono = part(window("mono", "--size 400x400"), 0, 0, w, h);
     const Picture both = window("both", "--size 800x400 --stereo side-by-side --eye-distance 0.3");
     const Picture left = part(both, 0, 0, w, h), right = part(both, w, 0, w, h);
-    EXPECT_GT(mean_difference(left, right), 0.5) << "the eyes are at two places";
-    EXPECT_LT(mean_difference(left, mono), 10);
-    EXPECT_LT(mean_difference(right, mono), 10);
+    EXPECT_GT(difference_of_frames(left, right), 0.5) << "the eyes are at two places";
+    EXPECT_LT(difference_of_frames(left, mono), 10);
+    EXPECT_LT(difference_of_frames(right, mono), 10);
     const Picture above = window("above", "--size 400x800 --stereo over-under --eye-distance 0.3");
-    EXPECT_LT(mean_difference(part(above, 0, 0, w, h), part(above, 0, 400, w, h)), 10);
+    EXPECT_LT(difference_of_frames(part(above, 0, 0, w, h), part(above, 0, 400, w, h)), 10);
 }

@@ -14,7 +14,7 @@ class StoryCheck : public Overnight {
   protected:
     void SetUp() override {
         Overnight::SetUp();
-        prepare_here();
+        copy_package(scene, {}, file);
     }
     Outcome check(const std::string& story) const {
         std::ofstream(dir / "scene.story.json", std::ios::binary) << story;

@@ -9,11 +9,6 @@
 #include <set>
 
 #include "gl/context.h"
-#include "pipeline/input/discover.h"
-#include "pipeline/input/read_scene.h"
-#include "pipeline/prepare/prepare.h"
-#include "pipeline/run/progress.h"
-#include "pipeline/synth/synthesize.h"
 #include "player/camera/camera_path.h"
 #include "player/render/picture.h"
 #include "player/render/renderer.h"
@@ -21,6 +16,7 @@
 #include "scene/package_reader.h"
 #include "scene/stored_tile.h"
 #include "scene/tiling.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -33,12 +29,12 @@ class Streaming : public TemporaryFolder {
     fs::path file = dir / "scene.vantage";
     void SetUp() override {
         TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+        SynthSpec spec = spec_named("tiny");
         spec.photos.width = 1200;
         spec.photos.height = 900;
         spec.photos.samples = 1;
-        synthesize(spec, dir / "scene", {});
-        prepare(read_scene(discover(dir / "scene")), {}, file, [](const Progress&) {});
+        copy_scene(spec, dir / "scene");
+        copy_package(dir / "scene", {}, file);
     }
     static std::vector<std::uint32_t> all(const PackageReader& package) {
         std::vector<std::uint32_t> photos(package.photos().size());

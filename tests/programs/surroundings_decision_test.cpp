@@ -15,6 +15,7 @@
 #include "pipeline/synth/synthesize.h"
 #include "scene/package_reader.h"
 #include "tests/datasets.h"
+#include "tests/made_scenes.h"
 #include "tests/programs/scan_of_model.h"
 #include "tests/temporary_folder.h"
 
@@ -23,7 +24,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Camera camera_at(const Vector3d& eye, const Vector3d& target) {
     Camera c;
@@ -74,11 +75,11 @@ std::vector<Camera> around_object() {
 }  // namespace
 
 TEST_F(SurroundingsDecision, AFacadeInAGardenHasThem) {
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
+    SynthSpec spec = spec_named("small");
     spec.garden = {.radius = 30, .hill = 8, .railing = 0};
     spec.object.triangles = 4000;
     spec.photos.width = 480, spec.photos.height = 360, spec.photos.samples = 1, spec.photos.fov = 70;
-    synthesize(spec, dir / "scene", {});
+    copy_scene(spec, dir / "scene");
     const EffectDecision d = decided(dir / "scene");
     EXPECT_TRUE(d.on);
     EXPECT_NE(d.evidence.find("over a plain color"), std::string::npos) << d.evidence;

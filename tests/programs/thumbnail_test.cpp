@@ -51,7 +51,7 @@ double difference(const RgbaImage& a, const RgbaImage& b) {
 }  // namespace
 
 TEST_F(Thumbnail, ShowsThePhotoAtWhichThePlayerOpens) {
-    ASSERT_EQ(prepare_program().code, 0);
+    copy_package(scene, {}, file);
     const Outcome o = thumbnail("--size 64");
     ASSERT_EQ(o.code, 0) << o.err;
     EXPECT_EQ(o.out + o.err, "");
@@ -73,7 +73,7 @@ TEST_F(Thumbnail, IsOfThePhotoBesideOneThatIsHeldOut) {
 }
 
 TEST_F(Thumbnail, OfADamagedFileIsOneLineAndAnExitCode) {
-    ASSERT_EQ(prepare_program().code, 0);
+    copy_package(scene, {}, file);
     const std::string sound = slurp(file);
     std::uint64_t at = 0;
     {
@@ -99,7 +99,7 @@ TEST_F(Thumbnail, OfADamagedFileIsOneLineAndAnExitCode) {
 }
 
 TEST_F(Thumbnail, ReplacesPicturesOnly) {
-    ASSERT_EQ(prepare_program().code, 0);
+    copy_package(scene, {}, file);
     std::ofstream(png) << "mine";
     EXPECT_EQ(thumbnail().code, int(Exit::usage));
     EXPECT_EQ(slurp(png), "mine");

@@ -25,6 +25,7 @@
 #include "tests/bench/painter/bsp_tree.h"
 #include "tests/bench/painter/transparent_layers.h"
 #include "tests/fuzz/sound_package.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -51,9 +52,8 @@ class Transparent : public TemporaryFolder {
   protected:
     void SetUp() override {
         TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
-        spec.photos.samples = 1;
-        synthesize(spec, dir / "scene", {});
+        SynthSpec spec = tiny_spec();
+        copy_scene(spec, dir / "scene");
         input = read_scene(discover(dir / "scene"));
         settings.judge = false;
         settings.effects[Effect::surroundings] = EffectChoice::off;
@@ -139,8 +139,8 @@ class Transparent : public TemporaryFolder {
         taken(renderer, view, settings);
         std::vector<Eigen::Vector4f> out(std::size_t(view.intrinsics.width) *
                                          std::size_t(view.intrinsics.height));
-        glGetTextureImage(renderer.targets().samples.front().sum.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(out.size() * 16),
-                          out.data());
+        glGetTextureImage(renderer.targets().samples.front().sum.id(), 0, GL_RGBA, GL_FLOAT,
+                          GLsizei(out.size() * 16), out.data());
         std::vector<Vector4d> light;
         for (const Eigen::Vector4f& l : out) light.push_back(l.cast<double>());
         return light;
@@ -448,9 +448,9 @@ TEST_F(Transparent, PhotosLookThroughAGlassCase) {
     runs(vantage + " check --deep --against " + glass + " " + package);
     EXPECT_NE(runs(vantage + " info " + package).find("transparency       on"), std::string::npos);
     // What photos see is what they see of the same scene without the case.
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/glass.toml");
+    SynthSpec spec = spec_named("glass");
     spec.glass.alpha = 0;
-    synthesize(spec, dir / "bare", {});
+    copy_scene(spec, dir / "bare");
     runs(vantage + " prepare " + folder + "/bare -o " + folder + "/bare.vantage");
     const PackageReader with(package), without(dir / "bare.vantage");
     const OpaquePart opaque = opaque_part(with);
@@ -620,10 +620,9 @@ TEST_F(Transparent, IsLitColoredAndCoveredAsTheModelIs) {
 }
 
 TEST_F(Transparent, HolesBehindItAreFilledWithColorsWithoutIt) {
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
-    spec.photos.samples = 1;
+    SynthSpec spec = tiny_spec();
     spec.garden.radius = 30;
-    synthesize(spec, dir / "garden", {});
+    copy_scene(spec, dir / "garden");
     input = read_scene(discover(dir / "garden"));
     add_quad({-6, -5, 0}, {12, 0, 0}, {0, 0, 9}, {200, 100, 50, 128});
     settings.effects[Effect::surroundings] = EffectChoice::on;

@@ -19,7 +19,9 @@
 #include "player/render/picture.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "tests/made_scenes.h"
 #include "tests/one_line.h"
+#include "tests/programs/run_program.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -27,31 +29,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Outcome {
-    int code;
-    std::string out, err;
-};
-
 class Video : public TemporaryFolder {
   protected:
     const fs::path file = dir / "scene.vantage";
     void SetUp() override {
         TemporaryFolder::SetUp();
-        ASSERT_EQ(std::system(("cd " + dir.string() +
-                               " && " VANTAGE_PROGRAM " synth " VANTAGE_SOURCE_DIR
-                               "/data/tiny.toml -o scene >/dev/null && " VANTAGE_PROGRAM
-                               " prepare scene -o scene.vantage --no-report >/dev/null 2>&1")
-                                  .c_str()),
-                  0);
+        copy_scene(spec_named("tiny"), dir / "scene");
+        copy_package(dir / "scene", {}, file);
     }
     Outcome play(const std::string& options, const std::string& before = "") const {
-        const fs::path out = dir / "out.txt", err = dir / "err.txt";
         const bool sized = options.find("--size") != options.npos;
-        const int status = std::system(("cd " + dir.string() + " && " + before + " " VANTAGE_PLAYER " " +
-                                        file.string() + " " + options + (sized ? "" : " --size 96x64") +
-                                        " >" + out.string() + " 2>" + err.string())
-                                           .c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(err)};
+        return run_command("cd " + dir.string() + " && " + before + " " VANTAGE_PLAYER " " + file.string() +
+                               " " + options + (sized ? "" : " --size 96x64"),
+                           dir);
     }
     void write(const std::string& name, const std::string& text) const {
         std::ofstream(dir / name, std::ios::binary) << text;

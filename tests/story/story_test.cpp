@@ -6,7 +6,7 @@ using namespace vantage;
 
 namespace {
 
-const StoryView view{{0, 0, 0}, {1, 0, 0}};
+const StoryView some_view{{0, 0, 0}, {1, 0, 0}};
 
 }  // namespace
 
@@ -24,8 +24,8 @@ TEST(StoryEdits, TranslatingATextKeepsTheOtherLanguage) {
 
 TEST(StoryEdits, RemovingANoteLeavesNoStopAtIt) {
     Story story;
-    story.notes = {{"a", {}, {}, "", view, {}}, {"b", {}, {}, "", view, {}}};
-    story.tours = {{"both", {}, {{"a", {}}, {"b", {}}, {"", view}}}, {"one", {}, {{"a", {}}}}};
+    story.notes = {{"a", {}, {}, "", some_view, {}}, {"b", {}, {}, "", some_view, {}}};
+    story.tours = {{"both", {}, {{"a", {}}, {"b", {}}, {"", some_view}}}, {"one", {}, {{"a", {}}}}};
     story.attract = StoryAttract{60, "one", {}, 0};
     remove_note(story, 0);
     ASSERT_EQ(story.notes.size(), 1u);

@@ -39,7 +39,7 @@ std::string plain(double value) {
 }
 
 /// A single-quoted string for gnuplot, in which nothing is expanded.
-std::string quoted(const std::string& text) {
+std::string single_quoted(const std::string& text) {
     std::string out = "'";
     for (const char c : text) out += c == '\'' ? "''" : std::string(1, std::uint8_t(c) < 32 ? ' ' : c);
     return out + "'";
@@ -210,7 +210,7 @@ class Script {
     void text(const Spot& at, const std::string& words, const std::string& how, double size = text_size,
               const char* color = ink) {
         if (!words.empty())
-            out_ << "set label " << quoted(words) << " at " << screen(at) << " font '," << plain(size)
+            out_ << "set label " << single_quoted(words) << " at " << screen(at) << " font '," << plain(size)
                  << "' textcolor rgb '" << color << "' front " << how << "\n";
     }
     void mark(const Spot& at, const std::string& style) {
@@ -236,7 +236,7 @@ class Script {
         if (axis.ticks.empty()) return;
         out_ << "set " << name << "tics out nomirror scale 0.4,0 textcolor rgb '" << ink << "' (";
         for (std::size_t i = 0; i < axis.ticks.size(); ++i)
-            out_ << (i ? ", " : "") << quoted(axis.ticks[i].text) << " " << plain(axis.ticks[i].at);
+            out_ << (i ? ", " : "") << single_quoted(axis.ticks[i].text) << " " << plain(axis.ticks[i].at);
         out_ << ")\n";
     }
     std::string screen(const Spot& s) const {

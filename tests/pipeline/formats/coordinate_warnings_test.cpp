@@ -18,7 +18,7 @@ using testing::IsEmpty;
 
 namespace {
 
-constexpr int side = 40;
+constexpr int grid_side = 40;
 const Eigen::Vector3d utm(500000, 5400000, 120);
 
 /// A surface of side x side vertices, 4 m wide, of random height and spacing.
@@ -26,15 +26,15 @@ Mesh surface(const Eigen::Vector3d& at, double spacing = 0.1, double jitter = 0.
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-jitter, jitter);
     Mesh m;
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x)
+    for (int y = 0; y < grid_side; ++y)
+        for (int x = 0; x < grid_side; ++x)
             m.positions.push_back(at + Eigen::Vector3d(spacing * x + any(random), spacing * y + any(random),
                                                        std::sin(0.2 * x) + any(random)));
-    for (std::uint32_t y = 0; y + 1 < side; ++y)
-        for (std::uint32_t x = 0; x + 1 < side; ++x) {
-            const std::uint32_t v = y * side + x;
-            m.triangles.push_back({v, v + 1, v + side});
-            m.triangles.push_back({v + 1, v + side + 1, v + side});
+    for (std::uint32_t y = 0; y + 1 < grid_side; ++y)
+        for (std::uint32_t x = 0; x + 1 < grid_side; ++x) {
+            const std::uint32_t v = y * grid_side + x;
+            m.triangles.push_back({v, v + 1, v + grid_side});
+            m.triangles.push_back({v + 1, v + grid_side + 1, v + grid_side});
         }
     return m;
 }
@@ -114,19 +114,19 @@ TEST_F(CoordinateWarnings, TerrainOnAGridIsSound) {
 TEST_F(CoordinateWarnings, StraysAreNamedWithTheirDistance) {
     Mesh m = surface(utm);
     m.positions.push_back({0, 0, 0});
-    m.triangles.push_back({3, 4, side * side});
+    m.triangles.push_back({3, 4, grid_side * grid_side});
     EXPECT_THAT(as_ply<double>(m),
                 ElementsAre(HasSubstr("mesh.ply: vertex 1600 of triangle 3042 (counted from 0) at (0, 0, 0) "
                                       "lies 5.42e+06 from the rest of the mesh, which is 5.9")));
     m.positions.push_back({1e6, 0, 0});
-    m.triangles.push_back({3, 4, side * side + 1});
+    m.triangles.push_back({3, 4, grid_side * grid_side + 1});
     EXPECT_THAT(as_obj(m, "%.9f %.9f %.9f"), ElementsAre(HasSubstr("; 1 more vertices lie far away")));
 }
 
 TEST_F(CoordinateWarnings, StraysDoNotHideRounding) {
     Mesh m = surface(utm);
     m.positions.push_back({0, 0, 0});
-    m.triangles.push_back({3, 4, side * side});
+    m.triangles.push_back({3, 4, grid_side * grid_side});
     EXPECT_THAT(as_ply<float>(m),
                 ElementsAre(HasSubstr("vertex 1600"), HasSubstr("coordinates are rounded (x in steps of")));
 }

@@ -22,7 +22,7 @@ namespace {
 using Floats = std::vector<std::array<float, 3>>;
 using Indices = std::vector<std::array<std::uint16_t, 1>>;
 
-const Floats corners{{0.1f, 0.2f, 0.3f}, {1.5f, 0.25f, 0.125f}, {0.4f, 1.75f, 0.6f}, {0.3f, 0.7f, 2.1f}};
+const Floats four_corners{{0.1f, 0.2f, 0.3f}, {1.5f, 0.25f, 0.125f}, {0.4f, 1.75f, 0.6f}, {0.3f, 0.7f, 2.1f}};
 const Indices tetrahedron{{0}, {2}, {1}, {0}, {1}, {3}, {1}, {2}, {3}, {0}, {3}, {2}};
 
 Eigen::Vector3d vector(const std::array<float, 3>& v) { return {double(v[0]), double(v[1]), double(v[2])}; }
@@ -87,7 +87,7 @@ const Eigen::Vector3d x(1, 0, 0), skew = Eigen::Vector3d(1, -2, 3).normalized();
 }  // namespace
 
 TEST_F(GltfMesh, NodesPlaceItsMeshes) {
-    GltfFile file = mesh_of(corners);
+    GltfFile file = mesh_of(four_corners);
     file.add_node("\"translation\": [4200000.123, -7.25, 1e-4], " + rotation(skew, 50) +
                   ", \"scale\": [2, 2, 2], \"children\": [1, 2]");
     file.add_node("\"translation\": [0.3, 0.2, 0.1], " + rotation(x, -37) +
@@ -97,7 +97,8 @@ TEST_F(GltfMesh, NodesPlaceItsMeshes) {
     ASSERT_EQ(mesh.positions.size(), 8u) << "the mesh is placed twice";
     EXPECT_EQ(mesh.triangles.size(), 8u);
     for (std::size_t v = 0; v < 4; ++v) {
-        const Eigen::Vector3d p = vector(corners[v]), first(0.3, 0.2, 0.1), parent(4200000.123, -7.25, 1e-4);
+        const Eigen::Vector3d p = vector(four_corners[v]), first(0.3, 0.2, 0.1),
+                              parent(4200000.123, -7.25, 1e-4);
         const Eigen::Vector3d in_parent = first + turned(p.cwiseProduct(Eigen::Vector3d(1, 2, 3)), x, -37);
         EXPECT_LT((mesh.positions[v] - (parent + turned(2 * in_parent, skew, 50))).norm(), 2e-9) << v;
         const Eigen::Vector3d quarter(10 - p.y(), 20 + p.x(), 30 + p.z());
@@ -109,7 +110,7 @@ TEST_F(GltfMesh, NodesPlaceItsMeshes) {
 TEST_F(GltfMesh, NormalsStayPerpendicularIfNodesStretch) {
     const Floats normals{{1, 0, 0}, {0, 0.6f, 0.8f}, {-0.8f, 0, 0.6f}, {0, 0, 1}};
     GltfFile file;
-    file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(corners) +
+    file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(four_corners) +
                   ", \"NORMAL\": " + file.add(normals) + "}, \"indices\": " + file.add(tetrahedron));
     file.add_node(rotation(skew, 50) + ", \"scale\": [1, 4, 0.5], \"children\": [1]");
     file.add_node(rotation(x, -37) + ", \"scale\": [-1, 2, 3], \"mesh\": 0");
@@ -123,7 +124,7 @@ TEST_F(GltfMesh, NormalsStayPerpendicularIfNodesStretch) {
 }
 
 TEST_F(GltfMesh, MirroredMeshesKeepTheirOutside) {
-    GltfFile file = mesh_of(corners);
+    GltfFile file = mesh_of(four_corners);
     file.add_node("\"mesh\": 0");
     const double volume = signed_volume(read(file));
     file.nodes.clear();
@@ -135,15 +136,15 @@ TEST_F(GltfMesh, MirroredMeshesKeepTheirOutside) {
 TEST_F(GltfMesh, FlattenedMeshesHaveNormals) {
     for (const char* scale : {"[1, 1, 0]", "[1, 0, 0]", "[0, 0, 0]", "[1e12, 1e-12, 1]"}) {
         GltfFile file;
-        file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(corners) +
-                      ", \"NORMAL\": " + file.add(corners) + "}, \"indices\": " + file.add(tetrahedron));
+        file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(four_corners) +
+                      ", \"NORMAL\": " + file.add(four_corners) + "}, \"indices\": " + file.add(tetrahedron));
         file.add_node(std::string("\"mesh\": 0, \"scale\": ") + scale);
         for (const Eigen::Vector3f& n : read(file).normals) EXPECT_NEAR(n.norm(), 1, 1e-5f) << scale;
     }
 }
 
 TEST_F(GltfMesh, ReadsItsBufferFromTheFileAndFromFilesBesideIt) {
-    GltfFile file = mesh_of(corners);
+    GltfFile file = mesh_of(four_corners);
     file.add_node("\"mesh\": 0");
     const Mesh in_glb = read(file);
     EXPECT_THAT(companions, ElementsAre());
@@ -177,13 +178,13 @@ TEST_F(GltfMesh, ColorsAreLinearLightAndOpaque) {
     const std::vector<std::array<std::uint8_t, 4>> bytes{
         {0, 55, 255, 9}, {55, 55, 55, 9}, {0, 0, 0, 9}, {1, 2, 3, 9}};
     GltfFile file;
-    file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(corners) +
+    file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(four_corners) +
                   ", \"COLOR_0\": " + file.add(bytes) + "}, \"indices\": " + file.add(tetrahedron));
     // Of three numbers, 0.2158605 is 128 / 255 in sRGB, and 0.0030353 is 10 / 255.
     const Floats numbers{{0.2158605f, 0, 1}, {0.0030353f, 1, 1}, {2, -1, 0}, {NAN, 1, 1}};
-    file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(corners) +
+    file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(four_corners) +
                   ", \"COLOR_0\": " + file.add(numbers) + "}, \"indices\": " + file.add(tetrahedron));
-    file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(corners) +
+    file.add_mesh("\"attributes\": {\"POSITION\": " + file.add(four_corners) +
                   "}, \"indices\": " + file.add(tetrahedron));
     file.roots = "0, 1, 2";
     file.add_node("\"mesh\": 0");
@@ -201,8 +202,8 @@ TEST_F(GltfMesh, ColorsAreLinearLightAndOpaque) {
 }
 
 TEST_F(GltfMesh, LinesAndPointsAreLeftOut) {
-    GltfFile file = mesh_of(corners);
-    const std::string position = "\"attributes\": {\"POSITION\": " + file.add(corners) + "}";
+    GltfFile file = mesh_of(four_corners);
+    const std::string position = "\"attributes\": {\"POSITION\": " + file.add(four_corners) + "}";
     file.add_mesh(position + ", \"mode\": 0");
     file.add_mesh(position + ", \"mode\": 3");
     file.add_mesh(position + ", \"mode\": 5");
@@ -219,7 +220,7 @@ TEST_F(GltfMesh, LinesAndPointsAreLeftOut) {
 }
 
 TEST_F(GltfMesh, SinglePrecisionFarFromZeroIsReported) {
-    Floats far = corners;
+    Floats far = four_corners;
     for (auto& p : far) p[0] += 500000, p[1] += 4200000;
     GltfFile file = mesh_of(far);
     file.add_node(rotation(skew, 50) + ", \"mesh\": 0");
@@ -228,7 +229,7 @@ TEST_F(GltfMesh, SinglePrecisionFarFromZeroIsReported) {
 }
 
 TEST_F(GltfMesh, FilesThatCannotBeReadAreRefusedInOneLine) {
-    GltfFile file = mesh_of(corners);
+    GltfFile file = mesh_of(four_corners);
     file.add_node("\"mesh\": 0");
     const auto error = [&](const std::string& json) {
         write("mesh.gltf", json);
@@ -258,7 +259,7 @@ TEST_F(GltfMesh, FilesThatCannotBeReadAreRefusedInOneLine) {
 }
 
 TEST_F(GltfMesh, DamagedFilesAreReadOrRefused) {
-    GltfFile file = mesh_of(corners);
+    GltfFile file = mesh_of(four_corners);
     file.add_node("\"translation\": [1, 2, 3], \"children\": [1]");
     file.add_node("\"matrix\": [0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 10, 20, 30, 1], \"mesh\": 0");
     const std::string whole = file.glb();

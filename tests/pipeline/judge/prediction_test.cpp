@@ -46,7 +46,7 @@ CoarsePhoto photo_of_plane(double x, float exposure, double until = 1e9) {
 }
 
 /// A target between two photos, of which the second is brighter and ends in the middle.
-struct TwoPhotos {
+struct PhotosBesideTarget {
     CoarsePhoto target = photo_of_plane(0, 1), left = photo_of_plane(-0.5, 1),
                 right = photo_of_plane(0.5, 1.5f, 0);
     Sightings seen =
@@ -72,7 +72,7 @@ TEST(Prediction, PhotosOfEqualExposurePredictTheTarget) {
 }
 
 TEST(Prediction, PaintedSeamIsMeasuredAndMendedByGains) {
-    const TwoPhotos two;
+    const PhotosBesideTarget two;
     const JudgeScore without = two.score_of({}), with = two.score_of({.ln_gain = two.gains});
     EXPECT_GT(without.seams, 0.05);
     EXPECT_LT(with.seams, 0.1 * without.seams);
@@ -80,7 +80,7 @@ TEST(Prediction, PaintedSeamIsMeasuredAndMendedByGains) {
 }
 
 TEST(Prediction, ContradictedTexelsAreLeftOut) {
-    TwoPhotos two;
+    PhotosBesideTarget two;
     // A passer-by in the left photo.
     std::vector<std::uint8_t> weights(two.left.texels.size(), 255);
     for (int y = 20; y < 40; ++y)
@@ -132,7 +132,7 @@ TEST(SquareMeans, GiveTheMeanAroundAnyPosition) {
 }
 
 TEST(Prediction, EverySecondTexelIsPredictedAsAllAre) {
-    const TwoPhotos two;
+    const PhotosBesideTarget two;
     const CoarsePhoto some = every_second_texel(two.target);
     ASSERT_EQ(some.texels.size() * 4, two.target.texels.size());
     const Sightings seen = sightings(

@@ -11,9 +11,9 @@
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
-#include "pipeline/synth/synthesize.h"
 #include "tests/icc_profile.h"
 #include "tests/image_file.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void quiet(const Progress&) {}
+void unreported(const Progress&) {}
 
 void write_image(const fs::path& file, int width, int height, int channels, const std::vector<float>& values,
                  OIIO::TypeDesc type, const std::string& icc) {
@@ -37,10 +37,9 @@ class ProfiledPhotos : public TemporaryFolder {
   protected:
     void SetUp() override {
         TemporaryFolder::SetUp();
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
-        spec.photos.samples = 1;
+        SynthSpec spec = tiny_spec();
         spec.photos.count = 3;
-        synthesize(spec, dir / "srgb", {});
+        copy_scene(spec, dir / "srgb");
         fs::remove_all(dir / "srgb" / "truth");
     }
     /// A copy of the scan whose photos have the same colors in this space: two of 16 bits, and a JPEG.
@@ -91,14 +90,14 @@ TEST_F(ProfiledPhotos, MakeThePackageOfTheSamePhotosInSrgb) {
     const fs::path adobe = copied_to(adobe_rgb);
     PrepareSettings settings;
     settings.effects[Effect::compact] = EffectChoice::on;
-    prepare(read_scene(discover(dir / "srgb")), settings, dir / "srgb.vantage", quiet);
+    prepare(read_scene(discover(dir / "srgb")), settings, dir / "srgb.vantage", unreported);
     const SceneInput scene = read_scene(discover(adobe));
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_EQ(
         scene.warnings[0],
         "0000.tif and 2 other photos hold the color profile 'Adobe RGB (1998)': converted to sRGB, what is "
         "outside it is clipped");
-    prepare(scene, settings, dir / "adobe.vantage", quiet);
+    prepare(scene, settings, dir / "adobe.vantage", unreported);
     const PackageReader a(dir / "srgb.vantage"), b(dir / "adobe.vantage");
     ASSERT_EQ(b.photos().size(), 3u);
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -116,7 +115,7 @@ TEST_F(ProfiledPhotos, StencilsKeepTheirThreshold) {
         values.push_back(i < size_.width * size_.height / 2 ? 100 / 255.0f : 1.0f);
     write_image(dir / "srgb" / "images" / "0001.mask.png", size_.width, size_.height, 1, values,
                 OIIO::TypeDesc::UINT8, gray_profile(1));
-    prepare(read_scene(discover(dir / "srgb")), {}, dir / "a.vantage", quiet);
+    prepare(read_scene(discover(dir / "srgb")), {}, dir / "a.vantage", unreported);
     const RgbaImage photo = finest(PackageReader(dir / "a.vantage"), 1);
     EXPECT_EQ(int(photo.rgba[3]), 0);
     EXPECT_EQ(int(photo.rgba.back()), 255);
@@ -127,14 +126,14 @@ TEST_F(ProfiledPhotos, ThatAnEarlierVersionDidNotConvertAreMadeAgain) {
     SceneInput earlier = read_scene(discover(adobe));
     for (PhotoInput& photo : earlier.photos) photo.profile = {};
     earlier.warnings = {"0000.tif: has the color profile 'Adobe RGB (1998)', treated as sRGB"};
-    prepare(earlier, {}, dir / "a.vantage", quiet);
+    prepare(earlier, {}, dir / "a.vantage", unreported);
     EXPECT_FALSE(changed_settings(PackageReader(dir / "a.vantage"), {}).empty());
-    const PrepareResult again = prepare(read_scene(discover(adobe)), {}, dir / "a.vantage", quiet);
+    const PrepareResult again = prepare(read_scene(discover(adobe)), {}, dir / "a.vantage", unreported);
     EXPECT_EQ(made(again, package::Stage::tiles).made, 3u);
     EXPECT_EQ(made(again, package::Stage::thumbnail).made, 3u);
     EXPECT_EQ(made(again, package::Stage::samples).made, 3u);
     EXPECT_EQ(made(again, package::Stage::coverage).kept, 3u);
     EXPECT_TRUE(changed_settings(PackageReader(dir / "a.vantage"), {}).empty());
-    const PrepareResult last = prepare(read_scene(discover(adobe)), {}, dir / "a.vantage", quiet);
+    const PrepareResult last = prepare(read_scene(discover(adobe)), {}, dir / "a.vantage", unreported);
     EXPECT_EQ(made(last, package::Stage::tiles).kept, 3u);
 }

@@ -17,6 +17,7 @@
 #include "pipeline/synth/synthesize.h"
 #include "pipeline/visibility/gl_geometry.h"
 #include "pipeline/visibility/photo_geometry.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -108,10 +109,10 @@ TEST_F(Rasterize, AdjacentTrianglesLeaveNoGaps) {
 }
 
 TEST_F(Rasterize, AgreesWithOpenGl) {
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
+    SynthSpec spec = spec_named("small");
     spec.photos.count = 3;
     spec.photos.samples = 1;
-    synthesize(spec, dir / "scene", {});
+    copy_scene(spec, dir / "scene");
     SceneInput scene = read_scene(discover(dir / "scene"));
     const PackedModel model = pack_model(scene.mesh, main_box(scene.mesh));
     const gl::HeadlessContext context(gl::Debug::on);

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Navigation looking(const Vector3d& eye, const Vector3d& target, double fov = 40) {
     const Vector3d up = Vector3d::UnitZ();

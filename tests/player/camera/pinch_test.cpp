@@ -9,7 +9,7 @@
 namespace vantage {
 namespace {
 
-constexpr int width = 800, height = 600;
+constexpr int view_width = 800, view_height = 600;
 
 Navigation before_a_wall() {
     Navigation n;
@@ -22,7 +22,7 @@ Navigation before_a_wall() {
 
 /// Of a point in the picture.
 Eigen::Vector2d pixel_of(const Navigation& n, const Eigen::Vector3d& point) {
-    const View v = view_of(n, width, height);
+    const View v = view_of(n, view_width, view_height);
     const Eigen::Vector3d p = v.cam_from_origin.R * point + v.cam_from_origin.t;
     return {v.intrinsics.fx * p.x() / p.z() + v.intrinsics.cx,
             v.intrinsics.fy * p.y() / p.z() + v.intrinsics.cy};
@@ -30,7 +30,7 @@ Eigen::Vector2d pixel_of(const Navigation& n, const Eigen::Vector3d& point) {
 
 /// On the wall y = 0, which faces the camera before the pinch.
 Eigen::Vector3d on_wall(const Navigation& n, const Eigen::Vector2d& pixel) {
-    const View v = view_of(n, width, height);
+    const View v = view_of(n, view_width, view_height);
     const Eigen::Vector3d ray =
         n.R.transpose() * Eigen::Vector3d((pixel.x() - v.intrinsics.cx) / v.intrinsics.fx,
                                           (pixel.y() - v.intrinsics.cy) / v.intrinsics.fy, 1);
@@ -42,17 +42,18 @@ void expect_under_fingers_orthographically(const FingerPair& before, const Finge
     Navigation n = before_a_wall();
     const double size = 20;
     const auto seen = [&] {
-        return orthographic(view_of(n, width, height), (n.target - n.eye).norm(), size);
+        return orthographic(view_of(n, view_width, view_height), (n.target - n.eye).norm(), size);
     };
     // Not on the wall: the camera's target is no nearer or farther than others.
     const auto shown = [&](const Eigen::Vector2d& pixel, double y) {
         const double scale = seen().orthographic_depth / seen().intrinsics.fx;
-        return Eigen::Vector3d(1 + scale * (pixel.x() - width / 2.0), y,
-                               2 - scale * (pixel.y() - height / 2.0));
+        return Eigen::Vector3d(1 + scale * (pixel.x() - view_width / 2.0), y,
+                               2 - scale * (pixel.y() - view_height / 2.0));
     };
     const auto pixel = [&](const Eigen::Vector3d& point) {
         const Eigen::Vector4d clip = clip_from_origin(seen(), {1, 1e9}) * point.homogeneous();
-        return Eigen::Vector2d((clip.x() / clip.w() + 1) / 2 * width, (clip.y() / clip.w() + 1) / 2 * height);
+        return Eigen::Vector2d((clip.x() / clip.w() + 1) / 2 * view_width,
+                               (clip.y() / clip.w() + 1) / 2 * view_height);
     };
     const Eigen::Vector3d first = shown(before[0], 3), second = shown(before[1], -1),
                           middle = shown((before[0] + before[1]) / 2, 1);
@@ -68,7 +69,7 @@ void expect_under_fingers(const FingerPair& before, const FingerPair& now, doubl
     const FingerPair touched = before;
     const Eigen::Vector3d first = on_wall(n, touched[0]), second = on_wall(n, touched[1]),
                           middle = on_wall(n, (touched[0] + touched[1]) / 2);
-    follow_pinch(n, pinch_between(before, now), middle, view_of(n, width, height), 0.01, 1000);
+    follow_pinch(n, pinch_between(before, now), middle, view_of(n, view_width, view_height), 0.01, 1000);
     EXPECT_LT((pixel_of(n, middle) - (now[0] + now[1]) / 2).norm(), 1e-6);
     EXPECT_LT((pixel_of(n, first) - now[0]).norm(), within);
     EXPECT_LT((pixel_of(n, second) - now[1]).norm(), within);
@@ -99,7 +100,7 @@ TEST(Pinch, FingersInOnePlaceNeitherSpreadNorTurn) {
 
 TEST(Pinch, StepsAreWorthAsMuchAsOneMovement) {
     std::mt19937 chance(1);
-    std::uniform_real_distribution<double> across(0, width);
+    std::uniform_real_distribution<double> across(0, view_width);
     const auto anywhere = [&] {
         return FingerPair{{{across(chance), across(chance)}, {across(chance), across(chance)}}};
     };

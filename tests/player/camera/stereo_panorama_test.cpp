@@ -13,7 +13,9 @@ using Eigen::Vector2d, Eigen::Vector3d;
 
 namespace {
 
-constexpr double pi = std::numbers::pi, nearest = 0.8, apart = 0.07;
+using std::numbers::pi;
+
+constexpr double nearest = 0.8, apart = 0.07;
 
 Panorama middle() {
     const View view = view_towards({1, 2, 3}, {4, -2, 1}, Vector3d::UnitZ(), 50, 640, 480);

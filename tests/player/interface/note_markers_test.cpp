@@ -17,7 +17,7 @@ View view() {
     v.cam_from_origin.t = -v.cam_from_origin.R * Vector3d(0, -10, 0);
     return v;
 }
-const InputAxes axes{Vector3d(1000, 2000, 3000), Vector3d::UnitZ()};
+const InputAxes note_axes{Vector3d(1000, 2000, 3000), Vector3d::UnitZ()};
 
 Story story_with(const std::vector<Vector3d>& anchors) {
     Story story;
@@ -34,7 +34,7 @@ TEST(NoteMarkers, AreWhereTheAnchorsProject) {
                                     {1000, 1980, 3000},    // behind the viewer
                                     {1009, 2000, 3000}});  // beside the frame
     const auto nothing = [](const Vector2d&) { return std::optional<Vector3d>(); };
-    const std::vector<NoteMarker> markers = note_markers(story, axes, view(), nothing);
+    const std::vector<NoteMarker> markers = note_markers(story, note_axes, view(), nothing);
     ASSERT_EQ(markers.size(), 2u);
     EXPECT_EQ(markers[0].note, 1u) << "the farthest is drawn first";
     EXPECT_LT((markers[0].at - Vector2d(200, 150)).norm(), 1e-9);
@@ -51,7 +51,7 @@ TEST(NoteMarkers, AreHiddenByANearerSurfaceOnly) {
                 EXPECT_LT((at - Vector2d(200, 150)).norm(), 1e-6);
                 return std::optional(Vector3d(0, y, 0));
             };
-            return note_markers(story, axes, from, surface).at(0).hidden;
+            return note_markers(story, note_axes, from, surface).at(0).hidden;
         };
         EXPECT_FALSE(hidden_by(0)) << "its own surface";
         EXPECT_FALSE(hidden_by(-0.05));

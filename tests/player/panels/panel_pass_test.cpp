@@ -18,7 +18,7 @@ using Eigen::Vector2d, Eigen::Vector3d;
 
 namespace {
 
-constexpr const char* font_file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+constexpr const char* text_font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
 /// What `draw` draws in ImGui's background, on a panel of 400 * 300 pixels, with 25 pixels of text height.
 class Drawn {
@@ -53,7 +53,7 @@ void fill_all(ImDrawList& list) { list.AddRectFilled(ImVec2(0, 0), ImVec2(400, 3
 
 /// The edges of the stroke of "l", in panel pixels from where text of 25 pixels begins.
 Vector2d edges_of_l() {
-    std::ifstream file(font_file, std::ios::binary);
+    std::ifstream file(text_font, std::ios::binary);
     const std::vector<unsigned char> bytes(std::istreambuf_iterator<char>(file), {});
     stbtt_fontinfo font;
     EXPECT_TRUE(stbtt_InitFont(&font, bytes.data(), 0));
@@ -97,7 +97,7 @@ Stroke stroke_seen(double away) {
 }  // namespace
 
 TEST(PanelPass, TextIsSharpFromAnyDistance) {
-    if (!std::filesystem::exists(font_file)) GTEST_SKIP() << "needs DejaVu Sans";
+    if (!std::filesystem::exists(text_font)) GTEST_SKIP() << "needs DejaVu Sans";
     const Vector2d edges = edges_of_l();
     for (const double away : {0.3, 1.0, 3.0}) {
         const double focal = 20 * 180 / std::numbers::pi, pixels = 0.001 * focal / away;  // per panel pixel

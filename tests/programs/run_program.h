@@ -1,0 +1,30 @@
+#pragma once
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace vantage {
+
+struct Outcome {
+    int code;  ///< -1 if killed by a signal
+    std::string out, err;
+};
+
+/// Runs a shell command, with what it prints in files of a folder.
+inline Outcome run_command(const std::string& command, const std::filesystem::path& folder) {
+    const std::filesystem::path out = folder / "out.txt", err = folder / "err.txt";
+    const int status = std::system((command + " >" + out.string() + " 2>" + err.string()).c_str());
+    const auto text = [](const std::filesystem::path& file) {
+        std::ostringstream bytes;
+        bytes << std::ifstream(file, std::ios::binary).rdbuf();
+        return bytes.str();
+    };
+    const bool exited = WIFEXITED(status) && WEXITSTATUS(status) < 128;
+    return {exited ? WEXITSTATUS(status) : -1, text(out), text(err)};
+}
+
+}  // namespace vantage
