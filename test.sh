@@ -1,7 +1,12 @@
 #!/usr/bin/env bash
-# Sets up, then runs every test.
+# Sets up, then runs the tests: those that check every change, or all with --full. Other arguments go to ctest.
 set -euo pipefail
 cd "$(dirname "$0")"
-./setup.sh all
+targets=(suite) some=(-LE full)
+if [ "${1:-}" = --full ]; then
+  targets=(all) some=()
+  shift
+fi
+./setup.sh "${targets[@]}"
 export VANTAGE_DATASETS="${VANTAGE_DATASETS:-$PWD/../shared/datasets}"
-ctest --test-dir build -j "$(nproc)" --output-on-failure "$@"
+ctest --test-dir build -j "$(nproc)" --output-on-failure "${some[@]}" "$@"

@@ -32,35 +32,39 @@ class EveryOperation : public WrittenPackage {
         const bool fails = o.code != int(Exit::ok) && o.code != int(Exit::incomplete);
         EXPECT_EQ(std::ranges::count(o.err, '\n'), fails ? 1 : 0) << when << ": " << o.err;
     }
+    /// However that many of its operations fail in turn.
+    void expect_nothing_lost(int at_most) const {
+        for (const WritingCommand& c : commands) {
+            const int operations = operations_of(c);
+            ASSERT_GT(operations, 50) << c.name;
+            const int step = std::max(1, operations / at_most);
+            int runs = 0;
+            for (const char* how : {"EIO_ONCE", "ENOSPC", "SHORT_ONCE", "KILL"})
+                for (int n = 1 + runs % step; n <= operations; n += step, ++runs) {
+                    const std::string when = std::string(how) + " at operation " + std::to_string(n);
+                    start(c);
+                    const Outcome done = run_command(c, fault(n, how));
+                    if (std::string_view(how) != "KILL") expect_said(done, c.name + ", " + when);
+                    if (done.code == 0) {
+                        EXPECT_TRUE(slurp(package) == c.after) << c.name << ", " << when;
+                    } else if (done.code != int(Exit::incomplete)) {
+                        expect_old_or_new(c, when);
+                    }
+                    expect_finished_by_next_run(c, when);
+                }
+            std::printf("%-24s %4d operations, %4d runs\n", c.name.c_str(), operations, runs);
+        }
+    }
 };
+class EveryOperationAtLength : public EveryOperation {};
 
 }  // namespace
 
-TEST_F(EveryOperation, MayFailAndNothingIsLost) {
-    const int at_most = number_from("VANTAGE_FAULTS", 6);
-    for (const WritingCommand& c : commands) {
-        const int operations = operations_of(c);
-        ASSERT_GT(operations, 50) << c.name;
-        const int step = std::max(1, operations / at_most);
-        int runs = 0;
-        for (const char* how : {"EIO_ONCE", "ENOSPC", "SHORT_ONCE", "KILL"})
-            for (int n = 1 + runs % step; n <= operations; n += step, ++runs) {
-                const std::string when = std::string(how) + " at operation " + std::to_string(n);
-                start(c);
-                const Outcome done = run_command(c, fault(n, how));
-                if (std::string_view(how) != "KILL") expect_said(done, c.name + ", " + when);
-                if (done.code == 0) {
-                    EXPECT_TRUE(slurp(package) == c.after) << c.name << ", " << when;
-                } else if (done.code != int(Exit::incomplete)) {
-                    expect_old_or_new(c, when);
-                }
-                expect_finished_by_next_run(c, when);
-            }
-        std::printf("%-24s %4d operations, %4d runs\n", c.name.c_str(), operations, runs);
-    }
-}
+TEST_F(EveryOperation, MayFailAndNothingIsLost) { expect_nothing_lost(1); }
 
-TEST_F(EveryOperation, MayMeetAPageThatCannotBeRead) {
+TEST_F(EveryOperationAtLength, MayFailAndNothingIsLost) { expect_nothing_lost(number_from("VANTAGE_FAULTS", 6)); }
+
+TEST_F(EveryOperationAtLength, MayMeetAPageThatCannotBeRead) {
     const int at_most = number_from("VANTAGE_FAULTS", 10);
     for (const WritingCommand& c : commands) {
         const int pages = operations_of(c, "BAD_PAGE");

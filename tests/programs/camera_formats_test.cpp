@@ -76,9 +76,9 @@ struct Format {
     std::map<std::string, std::string> files;
 };
 
-class CameraFormatsOf : public CameraFormats, public ::testing::WithParamInterface<const char*> {};
+class CameraFormatsAtLength : public CameraFormats, public ::testing::WithParamInterface<const char*> {};
 
-TEST_P(CameraFormatsOf, MakeTheSamePackage) {
+TEST_P(CameraFormatsAtLength, MakeTheSamePackage) {
     VANTAGE_DATASET(scan, GetParam());
     const fs::path real = fs::absolute(scan);
     const std::vector<Photo> photos = photos_of(real / "sparse");
@@ -108,7 +108,7 @@ TEST_P(CameraFormatsOf, MakeTheSamePackage) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(RealScans, CameraFormatsOf, ::testing::Values("sceaux-small", "fountain-P11"),
+INSTANTIATE_TEST_SUITE_P(RealScans, CameraFormatsAtLength, ::testing::Values("sceaux-small", "fountain-P11"),
                          [](const auto& scan) { return scan.index == 0 ? "Sceaux" : "FountainP11"; });
 
 TEST_F(CameraFormats, CamerasOfAnotherFrameAreMovedByTheSceneFile) {

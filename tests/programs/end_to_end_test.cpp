@@ -22,6 +22,7 @@
 #include "player/render/picture.h"
 #include "scene/package_reader.h"
 #include "tests/datasets.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 #include "values/srgb.h"
 
@@ -40,10 +41,16 @@ struct Prepared {
     std::vector<std::uint32_t> photos;
 
     Prepared(const fs::path& folder, const fs::path& to, const PrepareSettings& settings = {})
-        : Prepared(read_scene(discover(folder)), to, settings) {}
+        : scene(read_scene(discover(folder))), file(to) {
+        copy_package(folder, settings, file);
+        open();
+    }
     Prepared(SceneInput input, const fs::path& to, const PrepareSettings& settings = {})
         : scene(std::move(input)), file(to) {
         prepare(scene, settings, file, [](const Progress&) {});
+        open();
+    }
+    void open() {
         package = std::make_unique<PackageReader>(file);
         context = std::make_unique<gl::HeadlessContext>(gl::Debug::on);
         renderer = std::make_unique<Renderer>(*package, MemoryBudget{});
@@ -63,9 +70,9 @@ struct Prepared {
 
 class EndToEnd : public TemporaryFolder {
   protected:
-    static SynthSpec tiny() { return read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"); }
+    static SynthSpec tiny() { return spec_named("tiny"); }
     fs::path make(const SynthSpec& spec) {
-        synthesize(spec, dir / "scene", {});
+        copy_scene(spec, dir / "scene");
         return dir / "scene";
     }
     Prepared prepared(const fs::path& folder) {
@@ -74,6 +81,8 @@ class EndToEnd : public TemporaryFolder {
         return Prepared(folder, dir / "scene.vantage", settings);
     }
 };
+
+class EndToEndAtLength : public EndToEnd {};
 
 /// PSNR over the colored pixels in 8-bit sRGB; 200 if identical.
 double psnr(const Picture& picture, const std::vector<std::uint8_t>& rgba) {
@@ -436,7 +445,7 @@ void paint(const PhotoInput& photo, const std::array<std::uint8_t, 3>& color, co
 }
 
 TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
+    SynthSpec spec = spec_named("small");
     spec.photos.count = 7;
     spec.photos.arc = 60;
     const fs::path folder = make(spec);
@@ -519,11 +528,11 @@ TEST_F(EndToEnd, StencilExcludesCoveredPixels) {
 
 TEST_F(EndToEnd, LensDistortionIsRemoved) {
     // The reference is the same scene photographed without distortion.
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/hard.toml");
+    SynthSpec spec = spec_named("hard");
     spec.photos.count = 3;
     Prepared p = prepared(make(spec));
     spec.lens = {};
-    synthesize(spec, dir / "straight", {});
+    copy_scene(spec, dir / "straight");
     EXPECT_TRUE(p.package->photos()[0].flags & package::photo_undistorted);
     for (const std::uint32_t i : p.photos) {
         const PhotoInput& photo = p.scene.photos[i];
@@ -536,19 +545,19 @@ TEST_F(EndToEnd, LensDistortionIsRemoved) {
     }
 }
 
-TEST_F(EndToEnd, VisibilityMatchesRayCastingOnTheDemoScene) {
-    Prepared p = prepared(make(read_spec(VANTAGE_SOURCE_DIR "/data/demo.toml")));
+TEST_F(EndToEndAtLength, VisibilityMatchesRayCastingOnTheDemoScene) {
+    Prepared p = prepared(make(spec_named("demo")));
     expect_visibility_is_that_of_rays(p);
 }
 
-TEST_F(EndToEnd, OwnViewsMatchThePhotosOnSceaux) {
+TEST_F(EndToEndAtLength, OwnViewsMatchThePhotosOnSceaux) {
     VANTAGE_DATASET(set, "sceaux");
     Prepared p = prepared(set);
     expect_own_views_are_the_photos(p, 6, 5);
     expect_visibility_is_that_of_rays(p);
 }
 
-TEST_F(EndToEnd, OwnViewsMatchThePhotosDespiteTheConsensusMask) {
+TEST_F(EndToEndAtLength, OwnViewsMatchThePhotosDespiteTheConsensusMask) {
     VANTAGE_DATASET(set, "sceaux-small");  // trees appear in single photos
     PrepareSettings masked;
     masked.effects[Effect::consensus] = EffectChoice::on;
@@ -608,7 +617,7 @@ TEST_F(EndToEnd, SurroundingsFillTheFrameAndLeaveTheMeshAlone) {
     EXPECT_EQ(darker, beside);
 }
 
-TEST_F(EndToEnd, OwnViewsMatchThePhotosOnFountain) {
+TEST_F(EndToEndAtLength, OwnViewsMatchThePhotosOnFountain) {
     VANTAGE_DATASET(set, "fountain-P11");
     Prepared p = prepared(set);
     expect_own_views_are_the_photos(p, 6, 6);

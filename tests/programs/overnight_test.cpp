@@ -19,11 +19,11 @@
 #include "pipeline/results/check.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesize.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "scene/part_file.h"
 #include "tests/faults/number_from.h"
+#include "tests/made_scenes.h"
 #include "tests/one_line.h"
 
 using namespace vantage;
@@ -37,20 +37,95 @@ std::size_t kept(const PrepareResult& p, Stage s) { return p.stages[std::size_t(
 constexpr Stage every_stage[] = {Stage::thumbnail, Stage::tiles, Stage::masks, Stage::coordinates,
                                  Stage::coverage};
 
+class OvernightRuns : public Overnight {
+  protected:
+    /// After a run that this fault kills, the next one writes the same bytes.
+    void expect_resumes_after(const std::vector<std::string>& faults) const {
+        const std::string bytes = undisturbed();
+        for (const std::string& fault : faults) {
+            fs::remove(file);
+            EXPECT_EQ(with_fault(fault).code, -1) << fault;
+            const Outcome next = prepare_program();
+            ASSERT_EQ(next.code, 0) << fault << next.err;
+            expect_whole(bytes, fault);
+        }
+    }
+    void expect_reported_and_resumed(const std::vector<std::string>& faults) const {
+        const std::string bytes = undisturbed();
+        for (const std::string& fault : faults) {
+            const Outcome failed = with_fault(fault);
+            EXPECT_EQ(failed.code, int(Exit::storage)) << fault << failed.err;
+            EXPECT_TRUE(one_line(failed.err)) << fault << failed.err;
+            EXPECT_NE(failed.err.find("scene.vantage"), std::string::npos) << failed.err;
+            const Outcome next = prepare_program();
+            ASSERT_EQ(next.code, 0) << fault << next.err;
+            expect_whole(bytes, fault);
+            fs::remove(file);
+        }
+    }
+    /// That many processes prepare it at once, and one at least finishes.
+    void expect_one_package_of(const std::vector<int>& processes) const {
+        const std::string bytes = undisturbed();
+        for (const int n : processes) {
+            fs::remove(file);
+            std::vector<std::future<int>> codes;
+            const auto text_of = [&](int i) { return dir / ("process" + std::to_string(i)); };
+            for (int i = 0; i < n; ++i)
+                codes.push_back(std::async(std::launch::async, [&, i] {
+                    const int status =
+                        std::system((VANTAGE_PROGRAM " prepare --progress none " + scene.string() + " -o " +
+                                     file.string() + " --no-report >/dev/null 2>" + text_of(i).string())
+                                        .c_str());
+                    return WEXITSTATUS(status);
+                }));
+            int done = 0;
+            for (int i = 0; i < n; ++i) {
+                const int code = codes[std::size_t(i)].get();
+                done += code == 0;
+                const std::string said = slurp(text_of(i));
+                if (code == 0) continue;
+                EXPECT_EQ(code, int(Exit::storage)) << said;
+                EXPECT_NE(said.find("another process is writing it"), std::string::npos) << said;
+            }
+            EXPECT_GE(done, 1) << n << " processes";
+            expect_whole(bytes, std::to_string(n) + " processes");
+        }
+    }
+    void expect_shares_merge(const std::vector<unsigned>& numbers) const {
+        fs::resize_file(photos()[4], 1000);  // one photo is left out
+        const std::string bytes = undisturbed();
+        for (const unsigned n : numbers) {
+            std::vector<fs::path> shares;
+            for (unsigned i = 1; i <= n; ++i) {
+                shares.insert(shares.begin(), dir / ("share" + std::to_string(i)));
+                PrepareRun run;
+                run.share = {i, n};
+                prepare(
+                    read_scene(discover(scene)), {}, shares.front(), [](const Progress&) {}, run);
+            }
+            merge(shares, file);
+            expect_whole(bytes, std::to_string(n) + " shares");
+            EXPECT_THROW(merge({shares.begin() + 1, shares.end()}, dir / "lacking"), Error);
+        }
+    }
+};
+class OvernightAtLength : public OvernightRuns {};
+
 }  // namespace
 
-TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtRandom) {
+TEST_F(OvernightAtLength, ResumesToTheSameBytesWhenKilledAtRandom) {
     if (const char* other = std::getenv("VANTAGE_KILLED_SCENE")) {
         fs::remove_all(scene);
-        synthesize(read_spec(other), scene, {});
+        copy_scene(read_spec(other), scene);
     }
     const auto start = std::chrono::steady_clock::now();
-    const std::string bytes = undisturbed();
+    prepare_here();
+    const std::string bytes = slurp(file);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::mt19937 random(1);
     std::uniform_real_distribution<double> instant(0.02, seconds);
     int killed = 0, resumed = 0;
-    for (const int wanted = number_from("VANTAGE_KILLS", 6); killed < wanted;) {
+    for (const int wanted = number_from("VANTAGE_KILLS", 10); killed < wanted;) {
         fs::remove(file);
         fs::remove(part_of(file));
         killed +=
@@ -63,22 +138,17 @@ TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtRandom) {
     std::printf("%d killed, %d of them left a part to resume from\n", killed, resumed);
 }
 
-TEST_F(Overnight, ResumesToTheSameBytesWhenKilledAtAnyWrite) {
-    const std::string bytes = undisturbed();
-    for (const char* fault :
-         {"pwrite:1:KILL", "pwrite:2:KILL", "pwrite:3:KILL_AFTER", "pwrite:40:KILL", "pwrite:77:KILL",
-          "pwrite:150:KILL_AFTER", "ftruncate:1:KILL", "fsync:1:KILL_AFTER", "fsync:2:KILL",
-          "fsync:2:KILL_AFTER", "fsync:3:KILL", "fsync:4:KILL", "unlink:1:KILL_AFTER", "rename:1:KILL",
-          "rename:1:KILL_AFTER"}) {
-        fs::remove(file);
-        EXPECT_EQ(with_fault(fault).code, -1) << fault;
-        const Outcome next = prepare_program();
-        ASSERT_EQ(next.code, 0) << fault << next.err;
-        expect_whole(bytes, fault);
-    }
+TEST_F(OvernightRuns, ResumesToTheSameBytesWhenKilledAtAWrite) {
+    expect_resumes_after({"pwrite:77:KILL", "fsync:2:KILL_AFTER", "rename:1:KILL"});
 }
 
-TEST_F(Overnight, EndsWithOneLineIfMemoryRunsOut) {
+TEST_F(OvernightAtLength, ResumesToTheSameBytesWhenKilledAtAnyWrite) {
+    expect_resumes_after({"pwrite:1:KILL", "pwrite:2:KILL", "pwrite:3:KILL_AFTER", "pwrite:40:KILL",
+                          "pwrite:150:KILL_AFTER", "ftruncate:1:KILL", "fsync:1:KILL_AFTER", "fsync:2:KILL",
+                          "fsync:3:KILL", "fsync:4:KILL", "unlink:1:KILL_AFTER", "rename:1:KILL_AFTER"});
+}
+
+TEST_F(OvernightAtLength, EndsWithOneLineIfMemoryRunsOut) {
 #ifdef VANTAGE_SANITIZED
     GTEST_SKIP() << "sanitizers reserve address space of their own";
 #endif
@@ -138,25 +208,19 @@ TEST_F(Overnight, DamagedDataInThePartIsRedone) {
     expect_whole(bytes, "damage");
 }
 
-TEST_F(Overnight, FullDiskIsReportedInOneLineAndNothingIsLost) {
-    const std::string bytes = undisturbed();
-    for (const char* fault : {"ftruncate:1:ENOSPC", "pwrite:1:ENOSPC", "pwrite:30:ENOSPC", "pwrite:120:EIO",
-                              "pwrite:90:EACCES", "fsync:1:EIO", "fsync:2:EIO", "rename:1:EACCES"}) {
-        const Outcome failed = with_fault(fault);
-        EXPECT_EQ(failed.code, int(Exit::storage)) << fault << failed.err;
-        EXPECT_TRUE(one_line(failed.err)) << fault << failed.err;
-        EXPECT_NE(failed.err.find("scene.vantage"), std::string::npos) << failed.err;
-        const Outcome next = prepare_program();
-        ASSERT_EQ(next.code, 0) << fault << next.err;
-        expect_whole(bytes, fault);
-        fs::remove(file);
-    }
+TEST_F(OvernightRuns, FullDiskIsReportedInOneLineAndNothingIsLost) {
+    expect_reported_and_resumed({"pwrite:30:ENOSPC", "fsync:2:EIO", "rename:1:EACCES"});
+}
+
+TEST_F(OvernightAtLength, FailureOfAnyOperationIsReportedInOneLineAndNothingIsLost) {
+    expect_reported_and_resumed(
+        {"ftruncate:1:ENOSPC", "pwrite:1:ENOSPC", "pwrite:120:EIO", "pwrite:90:EACCES", "fsync:1:EIO"});
 }
 
 TEST_F(Overnight, UpdatesInPlaceWithoutRoomForBoth) {
     PrepareSettings raw;
     raw.effects = {{Effect::compact, EffectChoice::off}};
-    prepare_here(raw);
+    copy_package(scene, raw, file);
     fs::copy_file(photos()[1], photos()[4], fs::copy_options::overwrite_existing);
     const std::string before = slurp(file);
     {
@@ -190,10 +254,10 @@ TEST_F(Overnight, InsufficientMemoryStopsAtOnce) {
 
 TEST_F(Overnight, RefiningLaterGivesTheSamePackage) {
     fs::remove_all(scene);
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    SynthSpec spec = spec_named("tiny");
     spec.exposure = {0.7, 0.2, 0.3};
-    synthesize(spec, scene, {});
-    prepare_here();
+    copy_scene(spec, scene);
+    copy_package(scene, {}, file);
     const std::string agreeing = slurp(file);
     PrepareSettings off;
     off.effects = {{Effect::exposure, EffectChoice::off}, {Effect::falloff, EffectChoice::off}};
@@ -211,11 +275,11 @@ TEST_F(Overnight, RefiningLaterGivesTheSamePackage) {
 
 TEST_F(Overnight, RegisteringLaterOrByMergingGivesTheSamePackage) {
     fs::remove_all(scene);
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
+    SynthSpec spec = spec_named("small");
     spec.photos.count = 8;
     spec.photos.samples = 1;
     spec.error.pixels = 4;
-    synthesize(spec, scene, {});
+    copy_scene(spec, scene);
     // A run that is stopped while registering resumes later.
     std::atomic<bool> stop{false};
     PrepareRun stopped;
@@ -270,7 +334,7 @@ TEST_F(Overnight, MemoryStaysBelowTheEstimateAndTheLimit) {
 }
 
 TEST_F(Overnight, UnchangedInputsRerunNothing) {
-    prepare_here();
+    copy_package(scene, {}, file);
     const auto written = fs::last_write_time(file);
     const Outcome again = prepare_program();
     EXPECT_EQ(again.code, 0) << again.err;
@@ -279,7 +343,7 @@ TEST_F(Overnight, UnchangedInputsRerunNothing) {
 }
 
 TEST_F(Overnight, ChangedPhotoIsRedoneAlone) {
-    prepare_here();
+    copy_package(scene, {}, file);
     fs::copy_file(photos()[1], photos()[4], fs::copy_options::overwrite_existing);
     const PrepareResult next = prepare_here();
     for (const Stage s : {Stage::thumbnail, Stage::tiles, Stage::masks}) {
@@ -297,7 +361,7 @@ TEST_F(Overnight, ChangedPhotoIsRedoneAlone) {
 TEST_F(Overnight, AddedAndRemovedPhotosRerunOnlyThemselves) {
     const fs::path away = photos()[3], held = dir / "held.jpg";
     fs::rename(away, held);
-    prepare_here();
+    copy_package(scene, {}, file);
     fs::rename(held, away);
     const PrepareResult more = prepare_here();
     for (const Stage s : every_stage) EXPECT_EQ(made(more, s), 1u) << int(s);
@@ -310,7 +374,7 @@ TEST_F(Overnight, AddedAndRemovedPhotosRerunOnlyThemselves) {
 }
 
 TEST_F(Overnight, ChangedSettingRerunsOnlyItsStages) {
-    prepare_here();
+    copy_package(scene, {}, file);
     PrepareSettings settings;
     settings.border_threshold = 0.02;
     const PrepareResult masks = prepare_here(settings);
@@ -329,7 +393,7 @@ TEST_F(Overnight, ChangedSettingRerunsOnlyItsStages) {
 }
 
 TEST_F(Overnight, InterruptedUpdateResumes) {
-    prepare_here();
+    copy_package(scene, {}, file);
     const fs::path away = photos()[3];
     fs::remove(away);
     EXPECT_EQ(with_fault("pwrite:60:KILL").code, -1);
@@ -346,11 +410,11 @@ TEST_F(Overnight, UnusablePhotosAreLeftOutAndListed) {
     fs::remove(all[1]);                                            // missing
     fs::copy_file(all[2], all[2].parent_path() / "stranger.jpg");  // no camera
     std::ofstream(all[3], std::ios::trunc) << "not a picture";     // not a photo
-    SynthSpec other = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    SynthSpec other = spec_named("tiny");
     other.photos.count = 1;
     other.photos.width = 120;
     other.photos.height = 110;
-    synthesize(other, dir / "other", {});
+    copy_scene(other, dir / "other");
     fs::copy_file(discover(dir / "other").photos / "0000.jpg", all[4], fs::copy_options::overwrite_existing);
     const Outcome done = prepare_program();
     EXPECT_EQ(done.code, int(Exit::incomplete)) << done.err;
@@ -429,7 +493,7 @@ TEST_F(Overnight, SignalFinishesPhotosInFlight) {
 }
 
 TEST_F(Overnight, OnlyOneProcessWritesAtATime) {
-    prepare_here();
+    copy_package(scene, {}, file);
     std::vector<ChunkPlan> plan{{package::Type::meta, package::scene_wide, 0, 4}};
     PackageWriter other(file, plan);
     const Outcome second = prepare_program("--thumbnail 128");
@@ -438,33 +502,9 @@ TEST_F(Overnight, OnlyOneProcessWritesAtATime) {
     EXPECT_NE(second.err.find("another process is writing it"), std::string::npos) << second.err;
 }
 
-TEST_F(Overnight, AnyNumberOfProcessesMayWriteOnePackage) {
-    const std::string bytes = undisturbed();
-    for (const int n : {2, 3, 10}) {
-        fs::remove(file);
-        std::vector<std::future<int>> codes;
-        const auto text_of = [&](int i) { return dir / ("process" + std::to_string(i)); };
-        for (int i = 0; i < n; ++i)
-            codes.push_back(std::async(std::launch::async, [&, i] {
-                const int status =
-                    std::system((VANTAGE_PROGRAM " prepare --progress none " + scene.string() + " -o " +
-                                 file.string() + " --no-report >/dev/null 2>" + text_of(i).string())
-                                    .c_str());
-                return WEXITSTATUS(status);
-            }));
-        int done = 0;
-        for (int i = 0; i < n; ++i) {
-            const int code = codes[std::size_t(i)].get();
-            done += code == 0;
-            const std::string said = slurp(text_of(i));
-            if (code == 0) continue;
-            EXPECT_EQ(code, int(Exit::storage)) << said;
-            EXPECT_NE(said.find("another process is writing it"), std::string::npos) << said;
-        }
-        EXPECT_GE(done, 1) << n << " processes";
-        expect_whole(bytes, std::to_string(n) + " processes");
-    }
-}
+TEST_F(OvernightRuns, SeveralProcessesMayWriteOnePackage) { expect_one_package_of({3}); }
+
+TEST_F(OvernightAtLength, AnyNumberOfProcessesMayWriteOnePackage) { expect_one_package_of({2, 10}); }
 
 TEST_F(Overnight, ProcessThatOpensAPartJustBeforeItIsCompletedLeavesThePackageAlone) {
     const std::string bytes = undisturbed();
@@ -487,22 +527,10 @@ TEST_F(Overnight, ProcessThatOpensAPartJustBeforeItIsCompletedLeavesThePackageAl
     EXPECT_FALSE(slurp(file) == bytes) << "the late process did its work, with its own settings";
 }
 
-TEST_F(Overnight, SharesMergeToTheBytesOfASingleRun) {
-    fs::resize_file(photos()[4], 1000);  // one photo is left out
-    const std::string bytes = undisturbed();
-    for (const unsigned n : {1u, 2u, 5u, 8u}) {
-        std::vector<fs::path> shares;
-        for (unsigned i = 1; i <= n; ++i) {
-            shares.insert(shares.begin(), dir / ("share" + std::to_string(i)));
-            PrepareRun run;
-            run.share = {i, n};
-            prepare(
-                read_scene(discover(scene)), {}, shares.front(), [](const Progress&) {}, run);
-        }
-        merge(shares, file);
-        expect_whole(bytes, std::to_string(n) + " shares");
-        EXPECT_THROW(merge({shares.begin() + 1, shares.end()}, dir / "lacking"), Error);
-    }
+TEST_F(OvernightRuns, SharesMergeToTheBytesOfASingleRun) { expect_shares_merge({3}); }
+
+TEST_F(OvernightAtLength, AnyNumberOfSharesMergesToTheBytesOfASingleRun) {
+    expect_shares_merge({1, 2, 5, 8});
 }
 
 TEST_F(Overnight, SharesOfDifferentSettingsAreRejected) {
@@ -523,7 +551,7 @@ TEST_F(Overnight, SharesOfDifferentSettingsAreRejected) {
 }
 
 TEST_F(Overnight, DiffListsDifferences) {
-    prepare_here();
+    copy_package(scene, {}, file);
     const fs::path other = dir / "other.vantage";
     fs::copy_file(file, other);
     EXPECT_EQ(run("diff " + file.string() + " " + other.string()).code, 0);

@@ -50,7 +50,7 @@ class RemoteCache : public RemoteTest {
 };
 
 /// A cache that several processes use. The test has no threads when it starts them.
-class RemoteCacheOfProcesses : public RemoteTest {
+class RemoteCacheOfProcessesAtLength : public RemoteTest {
   protected:
     const std::string content = content_of(100 * block + 50);
 
@@ -390,7 +390,7 @@ TEST_F(RemoteCache, WriteThatFailsIsReported) {
     EXPECT_TRUE(same(file, {0, content.size()}, content));
 }
 
-TEST_F(RemoteCacheOfProcesses, BlocksThatAnotherProcessKeepsStay) {
+TEST_F(RemoteCacheOfProcessesAtLength, BlocksThatAnotherProcessKeepsStay) {
     const Nginx nginx(dir / "nginx", dir / "served");
     options.cache_bytes = 20 * block;
     const ByteRange range{10 * block, 14 * block};
@@ -418,7 +418,7 @@ TEST_F(RemoteCacheOfProcesses, BlocksThatAnotherProcessKeepsStay) {
     EXPECT_FALSE(file.present(range));
 }
 
-TEST_F(RemoteCacheOfProcesses, ThreeMayReadAndEvictAtOnce) {
+TEST_F(RemoteCacheOfProcessesAtLength, ThreeMayReadAndEvictAtOnce) {
     const Nginx nginx(dir / "nginx", dir / "served");
     options.cache_bytes = 30 * block;
     std::vector<pid_t> children;
@@ -427,7 +427,7 @@ TEST_F(RemoteCacheOfProcesses, ThreeMayReadAndEvictAtOnce) {
     for (const pid_t child : children) EXPECT_EQ(exit_status(child), 0);
 }
 
-TEST_F(RemoteCacheOfProcesses, OneThatIsKilledLeavesNoWrongBytes) {
+TEST_F(RemoteCacheOfProcessesAtLength, OneThatIsKilledLeavesNoWrongBytes) {
     const Nginx nginx(dir / "nginx", dir / "served", "limit_rate 4m;");
     std::uint64_t present = 0;
     for (int round = 0; round < 5; ++round) {

@@ -13,9 +13,9 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesize.h"
 #include "scene/package_reader.h"
 #include "tests/datasets.h"
+#include "tests/made_scenes.h"
 #include "tests/pipeline/agree/camera_errors.h"
 #include "tests/temporary_folder.h"
 #include "values/quantile.h"
@@ -49,7 +49,7 @@ class SyntheticRegistration : public TemporaryFolder {
     const fs::path scene = dir / "scene", file = dir / "scene.vantage";
 
     static SynthSpec spec() {
-        SynthSpec s = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
+        SynthSpec s = spec_named("small");
         s.photos.count = 8;
         return s;
     }
@@ -71,8 +71,10 @@ class SyntheticRegistration : public TemporaryFolder {
     }
 };
 
-TEST_F(SyntheticRegistration, RecoversPerturbedCameras) {
-    synthesize(read_spec(VANTAGE_SOURCE_DIR "/data/demo.toml"), scene, {});
+class SyntheticRegistrationAtLength : public SyntheticRegistration {};
+
+TEST_F(SyntheticRegistrationAtLength, RecoversPerturbedCameras) {
+    copy_scene(spec_named("demo"), scene);
     constexpr double pixels = 5;
     SceneInput given = truth();
     disturb(given, pixels, 12);
@@ -86,7 +88,7 @@ TEST_F(SyntheticRegistration, RecoversPerturbedCameras) {
 }
 
 TEST_F(SyntheticRegistration, AccurateCamerasStayUnchanged) {
-    synthesize(spec(), scene, {});
+    copy_scene(spec(), scene);
     EXPECT_FALSE(registration(prepare_folder()).decision.on);
     expect_unchanged(truth());
     prepare_folder(EffectChoice::on);
@@ -94,7 +96,7 @@ TEST_F(SyntheticRegistration, AccurateCamerasStayUnchanged) {
 }
 
 TEST_F(SyntheticRegistration, PairShiftsMatchTheCameraError) {
-    synthesize(spec(), scene, {});
+    copy_scene(spec(), scene);
     SceneInput input = truth();
     // One photo rotated about its vertical axis: its content is 3 px off horizontally.
     Camera& camera = input.photos[4].camera;
@@ -121,7 +123,7 @@ TEST_F(SyntheticRegistration, PairShiftsMatchTheCameraError) {
 }
 
 TEST_F(SyntheticRegistration, SwappedCamerasAreReportedAndLeftAlone) {
-    synthesize(spec(), scene, {});
+    copy_scene(spec(), scene);
     SceneInput input = truth();
     std::swap(input.photos[2].camera, input.photos[5].camera);
     const auto done = prepare_as(input);
@@ -133,7 +135,7 @@ TEST_F(SyntheticRegistration, SwappedCamerasAreReportedAndLeftAlone) {
 }
 
 TEST_F(SyntheticRegistration, WrongCameraIsReported) {
-    synthesize(spec(), scene, {});
+    copy_scene(spec(), scene);
     SceneInput input = truth();
     Pose& pose = input.photos[3].camera.cam_from_world;
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.12, Eigen::Vector3d::UnitY()).toRotationMatrix();
@@ -148,7 +150,7 @@ TEST_F(SyntheticRegistration, WrongCameraIsReported) {
 TEST_F(SyntheticRegistration, DegenerateInputsAreReportedAndLeftAlone) {
     SynthSpec s = spec();
     s.photos.count = 4;
-    synthesize(s, scene, {});
+    copy_scene(s, scene);
     const auto expect = [&](const SceneInput& input, const std::string& reason) {
         const auto done = prepare_as(input, EffectChoice::on);
         EXPECT_FALSE(registration(done).decision.on) << reason;
@@ -173,7 +175,7 @@ TEST_F(SyntheticRegistration, DegenerateInputsAreReportedAndLeftAlone) {
     s.building.bays = 2;
     s.building.floors = 1;
     s.object.distance = 1.7;
-    synthesize(s, dir / "other", {});
+    copy_scene(s, dir / "other");
     other.mesh = read_scene(discover(dir / "other")).mesh;
     for (auto& p : other.mesh.positions) p = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()) * p;
     expect(other, "wrong mesh or wrong cameras?");
@@ -191,7 +193,7 @@ TEST_F(SyntheticRegistration, DegenerateInputsAreReportedAndLeftAlone) {
 TEST_F(SyntheticRegistration, IdenticalPhotosStayInPlace) {
     SynthSpec s = spec();
     s.photos.count = 2;
-    synthesize(s, scene, {});
+    copy_scene(s, scene);
     const SceneInput photos = truth();
     fs::copy_file(photos.photos[0].file, photos.photos[1].file, fs::copy_options::overwrite_existing);
     SceneInput input = truth();
@@ -208,7 +210,7 @@ TEST_F(SyntheticRegistration, FlatSurfaceIsNotRegistered) {
     s.photos.count = 3;
     s.building.recess = 0.01;
     s.error.pixels = 3;
-    synthesize(s, scene, {});
+    copy_scene(s, scene);
     SceneInput input = scene_with_cameras(scene, scene / "sparse");
     Mesh& mesh = input.mesh;
     mesh = {};
@@ -224,10 +226,10 @@ TEST_F(SyntheticRegistration, FlatSurfaceIsNotRegistered) {
 }
 
 /// Only pairs with changed photos are measured again, with the same result.
-TEST_F(SyntheticRegistration, ReusesPairsThatWereMeasured) {
+TEST_F(SyntheticRegistrationAtLength, ReusesPairsThatWereMeasured) {
     SynthSpec s = spec();
     s.error.pixels = 3;
-    synthesize(s, scene, {});
+    copy_scene(s, scene);
     const SceneInput input = scene_with_cameras(scene, scene / "sparse");
     prepare_as(input);
     const std::string fresh = slurp(file);
@@ -245,7 +247,7 @@ TEST_F(SyntheticRegistration, ReusesPairsThatWereMeasured) {
     EXPECT_TRUE(slurp(file) == fresh) << "off and on again";
 }
 
-TEST(RealRegistration, StaysOffOnAccurateScenes) {
+TEST(RealRegistrationAtLength, StaysOffOnAccurateScenes) {
     for (const char* name : {"sceaux", "fountain-P11"}) {
         VANTAGE_DATASET(dataset, name);
         const fs::path file = fs::temp_directory_path() / (std::string(name) + ".registration.vantage");
@@ -277,7 +279,7 @@ TEST(RealRegistration, NamesAWrongFocalLength) {
 }
 
 /// Neighbors and photos far apart; nobody else is accused, and nothing is moved.
-TEST(RealRegistration, NamesSwappedCamerasAndNoOthers) {
+TEST(RealRegistrationAtLength, NamesSwappedCamerasAndNoOthers) {
     for (const char* name : {"sceaux-small", "fountain-P11"}) {
         VANTAGE_DATASET(dataset, name);
         const SceneInput whole = read_scene(discover(dataset));
@@ -304,7 +306,7 @@ TEST(RealRegistration, NamesSwappedCamerasAndNoOthers) {
 
 /// Corrects cameras that are 3 px off, up to the position of the whole frame on the model, which photos do
 /// not determine.
-TEST(RealRegistration, RecoversPerturbedCameras) {
+TEST(RealRegistrationAtLength, RecoversPerturbedCameras) {
     VANTAGE_DATASET(dataset, "fountain-P11");
     SceneInput input = read_scene(discover(dataset));
     disturb(input, 3 * std::sqrt(2), 10);

@@ -14,7 +14,7 @@
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/settings/settings.h"
 #include "pipeline/synth/building.h"
-#include "pipeline/synth/synthesize.h"
+#include "tests/made_scenes.h"
 #include "tests/pipeline/agree/camera_errors.h"
 #include "tests/temporary_folder.h"
 
@@ -27,19 +27,19 @@ using Eigen::Vector3d;
 
 /// Ten photos of a small building with exact cameras, of which each test makes one thing wrong. Each prints
 /// what docs/measurements.md tabulates.
-class RegistrationTruth : public TemporaryFolder {
+class RegistrationTruthAtLength : public TemporaryFolder {
   protected:
     const fs::path scene = dir / "scene", file = dir / "scene.vantage";
     SceneInput exact;
 
     static SynthSpec spec() {
-        SynthSpec s = read_spec(VANTAGE_SOURCE_DIR "/data/small.toml");
+        SynthSpec s = spec_named("small");
         s.photos.count = 10;
         return s;
     }
     void SetUp() override {
         TemporaryFolder::SetUp();
-        synthesize(spec(), scene, {});
+        copy_scene(spec(), scene);
         exact = scene_with_cameras(scene, scene / "truth" / "sparse");
     }
     /// The scene's surface, its walls divided finely.
@@ -48,7 +48,7 @@ class RegistrationTruth : public TemporaryFolder {
         s.building.max_edge = 0.25;
         return build_model(s).mesh;
     }
-    struct Outcome {
+    struct Registered {
         Registration registration;
         std::vector<double> moved, off;  ///< per camera: from the given one, and from the true one, px
         const std::string& evidence() const { return registration.decision.evidence; }
@@ -60,7 +60,7 @@ class RegistrationTruth : public TemporaryFolder {
         }
         double most_moved() const { return quantile(moved, 1); }
     };
-    Outcome outcome(const std::string& what, const SceneInput& input,
+    Registered outcome(const std::string& what, const SceneInput& input,
                     EffectChoice choice = EffectChoice::automatic) const {
         PrepareSettings settings;
         if (choice != EffectChoice::automatic) settings.effects[Effect::registration] = choice;
@@ -69,7 +69,7 @@ class RegistrationTruth : public TemporaryFolder {
         fs::remove(file);
         const auto done = prepare(input, settings, file, [](const Progress&) {});
         const PackageReader package(file);
-        Outcome out{done.agreement->registration, camera_errors(package, input),
+        Registered out{done.agreement->registration, camera_errors(package, input),
                     camera_errors(package, exact)};
         std::printf("%s: moved by at most %.2f px, then off by at most %.2f px; %s\n%s", what.c_str(),
                     out.most_moved(), quantile(out.off, 1), out.evidence().c_str(), out.warnings().c_str());
@@ -109,7 +109,7 @@ Mesh smoothed(Mesh mesh, int times) {
 }
 
 /// Exact cameras: what photos disagree about is the mesh.
-TEST_F(RegistrationTruth, MeshErrorsMoveNoCamera) {
+TEST_F(RegistrationTruthAtLength, MeshErrorsMoveNoCamera) {
     const Mesh mesh = fine_mesh();
     Eigen::AlignedBox3d box;
     for (const Vector3d& p : mesh.positions) box.extend(p);
@@ -146,14 +146,14 @@ TEST_F(RegistrationTruth, MeshErrorsMoveNoCamera) {
     for (const auto& [what, with] : wrong) {
         SceneInput input = exact;
         input.mesh = with;
-        const Outcome found = outcome(what, input);
+        const Registered found = outcome(what, input);
         EXPECT_LE(found.most_moved(), 0.3) << what;
         EXPECT_EQ(found.warnings(), "") << what;
     }
 }
 
 /// At the end of the row, where few photos see the same, and in the middle.
-TEST_F(RegistrationTruth, OneWrongCameraReturnsAndTheOthersStay) {
+TEST_F(RegistrationTruthAtLength, OneWrongCameraReturnsAndTheOthersStay) {
     for (const std::size_t wrong : {std::size_t(0), std::size_t(4)}) {
         SceneInput input = exact;
         Camera& camera = input.photos[wrong].camera;
@@ -161,7 +161,7 @@ TEST_F(RegistrationTruth, OneWrongCameraReturnsAndTheOthersStay) {
         const Eigen::Matrix3d turn =
             Eigen::AngleAxisd(3 / camera.intrinsics.fx, Vector3d(1, 1, 0).normalized()).toRotationMatrix();
         pose = {turn * pose.R, turn * pose.t};
-        const Outcome found = outcome("one of ten off by 3 px", input);
+        const Registered found = outcome("one of ten off by 3 px", input);
         EXPECT_TRUE(found.registration.decision.on) << found.evidence();
         for (std::size_t i = 0; i < found.off.size(); ++i)
             EXPECT_LE(found.off[i], i == wrong ? 0.3 : 0.1) << i;
@@ -171,12 +171,12 @@ TEST_F(RegistrationTruth, OneWrongCameraReturnsAndTheOthersStay) {
 
 /// A scan that is registered badly. Photos cannot tell whether the cameras or the mesh are off, so the frame
 /// of the survey stays.
-TEST_F(RegistrationTruth, CamerasOffTogetherAreFoundAndSaid) {
+TEST_F(RegistrationTruthAtLength, CamerasOffTogetherAreFoundAndSaid) {
     const double off = 0.08;  // m away from the facade: 5 px in the median photo
     SceneInput input = exact;
     const Similarity shift{Eigen::Matrix3d::Identity(), {0, off, 0}};
     for (PhotoInput& p : input.photos) p.camera.cam_from_world = compose(p.camera.cam_from_world, shift);
-    const Outcome found = outcome("all off together", input);
+    const Registered found = outcome("all off together", input);
     EXPECT_NEAR(quantile(found.off, 0.5), 5, 0.5);
     const std::string words = "all cameras together are displaced by at least ";
     ASSERT_TRUE(found.says(words)) << found.evidence();
@@ -187,7 +187,7 @@ TEST_F(RegistrationTruth, CamerasOffTogetherAreFoundAndSaid) {
     EXPECT_TRUE(found.says("left-out photos")) << found.evidence();
     EXPECT_EQ(found.most_moved(), 0) << found.evidence();
 
-    const Outcome nothing = outcome("nothing wrong", exact);
+    const Registered nothing = outcome("nothing wrong", exact);
     EXPECT_FALSE(nothing.says("together")) << nothing.evidence();
     EXPECT_EQ(nothing.warnings(), "");
     EXPECT_EQ(nothing.most_moved(), 0);
@@ -212,7 +212,7 @@ void roll(const fs::path& from, const fs::path& to, const Intrinsics& k, double 
 }
 
 /// Even if registration is forced, which skips the judgment by left-out photos.
-TEST_F(RegistrationTruth, RollingShutterIsNamedAndNotHiddenInPoses) {
+TEST_F(RegistrationTruthAtLength, RollingShutterIsNamedAndNotHiddenInPoses) {
     constexpr double pixels = 3.5;
     SceneInput input = exact;
     fs::create_directories(dir / "rolled");
@@ -220,7 +220,7 @@ TEST_F(RegistrationTruth, RollingShutterIsNamedAndNotHiddenInPoses) {
         roll(p.file, dir / "rolled" / p.name, p.camera.intrinsics, pixels);
         p.file = dir / "rolled" / p.name;
     }
-    const Outcome found = outcome("rolling shutter of 3.5 px", input, EffectChoice::on);
+    const Registered found = outcome("rolling shutter of 3.5 px", input, EffectChoice::on);
     const std::string words = "all photos: the displacement grows from row to row, by ";
     ASSERT_TRUE(found.warnings().starts_with(words)) << found.warnings();
     EXPECT_NEAR(std::stod(found.warnings().substr(words.size())), pixels, 0.7);
@@ -228,7 +228,7 @@ TEST_F(RegistrationTruth, RollingShutterIsNamedAndNotHiddenInPoses) {
     EXPECT_LE(found.most_moved(), 0.3);
 }
 
-TEST_F(RegistrationTruth, WrongFocalLengthIsNamedAndNotHiddenInPoses) {
+TEST_F(RegistrationTruthAtLength, WrongFocalLengthIsNamedAndNotHiddenInPoses) {
     const auto expect = [&](const std::string& what, const std::vector<std::size_t>& photos, double factor,
                             const std::string& name, const std::string& direction) {
         SceneInput input = exact;
@@ -236,7 +236,7 @@ TEST_F(RegistrationTruth, WrongFocalLengthIsNamedAndNotHiddenInPoses) {
             Intrinsics& k = input.photos[i].camera.intrinsics;
             k.fx *= factor, k.fy *= factor;
         }
-        const Outcome found = outcome(what, input, EffectChoice::on);
+        const Registered found = outcome(what, input, EffectChoice::on);
         ASSERT_EQ(found.registration.warnings.size(), 1u) << found.warnings();
         EXPECT_TRUE(found.warnings().starts_with(name)) << found.warnings();
         const std::string words = "the focal length is likely ";

@@ -16,9 +16,9 @@
 #include "pipeline/results/check.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/settings/settings.h"
-#include "pipeline/synth/synthesize.h"
 #include "scene/package_reader.h"
 #include "tests/datasets.h"
+#include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -26,9 +26,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-class Prepare : public TemporaryFolder {
-  protected:
-};
+class Prepare : public TemporaryFolder {};
+class PrepareAtLength : public Prepare {};
 
 void quiet(const Progress&) {}
 
@@ -46,7 +45,7 @@ TEST_F(Prepare, SceauxSmallPassesCheckAndIsDeterministic) {
 }
 
 TEST_F(Prepare, OpenGlAndProcessorAgree) {
-    synthesize(read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml"), dir / "scene", {});
+    copy_scene(spec_named("tiny"), dir / "scene");
     for (const RenderBy by : {RenderBy::opengl, RenderBy::processor}) {
         PrepareSettings settings;
         settings.render_by = by;
@@ -80,13 +79,13 @@ TEST_F(Prepare, OddPhotoSizesPassCheck) {
     // Halving with rounding up changes the aspect ratio of 1062 x 797: a thumbnail made from that would be
     // 512 x 385, not 384.
     for (const auto& [width, height] : {std::pair(1062, 797), {797, 1062}, {513, 1}, {3, 700}}) {
-        SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+        SynthSpec spec = spec_named("tiny");
         spec.photos.count = 1;
         spec.photos.samples = 1;
         spec.photos.width = width;
         spec.photos.height = height;
         const fs::path scene = dir / ("scene" + std::to_string(width));
-        synthesize(spec, scene, {});
+        copy_scene(spec, scene);
         prepare(read_scene(discover(scene)), {}, dir / "a.vantage", quiet);
         for (const Issue& i : check_package(dir / "a.vantage", {.deep = true, .against = scene}))
             ADD_FAILURE() << i.text;
@@ -94,9 +93,9 @@ TEST_F(Prepare, OddPhotoSizesPassCheck) {
 }
 
 TEST_F(Prepare, ReorderedVerticesKeepTheirAttributes) {
-    SynthSpec spec = read_spec(VANTAGE_SOURCE_DIR "/data/tiny.toml");
+    SynthSpec spec = spec_named("tiny");
     spec.photos.count = 1;
-    synthesize(spec, dir / "scene", {});
+    copy_scene(spec, dir / "scene");
     SceneInput scene = read_scene(discover(dir / "scene"));
     subdivide_large_triangles(scene.mesh, main_box(scene.mesh));  // so that preparing adds none
     const auto code = [](const Eigen::Vector3f& p) {
@@ -198,7 +197,7 @@ TEST_F(Prepare, DamageAndTruncationAreReportedForEveryChunk) {
 }
 
 /// On this scene, thresholds ask for consensus masks, which left-out photos refute.
-TEST_F(Prepare, WithoutTheJudgeThresholdsDecide) {
+TEST_F(PrepareAtLength, WithoutTheJudgeThresholdsDecide) {
     VANTAGE_DATASET(input, "sceaux");
     PrepareSettings settings;
     settings.photo_size = 1500;
