@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <random>
 
 #include "agreement/registered_without.h"
@@ -51,7 +52,8 @@ class Evaluate : public TemporaryFolder {
         scene = read_scene(discover(dir / "scene"));
         for (PhotoInput& photo : scene.photos) photo.read.clear();  // tests repaint photos on purpose
     }
-    std::vector<LeftOut> evaluate(bool corrects_exposure = true) {
+    /// Of every photo, or of one.
+    std::vector<LeftOut> evaluate(bool corrects_exposure = true, std::optional<std::uint32_t> only = {}) {
         PrepareSettings as_given;
         as_given.effects[Effect::registration] = EffectChoice::off;
         if (!corrects_exposure) as_given.effects[Effect::exposure] = EffectChoice::off;
@@ -67,9 +69,14 @@ class Evaluate : public TemporaryFolder {
         RenderSettings settings;
         settings.weights.consensus_mask = false;  // as in run_evaluate
         for (const std::uint32_t p : photos)
-            out.push_back(leave_out(renderer, settings, photos, package.photos(), p, 1, regions, pictures));
+            if (!only || p == *only)
+                out.push_back(
+                    leave_out(renderer, settings, photos, package.photos(), p, 1, regions, pictures));
         remark(out);
         return out;
+    }
+    LeftOut evaluate_photo(std::uint32_t photo, bool corrects_exposure = true) {
+        return evaluate(corrects_exposure, photo).front();
     }
 };
 
@@ -164,7 +171,7 @@ TEST_F(Evaluate, WrongCameraIsDetectedWithItsOffset) {
 
 TEST_F(Evaluate, StrangerInTheLeftOutPhotoMakesItOdd) {
     repaint(scene.photos[2].file, paint_stranger);
-    const LeftOut r = evaluate()[2];
+    const LeftOut r = evaluate_photo(2);
     EXPECT_EQ(largest_at_colored(r.causes), Cause::odd_photo);
     const auto region = std::ranges::find(r.worst, Cause::odd_photo, &WorstRegion::cause);
     ASSERT_NE(region, r.worst.end());
@@ -176,7 +183,7 @@ TEST_F(Evaluate, DarkThingInFrontIsNotCalledExposure) {
     repaint(scene.photos[2].file, [](std::array<std::uint8_t, 3>& color, int x, int) {
         if (x < 360) color = {20, 40, 15};
     });
-    const LeftOut r = evaluate()[2];
+    const LeftOut r = evaluate_photo(2);
     EXPECT_LT(std::abs(r.brightness.stops), 0.15);
     EXPECT_FALSE(remarks_on(r, "darker"));
     EXPECT_TRUE(remarks_on(r, "something in front of it"));
@@ -188,7 +195,7 @@ TEST_F(Evaluate, DarkerPhotoIsReportedWithItsStops) {
             v = std::uint8_t(
                 std::lround(255 * srgb_from_linear(linear_from_srgb(v / 255.0) * std::exp2(-0.5))));
     });
-    const LeftOut r = evaluate(false)[2];
+    const LeftOut r = evaluate_photo(2, false);
     EXPECT_NEAR(r.brightness.stops, -0.5, 0.1);
     EXPECT_TRUE(remarks_on(r, "stops darker than the others"));
     EXPECT_FALSE(remarks_on(r, "something in front of it"));
@@ -207,7 +214,7 @@ TEST_F(Evaluate, WrongCameraDisplacesContent) {
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).toRotationMatrix();
     pose.R = turn * pose.R;
     pose.t = turn * pose.t;
-    const LeftOut r = evaluate()[2];
+    const LeftOut r = evaluate_photo(2);
     EXPECT_EQ(largest_at_colored(r.causes), Cause::displaced);
     EXPECT_GT(r.causes.colored_share(Cause::displaced), 0.5);
 }
@@ -217,17 +224,17 @@ TEST_F(Evaluate, NoisyPhotoDiffersInFineDetail) {
     repaint(scene.photos[2].file, [&](std::array<std::uint8_t, 3>& color, int, int) {
         for (std::uint8_t& v : color) v = std::uint8_t(std::clamp(int(v) + int(random() % 161) - 80, 0, 255));
     });
-    EXPECT_EQ(largest_at_colored(evaluate()[2].causes), Cause::detail);
+    EXPECT_EQ(largest_at_colored(evaluate_photo(2).causes), Cause::detail);
 }
 
 TEST_F(Evaluate, HolesAreWhereTheMeshEndsOrNoOtherPhotoLooks) {
-    const LeftOut whole = evaluate()[2];
+    const LeftOut whole = evaluate_photo(2);
     const auto& positions = scene.mesh.positions;
     std::erase_if(scene.mesh.triangles, [&](const auto& t) {  // the upper floor and the roof
         return std::max({positions[t[0]].z(), positions[t[1]].z(), positions[t[2]].z()}) > 3.5;
     });
     fs::remove(file);
-    const LeftOut holed = evaluate()[2];
+    const LeftOut holed = evaluate_photo(2);
     EXPECT_GT(holed.causes.of(Cause::no_surface), 1.2 * whole.causes.of(Cause::no_surface));
     EXPECT_LT(holed.frame.psnr_gain, whole.frame.psnr_gain - 0.5) << "the whole frame counts";
 
