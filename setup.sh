@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian 12, Ubuntu 24.04) and builds into build/: the two programs and their manual, for demo.sh;
-# with "all" also tests and benchmarks, for test.sh.
+# or targets, for test.sh: suite (the default set of tests) or all (also benchmarks).
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -17,8 +17,8 @@ grep -q '^ID=ubuntu' /etc/os-release && packages+=(language-pack-en-base)
 tests=OFF targets=(vantage vantage-player manual)
 # Tests that were configured before stay so.
 grep -qs '^BUILD_TESTING:BOOL=ON' build/CMakeCache.txt && tests=ON
-if [ "${1:-}" = all ]; then
-  tests=ON targets=(all)
+if (($#)); then
+  tests=ON targets=("$@")
   packages+=(libgtest-dev librapidcheck-dev libopencv-calib3d-dev libopencv-imgcodecs-dev libsquish-dev gnuplot-nox
     xvfb xauth xserver-xorg-core xserver-xorg-video-dummy xdotool python3-xlib openxr-layer-corevalidation
     bash-completion desktop-file-utils man-db shared-mime-info)
