@@ -231,9 +231,9 @@ TEST(CommonMotion, PointsOnALineDoNotCauseARotationAboutIt) {
 
 namespace {
 
-using PhotoSamples = std::vector<std::vector<SampleRecord>>;
+using SamplesByPhoto = std::vector<std::vector<SampleRecord>>;
 
-ColorFit fit(const PhotoSamples& photos) {
+ColorFit fit(const SamplesByPhoto& photos) {
     const std::vector<std::span<const SampleRecord>> spans(photos.begin(), photos.end());
     const std::vector<std::uint32_t> lens(photos.size(), 0);
     ColorFit f = fit_colors(spans, lens, true);
@@ -257,7 +257,7 @@ SampleRecord sample(double light, double radius) {
 }  // namespace
 
 TEST(ColorSolver, DiscsAtOneRadiusGiveNoFalloff) {
-    PhotoSamples photos(4);
+    SamplesByPhoto photos(4);
     for (std::size_t i = 0; i < photos.size(); ++i)
         for (int d = 0; d < 200; ++d) photos[i].push_back(sample(0.1 * std::exp2(0.3 * double(i)), 0.5));
     const ColorFit f = fit(photos);
@@ -267,7 +267,7 @@ TEST(ColorSolver, DiscsAtOneRadiusGiveNoFalloff) {
 
 TEST(ColorSolver, BridgeBetweenTwoGroupsJoinsThem) {
     // 0-1 and 2-3 share many discs, 1-2 just enough.
-    PhotoSamples photos(4, std::vector<SampleRecord>(400, SampleRecord{}));
+    SamplesByPhoto photos(4, std::vector<SampleRecord>(400, SampleRecord{}));
     for (int d = 0; d < 180; ++d)
         for (const std::size_t i : {0u, 1u}) photos[i][std::size_t(d)] = sample(i ? 0.2 : 0.1, 0.3);
     for (int d = 180; d < 360; ++d)
@@ -281,7 +281,7 @@ TEST(ColorSolver, BridgeBetweenTwoGroupsJoinsThem) {
 }
 
 TEST(ColorSolver, ExtremelyBrightDiscIsAnOutlier) {
-    PhotoSamples photos(3, std::vector<SampleRecord>(300, sample(0.2, 0.4)));
+    SamplesByPhoto photos(3, std::vector<SampleRecord>(300, sample(0.2, 0.4)));
     photos[1][17] = SampleRecord{{1, 1, 1}, 100};
     photos[2][90] = SampleRecord{{65535, 65535, 65535}, 65535};
     const ColorFit f = fit(photos);
@@ -290,7 +290,7 @@ TEST(ColorSolver, ExtremelyBrightDiscIsAnOutlier) {
 
 TEST(ColorSolver, UnrelatedPhotosStayWithinBounds) {
     std::mt19937 random(2);
-    PhotoSamples photos(6);
+    SamplesByPhoto photos(6);
     for (auto& p : photos)
         for (int d = 0; d < 300; ++d)
             p.push_back({{std::uint16_t(1 + random() % 65535), std::uint16_t(1 + random() % 65535),
@@ -305,7 +305,7 @@ TEST(ColorSolver, UnrelatedPhotosStayWithinBounds) {
 RC_GTEST_PROP(ColorSolver, AnyPhotosGiveFiniteValuesWithinBounds, ()) {
     const auto count = *rc::gen::inRange<std::size_t>(0, 6), discs = *rc::gen::inRange<std::size_t>(0, 120);
     const auto light = rc::gen::element<std::uint16_t>(0, 1, 9, 300, 20'000, 65'534, 65'535);
-    const auto photos = *rc::gen::container<PhotoSamples>(
+    const auto photos = *rc::gen::container<SamplesByPhoto>(
         count, rc::gen::container<std::vector<SampleRecord>>(
                    discs, rc::gen::apply(
                               [](std::uint16_t r, std::uint16_t g, std::uint16_t b, std::uint16_t radius) {
