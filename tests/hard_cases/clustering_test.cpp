@@ -37,8 +37,6 @@ double random_in(std::mt19937& random, double low, double high) {
     return cluster;
 }
 
-Eigen::Vector3d center(const ClusterRecord& c) { return {c.center[0], c.center[1], c.center[2]}; }
-
 bool holds(const std::vector<std::uint32_t>& list, std::uint32_t i) {
     return std::ranges::binary_search(list, i);
 }
