@@ -28,6 +28,13 @@ class Controls {
     /// and separated by tabs. Replaces the file atomically.
     void write_places(const std::filesystem::path& file) const;
 
+    /// What is recorded: corners in window pixels.
+    struct Place {
+        std::string name;
+        ImVec2 low, high;
+    };
+    const std::vector<Place>& places() const { return places_; }
+
     /// Explains ImGui's last item, also a disabled one, while the pointer is on it; in the user's language.
     /// Recorded as "Tooltip".
     void explain(const char* text);
@@ -62,10 +69,6 @@ class Controls {
   private:
     bool list(const char* name, int* value, const char* const names[], int count,
               const char* (*in_language)(const char*));
-    struct Place {
-        std::string name;
-        ImVec2 low, high;
-    };
     std::string name_beside(const char* name) const;
     std::vector<Place> places_;
     bool closes_menus_ = false, width_fixed_ = false;

@@ -7,7 +7,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "gl/context.h"
@@ -36,12 +35,8 @@ static_assert(key::escape == GLFW_KEY_ESCAPE && key::enter == GLFW_KEY_ENTER &&
 }  // namespace
 
 struct GlfwWindow::Callbacks {
-    static GlfwWindow& window(GLFWwindow* w) {
-        return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(w));
-    }
-    static WindowEvents& events(GLFWwindow* w) {
-        window(w).events_.any = true;
-        return window(w).events_;
+    static WindowInput& input(GLFWwindow* w) {
+        return static_cast<GlfwWindow*>(glfwGetWindowUserPointer(w))->input_;
     }
     /// Letters count as the keyboard's layout has them, other keys by their place.
     static int key_of(int place, int scancode) {
@@ -51,50 +46,28 @@ struct GlfwWindow::Callbacks {
     }
     static void key(GLFWwindow* w, int key, int scancode, int action, int modifiers) {
         using With = KeyPress::With;
-        WindowEvents& e = events(w);
-        std::vector<int>& held = window(w).held_;
-        if (action != GLFW_REPEAT) std::erase(held, key);
-        if (action == GLFW_RELEASE) return;
-        // Keys without a code may never be released.
-        if (action == GLFW_PRESS && key != GLFW_KEY_UNKNOWN) held.push_back(key);
         const int with = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
-        e.input.keys.push_back({key_of(key, scancode), key,
-                                with == 0                  ? With::nothing
-                                : with == GLFW_MOD_CONTROL ? With::control
-                                                           : With::other,
-                                action == GLFW_REPEAT});
+        input(w).key({key_of(key, scancode), key,
+                      with == 0                  ? With::nothing
+                      : with == GLFW_MOD_CONTROL ? With::control
+                                                 : With::other,
+                      action == GLFW_REPEAT},
+                     action != GLFW_RELEASE);
     }
-    static void drop(GLFWwindow* w, int count, const char** files) {
-        std::vector<std::string>& dropped = events(w).dropped;
-        dropped.insert(dropped.end(), files, files + count);
-    }
-    /// The window's, which the mouse uses from now on.
-    static Pointer& mouse(GLFWwindow* w) {
-        window(w).fingers_.leave_to_mouse();
-        glfwSetInputMode(w, GLFW_CURSOR, GLFW_CURSOR_NORMAL);
-        return window(w).mouse_;
-    }
+    static void drop(GLFWwindow* w, int count, const char** files) { input(w).drop({files, files + count}); }
+    /// The mouse is used from now on, and not a finger.
+    static void show_cursor(GLFWwindow* w) { glfwSetInputMode(w, GLFW_CURSOR, GLFW_CURSOR_NORMAL); }
     static void button(GLFWwindow* w, int button, int action, int) {
-        Pointer& m = mouse(w);
-        const auto show = [&](bool pressed) {
-            window(w).mouse_frames_.push_back({{m.x, m.y, m.down}, pressed});
-        };
-        if (action == GLFW_PRESS) {
-            press(m, std::size_t(button), glfwGetTime(), events(w).input);
-            return show(true);
-        }
-        if (std::hypot(m.x - m.last.x, m.y - m.last.y) > m.click_reach)
-            show(false);  // what was dragged follows
-        release(m, std::size_t(button), events(w).input);
-        show(false);
+        show_cursor(w);
+        input(w).button(std::size_t(button), action == GLFW_PRESS, glfwGetTime());
     }
     static void wheel(GLFWwindow* w, double, double) {
-        events(w);
+        input(w).note();
         point_before_wheel(w);
     }
     static void cursor(GLFWwindow* w, double x, double y) {
-        events(w);
-        move(mouse(w), x, y, window(w).moved_);
+        show_cursor(w);
+        input(w).move_mouse(x, y);
     }
 };
 
@@ -176,9 +149,11 @@ void GlfwWindow::watch_events() {
     glfwSetWindowUserPointer(window_, this);
     glfwSetKeyCallback(window_, Callbacks::key);
     glfwSetDropCallback(window_, Callbacks::drop);
-    glfwGetCursorPos(window_, &mouse_.x, &mouse_.y);
+    double x = 0, y = 0;
+    glfwGetCursorPos(window_, &x, &y);
+    input_.set_mouse(x, y);
     watch_mouse();
-    constexpr auto note = [](GLFWwindow* w, auto...) { Callbacks::events(w); };
+    constexpr auto note = [](GLFWwindow* w, auto...) { Callbacks::input(w).note(); };
     glfwSetCharCallback(window_, note);
     glfwSetCursorEnterCallback(window_, note);
     glfwSetScrollCallback(window_, Callbacks::wheel);
@@ -195,43 +170,15 @@ void GlfwWindow::watch_mouse() {
 }
 
 WindowEvents GlfwWindow::events(double seconds) {
-    mouse_.late = glfwGetTime() - looked_at_;
+    input_.look(glfwGetTime());
     if (seconds > 0)
         glfwWaitEventsTimeout(seconds);
     else
         glfwPollEvents();
-    take_touches();
-    report_mouse();
-    looked_at_ = glfwGetTime();
-    events_.input.held = held_;
-    return std::exchange(events_, {});
-}
-
-void GlfwWindow::take_touches() {
     const std::vector<TouchEvent> touches = touch_screen_->take();
-    for (const TouchEvent& t : touches)
-        fingers_.take(t, double(text_scale_), glfwGetTime(), mouse_.late, events_.input);
-    events_.any |= !touches.empty() || fingers_.unreported();
+    for (const TouchEvent& t : touches) input_.touch(t, double(text_scale_), glfwGetTime());
     if (!touches.empty()) glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);
-    fingers_.report(events_.input);
-}
-
-/// Where a button was pressed comes first, and then what was dragged from there.
-void GlfwWindow::report_mouse() {
-    UserInput& input = events_.input;
-    bool pressed = false;
-    if (!mouse_frames_.empty()) {
-        input.pointer = mouse_frames_.front().state;
-        pressed = mouse_frames_.front().press;
-        mouse_frames_.pop_front();
-    }
-    events_.any |= pressed || !mouse_frames_.empty();
-    if (pressed) return;
-    for (std::size_t b = 0; b < input.drags.size(); ++b) {
-        input.drags[b].right += moved_.drags[b].right;
-        input.drags[b].down += moved_.drags[b].down;
-    }
-    moved_ = {};
+    return input_.take(glfwGetTime());
 }
 
 GlfwWindow::~GlfwWindow() {

@@ -1,14 +1,10 @@
 #pragma once
-#include <deque>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "player/camera/shots.h"
-#include "player/window/fingers.h"
-#include "player/window/pointer.h"
 #include "player/window/touch_screen.h"
-#include "player/window/window_events.h"
+#include "player/window/window_input.h"
 
 struct GLFWwindow;
 
@@ -35,8 +31,6 @@ class GlfwWindow {
     struct Callbacks;
     void watch_events();
     void watch_mouse();
-    void take_touches();
-    void report_mouse();
 
     GLFWwindow* window_ = nullptr;
     float text_scale_ = 1;
@@ -44,17 +38,7 @@ class GlfwWindow {
         int x, y, width, height;
     };
     std::optional<Place> windowed_;  ///< while it covers the screen: where it was
-    WindowEvents events_;
-    std::vector<int> held_;  ///< places of keys
-    double looked_at_ = 0;   ///< for events, seconds
-    Pointer mouse_;
-    struct MouseFrame {
-        PointerState state;
-        bool press;  ///< a button has just been pressed
-    };
-    std::deque<MouseFrame> mouse_frames_;  ///< by frames to come: one may be longer than a click
-    UserInput moved_;                      ///< drags that are not reported yet
-    Fingers fingers_;
+    WindowInput input_;
     std::optional<TouchScreen> touch_screen_;
 };
 

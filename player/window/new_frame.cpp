@@ -19,10 +19,6 @@ ImVec2 position(const PointerState& p) {
 
 }  // namespace
 
-#if IMGUI_VERSION_NUM >= 18700
-
-namespace {
-
 PointerState mouse_of(GLFWwindow* window) {
     PointerState out{};
     glfwGetCursorPos(window, &out.x, &out.y);
@@ -32,7 +28,7 @@ PointerState mouse_of(GLFWwindow* window) {
     return out;
 }
 
-}  // namespace
+#if IMGUI_VERSION_NUM >= 18700
 
 void point_before_wheel(GLFWwindow* window) {
     const ImVec2 at = position(mouse_of(window));
@@ -40,9 +36,9 @@ void point_before_wheel(GLFWwindow* window) {
 }
 
 // Keys are in ImGui's queue, in which those that were released again have a frame of their own.
-void new_frame(GLFWwindow* window, const Session& session) {
+void new_frame(const PointerState& mouse, const Session& session) {
     ImGuiIO& io = ImGui::GetIO();
-    const PointerState p = session.input.pointer ? *session.input.pointer : mouse_of(window);
+    const PointerState p = session.input.pointer.value_or(mouse);
     const ImVec2 at = position(p);
     io.AddMousePosEvent(at.x, at.y);
     for (std::size_t b = 0; b < p.down.size(); ++b) io.AddMouseButtonEvent(int(b), p.down[b]);
@@ -53,12 +49,11 @@ void new_frame(GLFWwindow* window, const Session& session) {
 
 void point_before_wheel(GLFWwindow*) {}
 
-void new_frame(GLFWwindow*, const Session& session) {
+void new_frame(const PointerState& mouse, const Session& session) {
     ImGuiIO& io = ImGui::GetIO();
-    if (const auto& p = session.input.pointer) {
-        io.MousePos = position(*p);
-        std::ranges::copy(p->down, io.MouseDown);
-    }
+    const PointerState p = session.input.pointer.value_or(mouse);
+    io.MousePos = position(p);
+    std::ranges::copy(p.down, io.MouseDown);
     auto& down = io.KeysDown;
     std::vector<int> tapped;
     for (const KeyPress& p : session.input.keys) {

@@ -163,7 +163,7 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         const bool control_held = ImGui::GetIO().KeyCtrl;
-        new_frame(window, session);
+        new_frame(mouse_of(window), session);
         controls.begin_frame();
         apply_input(session, scene.renderer().scene(), now);
         scene.frame(width, height, now);

@@ -108,6 +108,30 @@ std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
 
 void ShownScene::frame(int width, int height, double now) {
     Session& s = session_;
+    const View view = update(width, height, now);
+    s.settings.points.pick = s.panels.expert && s.panels.points;
+    const RenderSettings shown = shown_settings();
+    clock_.begin();
+    draw_view(view, shown, now);
+    if (s.settings.points.pick) pick(view);
+    show(shown, now);
+    if (std::exchange(s.screenshot, false))  // without the interface
+        write_numbered(s, renderer_.package().path().stem().string(), ".png", tr("screenshot"), now,
+                       [&](const std::string& file) { save_frame(file, width, height); });
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    clock_.end(drawn_at_ == now ? std::optional(s.pace) : std::nullopt);
+    keep_pace();
+    remember_drawn(view, shown);
+}
+
+void ShownScene::draw_unseen(const View& view, double now) {
+    const RenderSettings shown = shown_settings();
+    draw_view(view, shown, now);
+    remember_drawn(view, shown);
+}
+
+View ShownScene::update(int width, int height, double now) {
+    Session& s = session_;
     if (kiosk_) attend(*kiosk_, s, s.touched, now);
     follow_language(told_, language_, s.language);
     use_clipboard(s, renderer_.package(), now);
@@ -117,8 +141,9 @@ void ShownScene::frame(int width, int height, double now) {
     layout_ =
         layout_of(s.panels, width, height, double(ImGui::GetFontSize()), !renderer_.scene().photos.empty());
     s.free = picture_area(layout_, s.settings.compare, width);
+    s.settings.room = {width, height};
     choose_projection(now);
-    const View view = shown_view(s.camera, s, renderer_.scene(), width, height);
+    View view = shown_view(s.camera, s, renderer_.scene(), width, height);
     shown_at_ = now;
     if (std::exchange(s.closes_menu, false)) controls_.close_menus();
     note_picture_.attend();
@@ -128,26 +153,22 @@ void ShownScene::frame(int width, int height, double now) {
     asked_files_.attend(s, renderer_.package(), objects_, now);
     orthophotos_.attend(s, renderer_.package(), now);
     ImGui::Render();
-    s.settings.points.pick = s.panels.expert && s.panels.points;
-    s.settings.room = {width, height};
-    if (goal_ms_ > 0) enlargement_.fit(s.settings.room);
-    const RenderSettings shown = shown_settings();
+    return view;
+}
+
+/// Unless the picture is final.
+void ShownScene::draw_view(const View& view, const RenderSettings& shown, double now) {
+    if (goal_ms_ > 0) enlargement_.fit(shown.room);
     const bool still = unchanged(view, shown);
     if (!still) samples_ = 0;
-    clock_.begin();
     draw(view, shown, still, now);
-    if (s.settings.points.pick) pick(view);
-    show(shown, now);
-    if (std::exchange(s.screenshot, false))  // without the interface
-        write_numbered(s, renderer_.package().path().stem().string(), ".png", tr("screenshot"), now,
-                       [&](const std::string& file) { save_frame(file, width, height); });
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    clock_.end(drawn_at_ == now ? std::optional(s.pace) : std::nullopt);
-    keep_pace();
+}
+
+void ShownScene::remember_drawn(const View& view, const RenderSettings& shown) {
     last_ = view;
     last_settings_ = shown;
-    last_stereo_ = s.stereo;
-    last_photos_ = s.photos;
+    last_stereo_ = session_.stereo;
+    last_photos_ = session_.photos;
 }
 
 /// What an orthographic view cannot show ends it.

@@ -32,6 +32,11 @@ class ShownScene {
 
     /// Draws the view if it has changed or can still improve, and the interface over it.
     void frame(int width, int height, double now);
+    /// The part of frame() that needs no graphics card: lets the session act on its input and on time, and
+    /// makes the interface. Returns the view.
+    View update(int width, int height, double now);
+    /// Draws the view, but shows it nowhere.
+    void draw_unseen(const View& view, double now);
     /// Writes the path that is being recorded, if there is one.
     void stop_recording(double now);
     /// The picture is final: without input, nothing changes before wakes_at().
@@ -61,6 +66,8 @@ class ShownScene {
     bool looks_again() const;
     /// The picture has all its samples.
     bool is_final() const { return samples_ >= rest_side * rest_side; }
+    void draw_view(const View& view, const RenderSettings& shown, double now);
+    void remember_drawn(const View& view, const RenderSettings& shown);
     void draw(const View& view, const RenderSettings& shown, bool still, double now);
     void draw_eyes(const RenderSettings& shown, const RenderSettings& settings, PixelSample sample,
                    double now, const View* next);

@@ -89,7 +89,7 @@ std::string start_page(GlfwWindow& window, Controls& c, std::span<const std::str
         if (!events.dropped.empty()) s.open = events.dropped.back();
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
-        new_frame(window.get(), s);
+        new_frame(mouse_of(window.get()), s);
         c.begin_frame();
         take_keys(s);
         page(c, s, recent, s.message.empty() ? trouble : s.message);
