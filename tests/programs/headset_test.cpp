@@ -11,12 +11,12 @@
 #include "gl/context.h"
 #include "player/camera/view.h"
 #include "player/headset/menu_place.h"
-#include "player/headset/scene_interface.h"
 #include "player/objects/object_set.h"
 #include "player/options/blending_options.h"
 #include "player/walk/eye_frustum.h"
 #include "scene/error.h"
 #include "story/story_file.h"
+#include "tests/headset/menu_alone.h"
 #include "tests/one_line.h"
 #include "tests/programs/garden_package.h"
 
@@ -45,6 +45,25 @@ json eye(int width, int height, double left, double right, double up, double dow
     return {{"width", width}, {"height", height}, {"fov", {left, right, up, down}}, {"offset", {x, 0, 0}}};
 }
 
+/// Made once for all tests, and removed when the process ends.
+const fs::path& shared_package() {
+    static const struct Made {
+        const fs::path folder = fs::temp_directory_path() / ("vantage-headset-" + std::to_string(::getpid()));
+        const fs::path file = folder / "scene.vantage";
+        Made() {
+            synthesize(garden_spec(3000, 400, 300), folder / "scene", {});
+            PrepareSettings settings;
+            settings.effects[Effect::surroundings] = EffectChoice::on;
+            prepare(read_scene(discover(folder / "scene")), settings, file, [](const Progress&) {});
+        }
+        ~Made() {
+            std::error_code error;
+            fs::remove_all(folder, error);
+        }
+    } made;
+    return made.file;
+}
+
 class HeadsetProgram : public GardenPackage {
   protected:
     struct Run {
@@ -54,7 +73,7 @@ class HeadsetProgram : public GardenPackage {
     };
     void SetUp() override {
         GardenPackage::SetUp();
-        make_package({{Effect::surroundings, EffectChoice::on}});
+        fs::copy_file(shared_package(), file);
         ::setenv("MESA_SHADER_CACHE_DIR", fs::temp_directory_path().c_str(), 1);
     }
     static void expect_sound(const Run& run) {
@@ -95,6 +114,9 @@ class HeadsetProgram : public GardenPackage {
         return read_png(dir / "out" / name);
     }
 };
+
+/// What takes many runs.
+class HeadsetProgramAtLength : public HeadsetProgram {};
 
 std::size_t shown_frames(const std::vector<json>& frames) {
     return std::size_t(std::ranges::count_if(frames, [](const json& f) { return !f["layers"].empty(); }));
@@ -291,13 +313,6 @@ std::vector<std::pair<std::string, Eigen::Vector2d>> controls_in(const std::stri
     return out;
 }
 
-Eigen::Vector2d place_of(const std::vector<std::pair<std::string, Eigen::Vector2d>>& controls,
-                         const std::string& name) {
-    const auto at = std::ranges::find(controls, name, [](const auto& c) { return c.first; });
-    EXPECT_NE(at, controls.end()) << name;
-    return at == controls.end() ? Eigen::Vector2d(0, 0) : at->second;
-}
-
 using Corners = std::array<Vector3d, 3>;
 
 /// The distance along a ray at which it meets a triangle; infinity if it does not.
@@ -453,25 +468,19 @@ TEST_F(HeadsetProgram, GoesOnWhenSessionOrRuntimeWereLost) {
     EXPECT_GT(shown_between(50, 90), 30);
 }
 
-TEST_F(HeadsetProgram, DoesNotMindOpenGLErrorsThatTheRuntimeLeaves) {
+TEST_F(HeadsetProgram, ShowsOddFieldsOfViewAndDoesNotMindErrorsThatTheRuntimeLeaves) {
     json s = scenario(20);
+    s["rate"] = 72;
     s["careless"] = true;
-    const Run run = play(s);
+    s["eyes"] = {eye(80, 120, -10, 70, 20, -80, -0.03), eye(80, 120, -70, -10, 80, 20, 0.03)};
+    s["save"] = {12};
+    const Run run = play(s, "--fps 0");
     expect_sound(run);
     EXPECT_GE(shown_frames(run.frames), 17u);
 }
 
-TEST_F(HeadsetProgram, ShowsFieldsOfViewOfAllKindsAtAllRates) {
-    for (const double rate : {72.0, 90.0, 120.0}) {
-        json s = scenario(15);
-        s["rate"] = rate;
-        s["eyes"] = {eye(80, 120, -10, 70, 20, -80, -0.03), eye(80, 120, -70, -10, 80, 20, 0.03)};
-        s["save"] = {12};
-        const Run run = play(s, "--fps 0");
-        expect_sound(run);
-        EXPECT_GE(shown_frames(run.frames), 12u);
-    }
-    json s = scenario(15);  // no picture fits these, and the program waits for better ones
+TEST_F(HeadsetProgram, WaitsForFieldsOfViewThatAPictureFits) {
+    json s = scenario(15);
     s["eyes"][0]["fov"] = {-90, 90, 45, -45};
     const Run run = play(s);
     EXPECT_EQ(run.code, 0) << run.message;
@@ -646,27 +655,35 @@ TEST_F(HeadsetProgram, TakesAVisitorFromStopToStopOfATour) {
     story.notes = {{"gate", {"Gate", {}}, {"Of iron.", {}}, "", stops[1], {}}};
     story.tours = {{"round", {"Round", {}}, {{"", stops[0], 0.15, 0.3}, {"gate", {}, 0.15, 0.3}}}};
     write_story(story_file_of(file), story);
+    MenuAlone menu(file, 1);
     Script script;
     script.open_or_close_menu();
+    for (const char* name : {"Page Story", "Play Round"}) {
+        script.click(menu.place(name));
+        menu.press(name);
+    }
+    menu.told.open = 0;
+    menu.frames(2);
+    const std::array<int, 2> at{script.frame + 20, script.frame + 20 + 40};
     const auto played = [&](const Script& with) {
         json s = scenario(with.frame + 4);
         s["hands"] = with.hands;
-        expect_sound(play(
-            s, "--fps 0 --unit-meters 1 --blended 1 --thumbnails --controls " + (dir / "controls").string()));
-        return controls_in(slurp(dir / "controls"));
+        s["save"] = at;
+        const Run run = play(
+            s, "--fps 0 --unit-meters 1 --blended 1 --thumbnails --controls " + (dir / "controls").string());
+        expect_sound(run);
+        return run;
     };
-    const auto has = [](const auto& controls, const std::string& name) {
+    const auto has = [&](const std::string& name) {
+        const auto controls = controls_in(slurp(dir / "controls"));
         return std::ranges::any_of(controls, [&](const auto& c) { return c.first == name; });
     };
-    script.click(place_of(played(script), "Page Story"));
-    script.click(place_of(played(script), "Play Round"));
-    const std::array<int, 2> at{script.frame + 20, script.frame + 20 + 40};
-    json s = scenario(at[1] + 30);
-    s["hands"] = script.hands;
-    s["save"] = at;
-    const Run run =
-        play(s, "--fps 0 --unit-meters 1 --blended 1 --thumbnails --controls " + (dir / "controls").string());
-    expect_sound(run);
+    // The card of the last stop stays open when the tour is over.
+    Script whole = script;
+    whole.frame = at[1] + 30;
+    whole.click(menu.place("All notes"));
+    const Run run = played(whole);
+    EXPECT_TRUE(has("Play Round"));
     for (const std::size_t stop : {0, 1}) {
         const json& views = run.frames[std::size_t(at[stop]) - 1]["layers"][0]["views"];
         const Stance stance = standing(head_between(views), stops[stop].eye - origin,
@@ -687,21 +704,15 @@ TEST_F(HeadsetProgram, TakesAVisitorFromStopToStopOfATour) {
         EXPECT_GT(all, 8);
         EXPECT_GE(right, all - 2) << "stop " << stop << ": but for outlines";
     }
-    // The card of the last stop stays open when the tour is over.
-    Script after = script;
-    after.frame = at[1] + 30;
-    after.click(place_of(controls_in(slurp(dir / "controls")), "All notes"));
-    EXPECT_TRUE(has(played(after), "Play Round"));
-
     // Somebody who flies leaves the tour before its note.
-    Script leaves = script;
     for (const int y : {0, 1, 0}) {
-        leaves.frame += 6;
-        leaves.hands.push_back(hand(leaves.frame, "left", pointing({-0.2, 1.3, -0.1}, {-3, 1.3, -0.1}),
+        script.frame += 6;
+        script.hands.push_back(hand(script.frame, "left", pointing({-0.2, 1.3, -0.1}, {-3, 1.3, -0.1}),
                                     {{"/input/thumbstick", {0, y}}}));
     }
-    leaves.frame = at[1];
-    EXPECT_TRUE(has(played(leaves), "Play Round"));
+    script.frame = at[1];
+    played(script);
+    EXPECT_TRUE(has("Play Round"));
 }
 
 TEST_F(HeadsetProgram, MeasuresBetweenTwoPointsToAMillimeter) {
@@ -712,13 +723,10 @@ TEST_F(HeadsetProgram, MeasuresBetweenTwoPointsToAMillimeter) {
     const auto points = seen_middles(scene, room.in_scene(script.from), 3, 20, 2);
     ASSERT_EQ(points.size(), 2u);
     script.open_or_close_menu();
-    json s = scenario(script.frame + 4);
-    s["hands"] = script.hands;
-    expect_sound(play(s, "--unit-meters 1 --controls " + (dir / "controls").string()));
-    script.click(place_of(controls_in(slurp(dir / "controls")), "Page Measure"));
+    script.click(MenuAlone(file, 1).place("Page Measure"));
     script.open_or_close_menu();
     for (const Vector3d& p : points) script.select(room.in_room(p));
-    s = scenario(script.frame + 4);
+    json s = scenario(script.frame + 4);
     s["hands"] = script.hands;
     expect_sound(play(s, "--unit-meters 1"));
     const json survey = json::parse(slurp(fs::path(file).replace_extension(".measurements.json")));
@@ -731,7 +739,7 @@ TEST_F(HeadsetProgram, MeasuresBetweenTwoPointsToAMillimeter) {
     }
 }
 
-TEST_F(HeadsetProgram, EveryEntryOfTheMenuCanBePressed) {
+TEST_F(HeadsetProgramAtLength, EveryEntryOfTheMenuCanBePressed) {
     Script begin;
     begin.open_or_close_menu();
     const auto controls_after = [&](const Script& script) {
@@ -757,14 +765,47 @@ TEST_F(HeadsetProgram, EveryEntryOfTheMenuCanBePressed) {
     EXPECT_GT(pressed, 60u);
 }
 
+TEST_F(HeadsetProgram, TheMenuDoesWhatItSays) {
+    MenuAlone menu(file, 1);
+    std::size_t pressed = 0, changed = 0;
+    for (const auto& [page, at] : menu.places()) {
+        if (!page.starts_with("Page ")) continue;
+        menu.press(page);
+        EXPECT_TRUE(menu.has(page)) << "pages stay beside the page that is shown";
+        for (const auto& [name, place] : menu.places()) {
+            if (name.starts_with("Page ") || name == "Leave" || name == "Tooltip" || !menu.has(name))
+                continue;
+            const RenderSettings before = menu.session.settings;
+            const auto photos = menu.session.photos;
+            const auto shown = menu.places();
+            menu.press(name);
+            if (menu.popup_open) {  // a list, whose last entry is chosen
+                std::string entry = name;
+                for (const auto& [other, at_other] : menu.places())
+                    if (std::ranges::count(shown, other, [](const auto& c) { return c.first; }) == 0)
+                        entry = other;
+                menu.press(entry);
+            }
+            EXPECT_FALSE(menu.popup_open) << name;
+            ++pressed;
+            changed += !(before == menu.session.settings && photos == menu.session.photos);
+        }
+    }
+    EXPECT_GT(pressed, 60u);
+    EXPECT_GT(changed, 20u);
+    menu.press("Page Move");
+    menu.press("90");
+    EXPECT_EQ(menu.walk.snap_degrees, 90);
+    EXPECT_FALSE(menu.session.quit);
+    menu.press("Leave");
+    EXPECT_TRUE(menu.session.quit);
+}
+
 TEST_F(HeadsetProgram, LeavesByTheMenu) {
     Script script;
     script.open_or_close_menu();
-    json s = scenario(script.frame + 4);
-    s["hands"] = script.hands;
-    expect_sound(play(s, "--controls " + (dir / "controls").string()));
-    script.click(place_of(controls_in(slurp(dir / "controls")), "Leave"));
-    s = scenario(10000);
+    script.click(MenuAlone(file).place("Leave"));
+    json s = scenario(10000);
     s["hands"] = script.hands;
     const Run run = play(s);
     expect_sound(run);

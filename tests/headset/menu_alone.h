@@ -1,0 +1,107 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gl/context.h"
+#include "player/headset/headset_menu.h"
+#include "player/headset/scene_interface.h"
+#include "player/options/show_options.h"
+#include "player/window/start_session.h"
+
+namespace vantage {
+
+/// The menu of a headset without one.
+class MenuAlone {
+  public:
+    explicit MenuAlone(const std::filesystem::path& file, double unit_meters = 0)
+        : package_(file),
+          options_(options_of(file)),
+          session(start_session(package_, options_, start_settings(package_, options_, {}))),
+          renderer_(package_, MemoryBudget{}),
+          objects_(renderer_, {{"scene", file, {}, true}}, MemoryBudget{}),
+          measure_(package_),
+          told(told_story(file, input_axes(package_), "")),
+          unit_meters_(unit_meters) {
+        walk.usual_scale = walk.stance.scale = unit_meters > 0 ? 1 / unit_meters : 1;
+        begin_in_scene(session, package_, told, options_);
+        session.keyboard = session.panels.measure = false;
+        frames(3);
+    }
+    void frames(int count, const PanelPointer& pointer = {}) {
+        for (int i = 0; i < count; ++i) {
+            now_ += 1.0 / 90;
+            note_picture_.attend();
+            interface_.begin(pointer, 1.0 / 90);
+            measure_.attend(session, now_);
+            headset_menu(interface_.controls(), session, page,
+                         {renderer_, objects_, measure_, told, note_picture_, walk, unit_meters_, vignette},
+                         SceneInterface::width, SceneInterface::height, now_);
+            popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+            interface_.end({}, {{100, 100, 100, 100, 50, 50}, {}});
+        }
+    }
+    void press(const Eigen::Vector2d& at) {
+        frames(2, {at});
+        frames(2, {at, true});
+        frames(2, {at});
+    }
+    void press(const std::string& name) { press(place(name)); }
+    /// Of the controls that are on the panel, places that a ray can hit.
+    std::vector<std::pair<std::string, Eigen::Vector2d>> places() {
+        std::vector<std::pair<std::string, Eigen::Vector2d>> out;
+        for (const Controls::Place& p : interface_.controls().places()) {
+            const Eigen::Vector2d middle(double(p.low.x + std::min((p.high.x - p.low.x) / 2, 60.0f)),
+                                         double(p.low.y + p.high.y) / 2);
+            if (middle.x() < SceneInterface::width && middle.y() < SceneInterface::height)
+                out.emplace_back(p.name, middle);
+        }
+        return out;
+    }
+    bool has(const std::string& name) {
+        const auto all = places();
+        return std::ranges::count(all, name, [](const auto& p) { return p.first; }) > 0;
+    }
+    Eigen::Vector2d place(const std::string& name) {
+        const auto all = places();
+        const auto at = std::ranges::find(all, name, [](const auto& p) { return p.first; });
+        EXPECT_NE(at, all.end()) << name;
+        return at == all.end() ? Eigen::Vector2d(0, 0) : at->second;
+    }
+
+  private:
+    static ShowOptions options_of(const std::filesystem::path& file) {
+        ShowOptions options;
+        options.package.file = file.string();
+        options.window.fresh = true;
+        return options;
+    }
+    const gl::HeadlessContext context_;
+    PackageReader package_;
+    ShowOptions options_;
+
+  public:
+    Session session;
+    Walk walk;
+    MenuPage page = MenuPage::move;
+    bool vignette = true, popup_open = false;
+
+  private:
+    Renderer renderer_;
+    ObjectSet objects_;
+    MeasurePanel measure_;
+
+  public:
+    ToldStory told;
+
+  private:
+    NotePicture note_picture_;
+    double unit_meters_, now_ = 0;
+    SceneInterface interface_;
+};
+
+}  // namespace vantage
