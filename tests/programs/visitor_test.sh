@@ -45,7 +45,8 @@ touch_control() {
 "$player" sceaux.vantage --kiosk --home-after 3600 --photo 00003 --fresh --controls places >says 2>&1 &
 pid=$!
 for _ in $(seq 200); do grep -qs "^Bar Home	" places && break; sleep 0.1; done
-sleep 3  # until it covers the screen
+covers() { local at; at=$(place "Bar Home") && [ "${at#* }" -gt $((high * 9 / 10)) ]; }
+soon covers || soon covers || fail "the kiosk does not cover the screen"
 look home
 home=($x $y $times)
 
@@ -99,7 +100,7 @@ pkill -KILL -P $pid
 for _ in $(seq 100); do grep -qs "^Bar Home	" places && break; sleep 0.2; done
 grep -qs "^Bar Home	" places || fail "a kiosk that was killed is not started again"
 kill $pid
-for _ in $(seq 50); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
-kill -0 $pid 2>/dev/null && fail "SIGTERM does not end the kiosk"
+ended() { ! kill -0 $pid 2>/dev/null; }
+soon ended || fail "SIGTERM does not end the kiosk"
 [ $failed = 0 ] && echo "the visitor has seen it"
 exit $failed

@@ -166,14 +166,47 @@ key() { xdotool keydown "$1"; frames 2; xdotool keyup "$1"; frames 2; }
 find_window() {
   for _ in $(seq 600); do grep -qs "^Photo 1	" places && break; sleep 0.1; done
   place "Photo 1" >/dev/null || { cat says; fail "no window"; exit 1; }
-  window=$(xdotool search --name Vantage | tail -1)
-  xdotool windowfocus "$window"
-  sleep 0.3
+  focus
 }
-await_exit() {  # expects the player to exit with code 0; await_exit WHAT: what it was told by
+focus() {  # gives the window the keyboard, and waits until it has it
+  window=$(xdotool search --name Vantage | tail -1)
+  xdotool windowfocus --sync "$window"
+}
+start() {  # start ARGUMENTS...: the window, with a file of its controls
+  rm -f places
+  "$player" "$@" --controls places >says 2>&1 &
+  pid=$!
+  find_window
+}
+start_page() {  # start_page [NAME=VALUE...]: the window without a package
+  rm -f places
+  env "$@" "$player" --size 900x700 --controls places >says 2>&1 &
+  pid=$!
+  for _ in $(seq 200); do grep -qs "^Open a package" places && break; sleep 0.1; done
+  focus
+}
+title() { xdotool getwindowname "$window"; }
+is_titled() { [ "$(title)" = "$1 - Vantage" ]; }
+opens() { soon is_titled "$1" || soon is_titled "$1" || fail "expected $1, the window shows $(title)"; }
+quit() { xdotool key ctrl+q; await_exit "Ctrl+Q"; }
+there() { frames 3; place "$1" >/dev/null; }  # waits for it; see gone
+gone() { frames 3; awk -F'\t' -v n="$1" '$1 == n { found = 1 } END { exit found }' places; }
+# Whether nothing is drawn at rest: less than 1 % of a processor.
+rests() {
+  local before seconds=2
+  for _ in $(seq 60); do
+    before=$(ticks)
+    sleep $seconds
+    kill -0 $pid 2>/dev/null || { fail "the player ended: $(cat says)"; return; }
+    [ $(($(ticks) - before)) -gt $seconds ] || return 0
+  done
+  return 1
+}
+await_exit() {  # await_exit WHAT [CODE]: expects the player to exit with this code or 0; WHAT: what it was told by
   for _ in $(seq 100); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
   kill -9 $pid 2>/dev/null && fail "$1 did not quit"
   wait $pid
-  [ $? = 0 ] || fail "the player failed: $(cat says)"
+  local code=$?
+  [ $code = "${2:-0}" ] || fail "the player ended with $code, expected ${2:-0}: $(cat says)"
 }
 remembers() { grep -q "\"$1\": $2" config/vantage/player.json || fail "$1 is not remembered as $2"; }

@@ -1,0 +1,149 @@
+#!/usr/bin/env bash
+# A session in a real window, with real mouse and key events through the X server: what only such a window can show. What
+# controls, keys and gestures do is tested without one (tests/window).
+# usage: window_session_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
+set -uo pipefail
+source "$(dirname "$0")/window.sh"
+under_xvfb 3840x2160 "$@"
+
+vantage=$1 player=$2 source=$3
+"$vantage" synth "$source/data/tiny.toml" -o scene >/dev/null && "$vantage" prepare scene -o one.vantage --no-report >/dev/null 2>&1 || exit 1
+cp one.vantage two.vantage
+head -c 3000 one.vantage >cut.vantage
+picture() { screenshot "$1" 400 100 400 300; }  # a part of the picture beside the sidebar, as the screen shows it
+settled() {  # settled FILE.ppm: the picture, once it is final
+  for _ in $(seq 100); do
+    frames 6
+    picture "$1"
+    picture again.ppm
+    frames 6
+    picture later.ppm
+    cmp -s "$1" again.ppm && cmp -s "$1" later.ppm && return
+  done
+  fail "the picture $1 is never final"
+}
+
+# Without a package: a damaged one that is dropped is refused, a sound one is shown.
+start_page
+/usr/bin/python3 "$source_of_tests/drop_files.py" "$window" cut.vantage || fail "the start page takes no files"
+frames 3
+kill -0 $pid || fail "a truncated package ends the player: $(cat says)"
+high=$(awk -F'\t' '$1 == "Open a package..." { print int($5) }' places)
+[ "${high:-0}" -ge 25 ] || fail "on a screen of 2160 lines, buttons are ${high:-0} pixels high, expected 1.5 times 18"
+/usr/bin/python3 "$source_of_tests/drop_files.py" "$window" one.vantage || fail "the start page takes no files"
+opens one.vantage
+find_window
+place "Photo 5" >/dev/null || fail "the strip does not show the photos"
+
+# The mouse orbits: the picture changes, and stays when it is let go.
+key ctrl+minus; key ctrl+minus  # as on a usual screen
+settled before.ppm
+xdotool mousemove 600 250; frames 2
+xdotool mousedown 1; frames 2; xdotool mousemove_relative 80 30; frames 3; xdotool mouseup 1
+settled after.ppm
+cmp -s before.ppm after.ppm && fail "dragging changes nothing"
+key h
+soon_settled() { settled home.ppm; cmp -s home.ppm before.ppm; }
+soon soon_settled || fail "H does not lead back to the first picture"
+
+# A click quicker than a frame, with the pointer elsewhere by the end of it; a setting changes the picture.
+# shellcheck disable=SC2046
+xdotool mousemove $(place "Bar Expert") mousedown 1 mouseup 1 mousemove 600 250
+there "Section Picture" || fail "a click on Expert quicker than a frame is lost"
+settled photos.ppm
+press "Show"; press "which photo"
+settled colors.ppm
+cmp -s photos.ppm colors.ppm && fail "false colors change nothing"
+there "Legend" || fail "false colors have no legend"
+press "Show"; press "photos"
+settled again-photos.ppm
+cmp -s photos.ppm again-photos.ppm || fail "the photos are not shown again as they were"
+
+# Screenshots show the model alone; nothing of the picture shines through the help.
+key p
+soon test -s one-0001.png || fail "P writes no screenshot"
+xdotool mousemove 600 250
+help() {  # help FILE.ppm: its pixels, without its rounded corners, and no message over it
+  for _ in 1 2 3; do soon gone Message && break; done
+  # shellcheck disable=SC2046
+  screenshot "$1" $(awk -F'\t' '$1 == "Mouse, fingers and keys" { print int($2) + 8, int($3) + 8, int($4) - 16, int($5) - 16 }' places)
+}
+key F1
+help help.ppm
+key p
+soon test -s one-0002.png || fail "P writes no second screenshot"
+cmp -s one-0001.png one-0002.png || fail "a screenshot shows the help"
+key n; settled flown.ppm
+help help-after.ppm
+cmp -s help.ppm help-after.ppm || fail "the picture shines through the help"
+key F1
+
+# The window follows its size and covers the screen.
+xdotool windowsize --sync "$window" 1200 800
+frames 3
+at=$(place "Bar Expert")
+[ "${at%% *}" -gt 1050 ] && [ "${at##* }" -gt 740 ] || fail "at 1200x800, Expert is at $at"
+key F11
+soon_wide() { at=$(place "Bar Expert"); [ "${at%% *}" -gt 3000 ]; }
+soon soon_wide || fail "F11 does not cover the screen: Expert is at $at"
+key F11
+soon_small() { at=$(place "Bar Expert"); [ "${at%% *}" -lt 1200 ]; }
+soon soon_small || fail "F11 does not lead back: Expert is at $at"
+
+# An orthophoto is written while the window is used: that of the command.
+press "Section Picture"; press "Section Blending"; press "Section Orthophoto"
+press "Seen from"; press "front"
+press "Write the orthophoto"
+key b
+for _ in $(seq 6); do soon test -s one-orthophoto-0001.pgw && break; done
+"$player" orthophoto one.vantage --plane front --resolution "$(head -1 one-orthophoto-0001.pgw)" -o expected.png >/dev/null ||
+  fail "the command orthophoto failed"
+cmp -s one-orthophoto-0001.png expected.png || fail "the window's orthophoto is not that of the command"
+
+# Packages: one is dropped and added, one opened by the dialog; a truncated one replaces nothing.
+/usr/bin/python3 "$source_of_tests/drop_files.py" "$window" two.vantage || fail "the window takes no files"
+press "Add to the scene"
+place "Only two" >/dev/null || fail "the dropped package was not added"
+key o; press "cut.vantage"; press "Open"
+place "Message" >/dev/null || fail "a truncated package is not refused aloud"
+[ "$(title)" = "one.vantage - Vantage" ] || fail "a truncated package replaced the open one: $(title)"
+key o; press "two.vantage"; press "Open"
+opens two.vantage
+press "Bar Help"
+quit
+remembers expert true
+remembers panel_orthophoto true
+remembers panel_blending false
+remembers width 1200
+grep -q "$dir/one.vantage" config/vantage/player.json || fail "the package is not among the recent ones"
+
+# It is opened again by its name on the start page. At rest nothing is drawn, and a key wakes the window.
+start_page
+press "$dir/one.vantage"
+opens one.vantage
+quit
+"$player" one.vantage --fresh --size 600x420 >says 2>&1 &
+pid=$!
+rests || fail "the window never rests"
+rm -f one-0*.png
+focus
+xdotool key p
+soon test -s one-0001.png || fail "P does nothing at rest"
+
+quit
+
+# Damage is said, and is the exit code.
+/usr/bin/python3 - <<'END'
+data = bytearray(open("two.vantage", "rb").read())
+at = -1
+while (at := data.find(b"\xff\xd8\xff", at + 1)) >= 0:  # a tile of colors
+    data[at + 2000 : at + 2002] = bytes(2)
+open("two.vantage", "wb").write(data)
+END
+start two.vantage --fresh --size 600x420
+place "Message" >/dev/null || place "Message" >/dev/null || fail "damage is not said: $(cat says)"  # it goes after some seconds
+xdotool key ctrl+q
+await_exit "Ctrl+Q" 4
+
+[ $failed = 0 ] && echo "a session is as it should be"
+exit $failed

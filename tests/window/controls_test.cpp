@@ -1,0 +1,403 @@
+// Every control of the window changes what it says, and what it leads to is drawn without OpenGL's
+// complaints.
+#include <fmt/format.h>
+
+#include <array>
+#include <set>
+
+#include "objects/scene_file.h"
+#include "player/render/blend_table.h"
+#include "tests/window/window_test.h"
+
+using namespace vantage;
+
+namespace {
+
+class WindowControls : public WindowTest {
+  protected:
+    /// As high as all sections, so that all controls can be seen.
+    static void open_all(HeadlessWindow& w) {
+        w.resize(1200, 3000);
+        w.press("Bar Expert");
+        EXPECT_TRUE(w.session.panels.expert);
+    }
+    template <class Value>
+    static void changes(HeadlessWindow& w, const std::string& name, const Value& value, double share = 0.5) {
+        const Value before = value;
+        w.press(name, share);
+        EXPECT_NE(value, before) << name;
+        w.draw();
+    }
+    /// A box that is checked, and then is not.
+    static void toggles(HeadlessWindow& w, const std::string& name, const bool& value) {
+        const bool before = value;
+        w.press(name);
+        EXPECT_EQ(value, !before) << name;
+        w.draw();
+        w.press(name);
+        EXPECT_EQ(value, before) << name << ", again";
+    }
+    /// Each entry of a list, the first one last.
+    template <class Enum>
+    static void chooses(HeadlessWindow& w, const char* list, const Enum& value,
+                        const std::vector<const char*>& entries) {
+        for (std::size_t i = entries.size(); i-- > 0;) {
+            w.choose(list, entries[i]);
+            EXPECT_EQ(int(value), int(i)) << list << ": " << entries[i];
+            w.draw();
+        }
+    }
+};
+
+}  // namespace
+
+TEST_F(WindowControls, OfBlending) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    open_all(w);
+    RenderSettings& s = w.session.settings;
+    WeightSettings& weights = s.weights;
+    for (const BlendRow& row : blend_table()) {
+        w.press(row.label);
+        EXPECT_EQ(s.blend, row.blend) << row.label;
+    }
+    w.press("Lumigraph");
+    changes(w, "Sharpness", weights.sharpness, 0.6);
+    const auto grayed = [&](const char* name, const auto& value, double share) {
+        const auto before = value;
+        w.press(name, share);
+        EXPECT_EQ(value, before) << name << " only applies to Average";
+    };
+    grayed("Prefer near", weights.exponent, 0.3);
+    grayed("Near photos", weights.distance, 0.5);
+    grayed("Facing photos", weights.angle_mask, 0.5);
+    w.press("Average");
+    changes(w, "Prefer near", weights.exponent, 0.3);
+    EXPECT_GT(weights.exponent, 5);
+    EXPECT_LT(weights.exponent, 25) << "of 32";
+    toggles(w, "Consensus", s.consensus);
+    toggles(w, "Fill holes", s.fill_holes);
+    toggles(w, "Near photos", weights.distance);
+    toggles(w, "Facing photos", weights.angle_mask);
+    toggles(w, "Similar rays", weights.angle);
+    toggles(w, "One ray per photo", weights.angle_per_photo);
+    toggles(w, "Occlusion", weights.depth_mask);
+    toggles(w, "Soft borders", weights.border_mask);
+    toggles(w, "Field of view", weights.fov_normalization);
+    toggles(w, "Aim at what is seen", weights.corrected_directions);
+    grayed("Passers-by", weights.consensus_mask, 0.5);
+    w.press("Freeze weights");
+    EXPECT_TRUE(s.weights_from);
+    w.press("Freeze weights");
+    EXPECT_FALSE(s.weights_from);
+    chooses(w, "Choose to", s.choice, {"cover the view", "nearest"});
+    w.press("Photos", 0.02);
+    EXPECT_EQ(s.photos, 1);
+    w.press("Photos", 0.7);
+    EXPECT_GE(s.photos, 4) << "of 5";
+    changes(w, "Per pass", s.photos_per_pass, 0.2);
+    changes(w, "Angle limit", s.angle_limit, 0.3);
+    EXPECT_GT(s.angle_limit, 60);
+    EXPECT_LT(s.angle_limit, 120) << "of 10 to 180 degrees";
+    chooses(w, "Coordinates", s.coordinates, {"as the scene asks", "per vertex", "per fragment"});
+}
+
+TEST_F(WindowControls, OfThePicture) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    open_all(w);
+    RenderSettings& s = w.session.settings;
+    chooses(w, "Show", s.show, {"photos", "which photo", "how many photos"});
+    chooses(w, "Light", s.light.light, {"the photos' own", "lamp at the viewer", "raking light", "normals"});
+    EXPECT_FALSE(w.there("On the photos")) << "of light, without light";
+    w.choose("Light", "raking light");
+    toggles(w, "On the photos", s.light.on_photos);
+    toggles(w, "Triangles", s.light.wireframe);
+    w.session.lamp_follows = true;
+    changes(w, "Lamp azimuth", s.light.azimuth, 0.2);
+    EXPECT_FALSE(w.session.lamp_follows);
+    w.press("Follows pointer");
+    EXPECT_TRUE(w.session.lamp_follows);
+    const double elevation = s.light.elevation;
+    w.point_at({1100, 300}), w.frames();
+    w.point_at({900, 1300}), w.frames();
+    EXPECT_NE(s.light.elevation, elevation) << "the lamp follows the pointer";
+    changes(w, "Lamp height", s.light.elevation, 0.1);
+    w.choose("Light", "the photos' own");
+    w.press("Photo 2");
+    w.wait(1);
+    EXPECT_EQ(s.compare_photo, w.session.standing_at);
+    chooses(w, "Compare", s.compare, {"nothing", "side by side", "wiper", "difference"});
+    w.choose("Compare", "wiper");
+    const Eigen::Vector2d before = w.place("Wiper");
+    w.point_at(before);
+    w.drag(0, 60, 0);
+    EXPECT_NEAR(w.place("Wiper").x(), before.x() + 60, 0.51);
+    w.choose("Compare", "nothing");
+    chooses(w, "Two eyes", w.session.stereo.mode,
+            {"off", "side by side", "above each other", "red and cyan glasses", "checkerboard"});
+    EXPECT_FALSE(w.there("Eyes apart"));
+    w.choose("Two eyes", "side by side");
+    changes(w, "Eyes apart", w.session.stereo.eyes.share, 0.5);
+    w.choose("Two eyes", "off");
+    toggles(w, "Orthographic", w.session.orthographic);
+    changes(w, "Flying speed", w.session.flying_speed, 0.1);
+    toggles(w, "Inertia", w.session.inertia);
+}
+
+TEST_F(WindowControls, OfMenus) {
+    HeadlessWindow w(copy_of(WindowScene::tiny));
+    w.press("Bar Expert");
+    Panels& p = w.session.panels;
+    const auto toggled = [&](const char* entry, const bool& value) {
+        for (const bool wanted : {!value, bool(value)}) {
+            w.choose("View", entry);
+            EXPECT_EQ(value, wanted) << entry;
+        }
+    };
+    toggled("Photo strip", p.photos);
+    toggled("Cameras in the scene", p.frusta);
+    toggled("Radar", p.radar);
+    toggled("Measure", p.measure);
+    toggled("Notes and tours", p.story);
+    toggled("Edit the story", p.story_editor);
+    toggled("Full screen", w.session.full_screen);
+    toggled("Picture", p.picture);
+    toggled("List of photos", p.photo_list);
+    toggled("Cut", p.cut);
+    toggled("Orthophoto", p.orthophoto);
+    toggled("Blending", p.blending);
+    toggled("Status", p.status);
+    toggled("Objects", p.objects);
+    w.choose("View", "Larger text");
+    EXPECT_GT(w.session.text_scale, 1);
+    w.choose("View", "Smaller text");
+    EXPECT_FLOAT_EQ(w.session.text_scale, 1);
+    for (const char* side :
+         {"From the front", "From the back", "From the left", "From the right", "From the top"}) {
+        const Eigen::Vector3d eye = w.session.camera.eye;
+        w.choose("View", side);
+        w.wait(1);
+        EXPECT_GT((w.session.camera.eye - eye).norm(), 1) << side;
+    }
+    EXPECT_LT(w.session.camera.R(2, 2), -0.99) << "from the top, the view leads down";
+    w.choose("View", "Home");
+    w.wait(1);
+    EXPECT_EQ(w.session.camera.eye, w.session.home.eye);
+    w.choose("Path", "Record");
+    EXPECT_TRUE(w.session.recording);
+    w.wait(1);
+    w.choose("Path", "Record");
+    EXPECT_FALSE(w.session.recording);
+    EXPECT_TRUE(std::filesystem::exists(dir / "one-0001.path"));
+    w.choose("Path", "Replay");
+    EXPECT_TRUE(w.session.flight);
+    w.choose("Help", "Mouse and keys");
+    EXPECT_TRUE(w.there("Mouse, fingers and keys"));
+    w.choose("File", "Screenshot");
+    EXPECT_TRUE(w.session.screenshot);
+    w.choose("File", "Open...");
+    EXPECT_TRUE(w.there("File name"));
+    w.press("Cancel");
+    EXPECT_FALSE(w.there("File name"));
+    w.choose("File", "Copy view");
+    const Eigen::Vector3d eye = w.session.camera.eye;
+    w.key(GLFW_KEY_N);
+    w.wait(1);
+    w.choose("File", "Paste view");
+    w.wait(1);
+    EXPECT_LT((w.session.camera.eye - eye).norm(), 1e-3);
+    w.choose("File", "Quit");
+    EXPECT_TRUE(w.session.quit);
+}
+
+TEST_F(WindowControls, OfTheBarAndTheRadar) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    toggles(w, "Bar Photos", w.session.panels.photos);
+    toggles(w, "Bar Help", w.session.panels.help);
+    toggles(w, "Bar Full screen", w.session.full_screen);
+    toggles(w, "Bar Expert", w.session.panels.expert);
+    w.press("Bar Compare");
+    w.wait(1);
+    EXPECT_EQ(w.session.settings.compare, Compare::wiper);
+    EXPECT_TRUE(w.there("Wiper"));
+    w.press("Bar Compare");
+    EXPECT_EQ(w.session.settings.compare, Compare::nothing);
+    for (const auto& [entry, light] : {std::pair{"Lamp at the viewer", Light::lamp},
+                                       std::pair{"Raking light that follows the pointer", Light::raking},
+                                       std::pair{"As in the photos", Light::photos}}) {
+        w.choose("Bar Light", entry);
+        EXPECT_EQ(w.session.settings.light.light, light) << entry;
+    }
+    // Each camera is on the map, some pixels around it.
+    w.key(GLFW_KEY_F6);
+    std::set<std::uint32_t> flown;
+    const Controls::Place map = *w.find("Radar map");
+    for (float y = map.low.y + 5; y < map.high.y; y += 12)
+        for (float x = map.low.x + 5; x < map.high.x; x += 12) {
+            w.point_at({double(x), double(y)});
+            w.frames();
+            w.click();
+            if (w.session.flight) flown.insert(w.session.standing_at);
+            w.session.flight.reset();
+        }
+    EXPECT_EQ(flown.size(), 5u);
+    w.wait(1);
+    w.press("Bar Home");
+    w.wait(1);
+    EXPECT_EQ(w.session.camera.eye, w.session.home.eye);
+}
+
+TEST_F(WindowControls, OfSurroundingsGlassLayersAndPoints) {
+    HeadlessWindow w(package_of(WindowScene::garden));
+    open_all(w);
+    RenderSettings& s = w.session.settings;
+    chooses(w, "Surroundings", s.surroundings, {"shown", "dimmed", "hidden"});
+    chooses(w, "Transparency", s.transparency, {"exact", "approximate", "hidden"});
+    ASSERT_TRUE(w.there("Layer") || (w.press("Section Layers"), w.there("Layer")));
+    w.choose("Layer", "height");
+    ASSERT_GE(s.layer.layer, 0);
+    chooses(w, "Colors", s.layer.map, {"automatic", "viridis", "magma", "cividis", "coolwarm"});
+    changes(w, "Over photos", s.layer.share, 0.3);
+    changes(w, "Isolines", s.layer.isolines, 0.3);
+    toggles(w, "Logarithmic", s.layer.logarithmic);
+    w.press("Lowest", 0.2);
+    ASSERT_TRUE(s.layer.range);
+    EXPECT_LT(s.layer.range->low, s.layer.range->high);
+    w.press("Highest", 0.5);
+    w.press("Whole range");
+    EXPECT_FALSE(s.layer.range);
+    w.choose("Layer", "none: photos only");
+    EXPECT_EQ(s.layer.layer, -1);
+    w.choose("Points", "hidden");
+    EXPECT_FALSE(s.points.show);
+    EXPECT_FALSE(w.there("Point size"));
+    w.choose("Points", "alone");
+    EXPECT_TRUE(s.points.show && s.points.alone);
+    w.choose("Points", "with the model");
+    EXPECT_TRUE(s.points.show && !s.points.alone);
+    w.choose("Colors of points", "the photos'");
+    EXPECT_EQ(s.points.color, PointColor::photos);
+    w.choose("Colors of points", "their own");
+    EXPECT_EQ(s.points.color, PointColor::own);
+    chooses(w, "Point size by", s.points.by, {"fill gaps", "pixels", "input units"});
+    changes(w, "Point size", s.points.size, 0.4);
+    changes(w, "Eye-dome shading", s.points.eye_dome, 0.1);
+    changes(w, "Million points", s.points.budget, 0.1);
+}
+
+TEST_F(WindowControls, OfBands) {
+    HeadlessWindow w(package_of(WindowScene::bands));
+    open_all(w);
+    BandSettings& b = w.session.settings.bands;
+    w.choose("Band", "infrared: 4 photos");
+    EXPECT_EQ(w.scene().bands[b.shown].name, "infrared");
+    EXPECT_TRUE(w.there("Photo 4"));
+    EXPECT_FALSE(w.there("Photo 5")) << "of another band";
+    w.choose("Second band", "visible");
+    ASSERT_TRUE(b.other);
+    EXPECT_EQ(w.scene().bands[*b.other].name, "visible");
+    EXPECT_TRUE(w.there("Photo 9"));
+    changes(w, "Share of the second", b.share, 0.25);
+    EXPECT_FALSE(w.there("Divided at"));
+    chooses(w, "Together", b.how, {"cross-fade", "beside each other", "divided"});
+    w.choose("Together", "divided");
+    changes(w, "Divided at", b.wiper, 0.2);
+    const std::uint32_t shown = b.shown;
+    w.key(GLFW_KEY_X);
+    EXPECT_NE(b.shown, shown);
+    EXPECT_EQ(b.other, shown) << "they change places";
+    w.key(GLFW_KEY_X);
+    EXPECT_EQ(b.shown, shown);
+    w.choose("Compare", "wiper");
+    EXPECT_EQ(b.how, BandView::mix) << "one comparison at a time";
+}
+
+TEST_F(WindowControls, OfObjects) {
+    const std::filesystem::path package = copy_of(WindowScene::tiny);
+    SceneObject right{"right", package, {}, true};
+    right.placement.move = {9, 0, 0};
+    HeadlessWindow w(package, {}, {{"left", package, {}, true}, right});
+    open_all(w);
+    w.key(GLFW_KEY_F10);
+    auto saved = [&, number = 0]() mutable {
+        w.press("Save scene");
+        const auto file = dir / fmt::format("scene-{:04}.toml", ++number);
+        written(w, file, "right");
+        w.wait(0.1);
+        return read_scene_file(file, SceneUse::show);
+    };
+    std::vector<SceneObject> objects = saved();
+    ASSERT_EQ(objects.size(), 2u);
+    EXPECT_EQ(objects[1].placement.move, Eigen::Vector3d(9, 0, 0));
+    w.press("Only right");
+    w.press("left");
+    w.press("left");
+    w.press("Opacity of right", 0.3);
+    w.press("Position of right");
+    const std::array axes{"x", "y", "z"};
+    for (const char* axis : axes) w.press(fmt::format("Move {} of right", axis), 0.4);
+    for (const char* axis : axes) w.press(fmt::format("Turn {} of right", axis), 0.2);
+    w.press("Scale of right", 0.2);
+    objects = saved();
+    ASSERT_EQ(objects.size(), 2u);
+    EXPECT_FALSE(objects[0].shown) << "only the right one is shown";
+    EXPECT_TRUE(objects[1].shown);
+    EXPECT_EQ(objects[0].opacity, 1);
+    EXPECT_LT(objects[1].opacity, 0.7);
+    EXPECT_NE(objects[1].placement.scale, 1);
+    for (const int axis : {0, 1, 2}) {
+        EXPECT_NE(objects[1].placement.move[axis], axis == 0 ? 9 : 0) << axis;
+        EXPECT_NE(objects[1].placement.turn[axis], 0) << axis;
+    }
+    w.press("Remove right");
+    EXPECT_FALSE(w.there("Remove right"));
+    w.key(GLFW_KEY_F10);
+    EXPECT_FALSE(w.there("Save scene"));
+}
+
+TEST_F(WindowControls, AskWhatToDoWithADroppedPackage) {
+    const std::filesystem::path package = copy_of(WindowScene::tiny);
+    HeadlessWindow w(package);
+    const auto dropped = [&](const char* answer) {
+        w.session.dropped = package.string();
+        w.frames(3);
+        w.press(answer);
+        EXPECT_EQ(w.session.dropped, "") << answer;
+        EXPECT_FALSE(w.there("Add to the scene")) << answer;
+    };
+    dropped("Cancel");
+    EXPECT_EQ(w.session.open, "");
+    dropped("Add to the scene");
+    EXPECT_TRUE(w.session.panels.objects);
+    w.key(GLFW_KEY_TAB);
+    w.resize(900, 3000);
+    EXPECT_TRUE(w.there("Remove one 2")) << "a taken name gets a number";
+    dropped("Open in place of the scene");
+    EXPECT_EQ(w.session.open, package.string());
+}
+
+TEST_F(WindowControls, OfACut) {
+    HeadlessWindow w(copy_of(WindowScene::tiny));
+    open_all(w);
+    w.press("Section Cut");
+    Cut& cut = w.session.cut;
+    w.press("Cut the model");
+    ASSERT_TRUE(cut.on);
+    EXPECT_EQ(w.session.settings.sections.size(), 1u);
+    chooses(w, "Across", cut.across, {"my view", "x", "y", "z"});
+    changes(w, "Cut at", cut.share, 0.2);
+    toggles(w, "Other side", cut.other_side);
+    chooses(w, "Cut by", cut.by, {"a plane", "a box"});
+    w.choose("Cut by", "a box");
+    for (const std::size_t axis : {0, 1, 2}) {
+        const char name = char('x' + axis);
+        changes(w, fmt::format("{} from", name), cut.low[axis], 0.2);
+        changes(w, fmt::format("{} to", name), cut.high[axis], 0.5);
+        EXPECT_LT(cut.low[axis], cut.high[axis]);
+    }
+    EXPECT_EQ(w.session.settings.sections.size(), 6u);
+    w.press("All of it");
+    EXPECT_EQ(cut.low, (std::array<double, 3>{0, 0, 0}));
+    EXPECT_EQ(cut.high, (std::array<double, 3>{1, 1, 1}));
+    w.press("Cut the model");
+    EXPECT_TRUE(w.session.settings.sections.empty());
+}

@@ -1,0 +1,85 @@
+#pragma once
+#include <imgui.h>
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "player/window/shown_scene.h"
+#include "player/window/window_input.h"
+#include "scene/package_reader.h"
+
+namespace vantage {
+
+/// The player's window without a window system: its input, its frames and its interface, of which nothing is
+/// drawn unless draw() is called. Time passes by frames only, thirty per second.
+class HeadlessWindow {
+  public:
+    /// Shows a package, or several objects of which the first one is the scene.
+    explicit HeadlessWindow(const std::filesystem::path& package, ShowOptions options = {},
+                            std::vector<SceneObject> objects = {});
+    ~HeadlessWindow();
+    HeadlessWindow(const HeadlessWindow&) = delete;
+    HeadlessWindow& operator=(const HeadlessWindow&) = delete;
+
+    void frames(int count = 1);
+    void wait(double seconds);
+    /// Draws the view, for what is read from its picture: where notes are hidden, which point is under the
+    /// pointer.
+    void draw();
+    void resize(int width, int height);
+
+    /// Moves the mouse, at once.
+    void point_at(const Eigen::Vector2d& pixel);
+    void button(std::size_t button, bool down);
+    /// Drags from where the mouse is, in one frame, and rests before it lets go.
+    void drag(std::size_t button, double right, double down);
+    /// Presses and releases the left button within a frame.
+    void click();
+    void double_click();
+    void wheel(float turns);
+    /// Presses and releases a key (of GLFW) within a frame, which is not made yet.
+    void tap(int key, KeyPress::With with = KeyPress::With::nothing);
+    /// tap(), and the frames that act on it.
+    void key(int key, KeyPress::With with = KeyPress::With::nothing);
+    void hold(int key, double seconds);
+    void hold_control(bool down);
+    void type(const std::string& text);
+    void touch(TouchEvent::What what, std::uint32_t finger, double x, double y);
+
+    /// Whether a control was in the last frame.
+    bool there(const std::string& name) const { return find(name) != nullptr; }
+    const Controls::Place* find(const std::string& name) const;
+    /// A place of a control, at a share of its width; fails the test if it is not there.
+    Eigen::Vector2d place(const std::string& name, double share = 0.5) const;
+    /// Clicks a control as somebody does who takes several frames for it.
+    void press(const std::string& name, double share = 0.5);
+    /// Chooses from a list or a menu.
+    void choose(const std::string& list, const std::string& entry);
+    /// Replaces the text of a field.
+    void fill_in(const std::string& field, const std::string& text);
+
+    Controls controls;
+    Session session;
+    const PlanScene& scene() { return shown_->renderer().scene(); }
+    const PackageReader& package() const { return package_; }
+    const View& view() const { return view_; }
+    double now() const { return now_; }
+
+  private:
+    void frame();
+    void set_text_scale(float scale);
+
+    PackageReader package_;
+    ImGuiContext* imgui_;
+    std::optional<ShownScene> shown_;
+    WindowInput input_;
+    PointerState mouse_{};
+    int width_ = 900, height_ = 700;
+    float text_scale_ = 0;
+    double now_ = 0;
+    View view_;
+};
+
+}  // namespace vantage

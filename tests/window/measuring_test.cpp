@@ -1,0 +1,201 @@
+// Measures known lengths of the synthetic building in the window.
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+#include "player/survey/survey_file.h"
+#include "tests/window/window_test.h"
+
+using namespace vantage;
+using Eigen::Vector3d;
+
+namespace {
+
+class WindowMeasures : public WindowTest {
+  protected:
+    /// An opening of the upper floor, whose corners are vertices of the mesh: 1.49333 m wide, 2.01 m high.
+    static constexpr double left = 1.92, right = 3.41333, low = 3.54, high = 5.55;
+
+    WindowMeasures() {
+        std::filesystem::create_directories(dir);
+        package = copy_of(WindowScene::tiny);
+    }
+    ShowOptions from_photo() const {
+        ShowOptions options;
+        options.package.photos = {"0002.jpg"};
+        return options;
+    }
+    static Eigen::Vector2d pixel_of(HeadlessWindow& w, const Vector3d& place) {
+        const Vector3d origin = Eigen::Map<const Vector3d>(w.package().scene().origin);
+        return project(w.view().intrinsics, w.view().cam_from_origin, place - origin)->pixel;
+    }
+    static void click(HeadlessWindow& w, const Vector3d& place, const Eigen::Vector2d& beside = {0, 0}) {
+        w.wait(1);  // no double click
+        w.point_at(pixel_of(w, place) + beside);
+        w.frames();
+        w.click();
+    }
+    Survey survey() const {
+        SurveyFile file = survey_file_of(package, false);
+        return read_survey(file, {});
+    }
+    std::size_t count() const { return survey().measurements.size(); }
+    /// The last measurement, once there are so many.
+    double value(HeadlessWindow& w, std::size_t wanted) const {
+        written_until(w, survey_file(),
+                      [&](const std::string& text) { return text.ends_with("\n") && count() >= wanted; });
+        const Survey s = survey();
+        EXPECT_EQ(s.measurements.size(), wanted);
+        if (s.measurements.empty()) return 0;
+        return evaluate(s.measurements.back(), s.scale, s.up).value.value_or(-1);
+    }
+    std::filesystem::path survey_file() const { return dir / "one.measurements.json"; }
+
+    std::filesystem::path package;
+};
+
+}  // namespace
+
+TEST_F(WindowMeasures, EveryMeasureOfTheOpening) {
+    HeadlessWindow w(package, from_photo());
+    w.key(GLFW_KEY_M);
+    ASSERT_TRUE(w.there("Snap to vertices"));
+    std::size_t n = 0;
+    click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
+    EXPECT_NEAR(value(w, ++n), 1.6, 0.03) << "on the wall, as exact as a pixel";
+    w.press("Snap to vertices");
+    click(w, {left, 0, low}, {-2, 1}), click(w, {left, 0, high}, {-2, -1});
+    EXPECT_NEAR(value(w, ++n), 2.01, 1e-4) << "at vertices, as exact as the mesh";
+    w.choose("Measure", "area");
+    click(w, {left, 0, low}), click(w, {right, 0, low}), click(w, {right, 0, high}, {2, -1}),
+        click(w, {left, 0, high});
+    w.key(GLFW_KEY_ENTER);
+    EXPECT_NEAR(value(w, ++n), 3.0016, 5e-4);
+    w.choose("Measure", "angle");
+    click(w, {right, 0, low}), click(w, {left, 0, low}), click(w, {left, 0, high});
+    EXPECT_NEAR(value(w, ++n), 90, 0.01);
+    w.choose("Measure", "height");
+    click(w, {right, 0, low}), click(w, {left, 0, high});
+    EXPECT_NEAR(value(w, ++n), 2.01, 1e-4);
+    w.choose("Measure", "point");
+    click(w, {left, 0, low});
+    value(w, ++n);
+    EXPECT_LT((survey().measurements.back().points.at(0).position - Vector3d(left, 0, low)).norm(), 1e-4);
+    w.choose("Measure", "polyline");
+    click(w, {left, 0, low}), click(w, {left, 0, high}), click(w, {1.6, 0, 4});
+    w.key(GLFW_KEY_BACKSPACE);
+    w.wait(1);
+    w.point_at(pixel_of(w, {right, 0, high})), w.frames();
+    w.double_click();
+    EXPECT_NEAR(value(w, ++n), 3.50333, 5e-4)
+        << "Backspace takes the last point back, and a double click ends";
+    EXPECT_FALSE(w.session.flight) << "a double click measures, and flies nowhere";
+}
+
+TEST_F(WindowMeasures, NothingBesideTheModelAndNothingAfterEsc) {
+    HeadlessWindow w(package, from_photo());
+    w.key(GLFW_KEY_M);
+    w.point_at({880, 60}), w.frames(), w.click();
+    EXPECT_TRUE(w.there("Message")) << "there is no surface";
+    w.choose("Measure", "polyline");
+    click(w, {left, 0, low}), click(w, {left, 0, high});
+    w.key(GLFW_KEY_ESCAPE);
+    EXPECT_TRUE(w.there("Snap to vertices")) << "Esc gives up what is begun";
+    w.key(GLFW_KEY_ENTER);
+    w.key(GLFW_KEY_ESCAPE);
+    EXPECT_FALSE(w.there("Snap to vertices")) << "then it leaves";
+    click(w, {left, 0, low}), click(w, {left, 0, high});
+    w.wait(0.5);
+    EXPECT_FALSE(std::filesystem::exists(survey_file()));
+}
+
+TEST_F(WindowMeasures, NamesScaleAndTable) {
+    HeadlessWindow w(package, from_photo());
+    w.resize(1400, 900);
+    w.key(GLFW_KEY_M);
+    w.press("Snap to vertices");
+    click(w, {left, 0, low}), click(w, {left, 0, high});
+    w.choose("Measure", "polyline");
+    click(w, {left, 0, low}), click(w, {left, 0, high}), click(w, {right, 0, high});
+    w.key(GLFW_KEY_ENTER);
+    EXPECT_NEAR(value(w, 2), 3.50333, 5e-4);
+    w.press("distance 1");
+    w.fill_in("Name", "Door");
+    written(w, survey_file(), "\"name\": \"Door\"");
+    w.fill_in("Known length", "6.03");
+    w.press("Set scale");
+    written(w, survey_file(), "\"unit\": \"m\"");
+    w.choose("Shown in", "cm");
+    written(w, survey_file(), "\"cm\"");
+    EXPECT_NEAR(value(w, 2), 3.50333 * 3 * 100, 0.2);
+    w.press("Export table");
+    const std::string table = written(w, dir / "one-measurements-0001.csv", "polyline");
+    EXPECT_NE(table.find("\"Door\",distance,603"), table.npos) << table;
+    w.press("polyline 1"), w.press("Delete");
+    written_until(w, survey_file(), [&](const std::string&) { return count() == 1; });
+    w.choose("Model's unit", "mm");
+    written(w, survey_file(), "\"mm\"");
+}
+
+TEST_F(WindowMeasures, AreThereAgainAndADamagedFileIsLeftAlone) {
+    {
+        HeadlessWindow w(package, from_photo());
+        w.key(GLFW_KEY_M);
+        click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
+        value(w, 1);
+    }
+    {
+        HeadlessWindow w(package, from_photo());
+        w.key(GLFW_KEY_M);
+        EXPECT_TRUE(w.there("distance 1"));
+    }
+    const std::string cut = slurp(survey_file()).substr(0, 100);
+    std::ofstream(survey_file()) << cut;
+    HeadlessWindow w(package, from_photo());
+    w.key(GLFW_KEY_M);
+    EXPECT_NE(w.session.message.find("one.measurements.json"), std::string::npos) << w.session.message;
+    click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
+    w.wait(0.5);
+    EXPECT_EQ(slurp(survey_file()), cut);
+}
+
+TEST_F(WindowMeasures, AreNamedInTheLanguageOfTheWindow) {
+    for (const auto& [language, name] : {std::pair{"de-AT", "Abstand 1"}, std::pair{"fr", "distance 1"}}) {
+        std::filesystem::remove(survey_file());
+        ShowOptions options = from_photo();
+        options.window.language = language;
+        HeadlessWindow w(package, options);
+        w.key(GLFW_KEY_M);
+        click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
+        value(w, 1);
+        EXPECT_EQ(survey().measurements.at(0).name, name);
+    }
+}
+
+TEST_F(WindowMeasures, AreTheSameAtAllDepthsOrthographically) {
+    HeadlessWindow w(package);
+    w.resize(1400, 900);  // the panel is beside the middle
+    w.key(GLFW_KEY_TAB);
+    w.choose("View", "From the top");
+    w.wait(1);
+    w.session.orthographic = true;
+    w.key(GLFW_KEY_TAB);
+    w.key(GLFW_KEY_M);
+    std::size_t n = 0;
+    const Eigen::Vector2d middle(w.view().intrinsics.cx, w.view().intrinsics.cy);
+    const auto length = [&](double row) {  // of 200 pixels, below the middle
+        for (const double column : {-100, 100}) {
+            w.wait(1);
+            w.point_at({middle.x() + column, middle.y() + row}), w.frames(), w.click();
+        }
+        return value(w, ++n);
+    };
+    const double ground = length(68);
+    EXPECT_GT(ground, 1);
+    // The middle is 1.8 m before the facade; the roof's ridge runs 2.2 m behind it.
+    const double ridge = -3.6 * 200 / ground, roof = length(ridge);
+    EXPECT_NEAR(roof / ground, 1, 0.002) << "7 m above it";
+    w.point_at({middle.x(), middle.y() + ridge}), w.frames();
+    for (int i = 0; i < 3; ++i) w.wheel(1);
+    EXPECT_NEAR(length(ridge) / roof, std::pow(0.9, 3), 0.002);
+}

@@ -1,0 +1,212 @@
+// What the window shows and says: tooltips, languages, lists of photos, orthophotos, cuts as drawings.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "player/interface/help_panel.h"
+#include "player/render/blend_table.h"
+#include "tests/window/window_test.h"
+#include "values/translation.h"
+
+using namespace vantage;
+
+namespace {
+
+class WindowShows : public WindowTest {
+  protected:
+    static std::vector<std::string> listed(const HeadlessWindow& w) {
+        std::vector<std::string> out;
+        for (const auto& p : w.controls.places())
+            if (p.name.starts_with("Fly to ")) out.push_back(p.name.substr(7));
+        return out;
+    }
+    static void open_section(HeadlessWindow& w, const char* name) {
+        w.resize(1200, 3000);
+        if (!w.session.panels.expert) w.key(GLFW_KEY_TAB);
+        w.press(std::string("Section ") + name);
+    }
+};
+
+}  // namespace
+
+TEST_F(WindowShows, TooltipsExplainWhatIsUnderThePointer) {
+    HeadlessWindow w(package_of(WindowScene::garden));
+    w.point_at({450, 200}), w.frames(3);
+    EXPECT_FALSE(w.there("Tooltip"));
+    for (const char* tool : {"Home", "Photos", "Compare", "Light", "Help", "Full screen", "Expert"}) {
+        w.point_at(w.place(std::string("Bar ") + tool)), w.frames(3);
+        EXPECT_TRUE(w.there("Tooltip")) << tool;
+    }
+    w.key(GLFW_KEY_TAB);
+    w.resize(1200, 3000);
+    std::size_t explained = 0;
+    const std::vector<Controls::Place> places = w.controls.places();
+    for (const auto& p : places) {
+        if (p.name.starts_with("Section ") || p.name.starts_with("Photo ") || p.low.x > 330) continue;
+        w.point_at({double(p.low.x) + 4, double(p.low.y + p.high.y) / 2}), w.frames(2);
+        explained += w.there("Tooltip");
+    }
+    EXPECT_GT(explained, 35u);
+}
+
+TEST_F(WindowShows, EveryLanguageIsThatOfItsCatalog) {
+    for (const auto& [language, name] : {std::pair{"de", "Deutsch"}, std::pair{"fr", "Français"}}) {
+        HeadlessWindow w(copy_of(WindowScene::tiny, std::string(language) + ".vantage"));
+        w.key(GLFW_KEY_TAB);
+        w.press("View"), w.press("Language"), w.press(name);
+        EXPECT_EQ(w.session.language, language);
+        EXPECT_EQ(shown_name("Blending"), std::string(tr("Blending")) + "###Blending");
+        EXPECT_STRNE(tr("Blending"), "Blending") << "no catalog for " << language;
+        w.key(GLFW_KEY_TAB), w.key(GLFW_KEY_M);
+        w.choose("Measure", "height");
+    }
+}
+
+TEST_F(WindowShows, PhotosAreListedByNameByPointAndByError) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    open_section(w, "Photos");
+    const std::vector<std::string> all = listed(w);
+    EXPECT_EQ(all.size(), 5u);
+    w.fill_in("Name contains", "0002");
+    EXPECT_EQ(listed(w), (std::vector<std::string>{all[2]}));
+    w.press("Use only these");
+    EXPECT_EQ(w.session.photos, (std::vector<std::uint32_t>{2}));
+    w.press("Use all");
+    EXPECT_EQ(w.session.photos.size(), 5u);
+    w.fill_in("Name contains", "");
+    EXPECT_EQ(listed(w), all);
+    w.press("Use " + all[1]);
+    EXPECT_EQ(w.session.photos, (std::vector<std::uint32_t>{0, 2, 3, 4}));
+    w.press("Use " + all[1]);
+    EXPECT_EQ(w.session.photos.size(), 5u);
+    w.press("Fly to " + all[3]);
+    w.wait(1);
+    EXPECT_EQ(w.session.camera.eye, w.scene().poses[3].center());
+    w.press("Worst first");
+    const std::vector<std::string> by_error = listed(w);
+    EXPECT_EQ(std::set(by_error.begin(), by_error.end()), std::set(all.begin(), all.end()));
+    w.press("Worst first");
+    w.press("Of a point");
+    w.resize(900, 700);
+    const View& v = w.view();
+    w.point_at({v.intrinsics.cx, v.intrinsics.cy}), w.frames();
+    w.click();
+    ASSERT_TRUE(w.session.photo_list.point);
+    const auto hit = first_hit(w.scene(), ray_through(v, {v.intrinsics.cx, v.intrinsics.cy}));
+    EXPECT_LT((*w.session.photo_list.point - hit->position).norm(), 1e-6);
+    const auto& showing = w.session.photo_list.showing;
+    ASSERT_FALSE(showing.empty());
+    EXPECT_TRUE(std::ranges::is_sorted(showing, {}, &Footprint::size)) << "the finest pixels first";
+    w.resize(1200, 3000);
+    EXPECT_EQ(listed(w).size(), showing.size());
+    w.press("Of a point");
+    EXPECT_EQ(listed(w), all);
+}
+
+TEST_F(WindowShows, ACutIsWrittenAsADrawing) {
+    HeadlessWindow w(copy_of(WindowScene::tiny));
+    open_section(w, "Cut");
+    w.press("Cut the model");
+    w.choose("Across", "z");
+    w.press("Write the cut");
+    // Pairs of a group code and a value.
+    const auto values = [&](const std::string& text, const std::set<int>& codes) {
+        std::vector<double> out;
+        std::istringstream in(text);
+        for (std::string code, value; std::getline(in, code) && std::getline(in, value);)
+            if (codes.contains(std::atoi(code.c_str()))) out.push_back(std::atof(value.c_str()));
+        return out;
+    };
+    const auto heights = values(written(w, dir / "one-cut-0001.dxf", "EOF"), {30, 31});
+    ASSERT_GT(heights.size(), 40u);
+    const auto [lowest, highest] = std::ranges::minmax(heights);
+    EXPECT_LT(highest - lowest, 1e-6) << "the cut is not level";
+    EXPECT_GT(lowest, 1);
+    EXPECT_LT(highest, 6);
+    w.choose("Cut by", "a box");
+    w.press("x from", 0.2);
+    w.press("Write the cut");
+    const auto across = values(written(w, dir / "one-cut-0002.dxf", "EOF"), {10, 11});
+    const double side = std::ranges::min(across);
+    EXPECT_GT(side, -8);
+    EXPECT_LT(side, 0);
+    EXPECT_GT(std::ranges::count_if(across, [&](double x) { return x - side < 1e-6; }), 20)
+        << "the box's side is not drawn where it cuts the walls";
+}
+
+TEST_F(WindowShows, OrthophotosAreAskedForAndReported) {
+    HeadlessWindow w(copy_of(WindowScene::tiny));
+    open_section(w, "Orthophoto");
+    OrthophotoRequest& o = w.session.orthophoto;
+    for (const auto& [side, plane] : {std::pair{"top", OrthophotoRequest::Plane::top},
+                                      std::pair{"my view", OrthophotoRequest::Plane::facing},
+                                      std::pair{"front", OrthophotoRequest::Plane::front}}) {
+        w.choose("Seen from", side);
+        EXPECT_EQ(o.plane, plane);
+    }
+    w.fill_in("Size of a pixel", "0.05");
+    EXPECT_EQ(o.pixel, 0.05);
+    w.choose("Written as", "GeoTIFF");
+    EXPECT_EQ(o.file, OrthophotoRequest::File::tiff);
+    w.choose("Written as", "PNG and world file");
+    EXPECT_FALSE(o.asked || o.writing);
+}
+
+TEST_F(WindowShows, PointsAndComparisonsAreInPerspective) {
+    {
+        HeadlessWindow w(package_of(WindowScene::garden));
+        w.session.orthographic = true;
+        w.frames(3);
+        EXPECT_FALSE(w.session.orthographic);
+        EXPECT_TRUE(w.there("Message"));
+    }
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    w.session.orthographic = true;
+    w.frames(3);
+    EXPECT_TRUE(w.session.orthographic);
+    w.key(GLFW_KEY_C);
+    EXPECT_TRUE(w.there("Wiper"));
+    EXPECT_FALSE(w.session.orthographic);
+}
+
+TEST_F(WindowShows, TheHelpHasEveryKey) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    const auto help = [&] {
+        ImGui::NewFrame();
+        ImGui::LogToClipboard();  // until the window ends
+        help_panel(w.controls, w.session);
+        ImGui::Render();
+        return std::string(ImGui::GetClipboardText());
+    };
+    help();
+    const std::string all = help();
+    for (const char* key : {"W A S D, Q E",
+                            "H, Backspace",
+                            "N, B",
+                            "C ",
+                            "V ",
+                            "X ",
+                            "R, T",
+                            "M ",
+                            "J ",
+                            "Ctrl+E",
+                            "O ",
+                            "P ",
+                            "Ctrl+C, Ctrl+V",
+                            "Tab",
+                            "F1 to F12",
+                            "Ctrl with + or -",
+                            "Esc",
+                            "Ctrl+Q",
+                            "double click",
+                            "two fingers",
+                            "wheel"})
+        EXPECT_NE(all.find(key), all.npos) << key << " is not in\n" << all;
+    for (const BlendRow& row : blend_table()) EXPECT_NE(all.find(row.label), all.npos) << row.label;
+    w.session.kiosk = true;
+    const std::string for_public = help();
+    EXPECT_EQ(for_public.find("Ctrl+Q"), for_public.npos);
+    EXPECT_NE(for_public.find("H, Backspace"), for_public.npos);
+}

@@ -1,0 +1,161 @@
+// A curator writes notes and a tour in the window; visitors see them.
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "player/render/picture.h"
+#include "story/story_file.h"
+#include "tests/window/window_test.h"
+
+using namespace vantage;
+using Eigen::Vector3d;
+
+namespace {
+
+class WindowStories : public WindowTest {
+  protected:
+    WindowStories() {
+        std::filesystem::create_directories(dir);
+        package = copy_of(WindowScene::tiny);
+        Picture p{40, 20, std::vector<std::uint8_t>(40 * 20 * 4, 200), {}};
+        write_png(dir / "picture.png", p);
+    }
+    Story saved() const { return read_story(story_file_of(package)).story; }
+    static Vector3d stands_at(const HeadlessWindow& w) {
+        return w.session.camera.eye + Eigen::Map<const Vector3d>(w.package().scene().origin);
+    }
+    static void add_note(HeadlessWindow& w, const std::string& title) {
+        w.point_at({450, 300});
+        w.drag(2, 20, 0);
+        for (int i = 0; i < 4; ++i) w.draw(), w.frames();  // where the surface is is known some frames later
+        w.press("Add a note here");
+        w.press("Title of the note"), w.type(title);
+        w.press("Picture file of the note"), w.type("picture.png");
+    }
+    static std::string titles(const Story& story) {
+        std::string out;
+        for (const StoryNote& n : story.notes) out += (out.empty() ? "" : " ") + n.title.plain;
+        return out;
+    }
+    /// Five notes from different places, the first of them with all it can have, and a tour.
+    void write_five_notes() const {
+        HeadlessWindow w(package);
+        w.resize(1400, 900);
+        w.key(GLFW_KEY_E, KeyPress::With::control);
+        w.press("Set the opening view");
+        for (const char* title : {"Tower", "Door", "Roof", "Gate", "Stairs"}) {
+            add_note(w, title);
+            if (std::string(title) == "Tower") w.press("Text of the note"), w.type("Built in 1702");
+        }
+        w.press("Make a tour of all notes");
+        w.press("Save the story");
+    }
+    std::filesystem::path package;
+};
+
+}  // namespace
+
+TEST_F(WindowStories, ACuratorWritesOrdersAndDeletesNotes) {
+    HeadlessWindow w(package);
+    w.resize(1400, 900);
+    w.key(GLFW_KEY_E, KeyPress::With::control);
+    const Vector3d opening = stands_at(w);
+    w.press("Set the opening view");
+    add_note(w, "Tower");
+    w.press("Text of the note"), w.type("Built in 1702");
+    for (const char* title : {"Door", "Roof", "Gate", "Stairs"}) add_note(w, title);
+    w.press("Make a tour of all notes");
+    w.press("Save the story");
+    Story story = saved();
+    EXPECT_EQ(titles(story), "Tower Door Roof Gate Stairs");
+    EXPECT_EQ(story.notes[0].text.plain, "Built in 1702");
+    EXPECT_EQ(story.notes[0].picture, "picture.png");
+    EXPECT_TRUE(story.notes[0].anchor && story.notes[0].view);
+    ASSERT_TRUE(story.opening);
+    EXPECT_LT((story.opening->eye - opening).norm(), 0.01);
+    EXPECT_GT((story.notes[4].view->eye - story.notes[0].view->eye).norm(), 0.1) << "each from elsewhere";
+    ASSERT_EQ(story.tours.size(), 1u);
+    ASSERT_EQ(story.tours[0].stops.size(), 5u);
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(story.tours[0].stops[i].note, story.notes[i].id);
+    w.press("Move up");
+    w.press("Save the story");
+    EXPECT_EQ(titles(saved()), "Tower Door Roof Stairs Gate");
+    w.press("Move down");
+    w.press("List 2");
+    w.press("Delete");
+    w.press("Save the story");
+    EXPECT_EQ(titles(saved()), "Tower Roof Gate Stairs");
+    const Vector3d before = saved().notes[0].view->eye;
+    w.press("List 1"), w.wait(2);
+    w.point_at({450, 300}), w.drag(2, 100, 0);
+    w.press("Set its view");
+    w.press("Save the story");
+    EXPECT_GT((saved().notes[0].view->eye - before).norm(), 0.1);
+}
+
+TEST_F(WindowStories, AVisitorFollowsNotesAndTours) {
+    write_five_notes();
+    const Story story = saved();
+    HeadlessWindow w(package);
+    EXPECT_LT((stands_at(w) - story.opening->eye).norm(), 0.01) << "it opens at the opening view";
+    EXPECT_TRUE(w.there("List 5"));
+    w.press("Note 2");
+    w.wait(2);
+    EXPECT_LT((stands_at(w) - story.notes[1].view->eye).norm(), 0.01);
+    for (int i = 0; i < 200 && !w.there("Picture of the note"); ++i) {
+        w.frames();
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    EXPECT_TRUE(w.there("Picture of the note"));
+    w.press("Next note"), w.wait(2);
+    EXPECT_LT((stands_at(w) - story.notes[2].view->eye).norm(), 0.01);
+    w.press("Previous note"), w.wait(2);
+    EXPECT_LT((stands_at(w) - story.notes[1].view->eye).norm(), 0.01);
+    w.key(GLFW_KEY_H), w.wait(1);
+    EXPECT_LT((stands_at(w) - story.opening->eye).norm(), 0.01);
+    w.press("Play All notes");
+    EXPECT_TRUE(w.there("Stop All notes"));
+    w.wait(0.3);
+    w.point_at({450, 300});
+    w.key(GLFW_KEY_ESCAPE);
+    EXPECT_TRUE(w.there("Play All notes")) << "Esc ends a tour";
+    w.press("Play All notes");
+    w.wait(120);
+    EXPECT_FALSE(w.session.flight);
+    EXPECT_LT((stands_at(w) - story.notes[4].view->eye).norm(), 0.01) << "a tour ends at its last stop";
+    w.key(GLFW_KEY_J);
+    EXPECT_FALSE(w.there("List 1"));
+    EXPECT_FALSE(w.there("Note 1"));
+    w.key(GLFW_KEY_J);
+    EXPECT_TRUE(w.there("List 1"));
+}
+
+TEST_F(WindowStories, WhatAnotherProgramWroteIsNotReplaced) {
+    write_five_notes();
+    HeadlessWindow w(package);
+    w.resize(1400, 900);
+    const auto file = story_file_of(package);
+    std::string text = slurp(file);
+    text.replace(text.find("Door"), 4, "Yard");
+    std::ofstream(file) << text;
+    w.key(GLFW_KEY_E, KeyPress::With::control);
+    w.press("List 1");
+    w.press("Set its view");
+    w.press("Save the story");
+    EXPECT_TRUE(w.there("Message"));
+    EXPECT_EQ(slurp(file), text);
+}
+
+TEST_F(WindowStories, AKioskShowsAndDoesNotEditThem) {
+    write_five_notes();
+    const std::string text = slurp(story_file_of(package));
+    ShowOptions options;
+    options.window.kiosk = true;
+    HeadlessWindow w(package, options);
+    ASSERT_TRUE(w.there("Note 2"));
+    w.press("Note 2"), w.wait(2);
+    EXPECT_TRUE(w.there("Next note"));
+    w.key(GLFW_KEY_E, KeyPress::With::control);
+    EXPECT_FALSE(w.there("Save the story"));
+    EXPECT_EQ(slurp(story_file_of(package)), text);
+}

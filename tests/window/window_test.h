@@ -1,0 +1,49 @@
+#pragma once
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "tests/temporary_folder.h"
+#include "tests/window/headless_window.h"
+#include "tests/window/window_scenes.h"
+
+namespace vantage {
+
+/// Works in a folder of its own, where the window writes its files.
+class WindowTest : public TemporaryFolder {
+  protected:
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        std::filesystem::current_path(dir);
+        ::unsetenv("XDG_CURRENT_DESKTOP");  // no chooser of the system
+    }
+    void TearDown() override {
+        std::filesystem::current_path(std::filesystem::temp_directory_path());
+        TemporaryFolder::TearDown();
+    }
+    /// A copy of a package, which the window may write beside.
+    std::filesystem::path copy_of(WindowScene scene, const std::string& name = "one.vantage") const {
+        std::filesystem::copy_file(package_of(scene), dir / name);
+        return dir / name;
+    }
+    /// Waits for a file that is written while the window goes on, and until `done` says so of its text.
+    template <class Done>
+    std::string written_until(HeadlessWindow& w, const std::filesystem::path& file, const Done& done) const {
+        std::string text;
+        for (int i = 0; i < 500 && !done(text = slurp(file)); ++i) {
+            w.frames();
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        EXPECT_TRUE(done(text)) << file << ": " << text.substr(0, 2000);
+        return text;
+    }
+    std::string written(HeadlessWindow& w, const std::filesystem::path& file, const std::string& part) const {
+        return written_until(w, file,
+                             [&](const std::string& text) { return text.find(part) != std::string::npos; });
+    }
+};
+
+}  // namespace vantage
