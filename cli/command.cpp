@@ -298,13 +298,15 @@ int Command::run(const std::vector<std::string>& arguments) const {
     }
     const std::string expected = "expected one of " + joined(names, ", ");
     if (!node_->action && !names.empty() && (arguments.empty() || !arguments.front().starts_with('-')))
-        throw Error(Exit::usage, arguments.empty() ? "without a verb: " + expected
+        throw Error(Exit::usage, arguments.empty() ? "no verb: " + expected
                                                    : "no verb '" + arguments.front() + "': " + expected);
     try {
         node_->app->parse(Words(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::CallForHelp&) {
-        if (!node_->action) node_->app->require_subcommand(1);  // as the usage says
+        const bool needs_verb = !node_->action && !node_->verbs.empty();
+        node_->app->require_subcommand(needs_verb, 0);  // for the usage alone: run() selects the verb
         std::fputs(node_->app->help(node_->program).c_str(), stdout);
+        node_->app->require_subcommand(0, 0);
         return int(Exit::ok);
     } catch (const CLI::ParseError& e) {
         return node_->app->exit(e) == 0 ? int(Exit::ok) : int(Exit::usage);

@@ -64,7 +64,7 @@ struct Picture {
         command.flag("-q,--quiet", quiet, "print only errors");
         command.flag("--bilinear", trilinear, "sample one level", false);
         command.integer("--samples", samples, 1, 8, "samples per side").group("Quality");
-        command.integer("--threads", threads, 0, 1 << 20, "threads");
+        command.integer("--threads", threads, 0, 1 << 30, "threads");
         command.real("--scale", scale, 0.5, 8, "relative size");
         command.bytes("--memory", memory, "limit");
         const NamedValues<Blend> blends{{"average", Blend::average}, {"best-photo", Blend::best}};
@@ -164,6 +164,7 @@ TEST(CommandLine, VerbsAreSelectedByTheFirstArgument) {
     EXPECT_NE(run(c, {"check", "--help"}).out.find("Usage: program check [OPTIONS] [WHAT]"),
               std::string::npos);
     for (const Words& wrong : {Words{"chekc"}, Words{}}) EXPECT_THROW(c.run(wrong), Error);
+    EXPECT_NE(run(c, {"--help"}).out.find("Usage: program [OPTIONS] VERB"), std::string::npos);
     EXPECT_NE(refusal(c, {"--verbose"}), "");
     std::string file;
     c.text("FILE", file, "");
