@@ -2,12 +2,14 @@
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <array>
 #include <atomic>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <stdexcept>
 
@@ -285,6 +287,14 @@ std::string points_ply(std::size_t points) {
     return text;
 }
 
+/// OpenImageIO and OpenEXR start threads that stay, and are missing in a process that is forked later.
+static bool in_a_fork(const std::function<bool()>& work) {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(work() ? 0 : 1);
+    int status = -1;
+    return ::waitpid(child, &status, 0) == child && status == 0;
+}
+
 std::string photo(const std::string& extension, double r, double g, double b, int w, int h, int orientation) {
     static std::atomic<int> count{0};
     const fs::path file =
@@ -297,7 +307,7 @@ std::string photo(const std::string& extension, double r, double g, double b, in
     for (int i = 0; i < w * h; ++i)
         for (const double v : {r, g, b})
             pixels.push_back(float(v) * (is_float || (i / 4 + i / w / 4) % 2 ? 1.f : 0.95f));
-    if (!write_image_file(file, spec, OIIO::TypeDesc::FLOAT, pixels.data()))
+    if (!in_a_fork([&] { return write_image_file(file, spec, OIIO::TypeDesc::FLOAT, pixels.data()); }))
         throw std::runtime_error("cannot write " + file.string());
     const std::string bytes = slurp(file);
     fs::remove(file);
