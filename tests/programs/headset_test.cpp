@@ -45,25 +45,6 @@ json eye(int width, int height, double left, double right, double up, double dow
     return {{"width", width}, {"height", height}, {"fov", {left, right, up, down}}, {"offset", {x, 0, 0}}};
 }
 
-/// Made once for all tests, and removed when the process ends.
-const fs::path& shared_package() {
-    static const struct Made {
-        const fs::path folder = fs::temp_directory_path() / ("vantage-headset-" + std::to_string(::getpid()));
-        const fs::path file = folder / "scene.vantage";
-        Made() {
-            synthesize(garden_spec(3000, 400, 300), folder / "scene", {});
-            PrepareSettings settings;
-            settings.effects[Effect::surroundings] = EffectChoice::on;
-            prepare(read_scene(discover(folder / "scene")), settings, file, [](const Progress&) {});
-        }
-        ~Made() {
-            std::error_code error;
-            fs::remove_all(folder, error);
-        }
-    } made;
-    return made.file;
-}
-
 class HeadsetProgram : public GardenPackage {
   protected:
     struct Run {
@@ -73,7 +54,7 @@ class HeadsetProgram : public GardenPackage {
     };
     void SetUp() override {
         GardenPackage::SetUp();
-        fs::copy_file(shared_package(), file);
+        make_package({{Effect::surroundings, EffectChoice::on}});
         ::setenv("MESA_SHADER_CACHE_DIR", fs::temp_directory_path().c_str(), 1);
     }
     static void expect_sound(const Run& run) {

@@ -10,7 +10,7 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
-#include "pipeline/synth/synthesize.h"
+#include "tests/made_scenes.h"
 
 namespace vantage {
 namespace {
@@ -31,8 +31,8 @@ const fs::path& folder() {
     return made.path;
 }
 
-SynthSpec small_photos(const char* file) {
-    SynthSpec spec = read_spec(fs::path(VANTAGE_SOURCE_DIR "/data") / file);
+SynthSpec small_photos(const char* name) {
+    SynthSpec spec = spec_named(name);
     spec.photos.width = 96, spec.photos.height = 72, spec.photos.samples = 1;
     if (spec.infrared.count) spec.infrared.width = 80, spec.infrared.height = 60;
     return spec;
@@ -61,7 +61,7 @@ void shuffle_names(const fs::path& scan, int photos) {
 }
 
 void make(WindowScene scene, const fs::path& scan, const fs::path& package) {
-    SynthSpec spec = small_photos(scene == WindowScene::bands ? "bands.toml" : "tiny.toml");
+    SynthSpec spec = small_photos(scene == WindowScene::bands ? "bands" : "tiny");
     PrepareSettings settings;
     settings.vertex_coordinates = scene == WindowScene::tiny;
     if (scene == WindowScene::garden) {
@@ -71,13 +71,12 @@ void make(WindowScene scene, const fs::path& scan, const fs::path& package) {
         settings.effects[Effect::surroundings] = EffectChoice::on;
     }
     if (scene == WindowScene::many) spec.photos.count = 60, spec.object.triangles = 600;
-    synthesize(spec, scan, {});
+    copy_scene(spec, scan);
     if (scene == WindowScene::many) shuffle_names(scan, spec.photos.count);
+    if (scene != WindowScene::garden) return copy_package(scan, settings, package);
     InputFiles given;
-    if (scene == WindowScene::garden) {
-        fs::copy_file(scan / "mesh.ply", folder() / "cloud.ply");
-        given.points = {folder() / "cloud.ply"};
-    }
+    given.points = {folder() / "cloud.ply"};
+    fs::copy_file(scan / "mesh.ply", given.points.front());
     prepare(read_scene(discover(scan, given)), settings, package, [](const Progress&) {});
 }
 
