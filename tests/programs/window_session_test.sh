@@ -23,6 +23,14 @@ settled() {  # settled FILE.ppm: the picture, once it is final
   fail "the picture $1 is never final"
 }
 
+# alike FILE.ppm FILE.ppm: as far as a busy processor shows the same, which may do with fewer samples per pixel
+alike() {
+  /usr/bin/python3 -c '
+import sys
+a, b = (open(name, "rb").read() for name in sys.argv[1:])
+sys.exit(len(a) != len(b) or sum(abs(x - y) for x, y in zip(a, b)) > 2 * len(a))' "$1" "$2"
+}
+
 # Without a package: a damaged one that is dropped is refused, a sound one is shown.
 start_page
 /usr/bin/python3 "$source_of_tests/drop_files.py" "$window" cut.vantage || fail "the start page takes no files"
@@ -41,9 +49,9 @@ settled before.ppm
 xdotool mousemove 600 250; frames 2
 xdotool mousedown 1; frames 2; xdotool mousemove_relative 80 30; frames 3; xdotool mouseup 1
 settled after.ppm
-cmp -s before.ppm after.ppm && fail "dragging changes nothing"
+alike before.ppm after.ppm && fail "dragging changes nothing"
 key h
-soon_settled() { settled home.ppm; cmp -s home.ppm before.ppm; }
+soon_settled() { settled home.ppm; alike home.ppm before.ppm; }
 soon soon_settled || fail "H does not lead back to the first picture"
 
 # A click quicker than a frame, with the pointer elsewhere by the end of it; a setting changes the picture.
@@ -53,11 +61,11 @@ there "Section Picture" || fail "a click on Expert quicker than a frame is lost"
 settled photos.ppm
 press "Show"; press "which photo"
 settled colors.ppm
-cmp -s photos.ppm colors.ppm && fail "false colors change nothing"
+alike photos.ppm colors.ppm && fail "false colors change nothing"
 there "Legend" || fail "false colors have no legend"
 press "Show"; press "photos"
 settled again-photos.ppm
-cmp -s photos.ppm again-photos.ppm || fail "the photos are not shown again as they were"
+alike photos.ppm again-photos.ppm || fail "the photos are not shown again as they were"
 
 # Screenshots show the model alone; nothing of the picture shines through the help.
 key p
