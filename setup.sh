@@ -19,7 +19,7 @@ tests=OFF targets=(vantage vantage-player manual)
 grep -qs '^BUILD_TESTING:BOOL=ON' build/CMakeCache.txt && tests=ON
 if (($#)); then
   tests=ON targets=("$@")
-  packages+=(libgtest-dev librapidcheck-dev libopencv-calib3d-dev libopencv-imgcodecs-dev libsquish-dev gnuplot-nox
+  packages+=(libgtest-dev libgmock-dev librapidcheck-dev libopencv-calib3d-dev libopencv-imgcodecs-dev libsquish-dev gnuplot-nox
     xvfb xauth xserver-xorg-core xserver-xorg-video-dummy xdotool python3-xlib openxr-layer-corevalidation
     bash-completion desktop-file-utils man-db shared-mime-info)
 fi
