@@ -53,7 +53,7 @@ constexpr Named<XrSessionState> states[] = {
     {"focused", XR_SESSION_STATE_FOCUSED},
     {"stopping", XR_SESSION_STATE_STOPPING},
 };
-constexpr Named<std::size_t> hands[] = {{"left", 0}, {"right", 1}};
+constexpr Named<std::size_t> named_hands[] = {{"left", 0}, {"right", 1}};
 #define NAMED_RESULT(name, value) {#name, name},
 constexpr Named<XrResult> results[] = {XR_LIST_ENUM_XrResult(NAMED_RESULT)};
 #undef NAMED_RESULT
@@ -162,7 +162,7 @@ Input input_of(const json& j) {
 
 HandEntry hand_of(const json& j) {
     check_fields(j, {"frame", "hand", "active", "aim", "grip", "inputs"});
-    HandEntry out{j.value("frame", 0), value_of(j.at("hand"), hands), {}, {}, {}, {}};
+    HandEntry out{j.value("frame", 0), value_of(j.at("hand"), named_hands), {}, {}, {}, {}};
     if (j.contains("active")) out.active = j["active"].get<bool>();
     if (j.contains("aim")) out.aim = pose_of(j["aim"]);
     if (j.contains("grip")) out.grip = pose_of(j["grip"]);
