@@ -261,12 +261,14 @@ void end_row(const Judged& judged, int status) {
 
 class RealInputs : public TemporaryFolder, public ::testing::WithParamInterface<std::string> {
   protected:
-    /// What all rows share is made once, before they are forked. This starts no threads, which would be
-    /// missing there.
+    /// What all rows share is made once, before they are forked. This starts no threads beside those of
+    /// libraries that are loaded: they would be missing there.
     static void SetUpTestSuite() {
-        standard_scan();
+        const auto threads = [] { return std::distance(fs::directory_iterator("/proc/self/task"), {}); };
         image_files();
-        ASSERT_EQ(std::distance(fs::directory_iterator("/proc/self/task"), {}), 1);
+        const auto of_libraries = threads();
+        standard_scan();
+        ASSERT_EQ(threads(), of_libraries);
     }
     /// `whole`: how many rows share one that runs the program itself.
     void judge_all(std::size_t whole) const {
