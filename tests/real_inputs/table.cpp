@@ -540,7 +540,7 @@ std::vector<Row> rows() {
         {"options", "--config with a wrong value", with_file("c.toml", "threads = -3\n"), Exit::usage, Says{"c.toml"}, no_package, Command{with("--config {scan}/c.toml")}},
         {"options", "--config with memory -5", with_file("c.toml", "memory = -5\n"), Exit::usage, Says{"c.toml"}, no_package, Command{with("--config {scan}/c.toml")}},
         {"options", "an unknown option", nothing(), Exit::usage, Says{"--frobnicate"}, no_package, Command{with("--frobnicate")}},
-        {"options", "no verb", nothing(), Exit::usage, Says{"without a verb"}, no_package, Command{"vantage"}},
+        {"options", "no verb", nothing(), Exit::usage, Says{"no verb: expected one of"}, no_package, Command{"vantage"}},
         {"options", "-o in a missing folder", nothing(), Exit::storage, Says{"none/x.vantage"}, no_package, Command{"vantage prepare {scan} -o {out}/none/x.vantage"}, Never{"18446744073"}},
         {"options", "no libEGL, offscreen", with_file("lib/libEGL.so.1", ""), Exit::graphics, Says{"cannot load libEGL.so.1"}, no_package, Command{"vantage prepare {scan} -o {out}.vantage --no-report ; env LD_LIBRARY_PATH={scan}/lib vantage-player {out}.vantage --offscreen --photo A -o {out}.png"}},
         {"options", "no libEGL, prepared by the processor", with_file("lib/libEGL.so.1", ""), Command{"env LD_LIBRARY_PATH={scan}/lib vantage prepare {scan} -o {out}.vantage --no-report"}},
