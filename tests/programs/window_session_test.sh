@@ -76,6 +76,7 @@ help() {  # help FILE.ppm: its pixels, without its rounded corners, and no messa
   # shellcheck disable=SC2046
   screenshot "$1" $(awk -F'\t' '$1 == "Mouse, fingers and keys" { print int($2) + 8, int($3) + 8, int($4) - 16, int($5) - 16 }' places)
 }
+key F4  # the strip would be over the help
 key F1
 help help.ppm
 key p
@@ -85,6 +86,7 @@ key n; settled flown.ppm
 help help-after.ppm
 cmp -s help.ppm help-after.ppm || fail "the picture shines through the help"
 key F1
+key F4
 
 # The window follows its size and covers the screen.
 xdotool windowsize --sync "$window" 1200 800
