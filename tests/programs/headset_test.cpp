@@ -502,7 +502,7 @@ TEST_F(HeadsetProgram, MirrorsTheLeftEyeInAWindow) {
     EXPECT_TRUE(run.frames[20]["layers"][0]["views"][0]["depth"].is_null());
 }
 
-TEST_F(HeadsetProgram, ValidationLayerOfKhronosFindsNothing) {
+TEST_F(HeadsetProgramAtLength, ValidationLayerOfKhronosFindsNothing) {
     bool there = false;
     const fs::path layers = "/usr/share/openxr/1/api_layers/explicit.d";
     if (fs::exists(layers))
@@ -569,7 +569,7 @@ TEST_F(HeadsetProgram, SticksTurnAndTeleportOntoTheFloor) {
     EXPECT_GT(psnr(saved(88, "left"), offscreen_picture(package, turned, all(package), true)), 35);
 }
 
-TEST_F(HeadsetProgram, TwoHandsMakeTheModelTwiceAsLarge) {
+TEST_F(HeadsetProgramAtLength, TwoHandsMakeTheModelTwiceAsLarge) {
     json s = scenario(60);
     s["eyes"] = {eye(97, 97, -45, 45, 45, -45, -0.032), eye(97, 97, -45, 45, 45, -45, 0.032)};
     const auto at = [&](int frame, const char* which, double x, bool closed) {
@@ -621,7 +621,7 @@ TEST_F(HeadsetProgram, HandsOverTheDepthOfTheNearestObject) {
     EXPECT_GT(of_second, 3);
 }
 
-TEST_F(HeadsetProgram, TakesAVisitorFromStopToStopOfATour) {
+TEST_F(HeadsetProgramAtLength, TakesAVisitorFromStopToStopOfATour) {
     const PackageReader package(file);
     const std::vector<Corners> mesh = triangles_of(make_plan_scene(package));
     const Vector3d origin = Eigen::Map<const Vector3d>(package.scene().origin);

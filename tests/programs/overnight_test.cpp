@@ -273,7 +273,7 @@ TEST_F(Overnight, RefiningLaterGivesTheSamePackage) {
     EXPECT_TRUE(slurp(dir / "off.vantage") == agreeing) << "in place, by the evidence again";
 }
 
-TEST_F(Overnight, RegisteringLaterOrByMergingGivesTheSamePackage) {
+TEST_F(OvernightAtLength, RegisteringLaterOrByMergingGivesTheSamePackage) {
     fs::remove_all(scene);
     SynthSpec spec = spec_named("small");
     spec.photos.count = 8;

@@ -79,7 +79,8 @@ TEST_F(Panoramas, ShowEachDirectionWhereAViewerLooksForIt) {
     }
 }
 
-TEST_F(Panoramas, ShowToEachEyeWhatItSeesWhereItTurns) {
+using PanoramasAtLength = Panoramas;
+TEST_F(PanoramasAtLength, ShowToEachEyeWhatItSeesWhereItTurns) {
     // Far apart, to tell the eyes apart. What is straight ahead is seen from both sides of the middle.
     const PackageReader package(file);
     constexpr double apart = 0.4;

@@ -56,7 +56,7 @@ TEST(Align, FindsAMeshThatWasTurnedMovedAndScaled) {
     }
 }
 
-TEST(Align, RefusesAMeshThatIsNotOfThePhotos) {
+TEST(AlignAtLength, RefusesAMeshThatIsNotOfThePhotos) {
     VANTAGE_DATASET(scan, "sceaux-small");
     VANTAGE_DATASET(other, "fountain-P11");
     SceneInput scene = read_scene(discover(scan));

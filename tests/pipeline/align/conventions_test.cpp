@@ -94,7 +94,7 @@ Vector3d seen(const SceneInput& scene, std::size_t photo, std::size_t vertex) {
 
 }  // namespace
 
-TEST(Conventions, EveryWrongOneIsRejectedAndTheRightOneTaken) {
+TEST(ConventionsAtLength, EveryWrongOneIsRejectedAndTheRightOneTaken) {
     for (const char* name : scans) {
         VANTAGE_DATASET(scan, name);
         const SceneInput right = read_scene(discover(scan));
@@ -195,7 +195,8 @@ class TangentialPhotos : public TemporaryFolder {
     }
 };
 
-TEST_F(TangentialPhotos, TellWhichCoefficientIsWhich) {
+using TangentialPhotosAtLength = TangentialPhotos;
+TEST_F(TangentialPhotosAtLength, TellWhichCoefficientIsWhich) {
     for (const char* name : scans) {
         VANTAGE_DATASET(scan, name);
         SceneInput right = read_scene(discover(scan));

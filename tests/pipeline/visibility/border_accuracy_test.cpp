@@ -91,4 +91,4 @@ void compare_on(const char* set) {
 }  // namespace
 
 TEST(BorderAccuracy, JumpFloodingOnSceaux) { compare_on("sceaux"); }
-TEST(BorderAccuracy, JumpFloodingOnFountain) { compare_on("fountain-P11"); }
+TEST(BorderAccuracyAtLength, JumpFloodingOnFountain) { compare_on("fountain-P11"); }
