@@ -9,7 +9,6 @@ namespace vantage::codec {
 namespace {
 
 constexpr std::size_t planes = 4;
-constexpr int plane_effort = 3;  ///< level of zstd
 
 /// Differences modulo 256, folded into bytes.
 void append_plane(const Grid<const std::uint8_t>& plane, std::byte* out) {
@@ -37,7 +36,7 @@ std::vector<std::byte> encode_planes(std::span<const std::byte> texels, int widt
             append_plane({values.data(), width, height}, &out[at]);
         at += one ? 1 : n;
     }
-    return compress(std::span(out).first(at), plane_effort);
+    return compress(std::span(out).first(at), tile_effort);
 }
 
 bool decode_planes(std::span<const std::byte> coded, int width, int height, std::span<std::byte> texels) {

@@ -12,7 +12,6 @@
 namespace vantage::codec {
 namespace {
 
-constexpr int depth_effort = 3;           ///< level of zstd
 constexpr int dropped = 24 - depth_bits;  ///< bits of a float's 24, of which one is implied
 constexpr std::uint32_t infinite = 0x7f800000u >> dropped;
 constexpr std::uint32_t most_steps = 0xffff;
@@ -75,7 +74,7 @@ std::vector<std::byte> encode_depth(std::span<const std::byte> texels, int width
             *high++ = std::byte(d >> 8 & 0xff);
         }
     }
-    return compress(out, depth_effort);
+    return compress(out, tile_effort);
 }
 
 bool decode_depth(std::span<const std::byte> coded, int width, int height, std::span<std::byte> texels) {

@@ -6,6 +6,8 @@
 
 namespace vantage::codec {
 
+inline constexpr int tile_effort = 3;  ///< level of zstd for the content of tiles
+
 /// The bytes as one zstd frame (RFC 8878), level 1 to 19.
 std::vector<std::byte> compress(std::span<const std::byte> bytes, int level);
 

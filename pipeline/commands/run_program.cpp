@@ -50,7 +50,7 @@ int run_verb(int argc, char** argv) {
 
 int run_program(int argc, char** argv) {
     keep_freed_memory();
-    // Photos are divided among our own threads. OpenCV's would compete with them, and its pool waits for ever
+    // Photos are divided among our own threads. OpenCV's would compete with them, and its pool waits forever
     // for a thread that the system refuses to start.
     cv::setNumThreads(1);
     std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit fails with a message

@@ -24,7 +24,7 @@ std::string number(double v) { return formatted("%.4g", v); }
 }  // namespace
 
 void write_plot(const std::filesystem::path& file, const std::string& title, const std::string& unit,
-                const std::vector<Curve>& curves, const std::vector<std::string>& labels) {
+                const std::vector<Curve>& curves) {
     double highest = 0, longest = 2;
     for (const Curve& c : curves) {
         for (const double v : c.values) highest = std::max(highest, v);
@@ -43,9 +43,7 @@ void write_plot(const std::filesystem::path& file, const std::string& title, con
         svg += text(left - 6, y(v) + 4, "end", number(v));
     }
     svg += text(14, top - 8, "start", unit);
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        svg += text(x(double(i)), height - 10, "middle", labels[i]);
-    if (labels.empty()) svg += text(width - right, height - 10, "end", "frame " + number(longest - 1));
+    svg += text(width - right, height - 10, "end", "frame " + number(longest - 1));
     for (std::size_t c = 0; c < curves.size(); ++c) {
         const char* color = colors[c % std::size(colors)];
         svg += std::string("<polyline fill='none' stroke-width='1.5' stroke='") + color + "' points='";

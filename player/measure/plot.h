@@ -11,9 +11,9 @@ struct Curve {
     std::vector<double> values;
 };
 
-/// Writes curves as an SVG picture with a vertical axis from 0 and a legend. The horizontal axis shows
-/// `labels`, one per value, or if there are none the last frame's number. Throws Error(storage).
+/// Writes curves over frames as an SVG picture with a vertical axis from 0 and a legend. Throws
+/// Error(storage).
 void write_plot(const std::filesystem::path& file, const std::string& title, const std::string& unit,
-                const std::vector<Curve>& curves, const std::vector<std::string>& labels = {});
+                const std::vector<Curve>& curves);
 
 }  // namespace vantage
