@@ -184,7 +184,7 @@ void TrackedHands::suggest_all(const XrRuntime& runtime) const {
                 bindings.push_back({action, runtime.path((side_names[i] + part).c_str())});
             };
             const auto input = [&](XrAction action, const char* part) {
-                if (part) bind(action, std::string("/input/") + part);
+                if (part) bind(action, "/input/" + std::string(part));
             };
             input(aim_, "aim/pose");
             input(grip_, "grip/pose");
