@@ -35,9 +35,7 @@ PointPlan plan_points(const PointCloud& cloud, const View& view, std::uint64_t b
     std::priority_queue<std::pair<double, std::uint32_t>> waiting;
     const auto consider = [&](std::uint32_t node) {
         const PointNode& n = cloud.nodes[node];
-        const bool tested =
-            culling == PointCulling::hierarchical || (culling == PointCulling::leaves && !n.child_octants);
-        if (!tested || side_of(planes, low_of(n), high_of(n)) != Side::outside)
+        if (culling == PointCulling::none || side_of(planes, low_of(n), high_of(n)) != Side::outside)
             waiting.emplace(urgency(n, eye, focal), node);
     };
     if (!cloud.nodes.empty()) consider(0);

@@ -20,10 +20,9 @@ struct PointPlan {
 /// Maximum number of nodes in a plan.
 inline constexpr std::size_t most_point_nodes = 4096;
 
-/// Which nodes are tested against the frustum. All but `hierarchical` only to measure what that is worth.
+/// Whether nodes are tested against the frustum: `none` only for comparison.
 enum class PointCulling {
     hierarchical,  ///< all, and what is below a node that is outside is not visited
-    leaves,        ///< those without children
     none
 };
 

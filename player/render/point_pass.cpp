@@ -99,7 +99,7 @@ void PointPass::fit(const FrameTargets& targets, bool placed) {
 }
 
 std::size_t PointPass::stream(const View& view, const RenderSettings& settings, int side, double now) {
-    plan_ = plan_points(cloud_, view, settings.points.budget, side, settings.points.culling);
+    plan_ = plan_points(cloud_, view, settings.points.budget, side);
     store_.begin_frame(now);
     for (const std::uint32_t node : plan_.nodes) store_.need(cloud_.nodes[node]);
     std::size_t uploaded = 0;

@@ -10,7 +10,6 @@
 #include "player/camera/frame_size.h"
 #include "player/camera/view.h"
 #include "player/plan/plan_settings.h"
-#include "player/plan/point_plan.h"
 #include "player/plan/section_plane.h"
 #include "player/plan/weights.h"
 #include "player/render/frame_report.h"
@@ -86,8 +85,7 @@ struct PointSettings {
     bool show = true;
     bool alone = false;  ///< without the model
     PointColor color = PointColor::automatic;
-    PointCulling culling = PointCulling::hierarchical;  ///< for measurements
-    bool pick = false;                                  ///< draws what Renderer::pick() reads
+    bool pick = false;  ///< draws what Renderer::pick() reads
     PointSize by = PointSize::gaps;
     double size = 1;                   ///< diameter, in the unit of `by`
     double eye_dome = 1;               ///< strength of the shading by depth; 0: none
