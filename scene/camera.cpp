@@ -9,6 +9,10 @@
 
 namespace vantage {
 
+Eigen::Vector3d Pose::center() const { return -R.transpose() * t; }
+Eigen::Vector3d Pose::direction() const { return R.row(2).transpose(); }
+Pose Pose::relative_to(const Eigen::Vector3d& origin) const { return {R, t + R * origin}; }
+
 Intrinsics Intrinsics::scaled(int new_width, int new_height) const {
     const double sx = double(new_width) / width, sy = double(new_height) / height;
     return {new_width, new_height, fx * sx, fy * sy, cx * sx, cy * sy};

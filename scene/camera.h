@@ -23,10 +23,10 @@ struct Pose {
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
     Eigen::Vector3d t = Eigen::Vector3d::Zero();
 
-    Eigen::Vector3d center() const { return -R.transpose() * t; }
-    Eigen::Vector3d direction() const { return R.row(2).transpose(); }
+    Eigen::Vector3d center() const;
+    Eigen::Vector3d direction() const;
     /// The same pose for world coordinates measured from `origin`.
-    Pose relative_to(const Eigen::Vector3d& origin) const { return {R, t + R * origin}; }
+    Pose relative_to(const Eigen::Vector3d& origin) const;
 };
 
 struct Camera {

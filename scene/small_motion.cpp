@@ -1,5 +1,6 @@
 #include "scene/small_motion.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <cmath>
 
@@ -12,6 +13,11 @@ Similarity similarity(const SmallMotion& d, const MotionFrame& frame) {
     out.scale = std::exp(d(6));
     out.t = frame.middle + frame.size * Eigen::Vector3d(d.segment<3>(3)) - out.scale * (out.R * frame.middle);
     return out;
+}
+
+SmallMotion solved(NormalEquations sums) {
+    sums.normal.diagonal().array() += 1e-9 * sums.normal.diagonal().maxCoeff() + 1e-300;
+    return sums.normal.ldlt().solve(sums.right);
 }
 
 }  // namespace vantage

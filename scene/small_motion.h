@@ -14,4 +14,12 @@ struct MotionFrame {
 };
 Similarity similarity(const SmallMotion& motion, const MotionFrame& frame);
 
+/// Sums of J^T J and J^T r over all residuals r with derivatives J.
+struct NormalEquations {
+    Eigen::Matrix<double, 7, 7> normal = Eigen::Matrix<double, 7, 7>::Zero();
+    SmallMotion right = SmallMotion::Zero();
+};
+/// The motion of least squares; directions that no residual tells of stay at zero. Not finite if a sum is not.
+SmallMotion solved(NormalEquations sums);
+
 }  // namespace vantage

@@ -1,6 +1,5 @@
 #include "pipeline/agree/common_motion.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <cmath>
 
@@ -11,7 +10,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using Matrix7 = Eigen::Matrix<double, 7, 7>;
 
 /// Calls visit(photo) for every photo that shows the track.
 template <class Visit>
@@ -49,19 +47,17 @@ Similarity common_motion(std::span<const Intrinsics> intrinsics, std::span<const
     // A single point determines neither rotation nor scale.
     const Pose& first = given[tracks.front().photo];
     if (!(frame.size > 1e-9 * (first.R * frame.middle + first.t).norm())) return {};
-    Matrix7 normal = Matrix7::Zero();
-    SmallMotion right = SmallMotion::Zero();
+    NormalEquations sums;
     for (const Track& s : tracks)
         for_each_photo_of(s, [&](std::uint32_t i) {
             const auto a = project(intrinsics[i], given[i], s.point),
                        b = project(intrinsics[i], now[i], s.point);
             if (!a || !b) return;
             const auto j = motion_derivative(intrinsics[i], given[i], s.point, frame);
-            normal += j.transpose() * j;
-            right += j.transpose() * (b->pixel - a->pixel);
+            sums.normal += j.transpose() * j;
+            sums.right += j.transpose() * (b->pixel - a->pixel);
         });
-    normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff() + 1e-300;
-    const SmallMotion d = normal.ldlt().solve(right);
+    const SmallMotion d = solved(sums);
     if (!d.allFinite() || std::abs(d(6)) > 1) return {};
     return similarity(d, frame);
 }

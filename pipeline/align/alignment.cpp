@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -77,15 +76,13 @@ Similarity fitted(const Points& points, Similarity s, const Target& target, int 
             sizes.push_back(std::abs(residuals.back().value));
         }
         const double width = std::max(1.0, 3 * 1.4826 * quantile(std::move(sizes), 0.5));
-        Eigen::Matrix<double, 7, 7> normal = Eigen::Matrix<double, 7, 7>::Zero();
-        SmallMotion right = SmallMotion::Zero();
+        NormalEquations sums;
         for (const Residual& r : residuals) {
             const double w = 1 / std::pow(1 + (r.value / width) * (r.value / width), 2);
-            normal += w * r.derivative * r.derivative.transpose();
-            right -= w * r.value * r.derivative;
+            sums.normal += w * r.derivative * r.derivative.transpose();
+            sums.right -= w * r.value * r.derivative;
         }
-        normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff() + 1e-300;
-        const SmallMotion d = normal.ldlt().solve(right);
+        const SmallMotion d = solved(sums);
         if (!d.allFinite()) return s;
         s = stepped(s, d, target.frame);
         if (d.norm() < 1e-10) return s;
