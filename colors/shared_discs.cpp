@@ -42,6 +42,10 @@ std::vector<std::size_t> counted(const SharedDiscs& obs, std::size_t photos) {
 
 }  // namespace
 
+std::vector<std::span<const package::SampleRecord>> PhotoSamples::spans() const {
+    return {of_photo.begin(), of_photo.end()};
+}
+
 SharedDiscs shared_discs(Samples samples, std::vector<std::size_t>& count) {
     std::vector<bool> use(samples.size(), true);
     for (;;) {

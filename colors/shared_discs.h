@@ -19,9 +19,7 @@ inline bool shown(const package::SampleRecord& s) { return s.linear[0] | s.linea
 struct PhotoSamples {
     std::vector<std::vector<package::SampleRecord>> of_photo;  ///< empty for photos without pixels
     std::size_t step = 1;
-    std::vector<std::span<const package::SampleRecord>> spans() const {
-        return {of_photo.begin(), of_photo.end()};
-    }
+    std::vector<std::span<const package::SampleRecord>> spans() const;
 };
 /// Every `step`-th disc.
 PhotoSamples thinned(Samples samples, std::size_t step);

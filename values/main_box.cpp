@@ -80,6 +80,19 @@ std::vector<std::uint32_t> strays_of(std::span<const Eigen::Vector3d> positions,
 
 }  // namespace
 
+double MainBox::diagonal() const { return (high - low).norm(); }
+double MainBox::distance(const Eigen::Vector3d& p) const {
+    return (p - p.cwiseMax(low).cwiseMin(high)).norm();
+}
+
+bool has_stray(const std::array<Eigen::Vector3f, 3>& corners, const Eigen::AlignedBox3d& bounds) {
+    if (bounds.isEmpty()) return false;
+    const double most = bounds.diagonal().squaredNorm();
+    return std::ranges::any_of(corners, [&](const Eigen::Vector3f& p) {
+        return bounds.squaredExteriorDistance(p.cast<double>()) > most;
+    });
+}
+
 MainBox main_box(std::span<const Eigen::Vector3d> positions,
                  std::span<const std::array<std::uint32_t, 3>> triangles) {
     MainBox box;

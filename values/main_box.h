@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -13,8 +12,8 @@ struct MainBox {
     Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = low;
     std::vector<std::uint32_t> strays;  ///< the vertices outside, ascending
 
-    double diagonal() const { return (high - low).norm(); }
-    double distance(const Eigen::Vector3d& p) const { return (p - p.cwiseMax(low).cwiseMin(high)).norm(); }
+    double diagonal() const;
+    double distance(const Eigen::Vector3d& p) const;
 };
 
 /// Strays are at most 1 % of the vertices (at least 3 may be, but no more than a quarter) and 20 times as far
@@ -28,12 +27,6 @@ MainBox main_box(const auto& mesh) { return main_box(mesh.positions, mesh.triang
 
 /// Whether a triangle has a stray: a corner farther from `bounds`, the box without strays, than its diagonal.
 /// False if `bounds` is empty.
-inline bool has_stray(const std::array<Eigen::Vector3f, 3>& corners, const Eigen::AlignedBox3d& bounds) {
-    if (bounds.isEmpty()) return false;
-    const double most = bounds.diagonal().squaredNorm();
-    return std::ranges::any_of(corners, [&](const Eigen::Vector3f& p) {
-        return bounds.squaredExteriorDistance(p.cast<double>()) > most;
-    });
-}
+bool has_stray(const std::array<Eigen::Vector3f, 3>& corners, const Eigen::AlignedBox3d& bounds);
 
 }  // namespace vantage
