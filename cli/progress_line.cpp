@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "values/json_text.h"
+
 namespace vantage {
 namespace {
 
@@ -37,7 +39,7 @@ std::string json_line(const Progress& p, double seconds) {
         {"stage", p.stage}, {"photo", p.photo}, {"done", p.done}, {"total", p.total}, {"seconds", seconds}};
     if (p.done > 0 && seconds >= measurable)
         j["seconds_left"] = seconds / double(p.done) * double(p.total - p.done);
-    return j.dump() + "\n";
+    return json_text(j, -1) + "\n";
 }
 
 }  // namespace

@@ -6,13 +6,14 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/error.h"
+#include "values/json_text.h"
 
 namespace vantage {
 namespace {
 
 /// Names in META; numbers in their place if it is not as expected.
 std::vector<std::string> layer_names(const PackageReader& package, std::size_t count) {
-    const auto meta = nlohmann::json::parse(package.meta(), nullptr, false);
+    const auto meta = json_of(package.meta());
     std::vector<std::string> out;
     for (std::size_t i = 0; i < count; ++i) out.push_back(std::to_string(i + 1));
     if (!meta.is_object() || !meta.contains("scalars") || !meta["scalars"].is_array()) return out;

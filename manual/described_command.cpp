@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/error.h"
+#include "values/json_text.h"
 
 namespace vantage {
 
@@ -10,11 +11,11 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DescribedOption, names, type, values, least, 
                                    group, required, several, commas)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DescribedCommand, name, description, notes, arguments, options, verbs)
 
-std::string to_line(const DescribedCommand& command) { return nlohmann::json(command).dump(); }
+std::string to_line(const DescribedCommand& command) { return json_text(command, -1); }
 
 DescribedCommand from_line(const std::string& line) {
     try {
-        return nlohmann::json::parse(line).get<DescribedCommand>();
+        return json_of(line).get<DescribedCommand>();
     } catch (const nlohmann::json::exception& e) {
         throw Error(Exit::input, std::string("a line that does not describe a command: ") + e.what());
     }

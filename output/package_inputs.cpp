@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "values/json_text.h"
+
 namespace vantage {
 namespace {
 
@@ -24,7 +26,7 @@ Inputs inputs_of(const PackageReader& package) {
     Inputs inputs{{package.path()}, {}};
     for (const package::PhotoRecord& p : package.photos())
         if (p.source_bytes) inputs.contents.push_back({p.source_bytes, p.source_checksum});
-    const json meta = json::parse(package.meta(), nullptr, false);
+    const json meta = json_of(package.meta());
     if (!meta.is_object()) return inputs;
     for (const char* list : {"inputs", "left_out"})
         if (meta.contains(list)) add_identities(meta[list], inputs.contents);

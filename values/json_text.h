@@ -1,10 +1,14 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 namespace vantage {
 
-/// As it is printed: indented by one space, bytes of file names that are not UTF-8 replaced.
-std::string json_text(const nlohmann::json& json);
+/// Parses. A discarded value if the text is no JSON. The library's parser takes seconds to compile: once, here.
+nlohmann::json json_of(std::string_view text);
+
+/// As it is written: indented, or in one line if `indent` is negative; bytes that are not UTF-8 are replaced.
+std::string json_text(const nlohmann::json& json, int indent = 1);
 
 }  // namespace vantage

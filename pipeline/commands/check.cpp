@@ -6,11 +6,11 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "output/json_text.h"
 #include "output/junit.h"
 #include "output/output_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/input/identity_cache.h"
+#include "values/json_text.h"
 
 namespace vantage {
 namespace {

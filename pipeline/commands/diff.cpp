@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "output/json_text.h"
 #include "pipeline/commands/commands.h"
 #include "scene/error.h"
+#include "values/json_text.h"
 
 namespace vantage {
 namespace {

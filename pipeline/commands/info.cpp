@@ -3,13 +3,14 @@
 #include <nlohmann/json.hpp>
 
 #include "bands/bands.h"
-#include "output/json_text.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/package/effect_costs.h"
+#include "pipeline/package/meta.h"
 #include "pipeline/prepare/registration_reuse.h"
 #include "points/point_cloud.h"
 #include "remote/remote_package.h"
 #include "scene/package_reader.h"
+#include "values/json_text.h"
 
 namespace vantage {
 namespace {
@@ -20,7 +21,7 @@ struct InfoOptions {
 };
 
 nlohmann::json describe_package(const PackageReader& reader) {
-    nlohmann::json out = nlohmann::json::parse(reader.meta());
+    nlohmann::json out = parse_meta(reader);
     const package::SceneRecord& s = reader.scene();
     out["bytes"] = reader.size();
     out["vertices"] = s.vertices;

@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/report_exception.h"
-#include "output/json_text.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/input_options.h"
 #include "pipeline/facts/facts_json.h"
 #include "pipeline/facts/facts_text.h"
+#include "values/json_text.h"
 
 namespace vantage {
 namespace {

@@ -7,6 +7,7 @@
 #include "scene/error.h"
 #include "scene/part_file.h"
 #include "values/bytes_of.h"
+#include "values/json_text.h"
 
 namespace vantage {
 namespace {
@@ -30,7 +31,7 @@ std::vector<T> copy_records(const PackageReader& reader, Type type) {
 json read_settings(const PackageReader& reader) {
     const auto bytes = reader.bytes(reader.find(Type::meta));
     const char* text = reinterpret_cast<const char*>(bytes.data());
-    const auto meta = json::parse(text, text + bytes.size(), nullptr, false);
+    const auto meta = json_of({text, bytes.size()});
     return meta.is_object() && meta.contains("config") ? meta["config"] : json{};
 }
 

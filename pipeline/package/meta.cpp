@@ -9,6 +9,7 @@
 #include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"
 #include "scene/error.h"
+#include "values/json_text.h"
 
 namespace vantage {
 
@@ -118,14 +119,14 @@ json findings_json(std::span<const std::string> findings, std::size_t listed) {
 /// Padded to `bytes`. If the text is longer, findings and evidence are dropped: neither is needed to render
 /// the package.
 std::string fitted(json meta, std::size_t bytes) {
-    std::string out = meta.dump(1);
+    std::string out = json_text(meta);
     if (out.size() > bytes) {
         meta.erase("findings");
         for (json& row : meta.at("effects")) {
             row["evidence"] = "too long to be recorded";
             row.erase("bands");
         }
-        out = meta.dump(1);
+        out = json_text(meta);
     }
     out.resize(bytes, ' ');
     return out;
@@ -185,55 +186,53 @@ std::string make_meta(const SceneInput& scene, const PrepareSettings& settings,
     for (const StampedFile& file : scene.read) expect_unchanged(file);
     meta["warnings"] = json::array();
     for (const std::string& w : scene.warnings) meta["warnings"].push_back(utf8_name(w));
-    return meta.dump(1) + std::string(padding * scene.bands.size(), ' ');
+    return json_text(meta) + std::string(padding * scene.bands.size(), ' ');
 }
 
 std::string with_results(const std::string& meta, std::span<const EffectDecision> decisions,
                          std::span<const std::string> findings) {
-    json changed = json::parse(meta);
+    json changed = json_of(meta);
     for (json& row : changed.at("effects"))
         for (const EffectDecision& d : decisions)
             if (row.at("name") == effect_row(d.effect).name) row = effect_json(d);
     std::size_t listed = std::min(findings.size(), max_findings);
     changed["findings"] = findings_json(findings, listed);
-    while (listed > 0 && changed.dump(1).size() > meta.size())
+    while (listed > 0 && json_text(changed).size() > meta.size())
         changed["findings"] = findings_json(findings, --listed);
     return fitted(changed, meta.size());
 }
 
 std::string repacked_meta(const std::string& meta, bool compact) {
-    json changed = json::parse(meta);
+    json changed = json_of(meta);
     const char* name = effect_row(Effect::compact).name;
     changed.at("config").at("effects")[name] = compact ? "on" : "off";
     for (json& row : changed.at("effects")) {
         if (row.at("name") != name) continue;
         row["on"] = compact;
         row["forced"] = true;
-        return changed.dump(1);
+        return json_text(changed);
     }
     changed.at("effects").push_back(effect_json(
         decide(Effect::compact, compact ? EffectChoice::on : EffectChoice::off, 0, "not measured")));
-    return changed.dump(1);
+    return json_text(changed);
 }
 
 std::string with_choices(const std::string& meta, const std::map<Effect, EffectChoice>& choices) {
-    json changed = json::parse(meta);
+    json changed = json_of(meta);
     changed.at("config").at("effects") = choices_json(choices);
     return fitted(changed, meta.size());
 }
 
 json parse_meta(const PackageReader& package) {
-    try {
-        return json::parse(package.meta());
-    } catch (const json::exception& e) {
-        throw Error(Exit::damaged, package.path().string() + ": META: cannot be parsed: " + e.what());
-    }
+    json meta = json_of(package.meta());
+    if (!meta.is_object()) throw Error(Exit::damaged, package.path().string() + ": META: cannot be parsed");
+    return meta;
 }
 
 EffectDecision decision_in(const std::string& meta, Effect effect) {
     EffectDecision d{};
     d.effect = effect;
-    const json all = json::parse(meta);
+    const json all = json_of(meta);
     for (const json& row : all.at("effects"))
         if (row.at("name") == effect_row(effect).name) {
             d.on = row.at("on");
@@ -250,19 +249,19 @@ EffectDecision decision_in(const std::string& meta, Effect effect) {
 }
 
 std::vector<std::string> findings_in(const std::string& meta) {
-    return json::parse(meta).value("findings", std::vector<std::string>{});
+    return json_of(meta).value("findings", std::vector<std::string>{});
 }
 
 std::map<Effect, EffectChoice> choices_in(const std::string& meta) {
     std::map<Effect, EffectChoice> out;
-    const json forced = json::parse(meta).at("config").at("effects");
+    const json forced = json_of(meta).at("config").at("effects");
     for (const auto& [name, choice] : forced.items())
         out[effect_row(name).effect] = choice == "on" ? EffectChoice::on : EffectChoice::off;
     return out;
 }
 
 PrepareSettings scene_settings_in(const std::string& meta) {
-    const json config = json::parse(meta).at("config");
+    const json config = json_of(meta).at("config");
     PrepareSettings s;
     s.distance = distance_method(config.at("distance"));
     s.render_by = render_by(config.at("render_by"));

@@ -14,6 +14,7 @@
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/package/meta.h"
 #include "scene/error.h"
+#include "values/json_text.h"
 
 namespace vantage {
 namespace {
@@ -239,7 +240,7 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
     const json meta = parse_meta(package), now = settings_json(settings);
     std::vector<std::string> out;
     if (const json was = meta.value("tool", json{}); was != tool_name)
-        out.push_back("prepared by " + was.dump() + ", this is " + tool_name);
+        out.push_back("prepared by " + json_text(was, -1) + ", this is " + tool_name);
     // Of a color profile that was not converted; up to version 0.6.1.
     for (const json& warning : meta.value("warnings", json::array()))
         if (warning.is_string() && warning.get<std::string>().ends_with("', treated as sRGB"))
@@ -247,10 +248,11 @@ std::vector<std::string> changed_settings(const PackageReader& package, const Pr
     const json was = meta.value("config", json::object());
     for (const auto& [key, value] : now.items())
         if (const json before = was.value(key, json{}); before != value)
-            out.push_back("setting " + key + ": was " + before.dump() + ", is now " + value.dump());
+            out.push_back("setting " + key + ": was " + json_text(before, -1) + ", is now " +
+                          json_text(value, -1));
     for (const char* const key : {"bands", "convention", "align"})  // stored only if they are not the default
         if (was.contains(key) && !now.contains(key))
-            out.push_back(std::string("setting ") + key + ": was " + was.at(key).dump() +
+            out.push_back(std::string("setting ") + key + ": was " + json_text(was.at(key), -1) +
                           ", is now not given");
     return out;
 }

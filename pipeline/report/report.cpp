@@ -30,6 +30,7 @@
 #include "scene/error.h"
 #include "scene/replace_file.h"
 #include "scene/stored_tile.h"
+#include "values/json_text.h"
 
 namespace vantage {
 namespace {
@@ -249,7 +250,7 @@ std::string run_part(const ReportRun& run) {
 }  // namespace
 
 void write_report(const fs::path& file, const PackageReader& package, const std::optional<ReportRun>& run) {
-    const json meta = json::parse(package.meta(), nullptr, false);
+    const json meta = json_of(package.meta());
     if (!meta.is_object()) throw Error(Exit::damaged, package.path().string() + ": META: cannot be parsed");
     const std::vector<UnusablePhoto> left_out = left_out_of(package);
     replace_file(file, [&](std::ostream& out) {

@@ -14,6 +14,7 @@
 #include "scene/chunk_table.h"
 #include "scene/stored_tile.h"
 #include "scene/tiling.h"
+#include "values/json_text.h"
 
 namespace vantage {
 namespace {
@@ -29,7 +30,7 @@ std::string brief(const json& value) {
     constexpr std::size_t longest = 60;
     const std::string text = value.is_null()     ? "none"
                              : value.is_string() ? value.get<std::string>()
-                                                 : value.dump();
+                                                 : json_text(value, -1);
     return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
@@ -77,7 +78,7 @@ void diff_json(const char* of, const json& a, const json& b, Differences& out, c
 }
 
 void diff_meta(const PackageReader& a, const PackageReader& b, Differences& out) {
-    const json of_a = json::parse(a.meta(), nullptr, false), of_b = json::parse(b.meta(), nullptr, false);
+    const json of_a = json_of(a.meta()), of_b = json_of(b.meta());
     if (!of_a.is_object() || !of_b.is_object()) {
         if (a.meta() != b.meta()) out.push_back({"settings", "", "META cannot be parsed"});
         return;

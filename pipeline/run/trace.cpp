@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/replace_file.h"
+#include "values/json_text.h"
 
 namespace vantage {
 
@@ -32,7 +33,7 @@ void write_trace(const std::filesystem::path& file, const std::vector<Trace::Spa
                           {"pid", 1},
                           {"tid", s.thread},
                           {"args", {{"photo", s.photo}}}});
-    replace_file(file, nlohmann::json{{"traceEvents", events}}.dump() + '\n');
+    replace_file(file, json_text({{"traceEvents", events}}, -1) + '\n');
 }
 
 }  // namespace vantage

@@ -9,6 +9,7 @@
 #include "player/measure/plot.h"
 #include "scene/error.h"
 #include "scene/replace_file.h"
+#include "values/json_text.h"
 
 namespace vantage {
 namespace {
@@ -57,7 +58,7 @@ int run_bench(const PackageReader& package, const BenchOptions& o) {
         std::ranges::move(flights, std::back_inserter(all));
     }
     write_frames(o.folder / "frames.csv", all);
-    replace_file(o.folder / "summary.json", summaries.dump(1) + "\n");
+    replace_file(o.folder / "summary.json", json_text(summaries) + "\n");
     return int(Exit::ok);
 }
 

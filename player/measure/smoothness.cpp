@@ -13,6 +13,7 @@
 #include "scene/error.h"
 #include "scene/replace_file.h"
 #include "values/formatted.h"
+#include "values/json_text.h"
 #include "values/quantile.h"
 
 namespace vantage {
@@ -101,7 +102,7 @@ void write_summary(const std::filesystem::path& file, const Smoothness& s,
                              {"patches", of(s.patches, s.patches_per_degree)},
                              {"worst_frame", s.worst},
                              {"frames_with_tiles_missing", frames_with_tiles_missing(steps)}};
-    replace_file(file, out.dump(1) + "\n");
+    replace_file(file, json_text(out) + "\n");
 }
 
 void write_pictures(const std::filesystem::path& folder, const std::vector<ShownStep>& shown) {

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "gl/context.h"
-#include "output/json_text.h"
 #include "output/junit.h"
 #include "output/make_folder.h"
 #include "output/output_file.h"
@@ -21,6 +20,7 @@
 #include "player/verify/golden.h"
 #include "scene/error.h"
 #include "values/formatted.h"
+#include "values/json_text.h"
 
 namespace vantage {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "scene/replace_file.h"
 #include "values/is_url.h"
+#include "values/json_text.h"
 #include "values/xdg_folder.h"
 
 namespace vantage {
@@ -95,7 +96,7 @@ std::filesystem::path settings_folder() { return xdg_folder("XDG_CONFIG_HOME", "
 
 Remembered read_settings(const std::filesystem::path& folder, Remembered r) {
     std::ifstream in(folder / "player.json");
-    const nlohmann::json j = nlohmann::json::parse(in, nullptr, false);
+    const nlohmann::json j = json_of(std::string(std::istreambuf_iterator<char>(in), {}));
     if (!j.is_object()) return r;
     for_fields(r, [&](const char* name, auto& value) { read(j, name, value); });
     for_choices(r, [&](const char* name, auto& value) { read_enum(j, name, value); });
@@ -130,7 +131,7 @@ void write_settings(const std::filesystem::path& folder, const Remembered& r) {
     nlohmann::json j;
     for_fields(r, [&](const char* name, const auto& value) { j[name] = value; });
     for_choices(r, [&](const char* name, const auto& value) { j[name] = int(value); });
-    replace_file(folder / "player.json", j.dump(1) + '\n');
+    replace_file(folder / "player.json", json_text(j) + '\n');
 }
 
 }  // namespace vantage
