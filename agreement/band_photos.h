@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "colors/shared_discs.h"
+#include "agreement/shared_discs.h"
 #include "scene/package_format.h"
 
 namespace vantage {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "colors/color_fit.h"
+#include "agreement/color_fit.h"
 #include "scene/camera.h"
 #include "scene/package_reader.h"
 #include "values/grid.h"

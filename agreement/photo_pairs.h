@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "agreement/shared_discs.h"
 #include "agreement/surface_discs.h"
-#include "colors/shared_discs.h"
 #include "scene/package_format.h"
 
 namespace vantage {

@@ -8,7 +8,7 @@
 #include <deque>
 #include <limits>
 
-#include "manual/joined.h"
+#include "cli/joined.h"
 #include "scene/error.h"
 
 namespace vantage {
@@ -27,9 +27,6 @@ struct Command::Node {
 };
 
 namespace {
-
-/// Larger limits only stand for "no limit".
-constexpr std::size_t longest_limit = 7;
 
 [[noreturn]] void refuse(const std::string& expected, const std::string& text) {
     throw Error(Exit::usage, "expected " + expected + ", not '" + text + "'");

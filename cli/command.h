@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "manual/described_command.h"
+#include "cli/described_command.h"
 
 /// The command lines of the programs, read by CLI11, which only command.cpp includes.
 namespace vantage {

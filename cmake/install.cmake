@@ -1,5 +1,5 @@
 # What `cmake --install` copies, below any prefix, in two components: vantage and vantage-player. The programs find
-# their files relative to themselves (pipeline/settings/config_files.cpp, pipeline/formats/images/image_files.cpp).
+# their files relative to themselves (pipeline/run/config_files.cpp, pipeline/photos/image_files.cpp).
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # programs and manual suffice, tests and benchmarks need not be built
 set(manual ${CMAKE_BINARY_DIR}/manual)
 

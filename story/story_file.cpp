@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "json/located_json.h"
+#include "files/located_json.h"
 #include "scene/error.h"
 #include "scene/replace_file.h"
 #include "values/formatted.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-#include "pipeline/settings/settings.h"
+#include "pipeline/run/settings.h"
 #include "pipeline/synth/spec.h"
 
 namespace vantage {
@@ -11,12 +11,12 @@ namespace vantage {
 SynthSpec spec_named(const char* name);
 SynthSpec tiny_spec();
 
-/// A synthetic scene, as by synthesize(), in a folder of the test's. It is made by the first test that asks for it and
-/// kept for all others until the test program is built again.
+/// A synthetic scene, as by synthesize(), in a folder of the test's. It is made by the first test that asks
+/// for it and kept for all others until the test program is built again.
 void copy_scene(const SynthSpec& spec, const std::filesystem::path& folder);
 
-/// The package of a scan, as by prepare(), made for the first test that has the same files and settings. Nobody may
-/// write to it.
+/// The package of a scan, as by prepare(), made for the first test that has the same files and settings.
+/// Nobody may write to it.
 std::filesystem::path made_package(const std::filesystem::path& scan, const PrepareSettings& settings = {});
 /// The same as a file of the test's, which replaces an existing one.
 void copy_package(const std::filesystem::path& scan, const PrepareSettings& settings,

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pipeline/align/shared_features.h"
-#include "pipeline/rays/ray_scene.h"
+#include "pipeline/mesh/ray_scene.h"
 #include "scene/camera.h"
 #include "values/main_box.h"
 

@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "pipeline/formats/images/photos.h"
-#include "pipeline/pixels/reduced.h"
+#include "pipeline/photos/photos.h"
+#include "pipeline/photos/reduced.h"
 #include "pipeline/run/for_each_photo.h"
 
 namespace vantage {

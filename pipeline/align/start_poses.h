@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/rays/nearest_surface.h"
+#include "pipeline/mesh/nearest_surface.h"
 #include "scene/mesh.h"
 #include "scene/similarity.h"
 

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
-#include "objects/scene_file.h"
-#include "output/output_file.h"
+#include "files/output_file.h"
 #include "pipeline/align/alignment.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/input_options.h"
 #include "pipeline/input/input_paths.h"
 #include "pipeline/input/read_scene.h"
 #include "scene/error.h"
+#include "story/scene_file.h"
 
 namespace vantage {
 namespace {

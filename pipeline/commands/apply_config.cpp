@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "pipeline/settings/config_files.h"
+#include "pipeline/run/config_files.h"
 #include "scene/error.h"
 
 namespace vantage {

@@ -1,4 +1,4 @@
-#include "pipeline/results/check.h"
+#include "pipeline/reports/check.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "output/junit.h"
-#include "output/output_file.h"
+#include "files/junit.h"
+#include "files/output_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/input/identity_cache.h"
 #include "values/json_text.h"

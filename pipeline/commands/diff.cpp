@@ -1,4 +1,4 @@
-#include "pipeline/results/diff.h"
+#include "pipeline/reports/diff.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "pipeline/results/extract.h"
+#include "pipeline/reports/extract.h"
 
 #include "pipeline/commands/commands.h"
 

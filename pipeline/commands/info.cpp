@@ -2,14 +2,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bands/bands.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/package/effect_costs.h"
 #include "pipeline/package/meta.h"
 #include "pipeline/prepare/registration_reuse.h"
-#include "points/point_cloud.h"
 #include "remote/remote_package.h"
+#include "scene/bands.h"
 #include "scene/package_reader.h"
+#include "scene/point_cloud.h"
 #include "values/json_text.h"
 
 namespace vantage {

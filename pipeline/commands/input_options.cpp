@@ -1,7 +1,7 @@
 #include "pipeline/commands/input_options.h"
 
-#include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/formats/import/mesh.h"
+#include "pipeline/formats/cameras.h"
+#include "pipeline/formats/mesh.h"
 #include "scene/error.h"
 
 namespace vantage {

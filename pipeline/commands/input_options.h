@@ -2,9 +2,9 @@
 #include <string>
 
 #include "cli/command.h"
-#include "objects/scene_file.h"
 #include "pipeline/input/discover.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/run/settings.h"
+#include "story/scene_file.h"
 
 namespace vantage {
 

@@ -6,8 +6,8 @@
 #include "cli/report_exception.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/input_options.h"
-#include "pipeline/facts/facts_json.h"
-#include "pipeline/facts/facts_text.h"
+#include "pipeline/reports/facts_json.h"
+#include "pipeline/reports/facts_text.h"
 #include "values/json_text.h"
 
 namespace vantage {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "output/output_file.h"
+#include "files/output_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/left_out.h"
 #include "pipeline/commands/progress_option.h"

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "cli/stop_signals.h"
-#include "output/output_file.h"
+#include "files/output_file.h"
 #include "pipeline/align/conventions.h"
 #include "pipeline/commands/apply_config.h"
 #include "pipeline/commands/commands.h"
@@ -25,10 +25,10 @@
 #include "pipeline/package/staleness.h"
 #include "pipeline/prepare/finish.h"
 #include "pipeline/prepare/resources.h"
-#include "pipeline/report/report.h"
+#include "pipeline/reports/report.h"
+#include "pipeline/run/config_files.h"
+#include "pipeline/run/settings.h"
 #include "pipeline/run/trace.h"
-#include "pipeline/settings/config_files.h"
-#include "pipeline/settings/settings.h"
 #include "scene/damaged_package.h"
 #include "scene/error.h"
 #include "scene/part_file.h"

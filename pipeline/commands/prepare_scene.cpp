@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "output/make_folder.h"
-#include "output/output_file.h"
+#include "files/make_folder.h"
+#include "files/output_file.h"
 #include "scene/error.h"
 
 namespace vantage {

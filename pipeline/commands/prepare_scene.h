@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "objects/scene_file.h"
+#include "story/scene_file.h"
 
 namespace vantage {
 

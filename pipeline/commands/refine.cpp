@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "output/output_file.h"
+#include "files/output_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/effect_option.h"
 #include "pipeline/commands/progress_option.h"

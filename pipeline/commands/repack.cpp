@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "output/output_file.h"
-#include "output/package_inputs.h"
+#include "files/output_file.h"
+#include "files/package_inputs.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/progress_option.h"
 #include "scene/effects.h"

@@ -2,7 +2,7 @@
 
 #include <mutex>
 
-#include "output/output_file.h"
+#include "files/output_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/progress_option.h"
 #include "pipeline/synth/synthesize.h"

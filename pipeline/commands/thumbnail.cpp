@@ -1,8 +1,8 @@
-#include "pipeline/results/thumbnail.h"
+#include "pipeline/reports/thumbnail.h"
 
-#include "output/output_file.h"
-#include "output/package_inputs.h"
-#include "output/png_file.h"
+#include "files/output_file.h"
+#include "files/package_inputs.h"
+#include "files/png_file.h"
 #include "pipeline/commands/commands.h"
 #include "remote/remote_package.h"
 

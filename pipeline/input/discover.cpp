@@ -8,10 +8,10 @@
 #include <set>
 #include <tuple>
 
-#include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/formats/clouds/cloud.h"
-#include "pipeline/formats/import/mesh.h"
-#include "pipeline/formats/import/ply.h"
+#include "pipeline/formats/cameras.h"
+#include "pipeline/formats/cloud.h"
+#include "pipeline/formats/mesh.h"
+#include "pipeline/formats/ply.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/photo_matches.h"
 #include "scene/error.h"

@@ -1,6 +1,6 @@
 #include "pipeline/input/input_paths.h"
 
-#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/cameras.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/photo_matches.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "pipeline/formats/images/photos.h"
+#include "pipeline/photos/photos.h"
 #include "pipeline/run/read_file.h"
 #include "scene/error.h"
 

@@ -8,15 +8,15 @@
 #include <map>
 #include <set>
 
-#include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/formats/clouds/cloud.h"
-#include "pipeline/formats/images/image_files.h"
-#include "pipeline/formats/images/photos.h"
-#include "pipeline/formats/import/mesh.h"
+#include "pipeline/formats/cameras.h"
+#include "pipeline/formats/cloud.h"
+#include "pipeline/formats/mesh.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"
+#include "pipeline/photos/image_files.h"
+#include "pipeline/photos/photos.h"
 #include "pipeline/run/read_file.h"
 #include "scene/error.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/file_identity.h"
+#include "pipeline/photos/image_files.h"
 #include "scene/camera.h"
 #include "scene/mesh.h"
 #include "scene/similarity.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/cameras.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/pixels/reduced.h"
+#include "pipeline/photos/reduced.h"
 #include "scene/checksum.h"
 #include "scene/error.h"
 #include "values/photo_names.h"

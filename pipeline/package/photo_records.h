@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pipeline/input/scene_input.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/run/settings.h"
 #include "scene/package_format.h"
 
 namespace vantage {

@@ -5,7 +5,7 @@
 
 #include "pipeline/input/file_identity.h"
 #include "pipeline/input/scene_input.h"
-#include "pipeline/model/packed_model.h"
+#include "pipeline/mesh/packed_model.h"
 #include "pipeline/package/stage_table.h"
 #include "scene/package_format.h"
 

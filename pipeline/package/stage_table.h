@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pipeline/package/fingerprint.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/run/settings.h"
 #include "scene/chunk_table.h"
 #include "scene/package_format.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/cameras.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/file_name.h"

@@ -4,7 +4,7 @@
 
 #include "pipeline/input/identity_cache.h"
 #include "pipeline/input/scene_input.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/run/settings.h"
 #include "scene/package_reader.h"
 
 namespace vantage {

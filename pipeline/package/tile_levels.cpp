@@ -7,7 +7,7 @@
 #include "codec/depth_values.h"
 #include "codec/jpeg_cells.h"
 #include "codec/jpeg_pixels.h"
-#include "pipeline/pixels/cut_tile.h"
+#include "pipeline/photos/cut_tile.h"
 #include "scene/halve.h"
 
 namespace vantage {

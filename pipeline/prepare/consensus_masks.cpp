@@ -7,10 +7,10 @@
 #include <cstring>
 
 #include "agreement/consensus_weights.h"
-#include "pipeline/agree/consensus.h"
-#include "pipeline/judge/verdict.h"
 #include "pipeline/package/earlier_package.h"
 #include "pipeline/package/tile_levels.h"
+#include "pipeline/refine/consensus.h"
+#include "pipeline/refine/verdict.h"
 #include "pipeline/run/for_each_photo.h"
 #include "scene/checksum.h"
 #include "scene/error.h"

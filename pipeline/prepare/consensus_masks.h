@@ -1,8 +1,8 @@
 #pragma once
 #include <span>
 
-#include "pipeline/agree/folds.h"
 #include "pipeline/prepare/finish.h"
+#include "pipeline/refine/folds.h"
 #include "scene/package_reader.h"
 
 namespace vantage {

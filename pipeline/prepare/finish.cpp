@@ -5,16 +5,16 @@
 #include <utility>
 
 #include "agreement/band_photos.h"
-#include "pipeline/agree/folds.h"
 #include "pipeline/package/meta.h"
 #include "pipeline/prepare/consensus_masks.h"
 #include "pipeline/prepare/joined_bands.h"
 #include "pipeline/prepare/moved_photo.h"
 #include "pipeline/prepare/registration_reuse.h"
+#include "pipeline/refine/folds.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/surroundings/find_surroundings.h"
-#include "points/point_cloud.h"
 #include "scene/part_file.h"
+#include "scene/point_cloud.h"
 #include "values/bytes_of.h"
 
 namespace vantage {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/agree/color_agreement.h"
-#include "pipeline/agree/registration.h"
 #include "pipeline/prepare/geometry_stages.h"
 #include "pipeline/prepare/photo_tables.h"
+#include "pipeline/refine/color_agreement.h"
+#include "pipeline/refine/registration.h"
 #include "pipeline/run/progress.h"
 
 namespace vantage {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/model/packed_model.h"
+#include "pipeline/mesh/packed_model.h"
 #include "pipeline/package/stage_table.h"
 #include "pipeline/run/trace.h"
 #include "pipeline/stages/surface_samples.h"

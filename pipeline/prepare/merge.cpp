@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "bands/bands.h"
 #include "pipeline/package/chunk_plan.h"
 #include "pipeline/package/earlier_package.h"
 #include "pipeline/package/meta.h"
@@ -11,9 +10,10 @@
 #include "pipeline/prepare/finish.h"
 #include "pipeline/prepare/moved_photo.h"
 #include "pipeline/prepare/registration_reuse.h"
-#include "points/point_cloud.h"
+#include "scene/bands.h"
 #include "scene/error.h"
 #include "scene/part_file.h"
+#include "scene/point_cloud.h"
 #include "values/bytes_of.h"
 
 namespace vantage {

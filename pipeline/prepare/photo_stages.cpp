@@ -4,8 +4,8 @@
 #include <cstring>
 #include <optional>
 
-#include "pipeline/formats/images/photos.h"
 #include "pipeline/input/photo_file.h"
+#include "pipeline/photos/photos.h"
 #include "pipeline/prepare/pixel_stages.h"
 #include "scene/error.h"
 #include "values/bytes_of.h"

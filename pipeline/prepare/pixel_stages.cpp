@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "pipeline/formats/images/photos.h"
 #include "pipeline/package/tile_levels.h"
-#include "pipeline/pixels/reduced.h"
-#include "pipeline/pixels/undistort.h"
+#include "pipeline/photos/photos.h"
+#include "pipeline/photos/reduced.h"
+#include "pipeline/photos/undistort.h"
 #include "pipeline/stages/surface_samples.h"
 #include "scene/error.h"
 #include "scene/halve.h"

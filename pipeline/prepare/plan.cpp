@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/model/deviation.h"
-#include "pipeline/model/stand_in.h"
-#include "pipeline/model/subdivide.h"
+#include "pipeline/mesh/deviation.h"
+#include "pipeline/mesh/stand_in.h"
+#include "pipeline/mesh/subdivide.h"
 #include "pipeline/package/chunk_plan.h"
 #include "pipeline/package/meta.h"
 #include "pipeline/package/photo_records.h"
-#include "pipeline/pixels/reduced.h"
+#include "pipeline/photos/reduced.h"
 #include "pipeline/stages/inspect.h"
-#include "points/point_cloud.h"
 #include "scene/error.h"
+#include "scene/point_cloud.h"
 
 namespace vantage {
 namespace {

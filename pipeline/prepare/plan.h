@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "pipeline/input/identity_cache.h"
-#include "pipeline/model/packed_model.h"
-#include "pipeline/model/point_tree.h"
+#include "pipeline/mesh/packed_model.h"
+#include "pipeline/mesh/point_tree.h"
 #include "pipeline/prepare/photo_tables.h"
+#include "pipeline/run/settings.h"
 #include "pipeline/run/trace.h"
-#include "pipeline/settings/settings.h"
 #include "scene/package_writer.h"
 
 namespace vantage {

@@ -12,7 +12,7 @@
 #include "pipeline/input/scene_input.h"
 #include "pipeline/prepare/resources.h"
 #include "pipeline/run/progress.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/run/settings.h"
 #include "scene/package_format.h"
 #include "scene/package_writer.h"
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/agree/registration.h"
 #include "pipeline/input/identity_cache.h"
 #include "pipeline/input/scene_input.h"
 #include "pipeline/package/earlier_package.h"
+#include "pipeline/refine/registration.h"
 #include "scene/package_reader.h"
 #include "scene/package_writer.h"
 

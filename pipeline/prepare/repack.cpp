@@ -4,7 +4,6 @@
 #include <string>
 
 #include "agreement/read_level.h"
-#include "bands/bands.h"
 #include "pipeline/package/chunk_plan.h"
 #include "pipeline/package/earlier_package.h"
 #include "pipeline/package/meta.h"
@@ -12,6 +11,7 @@
 #include "pipeline/package/stage_keys.h"
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/run/for_each_photo.h"
+#include "scene/bands.h"
 #include "scene/chunk_table.h"
 #include "scene/error.h"
 #include "scene/package_shape.h"

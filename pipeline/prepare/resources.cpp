@@ -9,11 +9,11 @@
 #include <string>
 #include <thread>
 
-#include "pipeline/agree/consensus.h"
-#include "pipeline/agree/folds.h"
 #include "pipeline/input/identity_cache.h"
 #include "pipeline/package/disk_space.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/refine/consensus.h"
+#include "pipeline/refine/folds.h"
+#include "pipeline/run/settings.h"
 #include "pipeline/surroundings/find_surroundings.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "pipeline/input/scene_input.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/run/settings.h"
 #include "scene/package_layout.h"
 
 namespace vantage {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "pipeline/pixels/simd.h"
+#include "pipeline/photos/simd.h"
 
 namespace vantage {
 namespace {

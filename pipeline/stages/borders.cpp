@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/pixels/simd.h"
+#include "pipeline/photos/simd.h"
 #include "values/grid.h"
 
 namespace vantage {

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "pipeline/model/clusters.h"
+#include "pipeline/mesh/clusters.h"
 #include "pipeline/visibility/frame_triangles.h"
 #include "pipeline/visibility/photo_geometry.h"
 #include "scene/camera.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "pipeline/pixels/simd.h"
+#include "pipeline/photos/simd.h"
 #include "values/quantile.h"
 
 namespace vantage {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pipeline/model/stand_in.h"
+#include "pipeline/mesh/stand_in.h"
 
 namespace vantage {
 

@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// As vertex_coordinates(), of a stand-in (pipeline/model/stand_in.h): a vertex is seen if it is in the frame
+/// As vertex_coordinates(), of a stand-in (pipeline/mesh/stand_in.h): a vertex is seen if it is in the frame
 /// and at most a facet's size behind the depth map of the cloud, whose points the facets follow only roughly.
 /// `indices`: three per facet of the stand-in.
 std::vector<Eigen::Vector2f> facet_coordinates(const PhotoProjection& projection,

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "pipeline/input/file_name.h"
-#include "pipeline/pixels/undistort.h"
+#include "pipeline/photos/undistort.h"
 #include "scene/opaque_part.h"
 
 namespace vantage {

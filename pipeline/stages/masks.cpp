@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-#include "pipeline/pixels/simd.h"
+#include "pipeline/photos/simd.h"
 #include "scene/tiling.h"
 
 namespace vantage {

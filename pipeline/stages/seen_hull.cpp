@@ -8,7 +8,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "pipeline/pixels/simd.h"
+#include "pipeline/photos/simd.h"
 
 namespace vantage {
 namespace {

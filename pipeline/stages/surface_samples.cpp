@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "colors/color_fit.h"
+#include "agreement/color_fit.h"
 #include "scene/halve.h"
 #include "scene/tiling.h"
 #include "values/grid.h"

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-#include "pipeline/pixels/simd.h"
+#include "pipeline/photos/simd.h"
 #include "pipeline/stages/binned_vertices.h"
 #include "scene/tiling.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "colors/color_fit.h"
+#include "agreement/color_fit.h"
 #include "scene/camera.h"
 #include "scene/package_reader.h"
 

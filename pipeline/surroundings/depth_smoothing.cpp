@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/pixels/simd.h"
+#include "pipeline/photos/simd.h"
 
 namespace vantage {
 namespace {

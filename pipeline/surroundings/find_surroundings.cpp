@@ -6,7 +6,7 @@
 #include <future>
 #include <numeric>
 
-#include "pipeline/judge/verdict.h"
+#include "pipeline/refine/verdict.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/surroundings/backdrop_coverage.h"
 #include "pipeline/surroundings/judge_surroundings.h"

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "agreement/color_fit.h"
 #include "agreement/surface_discs.h"
-#include "colors/color_fit.h"
 #include "scene/effects.h"
 #include "scene/package_reader.h"
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <opencv2/core.hpp>
 
-#include "colors/shared_discs.h"
-#include "pipeline/judge/prediction.h"
-#include "pipeline/judge/verdict.h"
+#include "agreement/shared_discs.h"
+#include "pipeline/refine/prediction.h"
+#include "pipeline/refine/verdict.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/surroundings/view_sample.h"
 #include "pipeline/visibility/photo_geometry.h"

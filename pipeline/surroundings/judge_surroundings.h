@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "colors/color_fit.h"
+#include "agreement/color_fit.h"
 #include "pipeline/surroundings/backdrop.h"
 #include "scene/effects.h"
 #include "scene/package_reader.h"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "pipeline/rays/ray_scene.h"
+#include "pipeline/mesh/ray_scene.h"
 #include "pipeline/synth/building.h"
 #include "scene/camera.h"
 

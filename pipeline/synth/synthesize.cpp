@@ -9,9 +9,9 @@
 #include <random>
 #include <sstream>
 
-#include "pipeline/formats/export/colmap.h"
-#include "pipeline/formats/export/ply.h"
-#include "pipeline/formats/images/image_files.h"
+#include "pipeline/formats/export_colmap.h"
+#include "pipeline/formats/export_ply.h"
+#include "pipeline/photos/image_files.h"
 #include "pipeline/run/for_each_photo.h"
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/garden.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/formats/export/colmap.h"
-#include "pipeline/rays/ray_scene.h"
+#include "pipeline/formats/export_colmap.h"
+#include "pipeline/mesh/ray_scene.h"
 #include "pipeline/synth/building.h"
 #include "pipeline/synth/spec.h"
 

@@ -1,10 +1,10 @@
 #include "pipeline/visibility/geometry_renderer.h"
 
 #include "gl/context.h"
-#include "pipeline/model/packed_model.h"
-#include "pipeline/model/stand_in.h"
+#include "pipeline/mesh/packed_model.h"
+#include "pipeline/mesh/stand_in.h"
+#include "pipeline/run/settings.h"
 #include "pipeline/run/trace.h"
-#include "pipeline/settings/settings.h"
 #include "pipeline/visibility/border_distance.h"
 #include "pipeline/visibility/gl_geometry.h"
 #include "pipeline/visibility/gl_thread.h"

@@ -3,11 +3,11 @@
 #include <memory>
 #include <string>
 
-#include "pipeline/model/clusters.h"
-#include "pipeline/model/packed_model.h"
-#include "pipeline/model/splat_cloud.h"
+#include "pipeline/mesh/clusters.h"
+#include "pipeline/mesh/packed_model.h"
+#include "pipeline/mesh/splat_cloud.h"
+#include "pipeline/run/settings.h"
 #include "pipeline/run/trace.h"
-#include "pipeline/settings/settings.h"
 #include "pipeline/visibility/frame_triangles.h"
 #include "pipeline/visibility/photo_geometry.h"
 #include "pipeline/visibility/photo_projection.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "pipeline/pixels/simd.h"
+#include "pipeline/photos/simd.h"
 #include "pipeline/visibility/triangle_map.h"
 
 namespace vantage {

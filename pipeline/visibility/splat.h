@@ -1,5 +1,5 @@
 #pragma once
-#include "pipeline/model/splat_cloud.h"
+#include "pipeline/mesh/splat_cloud.h"
 #include "pipeline/visibility/photo_geometry.h"
 
 namespace vantage {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "pipeline/pixels/simd.h"
+#include "pipeline/photos/simd.h"
 
 namespace vantage {
 namespace {

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <utility>
 
-#include "bands/bands.h"
+#include "scene/bands.h"
 #include "scene/error.h"
 #include "values/formatted.h"
 

@@ -1,7 +1,7 @@
 #include "player/measure/bench.h"
 
-#include "output/output_file.h"
-#include "output/package_inputs.h"
+#include "files/output_file.h"
+#include "files/package_inputs.h"
 #include "player/commands/commands.h"
 #include "player/options/frame_goal.h"
 #include "player/options/opened_package.h"

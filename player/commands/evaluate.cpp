@@ -1,9 +1,9 @@
-#include "player/evaluate/evaluate.h"
+#include "player/measure/evaluate.h"
 
 #include <algorithm>
 
-#include "output/output_file.h"
-#include "output/package_inputs.h"
+#include "files/output_file.h"
+#include "files/package_inputs.h"
 #include "player/commands/commands.h"
 #include "player/options/opened_package.h"
 

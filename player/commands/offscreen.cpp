@@ -9,11 +9,11 @@
 #include <string>
 
 #include "cli/progress_line.h"
+#include "files/make_folder.h"
+#include "files/output_file.h"
+#include "files/package_inputs.h"
+#include "files/png_rows.h"
 #include "gl/context.h"
-#include "output/make_folder.h"
-#include "output/output_file.h"
-#include "output/package_inputs.h"
-#include "output/png_rows.h"
 #include "player/camera/shots.h"
 #include "player/objects/object_set.h"
 #include "player/objects/panorama_picture.h"

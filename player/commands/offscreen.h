@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "objects/scene_file.h"
 #include "player/options/show_options.h"
 #include "scene/package_reader.h"
+#include "story/scene_file.h"
 
 namespace vantage {
 

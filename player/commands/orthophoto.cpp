@@ -1,4 +1,4 @@
-#include "player/orthophoto/orthophoto.h"
+#include "player/pictures/orthophoto.h"
 
 #include "player/commands/commands.h"
 #include "player/options/opened_package.h"

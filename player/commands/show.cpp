@@ -3,17 +3,17 @@
 #include <string>
 #include <vector>
 
-#include "bands/bands.h"
 #include "cli/report_exception.h"
 #include "player/commands/commands.h"
 #include "player/commands/offscreen.h"
 #include "player/commands/supervise.h"
+#include "scene/bands.h"
 #ifdef VANTAGE_OPENXR
 #include "player/headset/run_headset.h"
 #endif
 #include "player/options/opened_package.h"
-#include "player/video/flight_frames.h"
-#include "player/video/run_video.h"
+#include "player/pictures/flight_frames.h"
+#include "player/pictures/run_video.h"
 #include "player/window/run_window.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"

@@ -1,4 +1,4 @@
-#include "player/verify/verify.h"
+#include "player/measure/verify.h"
 
 #include "player/commands/commands.h"
 

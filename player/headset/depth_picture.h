@@ -1,7 +1,7 @@
 #pragma once
 #include "gl/program.h"
+#include "player/headset/headset_session.h"
 #include "player/objects/object_set.h"
-#include "player/xr/headset_session.h"
 
 namespace vantage {
 

@@ -2,11 +2,11 @@
 #include <optional>
 #include <span>
 
+#include "player/headset/walk.h"
 #include "player/interface/measure_panel.h"
 #include "player/interface/session.h"
 #include "player/panels/marks.h"
 #include "player/render/renderer.h"
-#include "player/walk/walk.h"
 
 namespace vantage {
 

@@ -18,7 +18,7 @@
 #include "player/interface/status_section.h"
 #include "player/interface/story_panel.h"
 #include "player/interface/unit_texts.h"
-#include "points/point_cloud.h"
+#include "scene/point_cloud.h"
 #include "values/formatted.h"
 #include "values/translation.h"
 

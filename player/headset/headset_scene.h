@@ -5,18 +5,18 @@
 #include "player/headset/depth_picture.h"
 #include "player/headset/headset_marks.h"
 #include "player/headset/headset_menu.h"
+#include "player/headset/headset_session.h"
 #include "player/headset/menu_place.h"
 #include "player/headset/pointing.h"
 #include "player/headset/scene_interface.h"
 #include "player/headset/vignette.h"
+#include "player/headset/walk.h"
 #include "player/interface/session.h"
 #include "player/objects/object_set.h"
 #include "player/options/show_options.h"
 #include "player/panels/mark_pass.h"
 #include "player/render/frame_clock.h"
-#include "player/walk/walk.h"
 #include "player/window/asked_files.h"
-#include "player/xr/headset_session.h"
 
 namespace vantage {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
+#include "player/headset/hands.h"
+#include "player/headset/stance.h"
 #include "player/panels/panel.h"
-#include "player/walk/hands.h"
-#include "player/walk/stance.h"
 
 namespace vantage {
 

@@ -3,11 +3,11 @@
 #include <optional>
 #include <span>
 
+#include "player/headset/hands.h"
 #include "player/headset/scene_interface.h"
+#include "player/headset/stance.h"
 #include "player/interface/session.h"
 #include "player/survey/scene_point.h"
-#include "player/walk/hands.h"
-#include "player/walk/stance.h"
 #include "story/story.h"
 
 namespace vantage {

@@ -5,12 +5,12 @@
 #include <optional>
 #include <thread>
 
+#include "player/headset/headset.h"
 #include "player/headset/headset_scene.h"
 #include "player/headset/mirror.h"
+#include "player/headset/xr_result.h"
 #include "player/options/opened_package.h"
 #include "player/window/start_session.h"
-#include "player/xr/headset.h"
-#include "player/xr/xr_result.h"
 #include "values/translation.h"
 
 namespace vantage {

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "objects/scene_file.h"
 #include "player/options/show_options.h"
+#include "story/scene_file.h"
 
 namespace vantage {
 

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "objects/scene_file.h"
 #include "player/interface/keys.h"
+#include "story/scene_file.h"
 #include "values/is_url.h"
 #include "values/lower_case.h"
 #include "values/lower_extension.h"

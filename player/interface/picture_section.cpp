@@ -4,7 +4,7 @@
 
 #include "player/interface/choice.h"
 #include "player/interface/columns.h"
-#include "points/point_cloud.h"
+#include "scene/point_cloud.h"
 #include "values/translation.h"
 
 namespace vantage {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <optional>
 
-#include "points/point_cloud.h"
+#include "scene/point_cloud.h"
 #include "values/translation.h"
 
 namespace vantage {

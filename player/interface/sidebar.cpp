@@ -14,7 +14,7 @@
 #include "player/interface/picture_section.h"
 #include "player/interface/point_section.h"
 #include "player/interface/status_section.h"
-#include "points/point_cloud.h"
+#include "scene/point_cloud.h"
 
 namespace vantage {
 namespace {

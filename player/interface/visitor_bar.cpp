@@ -10,7 +10,7 @@
 #include "player/interface/comparison.h"
 #include "player/interface/docked.h"
 #include "player/interface/language_menu.h"
-#include "points/point_cloud.h"
+#include "scene/point_cloud.h"
 #include "values/translation.h"
 
 namespace vantage {

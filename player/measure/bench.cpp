@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "files/make_folder.h"
 #include "gl/context.h"
-#include "output/make_folder.h"
 #include "player/measure/flight_summary.h"
 #include "player/measure/plot.h"
 #include "scene/error.h"

@@ -13,32 +13,32 @@ namespace vantage {
 namespace {
 
 constexpr double depth_step = 0.01;  ///< of the depth: a point this far behind a surface is hidden
-constexpr double least_share = 0.25;
+constexpr double least_compared = 0.25;
 
 /// The plane of a triangle numbered from 1.
-struct Plane {
+struct FacePlane {
     Eigen::Vector3d point, normal;
 };
-std::optional<Plane> plane_of(const PlanScene& scene, std::uint32_t triangle) {
+std::optional<FacePlane> plane_of(const PlanScene& scene, std::uint32_t triangle) {
     if (triangle == 0 || triangle > scene.triangles) return {};
     Eigen::Vector3d corner[3];
     for (std::size_t v = 0; v < 3; ++v) {
         const std::size_t vertex = scene.indices[3 * (std::size_t(triangle) - 1) + v];
         corner[v] = scene.positions[std::min(vertex, scene.positions.size() - 1)].cast<double>();
     }
-    return Plane{corner[0], (corner[1] - corner[0]).cross(corner[2] - corner[0])};
+    return FacePlane{corner[0], (corner[1] - corner[0]).cross(corner[2] - corner[0])};
 }
 
 /// Where a ray meets a plane, in multiples of `ahead`; empty if it does not.
 std::optional<double> distance_along(const Eigen::Vector3d& eye, const Eigen::Vector3d& ahead,
-                                     const Plane& plane) {
+                                     const FacePlane& plane) {
     const double t = plane.normal.dot(plane.point - eye) / plane.normal.dot(ahead);
     return std::isfinite(t) && t > 0 ? std::optional(t) : std::nullopt;
 }
 
 /// The surface at a pixel's center.
 std::optional<Eigen::Vector3d> surface_at(const PlanScene& scene, const SeenFrame& frame, std::size_t pixel) {
-    const std::optional<Plane> plane = plane_of(scene, frame.triangles[pixel]);
+    const std::optional<FacePlane> plane = plane_of(scene, frame.triangles[pixel]);
     if (!plane) return {};
     const Intrinsics& k = frame.view.intrinsics;
     const double x = double(pixel % std::size_t(k.width)) + 0.5,
@@ -55,7 +55,7 @@ bool visible(const PlanScene& scene, const SeenFrame& frame, const Eigen::Vector
     const auto at = project(k, frame.view.cam_from_origin, point);
     if (!at || !in_frame(k, at->pixel)) return false;
     const std::size_t pixel = std::size_t(at->pixel.y()) * std::size_t(k.width) + std::size_t(at->pixel.x());
-    const std::optional<Plane> plane = plane_of(scene, frame.triangles[pixel]);
+    const std::optional<FacePlane> plane = plane_of(scene, frame.triangles[pixel]);
     if (!plane) return false;
     const Eigen::Vector3d eye = frame.view.cam_from_origin.center();
     const auto t = distance_along(eye, point - eye, *plane);
@@ -67,7 +67,7 @@ struct Cell {
     std::size_t pixels = 0, compared = 0;
     Eigen::Vector3d change = Eigen::Vector3d::Zero();
 
-    bool counts() const { return compared > 0 && double(compared) >= least_share * double(pixels); }
+    bool counts() const { return compared > 0 && double(compared) >= least_compared * double(pixels); }
     /// Root mean square over the channels of the mean change.
     double step() const { return change.norm() / double(compared) / std::sqrt(3.0); }
 };

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdio>
 
-#include "bands/middle_photo.h"
 #include "gl/context.h"
 #include "player/measure/frame_timer.h"
 #include "player/measure/touched_texels.h"
@@ -12,6 +11,7 @@
 #include "player/objects/object_set.h"
 #include "player/options/frame_goal.h"
 #include "player/render/pace.h"
+#include "scene/middle_photo.h"
 
 namespace vantage {
 namespace {

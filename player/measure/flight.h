@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "gl/object.h"
-#include "objects/scene_file.h"
 #include "player/camera/camera_path.h"
 #include "player/camera/shots.h"
 #include "player/measure/process_memory.h"
@@ -15,6 +14,7 @@
 #include "player/options/point_options.h"
 #include "player/options/stereo_options.h"
 #include "player/stream/streamed_so_far.h"
+#include "story/scene_file.h"
 
 namespace vantage {
 

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <sstream>
 
+#include "files/make_folder.h"
+#include "files/side_by_side.h"
 #include "gl/context.h"
-#include "output/make_folder.h"
-#include "output/side_by_side.h"
 #include "player/measure/plot.h"
 #include "scene/error.h"
 #include "scene/replace_file.h"

@@ -4,9 +4,9 @@
 #include <numeric>
 
 #include "player/objects/object_view.h"
-#include "points/point_cloud.h"
 #include "remote/remote_package.h"
 #include "scene/error.h"
+#include "scene/point_cloud.h"
 
 namespace vantage {
 namespace {

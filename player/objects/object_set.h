@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "objects/scene_file.h"
 #include "player/objects/composition.h"
 #include "player/render/picture.h"
 #include "player/survey/scene_point.h"
+#include "story/scene_file.h"
 
 namespace vantage {
 

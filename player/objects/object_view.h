@@ -1,7 +1,7 @@
 #pragma once
-#include "objects/placement.h"
 #include "player/camera/view.h"
 #include "player/plan/section_plane.h"
+#include "story/placement.h"
 
 namespace vantage {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "bands/bands.h"
 #include "cli/command.h"
+#include "scene/bands.h"
 #include "scene/error.h"
 
 namespace vantage {

@@ -5,9 +5,9 @@
 #include "cli/command.h"
 #include "player/camera/shots.h"
 #include "player/render/blend_table.h"
-#include "points/point_cloud.h"
 #include "scene/error.h"
 #include "scene/package_shape.h"
+#include "scene/point_cloud.h"
 
 namespace vantage {
 

@@ -1,8 +1,8 @@
 #include "player/options/layer_options.h"
 
 #include "cli/command.h"
-#include "layers/photo_layers.h"
 #include "scene/error.h"
+#include "scene/photo_layers.h"
 
 namespace vantage {
 

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "objects/scene_file.h"
 #include "player/options/package_options.h"
+#include "story/scene_file.h"
 
 namespace vantage {
 

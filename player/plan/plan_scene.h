@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "bands/bands.h"
 #include "player/plan/cluster_tree.h"
+#include "scene/bands.h"
 #include "scene/package_reader.h"
 
 namespace vantage {

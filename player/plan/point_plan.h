@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "player/camera/view.h"
-#include "points/point_cloud.h"
+#include "scene/point_cloud.h"
 
 namespace vantage {
 

@@ -12,8 +12,8 @@
 #include "gl/context.h"
 #include "player/plan/visible_surface.h"
 #include "player/render/blend_table.h"
-#include "points/point_cloud.h"
 #include "scene/package_shape.h"
+#include "scene/point_cloud.h"
 
 namespace vantage {
 namespace {

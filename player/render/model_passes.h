@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "gl/program.h"
-#include "layers/photo_layers.h"
 #include "player/camera/view.h"
 #include "player/plan/plan.h"
 #include "player/plan/view_plan.h"
@@ -17,6 +16,7 @@
 #include "player/render/render_settings.h"
 #include "player/stream/photo_block.h"
 #include "player/stream/photo_store.h"
+#include "scene/photo_layers.h"
 
 namespace vantage {
 

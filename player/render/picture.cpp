@@ -5,8 +5,8 @@
 #include <array>
 #include <cstring>
 
+#include "files/png_file.h"
 #include "gl/context.h"
-#include "output/png_file.h"
 #include "scene/error.h"
 
 namespace vantage {

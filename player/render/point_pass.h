@@ -8,7 +8,7 @@
 #include "player/render/frame_targets.h"
 #include "player/render/render_settings.h"
 #include "player/stream/point_store.h"
-#include "points/point_cloud.h"
+#include "scene/point_cloud.h"
 
 namespace vantage {
 

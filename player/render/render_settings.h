@@ -5,14 +5,14 @@
 #include <limits>
 #include <optional>
 
-#include "layers/color_map.h"
-#include "layers/value_layer.h"
 #include "player/camera/frame_size.h"
 #include "player/camera/view.h"
 #include "player/plan/plan_settings.h"
 #include "player/plan/section_plane.h"
 #include "player/plan/weights.h"
 #include "player/render/frame_report.h"
+#include "scene/color_map.h"
+#include "scene/value_layer.h"
 
 namespace vantage {
 

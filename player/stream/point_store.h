@@ -7,7 +7,7 @@
 #include "player/stream/layer_pool.h"
 #include "player/stream/residency.h"
 #include "player/stream/tile_stream.h"
-#include "points/point_cloud.h"
+#include "scene/point_cloud.h"
 
 namespace vantage {
 

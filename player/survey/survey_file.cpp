@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "json/located_json.h"
+#include "files/located_json.h"
 #include "scene/error.h"
 #include "scene/replace_file.h"
 

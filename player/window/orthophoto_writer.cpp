@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "bands/bands.h"
 #include "player/interface/orthophoto_section.h"
 #include "player/window/numbered_file.h"
+#include "scene/bands.h"
 #include "scene/error.h"
 #include "values/formatted.h"
 #include "values/translation.h"

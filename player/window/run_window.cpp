@@ -14,7 +14,6 @@
 #include <optional>
 #include <utility>
 
-#include "bands/bands.h"
 #include "player/window/glfw_window.h"
 #include "player/window/input.h"
 #include "player/window/new_frame.h"
@@ -24,6 +23,7 @@
 #include "player/window/shown_scene.h"
 #include "player/window/start_page.h"
 #include "player/window/start_session.h"
+#include "scene/bands.h"
 #include "scene/error.h"
 #include "scene/package_shape.h"
 #include "values/is_url.h"

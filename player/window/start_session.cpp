@@ -2,13 +2,13 @@
 
 #include <utility>
 
-#include "bands/bands.h"
-#include "bands/middle_photo.h"
 #include "player/camera/shots.h"
 #include "player/story/story_background.h"
 #include "player/survey/photo_errors.h"
-#include "points/point_cloud.h"
+#include "scene/bands.h"
 #include "scene/error.h"
+#include "scene/middle_photo.h"
+#include "scene/point_cloud.h"
 #include "values/translation.h"
 
 namespace vantage {

@@ -7,7 +7,7 @@
 #include "agreement/consensus_map.h"
 #include "agreement/consensus_partners.h"
 #include "agreement/consensus_weights.h"
-#include "pipeline/pixels/cut_tile.h"
+#include "pipeline/photos/cut_tile.h"
 
 using namespace vantage;
 

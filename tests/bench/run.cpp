@@ -13,8 +13,8 @@
 #include <thread>
 
 #include "cli/command.h"
+#include "files/make_folder.h"
 #include "gl/context.h"
-#include "output/make_folder.h"
 #include "pipeline/input/file_identity.h"
 #include "scene/error.h"
 #include "tests/bench/measure/timing.h"

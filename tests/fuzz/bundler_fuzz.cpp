@@ -1,5 +1,5 @@
 // Bundler cameras: list.txt and the .out file, separated by a line of "----".
-#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/cameras.h"
 #include "scene/error.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/cameras.h"
 #include "scene/error.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "pipeline/commands/apply_config.h"
-#include "pipeline/settings/config_files.h"
+#include "pipeline/run/config_files.h"
 #include "pipeline/synth/spec.h"
 #include "scene/error.h"
 #include "tests/fuzz/fuzz_target.h"

@@ -2,7 +2,7 @@
 // hold.
 #include <cstdlib>
 
-#include "pipeline/formats/clouds/las.h"
+#include "pipeline/formats/las.h"
 #include "scene/error.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"

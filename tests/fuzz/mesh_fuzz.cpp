@@ -3,7 +3,7 @@
 // normals finite, and that attributes have one value per vertex.
 #include <cstdlib>
 
-#include "pipeline/formats/import/mesh.h"
+#include "pipeline/formats/mesh.h"
 #include "scene/error.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"

@@ -9,7 +9,6 @@
 #include <numeric>
 #include <vector>
 
-#include "layers/value_layer.h"
 #include "player/plan/plan.h"
 #include "player/plan/plan_scene.h"
 #include "player/plan/point_plan.h"
@@ -17,6 +16,7 @@
 #include "scene/checksum.h"
 #include "scene/error.h"
 #include "scene/package_shape.h"
+#include "scene/value_layer.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/sound_package.h"

@@ -2,7 +2,7 @@
 // per vertex.
 #include <cstdlib>
 
-#include "pipeline/formats/import/mesh.h"
+#include "pipeline/formats/mesh.h"
 #include "scene/error.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <optional>
 
-#include "objects/scene_file.h"
 #include "scene/error.h"
+#include "story/scene_file.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/memory_file.h"
 

@@ -1,5 +1,5 @@
 // Invalid and nearly invalid cameras, and lenses that fold back.
-#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/cameras.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <numbers>
 #include <random>
 
-#include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/pixels/undistort.h"
+#include "pipeline/photos/image_files.h"
+#include "pipeline/photos/undistort.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "tests/hard_cases/special_numbers.h"

@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-#include "pipeline/model/clusters.h"
+#include "pipeline/mesh/clusters.h"
 #include "player/plan/cluster_tree.h"
 #include "player/plan/photo_cover.h"
 #include "player/plan/plan.h"

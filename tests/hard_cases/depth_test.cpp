@@ -12,7 +12,7 @@
 #include "gl/context.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/model/clusters.h"
+#include "pipeline/mesh/clusters.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/stages/vertex_coordinates.h"

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <limits>
 
-#include "pipeline/settings/settings.h"
-#include "player/verify/finite_targets.h"
+#include "pipeline/run/settings.h"
+#include "player/measure/finite_targets.h"
 #include "prepared_scene.h"
 #include "scene/error.h"
 

@@ -1,5 +1,5 @@
 // Photos of all sizes and formats: whole, truncated, and mislabeled.
-#include "pipeline/formats/images/photos.h"
+#include "pipeline/photos/photos.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -11,13 +11,13 @@
 #include <numeric>
 #include <random>
 
-#include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/file_identity.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/package/tile_levels.h"
+#include "pipeline/photos/image_files.h"
 #include "pipeline/prepare/prepare.h"
-#include "pipeline/results/check.h"
+#include "pipeline/reports/check.h"
 #include "pipeline/run/progress.h"
 #include "scene/error.h"
 #include "scene/halve.h"

@@ -1,6 +1,6 @@
 // Random clouds, views and boxes: nothing that a view shows is culled, and stored positions are as exact as
 // FORMAT.md says.
-#include "points/point_cloud.h"
+#include "scene/point_cloud.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-#include "pipeline/model/point_tree.h"
+#include "pipeline/mesh/point_tree.h"
 #include "player/plan/frustum.h"
 #include "player/plan/point_plan.h"
 

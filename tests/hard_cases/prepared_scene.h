@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "gl/context.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/run/settings.h"
 #include "player/render/picture.h"
 #include "scene/package_reader.h"
 #include "tests/made_scenes.h"

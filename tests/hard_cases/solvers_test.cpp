@@ -8,9 +8,9 @@
 #include <limits>
 #include <random>
 
-#include "colors/color_fit.h"
-#include "pipeline/agree/common_motion.h"
-#include "pipeline/agree/pose_fit.h"
+#include "agreement/color_fit.h"
+#include "pipeline/refine/common_motion.h"
+#include "pipeline/refine/pose_fit.h"
 
 using namespace vantage;
 using package::SampleRecord;

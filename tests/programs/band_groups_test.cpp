@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "pipeline/formats/export/colmap.h"
+#include "pipeline/formats/export_colmap.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/synth/synthesize.h"

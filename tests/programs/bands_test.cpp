@@ -1,6 +1,6 @@
 // Photo sets of one object that are shown one at a time: a synthetic building in visible light, and in
 // infrared, which shows an underdrawing.
-#include "bands/bands.h"
+#include "scene/bands.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -15,13 +15,13 @@
 #include <random>
 
 #include "gl/context.h"
-#include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/package/meta.h"
+#include "pipeline/photos/image_files.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/prepare/refine.h"
-#include "pipeline/results/check.h"
+#include "pipeline/reports/check.h"
 #include "pipeline/run/progress.h"
 #include "player/render/picture.h"
 #include "scene/error.h"

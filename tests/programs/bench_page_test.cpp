@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-#include "pipeline/report/base64.h"
+#include "pipeline/reports/base64.h"
 #include "scene/error.h"
 #include "tests/bench/page/page.h"
 #include "tests/bench/plots/gnuplot.h"
@@ -367,8 +367,8 @@ TEST_F(BenchPage, NonFiniteValuesAreDashes) {
 }
 
 TEST_F(BenchPage, ReportsHowFarPresetsAreFromTheFront) {
-    for (const Measurement& m : {preset("preview", 1, 30), preset("default", 10, 31), preset("trial", 9, 33),
-                                 preset("ci", 100, 36)})
+    for (const Measurement& m :
+         {preset("preview", 1, 30), preset("default", 10, 31), preset("trial", 9, 33), preset("ci", 100, 36)})
         input.now.measurements.push_back(m);
     const std::string html = page();
     EXPECT_NE(html.find("<td>preview<td>on the front"), std::string::npos);

@@ -9,7 +9,7 @@
 #include <map>
 #include <sstream>
 
-#include "pipeline/formats/cameras/cameras.h"
+#include "pipeline/formats/cameras.h"
 #include "scene/package_reader.h"
 #include "tests/datasets.h"
 #include "tests/pipeline/formats/exported_cameras.h"

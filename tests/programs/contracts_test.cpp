@@ -6,8 +6,8 @@
 #include <functional>
 #include <regex>
 
-#include "pipeline/formats/images/image_files.h"
-#include "pipeline/formats/images/photos.h"
+#include "pipeline/photos/image_files.h"
+#include "pipeline/photos/photos.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "tests/made_scenes.h"

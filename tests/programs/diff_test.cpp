@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <regex>
 
-#include "pipeline/formats/images/image_files.h"
+#include "pipeline/photos/image_files.h"
 #include "scene/error.h"
 #include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"

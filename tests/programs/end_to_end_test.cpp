@@ -9,14 +9,14 @@
 #include <numeric>
 
 #include "gl/context.h"
-#include "pipeline/formats/images/image_files.h"
-#include "pipeline/formats/images/photos.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/pixels/reduced.h"
+#include "pipeline/photos/image_files.h"
+#include "pipeline/photos/photos.h"
+#include "pipeline/photos/reduced.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/run/settings.h"
 #include "pipeline/synth/synthesize.h"
 #include "player/camera/shots.h"
 #include "player/render/picture.h"

@@ -1,4 +1,4 @@
-#include "player/evaluate/evaluate.h"
+#include "player/measure/evaluate.h"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +12,16 @@
 
 #include "agreement/registered_without.h"
 #include "gl/context.h"
-#include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/package/meta.h"
+#include "pipeline/photos/image_files.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
-#include "pipeline/settings/settings.h"
-#include "player/evaluate/colors_without.h"
-#include "player/evaluate/left_out.h"
-#include "player/evaluate/photo_pixels.h"
+#include "pipeline/run/settings.h"
+#include "player/measure/colors_without.h"
+#include "player/measure/left_out.h"
+#include "player/measure/photo_pixels.h"
 #include "scene/error.h"
 #include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"

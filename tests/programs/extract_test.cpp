@@ -1,5 +1,5 @@
 // What `vantage extract` writes is a scan that other programs, and `vantage prepare`, read.
-#include "pipeline/results/extract.h"
+#include "pipeline/reports/extract.h"
 
 #include <gtest/gtest.h>
 
@@ -7,15 +7,15 @@
 #include <cstdlib>
 #include <regex>
 
-#include "bands/bands.h"
-#include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/formats/export/colmap.h"
-#include "pipeline/formats/export/ply.h"
-#include "pipeline/formats/import/mesh.h"
+#include "pipeline/formats/cameras.h"
+#include "pipeline/formats/export_colmap.h"
+#include "pipeline/formats/export_ply.h"
+#include "pipeline/formats/mesh.h"
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/synth/synthesize.h"
-#include "points/point_cloud.h"
+#include "scene/bands.h"
 #include "scene/package_reader.h"
+#include "scene/point_cloud.h"
 #include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 #include "values/photo_names.h"

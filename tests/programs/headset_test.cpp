@@ -10,10 +10,10 @@
 
 #include "gl/context.h"
 #include "player/camera/view.h"
+#include "player/headset/eye_frustum.h"
 #include "player/headset/menu_place.h"
 #include "player/objects/object_set.h"
 #include "player/options/blending_options.h"
-#include "player/walk/eye_frustum.h"
 #include "scene/error.h"
 #include "story/story_file.h"
 #include "tests/headset/menu_alone.h"

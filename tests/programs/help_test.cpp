@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "manual/described_command.h"
+#include "cli/described_command.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
 
@@ -205,7 +205,8 @@ TEST_F(Help, DocumentsMentionOnlyWhatProgramsAccept) {
     std::size_t commands = 0, options = 0;
     for (const Quote& q : quotes()) {
         if (q.text.find("gtest_filter") != std::string::npos) continue;
-        if (!fs::exists(VANTAGE_BENCH) && q.place.starts_with("measurements.md")) continue;  // built for --full
+        if (!fs::exists(VANTAGE_BENCH) && q.place.starts_with("measurements.md"))
+            continue;  // built for --full
         EXPECT_EQ(mistake(q.text), "") << q.place << ": " << q.text;
         const std::vector<std::string> words = words_of(q.text);
         commands += !words.empty() && programs.contains(fs::path(words[0]).filename().string());

@@ -14,8 +14,8 @@
 #include <set>
 #include <vector>
 
-#include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/formats/export/colmap.h"
+#include "pipeline/formats/cameras.h"
+#include "pipeline/formats/export_colmap.h"
 #include "pipeline/synth/synthesize.h"
 #include "tests/datasets.h"
 #include "tests/made_scenes.h"

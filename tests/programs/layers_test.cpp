@@ -6,18 +6,18 @@
 #include <numeric>
 
 #include "gl/context.h"
-#include "layers/color_map.h"
-#include "layers/photo_layers.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/model/subdivide.h"
+#include "pipeline/mesh/ray_scene.h"
+#include "pipeline/mesh/subdivide.h"
 #include "pipeline/prepare/prepare.h"
-#include "pipeline/rays/ray_scene.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/synth/synthesize.h"
 #include "player/interface/value_at_pixel.h"
 #include "player/render/picture.h"
+#include "scene/color_map.h"
 #include "scene/package_shape.h"
+#include "scene/photo_layers.h"
 #include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "pipeline/formats/import/mesh.h"
+#include "pipeline/formats/mesh.h"
 #include "scene/package_reader.h"
 #include "tests/datasets.h"
 #include "tests/gltf_file.h"

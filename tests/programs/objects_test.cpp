@@ -10,7 +10,7 @@
 #include "gl/context.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/rays/ray_scene.h"
+#include "pipeline/mesh/ray_scene.h"
 #include "pipeline/synth/synthesize.h"
 #include "player/objects/object_set.h"
 #include "player/objects/object_view.h"

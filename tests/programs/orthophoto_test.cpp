@@ -1,5 +1,5 @@
 // vantage-player orthophoto, against rays cast at right angles through a synthetic scene.
-#include "player/orthophoto/orthophoto.h"
+#include "player/pictures/orthophoto.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -11,7 +11,7 @@
 #include <numeric>
 
 #include "gl/context.h"
-#include "pipeline/rays/ray_scene.h"
+#include "pipeline/mesh/ray_scene.h"
 #include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
 #include "tests/made_scenes.h"

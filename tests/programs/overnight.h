@@ -11,7 +11,7 @@
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/run/settings.h"
 #include "scene/package_writer.h"
 #include "scene/part_file.h"
 #include "tests/made_scenes.h"

@@ -7,7 +7,7 @@
 #include <random>
 #include <span>
 
-#include "player/evaluate/change.h"
+#include "player/measure/change.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;

@@ -10,19 +10,19 @@
 #include <random>
 
 #include "gl/context.h"
-#include "pipeline/formats/export/ply.h"
+#include "pipeline/formats/export_ply.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/merge.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/prepare/refine.h"
-#include "pipeline/results/check.h"
-#include "pipeline/results/extract.h"
+#include "pipeline/reports/check.h"
+#include "pipeline/reports/extract.h"
 #include "pipeline/run/progress.h"
 #include "player/camera/camera_path.h"
 #include "player/camera/navigation.h"
 #include "player/render/picture.h"
-#include "points/point_cloud.h"
+#include "scene/point_cloud.h"
 #include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 

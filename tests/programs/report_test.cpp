@@ -8,9 +8,9 @@
 #include <map>
 #include <regex>
 
-#include "pipeline/formats/export/colmap.h"
-#include "pipeline/formats/export/ply.h"
-#include "pipeline/formats/images/image_files.h"
+#include "pipeline/formats/export_colmap.h"
+#include "pipeline/formats/export_ply.h"
+#include "pipeline/photos/image_files.h"
 #include "scene/camera.h"
 #include "tests/temporary_folder.h"
 

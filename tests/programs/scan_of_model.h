@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/formats/export/colmap.h"
-#include "pipeline/formats/export/ply.h"
-#include "pipeline/formats/images/image_files.h"
+#include "pipeline/formats/export_colmap.h"
+#include "pipeline/formats/export_ply.h"
+#include "pipeline/photos/image_files.h"
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/synthesize.h"
 

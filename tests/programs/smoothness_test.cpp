@@ -9,10 +9,10 @@
 #include <numeric>
 
 #include "gl/context.h"
-#include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/photos/image_files.h"
+#include "pipeline/run/settings.h"
 #include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
 #include "values/srgb.h"

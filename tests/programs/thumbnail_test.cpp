@@ -3,8 +3,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "pipeline/formats/images/image_files.h"
-#include "pipeline/formats/images/photos.h"
+#include "pipeline/photos/image_files.h"
+#include "pipeline/photos/photos.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
 #include "tests/one_line.h"

@@ -9,14 +9,14 @@
 #include <random>
 
 #include "gl/context.h"
-#include "pipeline/formats/import/mesh.h"
+#include "pipeline/formats/mesh.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
+#include "pipeline/mesh/ray_scene.h"
 #include "pipeline/prepare/merge.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/prepare/refine.h"
-#include "pipeline/rays/ray_scene.h"
-#include "pipeline/results/check.h"
+#include "pipeline/reports/check.h"
 #include "pipeline/run/progress.h"
 #include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"

@@ -18,8 +18,8 @@
 #include <thread>
 
 #include "pipeline/commands/run_program.h"
-#include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/file_name.h"
+#include "pipeline/photos/image_files.h"
 #include "scene/checksum.h"
 #include "scene/package_reader.h"
 #include "scene/stored_tile.h"

@@ -5,8 +5,8 @@
 #include <array>
 #include <set>
 
-#include "objects/scene_file.h"
 #include "player/render/blend_table.h"
+#include "story/scene_file.h"
 #include "tests/window/window_test.h"
 
 using namespace vantage;

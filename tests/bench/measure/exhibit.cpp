@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "output/make_folder.h"
+#include "files/make_folder.h"
 #include "scene/error.h"
 #include "tests/bench/scenes/crop.h"
 

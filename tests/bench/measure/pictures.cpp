@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "gl/context.h"
-#include "player/evaluate/picture_metrics.h"
 #include "player/measure/flight.h"
+#include "player/measure/picture_metrics.h"
 #include "tests/bench/measure/exhibit.h"
 #include "tests/bench/measure/timing.h"
 #include "tests/bench/scenes/evenly_spread.h"

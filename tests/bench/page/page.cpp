@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "output/markup.h"
-#include "output/page_style.h"
+#include "files/markup.h"
+#include "files/page_style.h"
 #include "scene/error.h"
 #include "tests/bench/page/page_parts.h"
 #include "tests/bench/results/quantity.h"

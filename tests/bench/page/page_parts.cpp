@@ -12,9 +12,9 @@
 #include <set>
 #include <string_view>
 
-#include "output/make_folder.h"
-#include "output/markup.h"
-#include "pipeline/report/base64.h"
+#include "files/make_folder.h"
+#include "files/markup.h"
+#include "pipeline/reports/base64.h"
 #include "scene/error.h"
 #include "tests/bench/results/front.h"
 #include "tests/bench/results/quantity.h"

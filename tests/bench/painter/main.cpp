@@ -13,7 +13,7 @@
 #include <random>
 
 #include "gl/context.h"
-#include "pipeline/formats/import/mesh.h"
+#include "pipeline/formats/mesh.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"

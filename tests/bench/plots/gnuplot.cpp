@@ -8,7 +8,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "output/markup.h"
+#include "files/markup.h"
 #include "scene/error.h"
 #include "tests/bench/measure/run_program.h"
 #include "tests/bench/plots/axis.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "output/markup.h"
+#include "files/markup.h"
 #include "tests/bench/results/quantity.h"
 
 namespace vantage::bench {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <numeric>
 
-#include "output/make_folder.h"
+#include "files/make_folder.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/file_identity.h"
 #include "pipeline/input/read_scene.h"
@@ -17,7 +17,7 @@
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/garden.h"
 #include "pipeline/synth/synthesize.h"
-#include "player/evaluate/photo_pixels.h"
+#include "player/measure/photo_pixels.h"
 #include "scene/error.h"
 #include "tests/bench/scenes/crop.h"
 #include "tests/bench/scenes/surface_points.h"

@@ -9,11 +9,11 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "pipeline/formats/images/image_files.h"
-#include "pipeline/formats/images/photos.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/pixels/reduced.h"
+#include "pipeline/photos/image_files.h"
+#include "pipeline/photos/photos.h"
+#include "pipeline/photos/reduced.h"
 #include "scene/error.h"
 #include "tests/datasets.h"
 #include "tests/temporary_folder.h"

@@ -10,8 +10,8 @@
 #include <random>
 #include <sstream>
 
-#include "output/png_file.h"
-#include "pipeline/formats/cameras/cameras.h"
+#include "files/png_file.h"
+#include "pipeline/formats/cameras.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "scene/error.h"

@@ -1,5 +1,5 @@
 // Photos with color profiles, against the equations of their color spaces.
-#include "pipeline/formats/images/color_profile.h"
+#include "pipeline/photos/color_profile.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <random>
 #include <thread>
 
-#include "pipeline/formats/images/photos.h"
+#include "pipeline/photos/photos.h"
 #include "tests/icc_profile.h"
 #include "tests/image_file.h"
 #include "tests/temporary_folder.h"

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <variant>
 
-#include "pipeline/formats/import/mesh.h"
+#include "pipeline/formats/mesh.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "pipeline/formats/import/mesh.h"
+#include "pipeline/formats/mesh.h"
 #include "scene/error.h"
 #include "tests/gltf_file.h"
 #include "tests/temporary_folder.h"

@@ -7,8 +7,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "pipeline/formats/cameras/cameras.h"
-#include "pipeline/formats/import/mesh.h"
+#include "pipeline/formats/cameras.h"
+#include "pipeline/formats/mesh.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "scene/error.h"

@@ -1,12 +1,12 @@
 // LAS files written here, byte by byte after ASPRS (2019), and read back.
-#include "pipeline/formats/clouds/las.h"
+#include "pipeline/formats/las.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <fstream>
 
-#include "pipeline/formats/clouds/cloud.h"
+#include "pipeline/formats/cloud.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
 

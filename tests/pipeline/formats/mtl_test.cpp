@@ -1,12 +1,12 @@
 // Materials of OBJ files.
-#include "pipeline/formats/materials/mtl.h"
+#include "pipeline/formats/mtl.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <fstream>
 
-#include "pipeline/formats/import/mesh.h"
+#include "pipeline/formats/mesh.h"
 #include "scene/error.h"
 #include "tests/temporary_folder.h"
 

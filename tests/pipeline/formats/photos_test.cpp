@@ -1,5 +1,5 @@
 // Photos of every supported kind are decoded to RGBA.
-#include "pipeline/formats/images/photos.h"
+#include "pipeline/photos/photos.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "pipeline/formats/images/image_files.h"
 #include "pipeline/input/file_identity.h"
+#include "pipeline/photos/image_files.h"
 #include "scene/error.h"
 #include "tests/image_file.h"
 #include "tests/temporary_folder.h"

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "pipeline/formats/images/photos.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/package/staleness.h"
 #include "pipeline/package/tile_levels.h"
+#include "pipeline/photos/photos.h"
 #include "pipeline/prepare/prepare.h"
 #include "pipeline/run/progress.h"
 #include "tests/icc_profile.h"

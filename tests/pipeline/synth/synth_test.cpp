@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "pipeline/rays/ray_scene.h"
+#include "pipeline/mesh/ray_scene.h"
 #include "pipeline/synth/building.h"
 #include "pipeline/synth/synthesize.h"
 #include "scene/error.h"

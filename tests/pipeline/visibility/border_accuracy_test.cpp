@@ -11,7 +11,7 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/prepare/prepare.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/run/settings.h"
 #include "pipeline/stages/borders.h"
 #include "pipeline/visibility/border_distance.h"
 #include "pipeline/visibility/gl_geometry.h"

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "gl/context.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/run/settings.h"
 #include "pipeline/stages/borders.h"
 #include "pipeline/visibility/near_distance.h"
 

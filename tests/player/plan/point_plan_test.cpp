@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "pipeline/model/point_tree.h"
+#include "pipeline/mesh/point_tree.h"
 #include "tests/player/test_scene.h"
 
 using namespace vantage;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "player/orthophoto/orthophoto.h"
+#include "player/pictures/orthophoto.h"
 #include "scene/error.h"
 #include "tests/player/test_scene.h"
 

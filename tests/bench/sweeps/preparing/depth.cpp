@@ -8,7 +8,7 @@
 #include "gl/context.h"
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
-#include "pipeline/rays/ray_scene.h"
+#include "pipeline/mesh/ray_scene.h"
 #include "pipeline/visibility/photo_geometry.h"
 #include "scene/tiling.h"
 #include "tests/bench/measure/exhibit.h"

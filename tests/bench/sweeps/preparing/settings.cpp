@@ -1,5 +1,5 @@
 // Settings of prepare, varied one at a time.
-#include "pipeline/settings/settings.h"
+#include "pipeline/run/settings.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <random>
 
-#include "player/evaluate/photo_pixels.h"
+#include "player/measure/photo_pixels.h"
 #include "scene/tiling.h"
 #include "tests/bench/scenes/crop.h"
 #include "tests/bench/sweeps/sweep.h"

@@ -5,8 +5,8 @@
 
 #include "gl/context.h"
 #include "gl/object.h"
-#include "pipeline/rays/ray_scene.h"
-#include "player/evaluate/photo_pixels.h"
+#include "pipeline/mesh/ray_scene.h"
+#include "player/measure/photo_pixels.h"
 #include "player/plan/sampling.h"
 #include "scene/tiling.h"
 #include "tests/bench/measure/mean.h"

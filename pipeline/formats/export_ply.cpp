@@ -1,0 +1,71 @@
+#include "pipeline/formats/export_ply.h"
+
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "files/output_file.h"
+#include "scene/replace_file.h"
+
+namespace vantage {
+namespace {
+
+std::string properties(std::span<const PlyLayer> layers) {
+    std::string out;
+    for (const PlyLayer& layer : layers) {
+        std::string name = layer.name.empty() ? "_" : layer.name;
+        for (char& c : name)
+            if (!(c > ' ' && c <= '~')) c = '_';
+        out += "property float " + name + "\n";
+    }
+    return out;
+}
+
+}  // namespace
+
+void write_ply(const std::filesystem::path& file, const Eigen::Vector3d& origin,
+               std::span<const Eigen::Vector3f> positions, std::span<const Eigen::Vector3f> normals,
+               std::span<const std::array<std::uint32_t, 3>> triangles, std::span<const PlyLayer> layers,
+               std::span<const std::array<std::uint8_t, 4>> colors) {
+    const char* const color_properties =
+        colors.empty() ? ""
+                       : "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                         "property uchar alpha\n";
+    replace_file(file, [&](std::ostream& out) {
+        out << fmt::format(
+            "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty double x\nproperty double "
+            "y\n"
+            "property double z\nproperty float nx\nproperty float ny\nproperty float nz\n{}{}element face "
+            "{}\n"
+            "property list uchar int vertex_indices\nend_header\n",
+            ply_mark, positions.size(), color_properties, properties(layers), triangles.size());
+        const auto put = [&](const auto& v) { out.write(reinterpret_cast<const char*>(&v), sizeof v); };
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            put(Eigen::Vector3d(origin + positions[i].cast<double>()));
+            put(normals[i]);
+            if (!colors.empty()) put(colors[i]);
+            for (const PlyLayer& layer : layers) put(layer.values[i]);
+        }
+        for (const auto& t : triangles) {
+            put(std::uint8_t(3));
+            put(t);
+        }
+    });
+}
+
+void write_points_ply(const std::filesystem::path& file, std::uint64_t count,
+                      const std::function<void(const std::function<void(const PlyPoint&)>&)>& each) {
+    replace_file(file, [&](std::ostream& out) {
+        out << fmt::format(
+            "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty double x\nproperty double "
+            "y\n"
+            "property double z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
+            ply_mark, count);
+        each([&](const PlyPoint& p) {
+            out.write(reinterpret_cast<const char*>(p.position.data()), 24);
+            out.write(reinterpret_cast<const char*>(p.color.data()), 3);
+        });
+    });
+}
+
+}  // namespace vantage

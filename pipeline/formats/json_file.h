@@ -1,0 +1,40 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "files/located_json.h"
+
+namespace vantage {
+
+/// A JSON file of cameras. Keys that are not known are ignored.
+class JsonFile {
+  public:
+    /// Throws Error(input) if it cannot be read or is no JSON.
+    explicit JsonFile(const std::filesystem::path& file);
+    LocatedJson root() { return {name_, *value_, unknown_}; }
+
+  private:
+    std::string name_;
+    std::shared_ptr<const nlohmann::json> value_;
+    std::vector<std::string> unknown_;
+};
+
+/// The most items of a list of cameras.
+inline constexpr std::size_t most_cameras = 1 << 20;
+/// Positions, focal lengths, pixels.
+inline constexpr double most_value = 1e12;
+
+/// A finite number, also written as text.
+double numeral(const LocatedJson& value);
+/// That of a key; `otherwise` if there is none.
+double numeral(const LocatedJson& object, const char* key, double otherwise);
+/// The width or height of a photo.
+int photo_size(const LocatedJson& value);
+/// A list of numbers; throws unless there are `count`.
+std::vector<double> numerals(const LocatedJson& list, std::size_t count);
+/// A number or a text that identifies something.
+std::string identifier(const LocatedJson& value);
+
+}  // namespace vantage

@@ -1,0 +1,201 @@
+#include "pipeline/formats/obj.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "pipeline/formats/color_by_material.h"
+#include "pipeline/formats/color_bytes.h"
+#include "pipeline/formats/mtl.h"
+#include "pipeline/formats/ply.h"
+#include "pipeline/formats/tokens.h"
+#include "values/parse_number.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string_view>;
+
+std::string joined(const Words& words) {
+    std::string out;
+    for (const std::string_view word : words) out.append(out.empty() ? "" : " ").append(word);
+    return out;
+}
+
+/// A mesh and its materials by name.
+struct ObjMesh {
+    Mesh mesh;
+    std::vector<std::uint32_t> of_triangle;        ///< number of its name; beyond all: no material
+    std::vector<std::string> names;                ///< in the order of their first use
+    std::set<std::vector<std::string>> libraries;  ///< the words of each `mtllib`
+};
+
+class ObjReader {
+  public:
+    explicit ObjReader(const std::filesystem::path& file) : in_(file) {}
+
+    ObjMesh read() {
+        for (Words words; next_line(words);) {
+            if (words.empty()) continue;  // only a comment
+            if (words[0] == "v")
+                add_vertex(words);
+            else if (words[0] == "vn")
+                normals_.push_back(point(words).cast<float>());
+            else if (words[0] == "f")
+                add_face(words);
+            else if (words[0] == "mtllib" && words.size() > 1)
+                libraries_.insert({words.begin() + 1, words.end()});
+            else if (words[0] == "usemtl")
+                use_material(joined({words.begin() + 1, words.end()}));
+        }
+        if (colored_) mesh_.colors = color_bytes(colors_, true);
+        // Vertices may follow the last face with normals.
+        if (!mesh_.normals.empty()) mesh_.normals.resize(mesh_.positions.size(), Eigen::Vector3f::Zero());
+        return {std::move(mesh_), std::move(of_triangle_), std::move(names_), std::move(libraries_)};
+    }
+
+  private:
+    /// The words of a line and of those it continues on; views of the file's text.
+    bool next_line(Words& words) {
+        words.clear();
+        if (in_.at_end()) return false;
+        while (!in_.at_line_end()) {
+            const std::string_view found = in_.word("a word");
+            std::string_view word = found.substr(0, found.find('#'));
+            if (word.size() < found.size()) in_.skip_to_line_end();
+            const bool continues = found.ends_with('\\') && in_.at_line_end();
+            if (continues) word.remove_suffix(1), in_.next_line();
+            if (!word.empty()) words.push_back(word);
+        }
+        return true;
+    }
+    [[noreturn]] void fail(const std::string& expected, std::string_view found) const {
+        in_.fail(expected, "'" + std::string(found.substr(0, 40)) + "'");
+    }
+    double real(std::string_view word) const {
+        double value = 0;
+        if (!parse_number(word, value)) fail("a number", word);
+        return value;
+    }
+    Eigen::Vector3d point(const Words& words) const {
+        if (words.size() < 4) fail("three coordinates", words[0]);
+        return {real(words[1]), real(words[2]), real(words[3])};
+    }
+    void add_vertex(const Words& words) {
+        mesh_.positions.push_back(point(words));
+        const bool colored = words.size() >= 7;  // a fourth number alone is a weight
+        colored_ |= colored;
+        for (std::size_t c = 0; c < 3; ++c) colors_[c].push_back(colored ? real(words[4 + c]) : 1);
+    }
+    /// The element that an index of a corner means, counted from 1 or back from the last; `no_vertex`: none.
+    std::uint32_t element(std::string_view index, std::size_t count) const {
+        std::int64_t i = 0;
+        if (!parse_number(index, i)) fail("the index of a corner", index);
+        if (i < 0) i += std::int64_t(count) + 1;
+        return i >= 1 && std::size_t(i) <= count ? std::uint32_t(i - 1) : no_vertex;
+    }
+    std::uint32_t corner(std::string_view word) {
+        const std::uint32_t v = element(word.substr(0, word.find('/')), mesh_.positions.size());
+        const std::size_t normal =
+            word.find('/') == word.npos ? word.npos : word.find('/', word.find('/') + 1);
+        if (v == no_vertex || normal == word.npos || normal + 1 == word.size()) return v;
+        const std::uint32_t n = element(word.substr(normal + 1), normals_.size());
+        if (n == no_vertex) return v;
+        mesh_.normals.resize(mesh_.positions.size(), Eigen::Vector3f::Zero());
+        mesh_.normals[v] += normals_[n];
+        return v;
+    }
+    void add_face(const Words& words) {
+        std::vector<std::uint32_t> corners;
+        for (std::size_t i = 1; i < words.size(); ++i) corners.push_back(corner(words[i]));
+        for (std::size_t i = 2; i < corners.size(); ++i)
+            mesh_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+        of_triangle_.resize(mesh_.triangles.size(), material_);
+    }
+    void use_material(const std::string& name) {
+        const auto [at, is_new] = numbers_.try_emplace(name, std::uint32_t(names_.size()));
+        if (is_new) names_.push_back(name);
+        material_ = at->second;
+    }
+
+    Tokens in_;
+    Mesh mesh_;
+    std::vector<Eigen::Vector3f> normals_;
+    std::array<std::vector<double>, 4> colors_;
+    bool colored_ = false;
+    std::uint32_t material_ = no_vertex;
+    std::vector<std::uint32_t> of_triangle_;
+    std::map<std::string, std::uint32_t> numbers_;
+    std::vector<std::string> names_;
+    std::set<std::vector<std::string>> libraries_;
+};
+
+/// The existing file that a library's name means, with backslashes for slashes; without its folder if that
+/// does not exist, or leads out of the OBJ's. Empty if there is none.
+fs::path library_file(const fs::path& folder, std::string name) {
+    std::ranges::replace(name, '\\', '/');
+    const fs::path given = fs::path(name).lexically_normal();
+    std::error_code error;
+    if (given.is_relative() && !given.empty() && *given.begin() != ".." &&
+        fs::is_regular_file(folder / given, error))
+        return folder / given;
+    const fs::path beside = folder / given.filename();
+    return !given.filename().empty() && fs::is_regular_file(beside, error) ? beside : fs::path();
+}
+
+/// The files of one `mtllib`: one whose name has spaces, or several. Those that are missing add to `missing`.
+std::vector<fs::path> library_files(const fs::path& folder, const std::vector<std::string>& words,
+                                    std::vector<std::string>& missing) {
+    if (fs::path whole = library_file(folder, joined({words.begin(), words.end()})); !whole.empty())
+        return {whole};
+    std::vector<fs::path> out;
+    for (const std::string& word : words)
+        if (fs::path file = library_file(folder, word); !file.empty())
+            out.push_back(std::move(file));
+        else
+            missing.push_back(word);
+    return out;
+}
+
+/// The colors of the mesh's materials, by number. Adds the files read to `files`.
+std::vector<MaterialColor> material_colors(const ObjMesh& obj, const fs::path& file,
+                                           std::set<fs::path>& files, std::vector<std::string>& warnings) {
+    std::map<std::string, MaterialColor> known;
+    std::vector<std::string> missing;
+    for (const std::vector<std::string>& words : obj.libraries)
+        for (const fs::path& library : library_files(file.parent_path(), words, missing))
+            if (files.insert(library).second) known.merge(read_mtl(library, warnings));
+    if (!missing.empty())
+        warnings.push_back(
+            file.filename().string() + ": its material file " + missing.front().substr(0, 80) +
+            (missing.size() > 1 ? " and " + std::to_string(missing.size() - 1) + " others are" : " is") +
+            " missing; faces of its materials are taken as opaque");
+    std::vector<MaterialColor> out;
+    for (const std::string& name : obj.names) {
+        const auto at = known.find(name);
+        out.push_back(at == known.end() ? MaterialColor{255, 255, 255, 255} : at->second);
+    }
+    return out;
+}
+
+}  // namespace
+
+Mesh read_obj(const fs::path& file, std::vector<std::string>& warnings, std::vector<fs::path>& materials) {
+    ObjMesh obj = ObjReader(file).read();
+    const auto none = [](std::uint32_t m) { return m == no_vertex; };
+    if (obj.libraries.empty() || std::ranges::all_of(obj.of_triangle, none)) return std::move(obj.mesh);
+    std::set<fs::path> files;
+    const std::vector<MaterialColor> colors = material_colors(obj, file, files, warnings);
+    const auto clear = [&](std::uint32_t m) { return m < colors.size() && colors[m][3] < 255; };
+    if (std::ranges::none_of(obj.of_triangle, clear)) return std::move(obj.mesh);
+    color_by_material(obj.mesh, obj.of_triangle, colors);
+    materials.insert(materials.end(), files.begin(), files.end());
+    return std::move(obj.mesh);
+}
+
+}  // namespace vantage

@@ -1,0 +1,46 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "pipeline/photos/color_profile.h"
+#include "values/rgba_image.h"
+
+namespace vantage {
+
+/// Width and height in pixels.
+struct PhotoSize {
+    int width = 0, height = 0;
+};
+
+/// The contents of an image file's header.
+struct PhotoHeader {
+    PhotoSize size;        ///< as stored
+    ProfileUse profile{};  ///< of the ICC profile
+    int orientation = 1;   ///< EXIF, 1 to 8
+    bool linear = false;   ///< stores linear light (EXR, Radiance HDR), which reading converts to sRGB
+};
+
+/// Type of a channel's values.
+enum class Sample { u8, f32 };
+
+/// Reads and writes image files with OpenImageIO. Loading OpenImageIO and its dependencies takes longer than
+/// checking many packages, so this code is in a library of its own, loaded on first use; plain JPEG files do
+/// not need it. The functions throw Error(input) or Error(storage) naming the file.
+struct ImageFiles {
+    PhotoHeader (*header)(const std::filesystem::path& file);
+    /// Colors of an ICC profile and linear light are converted to sRGB; what is brighter than 1 becomes 1.
+    RgbaImage (*read)(const std::filesystem::path& file);
+    /// The same without regard to a profile: for images whose values are not colors.
+    RgbaImage (*read_unprofiled)(const std::filesystem::path& file);
+    /// Writes interleaved pixels, top row first, in the format of the file's extension: PNG, EXR, or JPEG at
+    /// quality 97 without chroma subsampling. Four channels are RGBA with straight alpha.
+    void (*write)(const std::filesystem::path& file, int width, int height, int channels, Sample sample,
+                  std::span<const std::byte> pixels);
+};
+
+/// Loads the library on the first call. Throws Error(usage) if it cannot be loaded.
+const ImageFiles& image_files();
+
+}  // namespace vantage

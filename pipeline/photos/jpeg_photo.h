@@ -1,0 +1,24 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/photos/color_profile.h"
+
+namespace vantage {
+
+/// What a JPEG says before its first scan.
+struct JpegPhoto {
+    std::string flaw;  ///< why it cannot be read, or empty; then the rest is valid
+    int width = 0, height = 0;
+    PixelColors colors = PixelColors::rgb;
+    /// The ICC profile, put together from its segments (ICC.1, Annex B.4); no bytes if segments are missing.
+    std::optional<std::vector<std::byte>> profile;
+};
+
+/// `jpeg`: the file, or its beginning up to the first scan.
+JpegPhoto read_jpeg_photo(std::span<const std::byte> jpeg);
+
+}  // namespace vantage

@@ -1,0 +1,145 @@
+// The library that image_files() loads.
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/photos/heif_profile.h"
+#include "pipeline/photos/image_files.h"
+#include "scene/error.h"
+#include "values/lower_extension.h"
+#include "values/srgb.h"
+
+namespace vantage {
+namespace {
+
+/// Throws Error(input) with the first line of `reason`.
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& reason) {
+    throw Error(Exit::input, file.string() + ": " + reason.substr(0, reason.find('\n')));
+}
+
+/// Files of these formats hold linear light; others say so where they do (PNG by its gamma).
+bool is_linear(const OIIO::ImageSpec& spec, const std::string& format) {
+    return format == "openexr" || format == "hdr" || spec.get_string_attribute("oiio:ColorSpace") == "Linear";
+}
+
+/// The file's ICC profile; null if it has none.
+std::shared_ptr<const ColorProfile> profile_of(const OIIO::ImageSpec& spec, const std::string& format,
+                                               const std::filesystem::path& file) {
+    std::vector<std::byte> icc;
+    if (const OIIO::ParamValue* found = spec.find_attribute("ICCProfile")) {
+        const auto* bytes = static_cast<const std::byte*>(found->data());
+        icc.assign(bytes, bytes + found->datasize());
+    } else if (format == "heif") {
+        icc = heif_profile(file);
+    }
+    if (icc.empty()) return nullptr;
+    return color_profile(icc, spec.nchannels < 3 ? PixelColors::gray : PixelColors::rgb);
+}
+
+/// Says what to do about a format that needs a library of its own.
+[[noreturn]] void fail_to_open(const std::filesystem::path& file, const std::string& reason) {
+    const std::string extension = lower_extension(file);
+    const bool heic = extension == ".heic" || extension == ".heif" || extension == ".avif";
+    fail(file,
+         heic ? "not a readable photo; HEIC and AVIF need OpenImageIO with libheif and its decoders (package "
+                "libheif1), or convert the photos to JPEG (heif-convert of libheif-examples): " +
+                    reason
+              : "not a readable photo: " + reason);
+}
+
+PhotoHeader read_header(const std::filesystem::path& file) {
+    const auto in = OIIO::ImageInput::open(file.string());
+    if (!in) fail_to_open(file, OIIO::geterror());
+    const OIIO::ImageSpec& spec = in->spec();
+    const auto profile = profile_of(spec, in->format_name(), file);
+    const ProfileUse use = profile ? profile->use : ProfileUse{};
+    return {{spec.width, spec.height},
+            use,
+            spec.get_int_attribute("Orientation", 1),
+            !use.converts && is_linear(spec, in->format_name())};
+}
+
+/// Red, green, blue and alpha of any image: gray, gray with alpha, RGB, RGBA, or more channels.
+OIIO::ImageBuf as_rgba(const OIIO::ImageBuf& image) {
+    const int n = image.spec().nchannels;  // -1: filled with a constant
+    const int order[] = {0, n >= 3 ? 1 : 0, n >= 3 ? 2 : 0, n == 2 ? 1 : n >= 4 ? 3 : -1};
+    const float fill[] = {0, 0, 0, 1};
+    return OIIO::ImageBufAlgo::channels(image, 4, order, fill);
+}
+
+/// Linear light as sRGB bytes, clamped; alpha is linear in both. NaN becomes 0.
+std::vector<std::uint8_t> srgb_bytes(const std::vector<float>& rgba) {
+    std::vector<std::uint8_t> out(rgba.size());
+    for (std::size_t i = 0; i < rgba.size(); ++i) {
+        const float v = rgba[i] > 0 ? std::min(rgba[i], 1.0f) : 0.0f;
+        out[i] = std::uint8_t(std::lround(255 * (i % 4 == 3 ? double(v) : srgb_from_linear(v))));
+    }
+    return out;
+}
+
+/// Throws Error(input).
+template <class T>
+std::vector<T> values_of(const OIIO::ImageBuf& rgba, const std::filesystem::path& file) {
+    std::vector<T> out(rgba.spec().image_pixels() * 4);
+    if (!rgba.get_pixels(rgba.roi(), OIIO::BaseTypeFromC<T>::value, out.data()))
+        fail(file, "cannot read: " + rgba.geterror());
+    return out;
+}
+
+RgbaImage read_with(bool profiles, const std::filesystem::path& file) {
+    using OIIO::TypeDesc;
+    OIIO::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1);
+    OIIO::ImageBuf image(file.string(), 0, 0, nullptr, &config);
+    const auto profile =
+        profiles ? profile_of(image.spec(), image.file_format_name().c_str(), file) : nullptr;
+    const bool converts = profile && profile->use.converts;
+    const bool linear = !converts && is_linear(image.spec(), image.file_format_name());
+    const bool words = converts && image.nativespec().format.size() > 1;
+    if (!image.read(0, 0, true, linear ? TypeDesc::FLOAT : words ? TypeDesc::UINT16 : TypeDesc::UINT8))
+        fail(file, "cannot read: " + image.geterror());
+    const auto bytes_of = [&](const OIIO::ImageBuf& rgba) {
+        if (linear) return srgb_bytes(values_of<float>(rgba, file));
+        if (words) return profile->converted(values_of<std::uint16_t>(rgba, file));
+        std::vector<std::uint8_t> bytes = values_of<std::uint8_t>(rgba, file);
+        if (converts) profile->convert(bytes);
+        return bytes;
+    };
+    RgbaImage photo = blank_image(image.spec().width, image.spec().height);
+    // Some rows at a time: only the photo itself is in memory twice.
+    constexpr int rows = 64;
+    auto to = photo.rgba.begin();
+    for (OIIO::ROI part = image.roi(); part.ybegin < image.roi().yend; part.ybegin += rows) {
+        part.yend = std::min(part.ybegin + rows, image.roi().yend);
+        to = std::ranges::copy(bytes_of(as_rgba(OIIO::ImageBufAlgo::cut(image, part))), to).out;
+    }
+    return photo;
+}
+
+RgbaImage read(const std::filesystem::path& file) { return read_with(true, file); }
+RgbaImage read_unprofiled(const std::filesystem::path& file) { return read_with(false, file); }
+
+void write(const std::filesystem::path& file, int width, int height, int channels, Sample sample,
+           std::span<const std::byte> pixels) {
+    const auto type = sample == Sample::u8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
+    const auto out = OIIO::ImageOutput::create(file.string());
+    OIIO::ImageSpec spec(width, height, channels, type);
+    spec.attribute("Compression", file.extension() == ".jpg" ? "jpeg:97" : "zip");
+    spec.attribute("jpeg:subsampling", "4:4:4");
+    if (channels == 4) {
+        spec.alpha_channel = 3;
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+    }
+    if (!out || !out->open(file.string(), spec) || !out->write_image(type, pixels.data()) || !out->close())
+        throw Error(Exit::storage, file.string() + ": cannot write" + (out ? ": " + out->geterror() : ""));
+}
+
+}  // namespace
+
+extern "C" const ImageFiles vantage_image_files;
+const ImageFiles vantage_image_files{read_header, read, read_unprofiled, write};
+
+}  // namespace vantage

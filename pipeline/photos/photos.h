@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "pipeline/photos/image_files.h"
+#include "scene/error.h"
+
+namespace vantage {
+
+/// Reads a photo's header; a JPEG is always given orientation 1. Throws Error(input).
+PhotoHeader read_photo_header(const std::filesystem::path& file);
+
+/// Decodes a photo: JPEG by libjpeg-turbo, everything else by OpenImageIO (gray, 16-bit, float, alpha, CMYK).
+/// Colors of an ICC profile are converted to sRGB (color_profile.h), those of 16 bits before they are rounded
+/// to 8. Pixels stay as stored, because cameras are calibrated on stored pixels; the EXIF orientation is
+/// applied only if the stored width and height are those of `expected`, swapped. Throws Error(input) if the
+/// photo is truncated, corrupt or of another size.
+RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected);
+/// The same from the file's bytes; `file` names them in messages and, unless they are a JPEG, is read again.
+RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
+                       PhotoSize expected);
+
+/// The same of an image whose values are not colors, such as a stencil: its color profile is ignored.
+RgbaImage read_unprofiled(const std::filesystem::path& file, PhotoSize expected);
+
+/// Whether these are the bytes of a JPEG of this size, which decode_photo does not transpose.
+bool is_upright_jpeg(std::span<const std::byte> bytes, PhotoSize size);
+
+/// The message of an error about this file without its path: "JPEG is corrupt ...".
+std::string reason_of(const Error& error, const std::filesystem::path& file);
+
+}  // namespace vantage

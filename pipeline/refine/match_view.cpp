@@ -1,0 +1,69 @@
+#include "pipeline/refine/match_view.h"
+
+#include <algorithm>
+#include <cstring>
+#include <opencv2/imgproc.hpp>
+
+#include "pipeline/package/tile_levels.h"
+#include "pipeline/refine/coarse_photo.h"
+#include "scene/error.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+namespace {
+
+using package::Type;
+
+/// One level of a photo's colors or depth.
+cv::Mat level_of(const PackageReader& package, const package::PhotoRecord& r, std::uint32_t photo, Type type,
+                 int level, int cv_type) {
+    const Level size = level_size(int(r.width), int(r.height), level);
+    const std::vector<std::byte> texels = read_level(package, r, photo, type, level);
+    cv::Mat out(size.height, size.width, cv_type);
+    std::memcpy(out.data, texels.data(), texels.size());
+    return out;
+}
+
+/// Normalizes by local mean and contrast, which differ with exposure, haze and shadow; leaves the detail.
+cv::Mat normalize_contrast(const cv::Mat& gray) {
+    cv::Mat mean, square;
+    const cv::Size window(25, 25);
+    cv::boxFilter(gray, mean, CV_32F, window);
+    cv::sqrBoxFilter(gray, square, CV_32F, window);
+    cv::Mat out(gray.size(), CV_8U);
+    for (int y = 0; y < out.rows; ++y) {
+        const auto* v = gray.ptr<std::uint8_t>(y);
+        const auto *m = mean.ptr<float>(y), *s = square.ptr<float>(y);
+        auto* o = out.ptr<std::uint8_t>(y);
+        for (int i = 0; i < out.cols; ++i) {
+            const float contrast = std::sqrt(std::max(s[i] - m[i] * m[i], 0.0f)) + 4;
+            o[i] = std::uint8_t(std::clamp(128 + 44 * (float(v[i]) - m[i]) / contrast, 0.0f, 255.0f));
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+MatchView read_match_view(const PackageReader& package, const package::PhotoRecord& r, std::uint32_t photo,
+                          int long_side) {
+    const int l = coarse_level(r, long_side);
+    const Level size = level_size(int(r.width), int(r.height), l);
+    MatchView out{l,
+                  intrinsics(r).at_level(l),
+                  cam_from_origin(r),
+                  {},
+                  level_of(package, r, photo, Type::depth, l, CV_32F)};
+    cv::Mat gray;
+    if (l < int(r.levels)) {
+        cv::cvtColor(level_of(package, r, photo, Type::tiles, l, CV_8UC4), gray, cv::COLOR_RGBA2GRAY);
+    } else {
+        cv::Mat finer;
+        cv::cvtColor(level_of(package, r, photo, Type::tiles, 0, CV_8UC4), finer, cv::COLOR_RGBA2GRAY);
+        cv::resize(finer, gray, {size.width, size.height}, 0, 0, cv::INTER_AREA);
+    }
+    out.gray = normalize_contrast(gray);
+    return out;
+}
+
+}  // namespace vantage

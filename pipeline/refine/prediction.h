@@ -1,0 +1,49 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <span>
+
+#include "pipeline/refine/sightings.h"
+
+namespace vantage {
+
+/// One way to correct and weight the other photos. Spans have one element per photo of the scene, or none if
+/// the correction is not applied.
+struct Alternative {
+    std::span<const std::array<double, 3>> ln_gain{};
+    std::span<const std::array<double, 3>> falloff{};       ///< see ColorFit
+    std::span<const Grid<const std::uint8_t>> consensus{};  ///< 255: not contradicted; by the photo's texels
+    std::array<double, 3> view_falloff{};                   ///< of the predicted photo's lens
+};
+
+/// A photo as the others show it.
+struct Prediction {
+    cv::Mat color;     ///< 32FC3, sRGB codes 0 to 255, R G B; NaN where no other photo sees the surface
+    double seams = 0;  ///< gray levels, see predict
+};
+
+/// Blends the sightings as shaders/blend.frag does for the lumigraph.
+///
+/// `seams` measures where the change of the weights, and not the subject, changes the color: the surface at
+/// each of two neighboring pixels is also blended with the weights of the other one, and the difference is
+/// the step that a viewer sees. Mean over neighbors on one surface, of smoothed colors: patches
+/// of another exposure remain, and fine detail that photos show in slightly different places does not.
+Prediction predict(const CoarsePhoto& target, const Sightings& sightings, const Alternative& alternative);
+
+/// A photo's own colors in the form of a prediction.
+cv::Mat own_color(const CoarsePhoto& photo);
+
+/// The difference of a prediction from the photo, over the scored pixels.
+struct JudgeScore {
+    std::size_t pixels = 0;  ///< scored; if 0, the other values are 0
+    double psnr = 0;         ///< dB, after the best gain per channel
+    double ssim = 0;         ///< of luminance, after these gains
+    double seams = 0;        ///< see predict
+};
+
+/// Scores predictions of one photo on the pixels that all of them color, a border of 3 pixels left out, as in
+/// player/measure.
+std::vector<JudgeScore> score(const cv::Mat& own, std::span<const Prediction> predictions);
+
+}  // namespace vantage

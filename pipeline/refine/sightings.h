@@ -1,0 +1,44 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pipeline/refine/coarse_photo.h"
+
+namespace vantage {
+
+/// What another photo shows of the surface at a pixel.
+struct Sighting {
+    std::uint32_t photo;  ///< index in the scene
+    float root[3];        ///< square roots of linear light, as exposed
+    float smooth[3];      ///< the same of CoarsePhoto's `smooth`
+    float theta;          ///< radians, between the rays from the surface to the viewer and to the photo
+    float weight;         ///< of the lumigraph, without consensus
+    float x, y;           ///< position in the other photo, texels
+    float radius2;        ///< square of falloff_radius there
+};
+
+/// The sightings of every pixel of a view, pixel by pixel.
+struct Sightings {
+    std::vector<Sighting> all;
+    std::vector<std::uint32_t> first;  ///< start of each pixel's in `all`, and the end
+    std::span<const Sighting> at(std::size_t pixel) const {
+        return std::span(all).subspan(first[pixel], first[pixel + 1] - first[pixel]);
+    }
+};
+
+/// A photo that a view may be rendered from.
+struct OtherPhoto {
+    std::uint32_t index;
+    const CoarsePhoto* photo;
+    Pose pose;  ///< with which it is projected; its depth remains that under the pose in `photo`
+};
+
+/// Projects the surface that `target` sees into the others: as shaders/blend.frag does with coordinates per
+/// fragment, from the same visibility test and weights. Nothing of the target but its camera and depth is
+/// read.
+Sightings sightings(const CoarsePhoto& target, std::span<const OtherPhoto> others);
+/// With another pose of the target than that from which its depth was rendered.
+Sightings sightings(const CoarsePhoto& target, const Pose& pose, std::span<const OtherPhoto> others);
+
+}  // namespace vantage

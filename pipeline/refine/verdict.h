@@ -1,0 +1,38 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/refine/prediction.h"
+#include "scene/effects.h"
+
+namespace vantage {
+
+/// A photo left out of everything and predicted from the others: without an effect, and with it.
+struct JudgedPhoto {
+    std::string name;
+    JudgeScore without, with;
+};
+
+/// Summarizes photos of at least 200 scored pixels; no photos: all 0. `noise` is the standard error of the
+/// mean if chance made as many photos gain as lose, by as much: where one wrong camera is mended, few photos
+/// gain much and none loses, and the spread of the gains is not noise.
+Judgment summarize(std::span<const JudgedPhoto> photos);
+
+/// Fewer photos do not judge an effect.
+inline constexpr int min_judged_photos = 3;
+
+/// Whether an effect is worth having: left-out photos gain (more than twice the noise, or twice the standard
+/// error of the mean), or lose nothing within that error while seams fall by a tenth; and no photo loses more
+/// than 0.75 dB. False for fewer than three photos.
+bool is_called_for(const Judgment& judgment);
+
+/// Lets left-out photos confirm an effect that is on: adds the judgment and its sentence to the decision, and
+/// switches the effect off if it is not called for. A choice or too few photos leave it on.
+void confirm(EffectDecision& decision, const Judgment& judgment);
+
+/// One sentence about a judgment, such as "left-out photos gain 0.21 dB (+-0.05; 1 of 10 worse)".
+std::string sentence(const Judgment& judgment);
+
+}  // namespace vantage

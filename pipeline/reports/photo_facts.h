@@ -1,0 +1,35 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/input/scene_input.h"
+#include "pipeline/photos/image_files.h"
+
+namespace vantage {
+
+/// Photos of one file format and size.
+struct PhotoGroup {
+    std::string format;  ///< see format_of()
+    PhotoSize size;      ///< as stored; 0 x 0 if their headers cannot be read
+    std::size_t photos = 0;
+    std::uint64_t bytes = 0;  ///< of the files
+};
+
+/// The photos in a folder, whether they have a camera or not.
+struct PhotoFacts {
+    std::vector<PhotoGroup> groups;  ///< those of most photos first
+    std::vector<UnusablePhoto> unreadable;
+    std::size_t stencils = 0;  ///< photos that have one
+
+    std::size_t photos() const;
+    std::uint64_t bytes() const;
+    double pixels() const;
+};
+
+/// Reads the photos' headers. Throws Error(input) if the folder cannot be read.
+PhotoFacts photo_facts(const std::filesystem::path& folder);
+
+}  // namespace vantage

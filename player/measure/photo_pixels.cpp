@@ -1,0 +1,47 @@
+#include "player/measure/photo_pixels.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "agreement/read_level.h"
+#include "scene/halve.h"
+#include "scene/tiling.h"
+
+namespace vantage {
+
+namespace {
+
+/// A level of color or masks, assembled from its tiles.
+RgbaImage stored_level(const PackageReader& package, package::Type type, std::uint32_t photo, int level) {
+    const package::PhotoRecord& record = package.photos()[photo];
+    const package::DirectoryEntry* chunk = package.find(type, photo, std::uint32_t(level));
+    if (!record.levels || !chunk) throw std::invalid_argument("no such level of a photo");
+    const Level size = level_size(int(record.width), int(record.height), level);
+    RgbaImage image = blank_image(size.width, size.height);
+    std::ranges::copy(join_tiles(package, *chunk, size),
+                      std::as_writable_bytes(std::span(image.rgba)).begin());
+    return image;
+}
+
+Picture picture_of(RgbaImage image) { return {image.width, image.height, std::move(image.rgba), {}}; }
+
+}  // namespace
+
+Picture photo_at_level(const PackageReader& package, std::uint32_t photo, int level) {
+    if (!package.find(package::Type::tiles, photo, std::uint32_t(level)))
+        throw std::invalid_argument("no such level of a photo");
+    RgbaImage image = stored_level(package, package::Type::tiles, photo, 0);
+    for (int l = 0; l < level; ++l) image = halve(image);
+    return picture_of(std::move(image));
+}
+
+Picture masks_at_level(const PackageReader& package, std::uint32_t photo, int level) {
+    return picture_of(stored_level(package, package::Type::masks, photo, level));
+}
+
+View view_of_level(const package::PhotoRecord& photo, int level) {
+    return {intrinsics(photo).at_level(level), cam_from_origin(photo), exposure_of(photo)};
+}
+
+}  // namespace vantage

@@ -1,0 +1,90 @@
+#include "player/pictures/flight_frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "player/camera/camera_path.h"
+#include "player/camera/camera_spline.h"
+#include "player/camera/turntable.h"
+#include "player/pictures/video_encoder.h"
+#include "player/story/story_views.h"
+#include "scene/error.h"
+#include "story/story_file.h"
+
+namespace vantage {
+namespace {
+
+constexpr double turn_seconds = 12, seconds_per_view = 3;
+
+std::size_t frame_count(double seconds, double frame_rate) {
+    constexpr double most = 1e6;
+    const double count = std::round(seconds * frame_rate);
+    if (!(count <= most))
+        throw Error(Exit::usage, "a video of more than a million frames, expected fewer --seconds");
+    return std::max<std::size_t>(1, std::size_t(count));
+}
+
+Navigation turntable_start(const PackageReader& package, const ShowOptions& o, FrameSize size) {
+    const Eigen::Vector3d up = mean_up(package.photos());
+    if (!o.pictures.view.empty()) {
+        const auto [view, distance] = parse_view_and_distance(o.pictures.view, package, size);
+        return stand_at(view, up, distance);
+    }
+    if (!o.package.photos.empty())
+        return stand_at(package.photos()[named_photos(package, o.package.photos).front()], up);
+    return framed(package, double(size.width) / size.height);
+}
+
+std::vector<KeyView> tour_keys(const PackageReader& package, const Story& story,
+                               const std::filesystem::path& file, const std::string& name) {
+    const StoryTour* tour = tour_of(story, name);
+    std::string tours;
+    for (const StoryTour& t : story.tours) tours += (tours.empty() ? "" : ", ") + t.id;
+    if (!tour)
+        throw Error(Exit::usage, "--tour " + name + ": " + file.string() + " has no such tour, expected " +
+                                     (tours.empty() ? "one of its tours, but it has none" : tours));
+    return keys_of(story, tour->stops, {}, input_axes(package), file.string());
+}
+
+/// The first frame is at the first key, the last one at the last.
+std::vector<Navigation> frames_along(const std::vector<KeyView>& keys, const VideoOptions& o) {
+    const CameraSpline spline(keys);
+    const double start = keys.front().seconds, length = spline.seconds() - start;
+    const std::size_t steps = frame_count(o.seconds > 0 ? o.seconds : length, o.frame_rate);
+    std::vector<Navigation> out;
+    for (std::size_t i = 0; i <= steps; ++i)
+        out.push_back(spline.at(start + length * double(i) / double(steps)));
+    return out;
+}
+
+}  // namespace
+
+bool wants_video(const ShowOptions& o) {
+    const bool along = !o.pictures.path.empty() && (!o.pictures.offscreen || is_video_file(o.output.file));
+    return o.video.turntable || !o.video.tour.empty() || along;
+}
+
+Story story_beside(const std::filesystem::path& package) {
+    const std::filesystem::path file = story_file_of(package);
+    std::error_code error;
+    if (file.empty() || !std::filesystem::exists(std::filesystem::symlink_status(file, error))) return {};
+    return read_story(file).story;
+}
+
+std::vector<Navigation> flight_frames(const PackageReader& package, const ShowOptions& o, const Story& story,
+                                      FrameSize size) {
+    if (int(o.video.turntable) + int(!o.video.tour.empty()) + int(!o.pictures.path.empty()) != 1)
+        throw Error(Exit::usage, "a video needs one of --turntable, --tour and --path");
+    if (o.video.turntable) {
+        const std::size_t count =
+            frame_count(o.video.seconds > 0 ? o.video.seconds : turn_seconds, o.video.frame_rate);
+        return turntable(turntable_start(package, o, size), int(count), o.video.arc);
+    }
+    return frames_along(o.video.tour.empty()
+                            ? path_keys(o.pictures.path, package, seconds_per_view)
+                            : tour_keys(package, story, story_file_of(o.package.file), o.video.tour),
+                        o.video);
+}
+
+}  // namespace vantage

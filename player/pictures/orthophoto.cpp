@@ -1,0 +1,164 @@
+#include "player/pictures/orthophoto.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "cli/progress_line.h"
+#include "files/make_folder.h"
+#include "files/output_file.h"
+#include "files/package_inputs.h"
+#include "files/png_rows.h"
+#include "gl/context.h"
+#include "player/pictures/tiff_rows.h"
+#include "player/render/picture.h"
+#include "player/survey/survey.h"
+#include "scene/error.h"
+#include "scene/point_cloud.h"
+#include "scene/replace_file.h"
+#include "values/formatted.h"
+
+namespace vantage {
+namespace {
+
+constexpr int tile_pixels = 1024;
+constexpr std::int64_t most_row_bytes = std::int64_t(64) << 20;
+
+/// The view of the whole picture; those of its tiles differ in size and principal point only.
+View view_of(const Orthophoto& o, const package::SceneRecord& scene) {
+    const Eigen::Map<const Eigen::Vector3d> origin(scene.origin);
+    const Eigen::Vector3d middle = origin - o.plane.origin;
+    const double size = std::max(bounds_from_origin(scene).diagonal().norm(), o.resolution);
+    View view = orthographic_view(Eigen::Vector3d::Zero(), o.plane.right, -o.plane.up, 1 / o.resolution, size,
+                                  o.width, o.height);
+    view.intrinsics.cx = (o.plane.right.dot(middle) - o.upper_left.x()) / o.resolution;
+    view.intrinsics.cy = (o.upper_left.y() - o.plane.up.dot(middle)) / o.resolution;
+    return view;
+}
+
+/// A part of a view.
+View cut(View view, int left, int top, int width, int height) {
+    view.intrinsics.width = width;
+    view.intrinsics.height = height;
+    view.intrinsics.cx -= left;
+    view.intrinsics.cy -= top;
+    return view;
+}
+
+RenderSettings orthophoto_settings(const PackageReader& package, const OrthophotoOptions& o) {
+    if (points_only(package.scene()))
+        throw Error(Exit::usage, package.path().string() + ": has points only; an orthophoto needs a mesh");
+    RenderSettings settings = render_settings(package, o.blending, Purpose::pictures);
+    settings.photos = 0;  // a choice of photos would differ from tile to tile
+    settings.surroundings = ShowSurroundings::off;
+    settings.points.show = false;
+    settings.fill_holes = o.blending.holes == "shade";
+    settings.fill_background = false;
+    settings.light = light_settings(o.light);
+    return settings;
+}
+
+struct Files {
+    std::filesystem::path picture, world;  ///< no world file: a TIFF, which needs none
+};
+
+/// With links followed. Throws Error(usage) if one must not be replaced.
+Files output_files(const PackageReader& package, const OrthophotoOptions& o) {
+    std::filesystem::path file = o.output.file;
+    if (file.empty()) file = package.path().stem().string() + "-orthophoto.png";
+    const Inputs inputs = inputs_of(package);
+    if (file.extension() == ".tif" || file.extension() == ".tiff")
+        return {output_file(file, Product::tiff, inputs, o.output.force), {}};
+    if (file.extension() != ".png")
+        throw Error(Exit::usage, file.string() + ": expected a name that ends with .png or .tif");
+    std::filesystem::path world = file;
+    world.replace_extension(".pgw");
+    return {output_file(file, Product::png, inputs, o.output.force),
+            output_file(world, Product::world, inputs, o.output.force)};
+}
+
+}  // namespace
+
+Orthophoto orthophoto_of(const PicturePlane& plane, const Eigen::AlignedBox2d& extent, double resolution) {
+    constexpr double rounding = 1 - 1e-9;
+    const Eigen::Vector2d pixels = (extent.sizes() * (rounding / resolution)).array().ceil().max(1);
+    if (!(pixels.maxCoeff() <= PngRows::most_pixels))
+        throw Error(
+            Exit::usage,
+            formatted(
+                "--resolution %g: the picture would have %.6g x %.6g pixels, at most %d a side are possible",
+                resolution, pixels.x(), pixels.y(), PngRows::most_pixels));
+    return {plane, {extent.min().x(), extent.max().y()}, resolution, int(pixels.x()), int(pixels.y())};
+}
+
+TileSize tile_size_for(int width) {
+    const std::int64_t rows = most_row_bytes / (4 * std::int64_t(width)) / 2 * 2;
+    return {tile_pixels, int(std::clamp<std::int64_t>(rows, 16, tile_pixels))};
+}
+
+std::size_t draw_orthophoto(Renderer& renderer, const Orthophoto& o, const RenderSettings& settings,
+                            std::span<const std::uint32_t> photos, int samples, TileSize tile,
+                            const std::function<void(std::span<const std::uint8_t>)>& row,
+                            const std::function<void(std::size_t done, std::size_t all)>& progress) {
+    const View whole = view_of(o, renderer.package().scene());
+    const auto across = std::size_t((o.width + tile.width - 1) / tile.width),
+               down = std::size_t((o.height + tile.height - 1) / tile.height);
+    const std::size_t stride = 4 * std::size_t(o.width);
+    std::size_t damaged = 0, done = 0;
+    std::vector<std::uint8_t> rows(stride * std::size_t(std::min(tile.height, o.height)));
+    for (int top = 0; top < o.height; top += tile.height) {
+        const int height = std::min(tile.height, o.height - top);
+        for (int left = 0; left < o.width; left += tile.width) {
+            // Always of one size, also where less is left: another one would have to be allocated.
+            const View view =
+                cut(whole, left, top, std::min(tile.width, o.width), std::min(tile.height, o.height));
+            const Picture part = take_picture(renderer, view, settings, photos, samples);
+            damaged = std::max(damaged, part.report.tiles_damaged);
+            const int bytes = 4 * std::min(part.width, o.width - left);
+            for (int y = 0; y < height; ++y)
+                std::copy_n(part.rgba.begin() + std::ptrdiff_t(y) * part.width * 4, bytes,
+                            rows.begin() + std::ptrdiff_t(stride) * y + std::ptrdiff_t(left) * 4);
+            progress(++done, across * down);
+        }
+        for (std::size_t y = 0; y < std::size_t(height); ++y)
+            row(std::span(rows).subspan(stride * y, stride));
+    }
+    return damaged;
+}
+
+int run_orthophoto(const PackageReader& package, const OrthophotoOptions& o) {
+    const RenderSettings settings = orthophoto_settings(package, o);
+    const PicturePlane plane = parse_plane(o.plane, survey_up(package.photos()));
+    const Orthophoto picture = orthophoto_of(
+        plane, o.extent.empty() ? extent_on(plane, package.scene()) : parse_extent(o.extent), o.resolution);
+    const Files files = output_files(package, o);
+    const gl::HeadlessContext context;
+    Renderer renderer(package, memory_budget(o.memory));
+    if (files.picture.has_parent_path()) make_folder(files.picture.parent_path());
+    std::size_t damaged = 0;
+    const auto write = [&](auto&& file) {
+        ProgressLine progress(o.output.quiet ? ProgressStyle::none : ProgressStyle::automatic, 10);
+        damaged = draw_orthophoto(
+            renderer, picture, settings, photos_in_use(package, o.package), o.samples,
+            tile_size_for(picture.width), [&](std::span<const std::uint8_t> row) { file.add(row); },
+            [&](std::size_t done, std::size_t all) {
+                progress.show({"tiles", "", done, all});
+            });
+        file.finish();
+    };
+    if (files.world.empty()) {
+        write(TiffRows(files.picture, picture.width, picture.height, picture.upper_left, picture.resolution));
+    } else {
+        write(PngRows(files.picture, picture.width, picture.height));
+        replace_file(files.world, world_file_text(picture.upper_left, picture.resolution));
+    }
+    if (!o.output.quiet)
+        std::printf("%s  %dx%d, %g units per pixel, upper left corner %.10g, %.10g%s\n",
+                    files.picture.c_str(), picture.width, picture.height, picture.resolution,
+                    picture.upper_left.x(), picture.upper_left.y(),
+                    damaged ? "  damaged tiles were replaced by coarser ones" : "");
+    return damaged ? int(Exit::damaged) : int(Exit::ok);
+}
+
+}  // namespace vantage
