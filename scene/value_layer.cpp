@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "scene/error.h"
 #include "values/json_text.h"
@@ -13,13 +12,11 @@ namespace {
 
 /// Names in META; numbers in their place if it is not as expected.
 std::vector<std::string> layer_names(const PackageReader& package, std::size_t count) {
-    const auto meta = json_of(package.meta());
-    std::vector<std::string> out;
-    for (std::size_t i = 0; i < count; ++i) out.push_back(std::to_string(i + 1));
-    if (!meta.is_object() || !meta.contains("scalars") || !meta["scalars"].is_array()) return out;
-    for (std::size_t i = 0; i < std::min(count, meta["scalars"].size()); ++i)
-        if (const auto& name = meta["scalars"][i]; name.is_string()) out[i] = name.get<std::string>();
-    return out;
+    std::vector<std::string> names = texts_in(package.meta(), "scalars");
+    names.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+        if (names[i].empty()) names[i] = std::to_string(i + 1);
+    return names;
 }
 
 }  // namespace

@@ -20,6 +20,6 @@ foreach(suite ${suites})
   endif()
   string(APPEND entries "add_test([==[${suite}]==] \"${PROGRAM}\" \"--gtest_filter=${suite}.*\")\n"
     "set_tests_properties([==[${suite}]==] PROPERTIES TIMEOUT ${TIMEOUT} COST ${cost} ${labels}\n"
-    "  ENVIRONMENT \"RC_PARAMS=seed=1;VANTAGE_DEBUG_GL=1\")\n")
+    "  ENVIRONMENT \"RC_PARAMS=seed=1;VANTAGE_DEBUG_GL=1;LP_NUM_THREADS=0\")\n")
 endforeach()
 file(WRITE ${TO} "${entries}")

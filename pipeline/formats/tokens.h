@@ -70,7 +70,7 @@ class Tokens {
     T number(const char* what) {
         const std::string_view w = word(what);
         T value{};
-        if (!parse_number(w, value)) fail(what, "'" + std::string(w.substr(0, 40)) + "'");
+        if (!parse_number(w, value)) fail(what, std::string("'").append(w.substr(0, 40)) + "'");
         return value;
     }
     /// Skips a line that starts with #; false if there is none.

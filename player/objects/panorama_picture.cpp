@@ -20,7 +20,7 @@ constexpr double slice_fading = 0.2;  ///< the same for slices, as a tangent
 
 bool fills(const RenderSettings& settings) { return settings.surroundings != ShowSurroundings::off; }
 
-/// What two views consisted of, one after the other: what was found of late is that of the second.
+/// What two views consisted of, one after the other: what was found recently is that of the second.
 FrameReport followed(const FrameReport& first, const FrameReport& second) {
     FrameReport out = joined(first, second);
     out.tiles_damaged = second.tiles_damaged;

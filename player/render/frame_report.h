@@ -9,8 +9,8 @@ struct FrameReport {
     std::size_t tiles = 0;          ///< needed
     std::size_t tiles_missing = 0;  ///< needed and not resident: coarser ones were shown
     std::size_t tiles_to_come = 0;  ///< and thumbnails: of those missing, as many as there is space for
-    std::size_t tiles_damaged = 0;  ///< found of late
-    std::size_t tiles_absent = 0;   ///< that a server did not give of late
+    std::size_t tiles_damaged = 0;  ///< found recently
+    std::size_t tiles_absent = 0;   ///< that a server did not give recently
     std::size_t points = 0;         ///< of the cloud, drawn
     std::size_t nodes_missing = 0;  ///< of the cloud, needed and not resident
     std::size_t fragments = 0;      ///< of transparent surfaces, in the last frame that was read back

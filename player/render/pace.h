@@ -29,7 +29,7 @@ struct Pacing {
     Pace pace;
     double usual = 0;  ///< ms that a frame of full size would take; 0: not known
     Pace before{};     ///< before frames suddenly took longer
-    int watched = 0;   ///< frames for which that may prove to have passed; 0: it has not happened of late
+    int watched = 0;   ///< frames for which that may prove to have passed; 0: it has not happened recently
     double all_photos = most_for_all_photos;  ///< as for next_pace(), as far as frames have shown
     double last = 0;          ///< ms that a frame of full size would take by the last time; 0: none
     bool last_swift = false;  ///< that frame

@@ -80,7 +80,7 @@ class Renderer {
     Eigen::Vector2d depth_terms() const { return depth_terms_; }
 
     const PackageReader& package() const { return *package_; }
-    /// Why a server did not give all that was requested of late; empty if it did, and for a file.
+    /// Why a server did not give all that was requested recently; empty if it did, and for a file.
     std::string failure() const;
     const PlanScene& scene() const { return scene_; }
     std::span<const ValueLayer> layers() const { return passes_.layers(); }

@@ -65,7 +65,7 @@ class PhotoStore {
     const Residency& residency() const { return *residency_; }
     StreamedSoFar streamed() const { return stream_.streamed(); }
     std::size_t waiting() const { return stream_.waiting(); }
-    /// Why a server did not give all that was requested of late; empty if it did.
+    /// Why a server did not give all that was requested recently; empty if it did.
     std::string failure() const {
         return residency_ && residency_->absent_count() > 0 ? stream_.failure() : std::string();
     }

@@ -45,7 +45,7 @@ class PointStore {
     std::uint64_t growth() const;
     std::size_t damaged() const;
     std::size_t absent() const { return failed_.size() - damaged(); }
-    /// Why a server did not give all that was requested of late; empty if it did.
+    /// Why a server did not give all that was requested recently; empty if it did.
     std::string failure() const { return absent() > 0 ? stream_.failure() : std::string(); }
 
   private:

@@ -71,7 +71,7 @@ class Residency {
     /// Whether a resource was damaged or could not be fetched.
     bool failed(const StreamRequest& r) const { return failed_.contains(r.identity()); }
     std::size_t damaged_count() const;
-    /// Resources that could not be fetched of late.
+    /// Resources that could not be fetched recently.
     std::size_t absent_count() const { return failed_.size() - damaged_count(); }
     /// No tile is fading in.
     bool settled() const { return !fades_ || now_ < last_arrival_ || now_ >= last_arrival_ + fade_seconds; }

@@ -41,7 +41,7 @@ class PowerCutAtLength : public PowerCut {};
 
 }  // namespace
 
-TEST_F(PowerCut, LeavesTheOldPackageOrTheNewOne) { expect_old_or_new_after(8); }
+TEST_F(PowerCut, LeavesTheOldPackageOrTheNewOne) { expect_old_or_new_after(4); }
 
 TEST_F(PowerCutAtLength, LeavesTheOldPackageOrTheNewOne) {
     expect_old_or_new_after(number_from("VANTAGE_POWER_CUTS", 60));

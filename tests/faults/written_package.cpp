@@ -40,8 +40,8 @@ void WrittenPackage::SetUp() {
     }
     WritingCommand merge{"merge", "merge --progress none" + shares + " -o " + package.string(), first.after,
                          update.after};
-    WritingCommand refine{"refine", "refine --progress none --effect exposure=on " + package.string(), first.after,
-                          ""};
+    WritingCommand refine{"refine", "refine --progress none --effect exposure=on " + package.string(),
+                          first.after, ""};
     refine.after = made_by(refine);
     EXPECT_NE(first.after, update.after);
     EXPECT_NE(first.after, refine.after);

@@ -177,6 +177,7 @@ class Geometry : public TemporaryFolder {
         }
     }
 };
+class GeometryAtLength : public Geometry {};
 
 }  // namespace
 
@@ -275,7 +276,7 @@ TEST_F(Geometry, InvalidNormalsAreRecomputed) {
     expect_same(shown(scene.mesh).pictures, shown(mesh).pictures);
 }
 
-TEST_F(Geometry, VisibilityDoesNotDependOnWindingOrNormals) {
+TEST_F(GeometryAtLength, VisibilityDoesNotDependOnWindingOrNormals) {
     subdivide_large_triangles(scene.mesh,
                               main_box(scene.mesh));  // done here because it depends on the order of corners
     const Result sound = shown(scene.mesh);
@@ -414,7 +415,7 @@ TEST_F(Geometry, SurfaceDiscsAreTheSameAtAllScales) {
     }
 }
 
-TEST_F(Geometry, TenMillionTrianglesAreAllClustered) {
+TEST_F(GeometryAtLength, TenMillionTrianglesAreAllClustered) {
     // A wavy grid of ten million triangles.
     constexpr std::uint32_t side = 2237;
     std::vector<Eigen::Vector3f> positions;

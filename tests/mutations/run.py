@@ -43,10 +43,10 @@ def fresh_copy(copy):
             stop(done.stderr.strip())
 
 
-def build(copy, parallel):
+def build(copy, parallel, full):
     made = run("cmake", "-S", copy, "-B", copy / "build", "-G", "Ninja", "-DBUILD_TESTING=ON")
     if made.returncode == 0:
-        made = run("cmake", "--build", copy / "build", "--parallel", parallel)
+        made = run("cmake", "--build", copy / "build", "--target", "all" if full else "suite", "--parallel", parallel)
     return made.returncode == 0, made.stdout + made.stderr
 
 
@@ -67,7 +67,7 @@ def judge(patch, copy, parallel, full):
     applied = run("git", "-C", copy, "apply", patch)
     if applied.returncode:
         stop(f"{patch.name} does not apply: {applied.stderr.strip()}")
-    built, log = build(copy, parallel)
+    built, log = build(copy, parallel, full)
     if not built:
         stop(f"{patch.name} does not build:\n{log[-4000:]}")
     chosen = [] if full else ["-LE", "full"]

@@ -79,6 +79,7 @@ class Bands : public TemporaryFolder {
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(dir / "says")};
     }
 };
+class BandsAtLength : public Bands {};
 
 std::vector<std::uint32_t> all(const PackageReader& package) {
     std::vector<std::uint32_t> photos(package.photos().size());
@@ -427,7 +428,7 @@ TEST_F(Bands, NumbersOutOfRangeAreRefused) {
     EXPECT_EQ(message(records, "../../up", 9), "BAND: band 0 has no name of its own that a folder may have");
 }
 
-TEST_F(Bands, EvaluatePredictsAPhotoFromItsOwnBand) {
+TEST_F(BandsAtLength, EvaluatePredictsAPhotoFromItsOwnBand) {
     make(small_scene());
     prepared("scene");
     for (const std::string band : {"visible", "infrared"}) {
@@ -448,7 +449,7 @@ TEST_F(Bands, EvaluatePredictsAPhotoFromItsOwnBand) {
     }
 }
 
-TEST_F(Bands, ProgramsKnowThem) {
+TEST_F(BandsAtLength, ProgramsKnowThem) {
     make(small_scene());
     const std::string file = prepared().path().string(), player = VANTAGE_PLAYER " ",
                       vantage = VANTAGE_PROGRAM " ";

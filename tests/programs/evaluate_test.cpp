@@ -79,6 +79,7 @@ class Evaluate : public TemporaryFolder {
         return evaluate(corrects_exposure, photo).front();
     }
 };
+class EvaluateAtLength : public Evaluate {};
 
 /// Repaints a photo's file: `paint` gets each pixel's channels and place.
 void repaint(const fs::path& file, const auto& paint) {
@@ -132,7 +133,7 @@ bool reports_offset(const LeftOut& r) {
 
 }  // namespace
 
-TEST_F(Evaluate, ComparesWithThePhotoItselfWhateverTheFormOfTiles) {
+TEST_F(EvaluateAtLength, ComparesWithThePhotoItselfWhateverTheFormOfTiles) {
     const auto truth = [&](EffectChoice compact, int level) {
         PrepareSettings settings;
         settings.effects[Effect::compact] = compact;
@@ -142,7 +143,7 @@ TEST_F(Evaluate, ComparesWithThePhotoItselfWhateverTheFormOfTiles) {
         EXPECT_TRUE(truth(EffectChoice::on, level) == truth(EffectChoice::off, level)) << level;
 }
 
-TEST_F(Evaluate, GoodSceneGetsNoRemarks) {
+TEST_F(EvaluateAtLength, GoodSceneGetsNoRemarks) {
     for (const LeftOut& r : evaluate()) {
         EXPECT_GT(r.score.psnr_gain, 22) << r.name;
         EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), 0.5) << r.name;
@@ -151,7 +152,7 @@ TEST_F(Evaluate, GoodSceneGetsNoRemarks) {
     }
 }
 
-TEST_F(Evaluate, WrongCameraIsDetectedWithItsOffset) {
+TEST_F(EvaluateAtLength, WrongCameraIsDetectedWithItsOffset) {
     constexpr double off = 2.5;  // pixels at full size
     Camera& camera = scene.photos[2].camera;
     Pose& pose = camera.cam_from_world;
@@ -169,7 +170,7 @@ TEST_F(Evaluate, WrongCameraIsDetectedWithItsOffset) {
         EXPECT_LT(std::hypot(r.shift[0], r.shift[1]), r.photo == 2 ? 2 * off : 0.7 * off) << r.name;
 }
 
-TEST_F(Evaluate, StrangerInTheLeftOutPhotoMakesItOdd) {
+TEST_F(EvaluateAtLength, StrangerInTheLeftOutPhotoMakesItOdd) {
     repaint(scene.photos[2].file, paint_stranger);
     const LeftOut r = evaluate_photo(2);
     EXPECT_EQ(largest_at_colored(r.causes), Cause::odd_photo);
@@ -179,7 +180,7 @@ TEST_F(Evaluate, StrangerInTheLeftOutPhotoMakesItOdd) {
     EXPECT_LT(std::abs(region->place.y + region->place.height / 2 - 150), 80);
 }
 
-TEST_F(Evaluate, DarkThingInFrontIsNotCalledExposure) {
+TEST_F(EvaluateAtLength, DarkThingInFrontIsNotCalledExposure) {
     repaint(scene.photos[2].file, [](std::array<std::uint8_t, 3>& color, int x, int) {
         if (x < 360) color = {20, 40, 15};
     });
@@ -201,14 +202,14 @@ TEST_F(Evaluate, DarkerPhotoIsReportedWithItsStops) {
     EXPECT_FALSE(remarks_on(r, "something in front of it"));
 }
 
-TEST_F(Evaluate, StrangerInAnotherPhotoIsADisagreement) {
+TEST_F(EvaluateAtLength, StrangerInAnotherPhotoIsADisagreement) {
     repaint(scene.photos[1].file, paint_stranger);
     const std::vector<LeftOut> results = evaluate();
     EXPECT_EQ(largest_at_colored(results[1].causes), Cause::odd_photo);
     EXPECT_EQ(largest_at_colored(results[2].causes), Cause::disagreement);
 }
 
-TEST_F(Evaluate, WrongCameraDisplacesContent) {
+TEST_F(EvaluateAtLength, WrongCameraDisplacesContent) {
     Pose& pose = scene.photos[2].camera.cam_from_world;
     const double angle = 7 / scene.photos[2].camera.intrinsics.fx;
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).toRotationMatrix();
@@ -219,7 +220,7 @@ TEST_F(Evaluate, WrongCameraDisplacesContent) {
     EXPECT_GT(r.causes.colored_share(Cause::displaced), 0.5);
 }
 
-TEST_F(Evaluate, NoisyPhotoDiffersInFineDetail) {
+TEST_F(EvaluateAtLength, NoisyPhotoDiffersInFineDetail) {
     std::mt19937 random(4);
     repaint(scene.photos[2].file, [&](std::array<std::uint8_t, 3>& color, int, int) {
         for (std::uint8_t& v : color) v = std::uint8_t(std::clamp(int(v) + int(random() % 161) - 80, 0, 255));
@@ -313,7 +314,7 @@ TEST_F(Evaluate, WritesTablePagePicturesAndRegions) {
     EXPECT_EQ(lines, header + package.scene().vertices + package.scene().triangles);
 }
 
-TEST_F(Evaluate, ComparesWithAnEarlierEvaluation) {
+TEST_F(EvaluateAtLength, ComparesWithAnEarlierEvaluation) {
     copy_package(dir / "scene", {}, file);
     const PackageReader package(file);
     EvaluateOptions options;
@@ -384,7 +385,7 @@ TEST_F(Evaluate, PictureIsThatOfAPackagePreparedWithoutThePhoto) {
     EXPECT_NE(evaluated.rgba, picture(file, true).rgba) << "on whose masks the photo has voted";
 }
 
-TEST_F(Evaluate, CamerasAreRegisteredWithoutTheLeftOutPhoto) {
+TEST_F(EvaluateAtLength, CamerasAreRegisteredWithoutTheLeftOutPhoto) {
     // A wrong camera, which moves; the photo left out has a say in it.
     Pose& wrong = scene.photos[3].camera.cam_from_world;
     const Intrinsics k = scene.photos[3].camera.intrinsics;
@@ -419,7 +420,7 @@ TEST_F(Evaluate, CamerasAreRegisteredWithoutTheLeftOutPhoto) {
     EXPECT_EQ(cam_from_origin(before[2]).t, cam_from_origin(given[2]).t) << "viewed from its given camera";
 }
 
-TEST_F(Evaluate, JudgeFindsTheGainsThatThePlayerShows) {
+TEST_F(EvaluateAtLength, JudgeFindsTheGainsThatThePlayerShows) {
     SynthSpec spec = close_photos();
     spec.exposure.stops = 0.3;
     copy_scene(spec, dir / "exposed");

@@ -37,6 +37,7 @@ class Frames : public GardenPackage {
         return out;
     }
 };
+class FramesAtLength : public Frames {};
 
 struct Difference {
     int most = 0;
@@ -85,7 +86,7 @@ void expect_cut(const PackageReader& package, const View& view, std::vector<Sect
 
 }  // namespace
 
-TEST_F(Frames, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
+TEST_F(FramesAtLength, PhotosBlendedByPixelLookAsOnTheModelDrawnAgain) {
     const PackageReader package(file);
     const gl::HeadlessContext context;
     Renderer renderer(package, MemoryBudget{});

@@ -388,7 +388,7 @@ TEST_F(HeadsetProgram, ShowsToEachEyeWhatOffscreenPicturesShowToTheBit) {
     }
 }
 
-TEST_F(HeadsetProgram, FinePicturesAreThoseOfOffscreenRenderingToTheEye) {
+TEST_F(HeadsetProgramAtLength, FinePicturesAreThoseOfOffscreenRenderingToTheEye) {
     json s = scenario(40);
     s["save"] = {38};
     for (const int frame : {20, 34})
@@ -404,7 +404,7 @@ TEST_F(HeadsetProgram, FinePicturesAreThoseOfOffscreenRenderingToTheEye) {
     EXPECT_GT(psnr(seen, truth), 45) << "dB";
 }
 
-TEST_F(HeadsetProgram, KeepsToTheSpecificationWhateverTheRuntimeSays) {
+TEST_F(HeadsetProgramAtLength, KeepsToTheSpecificationWhateverTheRuntimeSays) {
     json s = scenario(120);
     s["profile"] = "/interaction_profiles/valve/index_controller";
     s["hands"] = {hand(8, "left", pointing({-0.2, 1.2, -0.2}, {0, 1, -3}), {{"/input/thumbstick", {0, 1}}}),
@@ -432,7 +432,7 @@ TEST_F(HeadsetProgram, KeepsToTheSpecificationWhateverTheRuntimeSays) {
         EXPECT_TRUE(f["should_render"].get<bool>() || f["layers"].empty()) << f["frame"];
 }
 
-TEST_F(HeadsetProgram, GoesOnWhenSessionOrRuntimeWereLost) {
+TEST_F(HeadsetProgramAtLength, GoesOnWhenSessionOrRuntimeWereLost) {
     json s = scenario(90);
     s["events"] = {{{"frame", 20}, {"lose", "session"}},
                    {{"frame", 50}, {"lose", "instance"}, {"unavailable", 2}}};
@@ -449,7 +449,7 @@ TEST_F(HeadsetProgram, GoesOnWhenSessionOrRuntimeWereLost) {
     EXPECT_GT(shown_between(50, 90), 30);
 }
 
-TEST_F(HeadsetProgram, ShowsOddFieldsOfViewAndDoesNotMindErrorsThatTheRuntimeLeaves) {
+TEST_F(HeadsetProgramAtLength, ShowsOddFieldsOfViewAndDoesNotMindErrorsThatTheRuntimeLeaves) {
     json s = scenario(20);
     s["rate"] = 72;
     s["careless"] = true;
@@ -492,7 +492,7 @@ TEST_F(HeadsetProgram, SaysInOneLineWhatIsMissing) {
          "xrEndFrame: XR_ERROR_RUNTIME_FAILURE");
 }
 
-TEST_F(HeadsetProgram, MirrorsTheLeftEyeInAWindow) {
+TEST_F(HeadsetProgramAtLength, MirrorsTheLeftEyeInAWindow) {
     if (std::system("command -v xvfb-run >/dev/null") != 0) GTEST_SKIP() << "no X server available";
     json s = scenario(30);
     s["extensions"] = {"XR_KHR_opengl_enable"};  // a context of GLX, and no depth
@@ -589,7 +589,7 @@ TEST_F(HeadsetProgramAtLength, TwoHandsMakeTheModelTwiceAsLarge) {
     EXPECT_NEAR(after / before, 2, 0.01) << "about the middle between the hands, where the eyes are";
 }
 
-TEST_F(HeadsetProgram, HandsOverTheDepthOfTheNearestObject) {
+TEST_F(HeadsetProgramAtLength, HandsOverTheDepthOfTheNearestObject) {
     const PackageReader package(file);
     const package::PhotoRecord& photo = package.photos()[2];
     const std::vector<Corners> mesh = triangles_of(make_plan_scene(package));
@@ -696,7 +696,7 @@ TEST_F(HeadsetProgramAtLength, TakesAVisitorFromStopToStopOfATour) {
     EXPECT_TRUE(has("Play Round"));
 }
 
-TEST_F(HeadsetProgram, MeasuresBetweenTwoPointsToAMillimeter) {
+TEST_F(HeadsetProgramAtLength, MeasuresBetweenTwoPointsToAMillimeter) {
     const PackageReader package(file);
     const PlanScene scene = make_plan_scene(package);
     const Room room(package.photos()[2], Vector3d::UnitZ(), {0, 1.6, 0}, 1);

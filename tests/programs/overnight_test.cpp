@@ -176,7 +176,7 @@ TEST_F(OvernightAtLength, EndsWithOneLineIfMemoryRunsOut) {
     EXPECT_GE(ran_out, 3);
 }
 
-TEST_F(Overnight, FinishesDespiteRepeatedKills) {
+TEST_F(OvernightAtLength, FinishesDespiteRepeatedKills) {
     const std::string bytes = undisturbed();
     int runs = 0;
     while (with_fault("pwrite:120:KILL").code != 0) ASSERT_LT(++runs, 50) << "no progress";
@@ -217,7 +217,7 @@ TEST_F(OvernightAtLength, FailureOfAnyOperationIsReportedInOneLineAndNothingIsLo
         {"ftruncate:1:ENOSPC", "pwrite:1:ENOSPC", "pwrite:120:EIO", "pwrite:90:EACCES", "fsync:1:EIO"});
 }
 
-TEST_F(Overnight, UpdatesInPlaceWithoutRoomForBoth) {
+TEST_F(OvernightAtLength, UpdatesInPlaceWithoutRoomForBoth) {
     PrepareSettings raw;
     raw.effects = {{Effect::compact, EffectChoice::off}};
     copy_package(scene, raw, file);

@@ -67,6 +67,7 @@ class Points : public TemporaryFolder {
     }
     SceneInput input;
 };
+class PointsAtLength : public Points {};
 
 /// Points of a pixel, drawn as they are, without shading.
 RenderSettings plain() {
@@ -289,7 +290,7 @@ TEST_F(Points, DamagedOnesAreReportedAndTheOthersShown) {
     EXPECT_GT(picture.report.points, 30'000u);
 }
 
-TEST_F(Points, HaveNoPartInScores) {
+TEST_F(PointsAtLength, HaveNoPartInScores) {
     const auto scores = [&](const std::string& name) {
         prepared(name);
         const std::string file = (dir / name).string();

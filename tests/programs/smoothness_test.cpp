@@ -80,6 +80,7 @@ class SmoothnessOfFlights : public TemporaryFolder {
         return sum / n;
     }
 };
+class SmoothnessOfFlightsAtLength : public SmoothnessOfFlights {};
 
 double sum_of_means(const std::vector<FrameStep>& steps) {
     double sum = 0;
@@ -91,7 +92,7 @@ double largest_mean(const std::vector<FrameStep>& steps) { return smoothness_of(
 
 }  // namespace
 
-TEST_F(SmoothnessOfFlights, PhotoOfAnotherExposureIsFoundWhereItTakesOver) {
+TEST_F(SmoothnessOfFlightsAtLength, PhotoOfAnotherExposureIsFoundWhereItTakesOver) {
     make_package();
     const double consistent = sum_of_means(fly(1, 2)), dark = brightness_at(2);
     brighten();
@@ -111,7 +112,7 @@ TEST_F(SmoothnessOfFlights, PhotoOfAnotherExposureIsFoundWhereItTakesOver) {
     EXPECT_LT(corrected, 0.3 * toward);
 }
 
-TEST_F(SmoothnessOfFlights, AbruptChangesAreMeasuredAsLargerSteps) {
+TEST_F(SmoothnessOfFlightsAtLength, AbruptChangesAreMeasuredAsLargerSteps) {
     const double dark = (make_package(), brightness_at(2));
     brighten();
     make_package();

@@ -29,6 +29,7 @@ class StereoPictures : public GardenPackage {
         return read_png(GardenPackage::offscreen(name, options));
     }
 };
+class StereoPicturesAtLength : public StereoPictures {};
 
 /// A part of a picture.
 Picture part(const Picture& p, int left, int top, int width, int height) {
@@ -65,7 +66,7 @@ double difference_of_frames(const Picture& a, const Picture& b) {
 
 }  // namespace
 
-TEST_F(StereoPictures, AreTwoSinglePicturesToTheBit) {
+TEST_F(StereoPicturesAtLength, AreTwoSinglePicturesToTheBit) {
     const PackageReader package(file);
     const gl::HeadlessContext context;
     const View middle = view_of_photo(package.photos()[2], 0.7);
@@ -99,7 +100,7 @@ TEST_F(StereoPictures, AreTwoSinglePicturesToTheBit) {
         }
 }
 
-TEST_F(StereoPictures, AreTheSameHoweverTheirSurfaceIsDrawn) {
+TEST_F(StereoPicturesAtLength, AreTheSameHoweverTheirSurfaceIsDrawn) {
     copy_scene(garden_spec(60000, 400, 300), dir / "fine");
     PrepareSettings prepared;
     prepared.effects[Effect::surroundings] = EffectChoice::on;
@@ -204,7 +205,7 @@ TEST_F(StereoPictures, OfTheProgramAreArrangedAsAsked) {
     EXPECT_LE(most, 1) << "codes";
 }
 
-TEST_F(StereoPictures, OfAWindowAreThoseOfTwoEyes) {
+TEST_F(StereoPicturesAtLength, OfAWindowAreThoseOfTwoEyes) {
     if (std::system("command -v xvfb-run >/dev/null") != 0) GTEST_SKIP() << "no X server available";
     const auto window = [&](const std::string& name, const std::string& options) {
         const fs::path png = dir / (name + ".png");

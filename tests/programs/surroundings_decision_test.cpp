@@ -49,6 +49,7 @@ class SurroundingsDecision : public TemporaryFolder {
         return decision;
     }
 };
+class SurroundingsDecisionAtLength : public SurroundingsDecision {};
 
 PrepareSettings small_photos() {
     PrepareSettings s;
@@ -85,7 +86,7 @@ TEST_F(SurroundingsDecision, AFacadeInAGardenHasThem) {
     EXPECT_NE(d.evidence.find("over a plain color"), std::string::npos) << d.evidence;
 }
 
-TEST_F(SurroundingsDecision, ACastleUnderItsSkyHasThem) {
+TEST_F(SurroundingsDecisionAtLength, ACastleUnderItsSkyHasThem) {
     VANTAGE_DATASET(sceaux, "sceaux");
     const EffectDecision d = decided(sceaux, small_photos());
     EXPECT_TRUE(d.on) << d.evidence;
@@ -93,7 +94,7 @@ TEST_F(SurroundingsDecision, ACastleUnderItsSkyHasThem) {
     EXPECT_GT(d.judgment->gain, 3) << d.evidence;
 }
 
-TEST_F(SurroundingsDecision, AWallBesideAYardHasThemThoughMostPhotosShowLittleOfIt) {
+TEST_F(SurroundingsDecisionAtLength, AWallBesideAYardHasThemThoughMostPhotosShowLittleOfIt) {
     VANTAGE_DATASET(fountain, "fountain-P11");
     const EffectDecision d = decided(fountain, small_photos());
     EXPECT_TRUE(d.on) << d.evidence;
@@ -138,7 +139,7 @@ TEST_F(SurroundingsDecision, AnObjectOnATurntableHasNone) {
     EXPECT_NE(turntable.evidence.find("moves with the camera"), std::string::npos) << turntable.evidence;
 }
 
-TEST_F(SurroundingsDecision, AnObjectBeforePlainPaperHasNone) {
+TEST_F(SurroundingsDecisionAtLength, AnObjectBeforePlainPaperHasNone) {
     const auto paper = [](int x, int y) {
         const auto gray = std::uint8_t(205 + (x * 7 + y * 13) % 3);
         return std::array{gray, gray, gray};

@@ -120,7 +120,7 @@ fail() { echo "FAILED: $*"; failed=1; }
 
 # place NAME [share of its width]: waits for a control and prints the position of its center
 place() {
-  for _ in $(seq 40); do
+  for _ in $(seq 150); do
     if [ -f places ]; then
       awk -F'\t' -v n="$1" '$1 == n && !done { print int($2 + $4 * '"${2:-0.5}"'), int($3 + $5 / 2); done = 1 }' places >at
       [ -s at ] && { cat at; return 0; }

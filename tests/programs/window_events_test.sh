@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the window does with the system around it: keys within a frame, the desktop's dialog, folders that nobody can write to,
-# rest with little memory.
+# What the window does with the system around it: keys within a frame, the desktop's dialog, files beside the window, folders that
+# nobody can write to, rest with little memory.
 # usage: window_events_test.sh VANTAGE PLAYER SOURCE_DIR; exits with 77 if no X server is available
 set -uo pipefail
 source "$(dirname "$0")/window.sh"
@@ -40,6 +40,19 @@ xdotool key o
 opens two.vantage
 quit
 
+# An orthophoto is written while the window is used: that of the command.
+start one.vantage --fresh --size 1200x800
+key Tab
+press "Section Picture"; press "Section Blending"; press "Section Orthophoto"
+press "Seen from"; press "front"
+press "Write the orthophoto"
+key b
+for _ in $(seq 6); do soon test -s one-orthophoto-0001.pgw && break; done
+"$player" orthophoto one.vantage --plane front --resolution "$(head -1 one-orthophoto-0001.pgw)" -o expected.png >/dev/null ||
+  fail "the command orthophoto failed"
+cmp -s one-orthophoto-0001.png expected.png || fail "the window's orthophoto is not that of the command"
+quit
+
 # Where nothing can be written, that is said, and the window stays.
 rm -f places
 (cd /proc && exec "$player" "$dir/one.vantage" --size 900x700 --controls "$dir/places") >says 2>&1 &
@@ -50,12 +63,15 @@ there "Message" || fail "it is not said that a screenshot cannot be written"
 alive "a screenshot that cannot be written"
 quit
 
-# At rest nothing is drawn, also where tiles do not all fit into the memory.
+# At rest nothing is drawn, also where tiles do not all fit into the memory, and a key wakes the window.
 comes_to_rest() {
   "$player" "$@" --fresh >says 2>&1 &
   pid=$!
   rests || fail "$* never rests"
   focus
+  rm -f ./*-0001.png
+  xdotool key p
+  soon test -s "${1%.vantage}-0001.png" || fail "P does nothing at rest"
   quit
 }
 comes_to_rest one.vantage --size 900x700 --graphics-memory 110

@@ -48,6 +48,7 @@ class WindowControls : public WindowTest {
         }
     }
 };
+class WindowControlsAtLength : public WindowControls {};
 
 }  // namespace
 
@@ -246,7 +247,7 @@ TEST_F(WindowControls, OfTheBarAndTheRadar) {
     EXPECT_EQ(w.session.camera.eye, w.session.home.eye);
 }
 
-TEST_F(WindowControls, OfSurroundingsGlassLayersAndPoints) {
+TEST_F(WindowControlsAtLength, OfSurroundingsGlassLayersAndPoints) {
     HeadlessWindow w(package_of(WindowScene::garden));
     open_all(w);
     RenderSettings& s = w.session.settings;

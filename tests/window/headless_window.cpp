@@ -125,7 +125,7 @@ void HeadlessWindow::frames(int count) {
 void HeadlessWindow::wait(double seconds) { frames(int(seconds / frame_seconds) + 1); }
 
 void HeadlessWindow::draw() {
-    constexpr double scale = 0.2;  // of the window's size
+    constexpr double scale = 0.1;  // of the window's size
     shown_->draw_unseen(scaled(view_, scale), now_);
 }
 

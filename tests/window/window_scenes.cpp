@@ -56,7 +56,7 @@ void shuffle_names(const fs::path& scan, int photos) {
         fs::rename(ordered / old, images / shuffled);
         lines.replace(lines.find(" " + old + "\n"), old.size() + 1, " new-" + shuffled);
     }
-    for (std::size_t at; (at = lines.find(" new-")) != lines.npos;) lines.replace(at, 5, " ");
+    for (std::size_t at; (at = lines.find(" new-")) != lines.npos;) lines.erase(at + 1, 4);
     std::ofstream(list) << lines;
 }
 

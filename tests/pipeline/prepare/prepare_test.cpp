@@ -66,7 +66,7 @@ TEST_F(Prepare, OpenGlAndProcessorAgree) {
     EXPECT_THROW(prepare(read_scene(discover(dir / "scene")), flooded, dir / "none", quiet), Error);
 }
 
-TEST_F(Prepare, EveryDatasetPassesCheck) {
+TEST_F(PrepareAtLength, EveryDatasetPassesCheck) {
     for (const char* name : {"sceaux", "sceaux-bundler", "fountain-P11"}) {
         VANTAGE_DATASET(input, name);
         prepare(read_scene(discover(input)), {}, dir / "a.vantage", quiet);

@@ -122,7 +122,7 @@ TEST_F(SyntheticRegistration, PairShiftsMatchTheCameraError) {
         << "a single wrong camera is corrected";
 }
 
-TEST_F(SyntheticRegistration, SwappedCamerasAreReportedAndLeftAlone) {
+TEST_F(SyntheticRegistrationAtLength, SwappedCamerasAreReportedAndLeftAlone) {
     copy_scene(spec(), scene);
     SceneInput input = truth();
     std::swap(input.photos[2].camera, input.photos[5].camera);
@@ -147,7 +147,7 @@ TEST_F(SyntheticRegistration, WrongCameraIsReported) {
 }
 
 /// Each case is reported in one line, and the cameras stay as given.
-TEST_F(SyntheticRegistration, DegenerateInputsAreReportedAndLeftAlone) {
+TEST_F(SyntheticRegistrationAtLength, DegenerateInputsAreReportedAndLeftAlone) {
     SynthSpec s = spec();
     s.photos.count = 4;
     copy_scene(s, scene);

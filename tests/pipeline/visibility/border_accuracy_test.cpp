@@ -90,5 +90,5 @@ void compare_on(const char* set) {
 
 }  // namespace
 
-TEST(BorderAccuracy, JumpFloodingOnSceaux) { compare_on("sceaux"); }
+TEST(BorderAccuracyAtLength, JumpFloodingOnSceaux) { compare_on("sceaux"); }
 TEST(BorderAccuracyAtLength, JumpFloodingOnFountain) { compare_on("fountain-P11"); }
