@@ -63,11 +63,11 @@ class EveryOperationAtLength : public EveryOperation {};
 TEST_F(EveryOperation, MayFailAndNothingIsLost) { expect_nothing_lost(1, {"EIO_ONCE", "KILL"}); }
 
 TEST_F(EveryOperationAtLength, MayFailAndNothingIsLost) {
-    expect_nothing_lost(number_from("VANTAGE_FAULTS", 6), {"EIO_ONCE", "ENOSPC", "SHORT_ONCE", "KILL"});
+    expect_nothing_lost(number_from("VANTAGE_FAULTS", 2), {"EIO_ONCE", "ENOSPC", "SHORT_ONCE", "KILL"});
 }
 
 TEST_F(EveryOperationAtLength, MayMeetAPageThatCannotBeRead) {
-    const int at_most = number_from("VANTAGE_FAULTS", 10);
+    const int at_most = number_from("VANTAGE_FAULTS", 4);
     for (const WritingCommand& c : commands) {
         const int pages = operations_of(c, "BAD_PAGE");
         ASSERT_GT(pages, 50) << c.name;

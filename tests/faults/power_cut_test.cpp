@@ -44,5 +44,5 @@ class PowerCutAtLength : public PowerCut {};
 TEST_F(PowerCut, LeavesTheOldPackageOrTheNewOne) { expect_old_or_new_after(4); }
 
 TEST_F(PowerCutAtLength, LeavesTheOldPackageOrTheNewOne) {
-    expect_old_or_new_after(number_from("VANTAGE_POWER_CUTS", 60));
+    expect_old_or_new_after(number_from("VANTAGE_POWER_CUTS", 24));
 }

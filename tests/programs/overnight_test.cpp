@@ -125,7 +125,7 @@ TEST_F(OvernightAtLength, ResumesToTheSameBytesWhenKilledAtRandom) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> instant(0.02, seconds);
     int killed = 0, resumed = 0;
-    for (const int wanted = number_from("VANTAGE_KILLS", 10); killed < wanted;) {
+    for (const int wanted = number_from("VANTAGE_KILLS", 4); killed < wanted;) {
         fs::remove(file);
         fs::remove(part_of(file));
         killed +=
