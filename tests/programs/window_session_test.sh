@@ -102,9 +102,11 @@ soon_small() { at=$(place "Bar Expert"); [ "${at%% *}" -lt 1200 ]; }
 soon soon_small || fail "F11 does not lead back: Expert is at $at"
 
 # Packages: one is dropped and added, one opened by the dialog; a truncated one replaces nothing.
+press "Section Picture"; press "Section Blending"  # they leave no room for that of objects
 /usr/bin/python3 "$source_of_tests/drop_files.py" "$window" two.vantage || fail "the window takes no files"
+there "Add to the scene" || fail "it is not asked what to do with a dropped package"
 press "Add to the scene"
-place "Only two" >/dev/null || fail "the dropped package was not added"
+place "Only two" >/dev/null || { fail "the dropped package was not added"; cut -f 1 places | tr '\n' ' '; }
 key o; press "cut.vantage"; press "Open"
 place "Message" >/dev/null || fail "a truncated package is not refused aloud"
 [ "$(title)" = "one.vantage - Vantage" ] || fail "a truncated package replaced the open one: $(title)"
