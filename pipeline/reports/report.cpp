@@ -30,7 +30,6 @@
 #include "scene/point_cloud.h"
 #include "scene/replace_file.h"
 #include "scene/stored_tile.h"
-#include "values/json_text.h"
 
 namespace vantage {
 namespace {
@@ -250,8 +249,7 @@ std::string run_part(const ReportRun& run) {
 }  // namespace
 
 void write_report(const fs::path& file, const PackageReader& package, const std::optional<ReportRun>& run) {
-    const json meta = json_of(package.meta());
-    if (!meta.is_object()) throw Error(Exit::damaged, package.path().string() + ": META: cannot be parsed");
+    const json meta = parse_meta(package);
     const std::vector<UnusablePhoto> left_out = left_out_of(package);
     replace_file(file, [&](std::ostream& out) {
         out << "<!doctype html>\n<html lang=en><meta charset=utf-8>\n<style>" << page_style << report_style

@@ -17,7 +17,7 @@ struct ScaleFacts {
     double pixel = 0;     ///< width of a pixel at that depth, median over the photos
 };
 
-/// Of the scene's mesh, or of its points if there is no mesh; `diagonal`: of its main_box. Nothing if no
+/// Of the scene's mesh, or of its points if there is no mesh; `diagonal`: of its main_box. Empty if no
 /// photo sees any of it.
 std::optional<ScaleFacts> scale_facts(const SceneInput& scene, double diagonal);
 

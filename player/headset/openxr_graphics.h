@@ -1,6 +1,6 @@
 #pragma once
-// OpenXR with its OpenGL bindings for X11 and EGL. For sources only: X11 has macros with common names. Those
-// that others use here are removed.
+// OpenXR with its OpenGL bindings for X11 and EGL. For sources only: X11 has macros with common names.
+// KeyPress is removed: the window has a struct of that name.
 #include <epoxy/egl.h>
 #include <epoxy/glx.h>
 #define XR_USE_GRAPHICS_API_OPENGL
@@ -9,8 +9,3 @@
 #include <openxr/openxr.h>
 #include <openxr/openxr_platform.h>
 #undef KeyPress
-#undef None
-#undef Status
-#undef Success
-#undef Bool
-#undef Always

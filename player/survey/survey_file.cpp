@@ -50,6 +50,7 @@ Json json_of(const Measurement& m, const Survey& s) {
 }
 
 constexpr double most = 1e12;
+constexpr std::size_t most_listed = 1 << 20;
 
 double number_in(const LocatedJson& object, const char* key) { return object.at(key).number(-most, most); }
 
@@ -82,7 +83,6 @@ SurveyPoint point_in(const LocatedJson& j) {
 }
 
 Measurement measurement_in(const LocatedJson& j) {
-    constexpr std::size_t most_listed = 1 << 20;
     Measurement out{text_in(j, "name"), Measure::point, {}};
     const auto known = measure_named(text_in(j, "measure"));
     if (!known) j.at("measure").fail("a kind of measurement");
@@ -118,7 +118,6 @@ std::string survey_text(const Survey& s) {
 
 Survey survey_from(const std::string& text, const std::filesystem::path& file) {
     constexpr int deepest = 8;
-    constexpr std::size_t most_listed = 1 << 20;
     const std::string name = file.string();
     const nlohmann::json value = parsed_json(text, name, deepest);
     std::vector<std::string> unknown;
