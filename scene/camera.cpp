@@ -1,11 +1,12 @@
 #include "scene/camera.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cmath>
 #include <string>
 
 #include "scene/error.h"
 #include "scene/tiling.h"
+#include "values/nearest_rotation.h"
 
 namespace vantage {
 
@@ -61,8 +62,7 @@ void validate(Camera& camera, const std::string& who) {
         if (!std::isfinite(p)) fail("a lens parameter is not finite");
     Pose& pose = camera.cam_from_world;
     if (!pose.R.allFinite() || !pose.t.allFinite()) fail("pose is not finite");
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(pose.R, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Eigen::Matrix3d nearest = svd.matrixU() * svd.matrixV().transpose();
+    const Eigen::Matrix3d nearest = nearest_orthogonal(pose.R);
     if ((nearest - pose.R).norm() > 1e-3 || nearest.determinant() < 0)
         fail("rotation is not a right-handed orthonormal matrix");
     pose.R = nearest;

@@ -1,13 +1,13 @@
 #include "pipeline/align/start_poses.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "pipeline/run/for_each_photo.h"
+#include "values/nearest_rotation.h"
 #include "values/quantile.h"
 
 namespace vantage {
@@ -126,10 +126,8 @@ Similarity fit(const PointSet& p, const PointSet& q, std::span<const std::size_t
         both += (q[i] - mq) * (p[i] - mp).transpose();
         pp += (p[i] - mp).squaredNorm(), qq += (q[i] - mq).squaredNorm();
     }
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(both, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const double mirror = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
     Similarity out;
-    out.R = svd.matrixU() * Vector3d(1, 1, mirror).asDiagonal() * svd.matrixV().transpose();
+    out.R = nearest_rotation(both);
     out.scale = std::sqrt(qq / pp);
     out.t = mq - out.scale * (out.R * mp);
     return out;

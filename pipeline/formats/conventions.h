@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Core>
-#include <Eigen/SVD>
 #include <array>
 #include <cmath>
 
@@ -28,12 +27,6 @@ inline Pose from_camera_to_world(const Eigen::Matrix3d& R, const Eigen::Vector3d
 /// Of camera to world: from axes with y up and z backward, as in OpenGL, to ours.
 inline Eigen::Matrix3d backward(const Eigen::Matrix3d& R) {
     return R * Eigen::Vector3d(1, -1, -1).asDiagonal();
-}
-
-/// The rotation that is closest to a matrix.
-inline Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& m) {
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    return svd.matrixU() * svd.matrixV().transpose();
 }
 
 /// The lens with these coefficients of r^2, r^4, r^6, r^8, with OpenCV's p1 and p2, and with the skew in

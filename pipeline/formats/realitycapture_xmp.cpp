@@ -11,6 +11,7 @@
 #include "pipeline/run/read_file.h"
 #include "scene/error.h"
 #include "values/lower_extension.h"
+#include "values/nearest_rotation.h"
 
 namespace vantage {
 namespace {
@@ -76,7 +77,7 @@ std::optional<CameraSet::Entry> read_sidecar(const XmlFile& file, pugi::xml_node
     entry.camera.lens = *lens;
     Eigen::Matrix3d R;
     for (int i = 0; i < 9; ++i) R(i / 3, i % 3) = r[std::size_t(i)];
-    R = nearest_rotation(R);  // that of a prior need not be one
+    R = nearest_orthogonal(R);  // that of a prior need not be one
     entry.camera.cam_from_world = {R, -R * Eigen::Vector3d(c[0], c[1], c[2])};
     return entry;
 }

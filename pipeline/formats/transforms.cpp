@@ -8,6 +8,7 @@
 #include "pipeline/formats/conventions.h"
 #include "pipeline/formats/json_file.h"
 #include "scene/error.h"
+#include "values/nearest_rotation.h"
 
 namespace vantage {
 namespace {
@@ -51,7 +52,8 @@ class Frames {
     /// From the file's frame to the original one; of an affine map, its rotation and scale.
     Similarity transform() const {
         const Eigen::Matrix3d m = original_.topLeftCorner<3, 3>();
-        return {nearest_rotation(m), original_.topRightCorner<3, 1>(), std::cbrt(std::abs(m.determinant()))};
+        return {nearest_orthogonal(m), original_.topRightCorner<3, 1>(),
+                std::cbrt(std::abs(m.determinant()))};
     }
 
   private:

@@ -1,6 +1,5 @@
 #include "pipeline/mesh/stand_in.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -8,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+#include "values/principal_axes.h"
 
 namespace vantage {
 namespace {
@@ -126,8 +127,7 @@ Eigen::Vector3d normal_of(const std::vector<Cell>& cells, const Cell& at, const 
     const Eigen::Vector3d mean = around.mean() / grid.size;
     const Eigen::Matrix3d covariance =
         around.products / (around.count * grid.size * grid.size) - mean * mean.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-    const Eigen::Vector3d n = solver.eigenvectors().col(0);
+    const Eigen::Vector3d n = principal_axes(covariance).axes.col(0);
     return n.allFinite() && n.norm() > 0.5 ? n.normalized() : Eigen::Vector3d::UnitZ().eval();
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "pipeline/refine/systematic_errors.h"
 #include "scene/checksum.h"
 #include "scene/package_writer.h"
+#include "values/principal_axes.h"
 #include "values/quantile.h"
 
 namespace vantage {
@@ -92,7 +92,7 @@ bool is_flat(const RegistrationInput& in) {
     if (n == 0) return true;
     mean /= double(n);
     each([&](const Eigen::Vector3d& x) { spread += (x - mean) * (x - mean).transpose(); });
-    const Eigen::Vector3d variance = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues();
+    const Eigen::Vector3d variance = principal_axes(spread).values;
     return !(variance(0) > 1e-5 * variance(2));
 }
 

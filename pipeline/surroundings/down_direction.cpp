@@ -1,9 +1,10 @@
 #include "pipeline/surroundings/down_direction.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "values/principal_axes.h"
 
 namespace vantage {
 namespace {
@@ -12,8 +13,6 @@ constexpr double least_upright = 0.2;  ///< share of the discs on walls and floo
 constexpr double farthest = 0.966;     ///< cosine between both directions, 15 degrees
 /// Weight of `held` per disc: where all walls face one way, it decides which way along them is down.
 constexpr double held_weight = 0.002;
-
-using Eigen::SelfAdjointEigenSolver;
 
 Eigen::Vector3d turned_toward(const Eigen::Vector3d& direction, const Eigen::Vector3d& other) {
     return direction.dot(other) < 0 ? Eigen::Vector3d(-direction) : direction;
@@ -29,11 +28,11 @@ Eigen::Vector3d down_direction(std::span<const Pose> poses) {
         rows += x * x.transpose();
         columns += pose.R.row(1).transpose();
     }
-    const SelfAdjointEigenSolver<Eigen::Matrix3d> solver(rows);
+    const PrincipalAxes right = principal_axes(rows);
     const Eigen::Vector3d mean =
         columns.norm() > 1e-9 ? Eigen::Vector3d(columns.normalized()) : Eigen::Vector3d::UnitY();
-    if (solver.eigenvalues()[0] > 0.2 * solver.eigenvalues()[1]) return mean;
-    return turned_toward(solver.eigenvectors().col(0), mean);
+    if (right.values[0] > 0.2 * right.values[1]) return mean;
+    return turned_toward(right.axes.col(0), mean);
 }
 
 Eigen::Vector3d down_direction(std::span<const CoarseView> views) {
@@ -60,7 +59,7 @@ std::optional<Eigen::Vector3d> down_direction(std::span<const SurfaceDisc> discs
             scatter += (wall ? 1 : -1) * n * n.transpose();
             ++upright;
         }
-        down = turned_toward(SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0), down);
+        down = turned_toward(principal_axes(scatter).axes.col(0), down);
     }
     const double least = least_upright * double(std::ranges::count_if(discs, usable));
     if (double(upright) < least || down.dot(held) < farthest) return std::nullopt;

@@ -1,4 +1,3 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -6,6 +5,7 @@
 
 #include "pipeline/surroundings/down_direction.h"
 #include "pipeline/surroundings/planes.h"
+#include "values/principal_axes.h"
 
 namespace vantage {
 namespace {
@@ -40,8 +40,7 @@ Plane fitted(const std::vector<const Disc*>& discs) {
         const Eigen::Vector3d off = d->center.cast<double>() - mean;
         scatter += off * off.transpose();
     }
-    const Eigen::Vector3d normal =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0);
+    const Eigen::Vector3d normal = principal_axes(scatter).axes.col(0);
     return {normal, normal.dot(mean)};
 }
 

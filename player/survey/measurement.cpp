@@ -1,6 +1,5 @@
 #include "player/survey/measurement.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -12,6 +11,7 @@
 
 #include "player/survey/number_text.h"
 #include "values/formatted.h"
+#include "values/principal_axes.h"
 #include "values/translation.h"
 
 namespace vantage {
@@ -102,9 +102,9 @@ FittedPlane plane_of(std::span<const Vector3d> points) {
         const Vector3d off = size > 0 ? Vector3d((p - out.middle) / size) : Vector3d::Zero();
         squares += off * off.transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(squares);
-    out.normal = axes.eigenvectors().col(0);
-    out.along = axes.eigenvectors().col(2);
+    const Eigen::Matrix3d axes = principal_axes(squares).axes;
+    out.normal = axes.col(0);
+    out.along = axes.col(2);
     for (const Vector3d& p : points)
         out.farthest = std::max(out.farthest, std::abs(out.normal.dot(p - out.middle)));
     return out;
