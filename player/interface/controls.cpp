@@ -25,11 +25,11 @@ void Controls::note(const char* name) {
     places_.push_back({recorded ? recorded + 2 : name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
 }
 
-void Controls::write_places(const std::filesystem::path& file) const {
+void Controls::write_places(const std::filesystem::path& file, bool rests) const {
     const UnfinishedFile unfinished(file);  // not flushed to the disk in every frame
     {
         std::ofstream out(unfinished.part());
-        out << "frame\t" << frame_ << '\n';
+        out << "frame\t" << frame_ << (rests ? "\trests\n" : "\tmoves\n");
         for (const Place& p : places_)
             out << p.name << '\t' << p.low.x << '\t' << p.low.y << '\t' << p.high.x - p.low.x << '\t'
                 << p.high.y - p.low.y << '\n';

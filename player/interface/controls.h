@@ -24,9 +24,9 @@ class Controls {
     void note(const char* name);
     /// Records that of something else.
     void note(const char* name, ImVec2 low, ImVec2 high) { places_.push_back({name, low, high}); }
-    /// Writes the number of the frame, then one line "name x y width height" per control, in window pixels
-    /// and separated by tabs. Replaces the file atomically.
-    void write_places(const std::filesystem::path& file) const;
+    /// Writes the number of the frame and whether the window "rests" or "moves", then one line "name x y
+    /// width height" per control, in window pixels and separated by tabs. Replaces the file atomically.
+    void write_places(const std::filesystem::path& file, bool rests = false) const;
 
     /// What is recorded: corners in window pixels.
     struct Place {

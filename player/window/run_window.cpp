@@ -123,12 +123,17 @@ void give_sign(int to) {
 /// ImGui needs some frames to react to what has happened.
 constexpr int frames_after_event = 3;
 
+/// Whether the next frame would be the same as the last. `lively`: frames that are still to be drawn after
+/// the last event.
+bool is_idle(const Session& session, const ShownScene& scene, int lively) {
+    return scene.rests() && !keys_in_use(session) && lively == 0;
+}
+
 /// Whether a frame is to be drawn: always, unless it `may_rest`. At rest, waits until something happens, or
-/// the scene is to be drawn anyway; frames that are counted then follow each other more slowly. `lively`:
-/// frames that are still to be drawn after the last event.
+/// the scene is to be drawn anyway; frames that are counted then follow each other more slowly.
 bool take_events(GlfwWindow& window, Session& session, const ShownScene& scene, bool may_rest, int& lively) {
     constexpr double longest_rest = 1, between_counted = 0.03;  // seconds
-    const bool idle = scene.rests() && !keys_in_use(session) && lively == 0, rests = idle && may_rest;
+    const bool idle = is_idle(session, scene, lively), rests = idle && may_rest;
     const double until = std::clamp(scene.wakes_at() - glfwGetTime(), 0.001, longest_rest);
     WindowEvents events = window.events(rests ? until : idle ? std::min(until, between_counted) : 0);
     session.input = std::move(events.input);
@@ -171,7 +176,8 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, Session& session, Sh
         const bool ends = frame == o.window.frames;
         if (ends && !o.window.screenshot.empty()) save_frame(o.window.screenshot, width, height);
         glfwSwapBuffers(window);
-        if (!o.window.controls.empty()) controls.write_places(o.window.controls);
+        if (!o.window.controls.empty())
+            controls.write_places(o.window.controls, is_idle(session, scene, lively));
         if (frame == 1 && !o.output.quiet)
             std::fprintf(stderr, "first picture after %.0f ms\n", 1000 * (glfwGetTime() - requested_at));
         if (auto other = take_request(shown_in, session, o.memory, now)) return other;

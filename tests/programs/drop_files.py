@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Drops files on a window, as a file manager would (XDND). usage: drop_files.py WINDOW FILE..."""
 import pathlib
+import select
 import sys
 import time
 
@@ -42,7 +43,7 @@ def await_message(kind, seconds=20):
                 answer(e)
             elif e.type == X.ClientMessage and e.client_type == atom(kind):
                 return True
-        time.sleep(0.01)
+        select.select([screen], [], [], max(0, until - time.time()))
     return False
 
 

@@ -20,19 +20,15 @@ mkfifo stdin  # something that the service can wait for: it ends when a line com
 exec 3<>stdin
 export XDG_RUNTIME_DIR=$dir/run SIMULATED_ENABLE=1 XRT_COMPOSITOR_NULL=1 XR_RUNTIME_JSON=$runtime
 service= running=
-trap 'kill $service $running 2>/dev/null' EXIT
+trap 'kill $service $running $watcher 2>/dev/null' EXIT
 start_service() {
   rm -f run/monado_comp_ipc
   monado-service <&3 >service.log 2>&1 &
   service=$!
-  for _ in $(seq 100); do
-    [ ! -e run/monado_comp_ipc ] || return 0
-    kill -0 $service 2>/dev/null || break
-    sleep 0.1
-  done
-  cat service.log
-  return 1
+  within 10 is_ready_or_gone
+  [ -e run/monado_comp_ipc ] || { cat service.log; return 1; }
 }
+is_ready_or_gone() { [ -e run/monado_comp_ipc ] || ! kill -0 $service 2>/dev/null; }
 # The number of different colors on the screen.
 colors() {
   screenshot screen.ppm
@@ -56,11 +52,8 @@ fi
 
 timeout 120 "${shown[@]}" --frames 200 >player.log 2>&1 &
 running=$!
-for _ in $(seq 60); do
-  sleep 0.2
-  [ "$(colors)" -lt 300 ] || break
-done
-[ "$(colors)" -ge 300 ] || fail "the mirror shows no picture"
+shows_picture() { [ "$(colors)" -ge 300 ]; }
+within 30 shows_picture || fail "the mirror shows no picture"
 kill -9 $service
 wait $service || true
 soon grep -q "the OpenXR runtime was lost; waiting for it" player.log || fail "the player did not say that the runtime is gone"

@@ -13,17 +13,17 @@ set=$VANTAGE_DATASETS/sceaux-small
 "$vantage" prepare "$set" -o sceaux.vantage --no-report >/dev/null 2>&1 || { fail "prepare"; exit 1; }
 wide=${size%x*} high=${size#*x}
 
-# shot NAME: a screenshot, as NAME.ppm, once nothing changes any more
+# shot NAME: a screenshot, as NAME.ppm, once nothing has moved for ten frames: X may pass events on late
 shot() {
-  local same=0
-  for _ in $(seq 60); do  # X may pass events on late
-    frames 3
-    sleep 0.7
-    screenshot now.ppm
-    cmp -s now.ppm "$1.ppm" && same=$((same + 1)) || same=0
-    mv now.ppm "$1.ppm"
-    [ $same -lt 2 ] || break
+  local still=0 last now
+  last=$(frame)
+  while [ $still -lt 10 ]; do
+    within 60 has_drawn $((last + 1)) || { fail "the window never rests"; return; }
+    read -r now rests < <(awk -F'\t' '$1 == "frame" { print $2, $3; exit }' places)
+    [ "$rests" = rests ] && still=$((still + now - last)) || still=0
+    last=$now
   done
+  screenshot "$1.ppm"
   [ -z "$pictures" ] || cp "$1.ppm" "$pictures/$1-$size.ppm"
 }
 # look NAME: sets x, y, times and likeness of the dormer in the screenshot
@@ -44,9 +44,9 @@ touch_control() {
 
 "$player" sceaux.vantage --kiosk --home-after 3600 --photo 00003 --fresh --controls places >says 2>&1 &
 pid=$!
-for _ in $(seq 200); do grep -qs "^Bar Home	" places && break; sleep 0.1; done
+within 20 is_at "Bar Home"
 covers() { local at; at=$(place "Bar Home") && [ "${at#* }" -gt $((high * 9 / 10)) ]; }
-soon covers || soon covers || fail "the kiosk does not cover the screen"
+within 10 covers || fail "the kiosk does not cover the screen"
 look home
 home=($x $y $times)
 
@@ -97,8 +97,7 @@ kill -0 $pid 2>/dev/null || fail "the kiosk ended: $(cat says)"
 # A kiosk that fails is started again; SIGTERM ends it.
 rm -f places
 pkill -KILL -P $pid
-for _ in $(seq 100); do grep -qs "^Bar Home	" places && break; sleep 0.2; done
-grep -qs "^Bar Home	" places || fail "a kiosk that was killed is not started again"
+within 20 is_at "Bar Home" || fail "a kiosk that was killed is not started again"
 kill $pid
 ended() { ! kill -0 $pid 2>/dev/null; }
 soon ended || fail "SIGTERM does not end the kiosk"

@@ -1,4 +1,5 @@
-# Functions for tests of the window, to be sourced: real mouse and key events through the X server. Needs xvfb-run and xdotool.
+# Functions for tests of the window, to be sourced: real mouse and key events through the X server. Needs xvfb-run, xdotool and
+# inotifywait. Nothing sleeps: what is waited for shows in files of the folder, of which `places` is written with every frame.
 
 # Runs the calling script again under Xvfb, with a screen of this size, in an empty folder $dir; once there, goes on.
 # under_xvfb WIDTHxHEIGHT "$@"
@@ -6,7 +7,7 @@ under_xvfb() {
   local screen=$1
   shift
   if [ -z "${VANTAGE_WINDOW_TEST:-}" ]; then
-    for tool in xvfb-run xdotool; do
+    for tool in xvfb-run xdotool inotifywait; do
       command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
     done
     export VANTAGE_WINDOW_TEST=$(mktemp -d)
@@ -14,9 +15,7 @@ under_xvfb() {
     xvfb-run -a -s "-screen 0 ${screen}x24" "$0" "$@"
     exit $?
   fi
-  dir=$VANTAGE_WINDOW_TEST
-  cd "$dir" || exit 1
-  export XDG_CONFIG_HOME=$dir/config LC_ALL=C.UTF-8
+  enter_folder
 }
 
 # The same under Xorg with a touch screen, for finger(). Needs its drivers "dummy" and "inputtest", besides xdotool.
@@ -32,16 +31,22 @@ under_touch_screen() {
     "$0" "$@"
     exit $?
   fi
+  enter_folder
+  [ -S touch ] && coproc TOUCH { exec python3 "$source_of_tests/touch_device.py" touch "$screen" 2>&1; }
+}
+enter_folder() {
   dir=$VANTAGE_WINDOW_TEST
   cd "$dir" || exit 1
   export XDG_CONFIG_HOME=$dir/config LC_ALL=C.UTF-8
-  [ -S touch ] && coproc TOUCH { exec python3 "$source_of_tests/touch_device.py" touch "$screen" 2>&1; }
+  exec {changes}< <(exec inotifywait -m -q -e close_write -e moved_to --format . . 2>/dev/null)
+  watcher=$!
+  trap 'kill $watcher' EXIT
 }
 source_of_tests=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 has_touch_screen() {
   local modules=/usr/lib/xorg/modules
   [ -x /usr/lib/xorg/Xorg ] && [ -f $modules/input/inputtest_drv.so ] && [ -f $modules/drivers/dummy_drv.so ] &&
-    command -v xdotool >/dev/null
+    command -v xdotool >/dev/null && command -v inotifywait >/dev/null
 }
 # start_xorg FOLDER WIDTHxHEIGHT: sets DISPLAY and xorg, its process
 start_xorg() {
@@ -86,15 +91,12 @@ Section "ServerLayout"
   InputDevice "touch" "SendCoreEvents"
 EndSection
 END
-  /usr/lib/xorg/Xorg -displayfd 3 -config "$folder/xorg.conf" -logfile "$folder/xorg.log" -noreset -nolisten tcp -novtswitch \
-    -sharevts 3>"$folder/display" >/dev/null 2>&1 &
+  exec {started}< <(exec /usr/lib/xorg/Xorg -displayfd 1 -config "$folder/xorg.conf" -logfile "$folder/xorg.log" -noreset \
+    -nolisten tcp -novtswitch -sharevts 2>/dev/null)
   xorg=$!
-  for _ in $(seq 100); do
-    [ -s "$folder/display" ] && [ -S "$folder/touch" ] && export DISPLAY=:$(cat "$folder/display") && return
-    kill -0 $xorg 2>/dev/null || return 1
-    sleep 0.1
-  done
-  kill $xorg
+  local number
+  read -r -t 10 -u "$started" number && [ -S "$folder/touch" ] && export DISPLAY=:$number && return
+  kill $xorg 2>/dev/null
   return 1
 }
 # finger GESTURE...: of touch_device.py; waits until it is made
@@ -106,41 +108,44 @@ finger() {
 # screenshot FILE.ppm [LEFT TOP WIDTH HEIGHT]: with the libraries of the system's Python
 screenshot() { /usr/bin/python3 "$source_of_tests/screenshot.py" "$@" || exit 1; }
 
-# soon COMMAND...: runs it until it succeeds, for up to five seconds
-soon() {
-  for _ in $(seq 50); do
-    "$@" && return
-    sleep 0.1
-  done
-  return 1
+# Waits until a file of the folder is written, or a second.
+changed() {
+  read -r -t 1 -u "$changes" _ || return 0
+  while read -r -t 0 -u "$changes"; do read -r -u "$changes" _; done
 }
+# within SECONDS COMMAND...: runs it, and again after each change, until it succeeds
+within() {
+  local end=$((SECONDS + $1))
+  shift
+  until "$@"; do
+    [ $SECONDS -lt $end ] || return 1
+    changed
+  done
+}
+soon() { within 6 "$@"; }
 
 failed=0
 fail() { echo "FAILED: $*"; failed=1; }
 
 # place NAME [share of its width]: waits for a control and prints the position of its center
-place() {
-  for _ in $(seq 150); do
-    if [ -f places ]; then
-      awk -F'\t' -v n="$1" '$1 == n && !done { print int($2 + $4 * '"${2:-0.5}"'), int($3 + $5 / 2); done = 1 }' places >at
-      [ -s at ] && { cat at; return 0; }
-    fi
-    sleep 0.1
-  done
-  return 1
+place() { within 15 is_at "$@" && cat at; }
+is_at() {
+  [ -f places ] || return 1
+  awk -F'\t' -v n="$1" -v share="${2:-0.5}" '$1 == n { print int($2 + $4 * share), int($3 + $5 / 2); exit }' places >.at
+  [ -s .at ] && mv .at at
 }
 frame() { awk -F'\t' '$1 == "frame" { print $2; exit }' places 2>/dev/null; }
 ticks() { awk '{ print $14 + $15 }' "/proc/$pid/stat"; }  # processor time of the player, in hundredths of a second
 frames() {  # frames N: waits until N more frames are drawn
-  local from now
-  from=$(frame)
-  for _ in $(seq 3000); do  # a minute: the processor may be busy with other tests
-    now=$(frame)
-    [ $((${now:-0} - ${from:-0})) -ge "$1" ] && return
-    [ -z "${pid:-}" ] || kill -0 "$pid" 2>/dev/null || { fail "the player has ended: $(cat says)"; exit 1; }
-    sleep 0.02
-  done
-  fail "no frames were drawn"
+  local to=$(($(frame) + $1))
+  within 60 has_drawn "$to" || fail "no frames were drawn"  # a minute: the processor may be busy with other tests
+}
+has_drawn() {
+  local now
+  now=$(frame)
+  [ "${now:-0}" -ge "$1" ] && return
+  [ -z "${pid:-}" ] || kill -0 "$pid" 2>/dev/null || { fail "the player has ended: $(cat says)"; exit 1; }
+  return 1
 }
 press() {  # press NAME [share of its width]: clicks a control
   local at
@@ -164,8 +169,7 @@ key() { xdotool keydown "$1"; frames 2; xdotool keyup "$1"; frames 2; }
 
 # Waits for the window of the player that was started with --controls places, and gives it the keyboard.
 find_window() {
-  for _ in $(seq 600); do grep -qs "^Photo 1	" places && break; sleep 0.1; done
-  place "Photo 1" >/dev/null || { cat says; fail "no window"; exit 1; }
+  within 60 is_at "Photo 1" || { cat says; fail "no window"; exit 1; }
   focus
 }
 focus() {  # gives the window the keyboard, and waits until it has it
@@ -182,7 +186,7 @@ start_page() {  # start_page [NAME=VALUE...]: the window without a package
   rm -f places
   env "$@" "$player" --size 900x700 --controls places >says 2>&1 &
   pid=$!
-  for _ in $(seq 200); do grep -qs "^Open a package" places && break; sleep 0.1; done
+  within 20 is_at "Open a package..."
   focus
 }
 title() { xdotool getwindowname "$window"; }
@@ -203,10 +207,13 @@ rests() {
   return 1
 }
 await_exit() {  # await_exit WHAT [CODE]: expects the player to exit with this code or 0; WHAT: what it was told by
-  for _ in $(seq 100); do kill -0 $pid 2>/dev/null || break; sleep 0.1; done
-  kill -9 $pid 2>/dev/null && fail "$1 did not quit"
-  wait $pid
-  local code=$?
+  local late first code
+  sleep 10 &
+  late=$!
+  wait -n -p first $pid $late
+  code=$?
+  kill $late 2>/dev/null
+  [ "$first" = $pid ] || { kill -9 $pid; fail "$1 did not quit"; return; }
   [ $code = "${2:-0}" ] || fail "the player ended with $code, expected ${2:-0}: $(cat says)"
 }
 remembers() { grep -q "\"$1\": $2" config/vantage/player.json || fail "$1 is not remembered as $2"; }

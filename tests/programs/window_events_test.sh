@@ -47,7 +47,7 @@ press "Section Picture"; press "Section Blending"; press "Section Orthophoto"
 press "Seen from"; press "front"
 press "Write the orthophoto"
 key b
-for _ in $(seq 6); do soon test -s one-orthophoto-0001.pgw && break; done
+within 30 test -s one-orthophoto-0001.pgw
 "$player" orthophoto one.vantage --plane front --resolution "$(head -1 one-orthophoto-0001.pgw)" -o expected.png >/dev/null ||
   fail "the command orthophoto failed"
 cmp -s one-orthophoto-0001.png expected.png || fail "the window's orthophoto is not that of the command"
