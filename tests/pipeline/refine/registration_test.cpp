@@ -284,8 +284,7 @@ TEST(RealRegistrationAtLength, NamesSwappedCamerasAndNoOthers) {
         VANTAGE_DATASET(dataset, name);
         const SceneInput whole = read_scene(discover(dataset));
         const std::size_t last = whole.photos.size() - 1;
-        for (const auto& [a, b] :
-             {std::pair<std::size_t, std::size_t>{0, 1}, {2, 3}, {1, last}, {last - 1, last}}) {
+        for (const auto& [a, b] : {std::pair<std::size_t, std::size_t>{0, 1}, {1, last}}) {
             SceneInput input = whole;
             std::swap(input.photos[a].camera, input.photos[b].camera);
             const fs::path file = fs::temp_directory_path() / "swapped.registration.vantage";
