@@ -34,4 +34,5 @@ if ((${#missing[@]})); then
   DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 fi
 cmake -S . -B build -G Ninja -DBUILD_TESTING="$tests" >/dev/null
-cmake --build build --target "${targets[@]}"
+# Not Ninja's two jobs more: on two cores, they take 5 % longer together.
+cmake --build build --parallel "$(nproc)" --target "${targets[@]}"
