@@ -4,7 +4,6 @@
 
 #include <fstream>
 #include <functional>
-#include <regex>
 
 #include "pipeline/photos/image_files.h"
 #include "pipeline/photos/photos.h"
@@ -13,6 +12,7 @@
 #include "tests/made_scenes.h"
 #include "tests/one_line.h"
 #include "tests/programs/overnight.h"
+#include "tests/programs/patterns.h"
 
 using namespace vantage;
 
@@ -59,8 +59,7 @@ class Contracts : public Overnight {
         image_files().write(images / "0000.png", image.width, image.height, 4, Sample::u8,
                             std::as_bytes(std::span(image.rgba)));
         fs::remove(images / "0001.jpg");
-        write(sparse / "images.txt",
-              std::regex_replace(slurp(sparse / "images.txt"), std::regex("0001\\.jpg"), "0000.png"));
+        write(sparse / "images.txt", replaced(slurp(sparse / "images.txt"), "0001\\.jpg", "0000.png"));
     }
 };
 class ContractsAtLength : public Contracts {};
@@ -175,8 +174,7 @@ TEST_F(Contracts, OtherCommandsReplaceOnlyTheirOwnFiles) {
     expect_refused("check " + package() + " --junit " + text.string(), text);
     expect_refused("check " + package() + " --junit " + package(), file);
     const fs::path spec = dir / "one.toml";
-    write(spec, std::regex_replace(slurp(VANTAGE_SOURCE_DIR "/data/tiny.toml"), std::regex("count = 5"),
-                                   "count = 1"));
+    write(spec, replaced(slurp(VANTAGE_SOURCE_DIR "/data/tiny.toml"), "count = 5", "count = 1"));
     for (int twice = 0; twice < 2; ++twice) {
         EXPECT_EQ(run("extract " + package() + " -o " + files.string()).code, 0);
         EXPECT_EQ(run("check " + package() + " --junit " + (dir / "checks.xml").string()).code, 0);
@@ -370,7 +368,7 @@ TEST_F(Contracts, EveryCameraFileIsAnInput) {
     const std::string by_bundle = explicit_text + (dir / "bundle.out").string();
     ASSERT_EQ(run(by_bundle).code, 0);
     EXPECT_NE(run(by_bundle).out.find("nothing to do"), std::string::npos);
-    write(dir / "list.txt", std::regex_replace(list, std::regex("0000.jpg\n0001.jpg"), "0001.jpg\n0000.jpg"));
+    write(dir / "list.txt", replaced(list, "0000.jpg\n0001.jpg", "0001.jpg\n0000.jpg"));
     expect_stale(by_bundle, "list.txt");
 
     ASSERT_EQ(prepare_program().code, 0);

@@ -3,11 +3,11 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
-#include <regex>
 
 #include "pipeline/photos/image_files.h"
 #include "scene/error.h"
 #include "tests/made_scenes.h"
+#include "tests/programs/patterns.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -41,12 +41,9 @@ class Diff : public TemporaryFolder {
         return run("diff " + package("a") + " " + package(other) + " -o " + (dir / "page").string());
     }
     std::size_t pictures() const {
-        const std::string html = slurp(page);
-        const std::regex image("<img [^>]*src=\"([^\"]+)\"");
-        std::size_t n = 0;
-        for (std::sregex_iterator m(html.begin(), html.end(), image), end; m != end; ++m, ++n)
-            EXPECT_TRUE(fs::exists(dir / "page" / (*m)[1].str())) << (*m)[1];
-        return n;
+        const auto images = matches(slurp(page), "<img [^>]*src=\"([^\"]+)\"");
+        for (const auto& m : images) EXPECT_TRUE(fs::exists(dir / "page" / m[1])) << m[1];
+        return images.size();
     }
     bool says(const std::string& text) const { return slurp(page).find(text) != std::string::npos; }
 };

@@ -241,8 +241,9 @@ bool depth_jumps_around(const RayScene& rays, const Camera& camera, const Eigen:
     return false;
 }
 
-/// Compares the package's per-vertex visibility with ray casting, for every vertex in every photo.
-void expect_visibility_is_that_of_rays(Prepared& p) {
+/// Compares the package's per-vertex visibility with ray casting, for every vertex in each photo, or in one of so
+/// many.
+void expect_visibility_is_that_of_rays(Prepared& p, std::uint32_t every = 1) {
     const Eigen::Map<const Eigen::Vector3d> origin(p.package->scene().origin);
     const Mesh mesh = about_origin(p.scene.mesh, origin);
     const RayScene rays(mesh);
@@ -250,6 +251,7 @@ void expect_visibility_is_that_of_rays(Prepared& p) {
     const auto vertices = p.package->records<Eigen::Vector3f>(package::Type::positions);
     std::size_t pairs = 0, differ = 0, away_from_borders = 0;
     for (const std::uint32_t i : p.photos) {
+        if (i % every != 0) continue;
         const auto uv = p.package->records<Eigen::Vector2f>(package::Type::coordinates, i);
         std::vector<Eigen::Vector3d> wrong;
         for (std::size_t v = 0; v < uv.size(); ++v, ++pairs)
@@ -554,7 +556,7 @@ TEST_F(EndToEndAtLength, OwnViewsMatchThePhotosOnSceaux) {
     VANTAGE_DATASET(set, "sceaux");
     Prepared p = prepared(set);
     expect_own_views_are_the_photos(p, 6, 11);
-    expect_visibility_is_that_of_rays(p);
+    expect_visibility_is_that_of_rays(p, 4);
 }
 
 TEST_F(EndToEndAtLength, OwnViewsMatchThePhotosDespiteTheConsensusMask) {
@@ -621,5 +623,5 @@ TEST_F(EndToEndAtLength, OwnViewsMatchThePhotosOnFountain) {
     VANTAGE_DATASET(set, "fountain-P11");
     Prepared p = prepared(set);
     expect_own_views_are_the_photos(p, 6, 11);
-    expect_visibility_is_that_of_rays(p);
+    expect_visibility_is_that_of_rays(p, 4);
 }

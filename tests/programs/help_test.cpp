@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <map>
 #include <optional>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -14,6 +13,7 @@
 
 #include "cli/described_command.h"
 #include "scene/error.h"
+#include "tests/programs/patterns.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -40,14 +40,6 @@ std::vector<std::string> words_of(const std::string& text) {
     return {std::istream_iterator<std::string>(in), {}};
 }
 
-/// All matches of the first group of `pattern`.
-std::vector<std::string> matches(const std::string& text, const char* pattern) {
-    const std::regex regex(pattern);
-    std::vector<std::string> out;
-    for (std::sregex_iterator m(text.begin(), text.end(), regex), end; m != end; ++m) out.push_back((*m)[1]);
-    return out;
-}
-
 Options options_of(const DescribedCommand& command) {
     Options out;
     for (const DescribedOption& o : command.options)
@@ -68,9 +60,9 @@ std::vector<Quote> quotes_in(const fs::path& file, const std::string& markdown) 
         if (line.starts_with("```")) {
             fenced = !fenced;
         } else if (fenced || line.starts_with("    ")) {
-            out.push_back({place, std::regex_replace(line, std::regex(R"(\s#.*|\s\(.*|^\s*- run:)"), "")});
+            out.push_back({place, replaced(line, R"(\s#.*|\s\(.*|^\s*- run:)", "")});
         } else {
-            for (const std::string& span : matches(line, "`([^`]+)`")) out.push_back({place, span});
+            for (const auto& span : matches(line, "`([^`]+)`")) out.push_back({place, span[1]});
         }
     }
     return out;
@@ -110,10 +102,9 @@ class Help : public TemporaryFolder {
     static std::string mistake(const Options& options, const std::vector<std::string>& words,
                                std::size_t first) {
         for (std::size_t i = first; i < words.size() && words[i] != "&&" && words[i] != "|"; ++i) {
-            std::smatch name;
-            if (!std::regex_match(words[i], name, std::regex(R"((-[A-Za-z]|--[A-Za-z][\w-]*)(=.*)?)")))
-                continue;
-            const auto option = options.find(name[1]);
+            const auto name = matches(words[i], R"(^(-[A-Za-z]|--[A-Za-z][\w-]*)(=.*)?$)");
+            if (name.empty()) continue;
+            const auto option = options.find(name[0][1]);
             if (option == options.end()) return "has no option " + words[i];
             const std::set<std::string>& choices = option->second;
             if (choices.empty() || i + 1 == words.size()) continue;
@@ -150,44 +141,43 @@ class Help : public TemporaryFolder {
 };
 
 /// A word that must occur in descriptions of the exit code.
-std::optional<std::regex> word_for(Exit code) {
+std::optional<std::string> word_for(Exit code) {
     switch (code) {
         case Exit::ok:
-            return std::regex("");
+            return "";
         case Exit::usage:
-            return std::regex("usage");
+            return "usage";
         case Exit::input:
-            return std::regex("input");
+            return "input";
         case Exit::damaged:
-            return std::regex("damaged");
+            return "damaged";
         case Exit::stale:
-            return std::regex("stale");
+            return "stale";
         case Exit::storage:
-            return std::regex("storage");
+            return "storage";
         case Exit::graphics:
-            return std::regex("OpenGL|graphics");
+            return "OpenGL|graphics";
         case Exit::interrupted:
-            return std::regex("interrupted");
+            return "interrupted";
         case Exit::incomplete:
-            return std::regex("incomplete");
+            return "incomplete";
         case Exit::different:
-            return std::regex("differ");
+            return "differ";
         case Exit::misplaced:
-            return std::regex("mesh");
+            return "mesh";
         case Exit::internal:
-            return std::regex("internal error");
+            return "internal error";
         case Exit::memory:
-            return std::regex("memory");
+            return "memory";
     }
     return std::nullopt;
 }
 
 /// Codes with their descriptions, by the two groups of `pattern`.
 std::map<int, std::string> codes_in(const std::string& text, const char* pattern) {
-    const std::regex regex(pattern);
     std::map<int, std::string> out;
-    for (std::sregex_iterator m(text.begin(), text.end(), regex), end; m != end; ++m)
-        EXPECT_TRUE(out.emplace(std::stoi((*m)[1]), (*m)[2]).second) << "listed twice: " << (*m)[0];
+    for (const auto& m : matches(text, pattern))
+        EXPECT_TRUE(out.emplace(std::stoi(m[1]), m[2]).second) << "listed twice: " << m[0];
     return out;
 }
 
@@ -195,7 +185,7 @@ void expect_described(const std::map<int, std::string>& codes) {
     for (const auto& [code, text] : codes) {
         const auto word = word_for(Exit(code));
         ASSERT_TRUE(word) << "no exit code " << code;
-        EXPECT_TRUE(std::regex_search(text, *word)) << code << ": " << text;
+        EXPECT_FALSE(matches(text, *word).empty()) << code << ": " << text;
     }
 }
 

@@ -10,7 +10,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <regex>
 #include <set>
 #include <vector>
 
@@ -20,6 +19,7 @@
 #include "tests/datasets.h"
 #include "tests/made_scenes.h"
 #include "tests/one_line.h"
+#include "tests/programs/patterns.h"
 #include "tests/programs/run_program.h"
 #include "tests/temporary_folder.h"
 
@@ -231,12 +231,13 @@ TEST_F(Inspect, PhotosLeftOutAreThoseOfPrepareForTheSameReasons) {
 }
 
 TEST_F(Inspect, NeedsAreThoseThatPreparePrints) {
-    const std::regex line(
-        R"(needs    about (\d+) s, at most (\d+) MB of memory \((\d+) photos at a time\), (\d+) MB of disk)");
+    constexpr const char* line =
+        R"(needs    about (\d+) s, at most (\d+) MB of memory \((\d+) photos at a time\), (\d+) MB of disk)";
     const std::string before = inspect().out, then = prepare().out;
-    std::smatch looked, prepared;
-    ASSERT_TRUE(std::regex_search(before, looked, line)) << before;
-    ASSERT_TRUE(std::regex_search(then, prepared, line)) << then;
+    const auto befores = matches(before, line), thens = matches(then, line);
+    ASSERT_FALSE(befores.empty()) << before;
+    ASSERT_FALSE(thens.empty()) << then;
+    const auto &looked = befores[0], &prepared = thens[0];
     EXPECT_NEAR(std::stod(looked[1]), std::stod(prepared[1]), 1);
     EXPECT_NEAR(std::stod(looked[2]), std::stod(prepared[2]), 0.1 * std::stod(prepared[2]));
     EXPECT_EQ(looked[3], prepared[3]);

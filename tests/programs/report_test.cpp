@@ -6,12 +6,12 @@
 #include <array>
 #include <cstdlib>
 #include <map>
-#include <regex>
 
 #include "pipeline/formats/export_colmap.h"
 #include "pipeline/formats/export_ply.h"
 #include "pipeline/photos/image_files.h"
 #include "scene/camera.h"
+#include "tests/programs/patterns.h"
 #include "tests/temporary_folder.h"
 
 using namespace vantage;
@@ -91,11 +91,11 @@ class Report : public TemporaryFolder {
     }
     /// Names and colors of a legend's entries.
     std::map<std::string, Rgb> legend() const {
-        const std::string html = page();
-        const std::regex entry("<i style=\"background:rgb\\((\\d+),(\\d+),(\\d+)\\)\"></i><b>([a-z ]+)</b>");
+        constexpr const char* entry =
+            R"x(<i style="background:rgb\((\d+),(\d+),(\d+)\)"></i><b>([a-z ]+)</b>)x";
         std::map<std::string, Rgb> out;
-        for (std::sregex_iterator m(html.begin(), html.end(), entry), end; m != end; ++m)
-            out[(*m)[4]] = {std::stoi((*m)[1]), std::stoi((*m)[2]), std::stoi((*m)[3])};
+        for (const auto& m : matches(page(), entry))
+            out[m[4]] = {std::stoi(m[1]), std::stoi(m[2]), std::stoi(m[3])};
         return out;
     }
 };
