@@ -194,6 +194,8 @@ TEST_F(WindowEventsTest, ADragTurnsHalfATurnPerWidthOfTheWindow) {
     w.drag(0, 90, 0);
     EXPECT_GT((w.session.camera.eye - from).norm(), 1);
     EXPECT_NEAR(elevation(w) - before, 12, 0.01);
+    const Eigen::Vector3d target = w.session.camera.target, nearer = target + 0.3 * (from - target);
+    EXPECT_GT((pixel_of(w, nearer) - pixel_of(w, target)).x(), 5) << "the near side follows the pointer";
 }
 
 TEST_F(WindowEventsTest, WhatIsUnderThePointerStaysThere) {

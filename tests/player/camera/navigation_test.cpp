@@ -67,6 +67,18 @@ Navigation before_origin() {
 
 }  // namespace
 
+/// Camera axes: x right, y down, z ahead.
+TEST(Navigation, TurnsToTheSideThatIsAskedFor) {
+    const auto ahead = [](const Navigation& n) { return Eigen::Vector3d(n.R.row(2)); };
+    Navigation right = before_origin(), down = before_origin();
+    look(right, 0.1, 0), look(down, 0, 0.1);
+    EXPECT_LT((ahead(right) - Eigen::Vector3d(std::sin(0.1), 0, std::cos(0.1))).norm(), 1e-12);
+    EXPECT_LT((ahead(down) - Eigen::Vector3d(0, std::sin(0.1), std::cos(0.1))).norm(), 1e-12);
+    orbit(right = before_origin(), 0.1, 0), orbit(down = before_origin(), 0, 0.1);
+    EXPECT_LT((right.eye - 5 * Eigen::Vector3d(-std::sin(0.1), 0, -std::cos(0.1))).norm(), 1e-12);
+    EXPECT_LT((down.eye - 5 * Eigen::Vector3d(0, -std::sin(0.1), -std::cos(0.1))).norm(), 1e-12);
+}
+
 TEST(Navigation, ApproachingAPointKeepsItUnderThePointer) {
     Navigation n = before_origin();
     const Eigen::Vector3d point(1.2, -0.7, 0.4);
