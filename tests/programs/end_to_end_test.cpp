@@ -549,7 +549,7 @@ TEST_F(EndToEnd, LensDistortionIsRemoved) {
 
 TEST_F(EndToEndAtLength, VisibilityMatchesRayCastingOnTheDemoScene) {
     Prepared p = prepared(make(spec_named("demo")));
-    expect_visibility_is_that_of_rays(p);
+    expect_visibility_is_that_of_rays(p, 5);
 }
 
 TEST_F(EndToEndAtLength, OwnViewsMatchThePhotosOnSceaux) {
