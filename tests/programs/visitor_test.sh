@@ -15,7 +15,7 @@ wide=${size%x*} high=${size#*x}
 
 # shot NAME: a screenshot, as NAME.ppm, once nothing has moved for ten frames: X may pass events on late
 shot() {
-  local still=0 last now
+  local still=0 last now rests
   last=$(frame)
   while [ $still -lt 10 ]; do
     within 60 has_drawn $((last + 1)) || { fail "the window never rests"; return; }

@@ -1,5 +1,5 @@
 # Functions for tests of the window, to be sourced: real mouse and key events through the X server. Needs xvfb-run, xdotool and
-# inotifywait. Nothing sleeps: what is waited for shows in files of the folder, of which `places` is written with every frame.
+# inotifywait. What is waited for shows in files that the player moves to the folder, of which `places` comes with every frame.
 
 # Runs the calling script again under Xvfb, with a screen of this size, in an empty folder $dir; once there, goes on.
 # under_xvfb WIDTHxHEIGHT "$@"
@@ -38,7 +38,7 @@ enter_folder() {
   dir=$VANTAGE_WINDOW_TEST
   cd "$dir" || exit 1
   export XDG_CONFIG_HOME=$dir/config LC_ALL=C.UTF-8
-  exec {changes}< <(exec inotifywait -m -q -e close_write -e moved_to --format . . 2>/dev/null)
+  exec {changes}< <(exec inotifywait -m -q -e moved_to --format . . 2>/dev/null)
   watcher=$!
   trap 'kill $watcher' EXIT
 }
@@ -108,7 +108,7 @@ finger() {
 # screenshot FILE.ppm [LEFT TOP WIDTH HEIGHT]: with the libraries of the system's Python
 screenshot() { /usr/bin/python3 "$source_of_tests/screenshot.py" "$@" || exit 1; }
 
-# Waits until a file of the folder is written, or a second.
+# Waits until a file is moved to the folder, or a second. Conditions that are waited for must not do that themselves.
 changed() {
   read -r -t 1 -u "$changes" _ || return 0
   while read -r -t 0 -u "$changes"; do read -r -u "$changes" _; done
@@ -128,11 +128,10 @@ failed=0
 fail() { echo "FAILED: $*"; failed=1; }
 
 # place NAME [share of its width]: waits for a control and prints the position of its center
-place() { within 15 is_at "$@" && cat at; }
-is_at() {
-  [ -f places ] || return 1
-  awk -F'\t' -v n="$1" -v share="${2:-0.5}" '$1 == n { print int($2 + $4 * share), int($3 + $5 / 2); exit }' places >.at
-  [ -s .at ] && mv .at at
+place() { within 15 is_at "$@" && echo "$center"; }
+is_at() {  # sets center
+  center=$(awk -F'\t' -v n="$1" -v share="${2:-0.5}" '$1 == n { print int($2 + $4 * share), int($3 + $5 / 2); exit }' places 2>/dev/null)
+  [ -n "$center" ]
 }
 frame() { awk -F'\t' '$1 == "frame" { print $2; exit }' places 2>/dev/null; }
 ticks() { awk '{ print $14 + $15 }' "/proc/$pid/stat"; }  # processor time of the player, in hundredths of a second
