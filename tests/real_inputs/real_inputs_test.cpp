@@ -45,11 +45,6 @@ struct Outcome {
     int code() const { return WIFEXITED(status) ? WEXITSTATUS(status) : -1; }
 };
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    for (std::size_t at; (at = text.find(from)) != text.npos;) text.replace(at, from.size(), to);
-    return text;
-}
-
 std::vector<std::string> split(const std::string& text, char at) {
     std::vector<std::string> parts;
     std::istringstream in(text);
@@ -75,11 +70,6 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
     for (std::string& w : words) out.push_back(w.data());
     out.push_back(nullptr);
     return out;
-}
-
-std::string slurp(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// Gives a package the next format version, with a checksum that matches.

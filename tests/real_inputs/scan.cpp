@@ -75,12 +75,18 @@ bool is_below(const std::string& path, const std::string& folder) {
     return path == folder || path.starts_with(folder + "/");
 }
 
+}  // namespace
+
 std::string slurp(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-}  // namespace
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
 
 void Scan::copy(const std::string& from, const std::string& to) {
     const auto before = files;
@@ -102,9 +108,8 @@ void Scan::move(const std::string& from, const std::string& to) {
 
 void Scan::replace(const std::string& path, const std::string& from, const std::string& to) {
     std::string& text = files.at(path);
-    std::size_t at = text.find(from);
-    if (at == text.npos) throw std::logic_error(path + " has no '" + from + "'");
-    for (; at != text.npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+    if (text.find(from) == text.npos) throw std::logic_error(path + " has no '" + from + "'");
+    text = replaced(text, from, to);
 }
 
 void Scan::write(const fs::path& folder) const {

@@ -27,6 +27,11 @@ struct Scan {
     void write(const std::filesystem::path& folder) const;
 };
 
+std::string slurp(const std::filesystem::path& file);
+
+/// The text with every occurrence of `from` replaced.
+std::string replaced(std::string text, const std::string& from, const std::string& to);
+
 /// The scan that every row changes: `images/` with A.jpg (red), B.jpg (green) and C.jpg (blue), 64x48;
 /// `sparse/` with their cameras in COLMAP's text format; mesh.ply, a box of 12 triangles.
 Scan standard_scan();

@@ -51,9 +51,7 @@ Change with_gltf(std::string file, std::string uri) {
     return [=](Scan& s) {
         s.remove("mesh.ply");
         s[file] = box_gltf().json(uri);
-        std::string name = uri;
-        for (std::size_t at; (at = name.find("%20")) != name.npos;) name.replace(at, 3, " ");
-        s[name] = box_gltf().bytes;
+        s[replaced(uri, "%20", " ")] = box_gltf().bytes;
     };
 }
 /// The box as three objects, of which the second counts its vertices from the last one.
