@@ -17,8 +17,8 @@ struct ScaleFacts {
     double pixel = 0;     ///< width of a pixel at that depth, median over the photos
 };
 
-/// Of the scene's mesh, or of its points if there is no mesh; `diagonal`: of its main_box. Empty if no
-/// photo sees any of it.
+/// The scale of the scene's mesh, or of its points if there is no mesh. `diagonal`: the length of the
+/// diagonal of its box without strays (values/main_box.h). Returns std::nullopt if no photo sees any of it.
 std::optional<ScaleFacts> scale_facts(const SceneInput& scene, double diagonal);
 
 /// Units ("m", "cm", "mm") in which `distance` is one from which people take photos: 0.1 to 500 m.
