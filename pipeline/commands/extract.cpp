@@ -1,6 +1,7 @@
 #include "pipeline/reports/extract.h"
 
 #include "pipeline/commands/commands.h"
+#include "scene/error.h"
 
 namespace vantage {
 namespace {

@@ -14,6 +14,7 @@
 #include <optional>
 #include <utility>
 
+#include "gl/context.h"
 #include "player/window/glfw_window.h"
 #include "player/window/input.h"
 #include "player/window/new_frame.h"
