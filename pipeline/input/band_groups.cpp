@@ -9,9 +9,9 @@
 #include <numeric>
 #include <optional>
 
-#include "pipeline/input/file_name.h"
 #include "scene/error.h"
 #include "scene/package_format.h"
+#include "values/file_name.h"
 #include "values/photo_names.h"
 
 namespace vantage {

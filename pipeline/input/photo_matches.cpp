@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "pipeline/input/file_name.h"
 #include "scene/error.h"
+#include "values/file_name.h"
 #include "values/lower_extension.h"
 
 namespace vantage {

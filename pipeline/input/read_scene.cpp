@@ -13,12 +13,12 @@
 #include "pipeline/formats/mesh.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
-#include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/photos/image_files.h"
 #include "pipeline/photos/photos.h"
 #include "pipeline/run/read_file.h"
 #include "scene/error.h"
+#include "values/file_name.h"
 
 namespace vantage {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "pipeline/formats/cameras.h"
 #include "pipeline/input/band_groups.h"
-#include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"
 #include "scene/error.h"
+#include "values/file_name.h"
 #include "values/json_text.h"
 
 namespace vantage {

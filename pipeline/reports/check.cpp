@@ -12,7 +12,6 @@
 
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/discover.h"
-#include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/package/stage_keys.h"
 #include "pipeline/package/staleness.h"
@@ -25,6 +24,7 @@
 #include "scene/tiling.h"
 #include "story/story_file.h"
 #include "story/story_references.h"
+#include "values/file_name.h"
 
 namespace vantage {
 namespace {

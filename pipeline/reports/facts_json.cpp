@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/input/file_name.h"
 #include "pipeline/package/disk_space.h"
 #include "pipeline/reports/file_facts.h"
+#include "values/file_name.h"
 
 namespace vantage {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pipeline/input/file_name.h"
+#include "values/file_name.h"
 
 namespace vantage {
 

@@ -6,11 +6,11 @@
 #include <tuple>
 
 #include "pipeline/input/discover.h"
-#include "pipeline/input/file_name.h"
 #include "pipeline/input/photo_matches.h"
 #include "pipeline/photos/photos.h"
 #include "pipeline/reports/file_facts.h"
 #include "scene/error.h"
+#include "values/file_name.h"
 
 namespace vantage {
 

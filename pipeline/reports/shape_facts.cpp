@@ -1,6 +1,6 @@
 #include "pipeline/reports/shape_facts.h"
 
-#include "pipeline/input/file_name.h"
+#include "values/file_name.h"
 #include "values/main_box.h"
 
 namespace vantage {

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <limits>
 
-#include "pipeline/input/file_name.h"
 #include "pipeline/photos/undistort.h"
 #include "scene/opaque_part.h"
+#include "values/file_name.h"
 
 namespace vantage {
 namespace {

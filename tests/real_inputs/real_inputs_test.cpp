@@ -19,13 +19,13 @@
 #include <thread>
 
 #include "pipeline/commands/run_program.h"
-#include "pipeline/input/file_name.h"
 #include "pipeline/photos/image_files.h"
 #include "scene/checksum.h"
 #include "scene/package_reader.h"
 #include "scene/stored_tile.h"
 #include "tests/real_inputs/row.h"
 #include "tests/temporary_folder.h"
+#include "values/file_name.h"
 
 using namespace vantage;
 using namespace vantage::real_inputs;

@@ -1,4 +1,4 @@
-#include "pipeline/input/file_name.h"
+#include "values/file_name.h"
 
 #include <utf8proc.h>
 
