@@ -5,17 +5,27 @@
 #include <map>
 #include <set>
 
+#include "values/file_name.h"
+
 namespace vantage {
 
 std::string_view stem_of(std::string_view name) { return name.substr(0, name.rfind('.')); }
 
 std::vector<std::size_t> photos_meant(std::span<const std::string_view> names, std::string_view wanted) {
-    std::vector<std::size_t> out;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i] == wanted) return {i};
-        if (stem_of(names[i]) == wanted) out.push_back(i);
-    }
-    return out;
+    if (const auto same = std::ranges::find(names, wanted); same != names.end())
+        return {std::size_t(same - names.begin())};
+    const auto listed_if = [&](const auto& is_meant) {
+        std::vector<std::size_t> out;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (is_meant(names[i])) out.push_back(i);
+        return out;
+    };
+    auto out = listed_if([&](std::string_view name) { return stem_of(name) == wanted; });
+    if (!out.empty()) return out;
+    const std::string comparable = comparable_name(wanted);
+    return listed_if([&](std::string_view name) {
+        return comparable_name(name) == comparable || comparable_name(stem_of(name)) == comparable;
+    });
 }
 
 std::string listed(std::span<const std::string_view> names, std::span<const std::size_t> indices) {

@@ -11,7 +11,8 @@ namespace vantage {
 std::string_view stem_of(std::string_view name);
 
 /// The indices of the photos that a user means by `wanted`: the one of exactly this name, otherwise those of
-/// this name without extension. More than one: `wanted` is ambiguous.
+/// this name without extension, otherwise those whose comparable_name() is the same, with or without
+/// extension. More than one: `wanted` is ambiguous.
 std::vector<std::size_t> photos_meant(std::span<const std::string_view> names, std::string_view wanted);
 
 /// "0000.jpg and 0000.png": for a message about an ambiguous name.
