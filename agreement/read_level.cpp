@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "scene/error.h"
+#include "scene/pinhole_image.h"
 #include "scene/stored_tile.h"
 #include "values/srgb.h"
 
@@ -54,25 +55,34 @@ std::vector<std::byte> read_level(const PackageReader& reader, const package::Ph
     return texels;
 }
 
+RgbaImage read_pinhole_level(const PackageReader& reader, const package::PhotoRecord& r, std::uint32_t photo,
+                             int level) {
+    const Level size = level_size(int(r.width), int(r.height), level);
+    const std::vector<std::byte> texels = read_level(reader, r, photo, package::Type::tiles, level);
+    RgbaImage image = blank_image(size.width, size.height);
+    std::memcpy(image.rgba.data(), texels.data(), texels.size());
+    const auto lens = lens_table(reader, r, photo);
+    return lens ? pinhole_image(image, *lens, level) : image;
+}
+
 std::vector<std::array<float, 3>> read_linear_colors(const PackageReader& reader,
                                                      const package::PhotoRecord& r, std::uint32_t photo,
                                                      int level) {
     const int stored = std::clamp(level, 0, std::max(int(r.levels) - 1, 0)), finer = level - stored;
-    const auto rgba = read_level(reader, r, photo, package::Type::tiles, stored);
+    const RgbaImage image = read_pinhole_level(reader, r, photo, stored);
     const Level from = level_size(int(r.width), int(r.height), stored),
                 to = level_size(int(r.width), int(r.height), level);
     std::vector<std::array<float, 3>> out;
     out.reserve(std::size_t(to.width) * std::size_t(to.height));
     for (int y = 0; y < to.height; ++y) {
-        const std::byte* row =
-            &rgba[4 * std::size_t(std::min(y << finer, from.height - 1)) * std::size_t(from.width)];
+        const std::uint8_t* row =
+            &image.rgba[4 * std::size_t(std::min(y << finer, from.height - 1)) * std::size_t(from.width)];
         for (int x = 0; x < to.width; ++x) {
-            const std::byte* color = row + 4 * std::min(x << finer, from.width - 1);
+            const std::uint8_t* color = row + 4 * std::min(x << finer, from.width - 1);
             std::array<float, 3>& linear = out.emplace_back();
             for (std::size_t c = 0; c < 3; ++c)
-                linear[c] = color[3] == std::byte(255)
-                                ? float(linear_of_srgb_byte()[std::to_integer<std::size_t>(color[c])])
-                                : std::numeric_limits<float>::quiet_NaN();
+                linear[c] = color[3] == 255 ? float(linear_of_srgb_byte()[color[c]])
+                                            : std::numeric_limits<float>::quiet_NaN();
         }
     }
     return out;

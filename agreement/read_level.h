@@ -7,6 +7,7 @@
 
 #include "scene/package_reader.h"
 #include "scene/tiling.h"
+#include "values/rgba_image.h"
 
 namespace vantage {
 
@@ -28,8 +29,13 @@ std::vector<std::byte> join_tiles(const PackageReader& reader, const package::Di
 std::vector<std::byte> read_level(const PackageReader& reader, const package::PhotoRecord& record,
                                   std::uint32_t photo, package::Type type, int level);
 
-/// Linear light, 0 to 1, of a photo at a level of tiles or of masks; NaN where it has no opaque pixel. A
-/// photo of a single level, whose masks are half its size, gives every second pixel. Throws like read_level.
+/// A level of a photo's color as a pinhole camera takes it. Throws like read_level.
+RgbaImage read_pinhole_level(const PackageReader& reader, const package::PhotoRecord& record,
+                             std::uint32_t photo, int level);
+
+/// Linear light, 0 to 1, of a photo as a pinhole camera takes it at a level of tiles or of masks; NaN where
+/// it has no opaque pixel. A photo of a single level, whose masks are half its size, gives every second
+/// pixel. Throws like read_level.
 std::vector<std::array<float, 3>> read_linear_colors(const PackageReader& reader,
                                                      const package::PhotoRecord& record, std::uint32_t photo,
                                                      int level);

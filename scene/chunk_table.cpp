@@ -52,6 +52,8 @@ std::span<const ChunkRow> chunk_table() {
         ChunkRow{Type::scalars, "scalars", none, single, true, 4, layer_values,
                  "one value per vertex and layer"},
         ChunkRow{Type::bands, "bands", none, single, false, sizeof(package::BandRecord)},
+        ChunkRow{Type::lenses, "lenses", none, single, false, sizeof(package::LensRecord), per_photo,
+                 "one record per photo"},
         ChunkRow{Type::point_nodes, "octree of points", none, single, false, sizeof(package::PointNode)},
         ChunkRow{Type::thumbnail, "thumbnail", Stage::thumbnail, single, true, 4, pixels,
                  "the size in its record"},

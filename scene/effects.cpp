@@ -13,7 +13,8 @@ namespace {
 /// "fov-normalisation" keeps its British spelling there.
 constexpr std::array table{
     EffectRow{Effect::undistortion, "undistortion", "undistortion",
-              "largest displacement by the lens in any photo", "px", 0.05, Basis::scene, "", ""},
+              "largest displacement by the lens in any photo", "px", 0.05, Basis::scene, "blend",
+              "PHOTO_LENS"},
     EffectRow{Effect::per_fragment, "per-fragment", "per-fragment",
               "triangle size in the photos, 95th percentile by area", "px", 2.0, Basis::scene, "blend",
               "PER_FRAGMENT"},

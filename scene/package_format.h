@@ -9,8 +9,8 @@ namespace vantage::package {
 
 inline constexpr char magic[8] = {'V', 'A', 'N', 'T', 'A', 'G', 'E', '\n'};
 inline constexpr char part_magic[8] = {'V', 'N', 'T', 'G', 'P', 'A', 'R', 'T'};  ///< while in preparation
-inline constexpr std::uint32_t version = 4;
-inline constexpr std::uint64_t alignment = 4096;    ///< of every raw chunk and its blocks
+inline constexpr std::uint32_t version = 5;
+inline constexpr std::uint64_t alignment = 4096;  ///< of every raw chunk and its blocks
 constexpr std::uint64_t aligned(std::uint64_t n) { return (n + alignment - 1) / alignment * alignment; }
 inline constexpr std::uint64_t coded_alignment = 8;  ///< of every other chunk
 inline constexpr std::uint32_t scene_wide = 0xffffffffu;
@@ -38,6 +38,7 @@ enum class Type : std::uint32_t {
     point_nodes = fourcc("PNOD"),           ///< PointNode[]: an octree over a point cloud; optional
     points = fourcc("PNTS"),                ///< blocks of PackedPoint[point_block]; optional
     bands = fourcc("BAND"),                 ///< BandRecord[]: sets of photos; optional
+    lenses = fourcc("LENS"),                ///< LensRecord[photos]; optional
     thumbnail = fourcc("THMB"),             ///< per photo: RGBA8
     coverage = fourcc("COVR"),              ///< per photo: CoverageRecord[clusters]
     visible = fourcc("VISB"),      ///< per photo: u64[], a bit per triangle seen in full, then in part
@@ -106,7 +107,6 @@ struct SceneRecord {
 
 enum PhotoFlags : std::uint32_t {
     photo_held_out = 1,
-    photo_undistorted = 2,
     photo_has_alpha = 4,
     photo_left_out = 8,    ///< unreadable: only its camera is stored; the reason is in its PhotoState
     photo_registered = 16  ///< its pose was refined; REGI has the one given
@@ -190,6 +190,13 @@ struct BandRecord {
 };
 inline constexpr std::size_t most_bands = 64;
 
+/// A photo's lens, as in scene/lens.h.
+struct LensRecord {
+    std::uint32_t model;  ///< LensModel
+    std::uint32_t reserved;
+    double p[12];
+};
+
 /// What one photo sees of one cluster.
 struct CoverageRecord {
     std::uint16_t seen;            ///< fraction of its triangles that are at least partly seen, unorm16
@@ -254,7 +261,7 @@ static_assert(sizeof(Header) == 64 && sizeof(DirectoryEntry) == 64 && sizeof(Clu
 static_assert(sizeof(PointNode) == 40 && sizeof(PackedPoint) == 12 &&
               point_block * sizeof(PackedPoint) % alignment == 0);
 static_assert(sizeof(PhotoState) == 344 && std::is_trivially_copyable_v<PhotoState>);
-static_assert(sizeof(BandRecord) == 64);
+static_assert(sizeof(BandRecord) == 64 && sizeof(LensRecord) == 104);
 static_assert(sizeof(CoverageRecord) == 12 && sizeof(SampleRecord) == 8 && sizeof(SceneRecord) == 136 &&
               sizeof(PhotoRecord) % 8 == 0);
 static_assert(sizeof(RegistrationRecord) == 128 && sizeof(PoseWithoutRecord) == 104 &&

@@ -528,6 +528,19 @@ Intrinsics intrinsics(const package::PhotoRecord& p) {
     return {int(p.width), int(p.height), p.fx, p.fy, p.cx, p.cy};
 }
 
+Lens lens_of(const PackageReader& package, std::uint32_t photo) {
+    const auto lenses = package.records<package::LensRecord>(Type::lenses, package::scene_wide, false);
+    if (lenses.empty()) return {};
+    const package::LensRecord r = photo < lenses.size() ? lenses[photo] : package::LensRecord{~0u, 0, {}};
+    const bool finite = std::ranges::all_of(r.p, [](double v) { return std::isfinite(v); });
+    if (r.model > std::uint32_t(last_lens_model) || !finite)
+        throw DamagedPackage(Defect::invalid_record, package.path().string() + ": LENS: the lens of photo " +
+                                                         std::to_string(photo) + " is out of range");
+    Lens lens{LensModel(r.model), {}};
+    std::ranges::copy(r.p, lens.p.begin());
+    return lens;
+}
+
 namespace {
 
 template <class Record>

@@ -150,6 +150,9 @@ void expect_sound(const PackageReader& package);
 
 /// A photo's pinhole camera, for positions relative to the origin.
 Intrinsics intrinsics(const package::PhotoRecord& photo);
+/// The lens that displaces the photo's pixels relative to that camera. Throws Error(damaged) for an unknown
+/// model or coefficients that are not finite.
+Lens lens_of(const PackageReader& package, std::uint32_t photo);
 Pose cam_from_origin(const package::PhotoRecord& photo);
 Pose cam_from_origin(const package::RegistrationRecord& given);
 Pose cam_from_origin(const package::PoseWithoutRecord& without);

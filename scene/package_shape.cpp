@@ -80,6 +80,24 @@ void bands_shape(const PackageReader& reader, const package::SceneRecord& scene,
     }
 }
 
+void lenses_shape(const PackageReader& reader, const package::SceneRecord& scene, Lines& out) {
+    const DirectoryEntry* e = reader.find(Type::lenses);
+    if ((e != nullptr) != effect_on(scene, Effect::undistortion)) {
+        out.emplace_back(e ? "LENS: the effect is off" : "LENS is missing");
+        return;
+    }
+    if (e && reader.content_length(e) != chunk_row(Type::lenses).length(scene)) {
+        out.emplace_back("LENS does not have one record per photo");
+        return;
+    }
+    for (std::uint32_t i = 0; e && i < scene.photos; ++i) try {
+            lens_of(reader, i);
+        } catch (const DamagedPackage& damage) {
+            out.push_back(std::string(damage.what()).substr(reader.path().string().size() + 2));
+            return;
+        }
+}
+
 void transparency_shape(const PackageReader& reader, Lines& out) {
     if (!out.empty()) return;  // it is read from what has a wrong shape
     if (auto damage = transparency_damage(reader)) out.push_back(std::move(*damage));
@@ -123,6 +141,7 @@ std::vector<std::string> misshapen(const PackageReader& reader) {
     surroundings_shape(reader, out);
     layers_shape(reader, scene, out);
     bands_shape(reader, scene, out);
+    lenses_shape(reader, scene, out);
     const auto photos = reader.photos();
     for (std::uint32_t i = 0; i < photos.size(); ++i)
         if (photos[i].levels > 0) photo_shape(reader, scene, photos[i], i, out);

@@ -122,7 +122,7 @@ float beyond_mesh(uint photo, vec2 pixel, float lod, MaskPlace at) {
 
 // The area of a photo that a sample covers.
 struct Footprint {
-    float lod;
+    float lod;      // negative: it is smaller than a photo pixel
     float shorter;  // its shorter side, photo pixels
 #ifdef TAPS
     vec2 longer;  // its longer side, photo pixels
@@ -142,9 +142,9 @@ Footprint footprint_of(uint photo, vec3 p, vec3 along_x, vec3 along_y) {
 #ifdef TAPS
     float width = max(max(minor, major / float(TAPS)), 1e-6);
     int taps = clamp(int(ceil(major / max(width, 1.0) - 0.1)), 1, TAPS);
-    return Footprint(max(0.0, log2(width) + lod_bias - 0.02), minor, a > b ? u : v, taps);
+    return Footprint(log2(width) + lod_bias - 0.02, minor, a > b ? u : v, taps);
 #else
-    return Footprint(max(0.0, log2(max(max(minor, major / 4.0), 1e-6)) + lod_bias - 0.02), minor);
+    return Footprint(log2(max(max(minor, major / 4.0), 1e-6)) + lod_bias - 0.02, minor);
 #endif
 }
 
@@ -173,7 +173,17 @@ float weight_of(uint photo, vec2 pixel, vec4 masks, float theta, Footprint footp
 #endif
 }
 
+// Alpha is 0 outside the photo.
 vec4 filtered(uint photo, vec2 pixel, Footprint f) {
+#ifdef PHOTO_LENS
+    LensPlace lens = lens_place(photo, pixel);
+    if (!lens.inside) return vec4(0.0);
+    pixel = lens.pixel;
+    f.lod += 0.5 * log2(max(abs(determinant(lens.along)), 1e-6));
+#ifdef TAPS
+    f.longer = lens.along * f.longer;
+#endif
+#endif
 #ifdef BILINEAR
     f.lod = floor(f.lod + 0.5);
 #endif

@@ -40,6 +40,42 @@ TilePlace tile_place(vec2 size, int level, vec2 texel, uint base) {
     return TilePlace(base + uint(tile.y * tiles.x + tile.x), (local + tile_border) / tile_size);
 }
 
+#ifdef PHOTO_LENS
+// Where a photo's lens images what a pinhole camera images at a pixel, from the photo's table in `pages` (scene/lens_table.h).
+struct LensPlace {
+    vec2 pixel;
+    mat2 along;   // derivative by the pinhole camera's pixel
+    bool inside;  // the photo
+};
+LensPlace lens_place(uint photo, vec2 pixel) {
+    int table = int(photos[photo].direction.w);
+    if (table < 0) return LensPlace(pixel, mat2(1.0), true);
+    vec2 size = photos[photo].size_weight.xy, ray = (pixel - photos[photo].focal_center.zw) / photos[photo].focal_center.xy;
+    vec2 at = clamp(pixel / size, 0.0, 1.0) * float(lens_cells), cell = min(floor(at), float(lens_cells - 1));
+    vec2 f = at - cell, g = 1.0 - f;
+    vec2 weight[4] = vec2[](g * g * g / 6.0, (3.0 * f * f * f - 6.0 * f * f + 4.0) / 6.0,
+                            (3.0 * g * g * g - 6.0 * g * g + 4.0) / 6.0, f * f * f / 6.0);
+    vec2 slope[4] = vec2[](-g * g / 2.0, (3.0 * f * f - 4.0 * f) / 2.0, (4.0 * g - 3.0 * g * g) / 2.0, f * f / 2.0);
+    vec2 moved = vec2(0.0), by_x = vec2(0.0), by_y = vec2(0.0);
+    for (int j = 0; j < 4; ++j) {
+        int first = table + 2 * ((int(cell.y) + j) * (lens_cells + 3) + int(cell.x));
+        vec2 row = vec2(0.0), row_slope = vec2(0.0);
+        for (int i = 0; i < 4; ++i) {
+            vec2 c = vec2(uintBitsToFloat(pages[first + 2 * i]), uintBitsToFloat(pages[first + 2 * i + 1]));
+            row += weight[i].x * c;
+            row_slope += slope[i].x * c;
+        }
+        moved += weight[j].y * row;
+        by_x += weight[j].y * row_slope;
+        by_y += slope[j].y * row;
+    }
+    vec2 per_pixel = float(lens_cells) / size;
+    pixel += moved;
+    bool inside = dot(ray, ray) <= photos[photo].falloff.w && all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThanEqual(pixel, size));
+    return LensPlace(pixel, mat2(vec2(1.0, 0.0) + by_x * per_pixel.x, vec2(0.0, 1.0) + by_y * per_pixel.y), inside);
+}
+#endif
+
 bool has_thumbnail(uint photo) { return photos[photo].thumbnail.x >= 0.0; }
 
 vec4 thumbnail_at(uint photo, vec2 pixel) {

@@ -39,6 +39,11 @@ vec4 photo_at(vec2 frame_pixel) {
     vec2 pixel = h.xy / h.z;
     vec2 size = photos[0].size_weight.xy;
     bool inside = h.z > 0.0 && all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, size));
+#ifdef PHOTO_LENS
+    LensPlace lens = lens_place(0u, pixel);
+    inside = inside && lens.inside;
+    pixel = lens.pixel;
+#endif
     return inside ? color_at(0u, pixel, lod) : vec4(0.0);
 }
 

@@ -9,7 +9,7 @@ namespace {
 struct ExtractOptions {
     std::string file, out;
     std::vector<std::string> photos;
-    bool force = false;
+    bool undistorted = false, force = false;
 };
 
 }  // namespace
@@ -21,18 +21,20 @@ void add_extract(const Command& program) {
     c.notes(
         "Examples:\n  vantage extract chapel.vantage -o chapel-files\n"
         "  vantage extract chapel.vantage -o chapel-files --photo 0003\n"
-        "In the folder: photos/ without lens distortion; sparse/, their cameras as COLMAP text, in the "
-        "input's\n"
-        "coordinates and with the poses as corrected; masks/ (RGBA: angle, depth, border, consensus); "
-        "depth/\n"
-        "(EXR, along the optical axis); mesh.ply and points.ply. COLMAP, or vantage prepare, reads the "
-        "folder.");
+        "In the folder: photos/ as they were taken; sparse/, their cameras and lenses as COLMAP text, in "
+        "the\n"
+        "input's coordinates and with the poses as corrected; masks/ (RGBA: angle, depth, border, "
+        "consensus) and\n"
+        "depth/ (EXR, along the optical axis), without lens distortion; mesh.ply and points.ply. COLMAP, "
+        "or\n"
+        "vantage prepare, reads the folder.");
     c.file("FILE", o->file, "the package").type("PACKAGE").required();
     c.file("-o,--output", o->out, "folder to write into").type("FOLDER").required();
     c.list("--photo", o->photos, "only these photos").type("PHOTO").commas();
+    c.flag("--undistorted", o->undistorted, "photos without lens distortion, as PNG");
     c.force(o->force);
     c.action([o] {
-        extract(o->file, o->out, o->photos, o->force);
+        extract(o->file, o->out, o->photos, o->undistorted, o->force);
         return int(Exit::ok);
     });
 }

@@ -41,7 +41,6 @@ nlohmann::json describe_package(const PackageReader& reader) {
                                  {"width", p.width},
                                  {"height", p.height},
                                  {"held_out", bool(p.flags & package::photo_held_out)},
-                                 {"undistorted", bool(p.flags & package::photo_undistorted)},
                                  {"registered", bool(p.flags & package::photo_registered)},
                                  {"focal", {p.fx, p.fy}},
                                  {"visible_vertices", p.visible_vertices},
@@ -49,6 +48,9 @@ nlohmann::json describe_package(const PackageReader& reader) {
                                  {"falloff", p.falloff},
                                  {"hull_area", p.hull_area},
                                  {"depth", {p.z_min, p.z_max}}});
+    for (std::uint32_t i = 0; i < reader.photos().size(); ++i)
+        if (const Lens lens = lens_of(reader, i); lens.distorts())
+            out["photos"][i]["lens"] = name(lens.model);
     for (std::size_t i = 0; bands.size() > 1 && i < reader.photos().size(); ++i)
         out["photos"][i]["band"] = bands[reader.photos()[i].band].name;
     for (const package::PairRecord& p : pairs_of(reader))

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "files/make_folder.h"
 #include "files/output_file.h"
@@ -13,16 +15,46 @@
 namespace vantage {
 namespace {
 
+/// A model and how many of Lens::p it takes, in their order; no name if COLMAP has no such model.
+std::pair<const char*, std::size_t> model_of(const Lens& lens) {
+    const auto all = coefficient_names(lens.model).size();
+    switch (lens.model) {
+        case LensModel::none:
+            return {"PINHOLE", 0};
+        case LensModel::opencv:
+            if (!lens.distorts()) return {"PINHOLE", 0};
+            return std::any_of(&lens.p[4], &lens.p[8], [](double v) { return v != 0; })
+                       ? std::pair("FULL_OPENCV", all)
+                       : std::pair("OPENCV", std::size_t(4));
+        case LensModel::fisheye:
+            return {"OPENCV_FISHEYE", all};
+        case LensModel::fov:
+            return {"FOV", all};
+        case LensModel::thin_prism:
+            return {"THIN_PRISM_FISHEYE", all};
+        case LensModel::aria:
+            return {"RAD_TAN_THIN_PRISM_FISHEYE", all};
+        case LensModel::division:
+            return {"DIVISION", all};
+        case LensModel::unified:
+            return {"EUCM", all};
+        case LensModel::brown:
+        case LensModel::matchmover:
+            return {nullptr, 0};
+    }
+    return {nullptr, 0};
+}
+
 std::string camera_line(std::size_t id, const NamedCamera& photo) {
     const Intrinsics& k = photo.camera.intrinsics;
-    const Lens& lens = photo.camera.lens;
-    const bool four_terms = lens.p[4] == 0 && lens.p[5] == 0 && lens.p[6] == 0 && lens.p[7] == 0;
-    const std::string pinhole = fmt::format("{} {} {} {} {} {}", k.width, k.height, k.fx, k.fy, k.cx, k.cy);
-    if (!lens.distorts()) return fmt::format("{} PINHOLE {}\n", id, pinhole);
-    if (lens.model != LensModel::opencv || !four_terms)
-        throw Error(Exit::input,
-                    photo.photo + ": COLMAP text is written only for OPENCV lenses with at most four terms");
-    return fmt::format("{} OPENCV {} {} {} {} {}\n", id, pinhole, lens.p[0], lens.p[1], lens.p[2], lens.p[3]);
+    const auto [model, count] = model_of(photo.camera.lens);
+    if (!model)
+        throw Error(Exit::input, fmt::format("{}: COLMAP has no lens model \"{}\"", photo.photo,
+                                             name(photo.camera.lens.model)));
+    std::string line =
+        fmt::format("{} {} {} {} {} {} {} {}", id, model, k.width, k.height, k.fx, k.fy, k.cx, k.cy);
+    for (std::size_t i = 0; i < count; ++i) line += fmt::format(" {}", photo.camera.lens.p[i]);
+    return line + "\n";
 }
 
 std::string image_line(std::size_t id, const NamedCamera& photo) {
@@ -33,6 +65,8 @@ std::string image_line(std::size_t id, const NamedCamera& photo) {
 }
 
 }  // namespace
+
+bool has_colmap_model(const Lens& lens) { return model_of(lens).first != nullptr; }
 
 void write_colmap_text(const std::filesystem::path& folder, std::span<const NamedCamera> photos,
                        const std::string& comment) {

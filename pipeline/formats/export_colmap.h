@@ -16,9 +16,12 @@ struct NamedCamera {
 /// The files of a model in COLMAP's text format.
 inline constexpr const char* colmap_text_files[] = {"cameras.txt", "images.txt", "points3D.txt"};
 
-/// Writes them, one camera per photo and no points, to full double precision. The model is PINHOLE, or OPENCV
-/// for a distorting lens. Throws Error(storage), and Error(input) for a lens that OPENCV cannot express
-/// (another model, or more than four terms). `comment`: lines that begin with #, for the head of each file.
+/// Whether COLMAP can express the lens: all but `brown` and `matchmover`.
+bool has_colmap_model(const Lens& lens);
+
+/// Writes them, one camera per photo and no points, to full double precision. Throws Error(storage), and
+/// Error(input) for a lens without a COLMAP model. `comment`: lines that begin with #, for the head of each
+/// file.
 void write_colmap_text(const std::filesystem::path& folder, std::span<const NamedCamera> photos,
                        const std::string& comment = "");
 

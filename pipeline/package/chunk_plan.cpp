@@ -29,6 +29,9 @@ std::optional<std::uint64_t> scene_bytes(const ChunkRow& row, const package::Sce
             return sizes.meta_bytes;
         case Type::bands:
             return of_records(sizes.bands);
+        case Type::lenses:
+            if (!effect_on(scene, Effect::undistortion)) return {};
+            break;
         case Type::point_nodes:
             return of_records(sizes.point_nodes);
         case Type::registration:  // a share has no results that depend on all photos

@@ -27,7 +27,7 @@ Parts parts_of(const std::string& name) {
     if (row == effect_table().end()) return {};
     switch (row->effect) {
         case Effect::undistortion:
-            return {{"undistort"}, {}};
+            return {{"lens"}, {Type::lenses}};
         case Effect::vertex_colors:
             return {{}, {Type::colors}};
         case Effect::exposure:

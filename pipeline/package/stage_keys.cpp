@@ -13,9 +13,6 @@ using package::Stage;
 /// Incremented whenever a change to the code changes the colors of photos that have a color profile.
 constexpr std::uint32_t color_conversion = 1;
 
-/// The value of bicubic interpolation in the keys of photos that are undistorted.
-constexpr int bicubic = 2;
-
 /// Compact chunks hold other bytes, and depth and colors that other stages read are rounded.
 Fingerprint start(const StageRow& row, const SceneKey& scene) {
     Fingerprint f;
@@ -29,8 +26,6 @@ std::uint64_t tiles_key(const SceneKey& scene, const PhotoInput& photo, std::uin
     Fingerprint f = start(stage_row(Stage::tiles), scene);
     f.add(file).add(photo.decoded.width).add(photo.decoded.height).add(k.width).add(k.height);
     if (photo.profile.converts) f.add(color_conversion);
-    // The camera matters to the pixels only if they are resampled.
-    if (scene.undistortion && photo.camera.lens.distorts()) f.add(k).add(photo.camera.lens).add(bicubic);
     return f.value();
 }
 
@@ -58,7 +53,10 @@ PhotoState stage_keys(const SceneKey& scene, const PhotoInput& photo, const Pose
     PhotoState s{};
     s.photo =
         Fingerprint().add(file.bytes).add(file.checksum).add(stencil.bytes).add(stencil.checksum).value();
-    s.camera = Fingerprint().add(photo.camera.intrinsics).value();
+    Fingerprint camera;
+    camera.add(photo.camera.intrinsics);
+    if (scene.undistortion && photo.camera.lens.distorts()) camera.add(photo.camera.lens);
+    s.camera = camera.value();
     s.pose = pose_checksum(pose);
     s.model = scene.model;
     const std::uint64_t tiles = tiles_key(scene, photo, s.photo);

@@ -23,7 +23,7 @@ void key_masks(Fingerprint& f, const SceneKey& scene) {
 void key_samples(Fingerprint& f, const SceneKey& scene) { f.add(scene.reference_density); }
 
 void adopt_tiles(const PhotoRecord& from, PhotoRecord& to) {
-    to.flags |= from.flags & (package::photo_undistorted | package::photo_has_alpha);
+    to.flags |= from.flags & package::photo_has_alpha;
 }
 
 void adopt_coordinates(const PhotoRecord& from, PhotoRecord& to) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <future>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "pipeline/run/trace.h"
 #include "pipeline/stages/surface_samples.h"
 #include "pipeline/visibility/geometry_renderer.h"
+#include "scene/lens_table.h"
 #include "scene/package_writer.h"
 #include "values/rgba_image.h"
 
@@ -30,13 +32,15 @@ struct PosedPhoto {
     std::uint32_t index;
     std::string name;
     Intrinsics intrinsics;
-    Pose pose;  ///< relative to the origin
+    Pose pose;                      ///< relative to the origin
+    std::optional<LensTable> lens;  ///< nothing if the photo is as a pinhole camera takes it
 };
 
-/// The pixel data that these stages read.
+/// The pixel data that these stages read, as of a pinhole camera.
 struct CoarsePixels {
-    std::vector<std::uint8_t> valid;  ///< at `mask_level`, one byte per texel; empty if the photo is opaque
-    RgbaImage samples;                ///< the photo at `sample_level`
+    /// At `mask_level`, one byte per texel; empty if the photo is opaque: valid where the lens images it.
+    std::vector<std::uint8_t> valid;
+    RgbaImage samples;  ///< at `sample_level`
 };
 /// Validity of a level's texels: 1 where the photo is opaque, else 0.
 std::vector<std::uint8_t> validity(const RgbaImage& level);

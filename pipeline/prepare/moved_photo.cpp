@@ -6,6 +6,7 @@
 #include "pipeline/package/photo_records.h"
 #include "pipeline/package/tile_levels.h"
 #include "scene/halve.h"
+#include "scene/pinhole_image.h"
 #include "values/bytes_of.h"
 
 namespace vantage {
@@ -15,22 +16,24 @@ using package::PhotoRecord;
 using package::PhotoState;
 using package::Type;
 
-RgbaImage tiles_at(const PackageReader& part, std::uint32_t photo, const PhotoRecord& r, int level) {
+RgbaImage tiles_at(const PackageReader& part, std::uint32_t photo, const PhotoRecord& r,
+                   const std::optional<LensTable>& lens, int level) {
     const int stored = std::min(level, int(r.levels) - 1);
     RgbaImage image = read_level_image(part, r, photo, Type::tiles, stored);
     for (int l = stored; l < level; ++l) image = halve(image);
-    return image;
+    return lens ? pinhole_image(image, *lens, level) : image;
 }
 
 }  // namespace
 
 void move_photo(const GeometryContext& c, const PackageReader& part, std::uint32_t i, const Pose& pose,
                 PhotoRecord& r, PhotoState& state) {
-    const PosedPhoto photo{i, r.name, intrinsics(r), pose};
+    const PosedPhoto photo{i, r.name, intrinsics(r), pose, lens_table(part, r, i)};
     set_pose(pose, r);
     const StageSet missing = stages_on_model();
-    CoarsePixels coarse{{}, tiles_at(part, i, r, sample_level)};
-    if (r.flags & package::photo_has_alpha) coarse.valid = validity(tiles_at(part, i, r, mask_level));
+    CoarsePixels coarse{{}, tiles_at(part, i, r, photo.lens, sample_level)};
+    if (r.flags & package::photo_has_alpha)
+        coarse.valid = validity(tiles_at(part, i, r, photo.lens, mask_level));
     std::promise<CoarsePixels> pixels;
     pixels.set_value(std::move(coarse));
     const auto view = std::make_shared<const PhotoView>(view_of(c, photo));

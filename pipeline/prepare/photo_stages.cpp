@@ -128,7 +128,10 @@ std::vector<Stage> make_missing(const PhotoJob& job, std::optional<PhotoFile>& f
 std::vector<Stage> run_photo(const PhotoContext& c, std::uint32_t i, bool spare_core, package::PhotoRecord& r,
                              PhotoState& state) {
     const PhotoInput& photo = c.scene.photos[i];
-    const PhotoJob job{c, photo, {i, photo.name, photo.camera.intrinsics, c.poses[i]}, spare_core};
+    const Camera& camera = photo.camera;
+    PhotoJob job{c, photo, {i, photo.name, camera.intrinsics, c.poses[i], {}}, spare_core};
+    if (c.key.undistortion && camera.lens.distorts())
+        job.at.lens = lens_table(camera.intrinsics, camera.lens);
     std::optional<PhotoFile> file;
     {
         const Traced traced(c.trace, "read", photo.name);

@@ -5,10 +5,10 @@
 #include "pipeline/package/tile_levels.h"
 #include "pipeline/photos/photos.h"
 #include "pipeline/photos/reduced.h"
-#include "pipeline/photos/undistort.h"
 #include "pipeline/stages/surface_samples.h"
 #include "scene/error.h"
 #include "scene/halve.h"
+#include "scene/pinhole_image.h"
 #include "values/bytes_of.h"
 
 namespace vantage {
@@ -45,7 +45,7 @@ struct Pixels {
     bool own;
 };
 
-Pixels decode_pixels(const PhotoJob& job, PhotoFile& file, package::PhotoRecord& r) {
+Pixels decode_pixels(const PhotoJob& job, PhotoFile& file, const package::PhotoRecord& r) {
     RgbaImage image = decoded(job, file);
     const bool whole = job.photo.stencil.empty();
     if (!whole) cut_out(image, read_stencil(job.photo.stencil, image));
@@ -54,11 +54,13 @@ Pixels decode_pixels(const PhotoJob& job, PhotoFile& file, package::PhotoRecord&
     const int longest = int(std::max(r.width, r.height));
     if (std::max(image.width, image.height) > longest)
         image = reduced(image, thumbnail_size(image.width, image.height, longest));
-    const SceneKey& key = job.context.key;
-    if (!key.undistortion || !job.photo.camera.lens.distorts()) return {std::move(image), own};
-    r.flags |= package::photo_undistorted;
-    const Traced traced(job.context.trace, "undistort", job.photo.name);
-    return {undistort(image, job.photo.camera), false};
+    return {std::move(image), own};
+}
+
+RgbaImage as_pinhole(const PhotoJob& job, RgbaImage level, int number) {
+    if (!job.at.lens) return level;
+    const Traced traced(job.context.trace, "lens", job.photo.name);
+    return pinhole_image(level, *job.at.lens, number);
 }
 
 /// Writes thumbnail and tile pyramid. `jpeg`: the photo's file, if level 0 can be taken from it, else empty.
@@ -76,11 +78,16 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
     bool thumbnail_missing = missing[Stage::thumbnail];
     const std::uint32_t last = std::max(r.levels, std::uint32_t(sample_level) + 1);
     for (std::uint32_t l = 0; l < last; ++l) {
-        if (l == std::uint32_t(mask_level) && !opaque) coarse.valid = validity(level);
+        if (l == std::uint32_t(mask_level) && !opaque)
+            coarse.valid = validity(as_pinhole(job, level, mask_level));
         const bool own = l == 0 && !jpeg.empty();
         if (l == sampled) coarse.samples = own ? level : as_stored(writer, i, l, level);
         if (l > sampled && l <= std::uint32_t(sample_level)) coarse.samples = halve(coarse.samples);
-        if (l == std::uint32_t(sample_level)) found.set_value(std::move(coarse));
+        if (l == std::uint32_t(sample_level)) {
+            if (missing[Stage::samples])
+                coarse.samples = as_pinhole(job, std::move(coarse.samples), sample_level);
+            found.set_value(std::move(coarse));
+        }
         if (l < r.levels && missing[Stage::tiles] && !(own && write_own_jpeg(writer, i, jpeg)))
             write_tiles(writer, Type::tiles, i, l, bytes_of(level.rgba), {level.width, level.height});
         RgbaImage next = halve(level);

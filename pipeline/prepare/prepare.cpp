@@ -82,6 +82,16 @@ ResourceEstimate reserve(const PreparePlan& plan, const SceneInput& scene, const
     return estimate;
 }
 
+void write_lenses(PackageWriter& writer, const SceneInput& scene) {
+    std::vector<package::LensRecord> records;
+    for (const PhotoInput& photo : scene.photos) {
+        const Lens& lens = photo.camera.lens;
+        records.push_back({lens.distorts() ? std::uint32_t(lens.model) : 0, 0, {}});
+        std::ranges::copy(lens.p, records.back().p);
+    }
+    writer.write(Type::lenses, package::scene_wide, bytes_of(records));
+}
+
 void write_scene(PackageWriter& writer, const PreparePlan& plan, const PackedModel& model,
                  const SceneInput& scene, Trace* trace) {
     const Traced traced(trace, "write model");
@@ -89,6 +99,7 @@ void write_scene(PackageWriter& writer, const PreparePlan& plan, const PackedMod
     writer.write(Type::scene, package::scene_wide, bytes_of_one(plan.scene));
     write_model(writer, model, scene.mesh);
     write_bands(writer, plan.bands, {});
+    if (effect_on(plan.scene, Effect::undistortion)) write_lenses(writer, scene);
     if (!plan.points.empty()) {
         const Traced points(trace, "points");
         write_points(writer, plan.points, scene.points, model.origin);

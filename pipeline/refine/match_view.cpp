@@ -14,14 +14,20 @@ namespace {
 
 using package::Type;
 
-/// One level of a photo's colors or depth.
-cv::Mat level_of(const PackageReader& package, const package::PhotoRecord& r, std::uint32_t photo, Type type,
-                 int level, int cv_type) {
+cv::Mat depth_of(const PackageReader& package, const package::PhotoRecord& r, std::uint32_t photo,
+                 int level) {
     const Level size = level_size(int(r.width), int(r.height), level);
-    const std::vector<std::byte> texels = read_level(package, r, photo, type, level);
-    cv::Mat out(size.height, size.width, cv_type);
+    const std::vector<std::byte> texels = read_level(package, r, photo, Type::depth, level);
+    cv::Mat out(size.height, size.width, CV_32F);
     std::memcpy(out.data, texels.data(), texels.size());
     return out;
+}
+
+cv::Mat gray_of(const PackageReader& package, const package::PhotoRecord& r, std::uint32_t photo, int level) {
+    RgbaImage image = read_pinhole_level(package, r, photo, level);
+    cv::Mat gray;
+    cv::cvtColor(cv::Mat(image.height, image.width, CV_8UC4, image.rgba.data()), gray, cv::COLOR_RGBA2GRAY);
+    return gray;
 }
 
 /// Normalizes by local mean and contrast, which differ with exposure, haze and shadow; leaves the detail.
@@ -49,18 +55,12 @@ MatchView read_match_view(const PackageReader& package, const package::PhotoReco
                           int long_side) {
     const int l = coarse_level(r, long_side);
     const Level size = level_size(int(r.width), int(r.height), l);
-    MatchView out{l,
-                  intrinsics(r).at_level(l),
-                  cam_from_origin(r),
-                  {},
-                  level_of(package, r, photo, Type::depth, l, CV_32F)};
+    MatchView out{l, intrinsics(r).at_level(l), cam_from_origin(r), {}, depth_of(package, r, photo, l)};
     cv::Mat gray;
     if (l < int(r.levels)) {
-        cv::cvtColor(level_of(package, r, photo, Type::tiles, l, CV_8UC4), gray, cv::COLOR_RGBA2GRAY);
+        gray = gray_of(package, r, photo, l);
     } else {
-        cv::Mat finer;
-        cv::cvtColor(level_of(package, r, photo, Type::tiles, 0, CV_8UC4), finer, cv::COLOR_RGBA2GRAY);
-        cv::resize(finer, gray, {size.width, size.height}, 0, 0, cv::INTER_AREA);
+        cv::resize(gray_of(package, r, photo, 0), gray, {size.width, size.height}, 0, 0, cv::INTER_AREA);
     }
     out.gray = normalize_contrast(gray);
     return out;

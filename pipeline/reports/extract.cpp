@@ -1,8 +1,11 @@
 #include "pipeline/reports/extract.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <fstream>
 #include <ostream>
 
 #include "files/make_folder.h"
@@ -20,6 +23,7 @@
 #include "scene/stored_tile.h"
 #include "scene/tiling.h"
 #include "scene/value_layer.h"
+#include "values/bytes_of.h"
 
 namespace vantage {
 namespace {
@@ -35,15 +39,35 @@ struct PhotoFiles {
     fs::path photo, masks, depth;
     Product photo_format;
 };
-/// `stem`: with the folder of its band, if there are several.
-PhotoFiles files_of(const PackageReader& reader, std::uint32_t photo, const fs::path& folder,
-                    const std::string& stem) {
-    const package::DirectoryEntry* finest = reader.find(Type::tiles, photo);
-    const bool own = finest && finest->form == package::Form::cells;
-    return {folder / photos_name / (stem + (own ? ".jpg" : ".png")),
-            folder / "masks" / (stem + ".weights.png"), folder / "depth" / (stem + ".exr"),
-            own ? Product::jpeg : Product::png};
-}
+/// What is extracted, and where.
+struct Extraction {
+    const PackageReader& reader;
+    fs::path folder;
+    bool undistorted;
+    std::vector<std::string>
+        stems;  ///< per photo: its files' name, in a folder of its band if there are several
+
+    /// Of the photo as it is written: none if it is undistorted, because that is asked for or COLMAP has no
+    /// such lens.
+    Lens lens(std::uint32_t photo) const {
+        const Lens lens = lens_of(reader, photo);
+        return undistorted || !has_colmap_model(lens) ? Lens{} : lens;
+    }
+    PhotoFiles files(std::uint32_t photo) const {
+        const package::DirectoryEntry* finest = reader.find(Type::tiles, photo);
+        const bool as_taken = lens(photo).distorts() == lens_of(reader, photo).distorts(),
+                   own = finest && finest->form == package::Form::cells && as_taken;
+        const std::string& stem = stems[photo];
+        return {folder / photos_name / (stem + (own ? ".jpg" : ".png")),
+                folder / "masks" / (stem + ".weights.png"), folder / "depth" / (stem + ".exr"),
+                own ? Product::jpeg : Product::png};
+    }
+    /// The first line of the cameras' files: folders extracted in one way take no photos of the other.
+    std::string comment() const {
+        return undistorted ? "# Cameras of the extracted photos, undistorted\n"
+                           : "# Cameras of the extracted photos, as taken\n";
+    }
+};
 
 /// Per photo, the name of its files, in a folder of its band if there are several.
 std::vector<std::string> stems_of(const PackageReader& reader, const std::vector<Band>& bands) {
@@ -100,43 +124,62 @@ void write_jpeg(const PackageReader& reader, const package::DirectoryEntry& tile
     });
 }
 
-void write_photo(const PackageReader& reader, std::uint32_t i, const package::PhotoRecord& p,
-                 const std::string& stem, const fs::path& folder) {
+void write_pinhole(const PackageReader& reader, std::uint32_t i, const fs::path& file) {
+    const RgbaImage image = read_pinhole_level(reader, reader.photos()[i], i, 0);
+    image_files().write(file, image.width, image.height, 4, Sample::u8, bytes_of(image.rgba));
+}
+
+void write_photo(const Extraction& to, std::uint32_t i) {
+    const PackageReader& reader = to.reader;
+    const package::PhotoRecord& p = reader.photos()[i];
     const auto image = [&](Type type, std::uint32_t l, const fs::path& file, int channels, Sample format) {
         const Level size = level_size(int(p.width), int(p.height), int(l));
         const auto* e = reader.find(type, i, l);
         if (!e) throw Error(Exit::damaged, std::string(p.name) + ": a pyramid level is missing");
         image_files().write(file, size.width, size.height, channels, format, join_tiles(reader, *e, size));
     };
-    const PhotoFiles files = files_of(reader, i, folder, stem);
+    const PhotoFiles files = to.files(i);
     for (const fs::path& file : {files.photo, files.masks, files.depth}) make_folder(file.parent_path());
     if (files.photo_format == Product::jpeg)
         write_jpeg(reader, *reader.find(Type::tiles, i), level_size(int(p.width), int(p.height), 0),
                    files.photo);
-    else
+    else if (to.lens(i).distorts())
         image(Type::tiles, 0, files.photo, 4, Sample::u8);
+    else
+        write_pinhole(reader, i, files.photo);
     image(Type::masks, mask_level, files.masks, 4, Sample::u8);
     image(Type::depth, mask_level, files.depth, 1, Sample::f32);
 }
 
 /// The cameras of all photos that are in the folder now, in the input's coordinates: those just written and
 /// those of an earlier call.
-std::vector<NamedCamera> extracted_cameras(const PackageReader& reader, const fs::path& folder,
-                                           const std::vector<std::string>& stems) {
-    const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(reader.scene().origin);
+std::vector<NamedCamera> extracted_cameras(const Extraction& to) {
+    const Eigen::Vector3d origin = Eigen::Map<const Eigen::Vector3d>(to.reader.scene().origin);
     std::vector<NamedCamera> out;
-    for (std::uint32_t i = 0; i < stems.size(); ++i) {
-        const package::PhotoRecord& p = reader.photos()[i];
-        const fs::path photo = files_of(reader, i, folder, stems[i]).photo;
+    for (std::uint32_t i = 0; i < to.stems.size(); ++i) {
+        const package::PhotoRecord& p = to.reader.photos()[i];
+        const fs::path photo = to.files(i).photo;
         if (p.levels && fs::exists(photo))
-            out.push_back({photo.lexically_relative(folder / photos_name).generic_string(),
-                           {intrinsics(p), {}, cam_from_origin(p).relative_to(-origin)}});
+            out.push_back({photo.lexically_relative(to.folder / photos_name).generic_string(),
+                           {intrinsics(p), to.lens(i), cam_from_origin(p).relative_to(-origin)}});
     }
     return out;
 }
 
-void expect_replaceable(const PackageReader& reader, const std::vector<std::uint32_t>& wanted,
-                        const std::vector<std::string>& stems, const fs::path& folder, bool force) {
+/// A folder holds photos as taken or undistorted ones: a camera must not stand for the other.
+void expect_same_way(const Extraction& to) {
+    const fs::path file = to.folder / cameras_name / colmap_text_files[0];
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line) && line.starts_with("#");)
+        if (line.starts_with("# Cameras of the extracted photos") && line + "\n" != to.comment())
+            throw Error(Exit::usage,
+                        fmt::format("{}: holds photos {}, expected another folder", to.folder.string(),
+                                    to.undistorted ? "as taken" : "without their distortion"));
+}
+
+void expect_replaceable(const Extraction& to, const std::vector<std::uint32_t>& wanted, bool force) {
+    const PackageReader& reader = to.reader;
+    const fs::path& folder = to.folder;
     const Inputs inputs = inputs_of(reader);
     if (!points_only(reader.scene())) output_file(folder / mesh_name, Product::ply, inputs, force);
     if (effect_on(reader.scene(), Effect::points))
@@ -144,7 +187,7 @@ void expect_replaceable(const PackageReader& reader, const std::vector<std::uint
     for (const char* file : colmap_text_files)
         if (!wanted.empty()) output_file(folder / cameras_name / file, Product::cameras, inputs, force);
     for (const std::uint32_t i : wanted) {
-        const PhotoFiles files = files_of(reader, i, folder, stems[i]);
+        const PhotoFiles files = to.files(i);
         output_file(files.photo, files.photo_format, inputs, force);
         output_file(files.masks, Product::png, inputs, force);
         output_file(files.depth, Product::exr, inputs, force);
@@ -154,7 +197,7 @@ void expect_replaceable(const PackageReader& reader, const std::vector<std::uint
 }  // namespace
 
 void extract(const fs::path& package, const fs::path& folder, const std::vector<std::string>& names,
-             bool force) {
+             bool undistorted, bool force) {
     const PackageReader reader(package);
     const auto photos = reader.photos();
     std::vector<std::uint32_t> wanted;
@@ -169,14 +212,13 @@ void extract(const fs::path& package, const fs::path& folder, const std::vector<
     if (names.empty())
         for (std::uint32_t i = 0; i < photos.size(); ++i) wanted.push_back(i);
     std::erase_if(wanted, [&](std::uint32_t i) { return photos[i].levels == 0; });
-    const std::vector<Band> bands = read_bands(reader);
-    const std::vector<std::string> stems = stems_of(reader, bands);
-    expect_replaceable(reader, wanted, stems, folder, force);
-    for (const std::uint32_t i : wanted) write_photo(reader, i, photos[i], stems[i], folder);
+    const Extraction to{reader, folder, undistorted && effect_on(reader.scene(), Effect::undistortion),
+                        stems_of(reader, read_bands(reader))};
+    if (!wanted.empty()) expect_same_way(to);
+    expect_replaceable(to, wanted, force);
+    for (const std::uint32_t i : wanted) write_photo(to, i);
     // The comment tells them apart from inputs written by synth, which are never replaced.
-    if (!wanted.empty())
-        write_colmap_text(folder / cameras_name, extracted_cameras(reader, folder, stems),
-                          "# Cameras of the extracted photos\n");
+    if (!wanted.empty()) write_colmap_text(folder / cameras_name, extracted_cameras(to), to.comment());
     if (!points_only(reader.scene())) write_mesh(reader, folder / mesh_name);
     if (const auto cloud = read_point_cloud(reader)) write_points(reader, *cloud, folder / points_name);
 }

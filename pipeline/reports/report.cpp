@@ -174,7 +174,8 @@ std::string photo_figure(const PackageReader& package, std::uint32_t i, const Ph
     std::string flags;
     if (const std::vector<Band> bands = read_bands(package); bands.size() > 1)
         flags += ", " + escaped(bands[p.band].name);
-    if (p.flags & package::photo_undistorted) flags += ", undistorted";
+    if (const Lens lens = lens_of(package, i); lens.distorts())
+        flags += ", lens: " + std::string(name(lens.model));
     if (p.flags & package::photo_has_alpha) flags += ", partly transparent";
     return "<figure>" + embedded_picture(thumbnail(package, i, p), p.name) +
            embedded_picture(mask_picture(package, i, best, shown_side), std::string("weight of ") + p.name) +

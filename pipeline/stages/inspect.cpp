@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "pipeline/photos/undistort.h"
+#include "scene/lens_table.h"
 #include "scene/opaque_part.h"
 #include "values/file_name.h"
 

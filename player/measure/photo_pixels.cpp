@@ -12,16 +12,9 @@ namespace vantage {
 
 namespace {
 
-/// A level of color or masks, assembled from its tiles.
-RgbaImage stored_level(const PackageReader& package, package::Type type, std::uint32_t photo, int level) {
-    const package::PhotoRecord& record = package.photos()[photo];
-    const package::DirectoryEntry* chunk = package.find(type, photo, std::uint32_t(level));
-    if (!record.levels || !chunk) throw std::invalid_argument("no such level of a photo");
-    const Level size = level_size(int(record.width), int(record.height), level);
-    RgbaImage image = blank_image(size.width, size.height);
-    std::ranges::copy(join_tiles(package, *chunk, size),
-                      std::as_writable_bytes(std::span(image.rgba)).begin());
-    return image;
+void expect_level(const PackageReader& package, package::Type type, std::uint32_t photo, int level) {
+    if (!package.photos()[photo].levels || !package.find(type, photo, std::uint32_t(level)))
+        throw std::invalid_argument("no such level of a photo");
 }
 
 Picture picture_of(RgbaImage image) { return {image.width, image.height, std::move(image.rgba), {}}; }
@@ -29,15 +22,20 @@ Picture picture_of(RgbaImage image) { return {image.width, image.height, std::mo
 }  // namespace
 
 Picture photo_at_level(const PackageReader& package, std::uint32_t photo, int level) {
-    if (!package.find(package::Type::tiles, photo, std::uint32_t(level)))
-        throw std::invalid_argument("no such level of a photo");
-    RgbaImage image = stored_level(package, package::Type::tiles, photo, 0);
+    expect_level(package, package::Type::tiles, photo, level);
+    RgbaImage image = read_pinhole_level(package, package.photos()[photo], photo, 0);
     for (int l = 0; l < level; ++l) image = halve(image);
     return picture_of(std::move(image));
 }
 
 Picture masks_at_level(const PackageReader& package, std::uint32_t photo, int level) {
-    return picture_of(stored_level(package, package::Type::masks, photo, level));
+    expect_level(package, package::Type::masks, photo, level);
+    const package::PhotoRecord& record = package.photos()[photo];
+    const Level size = level_size(int(record.width), int(record.height), level);
+    RgbaImage image = blank_image(size.width, size.height);
+    std::ranges::copy(read_level(package, record, photo, package::Type::masks, level),
+                      std::as_writable_bytes(std::span(image.rgba)).begin());
+    return picture_of(std::move(image));
 }
 
 View view_of_level(const package::PhotoRecord& photo, int level) {

@@ -5,9 +5,9 @@
 
 namespace vantage {
 
-/// A photo with the size of a pyramid level, computed from its finest level: stored coarser ones may be
-/// rounded, see FORMAT.md. Throws Error(damaged) for a checksum mismatch, std::invalid_argument if the photo
-/// has no such level.
+/// A photo as a pinhole camera takes it, with the size of a pyramid level, computed from its finest level:
+/// stored coarser ones may be rounded, see FORMAT.md. Throws Error(damaged) for a checksum mismatch,
+/// std::invalid_argument if the photo has no such level.
 Picture photo_at_level(const PackageReader& package, std::uint32_t photo, int level);
 
 /// One level of a photo's masks, assembled from its tiles. Throws like photo_at_level().

@@ -19,7 +19,7 @@ TileNeeds needs_of_clusters(const VisibleSurface& s, const PlannedPhoto& p, bool
         if ((s.triangles.empty() || s.seen[c]) == seen)
             levels.push_back(
                 {c, sampled_levels(s.scene.clusters[c], k, s.scene.poses[p.photo], s.view, samples)});
-    return tile_needs(s.scene.photos[p.photo], s.scene.coverage[p.photo], levels);
+    return tile_needs(s.scene.photos[p.photo], s.scene.lenses.of(p.photo), s.scene.coverage[p.photo], levels);
 }
 
 /// Levels of detail that a photo of this weight may lack. A level holds a few gray levels of detail: at a
@@ -37,7 +37,7 @@ TileNeeds needs_of_points(const VisibleSurface& s, const PlannedPhoto& p, double
         samples.push_back(s.points.samples[i]);
         samples.back().coarser = spared_levels(weight);
     }
-    return shown_tiles(s.scene.photos[p.photo], s.scene.intrinsics[p.photo], s.scene.poses[p.photo], samples,
+    return shown_tiles(s.scene.photos[p.photo], s.scene.lenses.of(p.photo), s.scene.poses[p.photo], samples,
                        s.points.pixels, worth);
 }
 

@@ -104,6 +104,7 @@ PlanScene make_plan_scene(const PackageReader& package) {
         s.coverage.back() = package.records<package::CoverageRecord>(Type::coverage, i);
         s.visible.back() = package.records<std::uint64_t>(Type::visible, i);
     }
+    s.lenses = LensTables(package);
     s.spread = spread_of(s);
     if (const auto surroundings = read_surroundings(package)) join(s, *surroundings);
     s.tree = make_cluster_tree(s.clusters);

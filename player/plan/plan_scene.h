@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "player/plan/cluster_tree.h"
+#include "player/plan/lens_tables.h"
 #include "scene/bands.h"
 #include "scene/package_reader.h"
 
@@ -26,6 +27,7 @@ struct PlanScene {
     std::vector<Pose> poses;                                         ///< per photo, cam_from_origin
     std::vector<std::span<const package::CoverageRecord>> coverage;  ///< per photo; empty if held out
     std::vector<std::span<const std::uint64_t>> visible;             ///< per photo, as VISB
+    LensTables lenses;
     double spread = 0;  ///< root mean square distance of the first band's cameras from their mean
     double size = 0;    ///< diagonal of the model's bounds
     std::size_t triangles = 0;

@@ -56,23 +56,25 @@ class Shown {
 
 }  // namespace
 
-TileNeeds shown_tiles(const package::PhotoRecord& photo, const Intrinsics& k, const Pose& pose,
+TileNeeds shown_tiles(const package::PhotoRecord& photo, const LensTable* lens, const Pose& pose,
                       std::span<const SurfaceSample> samples, double pixels, double worth) {
+    const Intrinsics k = intrinsics(photo);
     constexpr double slight = 0.25;  // a level with a smaller share of the trilinear mix is not loaded
     Shown color(photo, 0, int(photo.levels)), masks(photo, mask_level, mask_levels_end(int(photo.levels)));
     for (const SurfaceSample& s : samples) {
         const auto seen = project(k, pose, s.position);
         if (!seen || !in_frame(k, seen->pixel)) continue;
-        const Eigen::Vector2d& pixel = seen->pixel;
+        const Eigen::Vector2d taken = lens ? photo_pixel(*lens, seen->pixel) : seen->pixel;
+        if (!in_frame(k, taken)) continue;
         const double sampled = level_of_detail(s, k, pose), lod = sampled + s.coarser;
-        const auto add = [&](Shown& to, double level) {
+        const auto add = [&](Shown& to, const Eigen::Vector2d& pixel, double level) {
             const int l = int(std::clamp(level, double(to.first()), double(to.last())));
             to.add(pixel, l, pixels * std::exp2(2 * std::min(sampled - l, 1.0)));
             return l;
         };
-        const int finest = add(color, std::floor(lod + slight));
-        if (std::ceil(lod - slight) > finest) add(color, std::ceil(lod - slight));
-        add(masks, std::floor(lod));
+        const int finest = add(color, taken, std::floor(lod + slight));
+        if (std::ceil(lod - slight) > finest) add(color, taken, std::ceil(lod - slight));
+        add(masks, seen->pixel, std::floor(lod));
     }
     TileNeeds needs;
     color.list(worth, needs.color);

@@ -9,9 +9,7 @@ namespace vantage {
 namespace {
 
 /// A rectangle of photo pixels at full size.
-struct Rect {
-    double u0, v0, u1, v1;
-};
+using Rect = Eigen::AlignedBox2d;
 
 /// Marks on the tiles of a photo's levels.
 class Marks {
@@ -23,8 +21,9 @@ class Marks {
         }
         masks_ = color_;
     }
-    /// Marks the tiles under `rect` on all levels that trilinear sampling reads.
-    void add(const Rect& rect, const LevelRange& range) {
+    /// Marks the tiles of color under `rect`, and of masks under `rect_of_masks`, on all levels that
+    /// trilinear sampling reads.
+    void add(const Rect& rect, const Rect& rect_of_masks, const LevelRange& range) {
         // A level with a smaller share of the trilinear mix is not loaded.
         constexpr double slight = 0.25;
         const int finest = int(std::clamp(range.finest + slight, 0.0, levels_ - 1.0));
@@ -33,7 +32,7 @@ class Marks {
         for (int l = finest; l <= coarsest; ++l) mark(color_, rect, l);
         const int end = mask_levels_end(levels_) - 1;
         for (int l = std::clamp(finest, mask_level, end); l <= std::clamp(coarsest, mask_level, end); ++l)
-            mark(masks_, rect, l);
+            mark(masks_, rect_of_masks, l);
     }
     TileNeeds needs() const {
         TileNeeds out;
@@ -51,8 +50,9 @@ class Marks {
         const auto tile = [](double texel, int count) {
             return int(std::clamp(std::floor(texel / tile_content), 0.0, double(count - 1)));
         };
-        const int x0 = tile(rect.u0 * s, size.columns()), x1 = tile(rect.u1 * s, size.columns());
-        const int y0 = tile(rect.v0 * s, size.rows()), y1 = tile(rect.v1 * s, size.rows());
+        const int x0 = tile(rect.min().x() * s, size.columns()),
+                  x1 = tile(rect.max().x() * s, size.columns());
+        const int y0 = tile(rect.min().y() * s, size.rows()), y1 = tile(rect.max().y() * s, size.rows());
         for (int y = y0; y <= y1; ++y)
             for (int x = x0; x <= x1; ++x)
                 tiles[std::size_t(level)][std::size_t(y) * std::size_t(size.columns()) + std::size_t(x)] =
@@ -78,13 +78,16 @@ std::size_t TileNeeds::tiles() const {
     return n;
 }
 
-TileNeeds tile_needs(const package::PhotoRecord& photo, std::span<const package::CoverageRecord> coverage,
+TileNeeds tile_needs(const package::PhotoRecord& photo, const LensTable* lens,
+                     std::span<const package::CoverageRecord> coverage,
                      std::span<const ClusterLevels> clusters) {
     Marks marks(photo);
     const double w = photo.width / 65535.0, h = photo.height / 65535.0;
     for (const ClusterLevels& c : clusters) {
         const package::CoverageRecord& r = coverage[c.cluster];
-        if (r.seen) marks.add({r.u0 * w, r.v0 * h, r.u1 * w, r.v1 * h}, c.levels);
+        if (!r.seen) continue;
+        const Rect rect(Eigen::Vector2d(r.u0 * w, r.v0 * h), Eigen::Vector2d(r.u1 * w, r.v1 * h));
+        marks.add(lens ? photo_bounds(*lens, rect) : rect, rect, c.levels);
     }
     return marks.needs();
 }
@@ -92,7 +95,8 @@ TileNeeds tile_needs(const package::PhotoRecord& photo, std::span<const package:
 TileNeeds whole_photo_needs(const package::PhotoRecord& photo, double density) {
     const double lod = std::max(0.0, -std::log2(std::max(density, 1e-9)));
     Marks marks(photo);
-    marks.add({0, 0, double(photo.width), double(photo.height)}, {lod, lod});
+    const Rect all(Eigen::Vector2d(0, 0), Eigen::Vector2d(photo.width, photo.height));
+    marks.add(all, all, {lod, lod});
     TileNeeds needs = marks.needs();
     for (auto& level : needs.masks) level.clear();
     return needs;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "player/plan/sampling.h"
+#include "scene/lens_table.h"
 #include "scene/package_format.h"
 
 namespace vantage {
@@ -22,8 +23,10 @@ struct ClusterLevels {
     std::uint32_t cluster;
     LevelRange levels;
 };
-/// The tiles of one photo that these clusters sample: each cluster's recorded extent, on its levels.
-TileNeeds tile_needs(const package::PhotoRecord& photo, std::span<const package::CoverageRecord> coverage,
+/// The tiles of one photo that these clusters sample: each cluster's recorded extent, on its levels. `lens`:
+/// null if the photo has none.
+TileNeeds tile_needs(const package::PhotoRecord& photo, const LensTable* lens,
+                     std::span<const package::CoverageRecord> coverage,
                      std::span<const ClusterLevels> clusters);
 
 /// The color tiles that show the whole photo with `density` samples per photo pixel, along a side.

@@ -50,12 +50,25 @@ std::vector<PhotoBlock> make_blocks(std::span<const package::PhotoRecord> photos
     return out;
 }
 
+static_assert(shader::lens_cells == LensTable::cells);
+
+/// Of a photo's lens table, in the pass's page table.
+constexpr std::size_t lens_words = 2 * std::size_t(LensTable::side) * LensTable::side;
+
+void write_lens(const LensTable& lens, PhotoBlock& block, std::byte* table, std::uint32_t& next) {
+    block.direction[3] = float(next);  // exact below 2^24
+    block.falloff[3] = float(lens.range * lens.range);
+    std::memcpy(table + std::size_t(next) * 4, lens.displaced.data(), 4 * lens_words);
+    next += std::uint32_t(lens_words);
+}
+
 /// Upper bound on the bytes that one pass writes for photos: their records, their pages and the bits of
 /// clusters.
-std::size_t photo_bytes(const PackagePages& pages, std::size_t clusters) {
+std::size_t photo_bytes(const PackagePages& pages, std::size_t clusters, bool lenses) {
     std::size_t largest = 0;
     for (const PhotoPages& p : pages.photos)
         largest = std::max<std::size_t>(largest, p.color_count + p.mask_count);
+    if (lenses) largest += lens_words;
     return std::size_t(most_photos_per_pass) * (sizeof(PhotoBlock) + 4 * largest) + clusters * 4 + 4096;
 }
 
@@ -113,7 +126,8 @@ ModelPasses::ModelPasses(const PackageReader& package, const PlanScene& scene, c
       measured_(layers_.size()),
       model_(load_model(package, scene)),
       blocks_(make_blocks(scene.photos)),
-      ring_("frame constants", photo_bytes(store.pages(), scene.clusters.size())),
+      ring_("frame constants", photo_bytes(store.pages(), scene.clusters.size(),
+                                           effect_on(package.scene(), Effect::undistortion))),
       draws_("draws", draw_bytes(scene.clusters.size())),
       surface_program_(make_surface_program(surface_defines(package, scene))),
       no_vertices_(gl::make_vertex_array("no vertices")),
@@ -568,7 +582,8 @@ void ModelPasses::set_uniforms(std::span<const PlannedPhoto* const> pass, const 
 
 void ModelPasses::bind_photos(std::span<const std::uint32_t> photos, const std::vector<double>& weights) {
     std::size_t words = 0;
-    for (const std::uint32_t p : photos) words += store_->table_words(p);
+    for (const std::uint32_t p : photos)
+        words += store_->table_words(p) + (scene_->lenses.of(p) ? lens_words : 0);
     const FrameRing::Space blocks = ring_.take(photos.size() * sizeof(PhotoBlock)),
                            table = ring_.take(words * 4);
     std::uint32_t next = 0;
@@ -577,6 +592,7 @@ void ModelPasses::bind_photos(std::span<const std::uint32_t> photos, const std::
         PhotoBlock b = blocks_[p];
         b.size_weight[3] = float(weights[p]);
         store_->write_pages(p, b, table.memory, next);
+        if (const LensTable* lens = scene_->lenses.of(p)) write_lens(*lens, b, table.memory, next);
         std::memcpy(blocks.memory + i * sizeof b, &b, sizeof b);
     }
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, shader::photos_buffer, ring_.buffer(), blocks.offset,

@@ -96,6 +96,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point begin) {
 gl::Program make_show_program(const PackageReader& package, const PlanScene& scene) {
     std::vector<std::string> defines = surroundings_defines(scene);
     if (scene.has_transparency()) defines.emplace_back("TRANSPARENCY");
+    if (effect_on(package.scene(), Effect::undistortion)) defines.emplace_back("PHOTO_LENS");
     for (std::string& d : shader_defines("show", package.scene().effects)) defines.push_back(std::move(d));
     return full_frame_program("show", "show.frag", defines);
 }

@@ -26,6 +26,7 @@ PhotoBlock make_photo_block(const package::PhotoRecord& p, std::uint32_t index) 
         b.direction[i] = float(p.corrected_direction[i]);
     }
     b.center_hull[3] = float(p.hull_area);
+    b.direction[3] = -1;
     b.thumbnail[0] = -1;
     b.thumbnail[3] = float(p.thumbnail_width);
     const FalseColor c = false_color(index);

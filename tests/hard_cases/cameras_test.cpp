@@ -13,9 +13,9 @@
 #include "pipeline/input/discover.h"
 #include "pipeline/input/read_scene.h"
 #include "pipeline/photos/image_files.h"
-#include "pipeline/photos/undistort.h"
 #include "scene/error.h"
 #include "scene/package_reader.h"
+#include "scene/pinhole_image.h"
 #include "tests/hard_cases/special_numbers.h"
 #include "tests/made_scenes.h"
 #include "tests/temporary_folder.h"
@@ -156,7 +156,7 @@ TEST(Lenses, PhotoIsShownExactlyWithinTheFold) {
         Camera c;
         c.intrinsics = {240, 180, 60, 60, 120, 90};  // 127 degrees wide: beyond the strong folds
         c.lens = k.lens;
-        const RgbaImage out = undistort(chart(240, 180), c);
+        const RgbaImage out = pinhole_image(chart(240, 180), lens_table(c.intrinsics, c.lens), 0);
         int beyond = 0;
         for (int y = 0; y < 180; ++y)
             for (int x = 0; x < 240; ++x) {
@@ -182,7 +182,7 @@ TEST(Lenses, FisheyeWiderThan180DegreesShowsWhatIsInFront) {
     Camera c;
     c.intrinsics = {200, 200, 50, 50, 100, 100};  // 229 degrees on the sensor
     c.lens.model = LensModel::fisheye;
-    const RgbaImage out = undistort(chart(200, 200), c);
+    const RgbaImage out = pinhole_image(chart(200, 200), lens_table(c.intrinsics, c.lens), 0);
     const auto at = [&](int x, int y) { return &out.rgba[4 * (std::size_t(y) * 200 + std::size_t(x))]; };
     EXPECT_EQ(at(100, 100)[3], 255);
     // The fisheye images the frame's corner at this distance from the center.
@@ -199,7 +199,7 @@ TEST(Lenses, ExtremeParametersGiveFiniteValues) {
         c.intrinsics = {60, 40, 30, 30, 30, 20};
         c.lens.model = LensModel(1 + trial % int(last_lens_model));
         for (double& p : c.lens.p) p = std::pow(10, 3 * normal(random)) * (random() % 2 ? 1 : -1);
-        const RgbaImage out = undistort(chart(60, 40), c);
+        const RgbaImage out = pinhole_image(chart(60, 40), lens_table(c.intrinsics, c.lens), 0);
         EXPECT_TRUE(std::isfinite(largest_displacement(c))) << trial;
         for (std::size_t i = 0; i < out.rgba.size(); i += 4)
             ASSERT_TRUE(out.rgba[i + 3] > 0 || (out.rgba[i] | out.rgba[i + 1] | out.rgba[i + 2]) == 0)

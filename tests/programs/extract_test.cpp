@@ -98,7 +98,7 @@ TEST_F(Extract, FolderIsAScanWithTheSamePhotosAndRefinedCameras) {
     spec.photos.width = 800;
     spec.photos.height = 600;
     spec.photos.arc = 40;
-    spec.lens.k1 = -0.1;  // photos are resampled
+    spec.lens.k1 = -0.1;
     copy_scene(spec, scan);
     const Eigen::Vector3d far(3000, -2000, 500);
     move_scan(far, "0003.jpg");
@@ -130,6 +130,41 @@ TEST_F(Extract, FolderIsAScanWithTheSamePhotosAndRefinedCameras) {
         EXPECT_LT(double(far), 0.01 * double(x.size())) << p.name;
     }
     EXPECT_GT(moved, 0.001) << "poses are the corrected ones";
+}
+
+TEST_F(Extract, PhotosAreAsTakenOrUndistorted) {
+    SynthSpec spec = tiny();
+    spec.lens.k1 = -0.1;
+    copy_scene(spec, scan);
+    round_trip();
+    const PackageReader a = first();
+    for (std::uint32_t i = 0; i < a.photos().size(); ++i)
+        EXPECT_EQ(lens_of(a, i).p, lens_of(again(), i).p) << "the lens goes with the photos";
+    const std::string package = (dir / "first.vantage").string();
+    const fs::path straight = dir / "straight";
+    vantage("extract " + package + " -o " + straight.string() + " --undistorted");
+    vantage("prepare " + straight.string() + " -o " + (dir / "straight.vantage").string() +
+            " --no-report --refine off");
+    const PackageReader s(dir / "straight.vantage");
+    EXPECT_EQ(s.find(package::Type::lenses), nullptr);
+    // A point at the frame's corner moves by k1 r^2: the two pictures differ there, and only there.
+    const auto pixels = [](const PackageReader& r) {
+        return read_level_image(r, r.photos()[0], 0, package::Type::tiles, 0);
+    };
+    const RgbaImage taken = pixels(a), undistorted = pixels(s);
+    const auto differs = [&](int x, int y) {
+        int most = 0;
+        for (int j = -4; j <= 4; ++j)
+            for (int c = 0; c < 3; ++c) {
+                const std::size_t at =
+                    4 * (std::size_t(y + j) * std::size_t(taken.width) + std::size_t(x)) + std::size_t(c);
+                most = std::max(most, std::abs(int(taken.rgba[at]) - int(undistorted.rgba[at])));
+            }
+        return most;
+    };
+    EXPECT_LE(differs(taken.width / 2, taken.height / 2), 12);
+    EXPECT_THROW(extract(package, straight, {"0001"}), Error) << "the folder holds undistorted photos";
+    EXPECT_THROW(extract(package, files, {"0001"}, true), Error) << "and this one photos as taken";
 }
 
 TEST_F(Extract, FolderOfBandsHasTheSameBands) {

@@ -21,7 +21,7 @@ TEST(TileNeeds, CoverTheRecordedExtent) {
     const View same = view_of_photo(photo, 1);
     const auto needed = [&](const View& view) {
         const LevelRange levels = sampled_levels(cluster, intrinsics(photo), cam_from_origin(photo), view, 1);
-        return tile_needs(photo, std::vector{seen}, std::vector{ClusterLevels{0, levels}});
+        return tile_needs(photo, nullptr, std::vector{seen}, std::vector{ClusterLevels{0, levels}});
     };
     TileNeeds needs = needed(same);
     EXPECT_EQ(needs.color[0], (std::vector<std::uint32_t>{1, 2})) << "columns of 248 px";

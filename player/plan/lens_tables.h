@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scene/lens_table.h"
+
+namespace vantage {
+
+/// The lens tables of a package's photos, each made when it is first used. Belongs to one thread.
+class LensTables {
+  public:
+    LensTables() = default;
+    /// Throws Error(damaged), see lens_of().
+    explicit LensTables(const PackageReader& package);
+    /// Null if the photo has no lens.
+    const LensTable* of(std::uint32_t photo) const;
+
+  private:
+    std::vector<Camera> cameras_;  ///< per photo; empty if none has a lens
+    mutable std::vector<std::optional<LensTable>> tables_;
+};
+
+}  // namespace vantage
