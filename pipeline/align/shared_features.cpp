@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "pipeline/photos/photos.h"
-#include "pipeline/photos/reduced.h"
 #include "pipeline/run/for_each_photo.h"
 
 namespace vantage {
@@ -39,8 +38,8 @@ struct Features {
 
 Features find_features(const PhotoInput& photo, const FeatureSettings& how) {
     const Intrinsics& k = photo.camera.intrinsics;
-    RgbaImage image = read_photo(photo.file, {k.width, k.height});
-    image = reduced(image, thumbnail_size(k.width, k.height, how.long_side));
+    ReducedPhoto small = read_reduced_photo(photo.file, {k.width, k.height}, how.long_side);
+    RgbaImage& image = small.image;
     const cv::Mat rgba(image.height, image.width, CV_8UC4, image.rgba.data());
     cv::Mat gray, opaque;
     cv::cvtColor(rgba, gray, cv::COLOR_RGBA2GRAY);
@@ -49,7 +48,7 @@ Features find_features(const PhotoInput& photo, const FeatureSettings& how) {
     Features out;
     detector(how.features)->detectAndCompute(gray, opaque, found, out.descriptors);
     static const double to_center = 0.5 - shift_of_features();
-    const Eigen::Vector2d scale(double(k.width) / image.width, double(k.height) / image.height);
+    const Eigen::Vector2d scale(small.scale[0], small.scale[1]);
     // OpenCV's pixel centers are at integers.
     for (const cv::KeyPoint& p : found)
         out.pixels.push_back((Eigen::Vector2d(double(p.pt.x), double(p.pt.y)).array() + to_center)

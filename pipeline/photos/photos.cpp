@@ -2,11 +2,13 @@
 
 #include <turbojpeg.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
 #include "pipeline/photos/color_profile.h"
 #include "pipeline/photos/jpeg_photo.h"
+#include "pipeline/photos/reduced.h"
 #include "pipeline/run/read_file.h"
 #include "values/grid.h"
 
@@ -51,18 +53,20 @@ bool fits(PhotoSize actual, PhotoSize expected) {
 /// Whether colors of an ICC profile are converted.
 enum class Profiles { used, ignored };
 
+/// `reduction`: 1, 2, 4 or 8, by which the photo is smaller, rounded up.
 RgbaImage decode_jpeg(const std::filesystem::path& file, std::span<const std::byte> bytes, PhotoSize expected,
-                      Profiles profiles) {
+                      Profiles profiles, int reduction = 1) {
     const JpegPhoto h = read_jpeg_photo(bytes);
     if (!h.flaw.empty()) fail(file, "not a readable JPEG: " + h.flaw);
     // Checked before memory is allocated: a corrupt header may claim any size.
     if (!fits({h.width, h.height}, expected)) fail_size(file, {h.width, h.height}, expected);
-    RgbaImage photo = blank_image(h.width, h.height);
+    const auto reduced = [&](int length) { return TJSCALED(length, (tjscalingfactor{1, reduction})); };
+    RgbaImage photo = blank_image(reduced(h.width), reduced(h.height));
     photo.opaque = true;
     const bool cmyk = h.colors == PixelColors::cmyk;
     const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), tjDestroy);
     if (tjDecompress2(decoder.get(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
-                      photo.rgba.data(), h.width, 0, h.height, cmyk ? TJPF_CMYK : TJPF_RGBA,
+                      photo.rgba.data(), photo.width, 0, photo.height, cmyk ? TJPF_CMYK : TJPF_RGBA,
                       TJFLAG_ACCURATEDCT))
         fail(file, std::string("JPEG is corrupt or truncated: ") + tjGetErrorStr2(decoder.get()));
     const auto profile = profiles == Profiles::used ? profile_of(h) : nullptr;
@@ -127,6 +131,20 @@ RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::b
 
 RgbaImage read_unprofiled(const std::filesystem::path& file, PhotoSize expected) {
     return decode(file, read_file(file), expected, Profiles::ignored);
+}
+
+ReducedPhoto read_reduced_photo(const std::filesystem::path& file, PhotoSize expected, int longest) {
+    const std::vector<std::byte> bytes = read_file(file);
+    const auto shrunk = [&](const RgbaImage& image, int reduction) {
+        const Level size = thumbnail_size(image.width, image.height, longest);
+        return ReducedPhoto{
+            reduced(image, size),
+            {double(reduction) * image.width / size.width, double(reduction) * image.height / size.height}};
+    };
+    if (!is_upright_jpeg(bytes, expected)) return shrunk(decode_photo(file, bytes, expected), 1);
+    int reduction = 8;
+    while (reduction > 1 && std::max(expected.width, expected.height) < reduction * longest) reduction /= 2;
+    return shrunk(decode_jpeg(file, bytes, expected, Profiles::used, reduction), reduction);
 }
 
 bool is_upright_jpeg(std::span<const std::byte> bytes, PhotoSize size) {

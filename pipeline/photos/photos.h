@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -20,6 +21,15 @@ RgbaImage read_photo(const std::filesystem::path& file, PhotoSize expected);
 /// The same from the file's bytes; `file` names them in messages and, unless they are a JPEG, is read again.
 RgbaImage decode_photo(const std::filesystem::path& file, std::span<const std::byte> bytes,
                        PhotoSize expected);
+
+/// A photo reduced to at most `longest` px on its longer side, and how many pixels of it a pixel here is
+/// wide and high. A JPEG is reduced while it is decoded, which is some times faster. Throws like
+/// read_photo().
+struct ReducedPhoto {
+    RgbaImage image;
+    std::array<double, 2> scale;
+};
+ReducedPhoto read_reduced_photo(const std::filesystem::path& file, PhotoSize expected, int longest);
 
 /// The same of an image whose values are not colors, such as a stencil: its color profile is ignored.
 RgbaImage read_unprofiled(const std::filesystem::path& file, PhotoSize expected);
