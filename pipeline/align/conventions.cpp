@@ -147,6 +147,12 @@ std::vector<Camera> cameras_of(const SceneInput& scene) {
 
 bool is_enough(const ConventionTrial& t) { return t.defined >= enough && t.agreement >= some_agreement; }
 
+/// Whether the mesh shows features where photos do, though they may be few: a small object on a table.
+bool shows_features(const ConventionTrial& t) {
+    constexpr std::size_t fewest = 3;
+    return t.defined >= fewest && t.median <= (t.defined < enough ? 2 * half : misfit);
+}
+
 /// The trial with which the photos agree clearly better than with all others; else the first.
 const ConventionTrial& best_of(std::span<const ConventionTrial> trials) {
     const ConventionTrial& best = *std::ranges::max_element(trials, {}, &ConventionTrial::agreement);
@@ -205,7 +211,7 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
         if (const auto to = changed(cameras, scene.transform, names); !to.empty())
             out.mesh.push_back(trial_of(names, surface_errors(agreeing, to, mesh)));
     const ConventionTrial& best = best_of(out.mesh);
-    out.misfit = std::ranges::none_of(out.mesh, is_enough) && best.defined >= enough && best.median > misfit;
+    out.misfit = std::ranges::none_of(out.mesh, is_enough) && !shows_features(best);
     out.chosen_of_mesh = std::size_t(&best - out.mesh.data());
     out.chosen = joined(out.chosen, best.names);
     return out;
@@ -217,11 +223,15 @@ double in_pixels(double share, const SceneInput& scene) {
 }
 
 [[noreturn]] void fail_as_misfit(const SceneInput& scene, const ConventionTrial& t) {
+    const std::string found =
+        t.defined < enough
+            ? fmt::format("of {} features that photos share, it is behind {}", t.features, t.defined)
+            : fmt::format("a point of it projects {:.1f} px from where photos agree (median of {})",
+                          in_pixels(t.median, scene), t.defined);
     throw Error(Exit::misplaced,
-                fmt::format("{}: the mesh does not fit these cameras: a point of it projects {:.1f} px from "
-                            "where photos agree (median of {}), also if it is turned; 'vantage align' finds "
-                            "where it belongs, --convention as-read takes it as it is",
-                            scene.files.mesh.string(), in_pixels(t.median, scene), t.defined));
+                fmt::format("{}: the mesh does not fit these cameras: {}, also if it is turned; 'vantage "
+                            "align' finds where it belongs, --convention as-read takes it as it is",
+                            scene.files.mesh.string(), found));
 }
 
 }  // namespace

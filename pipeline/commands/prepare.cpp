@@ -183,6 +183,18 @@ ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& setting
     return trials;
 }
 
+/// If the mesh does not fit, what was found in it may be the reason.
+ConventionTrials settled_or_warned(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {
+    try {
+        return settle_traced(scene, settings, trace);
+    } catch (const Error& e) {
+        if (e.code() == Exit::misplaced)
+            for (const std::string& w : scene.warnings) fmt::print("warning  {}\n", w);
+        std::fflush(stdout);
+        throw;
+    }
+}
+
 int run_prepare(PrepareOptions o) {
     o.settings.convention = wanted_conventions(o.conventions);
     for (const EffectRow& row : effect_table())
@@ -203,7 +215,7 @@ int run_prepare(PrepareOptions o) {
     }
     Trace trace;
     SceneInput scene = read_traced(files, trace);
-    const ConventionTrials fit = settle_traced(scene, o.settings, trace);
+    const ConventionTrials fit = settled_or_warned(scene, o.settings, trace);
     print_scene(scene, fit);
     const PrepareResult done = prepare_shown(o, std::move(scene), identities, trace, start);
     if (!o.trace.empty()) write_trace(o.trace, trace.spans());

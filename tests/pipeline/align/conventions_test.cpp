@@ -148,6 +148,41 @@ TEST(Conventions, AMeshThatFitsNowhereStopsTheRun) {
         3);
 }
 
+TEST(Conventions, AMeshBesideWhatPhotosShowStopsTheRun) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    const SceneInput right = read_scene(discover(scan));
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& p : right.mesh.positions) box.extend(p);
+    Vector3d eye = Vector3d::Zero();
+    for (const PhotoInput& p : right.photos)
+        eye += p.camera.cam_from_world.center() / double(right.photos.size());
+    // Of another unit, about where the cameras look and about zero; moved towards the cameras and aside.
+    const std::function<Vector3d(const Vector3d&)> changes[] = {
+        [&](const Vector3d& p) -> Vector3d { return box.center() + 0.1 * (p - box.center()); },
+        [&](const Vector3d& p) -> Vector3d { return box.center() + 0.001 * (p - box.center()); },
+        [&](const Vector3d& p) -> Vector3d { return 1000 * p; },
+        [&](const Vector3d& p) -> Vector3d { return p + 0.6 * (eye - box.center()); },
+        [&](const Vector3d& p) -> Vector3d { return p + Vector3d(0, 0, 0.7 * box.diagonal().norm()); },
+        [&](const Vector3d& p) -> Vector3d { return p + 100 * (eye - box.center()); }};
+    for (const auto& change : changes) {
+        SceneInput scene = right;
+        for (Vector3d& p : scene.mesh.positions) p = change(p);
+        EXPECT_THROW(settle_convention(scene, convention_auto, 0), Error) << &change - changes;
+    }
+}
+
+TEST(Conventions, ASmallPartOfWhatPhotosShowFits) {
+    VANTAGE_DATASET(scan, "sceaux-small");
+    SceneInput scene = read_scene(discover(scan));
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& p : scene.mesh.positions) box.extend(p);
+    std::erase_if(scene.mesh.triangles, [&](const auto& t) {
+        return (scene.mesh.positions[t[0]] - box.center()).norm() > 0.15 * box.diagonal().norm();
+    });
+    settle_convention(scene, convention_auto, 0);
+    EXPECT_EQ(scene.convention, as_read);
+}
+
 TEST(Conventions, WithoutEnoughFeaturesCamerasAreTakenAsRead) {
     VANTAGE_DATASET(scan, "sceaux-small");
     SceneInput scene = read_scene(discover(scan));
