@@ -43,6 +43,7 @@ Eigen::Matrix3d rows(const Eigen::Vector3d& x, const Eigen::Vector3d& y, const E
     return m;
 }
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
 
@@ -217,6 +218,38 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
     return out;
 }
 
+/// Whether exchanging tangential terms would move what photos show by a noticeable share of a pixel.
+bool has_tangential_terms(const SceneInput& scene) {
+    constexpr double noticeable = 0.5;
+    return std::ranges::any_of(scene.photos, [](const PhotoInput& p) {
+        const auto swapped = swapped_tangential(p.camera, Similarity());
+        if (!swapped) return false;
+        const Intrinsics& k = p.camera.intrinsics;
+        const Vector2d corner(k.width / (2 * k.fx), k.height / (2 * k.fy));
+        return std::max(k.fx, k.fy) *
+                   (distort(swapped->lens, corner) - distort(p.camera.lens, corner)).norm() >
+               noticeable;
+    });
+}
+
+/// Whether a pair of photos shows that everything is as read: many features agree with cameras and mesh far
+/// better than under any other convention.
+std::optional<ConventionTrials> as_read_by_a_pair(const SceneInput& scene, const FeatureSettings& how) {
+    constexpr std::size_t photos = 1, nearest[] = {0};
+    const std::vector<SharedFeature> features =
+        shared_features(scene.photos, neighboring_photos(scene.photos, photos, nearest), how);
+    if (features.size() < enough) return {};
+    const std::vector<Camera> cameras = cameras_of(scene);
+    ConventionTrials out;
+    out.cameras.push_back(trial_of(as_read, epipolar_errors(features, cameras)));
+    const std::vector<SharedFeature> agreeing = agreeing_features(features, cameras, far_off);
+    if (2 * agreeing.size() < features.size() || agreeing.size() < enough) return {};
+    out.mesh.push_back(trial_of(as_read, surface_errors(agreeing, cameras, cast_mesh(scene.mesh))));
+    const ConventionTrial& mesh = out.mesh.front();
+    if (mesh.defined < enough || !(mesh.median <= half)) return {};
+    return out;
+}
+
 /// A share of the longer side, in pixels of the first photo.
 double in_pixels(double share, const SceneInput& scene) {
     return share * longer_side(scene.photos.front().camera);
@@ -271,6 +304,8 @@ ConventionTrial trial_of(const std::string& names, std::span<const double> error
 }
 
 ConventionTrials try_conventions(const SceneInput& scene, const FeatureSettings& how) {
+    if (!has_tangential_terms(scene))
+        if (auto as_read = as_read_by_a_pair(scene, how)) return *as_read;
     constexpr std::size_t photos = 6, ranks[] = {0, 2};
     const std::vector<SharedFeature> features =
         shared_features(scene.photos, neighboring_photos(scene.photos, photos, ranks), how);

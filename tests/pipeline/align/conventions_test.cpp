@@ -42,6 +42,7 @@ void turn_mesh(SceneInput& scene, const Matrix3d& R) {
 
 /// The next best, as a share of the best.
 double margin(std::vector<ConventionTrial> trials) {
+    if (trials.size() < 2) return 0;  // the first pair of photos settled it
     std::ranges::sort(trials, std::greater{}, &ConventionTrial::agreement);
     return trials[1].agreement / trials[0].agreement;
 }
