@@ -32,7 +32,9 @@ Registration find_registration(const FinishInput& in, const PackageReader& part,
     for (std::uint32_t b = 0; b < in.bands.size(); ++b) {
         const auto records = records_of_band(photos.records, b);
         const auto shown = samples_of_band(spans, photos.records, b);
+        const MatchViews views(part, records);
         const RegistrationInput input{.package = part,
+                                      .views = views,
                                       .photos = records,
                                       .samples = shown,
                                       .discs = discs,

@@ -66,4 +66,19 @@ MatchView read_match_view(const PackageReader& package, const package::PhotoReco
     return out;
 }
 
+std::shared_ptr<const MatchView> MatchViews::get(std::uint32_t photo, int long_side) const {
+    const LruCache<MatchView>* views = nullptr;
+    {
+        const std::scoped_lock lock(mutex_);
+        const auto n = std::size_t(std::max(1, 1600 / long_side));
+        views = &sizes_
+                     .try_emplace(long_side, 12 * n * n,
+                                  [this, long_side](std::uint32_t p) {
+                                      return read_match_view(package_, photos_[p], p, long_side);
+                                  })
+                     .first->second;
+    }
+    return views->get(photo);
+}
+
 }  // namespace vantage

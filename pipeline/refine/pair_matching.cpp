@@ -6,7 +6,6 @@
 #include <mutex>
 
 #include "pipeline/run/for_each_photo.h"
-#include "values/lru_cache.h"
 #include "values/quantile.h"
 
 namespace vantage {
@@ -79,7 +78,7 @@ double median_of(std::span<const package::PairRecord> pairs, const Wanted& wante
 
 }  // namespace
 
-Matching match_pairs(const PackageReader& package, std::span<const package::PhotoRecord> photos,
+Matching match_pairs(const MatchViews& views, std::span<const package::PhotoRecord> photos,
                      std::span<const Pose> poses, std::span<const PhotoPair> pairs,
                      const MatchSettings& how) {
     Matching out;
@@ -89,25 +88,22 @@ Matching match_pairs(const PackageReader& package, std::span<const package::Phot
         if (groups.empty() || pairs[groups.back().first].a != pairs[p].a) groups.emplace_back(p, p);
         groups.back().second = p + 1;
     }
-    LruCache<MatchView> views(12, [&](std::uint32_t photo) {
-        return read_match_view(package, photos[photo], photo, how.long_side);
-    });
     std::vector<std::vector<Track>> tracks(groups.size());
     std::mutex mutex;
     std::size_t done = 0;
     if (how.progress && !groups.empty()) how.progress({"match", "", 0, groups.size()});
     for_each_photo(groups.size(), how.threads, [&](std::size_t c) {
         const std::uint32_t a = pairs[groups[c].first].a;
-        const auto own = views.get(a);
+        const auto own = views.get(a, how.long_side);
         SurfaceChart chart(*own, poses[a], a, how.corners);
         for (std::size_t p = groups[c].first; p < groups[c].second; ++p) {
             const std::uint32_t b = pairs[p].b;
-            out.pairs[p].corners = std::uint32_t(chart.match(*views.get(b), poses[b], b));
+            out.pairs[p].corners = std::uint32_t(chart.match(*views.get(b, how.long_side), poses[b], b));
             Displacements(chart.tracks(), b, intrinsics(photos[a])).summarize(out.pairs[p]);
         }
         tracks[c] = chart.tracks();
         std::erase_if(tracks[c], [](const Track& s) { return s.matches.empty(); });
-        package.forget_all();
+        views.package().forget_all();
         const std::scoped_lock lock(mutex);
         if (how.progress) how.progress({"match", photos[a].name, ++done, groups.size()});
     });

@@ -24,9 +24,9 @@ struct Matching {
     std::vector<Track> tracks;
 };
 
-/// Matches pairs of photos through the model, with these poses. Reads photos on demand and keeps a bounded
-/// number in memory. `pairs` are sorted by their first photo. Throws Error(damaged).
-Matching match_pairs(const PackageReader& package, std::span<const package::PhotoRecord> photos,
+/// Matches pairs of photos through the model, with these poses. `pairs` are sorted by their first photo.
+/// Throws Error(damaged).
+Matching match_pairs(const MatchViews& views, std::span<const package::PhotoRecord> photos,
                      std::span<const Pose> poses, std::span<const PhotoPair> pairs, const MatchSettings& how);
 
 /// Whether the pair has at least 20 matches and does not contradict.

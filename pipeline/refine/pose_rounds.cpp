@@ -85,7 +85,7 @@ double PoseRounds::expected_error(const Matching& matched) const {
 }
 
 Matching PoseRounds::match(const Poses& poses, const Pairs& pairs, int long_side) const {
-    return match_pairs(in_.package, in_.photos, poses, pairs,
+    return match_pairs(in_.views, in_.photos, poses, pairs,
                        {long_side, corners, in_.threads, in_.progress});
 }
 

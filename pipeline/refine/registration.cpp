@@ -52,7 +52,7 @@ std::vector<PairRecord> measure_pairs(const RegistrationInput& in) {
     }
     std::vector<Pose> given;
     for (const PhotoRecord& p : in.photos) given.push_back(cam_from_origin(p));
-    const Matching m = match_pairs(in.package, in.photos, given, unknown,
+    const Matching m = match_pairs(in.views, in.photos, given, unknown,
                                    {evidence_size, evidence_corners, in.threads, in.progress});
     for (std::size_t i = 0; i < unknown_at.size(); ++i) {
         out[unknown_at[i]] = m.pairs[i];

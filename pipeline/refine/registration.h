@@ -14,6 +14,7 @@ namespace vantage {
 /// Input of register_photos.
 struct RegistrationInput {
     const PackageReader& package;                  ///< with tiles, depth and samples
+    const MatchViews& views;                       ///< of that package
     std::span<const package::PhotoRecord> photos;  ///< with the given poses
     Samples samples;
     std::span<const SurfaceDisc> discs;           ///< one per sample of a photo

@@ -20,7 +20,6 @@ constexpr double min_fit = 0.4;   ///< share of the corners
 constexpr double min_better = 2;  ///< times the fit with the cameras as given
 constexpr int max_neighbors = 3;
 constexpr std::size_t max_suspects = 12;
-constexpr std::size_t cached_views = 16;
 
 double longer_side(const package::PhotoRecord& p) { return double(std::max(p.width, p.height)); }
 
@@ -52,11 +51,7 @@ class CameraFits {
   public:
     explicit CameraFits(const RegistrationInput& in)
         // More neighbors than were measured, in case the nearest ones are misplaced as well.
-        : in_(in),
-          near_(photo_pairs(in.photos, in.samples, in.discs, 8)),
-          views_(cached_views, [&in](auto photo) {
-              return read_match_view(in.package, in.photos[photo], photo, matched_side);
-          }) {}
+        : in_(in), near_(photo_pairs(in.photos, in.samples, in.discs, 8)) {}
 
     /// The best fit over a few neighbors of the camera: the share of their corners that match the photo's
     /// pixels within `near` and `far_away` of where the camera predicts them.
@@ -76,9 +71,9 @@ class CameraFits {
 
   private:
     Eigen::Array2d with(std::uint32_t neighbor, std::uint32_t pixels, std::uint32_t camera) const {
-        const auto from = views_.get(neighbor);
-        MatchView other = *views_.get(camera);
-        other.gray = views_.get(pixels)->gray;
+        const auto from = in_.views.get(neighbor, matched_side);
+        MatchView other = *in_.views.get(camera, matched_side);
+        other.gray = in_.views.get(pixels, matched_side)->gray;
         SurfaceChart chart(*from, from->pose, neighbor, corners_of_neighbor);
         const std::size_t compared = chart.match(other, other.pose, camera);
         Eigen::Array2d found = Eigen::Array2d::Zero();
@@ -93,7 +88,6 @@ class CameraFits {
 
     const RegistrationInput& in_;
     std::vector<PhotoPair> near_;
-    LruCache<MatchView> views_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, Eigen::Array2d> fits_;
 };
 
