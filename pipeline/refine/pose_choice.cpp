@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "pipeline/refine/color_agreement.h"
@@ -51,6 +52,38 @@ std::vector<std::uint32_t> odd_photos(const RegistrationInput& in, std::span<con
         odd.push_back(photo);
     }
     return odd;
+}
+
+/// Photos that overlap: those of the pair that shares most surface, then always the one that shares most with
+/// those.
+std::vector<std::uint32_t> overlapping(std::span<const PairRecord> pairs, std::size_t count) {
+    std::vector<std::uint32_t> out;
+    const auto is_in = [&](std::uint32_t photo) { return std::ranges::count(out, photo) > 0; };
+    while (out.size() < count) {
+        std::map<std::uint32_t, std::uint64_t> shared;  // by photo that is not in
+        for (const PairRecord& p : pairs) {
+            if (!trusted(p) || (is_in(p.a) && is_in(p.b))) continue;
+            if (out.empty() || is_in(p.a)) shared[p.b] += p.shared;
+            if (out.empty() || is_in(p.b)) shared[p.a] += p.shared;
+        }
+        if (shared.empty()) break;
+        out.push_back(std::ranges::max_element(shared, {}, [](const auto& s) { return s.second; })->first);
+    }
+    return out;
+}
+
+/// The input as if other photos had no pixels. `records` and `samples` hold what it refers to.
+RegistrationInput input_of(const RegistrationInput& in, std::span<const std::uint32_t> photos,
+                           std::vector<package::PhotoRecord>& records,
+                           std::vector<std::span<const package::SampleRecord>>& samples) {
+    records.assign(in.photos.begin(), in.photos.end());
+    samples.assign(in.samples.begin(), in.samples.end());
+    for (std::uint32_t i = 0; i < records.size(); ++i)
+        if (std::ranges::count(photos, i) == 0) records[i].levels = 0, samples[i] = {};
+    RegistrationInput out = in;
+    out.photos = records;
+    out.samples = samples;
+    return out;
 }
 
 /// Which cameras a solution moves.
@@ -135,35 +168,36 @@ std::string outcome(const PoseSolution& s) {
 class PoseChoice {
   public:
     PoseChoice(const RegistrationInput& in, Registration& out)
-        : out_(out),
-          judge_(in.judge && !out.decision.forced),
-          rounds_(in),
-          folds_({in.package, in.photos, in.samples, in.discs, in.border_width, in.threads, judged_side,
-                  max_judged}),
-          gains_(colors_without(folds_, lenses_of(in.photos), false).gains) {}
+        : out_(out), judge_(in.judge && !out.decision.forced), in_(in), rounds_(in) {}
+
+    /// Whether a trial hints that the solution of a fit would be better; else says why not.
+    bool promises(const PoseSolution& trial, const std::string& of) {
+        constexpr double promising = 0.75;
+        if (moved(trial) == 0) return reject(of + " would not improve holdout corners"), false;
+        if (trial.after <= promising * trial.before) return true;
+        reject_unexplained(trial, of);
+        return false;
+    }
 
     /// Takes the solution if it is better than what has been taken so far.
     void consider(PoseSolution solution, const std::string& of, Moved which) {
         if (moved(solution) == 0) return reject(of + " would not improve holdout corners");
-        if (solution.after > explained * solution.before)
-            return reject(fmt::format(
-                "{} would reduce the error of holdout corners only from {:.2f} to {:.2f} px, so that "
-                "the mesh or the lens is the likely cause",
-                of, solution.before, solution.after));
-        Candidate c = candidate(rounds_, folds_, std::move(solution), which);
+        if (solution.after > explained * solution.before) return reject_unexplained(solution, of);
+        judging();
+        Candidate c = candidate(rounds_, *folds_, std::move(solution), which);
         std::string judged;
         if (judge_) {
             const Candidate* taken = taken_ ? &*taken_ : nullptr;
-            const Judgment fitted = judge(rounds_, folds_, gains_, taken, c, Own::fitted);
+            const Judgment fitted = judge(rounds_, *folds_, gains_, taken, c, Own::fitted);
             if (!taken) out_.decision.judgment = fitted;
             if (!is_called_for(fitted)) return reject(of + ": " + sentence(fitted));
-            const Judgment given = judge(rounds_, folds_, gains_, taken, c, Own::given);
+            const Judgment given = judge(rounds_, *folds_, gains_, taken, c, Own::given);
             if (given.gain < -2 * given.error || (which == Moved::together && !is_called_for(given)))
                 return reject(of + " would leave the frame of the given cameras: " + sentence(given));
             out_.decision.judgment = fitted;
             judged = "; " + sentence(fitted);
         }
-        keep_uncertain(rounds_, folds_, c);
+        keep_uncertain(rounds_, *folds_, c);
         if (moved(c.solution) == 0) return reject(of + " would be less than the uncertainty");
         out_.decision.evidence += "; " + outcome(c.solution) + judged;
         taken_ = std::move(c);
@@ -175,21 +209,55 @@ class PoseChoice {
     void finish() {
         if (taken_) out_.photos = taken_->solution.photos;
         if (taken_ && taken_->which != Moved::together)
-            out_.without = poses_without_each(rounds_, taken_->solution, folds_);
+            out_.without = poses_without_each(rounds_, taken_->solution, *folds_);
         out_.decision.on = any();
         if (!any()) out_.decision.evidence += "; no camera was moved";
     }
 
   private:
     void reject(const std::string& why) { out_.decision.evidence += "; " + why; }
+    void reject_unexplained(const PoseSolution& s, const std::string& of) {
+        reject(
+            fmt::format("{} would reduce the error of holdout corners only from {:.2f} to {:.2f} px, so "
+                        "that the mesh or the lens is the likely cause",
+                        of, s.before, s.after));
+    }
+    /// Makes what judging needs, the first time.
+    void judging() {
+        if (folds_) return;
+        folds_.emplace(FoldsInput{in_.package, in_.photos, in_.samples, in_.discs, in_.border_width,
+                                  in_.threads, judged_side, max_judged});
+        gains_ = colors_without(*folds_, lenses_of(in_.photos), false).gains;
+    }
 
     Registration& out_;
     bool judge_;
+    const RegistrationInput& in_;
     PoseRounds rounds_;
-    Folds folds_;
+    std::optional<Folds> folds_;
     std::vector<PhotoColors> gains_;
     std::optional<Candidate> taken_;
 };
+
+/// Fits all cameras, unless a trial with a few of many that overlap shows that it would not help.
+void choose_all(const RegistrationInput& in, Registration& out, PoseChoice& choice) {
+    constexpr std::size_t few = 8;
+    const std::vector<std::uint32_t> some = overlapping(out.pairs, few);
+    const auto all = std::size_t(std::ranges::count_if(in.samples, [](const auto& s) { return !s.empty(); }));
+    if (all > 2 * few && some.size() == few) {
+        std::vector<package::PhotoRecord> records;
+        std::vector<std::span<const package::SampleRecord>> samples;
+        const RegistrationInput few_input = input_of(in, some, records, samples);
+        if (!choice.promises(PoseRounds(few_input, Effort::trial).fit_all(),
+                             fmt::format("moving {} cameras that overlap", few)))
+            return;
+    }
+    const PoseSolution solution = choice.rounds().fit_all();
+    choice.consider(solution, "moving all cameras", Moved::all);
+    if (choice.any() && solution.common_motion > noticed_common)
+        out.decision.evidence +=
+            fmt::format("; their common motion of {:.2f} px was taken back", solution.common_motion);
+}
 
 }  // namespace
 
@@ -198,20 +266,17 @@ void choose_poses(const RegistrationInput& in, const SystematicErrors& errors, R
     std::vector<std::uint32_t> stay;
     for (const LensError& e : errors.lenses) stay.insert(stay.end(), e.photos.begin(), e.photos.end());
     const std::vector<std::uint32_t> odd = odd_photos(in, out.pairs, stay);
-    if (!odd.empty())
-        choice.consider(choice.rounds().fit_some(odd), fmt::format("moving {} of the cameras", odd.size()),
-                        Moved::odd_ones);
+    const PoseRounds trial(in, Effort::trial);
+    if (const std::string what = fmt::format("moving {} of the cameras", odd.size());
+        !odd.empty() && choice.promises(trial.fit_some(odd), what))
+        choice.consider(choice.rounds().fit_some(odd), what, Moved::odd_ones);
     if (!stay.empty()) {
         out.decision.evidence += "; poses would hide the lens's error: cameras stay";
     } else if (errors.common_motion > 0) {
         choice.consider(choice.rounds().moved_together(errors.common, errors.uncertainty),
                         "moving them together", Moved::together);
     } else if (odd.empty() || !choice.any() || disagreement(in, pairs_without(out.pairs, odd)) > 1) {
-        const PoseSolution all = choice.rounds().fit_all();
-        choice.consider(all, "moving all cameras", Moved::all);
-        if (choice.any() && all.common_motion > noticed_common)
-            out.decision.evidence +=
-                fmt::format("; their common motion of {:.2f} px was taken back", all.common_motion);
+        choose_all(in, out, choice);
     }
     choice.finish();
 }

@@ -10,8 +10,10 @@ namespace vantage {
 namespace {
 
 constexpr std::size_t matched_pairs_per_photo = 6;
-constexpr int corners = 500;
 constexpr int coarse = 800, fine = 1600;  ///< px on the photos' longer side
+constexpr std::array full_rounds{coarse, fine, fine, fine, fine};
+constexpr std::array trial_rounds{coarse, coarse};
+constexpr int full_corners = 500, trial_corners = 200;
 /// Weight of the anchor, in observations: small against thousands of corners, but above 1, because errors in
 /// the mesh make those of the corners correlated.
 constexpr double anchor = 5;
@@ -65,19 +67,23 @@ std::vector<Track> tracks_without(std::span<const Track> tracks, std::uint32_t p
     return out;
 }
 
-constexpr std::array from_coarse{coarse, fine, fine, fine, fine};
-
 }  // namespace
 
-PoseRounds::PoseRounds(const RegistrationInput& in)
-    : in_(in), pairs_(photo_pairs(in.photos, in.samples, in.discs, matched_pairs_per_photo)) {
+PoseRounds::PoseRounds(const RegistrationInput& in, Effort effort)
+    : in_(in),
+      pairs_(photo_pairs(in.photos, in.samples, in.discs, matched_pairs_per_photo)),
+      corners_(effort == Effort::full ? full_corners : trial_corners),
+      long_sides_(effort == Effort::full ? std::span<const int>(full_rounds) : trial_rounds) {
     for (const package::PhotoRecord& p : in.photos) {
         intrinsics_.push_back(intrinsics(p));
         given_.push_back(cam_from_origin(p));
         cameras_.push_back({intrinsics_.back(), given_.back(), p.seen_distance > 0 ? p.seen_distance : 1});
     }
-    before_ = match(given_, pairs_, fine);
-    sigma_ = expected_error(before_);
+}
+
+const Matching& PoseRounds::as_given() const {
+    if (!before_) before_ = match(given_, pairs_, finest());
+    return *before_;
 }
 
 double PoseRounds::expected_error(const Matching& matched) const {
@@ -85,8 +91,7 @@ double PoseRounds::expected_error(const Matching& matched) const {
 }
 
 Matching PoseRounds::match(const Poses& poses, const Pairs& pairs, int long_side) const {
-    return match_pairs(in_.views, in_.photos, poses, pairs,
-                       {long_side, corners, in_.threads, in_.progress});
+    return match_pairs(in_.views, in_.photos, poses, pairs, {long_side, corners_, in_.threads, in_.progress});
 }
 
 std::vector<PoseChange> PoseRounds::solve(const std::vector<FittedCamera>& cameras, const Pairs& pairs,
@@ -96,7 +101,7 @@ std::vector<PoseChange> PoseRounds::solve(const std::vector<FittedCamera>& camer
         const Poses before = poses_of(cameras, change);
         const Matching m = match(before, pairs, long_side);
         if (!fit_poses(cameras, subset(m.tracks, Subset::fitting), anchor, sigma, change).usable) break;
-        if (long_side == fine &&
+        if (long_side == finest() &&
             median_motion(intrinsics_, before, poses_of(cameras, change), m.tracks) < converged_motion)
             break;
     }
@@ -114,7 +119,7 @@ void PoseRounds::keep_improved(PoseSolution& s, const Pairs& pairs, std::vector<
                                const Matching& matched_before) const {
     const std::size_t n = in_.photos.size();
     const std::vector<double> before = holdout_displacement(matched_before, n);
-    constexpr std::array once_more{fine};
+    const std::array once_more{finest()};
     s.before = before.back();
     for (int attempt = 1;; ++attempt) {
         const std::vector<double> after = holdout_displacement(s.matched, n);
@@ -139,7 +144,7 @@ void PoseRounds::keep_improved(PoseSolution& s, const Pairs& pairs, std::vector<
         }
         change = solve(s.cameras, pairs, change, expected_error(matched_before), once_more);
         s.poses = poses_of(s.cameras, change);
-        s.matched = match(s.poses, pairs, fine);
+        s.matched = match(s.poses, pairs, finest());
     }
     for (std::size_t i = 0; i < n; ++i)
         if (!s.photos[i].pose) s.poses[i] = given_[i];
@@ -150,26 +155,26 @@ PoseSolution PoseRounds::fit_some(std::span<const std::uint32_t> photos) const {
     for (std::uint32_t i = 0; i < s.cameras.size(); ++i)
         s.cameras[i].fixed = std::ranges::count(photos, i) == 0;
     const Pairs pairs = pairs_of(pairs_, photos);
-    const Matching before = match(given_, pairs, fine);
+    const Matching before = match(given_, pairs, finest());
     s.sigma = expected_error(before);
     const auto change =
-        solve(s.cameras, pairs, std::vector<PoseChange>(s.cameras.size()), s.sigma, from_coarse);
+        solve(s.cameras, pairs, std::vector<PoseChange>(s.cameras.size()), s.sigma, long_sides_);
     s.poses = poses_of(s.cameras, change);
-    s.matched = match(s.poses, pairs, fine);
+    s.matched = match(s.poses, pairs, finest());
     keep_improved(s, pairs, change, before);
     return s;
 }
 
 PoseSolution PoseRounds::fit_all() const {
     PoseSolution s{.photos = {}, .poses = {}, .cameras = cameras_, .matched = {}};
-    s.sigma = sigma_;
+    s.sigma = expected_error(as_given());
     const auto change =
-        solve(s.cameras, pairs_, std::vector<PoseChange>(s.cameras.size()), s.sigma, from_coarse);
+        solve(s.cameras, pairs_, std::vector<PoseChange>(s.cameras.size()), s.sigma, long_sides_);
     s.poses = poses_of(s.cameras, change);
-    s.matched = match(s.poses, pairs_, fine);
+    s.matched = match(s.poses, pairs_, finest());
     take_back_common_motion(s);
-    s.matched = match(s.poses, pairs_, fine);
-    keep_improved(s, pairs_, change, before_);
+    s.matched = match(s.poses, pairs_, finest());
+    keep_improved(s, pairs_, change, as_given());
     return s;
 }
 
@@ -178,8 +183,8 @@ PoseSolution PoseRounds::moved_together(const Similarity& common, double uncerta
     PoseSolution s{
         .photos = std::vector<PhotoRegistration>(n), .poses = {}, .cameras = cameras_, .matched = {}};
     for (const Pose& p : given_) s.poses.push_back(compose(p, common));
-    s.matched = match(s.poses, pairs_, fine);
-    const std::vector<double> before = holdout_displacement(before_, n),
+    s.matched = match(s.poses, pairs_, finest());
+    const std::vector<double> before = holdout_displacement(as_given(), n),
                               after = holdout_displacement(s.matched, n);
     s.before = before.back(), s.after = after.back();
     for (std::size_t i = 0; i < n; ++i) {
@@ -246,12 +251,12 @@ Pose PoseRounds::resection(const PoseSolution* solution, std::span<const Pose> p
     std::vector<FittedCamera> cameras = cameras_;
     for (std::size_t i = 0; i < cameras.size(); ++i)
         cameras[i].given = poses[i], cameras[i].fixed = i != photo;
-    std::vector<Track> tracks = (solution ? solution->matched : before_).tracks;
+    std::vector<Track> tracks = (solution ? solution->matched : as_given()).tracks;
     std::erase_if(tracks, [&](const Track& t) {
         return t.photo != photo && std::ranges::count(t.matches, photo, &Match::photo) == 0;
     });
     std::vector<PoseChange> change(cameras.size());
-    if (!fit_poses(cameras, tracks, anchor, sigma_, change).usable) return poses[photo];
+    if (!fit_poses(cameras, tracks, anchor, expected_error(as_given()), change).usable) return poses[photo];
     return apply_change(cameras[photo], change[photo]);
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "pipeline/refine/common_motion.h"
@@ -19,10 +21,13 @@ struct PoseSolution {
     double common_motion = 0;
 };
 
+/// How thoroughly photos are matched: a trial tells in a tenth of the time whether a fit is worth while.
+enum class Effort { trial, full };
+
 /// Alternates between matching photos and fitting their poses.
 class PoseRounds {
   public:
-    explicit PoseRounds(const RegistrationInput& input);
+    explicit PoseRounds(const RegistrationInput& input, Effort effort = Effort::full);
 
     /// Fits the poses of the given photos to all others, which stay. Throws Error(damaged).
     PoseSolution fit_some(std::span<const std::uint32_t> photos) const;
@@ -50,6 +55,9 @@ class PoseRounds {
   private:
     using Poses = std::vector<Pose>;
     using Pairs = std::vector<PhotoPair>;
+    /// Under the given poses, when it is first asked for.
+    const Matching& as_given() const;
+    int finest() const { return long_sides_.back(); }
     /// Of the given poses in px, from the displacement of holdout corners.
     double expected_error(const Matching& matched) const;
     Matching match(const Poses& poses, const Pairs& pairs, int long_side) const;
@@ -67,8 +75,9 @@ class PoseRounds {
     std::vector<Intrinsics> intrinsics_;
     std::vector<FittedCamera> cameras_;
     Poses given_;
-    Matching before_;  ///< under the given poses
-    double sigma_;     ///< expected_error(before_)
+    int corners_;                             ///< per photo
+    std::span<const int> long_sides_;         ///< of the rounds, px; the last one is the finest
+    mutable std::optional<Matching> before_;  ///< see as_given()
 };
 
 }  // namespace vantage
