@@ -57,10 +57,13 @@ class MtlReader {
 
   private:
     void statement(std::string_view line) {
-        std::string_view rest = line.substr(0, line.find('#'));
+        std::string_view rest = line;
         const std::string_view key = take_word(rest);
+        if (key != "newmtl") rest = trimmed(rest.substr(0, rest.find('#')));
         if (key == "newmtl") {
-            at_ = &(materials_[std::string(rest)] = {255, 255, 255, 255});
+            std::string name;  // words apart by one blank, as read_obj() has them
+            while (!rest.empty()) name.append(name.empty() ? "" : " ").append(take_word(rest));
+            at_ = &(materials_[name] = {255, 255, 255, 255});
             has_d_ = warned_ = false;
         } else if (at_ && key == "Kd") {
             read_color(rest);
@@ -102,7 +105,19 @@ class MtlReader {
     std::size_t line_ = 0, listed_ = 0;
 };
 
+/// Without a comment behind it.
+std::string_view bare(std::string_view name) { return trimmed(name.substr(0, name.find(" #"))); }
+
 }  // namespace
+
+std::optional<MaterialColor> material_named(const std::map<std::string, MaterialColor>& materials,
+                                            const std::string& name) {
+    if (const auto at = materials.find(name); at != materials.end()) return at->second;
+    const auto is_meant = [&](const auto& m) { return bare(m.first) == bare(name); };
+    const auto first = std::ranges::find_if(materials, is_meant);
+    if (std::ranges::count_if(materials, is_meant) != 1) return {};
+    return first->second;
+}
 
 std::map<std::string, MaterialColor> read_mtl(const std::filesystem::path& file,
                                               std::vector<std::string>& warnings) {

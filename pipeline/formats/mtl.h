@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,10 @@ using MaterialColor = std::array<std::uint8_t, 4>;
 /// eight. Throws Error(input) if the file cannot be read.
 std::map<std::string, MaterialColor> read_mtl(const std::filesystem::path& file,
                                               std::vector<std::string>& warnings);
+
+/// The material that a face's `usemtl` means: the one of that name, `#` included; else the only one that has
+/// it if what follows a blank and `#` is a comment. Nothing if there is none.
+std::optional<MaterialColor> material_named(const std::map<std::string, MaterialColor>& materials,
+                                            const std::string& name);
 
 }  // namespace vantage

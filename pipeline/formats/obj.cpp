@@ -66,7 +66,8 @@ class ObjReader {
         if (in_.at_end()) return false;
         while (!in_.at_line_end()) {
             const std::string_view found = in_.word("a word");
-            std::string_view word = found.substr(0, found.find('#'));
+            const bool in_a_name = !words.empty() && (words[0] == "usemtl" || words[0] == "mtllib");
+            std::string_view word = in_a_name ? found : found.substr(0, found.find('#'));
             if (word.size() < found.size()) in_.skip_to_line_end();
             const bool continues = found.ends_with('\\') && in_.at_line_end();
             if (continues) word.remove_suffix(1), in_.next_line();
@@ -155,7 +156,9 @@ std::vector<fs::path> library_files(const fs::path& folder, const std::vector<st
         return {whole};
     std::vector<fs::path> out;
     for (const std::string& word : words)
-        if (fs::path file = library_file(folder, word); !file.empty())
+        if (word.starts_with('#'))
+            break;  // a comment
+        else if (fs::path file = library_file(folder, word); !file.empty())
             out.push_back(std::move(file));
         else
             missing.push_back(word);
@@ -176,10 +179,8 @@ std::vector<MaterialColor> material_colors(const ObjMesh& obj, const fs::path& f
             (missing.size() > 1 ? " and " + std::to_string(missing.size() - 1) + " others are" : " is") +
             " missing; faces of its materials are taken as opaque");
     std::vector<MaterialColor> out;
-    for (const std::string& name : obj.names) {
-        const auto at = known.find(name);
-        out.push_back(at == known.end() ? MaterialColor{255, 255, 255, 255} : at->second);
-    }
+    for (const std::string& name : obj.names)
+        out.push_back(material_named(known, name).value_or(MaterialColor{255, 255, 255, 255}));
     return out;
 }
 

@@ -53,6 +53,24 @@ TEST_F(Mtl, GivesColorAndAlpha) {
     EXPECT_TRUE(warnings.empty());
 }
 
+TEST_F(Mtl, NamesMayHaveNumberSigns) {
+    const std::string faces =
+        "v 0 0 1\nv 0 2 1\nv 1 0 0\nv -1 0 0\nusemtl Material #25\nf 1 3 2\nusemtl Material  #26\nf 1 2 4\n";
+    write("scan #2.mtl", "newmtl Material #25\nd 1\nnewmtl Material #26\nd 0.3 # glass\n");
+    const Mesh m = mesh("mtllib scan #2.mtl\n" + faces);
+    EXPECT_EQ(files.size(), 1u);
+    EXPECT_EQ(std::ranges::count_if(m.colors, [](const auto& c) { return c[3] == 77; }), 3)
+        << "the corners of one triangle";
+    EXPECT_TRUE(warnings.empty()) << warnings.front();
+    // A name may be nothing but a color, and a comment may follow one.
+    const auto known =
+        materials("newmtl #FF0000\nd 0.5\nnewmtl #00FF00\nd 1\nnewmtl oak # of the door\nd 0.25\n");
+    EXPECT_EQ(material_named(known, "#FF0000").value()[3], 128);
+    EXPECT_EQ(material_named(known, "#00FF00").value()[3], 255);
+    EXPECT_EQ(material_named(known, "oak").value()[3], 64);
+    EXPECT_FALSE(material_named(known, "ash"));
+}
+
 TEST_F(Mtl, SaysWhatCannotBeRead) {
     const auto m = materials(
         "newmtl a\nKd spectral x.rfl\nd much\nnewmtl b\nd nan\nnewmtl c\nd\nnewmtl "
