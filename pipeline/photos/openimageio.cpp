@@ -4,7 +4,9 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 
 #include "pipeline/photos/heif_profile.h"
 #include "pipeline/photos/image_files.h"
@@ -39,6 +41,32 @@ std::shared_ptr<const ColorProfile> profile_of(const OIIO::ImageSpec& spec, cons
     return color_profile(icc, spec.nchannels < 3 ? PixelColors::gray : PixelColors::rgb);
 }
 
+/// A TIFF that does not say how many bits its samples have means one (TIFF 6.0, BitsPerSample), which
+/// OpenImageIO takes for eight. Throws Error(input).
+void expect_bits(const std::filesystem::path& file, const std::string& format) {
+    if (format != "tiff") return;
+    std::ifstream in(file, std::ios::binary);
+    const bool big = in.get() == 'M';
+    in.get();
+    const auto number = [&](std::size_t bytes) {
+        std::array<unsigned char, 8> b{};
+        in.read(reinterpret_cast<char*>(b.data()), std::streamsize(bytes));
+        std::uint64_t out = 0;
+        for (std::size_t i = 0; i < bytes; ++i) out |= std::uint64_t(b[big ? bytes - 1 - i : i]) << (8 * i);
+        return out;
+    };
+    const bool wide = number(2) == 43;  // BigTIFF
+    if (wide) number(4);
+    in.seekg(std::streamoff(number(wide ? 8 : 4)));
+    constexpr std::uint64_t bits_per_sample = 258;
+    const std::uint64_t entries = number(wide ? 8 : 2);
+    for (std::uint64_t i = 0; in && i < entries; ++i) {
+        if (number(2) == bits_per_sample) return;
+        in.seekg(wide ? 18 : 10, std::ios::cur);
+    }
+    if (in) fail(file, "its pixels have one bit, expected a TIFF of 8 or 16 bits");
+}
+
 /// Says what to do about a format that needs a library of its own.
 [[noreturn]] void fail_to_open(const std::filesystem::path& file, const std::string& reason) {
     const std::string extension = lower_extension(file);
@@ -54,6 +82,7 @@ PhotoHeader read_header(const std::filesystem::path& file) {
     const auto in = OIIO::ImageInput::open(file.string());
     if (!in) fail_to_open(file, OIIO::geterror());
     const OIIO::ImageSpec& spec = in->spec();
+    expect_bits(file, in->format_name());
     const auto profile = profile_of(spec, in->format_name(), file);
     const ProfileUse use = profile ? profile->use : ProfileUse{};
     return {{spec.width, spec.height},
