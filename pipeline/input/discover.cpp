@@ -212,7 +212,8 @@ fs::path find_photos(const fs::path& root, const Files& files, const fs::path& c
         if (is_photo(f)) folders.insert(f.parent_path());
     if (folders.size() < 2) return folders.empty() ? fs::path() : *folders.begin();
     for (const fs::path& f : std::set(folders))
-        for (fs::path above = f; above != root; folders.insert(above)) above = above.parent_path();
+        for (fs::path above = f; is_below(above, root) && above != root; folders.insert(above))
+            above = above.parent_path();
     const std::vector<std::string> names =
         cameras.empty() ? std::vector<std::string>() : photo_names(cameras);
     const fs::path beside = fs::is_directory(cameras) ? cameras : cameras.parent_path();
@@ -227,6 +228,11 @@ fs::path find_photos(const fs::path& root, const Files& files, const fs::path& c
             }))
             candidates.push_back(f);
     return std::ranges::max_element(candidates, {}, &PhotoFolder::rank)->path;
+}
+
+/// The same folder without a slash at its end, as in the paths of its files.
+fs::path without_slash(const fs::path& folder) {
+    return folder.has_filename() || folder.empty() ? folder : folder.parent_path();
 }
 
 void expect_complete(const fs::path& folder, const InputFiles& found) {
@@ -256,12 +262,14 @@ fs::path find_stencil(const fs::path& photo) {
     return {};
 }
 
-FoundInput search(const fs::path& folder, const InputFiles& given) {
+FoundInput search(const fs::path& given_folder, const InputFiles& given) {
+    const fs::path folder = without_slash(given_folder);
     if (!fs::exists(folder)) throw Error(Exit::input, folder.string() + ": does not exist");
     if (!fs::is_directory(folder)) throw Error(Exit::input, folder.string() + ": not a folder");
     const Files files = files_below(folder, 2);
     FoundInput out{given, {}};
     InputFiles& found = out.files;
+    for (fs::path* path : {&found.cameras, &found.photos}) *path = without_slash(*path);
     const auto attempt = [&](const auto& step) {
         try {
             step();
