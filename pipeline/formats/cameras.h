@@ -5,9 +5,16 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/error.h"
 #include "scene/similarity.h"
 
 namespace vantage {
+
+/// Error(input) of a file that is valid, but in which no camera has a pose.
+class NoCamera : public Error {
+  public:
+    explicit NoCamera(const std::string& message) : Error(Exit::input, message) {}
+};
 
 /// The cameras of a file.
 struct CameraSet {

@@ -78,8 +78,7 @@ CameraSet read_meshlab(const std::filesystem::path& file) {
         else
             set.warnings.push_back(std::string(raster.attribute("label").value()) +
                                    ": has no camera; left out");
-    if (set.entries.empty())
-        throw Error(Exit::input, file.string() + ": expected a raster with a camera, found none");
+    if (set.entries.empty()) throw NoCamera(file.string() + ": expected a raster with a camera, found none");
     return set;
 }
 

@@ -180,7 +180,7 @@ CameraSet read_metashape(const std::filesystem::path& path) {
                                    " cameras; '" + most->label() + "' has " + std::to_string(most->posed()));
     most->move_to(set);
     if (!set.entries.empty()) return set;
-    throw Error(Exit::input, path.string() + ": expected a camera with a pose, found none" +
+    throw NoCamera(path.string() + ": expected a camera with a pose, found none" +
                                  (set.warnings.empty() ? "" : " (" + set.warnings.front() + ")"));
 }
 

@@ -122,7 +122,7 @@ CameraSet read_realitycapture_xmp(const fs::path& folder) {
         set.warnings.push_back(std::to_string(relative) + " of " + std::to_string(set.entries.size()) +
                                " sidecars have relative coordinates: the mesh may be in another frame");
     if (set.entries.empty())
-        throw Error(Exit::input, folder.string() + ": expected an XMP sidecar with a pose, found none");
+        throw NoCamera(folder.string() + ": expected an XMP sidecar with a pose, found none");
     return set;
 }
 

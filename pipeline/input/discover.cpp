@@ -14,6 +14,7 @@
 #include "pipeline/formats/ply.h"
 #include "pipeline/input/band_groups.h"
 #include "pipeline/input/photo_matches.h"
+#include "pipeline/photos/photos.h"
 #include "scene/error.h"
 #include "values/lower_extension.h"
 
@@ -121,13 +122,19 @@ fs::path find_cameras(const fs::path& folder, const Files& files, std::vector<st
     const Files found = camera_candidates(files);
     if (found.size() < 2) return found.empty() ? fs::path() : found.front();
     std::vector<std::size_t> sizes;
-    for (const fs::path& cameras : found) sizes.push_back(photo_names(cameras).size());
+    std::vector<std::string> flaws(found.size());
+    for (std::size_t i = 0; i < found.size(); ++i) try {
+            sizes.push_back(photo_names(found[i]).size());
+        } catch (const NoCamera& e) {  // a file of the format may hold other things, such as markers
+            sizes.push_back(0);
+            flaws[i] = reason_of(e, found[i]);
+        }
     const auto most = std::size_t(std::ranges::max_element(sizes) - sizes.begin());
     for (std::size_t i = 0; i < found.size(); ++i)
         if (i != most)
-            notes.push_back(found[i].lexically_relative(folder).string() + ": not used, has " +
-                            std::to_string(sizes[i]) + " cameras; " +
-                            found[most].lexically_relative(folder).string() + " has " +
+            notes.push_back(found[i].lexically_relative(folder).string() + ": not used, " +
+                            (flaws[i].empty() ? "has " + std::to_string(sizes[i]) + " cameras" : flaws[i]) +
+                            "; " + found[most].lexically_relative(folder).string() + " has " +
                             std::to_string(sizes[most]));
     return found[most];
 }
