@@ -72,13 +72,34 @@ struct Sensor {
     std::string why_not{};
 };
 
+/// A sensor that was never calibrated: only what its camera says of itself, in millimeters.
+Sensor uncalibrated(const XmlFile& file, pugi::xml_node sensor) {
+    const auto value = [&](const char* name) {
+        const pugi::xml_node p = sensor.find_child_by_attribute("property", "name", name);
+        return p ? file.attribute(p, "value") : 0.0;
+    };
+    const double focal = value("focal_length"), across = value("pixel_width"), down = value("pixel_height");
+    const pugi::xml_node size = sensor.child("resolution");
+    if (!(focal > 0 && across > 0 && down > 0) || !size)
+        return {{}, "has no calibration, and no focal length and pixel size"};
+    Camera out;
+    Intrinsics& k = out.intrinsics;
+    k.width = file.size(size, file.attribute(size, "width"));
+    k.height = file.size(size, file.attribute(size, "height"));
+    k.fx = focal / across;
+    k.fy = focal / down;
+    k.cx = k.width / 2.0;
+    k.cy = k.height / 2.0;
+    return {out};
+}
+
 Sensor read_sensor(const XmlFile& file, pugi::xml_node sensor) {
     const std::string type = sensor.attribute("type").value();
     if (!type.empty() && type != "frame") return {{}, "its lens is of type '" + type + "', expected 'frame'"};
     pugi::xml_node best;
     for (const pugi::xml_node c : sensor.children("calibration"))
         if (!best || std::string_view(c.attribute("class").value()) == "adjusted") best = c;
-    if (!best) return {{}, "has no calibration"};
+    if (!best) return uncalibrated(file, sensor);
     if (best.child("corrections")) return {{}, "has Fourier corrections, which are not supported"};
     if (sensor.child("rolling_shutter") || best.child("rolling_shutter"))
         return {{}, "has a rolling shutter, which is not supported"};
@@ -100,7 +121,8 @@ class Chunk {
         own_ = chunk_transform(file, chunk.child("transform"));
         for (const pugi::xml_node c : chunk.child("components").children("component"))
             components_[c.attribute("id").value()] = chunk_transform(file, c.child("transform"));
-        for (const pugi::xml_node c : chunk.child("cameras").children()) read(c);
+        for (const pugi::xml_node c : chunk.child("cameras").children()) read(c, "");
+        name_by_folder();
     }
     void move_to(CameraSet& set) {
         set.entries = std::move(entries_);
@@ -118,10 +140,14 @@ class Chunk {
     std::string label() const { return chunk_.attribute("label").value(); }
 
   private:
-    /// Cameras may be in groups.
-    void read(pugi::xml_node node) {
-        if (std::string_view(node.name()) == "group")
-            for (const pugi::xml_node c : node.children()) read(c);
+    /// Cameras may be in groups, which may be the folders of their photos.
+    void read(pugi::xml_node node, const std::string& folder) {
+        if (std::string_view(node.name()) == "group") {
+            const bool is_folder = std::string_view(node.attribute("type").value()) == "folder";
+            const std::string own = is_folder ? node.attribute("label").value() : "";
+            for (const pugi::xml_node c : node.children())
+                read(c, own.empty() ? folder : folder.empty() ? own : folder + "/" + own);
+        }
         if (std::string_view(node.name()) != "camera") return;
         const std::string photo = node.attribute("label").value();
         if (!is_enabled(node)) return left_out_.add(photo, "disabled");
@@ -133,6 +159,15 @@ class Chunk {
         camera.cam_from_world = pose_of(node);
         if (entries_.empty()) first_ = transform_of(node);
         entries_.push_back({photo, camera});
+        folders_.push_back(folder);
+    }
+    /// Labels that are not the only ones: their groups tell them apart.
+    void name_by_folder() {
+        std::map<std::string, int> count;
+        for (const CameraSet::Entry& e : entries_) ++count[e.photo];
+        for (std::size_t i = 0; i < entries_.size(); ++i)
+            if (count.at(entries_[i].photo) > 1 && !folders_[i].empty())
+                entries_[i].photo = folders_[i] + "/" + entries_[i].photo;
     }
     Sensor sensor_of(pugi::xml_node camera) const {
         if (const pugi::xml_node own = camera.child("calibration"))
@@ -160,6 +195,7 @@ class Chunk {
     std::map<std::string, Similarity> components_;
     Similarity own_, first_;
     std::vector<CameraSet::Entry> entries_;
+    std::vector<std::string> folders_;  ///< per entry, of its group; empty: none
     LeftOut left_out_;
 };
 
@@ -181,7 +217,7 @@ CameraSet read_metashape(const std::filesystem::path& path) {
     most->move_to(set);
     if (!set.entries.empty()) return set;
     throw NoCamera(path.string() + ": expected a camera with a pose, found none" +
-                                 (set.warnings.empty() ? "" : " (" + set.warnings.front() + ")"));
+                   (set.warnings.empty() ? "" : " (" + set.warnings.front() + ")"));
 }
 
 }  // namespace vantage

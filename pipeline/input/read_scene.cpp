@@ -103,19 +103,31 @@ struct FoundPhotos {
     std::vector<fs::path> files;
 };
 
+/// A camera file and what it holds.
+struct CameraFile {
+    fs::path file;
+    CameraSet set;
+};
+
 /// Throws Error(input) if a photo has two cameras.
-void add_found(CameraSet&& set, const fs::path& folder, const std::vector<fs::path>& photos,
+void add_found(CameraFile&& cameras, const fs::path& folder, const std::vector<fs::path>& photos,
                FoundPhotos& found) {
+    std::vector<CameraSet::Entry>& entries = cameras.set.entries;
     std::vector<std::string> names;
-    for (const CameraSet::Entry& entry : set.entries) names.push_back(entry.photo);
-    std::set<fs::path> used(found.files.begin(), found.files.end());
-    for (const PhotoMatch& match : match_photos(folder, photos, names)) {
-        found.files.push_back(match.file);
-        if (!match.file.empty() && !used.insert(match.file).second)
-            throw Error(Exit::input, match.file.string() + ": has more than one camera");
+    for (const CameraSet::Entry& entry : entries) names.push_back(entry.photo);
+    std::map<fs::path, std::string> used;  // and by which camera
+    for (std::size_t i = 0; i < found.files.size(); ++i) used[found.files[i]] = found.set.entries[i].photo;
+    const std::vector<PhotoMatch> matches = match_photos(folder, photos, names);
+    for (std::size_t i = 0; i < matches.size(); ++i) {
+        const fs::path& file = matches[i].file;
+        found.files.push_back(file);
+        if (file.empty()) continue;
+        if (const auto [other, is_new] = used.try_emplace(file, names[i]); !is_new)
+            throw Error(Exit::input, file.string() + ": has more than one camera, '" + other->second +
+                                         "' and '" + names[i] + "' in " + cameras.file.string());
     }
-    found.set.entries.insert(found.set.entries.end(), std::make_move_iterator(set.entries.begin()),
-                             std::make_move_iterator(set.entries.end()));
+    found.set.entries.insert(found.set.entries.end(), std::make_move_iterator(entries.begin()),
+                             std::make_move_iterator(entries.end()));
 }
 
 /// The folder below the photos' own whose photos a camera file describes, if there is one file per folder.
@@ -123,11 +135,6 @@ fs::path folder_of(const fs::path& cameras, const fs::path& photos) {
     return photos / *cameras.lexically_relative(photos).begin();
 }
 
-/// A camera file and what it holds.
-struct CameraFile {
-    fs::path file;
-    CameraSet set;
-};
 std::vector<CameraFile> read_camera_files(const InputFiles& files) {
     std::vector<CameraFile> out{{files.cameras, read_cameras(files.cameras)}};
     for (const fs::path& more : files.more_cameras) out.push_back({more, read_cameras(more)});
@@ -139,13 +146,13 @@ FoundPhotos find_photos(std::vector<CameraFile> cameras, const fs::path& photos,
     FoundPhotos found;
     found.set.format = cameras.front().set.format;
     if (cameras.size() == 1) {
-        add_found(std::move(cameras.front().set), photos, all, found);
+        add_found(std::move(cameras.front()), photos, all, found);
         return found;
     }
     for (CameraFile& c : cameras) {
         const fs::path folder = folder_of(c.file, photos);
         const std::size_t before = found.set.entries.size();
-        add_found(std::move(c.set), folder, photos_below(folder), found);
+        add_found(std::move(c), folder, photos_below(folder), found);
         for (std::size_t i = before; i < found.set.entries.size(); ++i)
             found.set.entries[i].photo = (folder.filename() / found.set.entries[i].photo).generic_string();
     }

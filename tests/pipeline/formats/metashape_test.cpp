@@ -1,0 +1,86 @@
+// Metashape's XML as projects of users have it.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "pipeline/formats/cameras.h"
+#include "pipeline/input/discover.h"
+#include "tests/temporary_folder.h"
+
+namespace vantage {
+namespace {
+
+constexpr const char* calibrated =
+    "<sensor id=\"0\" type=\"frame\"><resolution width=\"400\" height=\"300\"/>"
+    "<calibration type=\"frame\" class=\"adjusted\"><resolution width=\"400\" height=\"300\"/>"
+    "<f>350</f></calibration></sensor>";
+
+std::string camera(const std::string& label, double x) {
+    return "<camera id=\"0\" sensor_id=\"0\" label=\"" + label + "\"><transform>1 0 0 " + std::to_string(x) +
+           " 0 1 0 0 0 0 1 0 0 0 0 1</transform></camera>";
+}
+
+class Metashape : public TemporaryFolder {
+  protected:
+    CameraSet cameras(const std::string& sensors, const std::string& cameras) const {
+        std::ofstream(dir / "cameras.xml")
+            << "<document version=\"2.0.0\"><chunk label=\"Chunk 1\" enabled=\"true\"><sensors>" << sensors
+            << "</sensors><cameras>" << cameras << "</cameras></chunk></document>";
+        return read_cameras(dir / "cameras.xml");
+    }
+    static std::vector<std::string> names(const CameraSet& set) {
+        std::vector<std::string> out;
+        for (const CameraSet::Entry& e : set.entries) out.push_back(e.photo);
+        return out;
+    }
+};
+
+TEST_F(Metashape, FoldersTellEqualLabelsApart) {
+    const auto group = [](const char* label, const char* type, const std::string& content) {
+        return std::string("<group label=\"") + label + "\" type=\"" + type + "\">" + content + "</group>";
+    };
+    const std::string two = group("100MEDIA", "folder", camera("DJI_0001", 0) + camera("DJI_0002", 1)) +
+                            group("101MEDIA", "folder", camera("DJI_0002", 2));
+    EXPECT_EQ(names(cameras(calibrated, two)),
+              (std::vector<std::string>{"DJI_0001", "100MEDIA/DJI_0002", "101MEDIA/DJI_0002"}));
+    const std::string nested = group("left", "folder", group("day", "folder", camera("A", 0))) +
+                               group("right", "folder", camera("A", 1));
+    EXPECT_EQ(names(cameras(calibrated, nested)), (std::vector<std::string>{"left/day/A", "right/A"}));
+    const std::string stations =
+        group("left", "station", camera("A", 0)) + group("right", "station", camera("B", 1)) + camera("C", 2);
+    EXPECT_EQ(names(cameras(calibrated, stations)), (std::vector<std::string>{"A", "B", "C"}));
+}
+
+TEST_F(Metashape, SensorWithoutCalibrationHasTheFocalLengthOfItsCamera) {
+    const auto sensor = [](const char* properties) {
+        return std::string("<sensor id=\"0\" type=\"frame\"><resolution width=\"400\" height=\"300\"/>") +
+               properties + "<fixed>true</fixed></sensor>";
+    };
+    constexpr const char* all =
+        "<property name=\"pixel_width\" value=\"0.01\"/><property name=\"pixel_height\" value=\"0.0125\"/>"
+        "<property name=\"focal_length\" value=\"3.5\"/>";
+    const Camera c = cameras(sensor(all), camera("A", 0)).entries.front().camera;
+    EXPECT_DOUBLE_EQ(c.intrinsics.fx, 350);
+    EXPECT_DOUBLE_EQ(c.intrinsics.fy, 280);
+    EXPECT_DOUBLE_EQ(c.intrinsics.cx, 200);
+    EXPECT_DOUBLE_EQ(c.intrinsics.cy, 150);
+    EXPECT_FALSE(c.lens.distorts());
+    for (const char* lacks : {"", "<property name=\"focal_length\" value=\"3.5\"/>",
+                              "<property name=\"pixel_width\" value=\"0\"/><property name=\"pixel_height\" "
+                              "value=\"0.01\"/><property name=\"focal_length\" value=\"3.5\"/>"})
+        EXPECT_THROW(cameras(sensor(lacks), camera("A", 0)), NoCamera) << lacks;
+}
+
+TEST_F(Metashape, ExportOfMarkersIsNotTakenForCameras) {
+    cameras(calibrated, camera("A", 0));
+    std::filesystem::copy_file(dir / "cameras.xml", dir / "scan.xml");
+    EXPECT_THROW(cameras(calibrated, "<camera id=\"0\" sensor_id=\"0\" label=\"A\"/>"), NoCamera);
+    std::filesystem::rename(dir / "cameras.xml", dir / "markers.xml");
+    const FoundInput found = search(dir, {});
+    EXPECT_EQ(found.files.cameras.filename(), "scan.xml");
+    ASSERT_EQ(found.files.notes.size(), 1u);
+    EXPECT_TRUE(found.files.notes[0].starts_with("markers.xml: not used, ")) << found.files.notes[0];
+}
+
+}  // namespace
+}  // namespace vantage
