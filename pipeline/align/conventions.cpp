@@ -218,9 +218,11 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
     return out;
 }
 
-/// Whether exchanging tangential terms would move what photos show by a noticeable share of a pixel.
-bool has_tangential_terms(const SceneInput& scene) {
+/// Whether the format leaves the order of tangential terms open, because other programs export it with
+/// theirs, and exchanging them would move what photos show by a noticeable share of a pixel.
+bool has_open_terms(const SceneInput& scene) {
     constexpr double noticeable = 0.5;
+    if (!scene.camera_format.starts_with("COLMAP") && scene.camera_format != "transforms.json") return false;
     return std::ranges::any_of(scene.photos, [](const PhotoInput& p) {
         const auto swapped = swapped_tangential(p.camera, Similarity());
         if (!swapped) return false;
@@ -232,12 +234,14 @@ bool has_tangential_terms(const SceneInput& scene) {
     });
 }
 
-/// Whether a pair of photos shows that everything is as read: many features agree with cameras and mesh far
-/// better than under any other convention.
-std::optional<ConventionTrials> as_read_by_a_pair(const SceneInput& scene, const FeatureSettings& how) {
-    constexpr std::size_t photos = 1, nearest[] = {0};
+/// Whether a few pairs of photos show that everything is as read: many features agree with cameras and mesh
+/// far better than under any other convention.
+std::optional<ConventionTrials> as_read_by_pairs(const SceneInput& scene, std::size_t pairs,
+                                                 const FeatureSettings& how) {
+    constexpr std::size_t nearest[] = {0};
+    const FeatureSettings quick{.long_side = 320, .features = 500, .threads = how.threads};
     const std::vector<SharedFeature> features =
-        shared_features(scene.photos, neighboring_photos(scene.photos, photos, nearest), how);
+        shared_features(scene.photos, neighboring_photos(scene.photos, pairs, nearest), quick);
     if (features.size() < enough) return {};
     const std::vector<Camera> cameras = cameras_of(scene);
     ConventionTrials out;
@@ -246,7 +250,7 @@ std::optional<ConventionTrials> as_read_by_a_pair(const SceneInput& scene, const
     if (2 * agreeing.size() < features.size() || agreeing.size() < enough) return {};
     out.mesh.push_back(trial_of(as_read, surface_errors(agreeing, cameras, cast_mesh(scene.mesh))));
     const ConventionTrial& mesh = out.mesh.front();
-    if (mesh.defined < enough || !(mesh.median <= half)) return {};
+    if (mesh.defined < enough || !(mesh.median <= 2 * half)) return {};
     return out;
 }
 
@@ -304,8 +308,9 @@ ConventionTrial trial_of(const std::string& names, std::span<const double> error
 }
 
 ConventionTrials try_conventions(const SceneInput& scene, const FeatureSettings& how) {
-    if (!has_tangential_terms(scene))
-        if (auto as_read = as_read_by_a_pair(scene, how)) return *as_read;
+    if (!has_open_terms(scene))
+        for (const std::size_t pairs : {1, 4})
+            if (auto as_read = as_read_by_pairs(scene, pairs, how)) return *as_read;
     constexpr std::size_t photos = 6, ranks[] = {0, 2};
     const std::vector<SharedFeature> features =
         shared_features(scene.photos, neighboring_photos(scene.photos, photos, ranks), how);
