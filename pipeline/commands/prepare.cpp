@@ -11,6 +11,7 @@
 #include "cli/stop_signals.h"
 #include "files/output_file.h"
 #include "pipeline/align/conventions.h"
+#include "pipeline/align/upside_down.h"
 #include "pipeline/commands/apply_config.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/effect_option.h"
@@ -172,10 +173,25 @@ SceneInput read_traced(const InputFiles& files, Trace& trace) {
     return read_scene(files);
 }
 
+void warn_of_upside_down(SceneInput& scene, unsigned threads) {
+    const std::vector<std::uint32_t> found = upside_down_photos(scene.photos, {.threads = threads});
+    if (found.empty()) return;
+    std::vector<std::string> names;
+    for (const std::uint32_t i : found) names.push_back(scene.photos[i].name);
+    const int orientation = scene.photos[found.front()].open_turn;
+    scene.warnings.push_back(fmt::format(
+        "upside down for the cameras, as neighboring photos show: {}; {} (EXIF orientation {})",
+        fmt::join(names, ", "),
+        orientation == 3 ? "pixels are taken as stored, but the cameras are of the photos as displayed"
+                         : "turned as the file says, but the pixels had been turned before",
+        orientation));
+}
+
 ConventionTrials settle_traced(SceneInput& scene, const PrepareSettings& settings, Trace& trace) {
     const Traced traced(&trace, "conventions");
     // Each thread takes about 70 MB, which the estimate does not know.
     const unsigned threads = settings.memory > 0 ? 1 : std::min(2u, threads_of(settings));
+    warn_of_upside_down(scene, threads);
     ConventionTrials trials = settle_convention(scene, settings.convention, threads);
 #ifdef __GLIBC__
     ::malloc_trim(0);  // what was freed would count as the program's own

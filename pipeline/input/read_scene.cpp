@@ -48,6 +48,9 @@ void fit_to_photo(PhotoInput& photo, CameraSet::Unit unit, SceneInput& scene) {
     photo.linear = header.linear;
     photo.profile = header.profile;
     Intrinsics& k = photo.camera.intrinsics;
+    // Turned by 90 degrees, it fits its camera or does not; but it may have been turned before.
+    const bool turned = header.orientation >= 5 && k.width == size.height && k.height == size.width;
+    if (header.orientation == 3 || turned) photo.open_turn = header.orientation;
     if (unit != CameraSet::Unit::pixels) {
         k = in_pixels(k, unit, size);
         return;

@@ -24,6 +24,7 @@ struct PhotoInput {
     ProfileUse profile{};             ///< of its file's ICC profile
     std::vector<StampedFile> read{};  ///< photo and stencil, stamped before the photo's header was read
     std::uint32_t band = 0;           ///< index in SceneInput::bands
+    int open_turn = 0;  ///< EXIF orientation, if it leaves open whether the pixels are upside down; else 0
 };
 
 /// Where the parts of an input are.

@@ -13,6 +13,7 @@ namespace vantage {
 struct JpegPhoto {
     std::string flaw;  ///< why it cannot be read, or empty; then the rest is valid
     int width = 0, height = 0;
+    int orientation = 1;  ///< EXIF, 1 to 8
     PixelColors colors = PixelColors::rgb;
     /// The ICC profile, put together from its segments (ICC.1, Annex B.4); no bytes if segments are missing.
     std::optional<std::vector<std::byte>> profile;

@@ -113,7 +113,7 @@ PhotoHeader read_photo_header(const std::filesystem::path& file) {
         if (!is_jpeg(head)) break;
         if (const JpegPhoto jpeg = read_jpeg_photo(head); jpeg.flaw.empty()) {
             const auto profile = profile_of(jpeg);
-            return {{jpeg.width, jpeg.height}, profile ? profile->use : ProfileUse{}};
+            return {{jpeg.width, jpeg.height}, profile ? profile->use : ProfileUse{}, jpeg.orientation};
         }
         if (head.size() < bytes) break;
     }

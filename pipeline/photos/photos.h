@@ -9,7 +9,7 @@
 
 namespace vantage {
 
-/// Reads a photo's header; a JPEG is always given orientation 1. Throws Error(input).
+/// Reads a photo's header. Throws Error(input).
 PhotoHeader read_photo_header(const std::filesystem::path& file);
 
 /// Decodes a photo: JPEG by libjpeg-turbo, everything else by OpenImageIO (gray, 16-bit, float, alpha, CMYK).
