@@ -168,7 +168,7 @@ std::string outcome(const PoseSolution& s) {
 class PoseChoice {
   public:
     PoseChoice(const RegistrationInput& in, Registration& out)
-        : out_(out), judge_(in.judge && !out.decision.forced), in_(in), rounds_(in) {}
+        : out_(out), judge_(in.judge && !out.decision.forced), in_(in) {}
 
     /// Whether a trial hints that the solution of a fit would be better; else says why not.
     bool promises(const PoseSolution& trial, const std::string& of) {
@@ -184,32 +184,36 @@ class PoseChoice {
         if (moved(solution) == 0) return reject(of + " would not improve holdout corners");
         if (solution.after > explained * solution.before) return reject_unexplained(solution, of);
         judging();
-        Candidate c = candidate(rounds_, *folds_, std::move(solution), which);
+        Candidate c = candidate(rounds(), *folds_, std::move(solution), which);
         std::string judged;
         if (judge_) {
             const Candidate* taken = taken_ ? &*taken_ : nullptr;
-            const Judgment fitted = judge(rounds_, *folds_, gains_, taken, c, Own::fitted);
+            const Judgment fitted = judge(rounds(), *folds_, gains_, taken, c, Own::fitted);
             if (!taken) out_.decision.judgment = fitted;
             if (!is_called_for(fitted)) return reject(of + ": " + sentence(fitted));
-            const Judgment given = judge(rounds_, *folds_, gains_, taken, c, Own::given);
+            const Judgment given = judge(rounds(), *folds_, gains_, taken, c, Own::given);
             if (given.gain < -2 * given.error || (which == Moved::together && !is_called_for(given)))
                 return reject(of + " would leave the frame of the given cameras: " + sentence(given));
             out_.decision.judgment = fitted;
             judged = "; " + sentence(fitted);
         }
-        keep_uncertain(rounds_, *folds_, c);
+        keep_uncertain(rounds(), *folds_, c);
         if (moved(c.solution) == 0) return reject(of + " would be less than the uncertainty");
         out_.decision.evidence += "; " + outcome(c.solution) + judged;
         taken_ = std::move(c);
     }
 
-    const PoseRounds& rounds() const { return rounds_; }
+    /// Made when a fit is first worth while.
+    const PoseRounds& rounds() {
+        if (!rounds_) rounds_.emplace(in_);
+        return *rounds_;
+    }
     bool any() const { return bool(taken_); }
 
     void finish() {
         if (taken_) out_.photos = taken_->solution.photos;
         if (taken_ && taken_->which != Moved::together)
-            out_.without = poses_without_each(rounds_, taken_->solution, *folds_);
+            out_.without = poses_without_each(rounds(), taken_->solution, *folds_);
         out_.decision.on = any();
         if (!any()) out_.decision.evidence += "; no camera was moved";
     }
@@ -233,7 +237,7 @@ class PoseChoice {
     Registration& out_;
     bool judge_;
     const RegistrationInput& in_;
-    PoseRounds rounds_;
+    std::optional<PoseRounds> rounds_;
     std::optional<Folds> folds_;
     std::vector<PhotoColors> gains_;
     std::optional<Candidate> taken_;
@@ -266,9 +270,8 @@ void choose_poses(const RegistrationInput& in, const SystematicErrors& errors, R
     std::vector<std::uint32_t> stay;
     for (const LensError& e : errors.lenses) stay.insert(stay.end(), e.photos.begin(), e.photos.end());
     const std::vector<std::uint32_t> odd = odd_photos(in, out.pairs, stay);
-    const PoseRounds trial(in, Effort::trial);
     if (const std::string what = fmt::format("moving {} of the cameras", odd.size());
-        !odd.empty() && choice.promises(trial.fit_some(odd), what))
+        !odd.empty() && choice.promises(PoseRounds(in, Effort::trial).fit_some(odd), what))
         choice.consider(choice.rounds().fit_some(odd), what, Moved::odd_ones);
     if (!stay.empty()) {
         out.decision.evidence += "; poses would hide the lens's error: cameras stay";

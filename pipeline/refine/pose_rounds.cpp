@@ -82,8 +82,8 @@ PoseRounds::PoseRounds(const RegistrationInput& in, Effort effort)
 }
 
 const Matching& PoseRounds::as_given() const {
-    if (!before_) before_ = match(given_, pairs_, finest());
-    return *before_;
+    std::call_once(matched_, [this] { before_ = match(given_, pairs_, finest()); });
+    return before_;
 }
 
 double PoseRounds::expected_error(const Matching& matched) const {

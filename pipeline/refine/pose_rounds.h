@@ -1,5 +1,5 @@
 #pragma once
-#include <optional>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -55,7 +55,7 @@ class PoseRounds {
   private:
     using Poses = std::vector<Pose>;
     using Pairs = std::vector<PhotoPair>;
-    /// Under the given poses, when it is first asked for.
+    /// Under the given poses, when it is first asked for; by any thread.
     const Matching& as_given() const;
     int finest() const { return long_sides_.back(); }
     /// Of the given poses in px, from the displacement of holdout corners.
@@ -75,9 +75,10 @@ class PoseRounds {
     std::vector<Intrinsics> intrinsics_;
     std::vector<FittedCamera> cameras_;
     Poses given_;
-    int corners_;                             ///< per photo
-    std::span<const int> long_sides_;         ///< of the rounds, px; the last one is the finest
-    mutable std::optional<Matching> before_;  ///< see as_given()
+    int corners_;                      ///< per photo
+    std::span<const int> long_sides_;  ///< of the rounds, px; the last one is the finest
+    mutable std::once_flag matched_;
+    mutable Matching before_;  ///< see as_given()
 };
 
 }  // namespace vantage
