@@ -55,12 +55,19 @@ std::vector<std::byte> read_level(const PackageReader& reader, const package::Ph
     return texels;
 }
 
+RgbaImage read_level_image(const PackageReader& reader, const package::PhotoRecord& r, std::uint32_t photo,
+                           package::Type type, int level) {
+    const Level size = level_size(int(r.width), int(r.height), level);
+    const std::vector<std::byte> texels = read_level(reader, r, photo, type, level);
+    RgbaImage image{size.width, size.height, {}};
+    image.rgba.resize(texels.size());
+    std::memcpy(image.rgba.data(), texels.data(), texels.size());
+    return image;
+}
+
 RgbaImage read_pinhole_level(const PackageReader& reader, const package::PhotoRecord& r, std::uint32_t photo,
                              int level) {
-    const Level size = level_size(int(r.width), int(r.height), level);
-    const std::vector<std::byte> texels = read_level(reader, r, photo, package::Type::tiles, level);
-    RgbaImage image = blank_image(size.width, size.height);
-    std::memcpy(image.rgba.data(), texels.data(), texels.size());
+    RgbaImage image = read_level_image(reader, r, photo, package::Type::tiles, level);
     const auto lens = lens_table(reader, r, photo);
     return lens ? pinhole_image(image, *lens, level) : image;
 }

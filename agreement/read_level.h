@@ -29,6 +29,10 @@ std::vector<std::byte> join_tiles(const PackageReader& reader, const package::Di
 std::vector<std::byte> read_level(const PackageReader& reader, const package::PhotoRecord& record,
                                   std::uint32_t photo, package::Type type, int level);
 
+/// A level of a photo's TILE or MASK as an image. Throws like read_level.
+RgbaImage read_level_image(const PackageReader& reader, const package::PhotoRecord& record,
+                           std::uint32_t photo, package::Type type, int level);
+
 /// A level of a photo's color as a pinhole camera takes it. Throws like read_level.
 RgbaImage read_pinhole_level(const PackageReader& reader, const package::PhotoRecord& record,
                              std::uint32_t photo, int level);

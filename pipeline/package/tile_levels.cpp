@@ -1,6 +1,5 @@
 #include "pipeline/package/tile_levels.h"
 
-#include <cstring>
 #include <stdexcept>
 
 #include "codec/byte_planes.h"
@@ -117,16 +116,6 @@ RgbaImage as_stored(const PackageWriter& writer, std::uint32_t photo, std::uint3
         copy_content(decoded, part, size, tile, std::as_writable_bytes(std::span(out.rgba)));
     }
     return out;
-}
-
-RgbaImage read_level_image(const PackageReader& reader, const package::PhotoRecord& r, std::uint32_t photo,
-                           package::Type type, int level) {
-    const Level size = level_size(int(r.width), int(r.height), level);
-    const std::vector<std::byte> texels = read_level(reader, r, photo, type, level);
-    RgbaImage image{size.width, size.height, {}};
-    image.rgba.resize(texels.size());
-    std::memcpy(image.rgba.data(), texels.data(), texels.size());
-    return image;
 }
 
 }  // namespace vantage

@@ -33,8 +33,4 @@ bool write_own_jpeg(PackageWriter& writer, std::uint32_t photo, std::span<const 
 void write_thumbnail(PackageWriter& writer, std::uint32_t photo, std::span<const std::byte> texels,
                      const Level& size);
 
-/// A level of a photo's TILE or MASK as an image; see read_level.
-RgbaImage read_level_image(const PackageReader& reader, const package::PhotoRecord& record,
-                           std::uint32_t photo, package::Type type, int level);
-
 }  // namespace vantage

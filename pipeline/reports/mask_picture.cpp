@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/package/tile_levels.h"
+#include "agreement/read_level.h"
 
 namespace vantage {
 

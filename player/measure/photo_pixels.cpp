@@ -30,12 +30,7 @@ Picture photo_at_level(const PackageReader& package, std::uint32_t photo, int le
 
 Picture masks_at_level(const PackageReader& package, std::uint32_t photo, int level) {
     expect_level(package, package::Type::masks, photo, level);
-    const package::PhotoRecord& record = package.photos()[photo];
-    const Level size = level_size(int(record.width), int(record.height), level);
-    RgbaImage image = blank_image(size.width, size.height);
-    std::ranges::copy(read_level(package, record, photo, package::Type::masks, level),
-                      std::as_writable_bytes(std::span(image.rgba)).begin());
-    return picture_of(std::move(image));
+    return picture_of(read_level_image(package, package.photos()[photo], photo, package::Type::masks, level));
 }
 
 View view_of_level(const package::PhotoRecord& photo, int level) {
