@@ -11,17 +11,7 @@
 namespace vantage {
 namespace {
 
-/// A camera model of COLMAP. Elements of `focal_center` and `distortion` are indices into COLMAP's
-/// parameters.
-struct ColmapModel {
-    const char* name;
-    std::size_t parameters;
-    std::array<int, 4> focal_center;  ///< fx fy cx cy
-    LensModel lens;
-    std::vector<int> distortion{};  ///< as Lens::p; what is beyond the end is 0
-};
-/// In the order of COLMAP's model IDs.
-const ColmapModel colmap_models[] = {
+const ColmapModel models[] = {
     {"SIMPLE_PINHOLE", 3, {0, 0, 1, 2}, LensModel::none},
     {"PINHOLE", 4, {0, 1, 2, 3}, LensModel::none},
     {"SIMPLE_RADIAL", 4, {0, 0, 1, 2}, LensModel::opencv, {3}},
@@ -120,7 +110,7 @@ std::map<std::uint32_t, Camera> text_cameras(const std::filesystem::path& file) 
         const auto id = in.number<std::uint32_t>("a camera ID");
         const std::string wanted(in.word("a camera model"));
         const ColmapModel* model = nullptr;
-        for (const ColmapModel& m : colmap_models)
+        for (const ColmapModel& m : models)
             if (wanted == m.name) model = &m;
         if (!model) in.fail("a COLMAP camera model", "'" + wanted + "'");
         const int width = in.number<int>("a width"), height = in.number<int>("a height");
@@ -137,21 +127,23 @@ std::map<std::uint32_t, Camera> binary_cameras(const std::filesystem::path& file
     for (std::uint64_t n = in.count(24); n > 0; --n) {
         const auto id = in.read<std::uint32_t>();
         const auto model = in.read<std::int32_t>();
-        if (model < 0 || std::size_t(model) >= std::size(colmap_models))
+        if (model < 0 || std::size_t(model) >= std::size(models))
             throw Error(Exit::input, file.string() + ": camera model " + std::to_string(model) +
                                          " is not known, or no perspective one");
         const auto width = in.read<std::uint64_t>(), height = in.read<std::uint64_t>();
         if (width > 1u << 20 || height > 1u << 20)
             throw Error(Exit::input,
                         file.string() + ": camera " + std::to_string(id) + " has an invalid size");
-        std::vector<double> p(colmap_models[model].parameters);
+        std::vector<double> p(models[model].parameters);
         for (double& v : p) v = in.read<double>();
-        cameras[id] = camera_of(colmap_models[model], int(width), int(height), p);
+        cameras[id] = camera_of(models[model], int(width), int(height), p);
     }
     return cameras;
 }
 
 }  // namespace
+
+std::span<const ColmapModel> colmap_models() { return models; }
 
 CameraSet read_colmap_text(const std::filesystem::path& folder) {
     CameraSet set{"COLMAP text", {}, {}};

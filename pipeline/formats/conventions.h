@@ -2,6 +2,9 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 #include "scene/camera.h"
 
@@ -36,6 +39,18 @@ inline Lens brown_lens(const std::array<double, 4>& k, double p1, double p2, dou
     const Lens lens{LensModel::opencv, {k[0], k[1], p1, p2, k[2]}};
     return lens.distorts() ? lens : Lens{};
 }
+
+/// A camera model of COLMAP. Elements of `focal_center` and `distortion` are indices into COLMAP's
+/// parameters.
+struct ColmapModel {
+    const char* name;
+    std::size_t parameters;
+    std::array<int, 4> focal_center;  ///< fx fy cx cy
+    LensModel lens;
+    std::vector<int> distortion{};  ///< as Lens::p; what is beyond the end is 0
+};
+/// In the order of COLMAP's model IDs.
+std::span<const ColmapModel> colmap_models();
 
 /// COLMAP's convention is ours. The quaternion (w, x, y, z) need not be normalized.
 inline Pose from_colmap(double w, double x, double y, double z, const Eigen::Vector3d& t) {

@@ -4,56 +4,39 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <sstream>
-#include <utility>
 
 #include "files/make_folder.h"
 #include "files/output_file.h"
+#include "pipeline/formats/conventions.h"
 #include "scene/error.h"
 #include "scene/replace_file.h"
 
 namespace vantage {
 namespace {
 
-/// A model and how many of Lens::p it takes, in their order; no name if COLMAP has no such model.
-std::pair<const char*, std::size_t> model_of(const Lens& lens) {
-    const auto all = coefficient_names(lens.model).size();
-    switch (lens.model) {
-        case LensModel::none:
-            return {"PINHOLE", 0};
-        case LensModel::opencv:
-            if (!lens.distorts()) return {"PINHOLE", 0};
-            return std::any_of(&lens.p[4], &lens.p[8], [](double v) { return v != 0; })
-                       ? std::pair("FULL_OPENCV", all)
-                       : std::pair("OPENCV", std::size_t(4));
-        case LensModel::fisheye:
-            return {"OPENCV_FISHEYE", all};
-        case LensModel::fov:
-            return {"FOV", all};
-        case LensModel::thin_prism:
-            return {"THIN_PRISM_FISHEYE", all};
-        case LensModel::aria:
-            return {"RAD_TAN_THIN_PRISM_FISHEYE", all};
-        case LensModel::division:
-            return {"DIVISION", all};
-        case LensModel::unified:
-            return {"EUCM", all};
-        case LensModel::brown:
-        case LensModel::matchmover:
-            return {nullptr, 0};
-    }
-    return {nullptr, 0};
+/// The first model with two focal lengths that has the lens and its coefficients; null if there is none.
+const ColmapModel* model_of(const Lens& lens) {
+    const LensModel wanted = lens.distorts() ? lens.model : LensModel::none;
+    const auto used =
+        lens.p.rend() - std::find_if(lens.p.rbegin(), lens.p.rend(), [](double v) { return v != 0; });
+    for (const ColmapModel& m : colmap_models())
+        if (m.lens == wanted && m.focal_center == std::array{0, 1, 2, 3} && used <= std::ssize(m.distortion))
+            return &m;
+    return nullptr;
 }
 
 std::string camera_line(std::size_t id, const NamedCamera& photo) {
     const Intrinsics& k = photo.camera.intrinsics;
-    const auto [model, count] = model_of(photo.camera.lens);
+    const ColmapModel* model = model_of(photo.camera.lens);
     if (!model)
         throw Error(Exit::input, fmt::format("{}: COLMAP has no lens model \"{}\"", photo.photo,
                                              name(photo.camera.lens.model)));
     std::string line =
-        fmt::format("{} {} {} {} {} {} {} {}", id, model, k.width, k.height, k.fx, k.fy, k.cx, k.cy);
-    for (std::size_t i = 0; i < count; ++i) line += fmt::format(" {}", photo.camera.lens.p[i]);
+        fmt::format("{} {} {} {} {} {} {} {}", id, model->name, k.width, k.height, k.fx, k.fy, k.cx, k.cy);
+    for (std::size_t i = 0; i < model->distortion.size(); ++i)
+        line += fmt::format(" {}", photo.camera.lens.p[i]);
     return line + "\n";
 }
 
@@ -66,7 +49,7 @@ std::string image_line(std::size_t id, const NamedCamera& photo) {
 
 }  // namespace
 
-bool has_colmap_model(const Lens& lens) { return model_of(lens).first != nullptr; }
+bool has_colmap_model(const Lens& lens) { return model_of(lens) != nullptr; }
 
 void write_colmap_text(const std::filesystem::path& folder, std::span<const NamedCamera> photos,
                        const std::string& comment) {
