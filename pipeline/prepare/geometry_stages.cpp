@@ -111,9 +111,9 @@ void make_from_geometry(const GeometryContext& c, const PosedPhoto& photo, const
     if (!missing[Stage::masks] && !missing[Stage::samples]) return;
     CoarsePixels coarse = pixels.get();
     if (missing[Stage::samples]) write_samples(c, photo, geometry, std::move(coarse.samples));
+    if (!missing[Stage::masks]) return;
     if (coarse.valid.empty() && photo.lens) coarse.valid = inside_photo(*photo.lens, mask_level);
-    if (missing[Stage::masks])
-        write_masks(c, photo, std::move(geometry), std::move(coarse.valid), int(r.levels));
+    write_masks(c, photo, std::move(geometry), std::move(coarse.valid), int(r.levels));
 }
 
 }  // namespace vantage

@@ -57,8 +57,8 @@ Pixels decode_pixels(const PhotoJob& job, PhotoFile& file, const package::PhotoR
     return {std::move(image), own};
 }
 
-RgbaImage as_pinhole(const PhotoJob& job, RgbaImage level, int number) {
-    if (!job.at.lens) return level;
+/// Of a photo with a lens.
+RgbaImage as_pinhole(const PhotoJob& job, const RgbaImage& level, int number) {
     const Traced traced(job.context.trace, "lens", job.photo.name);
     return pinhole_image(level, *job.at.lens, number);
 }
@@ -79,13 +79,13 @@ void write_pixels(const PhotoJob& job, const StageSet& missing, RgbaImage level,
     const std::uint32_t last = std::max(r.levels, std::uint32_t(sample_level) + 1);
     for (std::uint32_t l = 0; l < last; ++l) {
         if (l == std::uint32_t(mask_level) && !opaque)
-            coarse.valid = validity(as_pinhole(job, level, mask_level));
+            coarse.valid = job.at.lens ? validity(as_pinhole(job, level, mask_level)) : validity(level);
         const bool own = l == 0 && !jpeg.empty();
         if (l == sampled) coarse.samples = own ? level : as_stored(writer, i, l, level);
         if (l > sampled && l <= std::uint32_t(sample_level)) coarse.samples = halve(coarse.samples);
         if (l == std::uint32_t(sample_level)) {
-            if (missing[Stage::samples])
-                coarse.samples = as_pinhole(job, std::move(coarse.samples), sample_level);
+            if (job.at.lens && missing[Stage::samples])
+                coarse.samples = as_pinhole(job, coarse.samples, sample_level);
             found.set_value(std::move(coarse));
         }
         if (l < r.levels && missing[Stage::tiles] && !(own && write_own_jpeg(writer, i, jpeg)))
