@@ -194,7 +194,22 @@ void settle_tangential(const SceneInput& scene, std::span<const SharedFeature> f
         trials.chosen = swapped;
 }
 
-ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> features) {
+/// The scene's mesh for rays, made when it is first asked for.
+class MeshOnDemand {
+  public:
+    explicit MeshOnDemand(const Mesh& mesh) : mesh_(mesh) {}
+    const CastMesh& get() {
+        if (!cast_) cast_.emplace(cast_mesh(mesh_));
+        return *cast_;
+    }
+
+  private:
+    const Mesh& mesh_;
+    std::optional<CastMesh> cast_;
+};
+
+ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> features,
+                       MeshOnDemand& on_demand) {
     ConventionTrials out;
     std::vector<Camera> cameras = cameras_of(scene);
     out.cameras.push_back(trial_of(as_read, epipolar_errors(features, cameras)));
@@ -206,7 +221,7 @@ ConventionTrials tried(const SceneInput& scene, std::span<const SharedFeature> f
     cameras = changed(std::move(cameras), scene.transform, out.chosen);
     const std::vector<SharedFeature> agreeing = agreeing_features(features, cameras, far_off);
     if (agreeing.size() < enough) return out;
-    const CastMesh mesh = cast_mesh(scene.mesh);
+    const CastMesh& mesh = on_demand.get();
     out.mesh.push_back(trial_of(as_read, surface_errors(agreeing, cameras, mesh)));
     for (const std::string& names : mesh_conventions())
         if (const auto to = changed(cameras, scene.transform, names); !to.empty())
@@ -237,7 +252,7 @@ bool has_open_terms(const SceneInput& scene) {
 /// Whether a few pairs of photos show that everything is as read: many features agree with cameras and mesh
 /// far better than under any other convention.
 std::optional<ConventionTrials> as_read_by_pairs(const SceneInput& scene, std::size_t pairs,
-                                                 const FeatureSettings& how) {
+                                                 const FeatureSettings& how, MeshOnDemand& mesh) {
     constexpr std::size_t nearest[] = {0};
     const FeatureSettings quick{.long_side = 320, .features = 500, .threads = how.threads};
     const std::vector<SharedFeature> features =
@@ -248,9 +263,9 @@ std::optional<ConventionTrials> as_read_by_pairs(const SceneInput& scene, std::s
     out.cameras.push_back(trial_of(as_read, epipolar_errors(features, cameras)));
     const std::vector<SharedFeature> agreeing = agreeing_features(features, cameras, far_off);
     if (2 * agreeing.size() < features.size() || agreeing.size() < enough) return {};
-    out.mesh.push_back(trial_of(as_read, surface_errors(agreeing, cameras, cast_mesh(scene.mesh))));
-    const ConventionTrial& mesh = out.mesh.front();
-    if (mesh.defined < enough || !(mesh.median <= 2 * half)) return {};
+    out.mesh.push_back(trial_of(as_read, surface_errors(agreeing, cameras, mesh.get())));
+    const ConventionTrial& shown = out.mesh.front();
+    if (shown.defined < enough || !(shown.median <= 2 * half)) return {};
     return out;
 }
 
@@ -308,14 +323,15 @@ ConventionTrial trial_of(const std::string& names, std::span<const double> error
 }
 
 ConventionTrials try_conventions(const SceneInput& scene, const FeatureSettings& how) {
+    MeshOnDemand mesh(scene.mesh);
     if (!has_open_terms(scene))
         for (const std::size_t pairs : {1, 4})
-            if (auto as_read = as_read_by_pairs(scene, pairs, how)) return *as_read;
+            if (auto settled = as_read_by_pairs(scene, pairs, how, mesh)) return *settled;
     constexpr std::size_t photos = 6, ranks[] = {0, 2};
     const std::vector<SharedFeature> features =
         shared_features(scene.photos, neighboring_photos(scene.photos, photos, ranks), how);
     if (features.size() < enough) return {};
-    return tried(scene, features);
+    return tried(scene, features, mesh);
 }
 
 ConventionTrials settle_convention(SceneInput& scene, const std::string& wanted, unsigned threads) {

@@ -1,7 +1,7 @@
 #include "pipeline/align/upside_down.h"
 
 #include <algorithm>
-#include <ranges>
+#include <iterator>
 
 #include "pipeline/align/feature_errors.h"
 
