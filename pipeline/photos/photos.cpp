@@ -97,8 +97,7 @@ RgbaImage decode(const std::filesystem::path& file, std::span<const std::byte> b
                       : profiles == Profiles::used ? image_files().read(file)
                                                    : image_files().read_unprofiled(file);
     if (photo.width == expected.height && photo.height == expected.width && photo.width != photo.height)
-        if (const int o = image_files().header(file).orientation; o >= 5 && o <= 8)
-            photo = transposed(photo, o);
+        if (const int o = read_photo_header(file).orientation; o >= 5 && o <= 8) photo = transposed(photo, o);
     if (photo.width != expected.width || photo.height != expected.height)
         fail_size(file, {photo.width, photo.height}, expected);
     return photo;
