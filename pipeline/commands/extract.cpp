@@ -31,7 +31,7 @@ void add_extract(const Command& program) {
     c.file("FILE", o->file, "the package").type("PACKAGE").required();
     c.file("-o,--output", o->out, "folder to write into").type("FOLDER").required();
     c.list("--photo", o->photos, "only these photos").type("PHOTO").commas();
-    c.flag("--undistorted", o->undistorted, "photos without lens distortion, as PNG");
+    c.flag("--undistorted", o->undistorted, "photos without lens distortion");
     c.force(o->force);
     c.action([o] {
         extract(o->file, o->out, o->photos, o->undistorted, o->force);
