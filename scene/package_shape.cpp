@@ -41,14 +41,18 @@ void model_shape(const PackageReader& reader, const package::SceneRecord& scene,
     if (!covered || next != scene.triangles) out.emplace_back("CLUS: clusters do not cover the triangles");
 }
 
+std::string without_path(const Error& e, const PackageReader& reader) {
+    const std::string line = e.what(), path = reader.path().string() + ": ";
+    return line.starts_with(path) ? line.substr(path.size()) : line;
+}
+
 void surroundings_shape(const PackageReader& reader, Lines& out) {
     try {
         const bool present = read_surroundings(reader).has_value();
         if (present != effect_on(reader.scene(), Effect::surroundings))
             out.emplace_back(present ? "SURR: the effect is off" : "SURR is missing");
     } catch (const Error& e) {
-        const std::string line = e.what(), path = reader.path().string() + ": ";
-        out.push_back(line.starts_with(path) ? line.substr(path.size()) : line);
+        out.push_back(without_path(e, reader));
     }
 }
 
@@ -93,7 +97,7 @@ void lenses_shape(const PackageReader& reader, const package::SceneRecord& scene
     for (std::uint32_t i = 0; e && i < scene.photos; ++i) try {
             lens_of(reader, i);
         } catch (const DamagedPackage& damage) {
-            out.push_back(std::string(damage.what()).substr(reader.path().string().size() + 2));
+            out.push_back(without_path(damage, reader));
             return;
         }
 }

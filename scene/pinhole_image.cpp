@@ -93,7 +93,7 @@ RgbaImage pinhole_image(const RgbaImage& photo, const LensTable& table, int leve
     if (photo.width != size.width || photo.height != size.height)
         throw std::invalid_argument("a photo does not have the size of its level");
     const double texel = 1 << level;
-    const Eigen::Vector2f low(0, 0), high(float(k.width / texel), float(k.height / texel));
+    const Eigen::Vector2f high(float(k.width / texel), float(k.height / texel));
     std::vector<SplinePlace> columns;
     for (int x = 0; x < size.width; ++x) columns.push_back(spline_place((x + 0.5) * texel / k.width));
     std::vector<Eigen::Vector2f> row(LensTable::side);
@@ -111,7 +111,7 @@ RgbaImage pinhole_image(const RgbaImage& photo, const LensTable& table, int leve
             for (std::size_t i = 0; i < 4; ++i) moved += p.weights[i] * row[std::size_t(p.first) + i];
             const Eigen::Vector2f at =
                 Eigen::Vector2f(float(x) + 0.5f, float(y) + 0.5f) + moved / float(texel);
-            if ((at.array() < low.array()).any() || (at.array() > high.array()).any()) continue;
+            if ((at.array() < 0).any() || (at.array() > high.array()).any()) continue;
             sample_at(photo, at, &out.rgba[4 * (std::size_t(y) * std::size_t(size.width) + std::size_t(x))]);
         }
     }

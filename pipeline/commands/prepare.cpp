@@ -106,6 +106,11 @@ std::optional<std::vector<UnusablePhoto>> current(const PrepareOptions& o, const
     }
 }
 
+void print_warnings(const SceneInput& scene) {
+    for (const std::string& w : scene.warnings) fmt::print("warning  {}\n", w);
+    std::fflush(stdout);
+}
+
 void print_scene(const SceneInput& scene, const ConventionTrials& fit) {
     if (!scene.files.mesh.empty())
         fmt::print("mesh     {} ({} vertices, {} triangles)\n", scene.files.mesh.string(),
@@ -127,8 +132,7 @@ void print_scene(const SceneInput& scene, const ConventionTrials& fit) {
     if (scene.convention != as_read) fmt::print("taken    with --convention {}\n", scene.convention);
     if (const std::string text = fit_of(fit, scene); !text.empty()) fmt::print("fit      {}\n", text);
     for (const std::string& n : scene.files.notes) fmt::print("note     {}\n", n);
-    for (const std::string& w : scene.warnings) fmt::print("warning  {}\n", w);
-    std::fflush(stdout);
+    print_warnings(scene);
 }
 
 std::string some(const std::vector<std::string>& photos) {
@@ -204,9 +208,7 @@ ConventionTrials settled_or_warned(SceneInput& scene, const PrepareSettings& set
     try {
         return settle_traced(scene, settings, trace);
     } catch (const Error& e) {
-        if (e.code() == Exit::misplaced)
-            for (const std::string& w : scene.warnings) fmt::print("warning  {}\n", w);
-        std::fflush(stdout);
+        if (e.code() == Exit::misplaced) print_warnings(scene);
         throw;
     }
 }
