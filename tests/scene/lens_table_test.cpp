@@ -79,7 +79,9 @@ TEST(LensTables, EndAtTheRangeOfTheLens) {
         const Eigen::Vector2d pixel(200 + 200 * r * 0.6, 200 + 200 * r * 0.8),
             taken = photo_pixel(table, pixel);
         EXPECT_EQ(taken.allFinite(), r < fold) << r;
-        if (r < fold - 0.05) EXPECT_LE((taken - exact(c, pixel)).norm(), 0.02) << r;
+        if (r < fold - 0.05) {
+            EXPECT_LE((taken - exact(c, pixel)).norm(), 0.02) << r;
+        }
     }
 }
 
@@ -94,7 +96,9 @@ TEST(LensTables, BoundsHoldWhatTheyAreOf) {
             const Eigen::AlignedBox2d to = photo_bounds(table, box);
             for (int j = 0; j < 20; ++j) {
                 const Eigen::Vector2d at = photo_pixel(table, box.sample());
-                if (at.allFinite()) EXPECT_LE(to.exteriorDistance(at), 1e-3) << c.what;
+                if (at.allFinite()) {
+                    EXPECT_LE(to.exteriorDistance(at), 1e-3) << c.what;
+                }
             }
         }
     }
@@ -115,8 +119,12 @@ TEST(LensTables, TellWhichTexelsThePhotoShows) {
                     std::min({at.x(), at.y(), c.camera.width - at.x(), c.camera.height - at.y(),
                               1e9 * (table.range - radius(c, pixel))});
                 const bool shown = inside[std::size_t(y) * std::size_t(size.width) + std::size_t(x)];
-                if (edge > 8.1) ASSERT_TRUE(shown) << c.what << ' ' << x << ' ' << y;
-                if (edge < 7.9) ASSERT_FALSE(shown) << c.what << ' ' << x << ' ' << y;
+                if (edge > 8.1) {
+                    ASSERT_TRUE(shown) << c.what << ' ' << x << ' ' << y;
+                }
+                if (edge < 7.9) {
+                    ASSERT_FALSE(shown) << c.what << ' ' << x << ' ' << y;
+                }
             }
     }
 }
@@ -151,8 +159,9 @@ TEST(PinholeImages, AreSampledOnceWhereTheLensImages) {
             const Eigen::Vector2d at = exact(c, {x + 0.5, y + 0.5});
             const std::uint8_t* color = &out.rgba[4 * std::size_t(y * out.width + x)];
             ASSERT_EQ(color[3], 255) << "barrel distortion images the whole frame";
-            if (at.x() > 2 && at.y() > 2 && at.x() < 398 && at.y() < 298)
+            if (at.x() > 2 && at.y() > 2 && at.x() < 398 && at.y() < 298) {
                 ASSERT_NEAR(color[0], value(at), 1.6) << x << ',' << y;
+            }
         }
 }
 
